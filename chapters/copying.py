@@ -11,8 +11,8 @@ from pathlib import Path
 HELP = """\
 Copy the notebooks of the course to the folder DIR, and say how to open them.
 
-What is in DIR already is left alone, so a second call brings only what is new and your own work
-stays. To get a chapter anew, rename or delete your copy first.
+Files in DIR are kept, so a second call adds only what is new. To get a chapter again, rename or
+delete your copy first.
 """
 EXAMPLES = """\
 examples:
@@ -20,7 +20,7 @@ examples:
   python -m newton_euler chapters ~/dynamics  to another one; then: jupyter lab ~/dynamics
 """
 CHAPTERS = Path(__file__).parent
-# what opens a notebook, and what its sliders want
+# packages that open notebooks and draw their sliders
 NEEDED = ("jupyterlab", "ipywidgets")
 
 

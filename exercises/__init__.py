@@ -1,4 +1,4 @@
-"""The textbook's problems, ``chNN/pMM.yaml`` and ``pMM.py``. Stays with the instructor."""
+"""The textbook's problems, ``chNN/pMM.yaml`` and ``pMM.py``. For instructors only."""
 
 from .catalogue import Problem, chapters, problem, problems
 

@@ -1,4 +1,4 @@
-"""What a problem's code uses besides the engine: steps, figures, proofs, numbers of mpmath."""
+"""Imports for a problem's code, besides the engine: steps, figures, proofs, mpmath."""
 
 from mpmath import mp, mpf
 

@@ -1,5 +1,5 @@
-"""Builds nbgrader assignments from the exercises and grades what students submit. Run it as
-``python -m grader``; it holds the keys.
+"""Building nbgrader assignments from the exercises and grading submissions. Run it as ``python -m
+grader``; it holds the keys.
 
     course          a course folder: paths, students, secret, each student's numbers, work handed in
     sandbox         runs student code in a process that reaches no key, no file and no network

@@ -7,14 +7,14 @@ import click
 from .commands import COMMANDS
 from .commands.shared import PROBLEMS_FROM, STOPPED
 
-# jsonschema, which nbgrader imports, would build a grammar of internationalised addresses: a second
-# of each command, and notebooks have no such addresses to check
+# jsonschema, which nbgrader imports, would spend a second per command on a grammar of
+# internationalised addresses, which notebooks do not have
 sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
 
 
 class _Commands(click.Group):
-    """Prints an error that the user can correct as a sentence, with exit code 2; after Ctrl-C how
-    far it came, with 130.
+    """Print errors that the user can correct as sentences, with exit code 2; after Ctrl-C the
+    progress so far, with 130.
     """
 
     def list_commands(self, context):
@@ -35,7 +35,7 @@ class _Commands(click.Group):
         except KeyboardInterrupt as stopped:
             click.echo(f"Stopped by Ctrl-C. {stopped}".rstrip(), err=True)
             context.exit(STOPPED)
-        except OSError as error:  # no permission, no room, a file where a folder should be
+        except OSError as error:  # no permission, disk full, a file in place of a folder
             raise click.UsageError(
                 f"{error.filename or 'the system'}: {error.strerror or error}"
             ) from error

@@ -1,4 +1,4 @@
-"""The fixed import path of :func:`configure`: every course's nbgrader_config.py has it."""
+"""The fixed import path of :func:`configure`, for every course's nbgrader_config.py."""
 
 from .nbgrader_hooks.config import configure
 

@@ -93,8 +93,8 @@ def _wait_for(address, server, log):
 
 
 @contextmanager
-def chromium(profile):
-    """A browser with a profile of its own, in the folder ``profile``."""
+def chromium(profile, size="1200,2200"):
+    """A browser without a screen, its profile in this folder."""
     webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
     browser = shutil.which("chromium") or shutil.which("google-chrome")
     if not browser or not shutil.which("chromedriver"):
@@ -104,11 +104,10 @@ def chromium(profile):
     for argument in (
         "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
         "--disable-component-update", "--disable-sync", "--no-first-run",
-        "--disable-dev-shm-usage", "--window-size=1200,2200", "--lang=en",
-        f"--user-data-dir={profile}",
+        "--disable-dev-shm-usage", f"--window-size={size}", "--lang=en", f"--user-data-dir={profile}",
     ):  # fmt: skip
         options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     service = webdriver.ChromeService(executable_path=shutil.which("chromedriver"))
     driver = webdriver.Chrome(options=options, service=service)
     try:
@@ -177,9 +176,7 @@ class Page:
         from selenium.common.exceptions import WebDriverException
         from selenium.webdriver import Keys
 
-        def prompt():
-            return self.all(".jp-InputPrompt", n)[0].text.strip("[]: \xa0")
-
+        prompt = lambda: self.all(".jp-InputPrompt", n)[0].text.strip("[]: \xa0")
         end = time.monotonic() + LONG
         while time.monotonic() < end and not prompt():
             with suppress(WebDriverException):  # a dialog of the start lies over it for now
@@ -225,6 +222,11 @@ class Page:
             ".filter(b => b.scrollWidth > b.clientWidth).map(b => b.title)",
             self.cell(n),
         )
+
+    def errors(self):
+        """What the console says of errors, but for addresses that were not found."""
+        log = self.driver.get_log("browser")
+        return [x for x in log if x["level"] == "SEVERE" and x["source"] != "network"]
 
     def open(self, address, cells):
         """Open a notebook and run its cells."""

@@ -86,8 +86,7 @@ def close(a, b, tolerance=1e-12):
     if hasattr(a, "frame") or isinstance(a, (tuple, list)):
         a, b = tuple(a), tuple(b)
         return len(a) == len(b) and all(close(x, y, tolerance) for x, y in zip(a, b, strict=True))
-    difference = abs(number(a) - number(b))
-    return bool(np.all(difference <= tolerance))
+    return bool(np.all(abs(number(a) - number(b)) <= tolerance))
 
 
 def first(x):

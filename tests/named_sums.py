@@ -24,10 +24,7 @@ def value(x):
 def check_terms(whole, parts, names):
     """``whole`` is the sum of ``parts``: value, terms, what is left without a name, print."""
     size = 1 + max((np.abs(p).max() for p in parts), default=0)
-
-    def agree(found, expected):
-        return np.allclose(found, expected, rtol=0, atol=1e-12 * size)
-
+    agree = lambda found, expected: np.allclose(found, expected, rtol=0, atol=1e-12 * size)
     total = sum(parts, 0 * value(whole))
     assert agree(value(whole), total)
     assert len(whole.terms) == len(parts)

@@ -46,21 +46,21 @@ def build(
     course: Path | None = None,
     beside: Mapping[str, str] | None = None,
 ) -> list[str]:
-    """Build the site in the folder ``out``; returns what is not in it: the engine, the outputs of
+    """Build the site in the folder ``out``; return what was left out: the engine, the outputs of
     chapters.
 
     names : of chapters, as "ch04"; by default all
-    run : function of a chapter, whether its notebook may be run where no outputs are kept
+    run : whether the notebook of a chapter may be run if its outputs are not cached
     folder : of the notebooks
-    cache : folder of the outputs and figures that are kept
-    progress : called with a step, and how much of it is done of how much
-    with_engine : puts Python and the engine beside the pages, where npm or ``cache`` has Pyodide
-    packages : address of Pyodide's other packages, of which a reader may ask for NumPy
-    practised : the chapters whose problems are checked on their pages; by default all
-    course : the folder of a course, near whose graded numbers nobody practises
-    beside : {language: address from the root of this site} of the same site in other languages
+    cache : folder of cached outputs and figures
+    progress : called with a step, the number done, and the number in all
+    with_engine : add Python and the engine, if Pyodide is in ``cache`` or npm provides it
+    packages : address of Pyodide's other packages, from which readers may load NumPy
+    practised : the chapters with practice on their problem pages; by default all
+    course : the folder of a course; practice stays away from its graded numbers
+    beside : {other language: address of its site from the root of this one}
 
-    The site is in the language that is spoken; what is not given in it is in English.
+    The site is in the current language; what is not translated is in English.
     """
     cache = Path(cache)
     python = engine.pyodide(cache / "npm") if with_engine else None
@@ -90,7 +90,7 @@ def build(
             (pages / "practice").mkdir()
             for name, data in found_sets.items():
                 (pages / "practice" / name).write_bytes(data)
-        (pages / ".nojekyll").touch()  # else GitHub leaves out folders like _static
+        (pages / ".nojekyll").touch()  # without it GitHub leaves out folders like _static
         shutil.copytree(pages, _emptied(Path(out)), dirs_exist_ok=True)
     without = [f"outputs of {c.stem}" for c in found if ran[c.stem] is None]
     return without + ["engine (npm does not reach Pyodide)"] * (with_engine and not python)
@@ -118,7 +118,7 @@ def _write_source(source, found, ran, wanted, figures, moving):
 
 
 def _emptied(folder):
-    """The folder, empty. Only one that this command has written is emptied."""
+    """The folder, emptied if this command has written it; refused if it holds other files."""
     mark = folder / ".newton-euler-site"
     if folder.exists() and any(folder.iterdir()) and not mark.exists():
         raise WebsiteError(f"{folder} holds other files; choose an empty or a new folder")
@@ -154,7 +154,7 @@ def _write_problems(folder, names, found, figures):
 
 
 def _sphinx(source, out, partial, progress, tags, changed):
-    """Call Sphinx; every warning is an error, except for links out of a part of the site."""
+    """Call Sphinx, with warnings as errors, except for links out of a partial site."""
     from sphinx.application import Sphinx
     from sphinx.util.docutils import docutils_namespace
 
@@ -162,7 +162,7 @@ def _sphinx(source, out, partial, progress, tags, changed):
     if partial:
         changed = {**changed, "suppress_warnings": ["myst.xref_missing", "toc.not_readable"]}
     progress("pages", 0, 1)
-    # what Sphinx registers with docutils ends with it: another site may follow in this process
+    # so that Sphinx's registrations with docutils do not reach the next site of this process
     with warnings.catch_warnings(), docutils_namespace():
         warnings.simplefilter("ignore")  # Sphinx's extensions warn about each other
         trees = out.parent / "doctrees"

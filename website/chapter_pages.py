@@ -1,4 +1,4 @@
-"""Prepares an executed notebook for Sphinx: folded code, folded answers, alternative texts; without
+"""An executed notebook, prepared for Sphinx: folded code and answers, alternative texts, no
 widgets, which need a kernel.
 """
 
@@ -15,7 +15,7 @@ from newton_euler.classroom.predicting.page import STATIC, inline
 from . import moving
 
 HEADING = re.compile(r"(?m)^#+ ((?:\d+|[AB])\.\d+) .+$")
-# a formula below the text of an item: MyST wants it as a paragraph of the item
+# a displayed formula in a list item, which MyST wants as a paragraph of the item
 IN_ITEM = re.compile(r"(?m)^(( *)(\d+\.|-) .+)\n(\$\$.+\$\$)$")
 WIDGET = "application/vnd.jupyter.widget-view+json"
 TRIED = re.compile(r'try_problem\("([^"]+)"\)')
@@ -28,7 +28,7 @@ NO_OUTPUTS = Words("*The cells of this page have not been run.*")
 def page(notebook: NotebookNode, ran: bool = True, pictures: Path | None = None) -> NotebookNode:
     """The notebook as input of Sphinx.
 
-    pictures : folder of the pictures along sliders; without it figures stand still
+    pictures : folder for the pictures along sliders; None makes figures static
     """
     notebook.metadata.pop("widgets", None)
     cells = notebook.cells
@@ -49,8 +49,8 @@ def page(notebook: NotebookNode, ran: bool = True, pictures: Path | None = None)
 
 
 def markdown(text: str) -> str:
-    """The text of a cell with an anchor at each numbered section, with <details> on lines of their
-    own, so that Markdown goes on within, and with formulas in each <summary> and within items.
+    """The text of a cell with anchors at numbered sections, with <details> on lines of their own,
+    so that Markdown continues inside, and with formulas in summaries and list items.
     """
     text = IN_ITEM.sub(lambda m: f"{m[1]}\n\n{m[2]}{' ' * len(m[3])} {m[4]}\n", text)
     text = HEADING.sub(lambda m: f"({section_anchor(m[1])})=\n{m[0]}", text)
@@ -78,7 +78,7 @@ def _fold(cell):
 
 
 def _without_kernel(cell):
-    """Give predictions the form that needs no kernel. Their code has the answers and is hidden; the
+    """Replace predictions by their static form. Their code, which has the answers, is hidden; the
     engine in the page reads it, since other cells use its names.
     """
     for data in (x.data for x in cell.outputs if STATIC in x.get("data", {})):
@@ -99,7 +99,7 @@ def plain(text: str) -> str:
 
 
 def _describe(cell, words):
-    """Give the pictures of a cell an alternative text: their own, or the caption below them."""
+    """Give the pictures of a cell an alternative text: their own, or else the caption."""
     own = (x.get("metadata", {}).get("image/png", {}).get("alt") for x in cell.outputs)
     if alt := next(filter(None, own), words):
         cell.metadata["mystnb"] = {"image": {"alt": alt}}

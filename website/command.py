@@ -21,7 +21,7 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
     "--out",
     default="_site",
     type=click.Path(path_type=Path, file_okay=False),
-    help="Folder of the pages. One that holds other files is refused.",
+    help="Folder for the pages, empty or written by an earlier build.",
 )
 @click.option(
     "--chapters",
@@ -34,27 +34,27 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
 @click.option(
     "--no-run",
     is_flag=True,
-    help="Run no notebook: one whose outputs are not kept is shown without them.",
+    help="Run no notebook: those without cached outputs are shown without any.",
 )
-@click.option("--engine/--no-engine", default=True, help="Put Python and the engine beside them.")
+@click.option("--engine/--no-engine", default=True, help="Add Python and the engine to the pages.")
 @click.option(
     "--packages",
     default="",
     metavar="URL",
-    help="Folder with Pyodide's other packages: readers may then fetch NumPy from there, if its "
+    help="Folder of Pyodide's other packages, from which readers may load NumPy, if its "
     "server lets this site read it (CORS).",
 )
 @click.option(
     "--course",
     type=click.Path(path_type=Path, exists=True, file_okay=False),
     show_default="none",
-    help="Nobody practises near the numbers that this course grades.",
+    help="A course: practice stays away from its graded numbers.",
 )
 @click.option(
     "--language",
     default="en",
     type=click.Choice(known_languages()),
-    help="Of the site; what is not given in it stays in English.",
+    help="Language of the site; what is not translated stays in English.",
 )
 @click.option(
     "--beside",
@@ -75,28 +75,28 @@ def main(
     language: str,
     beside: tuple[str, ...],
 ) -> None:
-    """Build the course as static pages, to read in a browser without network and without Python.
+    """Build the course as static pages, readable in a browser without network or Python.
 
-    The pages are the chapters with all that their cells print and draw, films included; the
-    statements of the problems, without answers; and the reference of the engine. Open
-    _site/index.html, or put the folder on any web server.
+    The pages are the chapters with the outputs of their cells, films included; the statements of
+    the problems, without answers; and the reference of the engine. Open _site/index.html, or put
+    the folder on any web server.
 
-    A notebook is run in a kernel that finds the engine and nothing else of this checkout. What
-    comes out is kept in .site_cache, and run again when the notebook or the engine has changed. The
-    first build takes some minutes, most of them for speed_and_accuracy; the next one less than one.
+    Notebooks run in a kernel that sees only the engine of this checkout. Outputs are cached in
+    .site_cache until the notebook or the engine changes. The first build takes some minutes, most
+    of them for speed_and_accuracy; the next one less than one.
 
     \b
     Examples:
       python -m website
-      python -m website --chapters ch04 --out _ch04     one chapter with its problems
-      python -m website --no-run                        the texts as they are now, at once
+      python -m website --chapters ch04 --out _ch04     one chapter and its problems
+      python -m website --no-run                        the present texts, at once
       python -m website --language de --out _site/de --beside en=../
-      python -m website translations de                 what of it is missing or stale
+      python -m website translations de                 what is missing or stale
 
-    Python for the browser (Pyodide, 14 MB) comes from npm, once; readers load it when they touch
-    what computes, and it works from a web server only.
+    Python for the browser (Pyodide, 14 MB) is fetched from npm once; readers load it at their first
+    computation, from a web server only.
 
-    An error in a cell or a broken link ends the build; its place is reported.
+    An error in a cell or a broken link stops the build and is reported with its place.
     """
     from . import build as steps
     from .execution import WebsiteError
@@ -129,7 +129,7 @@ def main(
 
 @contextmanager
 def in_every_process(name: str) -> Iterator[None]:
-    """A context in which this language is spoken, here and in kernels that are started."""
+    """Make this the current language, here and in kernels that are started."""
     before = os.environ.get(VARIABLE)
     os.environ[VARIABLE] = name
     try:
@@ -143,31 +143,31 @@ def in_every_process(name: str) -> Iterator[None]:
 
 @main.command()
 @click.argument("language", metavar="LANGUAGE")
-@click.option("--write", is_flag=True, help="Bring the sentences of its catalogue up to date.")
+@click.option("--write", is_flag=True, help="Update the sentences in its catalogues.")
 @click.option(
     "--done",
     multiple=True,
     metavar="FILE",
     type=click.Path(path_type=Path, exists=True, dir_okay=False),
-    help="The translation in this file fits its source as it is now; may be repeated.",
+    help="Mark the translation in this file as current; may be repeated.",
 )
 @click.option(
     "--problem",
     "begun",
     multiple=True,
     metavar="NUMBER",
-    help="Write the English texts of this problem where its translation belongs; may be repeated.",
+    help="Begin the translation of this problem with its English texts; may be repeated.",
 )
-@click.option("--all", "every", is_flag=True, help="Name every text that is missing.")
+@click.option("--all", "every", is_flag=True, help="List every missing text.")
 def translations(
     language: str, write: bool, done: tuple[Path, ...], begun: tuple[str, ...], every: bool
 ) -> None:
     """Show what is missing or stale in LANGUAGE, as de.
 
     Sentences are in newton_euler/algebra/languages/de.po, the texts of a problem in
-    exercises/ch09/de/p01.yaml, a chapter is chapters/de/ch09_rotors.ipynb and, for its predictions,
-    ch09_rotors.po. What was translated from a source that has changed since is stale, until --done
-    says that it fits again.
+    exercises/ch09/de/p01.yaml, a chapter in chapters/de/ch09_rotors.ipynb and its predictions in
+    ch09_rotors.po. A translation is stale when its source has changed, until --done marks it as
+    current.
     """
     from exercises.catalogue.sources import begin
 

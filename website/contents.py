@@ -1,4 +1,4 @@
-"""The first page: what this is, the chapters, how to run and to build them."""
+"""The first page: introduction, chapters, how to run and build them."""
 
 import re
 from collections.abc import Collection, Iterable, Mapping
@@ -23,7 +23,7 @@ def page(
     reference: Mapping[str, str],
     question: str = "",
 ) -> str:
-    """The text of the first page, with a ``question`` about its figure, as HTML."""
+    """The text of the first page; ``question`` is HTML, about its figure."""
     choose = _("Choose a problem")
     trees = {
         _("Chapters"): [f"chapters/{c.stem}" for c in chapters],
@@ -43,7 +43,7 @@ def page(
 
 def _chapter(c):
     title, words = c.opening
-    words = re.sub(r"\$[^$]+\$", _as_letters, words)  # MathJax weighs ten times this page
+    words = re.sub(r"\$[^$]+\$", _as_letters, words)  # MathJax is ten times the size of this page
     return f"- **[{title}](chapters/{c.stem}.ipynb)**\n\n  {words.replace(chr(10), chr(10) + '  ')}"
 
 
@@ -64,5 +64,5 @@ def _problems(name):
 
 
 def _short(name):
-    """ "Chapter 4", for the margin."""
+    """ "Chapter 4", for the sidebar."""
     return chapter(name).title.partition(":")[0]

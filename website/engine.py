@@ -1,4 +1,4 @@
-"""The engine beside the pages, so that a reader's browser can compute: Pyodide, and the package."""
+"""The engine for a reader's browser: Pyodide and the package, as files of the site."""
 
 import hashlib
 import io
@@ -18,28 +18,30 @@ PYODIDE = Package(
 FILES = (
     "pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "pyodide-lock.json", "python_stdlib.zip",
 )  # fmt: skip
-# the pages show the notebooks, and fetch the practice of a chapter
+# notebooks are pages already, practice files are fetched by chapter
 LEFT_OUT = {".ipynb", ".pyc", ".md", ".pyi", ".practice"}
 OFFLINE = Path(__file__).with_name("theme") / "offline.js"
+# what pages call, beside the package: it imports nothing else of this one
+ON_PAGES = [ROOT / "website" / "__init__.py", *(ROOT / "website" / "browser").glob("*.py")]
 
 
 def pyodide(cache: Path) -> dict[str, bytes] | None:
-    """The files of Pyodide by name; None where it is out of reach."""
+    """The files of Pyodide by name; None if it cannot be fetched."""
     return PYODIDE.files(cache, *FILES)
 
 
 def write(out: Path, found: dict[str, bytes], packages: str = "") -> None:
-    """Put the engine into the folder ``engine`` of the site, with these files of Pyodide. Names
-    change with contents, so that a browser may keep them for good.
+    """Write the engine and these files of Pyodide to the folder ``engine`` of the site. Names
+    change with contents, so that a browser may cache them for ever.
 
-    packages : address of Pyodide's other packages, of which a reader may ask for NumPy; its server
-        has to allow the site to read them (CORS), unless it is the same
+    packages : address of Pyodide's other packages, from which readers may load NumPy; another
+    server must allow the site to read them (CORS)
     """
     folder, python = out / "engine", f"pyodide-{PYODIDE.version}"
     (folder / python).mkdir(parents=True)
     for name, contents in found.items():
         (folder / python / name).write_bytes(contents)
-    package = _put(ROOT / "newton_euler", folder)
+    package = _put(ROOT / "newton_euler", folder, *ON_PAGES)
     about = {
         "python": f"{python}/",
         "package": package,
@@ -48,29 +50,29 @@ def write(out: Path, found: dict[str, bytes], packages: str = "") -> None:
         "packages": packages and f"{packages.rstrip('/')}/",
     }
     (folder / "engine.json").write_text(json.dumps(about))
-    (out / OFFLINE.name).write_bytes(OFFLINE.read_bytes())  # it keeps what lies beside it and below
+    (out / OFFLINE.name).write_bytes(OFFLINE.read_bytes())  # its scope is its own folder
 
 
 def _later():
-    """{package in Python alone that cells may ask for: its folder, and those that it needs}."""
+    """{pure Python package that cells may import: its folder and those of its dependencies}."""
     folders = {name: Path(str(find_spec(name).origin)).parent for name in ("mpmath", "sympy")}
     return {"mpmath": [folders["mpmath"]], "sympy": [*folders.values()]}
 
 
-def _put(package, folder):
-    """Put a package as a zip into the folder; its name."""
-    contents = packed(package)
+def _put(package, folder, *others):
+    """Put a package as a zip into the folder, with other files of this repository; its name."""
+    contents = packed(package, *others)
     name = f"{package.name}-{hashlib.sha256(contents).hexdigest()[:12]}.zip"
     (folder / name).write_bytes(contents)
     return name
 
 
-def packed(package: Path) -> bytes:
-    """A package as a zip, the same for the same files."""
+def packed(package: Path, *others: Path) -> bytes:
+    """A package as a zip, with other files beside it, the same for the same files."""
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         # newton_euler/chapters is a link, which rglob does not follow
-        for path in sorted([*package.rglob("*"), *(package / "chapters").rglob("*")]):
+        for path in sorted([*package.rglob("*"), *(package / "chapters").rglob("*"), *others]):
             if path.suffix not in LEFT_OUT and "tests" not in path.parts and path.is_file():
                 name = zipfile.ZipInfo(str(path.relative_to(package.parent)))
                 name.compress_type = zipfile.ZIP_DEFLATED

@@ -1,4 +1,4 @@
-"""Runs notebooks in clean kernels, several at a time, and keeps their outputs."""
+"""Notebooks run in clean kernels, several at a time, with cached outputs."""
 
 import os
 import subprocess
@@ -18,7 +18,7 @@ LONGEST = 600  # seconds for one cell, on a busy machine
 
 
 class WebsiteError(Exception):
-    """The site cannot be built; says where."""
+    """The site cannot be built; the message says where."""
 
 
 def with_outputs(
@@ -27,9 +27,9 @@ def with_outputs(
     run: Callable[[Chapter], bool],
     done: Callable[[str], object],
 ) -> dict[str, nbformat.NotebookNode | None]:
-    """{stem: executed notebook}; None for a chapter that may not be run and has no kept outputs.
+    """{stem: executed notebook}; None for a chapter that may not be run and has no cached outputs.
 
-    run : function of a chapter, whether it may be run
+    run : whether a chapter may be run
     done : called with the stem of each finished chapter
     """
     names = {c.stem: cache / _name(c) for c in chapters}
@@ -46,7 +46,7 @@ def with_outputs(
 
 
 def keep(chapter: Chapter, text: str, cache: Path) -> None:
-    """Keep the text of a notebook that was run, here or by the tests of the chapters."""
+    """Cache the text of an executed notebook; the tests of the chapters do so too."""
     store(cache / _name(chapter), text.encode())
 
 
@@ -59,7 +59,7 @@ def _read(path):
 
 
 def _executed(path):
-    """The text of the notebook with its outputs, run where nothing but the engine is found."""
+    """The text of the notebook with its outputs, run with nothing but the engine."""
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError, CellTimeoutError
 
@@ -72,10 +72,10 @@ def _executed(path):
             timeout=LONGEST,
             kernel_name="python3",
             resources=resources,
-            coalesce_streams=True,  # a text that came in two pieces; MyST would part them
+            coalesce_streams=True,  # MyST would separate the pieces of a text
         )
         try:
-            # messages of the kernel itself are not about the notebook
+            # the kernel's own messages
             client.execute(env=_environment(folder), stderr=subprocess.DEVNULL)
         except (CellExecutionError, CellTimeoutError) as error:
             raise WebsiteError(f"{path.name}, {_place(notebook, error)}") from None
@@ -93,7 +93,7 @@ def _environment(folder):
 
 
 def _place(notebook, error):
-    """The cell in which it stopped, and the error."""
+    """The cell that failed, and its error."""
     for n, cell in enumerate(notebook.cells, 1):
         for output in cell.get("outputs", ()):
             if output.output_type == "error":

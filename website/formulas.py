@@ -1,5 +1,5 @@
-"""The formulas of the pages, drawn when the site is built, so that no reader's browser has to: by
-MathJax in node. Where either is out of reach, pages keep the script that does it in the browser.
+"""The formulas of the pages, typeset by MathJax in node when the site is built. If either is
+missing, pages keep the script that does it in the reader's browser.
 """
 
 import json
@@ -31,7 +31,7 @@ FORMULA = re.compile(
 )
 GLYPH = re.compile(r'<path id="([^"]+)" d="[^"]*"></path>')
 LOADED = re.compile(r"<script>window\.MathJax = .*?</script>|<script [^>]*tex-svg[^>]*></script>")
-# of a formula: what a page does not use, or has in its style sheet
+# attributes of formulas that pages do not use, or set in their style sheet
 UNUSED = re.compile(
     r" (?:data-c|data-mjx-texclass|data-mml-node|data-id[\w-]+|xmlns(?::xlink)?|focusable|id"
     r'|unselectable|class|role)="[^"]*"| (?:stroke|fill)="currentColor"| stroke-width="0"'
@@ -40,7 +40,7 @@ UNUSED = re.compile(
 PLACE = re.compile(r"translate\((-?[\d.]+),(-?[\d.]+)\)")
 ALONE = re.compile(r'<g( transform="[^"]*")><use( href="[^"]*")></use></g>')
 MOVED = re.compile(r'(<use\b[^>]*?) transform="translate\((-?\d+),(-?\d+)\)"')
-# of its MathML: a row of one sign, a style around a space
+# in MathML: a row of one sign, a style around a space
 ONE = re.compile(
     r"<mrow>(<(m\w+)[^>]*>[^<]*</\2>)</mrow>"
     r'|<mstyle scriptlevel="0">(<mspace[^>]*></mspace>)</mstyle>'
@@ -50,9 +50,9 @@ OUTLINES = '<svg class="outlines" aria-hidden="true"><defs>{}</defs></svg>'
 
 
 def typeset(pages: Path, cache: Path) -> bool:
-    """Draw the formulas of all pages in the folder; whether it could be done.
+    """Typeset the formulas of all pages in the folder; return whether that was possible.
 
-    cache : folder in which MathJax is kept
+    cache : folder for MathJax
     """
     found = MATHJAX.files(cache, *FILES)
     texts = {path: path.read_text("utf-8") for path in sorted(pages.rglob("*.html"))}
@@ -75,12 +75,12 @@ def _found(text: str) -> Iterable[re.Match[str]]:
 
 
 def _formula(match):
-    """(LaTeX, whether it stands alone)."""
+    """(LaTeX, whether it is displayed)."""
     return unescape(match[4]).strip(), match[3] == "["
 
 
 def _made(asked, found):
-    """What formulas.js makes of formulas; None without node."""
+    """The output of formulas.js; None without node."""
     with tempfile.TemporaryDirectory() as folder:
         for name, contents in found.items():
             path = Path(folder, name)
@@ -97,7 +97,7 @@ def _made(asked, found):
 
 
 def _page(text, drawn, glyphs):
-    """A page with its formulas, the outlines that they use, and no script for them."""
+    """A page with typeset formulas and the outlines they use, without the script."""
     made = FORMULA.sub(lambda m: f"{m[1]}{_light(drawn[_formula(m)])}</{m[2]}>", text)
     short = {name: f"_{n}" for n, name in enumerate(dict.fromkeys(USED.findall(made)))}
     made = USED.sub(lambda m: short[m[0]], made)
@@ -106,8 +106,8 @@ def _page(text, drawn, glyphs):
 
 
 def _light(html):
-    """A formula without what a page does not use; its places are rounded to a thousandth of the
-    letters' height.
+    """A formula without unused attributes, with coordinates rounded to a thousandth of the letters'
+    height.
     """
     found = ONE.sub(r"\1\3", UNUSED.sub("", html)).replace("xlink:href", "href")
     found = found.replace('<g transform="scale(1,-1)">', "<g>", 1)  # the outermost
@@ -117,7 +117,7 @@ def _light(html):
 
 
 def _without_groups(html):
-    """Without the groups that say nothing, but for the outermost, which turns all upside up."""
+    """A formula without groups that have no attributes, except the outermost, which flips y."""
     found, dropped = [], []
     for part in re.split(r"(</?g\b[^>]*>)", html):
         if part.startswith("<g"):

@@ -1,6 +1,4 @@
-"""Results that are kept between builds, each under a name that changes with everything it depends
-on.
-"""
+"""Results cached between builds, under names that change with everything they depend on."""
 
 import hashlib
 import sys
@@ -13,8 +11,8 @@ ROOT = Path(__file__).parents[1]
 
 
 def fingerprint(*folders: str) -> str:
-    """A hash of the files of the engine, the chapters and these other folders, and of the sentences
-    in the language that is spoken.
+    """A hash of the files of the engine, the chapters and these folders, and of the sentences in
+    the current language.
     """
     return _fingerprint(language(), *folders)
 

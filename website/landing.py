@@ -1,5 +1,5 @@
-"""What the first page lets its reader do at once: move a figure, and answer a question about it.
-The engine has computed both when the page was built, so that neither waits for it.
+"""The interactive part of the first page: a figure to move and a question about it, both computed
+when the page is built.
 """
 
 import json
@@ -18,13 +18,13 @@ from newton_euler.classroom.widgets.stage import Stage
 
 from .rendering import rendered
 
-ANGLES = range(40, 149, 9)  # the page is to stay under 300 kB
+ANGLES = range(40, 149, 9)  # few enough for a page below 300 kB
 TERMS = "relative", "coriolis", "centripetal"
 WRONG = 1, -1, 0, 0.5, -0.5, 2, -2
 
 
 def moving() -> str:
-    """The figure of 4/16 at many angles, of which one is shown, and the terms at each."""
+    """The figure of 4/16 at many angles, one of them visible, with the terms at each."""
     p, values = _asked()
     stage = Stage(lambda ax, beta_1: p.code.draw(_base(p, values, beta_1), ax), (5.2, 3.6), (1, 1))
     stage.rehearse([{"beta_1": angle} for angle in ANGLES])
@@ -45,7 +45,7 @@ def _alt(angle):
 
 
 def _asked():
-    """The problem and the numbers that are asked, which are those of a public set."""
+    """The problem and its numbers, those of a public set."""
     p = problem("4/16")
     return p, draw(p, practice_seed(p, 0))
 
@@ -55,7 +55,7 @@ def _base(p, values, angle):
 
 
 def _terms(p, values):
-    """{term of the acceleration: its size}, to three digits."""
+    """{term of the acceleration: its magnitude}, to three digits."""
     terms = p.solve(values)["a_D"].terms
     return {name: float(f"{math.hypot(*terms[name].components()):.3g}") for name in TERMS}
 
@@ -65,7 +65,7 @@ def _no_figure(p, values):
 
 
 def question() -> str:
-    """A question with what practice says to the answers that come first to mind."""
+    """A question with the verdicts of practice on the likeliest answers."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "4-16.practice"
         write_practice(path, [problem("4/16")], 2, workers=1, draw=_no_figure)

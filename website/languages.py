@@ -1,4 +1,4 @@
-"""Which pages of the site are in its language, and the same pages in others."""
+"""The pages that are in the language of the site, and links to the same pages in others."""
 
 import json
 from collections.abc import Collection, Iterable, Mapping
@@ -14,14 +14,14 @@ from .contents import TITLE
 from .notebooks import FOLDER, Chapter
 from .translations import catalogue, sentences
 
-NAMES = {"en": "English", "de": "Deutsch"}  # of languages, each in itself
+NAMES = {"en": "English", "de": "Deutsch"}  # each language in itself
 
 
 def settings(
     found: Iterable[Chapter], wanted: Iterable[str], beside: Mapping[str, str]
 ) -> dict[str, Any]:
-    """What Sphinx is to know: the language, the pages that are in it, and for each other language
-    {its name: (its site, the pages that are in both)}.
+    """Settings for Sphinx: the language, the pages that are in it, and {other language: (its site,
+    the pages that are in both)}.
 
     beside : {language: address of its site from the root of this one}
     """
@@ -34,7 +34,7 @@ def settings(
 
 
 def _pages(name: str, found: Iterable[Chapter], wanted: Iterable[str]) -> list[str]:
-    """The pages that are given in the language of this name."""
+    """The pages that exist in the named language."""
     own = ["index", "problems/index", "problems/own"]
     stems = [c.stem for c in found]
     own += [f"chapters/{x}" for x in stems if name == ENGLISH or _notebook(x, name).exists()]
@@ -49,7 +49,7 @@ def _notebook(stem, name):
 
 
 def write_words(pages: Path) -> None:
-    """Put the sentences of the scripts in this language into the folder of a site."""
+    """Write the translated sentences of the scripts into a site."""
     if language() == ENGLISH:
         return
     script = pages / "_static" / "words.js"

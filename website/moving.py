@@ -1,5 +1,5 @@
-"""Figures with sliders on a page: the picture at the start, what the page's script makes sliders
-of, and files of some pictures along them.
+"""Figures with sliders on a page: the initial picture, data for the page's script, and files of
+some pictures along the sliders.
 """
 
 import hashlib
@@ -17,8 +17,8 @@ EMBEDDED = re.compile(r'<img\b[^>]*\bsrc="data:image/svg\+xml;base64,([^"]+)"[^>
 
 
 def mark(cell: NotebookNode, folder: Path | None) -> None:
-    """Wrap each moving picture of a cell in what the script looks for; the pictures along its
-    sliders become files in the folder; without one the pictures stand still.
+    """Wrap each moving picture of a cell for the page's script; the pictures along its sliders
+    become files in the folder. Without a folder pictures are static.
     """
     outputs = (x.get("data", {}) for x in cell.outputs)
     for number, data in enumerate(x for x in outputs if MOVING in x):
@@ -28,13 +28,13 @@ def mark(cell: NotebookNode, folder: Path | None) -> None:
         for picture in (x for along in about["along"].values() for x in along):
             picture["file"] = _written(picture.pop("svg"), folder)
         given = escape(json.dumps({**about, "number": number}))
-        # within the page, where it follows the page's theme; it says itself what it shows
+        # inline, so that it follows the page's theme; it has its own alternative text
         picture = EMBEDDED.sub(lambda m: b64decode(m[1]).decode(), data["text/html"])
         data["text/html"] = f'<div class="moving" data-engine data-moving="{given}">{picture}</div>'
 
 
 def _written(svg, folder):
-    """The name of the file of a picture."""
+    """Write a picture; returns the name of its file."""
     folder.mkdir(parents=True, exist_ok=True)
     name = hashlib.sha256(svg.encode()).hexdigest()[:16] + ".svg"
     (folder / name).write_text(svg, encoding="utf-8")

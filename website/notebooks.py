@@ -1,4 +1,4 @@
-"""The chapters: the notebooks of the course in the order of the book."""
+"""The notebooks of the course, in the order of the book."""
 
 import hashlib
 import json
@@ -45,26 +45,26 @@ class Chapter:
 
 
 def chapters(names: Collection[str] = (), folder: Path = FOLDER) -> list[Chapter]:
-    """All chapters, or those of these names ("ch04"), in the order of the book: the appendices come
-    last, after the notebooks without a number.
+    """All chapters, or the named ones ("ch04"), in the order of the book, then notebooks without a
+    number, then the appendices.
     """
     found = [Chapter(path) for path in folder.glob("*.ipynb")]
     return sorted((c for c in found if not names or {c.name, c.stem} & {*names}), key=_place)
 
 
 def translation(chapter: Chapter, name: str) -> Chapter | None:
-    """The same chapter in the language of this name, None where it is not given."""
+    """The chapter in the named language, or None."""
     path = chapter.path.parent / name / chapter.path.name
     return Chapter(path) if path.exists() else None
 
 
 def is_cell_current(source: Mapping[str, Any], cell: Mapping[str, Any]) -> bool:
-    """True if a cell was translated from this one as it is now."""
+    """True if ``cell`` was translated from the present ``source``."""
     return cell["metadata"].get("source") == _hash(source)
 
 
 def mark_cells_current(notebook: Any, source: Any) -> None:
-    """Keep in each cell of text a hash of the cell from which it was translated."""
+    """Store in each text cell a hash of the cell that it translates."""
     for cell, other in zip(notebook.cells, source.cells, strict=True):
         if cell.cell_type == "markdown":
             cell.metadata["source"] = _hash(other)

@@ -1,4 +1,4 @@
-"""Packages of npm that the site carries along: fetched once, checked, and kept."""
+"""Packages of npm that are part of the site: fetched once, verified, and cached."""
 
 import base64
 import hashlib
@@ -17,8 +17,8 @@ class Package:
     integrity: str
 
     def files(self, cache: Path, *names: str) -> dict[str, bytes] | None:
-        """{name: contents} of its files of these names; None where it is neither kept nor within
-        reach.
+        """{name: contents} of these files; None if the package is neither cached nor can be
+        fetched.
         """
         archive = cache / f"{self.name}-{self.version}.tgz"
         if not (self._is_whole(archive) or self._fetched(archive)):
@@ -34,7 +34,7 @@ class Package:
         return self.integrity == f"sha512-{base64.b64encode(digest).decode()}"
 
     def _fetched(self, archive):
-        """Whether npm has put it there."""
+        """Fetch the package by npm; returns whether that succeeded."""
         archive.parent.mkdir(parents=True, exist_ok=True)
         command = ["npm", "pack", f"{self.name}@{self.version}", "--pack-destination"]
         try:

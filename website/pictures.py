@@ -1,6 +1,4 @@
-"""Pictures that a page carries within itself, as files beside the pages: a browser fetches them
-when they come into sight.
-"""
+"""Pictures embedded in pages, moved to files that a browser fetches when they come into view."""
 
 import hashlib
 import io
@@ -10,11 +8,11 @@ from pathlib import Path
 
 EMBEDDED = re.compile(r"data:image/(png|svg)(?:\+xml)?;base64,([A-Za-z0-9+/]{1000,}=*)")
 SHOWN = re.compile(r'<img (?=[^>]*src="data:)')
-LARGE = 20_000  # bytes of a PNG, from which on it takes a third as WebP: charts, not films
+LARGE = 20_000  # bytes of a PNG above which WebP takes a third: charts, not films
 
 
 def take_out(pages: Path) -> None:
-    """Take the pictures out of all pages in the folder, those of films as well."""
+    """Move the pictures out of all pages in the folder, those of films included."""
     folder = pages / "_images"
     folder.mkdir(exist_ok=True)
     for path in pages.rglob("*.html"):
@@ -29,7 +27,7 @@ def take_out(pages: Path) -> None:
 
 
 def _written(kind, code, folder):
-    """The name of the file of a picture."""
+    """Write a picture; returns the name of its file."""
     contents = b64decode(code)
     if kind == "png" and len(contents) > LARGE:
         kind, contents = _lossless(contents)
@@ -39,7 +37,7 @@ def _written(kind, code, folder):
 
 
 def _lossless(png):
-    """The same pixels as WebP, where Pillow has it."""
+    """The same pixels as WebP, if Pillow supports it."""
     from PIL import Image, features
 
     if not features.check("webp"):

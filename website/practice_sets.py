@@ -1,4 +1,4 @@
-"""The practice of the problem pages: a file for each chapter, and the titles of all problems."""
+"""The practice files of the problem pages, one per chapter, and the titles of all problems."""
 
 import json
 import tempfile
@@ -20,12 +20,11 @@ def sets(
     done: Callable[[], object],
     course: Path | None = None,
 ) -> dict[str, bytes]:
-    """{file name: contents} for these chapters, kept in ``cache``; "index.json" has {problem:
-    [title, section]}.
+    """{file name: contents} for these chapters, cached; "index.json" has {problem: [title,
+    section]}.
 
     done : called after each problem
-    course : the folder of a course, near whose graded numbers nobody practises; then nothing is
-        kept
+    course : the folder of a course; practice stays away from its graded numbers and is not cached
     """
     found = {}
     for name in names:
@@ -37,7 +36,7 @@ def sets(
 
 
 def _set(name, cache, course, done):
-    """The practice file of a chapter in the language that is spoken."""
+    """The practice file of a chapter in the current language."""
     kept = cache / _kept(name)
     if course or not kept.exists():
         data = _written(name, course, done)

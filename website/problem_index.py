@@ -1,5 +1,5 @@
-"""The page on which a problem is chosen: all of them in one table, which its script filters. It has
-the data of ``python -m grader problems``: no answer, no step and no mistake.
+"""The page for choosing a problem: one table, which its script filters, with the data of ``python
+-m grader problems``: no answers, steps or mistakes.
 """
 
 import re
@@ -13,12 +13,12 @@ from .rendering import rendered
 
 
 def page(names: Iterable[str]) -> str:
-    """The text of the page, of the problems of these chapters."""
+    """The text of the page, for the problems of these chapters."""
     found = [(p, entry(p), _words(p)) for name in names for p in problems(name)]
     kinds = sorted({kind for _, e, _ in found for kind in e.kinds})
     return rendered("choose.md", found=found, kinds=kinds, slug=slug)
 
 
 def _words(p: Problem) -> str:
-    """What is searched for words."""
+    """The text that is searched."""
     return " ".join(re.sub(r"[{}$\\]", " ", f"{p.id} {p.title} {p.text}").lower().split())

@@ -1,5 +1,5 @@
-"""The statements of the problems as pages, one for each chapter and one for each problem, with
-figures. Nothing here calls ``solve``, ``prove`` or ``mistakes``.
+"""Pages with the statements and figures of the problems, one per chapter and one per problem.
+Nothing here calls ``solve``, ``prove`` or ``mistakes``.
 """
 
 import os
@@ -20,7 +20,7 @@ from .notebooks import place
 from .rendering import rendered
 
 IMAGE = re.compile(r"!\[(?:[^\\\]]|\\.)*\]\(attachment:figure\.png\)")
-# within the page, where it follows the page's theme; it says itself what it shows
+# inline, so that it follows the page's theme; it has its own alternative text
 FIGURE = """```{{raw}} html
 :file: figures/{name}.svg
 ```"""
@@ -38,12 +38,12 @@ def names(wanted: Collection[str] = ()) -> list[str]:
 
 
 def anchor(number: str) -> str:
-    """Where a problem stands on its page: "p4-16", "pa-3"."""
+    """The anchor of a problem on its chapter's page: "p4-16", "pa-3"."""
     return f"p{slug(number)}".lower()
 
 
 def page(name: str, notebook: str = "") -> str:
-    """The text of the page of a chapter's problems; ``notebook``: the file name of its chapter."""
+    """The text of a chapter's page of problems; ``notebook``: the file name of the chapter."""
     found = chapter(name)
     lines = [f"# {heading(found.title)}", ""]
     if notebook:
@@ -56,7 +56,7 @@ def page(name: str, notebook: str = "") -> str:
 def heading(title: str) -> str:
     """ "Chapter 4: relative motion" as the title of its problems."""
     if not re.match(r"(Chapter|Appendix|Kapitel|Anhang) ", title):
-        return title  # of a course's own problems
+        return title  # a chapter of a course
     return _("Problems of {chapter}", chapter=in_a_sentence(title))
 
 
@@ -82,7 +82,7 @@ def _data(p):
 
 
 def own_pages(name: str) -> dict[str, str]:
-    """{file name: text} of the pages of a chapter's problems, on which they are worked."""
+    """{file name: text} of the pages on which the problems of a chapter are worked."""
     found = {}
     for p in problems(name):
         head, _newline, text = _statement(p).partition("\n")
@@ -94,7 +94,7 @@ def own_pages(name: str) -> dict[str, str]:
 
 
 def figures(wanted: Iterable[str], cache: Path, done: Callable[[int], object]) -> dict[str, bytes]:
-    """{file name: SVG} of the problems of these chapters that have a figure, kept in ``cache``."""
+    """{file name: SVG} of the figures of these chapters' problems, cached."""
     ids = [p.id for name in wanted for p in problems(name) if p.figure]
     found = {number: cache / _kept(problem(number)) for number in ids}
     missing = [number for number in ids if not found[number].exists()]

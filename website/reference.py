@@ -1,5 +1,5 @@
-"""The reference of the engine from its docstrings: the names of each room, and the dictionary from
-the symbols and equations of the book to names in code.
+"""The reference of the engine from its docstrings: the names of each room, and a dictionary from
+symbols and equations of the book to names in code.
 """
 
 import ast
@@ -16,12 +16,12 @@ from .kept import ROOT
 
 ENGINE = ROOT / "newton_euler"
 SYMBOLS = "symbols"
-# how a name is printed: letters, dots, indices
+# examples of printed names: letters, dots, indices
 NAMES = ("omega", "theta_dot", "rddot", "alpha_CD", "omega_2_dot", "l_OA", "x1", "v_max", "lead")
 
 
 def pages() -> dict[str, str]:
-    """{name of the page: its text in reStructuredText}, in the order of the reader's way."""
+    """{name of the page: its text in reStructuredText}, in reading order."""
     return {"newton_euler": _top(), **{room: _room(room) for room in rooms()}, SYMBOLS: _symbols()}
 
 
@@ -39,7 +39,7 @@ def rooms() -> list[str]:
 
 
 def public(room: str) -> dict[str, list[str]]:
-    """{file of the room: its public names}, read from what ``__init__`` imports and defines."""
+    """{file of the room: its public names}, from the imports and definitions in ``__init__``."""
     tree = ast.parse((ENGINE / room / "__init__.py").read_text(encoding="utf-8"))
     defined = [
         node.name
@@ -50,7 +50,7 @@ def public(room: str) -> dict[str, list[str]]:
 
 
 def _imported(tree):
-    """{module: public names} of what a file imports from its own package."""
+    """{module: public names} that a file imports from its own package."""
     found = {}
     for node in tree.body:
         if isinstance(node, ast.ImportFrom) and node.level == 1 and node.module:

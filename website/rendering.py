@@ -1,4 +1,4 @@
-"""The pages of the site by their templates, in the language that is spoken."""
+"""Pages from templates, in the language of the site."""
 
 from functools import cache
 from pathlib import Path
@@ -10,14 +10,14 @@ from newton_euler.algebra.language import _
 
 
 def rendered(template: str, **given: Any) -> str:
-    """The text that a template of the site makes of what it is given."""
+    """The text of a template with these values."""
     return _templates().get_template(f"{template}.j2").render(given)
 
 
 @cache
 def _templates():
     folder = FileSystemLoader(Path(__file__).with_name("templates"))
-    # Markdown with HTML in it: what needs to be escaped says so
+    # no automatic escaping: the templates are Markdown with HTML
     found = Environment(loader=folder, trim_blocks=True, keep_trailing_newline=True)
     found.globals["_"] = _
     return found

@@ -1,10 +1,10 @@
-"""What of the course is translated to another language, what is missing, and what is stale:
-translated from a source that has changed since.
+"""What of the course is translated, missing or stale (translated from a source that has changed
+since) in another language.
 
-Sentences are in a catalogue of gettext (``newton_euler/algebra/languages/de.po``), where a changed
+Sentences are in a gettext catalogue (``newton_euler/algebra/languages/de.po``), where a changed
 sentence is a missing one; those of a chapter's predictions in ``chapters/de/ch09_rotors.po``, since
-its cells of code stay as they are. The texts of a problem are ``exercises/ch09/de/p01.yaml``, a
-chapter is ``chapters/de/ch09_rotors.ipynb``; both keep a hash of the source of each of their texts.
+code cells are not translated. The texts of a problem are in ``exercises/ch09/de/p01.yaml``, a
+chapter in ``chapters/de/ch09_rotors.ipynb``; both keep hashes of their sources.
 """
 
 import ast
@@ -30,7 +30,7 @@ SOURCES = "newton_euler", "grader", "exercises/catalogue", "website"
 
 @dataclass
 class Part:
-    """A part of the course: how many texts it has, those without a translation, the stale ones."""
+    """A part of the course: the number of its texts, the missing ones, the stale ones."""
 
     name: str
     all: int
@@ -39,15 +39,15 @@ class Part:
 
     @property
     def percent(self) -> int:
-        """How much of it is translated and current, rounded down."""
+        """The percentage that is translated and current, rounded down."""
         return 100 * (self.all - len(self.missing) - len(self.stale)) // max(self.all, 1)
 
 
 def sentences(suffixes: Collection[str] = (".py", ".j2", ".js")) -> dict[str, tuple[str, ...]]:
-    """{English sentence: (itself, its plural where it has one)} of all that a reader sees, in
-    the order of the files.
+    """{English sentence: (itself, perhaps its plural)} of all that readers see, in the order of the
+    files.
 
-    suffixes : of the files that are read
+    suffixes : of the files to read
     """
     files = [path for folder in SOURCES for path in sorted((ROOT / folder).rglob("*.*"))]
     found: dict[str, tuple[str, ...]] = {}
@@ -60,9 +60,9 @@ def sentences(suffixes: Collection[str] = (".py", ".j2", ".js")) -> dict[str, tu
 
 
 def _of_python(text):
-    """Babel does not look into f-strings."""
+    """The sentences in Python code (Babel does not look into f-strings)."""
     for node in (x for x in ast.walk(ast.parse(text)) if isinstance(x, ast.Call)):
-        count = CALLS.get(getattr(node.func, "id", ""), 0)
+        count = CALLS.get(ast.unparse(node.func).removeprefix("self."), 0)
         texts = [getattr(x, "value", None) for x in node.args[:count]]
         if texts and all(isinstance(x, str) for x in texts):
             yield tuple(texts)
@@ -76,14 +76,15 @@ def _of_template(text):
     return [(json.loads(m),) for m in re.findall(r'\b_\(("(?:[^"\\]|\\.)*")', text)]
 
 
-CALLS = {"_": 1, "Words": 1, "plural": 2}  # {function: how many of its arguments are sentences}
+SAID = "_", "Words", "AnswerError", "OpenAnswer", "TreeError", "form.error", "PracticeFileError"
+CALLS = {"plural": 2} | dict.fromkeys(SAID, 1)  # {function: number of its sentences}
 READ: dict[str, Callable[[str], Iterable[tuple[str, ...]]]] = {
     ".py": _of_python, ".js": _of_script, ".j2": _of_template,
 }  # fmt: skip
 
 
 def predictions(chapter: Chapter) -> dict[str, tuple[str, ...]]:
-    """The same of what the predictions of a chapter say: questions, choices, what they mean."""
+    """The sentences in the predictions of a chapter: questions, choices, comments on these."""
     found: list[ast.AST] = []
     for cell in (c for c in chapter.cells if c["cell_type"] == "code"):
         with contextlib.suppress(SyntaxError):  # a magic
@@ -93,7 +94,7 @@ def predictions(chapter: Chapter) -> dict[str, tuple[str, ...]]:
 
 
 def _texts(call):
-    """The texts of a call of predict, but for its unit."""
+    """The texts in a call of predict, except the unit."""
     unit = 3  # its place
     given = [*call.args[:unit], *(k.value for k in call.keywords if k.arg != "unit")]
     for part in given:
@@ -107,14 +108,14 @@ def file_of(chapter: Chapter, language: str) -> Path:
 
 
 def catalogue(language: str, path: Path | None = None) -> dict[str, dict[str, str]]:
-    """{English sentence: the message of the catalogue}; {} where there is none yet."""
+    """{English sentence: its entry in the catalogue}; {} without a catalogue."""
     path = path or FOLDER / f"{language}.po"
     text = path.read_text("utf-8") if path.exists() else ""
     return {m["msgid"]: m for m in messages(text) if m["msgid"]}
 
 
 def write_catalogues(language: str) -> list[Path]:
-    """Write the catalogues anew, of the sentences and of the chapters that are translated."""
+    """Rewrite the catalogues of the sentences and of the translated chapters."""
     wanted = {FOLDER / f"{language}.po": sentences()}
     own = [c for c in notebooks() if translation(c, language)]
     wanted |= {file_of(c, language): found for c in own if (found := predictions(c))}
@@ -122,7 +123,7 @@ def write_catalogues(language: str) -> list[Path]:
 
 
 def _written(path, wanted, language):
-    """All sentences in order, what is translated of them, no others."""
+    """Write a catalogue of the ``wanted`` sentences in order, with their known translations."""
     known = catalogue(language, path)
     old = path.read_text("utf-8") if path.exists() else HEADER.format(language=language)
     blocks = [old.partition("\n\n")[0].strip()]
@@ -185,9 +186,7 @@ def _part(name: str, sources: Iterable[str], current: Callable[[str], bool | Non
 
 
 def mark(paths: Iterable[Path]) -> None:
-    """Say that these translations, files of problems and notebooks, fit their sources as they are
-    now.
-    """
+    """Mark these translations, files of problems or notebooks, as current."""
     for path in map(Path.resolve, paths):
         if path.suffix == ".ipynb":
             source = nbformat.read(path.parents[1] / path.name, as_version=4)

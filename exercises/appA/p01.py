@@ -17,7 +17,7 @@ def solve(g):
 
 
 def prove(g):
-    """From the places of a point that moves uniformly from A to B in unit time."""
+    """By a point that moves uniformly from A to B in unit time."""
     A, B = [g.A_x, g.A_y, g.A_z], [g.B_x, g.B_y, g.B_z]
     place = lambda t: plus(scaled(1 - t, A), scaled(t, B))
     return {"r_A": place(0), "r_B": place(1), "r_BA": rate(place)}

@@ -18,7 +18,7 @@ def steps(g):
 
 
 def prove(g):
-    """How many times the vector to P must be taken to have the length d."""
+    """By the factor that gives the vector to P the length d."""
     to_P = [g.x, g.y, g.z]
     times = root(lambda n: size(scaled(n, to_P)) - g.d, 0, g.d / g.x)
     return {"V": scaled(times, to_P), "r": g.d / times}

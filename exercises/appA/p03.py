@@ -26,7 +26,7 @@ def steps(g):
 
 
 def prove(g):
-    """R as the way of a point at the velocities P, then G; the angle from a triangle with i."""
+    """R as the displacement at velocities P, then G; the angle from a triangle with i."""
     P, G = [g.P_x, g.P_y, 0], [g.G_x, g.G_y, 0]
     R = integral(lambda t: P if t < 1 else G, 0, 2, breaks=(1,))
     cosine = (size(R) ** 2 + 1 - size(minus(R, [1, 0, 0])) ** 2) / (2 * size(R))

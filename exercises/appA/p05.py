@@ -23,7 +23,7 @@ def steps(g):
 
 
 def along(g, PG):
-    """The component, from the vector that was found."""
+    """The component, from a student's PG."""
     _, _, A, B = points(g)
     return PG.dot(PG.frame.vector(*(B - A).direction().components()))
 
@@ -32,7 +32,7 @@ follows = {"comp": along}
 
 
 def prove(g):
-    """From the place on the line that is nearest to P to the one that is nearest to G."""
+    """From the point of the line nearest to P to the one nearest to G."""
     P, G = [g.P_x, g.P_y, g.P_z], [g.G_x, g.G_y, g.G_z]
     A, B = [g.A_x, g.A_y, g.A_z], [g.B_x, g.B_y, g.B_z]
     on_line = lambda t: plus(scaled(1 - t, A), scaled(t, B))

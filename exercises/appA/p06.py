@@ -22,7 +22,7 @@ def steps(g):
 
 
 def prove(g):
-    """Each component as the volume of the box that A and B span with one unit vector."""
+    """Each component as the volume of the box spanned by A, B and a unit vector."""
     volume = lambda *e: mp.det(mp.matrix([e, (g.a_1, g.a_2, g.a_3), (g.b_1, g.b_2, g.b_3)]))
     return {"AxB": [volume(1, 0, 0), volume(0, 1, 0), volume(0, 0, 1)]}
 

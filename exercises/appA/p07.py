@@ -1,11 +1,11 @@
-"""A/7: double cross products of unit vectors. It gives no numbers: g.one is the 1 of their kind."""
+"""A/7: double cross products of unit vectors, without numbers: g.one is the number 1."""
 
 from exercises.tools import Sketch, cross
 from newton_euler import Frame
 
 
 def triad(g):
-    """i, j, k; their components have the digits of ``g.one``."""
+    """i, j, k, with components of the type of ``g.one``."""
     axes = Frame("axes")
     return axes.i * g.one, axes.j * g.one, axes.k * g.one
 

@@ -36,7 +36,7 @@ def prove(g):
 
 def mistakes(g):
     edot, eddot, f = solve(g).values()
-    once = g.omega**2 - g.omega  # unlike quantities, as the student has them
+    once = g.omega**2 - g.omega  # unlike quantities, as in the student's mistake
     return {
         "no_change": {"edot": 0 * edot, "eddot": 0 * eddot, "f": 0 * f},
         "no_chain_rule": solve(g.but(omega=g.omega / g.omega)),

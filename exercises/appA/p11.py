@@ -37,7 +37,7 @@ def steps(g):
 
 
 def prove(g):
-    """By slopes along slanted lines, of the functions written once more."""
+    """By slopes along slanted lines, of the functions written differently."""
     written = {
         "grad_a": lambda x, y, z: g.r * z + g.q * y + g.p * x,
         "grad_b": lambda x, y, z: -y * g.A * x * x,

@@ -20,7 +20,7 @@ def point(g):
 
 
 def minus_product(A, B):
-    """V of the place, from two vectors that are functions of it."""
+    """V as a function of place, from two vector functions."""
     return lambda *place: -sum(a * b for a, b in zip(A(*place), B(*place), strict=True))
 
 
@@ -52,7 +52,7 @@ def prove(g):
 def mistakes(g):
     right = solve(g)["grad"]
 
-    def held(x, y, z):  # x, y, z as they stand alone in x y^2 + y z^2 + z x^2 are held
+    def held(x, y, z):  # the factors without a square in x y^2 + y z^2 + z x^2 held constant
         return -sum(a * b**2 for a, b in zip(point(g), B(x, y, z), strict=True))
 
     return {

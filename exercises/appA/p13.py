@@ -28,7 +28,7 @@ def steps(g):
 
 
 def prove(g):
-    """The foot s A is as far from the tip of B + A as from that of B - A."""
+    """The foot s A is equally far from the tips of B + A and B - A."""
     A, B = [g.A_x, g.A_y, g.A_z], [g.B_x, g.B_y, g.B_z]
 
     def gap(s):

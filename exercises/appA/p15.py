@@ -1,4 +1,4 @@
-"""A/15: the handedness of three vectors, a word; a function, called once there are numbers."""
+"""A/15: the handedness of three vectors, a word that a function returns."""
 
 from exercises.tools import Sketch, mp
 from newton_euler import Frame

@@ -63,7 +63,7 @@ def prove(g):
 
 
 def mistakes(g):
-    """A wrong z or y goes on into what follows from it, as ``follows`` says."""
+    """Later answers follow from a wrong z or y by ``follows``."""
     right = solve(g)
     return {
         "z_sign": {"z": -right["z"]},

@@ -1,4 +1,4 @@
-"""A/18: the derivative of R x R', by a point that moves."""
+"""A/18: the derivative of R x R', by a moving point."""
 
 from exercises.tools import cross, proofs
 from newton_euler import Frame, moving
@@ -28,7 +28,7 @@ def steps(g):
 
 
 def prove(g):
-    """Differences along a path that starts with these derivatives."""
+    """Differences along a path with these derivatives at t = 0."""
 
     def R(t):
         start = ((g.x, g.xdot, g.xddot), (g.y, g.ydot, g.yddot), (g.z, g.zdot, g.zddot))

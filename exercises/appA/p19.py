@@ -22,7 +22,7 @@ def steps(g):
 
 
 def prove(g):
-    """What is left of i, j or k without its parts in the plane of P and G, right-handed."""
+    """i, j or k minus its components in the plane of P and G, made right-handed."""
     P, G = [g.P_1, g.P_2, g.P_3], [g.G_1, g.G_2, g.G_3]
     share = lambda v, away: sum(x * y for x, y in zip(v, away, strict=True)) / size(away) ** 2
     rest = lambda v, away: minus(v, scaled(share(v, away), away))
@@ -45,7 +45,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    """P and G lie flat, at the angle that they make; e is not to their scale."""
+    """P and G in the horizontal plane at their true angle; e is not to scale."""
     P, G = vectors(g)
     flat = AXES.rotate("flat", "z", angle=-0.6)
     s = Sketch(ax, AXES, azimuth=20, elevation=28)

@@ -1,4 +1,4 @@
-"""A/20: double cross products as combinations of factors, from their dot products."""
+"""A/20: double cross products as combinations of their factors, from dot products."""
 
 from exercises.tools import cross, plus
 from newton_euler import Frame

@@ -5,7 +5,7 @@ from newton_euler import Frame
 
 
 def vectors(g):
-    """Four with the dot products AC, BD, AD, BC, in no plane."""
+    """Four vectors with the dot products AC, BD, AD, BC, not coplanar."""
     axes = Frame("axes")
     i, j, k = (v * g.one for v in (axes.i, axes.j, axes.k))
     return i, j, g.AC * i + g.BC * j + k, g.AD * i + g.BD * j - 2 * k
@@ -21,7 +21,7 @@ def steps(g):
 
 
 def prove(g):
-    """Of other vectors: A and B oblique, C and D with some part across their plane."""
+    """By other vectors: A and B oblique, C and D with a component normal to their plane."""
     A, B = [1, 2, 2], [3, -1, 1]
     N = cross(A, B)
 

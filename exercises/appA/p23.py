@@ -13,7 +13,7 @@ def vectors(g):
 
 
 def solve(g):
-    """B is constant, and stays outside of the derivative of the dot product."""
+    """B is constant, a factor of the derivative of the dot product."""
     A, B = vectors(g)
     return {"rate_BA": B.dot(A.rate(AXES)), "rate_BxA": B.cross(A).rate(AXES)}
 

@@ -1,4 +1,4 @@
-"""A/26: the points of a line, as a point that has moved from Q by s R."""
+"""A/26: the points of a line, reached from Q by s R."""
 
 from exercises.tools import Sketch, proofs
 from newton_euler import Frame
@@ -16,7 +16,7 @@ def solve(g):
 
 
 def prove(g):
-    """By growing at the rate R per unit of s."""
+    """By integration at the rate R per unit of s."""
     Q, R = [g.Q_x, g.Q_y, g.Q_z], [g.R_x, g.R_y, g.R_z]
     place = lambda s: proofs.plus(Q, proofs.integral(lambda _: R, 0, s))
     return {"r": place(g.s)}

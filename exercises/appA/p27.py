@@ -19,7 +19,7 @@ def solve(g):
 
 
 def prove(g):
-    """By the volume of the box of the place and two vectors in the plane, whose base is N_x N."""
+    """By the volume of the box of r and two vectors in the plane, with the base N_x N."""
     u, v = (-g.N_y, g.N_x, 0), (-g.N_z, 0, g.N_x)
     F = lambda *place: mp.det(mp.matrix([place, u, v])) / g.N_x
     return {"F": F(g.x, g.y, g.z)}

@@ -1,5 +1,5 @@
-"""The catalogue: every problem's text, data and code, checked when it is read: ``problem("4/16")``
-is a :class:`Problem`.
+"""The catalogue: every problem's text, data and code, checked on reading: ``problem("4/16")`` is a
+:class:`Problem`.
 """
 
 from .model import Answer, CatalogueError, Chapter, Given, Givens, Problem, Symbol

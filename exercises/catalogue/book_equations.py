@@ -11,12 +11,14 @@ from .model import Problem
 
 @cache
 def book_equations() -> Mapping[str, Any]:
-    """The equations that are cited, as the book writes them: {number: LaTeX}."""
+    """The cited equations, as the book writes them: {number: LaTeX}."""
     return tomllib.loads(Path(__file__).with_suffix(".toml").read_text())
 
 
 def own_number(number: str, p: Problem) -> str:
-    """An equation of the engine as the chapter of ``p`` numbers it, "" if it comes later."""
+    """The number that the chapter of ``p`` gives to an equation of the engine; "" if it comes
+    later.
+    """
     order = ("A", *map(str, range(2, 12)))
     chapter = p.id.partition("/")[0]
     if chapter not in order:  # a course's own
@@ -28,7 +30,7 @@ def own_number(number: str, p: Problem) -> str:
 
 def own_term(number: str, name: str, p: Problem | None) -> Sequence[str]:
     """A term of an equation of the engine as the chapter of ``p`` writes it, as text and in LaTeX;
-    empty where that is as the engine does.
+    empty where both write it alike.
     """
     chapter = p.id.partition("/")[0] if p else ""
     return book_equations()["own_terms"].get(chapter, {}).get(number, {}).get(name, ())

@@ -1,4 +1,4 @@
-"""Checks of a problem: both ways to the key agree, units fit, mistakes differ from the key."""
+"""Checks of a problem: solve and prove agree, units fit, mistakes differ from the key."""
 
 import random
 from itertools import combinations
@@ -20,17 +20,17 @@ from .steps import in_unit, steps
 from .variants import apart, at_points, distance, draw, flat, symbol_points, symbol_values
 from .words import word
 
-# relative, solve in floats against prove; in 50 digits they must agree to the square of it
+# relative, of solve in floats and prove; in 50 digits the limit is its square
 AGREEMENT = 1e-9
 _SEED = b"check"
 
 
 def check(p: Problem, seeds: int = 1) -> list[str]:
-    """Everything that is wrong with problem ``p``, as sentences; an empty list if it holds.
+    """The faults of problem ``p``, as sentences.
 
-    Checks the book's numbers (seed 0) and ``seeds - 1`` drawn variants: solve against prove in
-    floats and in 50 digits, also the steps that prove returns, every mistake away from the key, and
-    once the units of every answer and step by running ``solve`` and ``steps`` on dimensions.
+    Checks the book's numbers (seed 0) and ``seeds - 1`` drawn variants: answers and steps against
+    prove, in floats and in 50 digits; each mistake against the key; and once, by running ``solve``
+    and ``steps`` on dimensions, the units of answers and steps.
     """
     try:
         proof = _Proof(p)
@@ -40,12 +40,12 @@ def check(p: Problem, seeds: int = 1) -> list[str]:
         return faults or overlooked(p, seeds)
     except CatalogueError as error:
         return [str(error)]
-    except Exception as error:  # the code of a problem may raise anything
+    except Exception as error:  # problem code may raise anything
         return [explained(p.id, error)]
 
 
 class _Proof:
-    """What ``prove`` finds in 50 digits, once for each set of numbers: half the time of a check."""
+    """Results of ``prove`` in 50 digits, cached: they take half the time of a check."""
 
     def __init__(self, p):
         self.p, self.found = p, {}
@@ -53,14 +53,14 @@ class _Proof:
     def __call__(self, given):
         numbers = tuple(given.items())
         if numbers not in self.found:
-            with mp.workdps(DIGITS):  # a root or a series stops when it has these digits
+            with mp.workdps(DIGITS):  # the precision at which roots and series stop
                 self.found[numbers] = self.p.code.prove(_precise(self.p, given))
         return self.found[numbers]
 
 
 def alike(p: Problem, seeds: int = 1) -> list[str]:
-    """Warnings, as sentences: mistakes that give the same wrong answer for all numbers, so that no
-    diagnosis can tell which of them a student made; and those with the dimension of another answer.
+    """Warnings, as sentences: mistakes that give the same wrong answer for all numbers, so that a
+    diagnosis cannot tell them apart; and those with the dimension of another answer.
     """
     same = None
     for n in _different(p, seeds):
@@ -69,44 +69,42 @@ def alike(p: Problem, seeds: int = 1) -> list[str]:
             (key, one, other)
             for one, other in combinations(wrong, 2)
             for key in wrong[one].keys() & wrong[other].keys()
-            # of few words, two mistakes often have the same
+            # with few options, mistakes often coincide
             if not p.answer(key).kind.has_options and _same(wrong[one][key], wrong[other][key])
         }
         same = pairs if same is None else same & pairs
     return [
-        f"the mistakes {one} and {other} give the same wrong {key}: whoever makes one reads both"
+        f"the mistakes {one} and {other} give the same wrong {key}: a student sees both texts"
         for key, one, other in sorted(same or ())
     ] + _exchanged(p)
 
 
 def _same(a, b):
-    """Whether two wrong answers, tuples of points, are one."""
+    """Whether two wrong answers, tuples of points, agree."""
     return all(distance(x, y) <= AGREEMENT for x, y in zip(a, b, strict=True))
 
 
 def _different(p, seeds):
-    """The seeds below ``seeds`` with different numbers: only the first where nothing varies."""
+    """The seeds below ``seeds`` that give different numbers: seed 0 alone if nothing varies."""
     varies = p.symbols or any(g.vary for g in p.givens.values())
     return range(seeds if varies else min(seeds, 1))
 
 
 def values(p: Problem, seed: int) -> dict[str, float]:
-    """The book's numbers for seed 0, otherwise a drawn variant; with a value for every symbol."""
+    """The numbers of the book (seed 0) or of a variant, with a value for every symbol."""
     given = p.book_values if seed == 0 else draw(p, _SEED + str(seed).encode())
     return {**given, **symbol_values(p, random.Random(f"{p.id}:{seed}"))}
 
 
 def _fit(p, proof):
-    """Names in the text against names in the code."""
-    # arrays have nan where floats raise: at this point a formula may not be real
+    """Faults where the names in the text and in the code differ."""
+    # arrays, which give nan where floats raise: formulas need not be real here
     g = p.base({n: np.atleast_1d(float(x)) for n, x in values(p, 0).items()})
     with np.errstate(all="ignore"):
         solved, again, named = p.code.solve(g), p.code.solve(g), p.code.mistakes(g)
     proved = proof(values(p, 0))
     if any(isinstance(x, Vector) for x in proved.values()):
-        return [
-            "prove returns vectors of the engine: find the answers by a way of its own, in lists"
-        ]
+        return ["prove returns vectors of the engine: find the answers in another way, as lists"]
     todo = "is in {}.yaml but not computed; compute it, or move it to struck: with a reason"
     faults = [f"the mistake {m} {todo.format(p.name)}" for m in p.mistakes if m not in named]
     undescribed = [m for m in named if m not in p.mistakes]
@@ -123,7 +121,7 @@ def _fit(p, proof):
     for name, answers in named.items():
         if not answers or not set(answers) <= set(asked):
             gives = f"gives {list(answers)}"
-            faults.append(f"the mistake {name} must give some of {asked}, and {gives}")
+            faults.append(f"the mistake {name} must give some of {asked}, but {gives}")
         for key, answer in answers.items():
             here = getattr(answer, "frame", None)
             if key in solved and here and here.name != (there := solved[key].frame.name):
@@ -135,7 +133,7 @@ def _fit(p, proof):
 
 
 def _shared_frames(one, another):
-    """A fault if two calls of solve share a tree of frames: a diagnosis would see both."""
+    """A fault if two calls of solve share a tree of frames, which would mix them in a diagnosis."""
     made = {id(f) for x in one.values() if isinstance(x, Vector) for f in x.frame.tree}
     for key, x in another.items():
         tree = x.frame.tree if isinstance(x, Vector) else []
@@ -163,9 +161,7 @@ def _dimensions(p):
         asked = unit(a.unit).dimension
         for x in flat(answer):
             if x != asked if isinstance(x, Dimension) else x and any(asked.powers):
-                faults.append(
-                    f"{key} is asked for in {a.unit}, that is {asked}, but solve gives {x}"
-                )
+                faults.append(f"{key} is asked for in {a.unit} ({asked}), but solve gives {x}")
     return faults
 
 
@@ -181,7 +177,7 @@ def _exchanged(p):
     for name, answers in named.items():
         for key, answer in answers.items():
             found = {x for x in flat(answer) if isinstance(x, Dimension)}
-            found = found - {asked.get(key)} if len(found) == 1 else ()  # unlike ones are a slip
+            found = found - {asked.get(key)} if len(found) == 1 else ()  # mixed ones are not a swap
             faults += [
                 f"the mistake {name} gives {key} the dimension of {k}: is it stored under its key?"
                 for k, d in asked.items()
@@ -232,11 +228,11 @@ def _both_ways(p, given, proof):
         if all(_is_real(flat(x)) for x in (*proved.values(), *precise.values())):
             return here, right, proved, precise
     tried = ", ".join(f"{n} = {x:.6g}" for n, x in given.items()) or "no numbers"
-    raise CatalogueError(f"solve and prove are both real at no point: tried {tried}")
+    raise CatalogueError(f"solve and prove are nowhere both real; tried {tried}")
 
 
 def _differences(key, ways, proved, atol):
-    """Sentences on the numbers of ``ways``, {how: numbers}, that are not those of the proof."""
+    """Faults: numbers of ``ways``, {how: numbers}, that differ from the proof."""
     faults = []
     for how, numbers in ways.items():
         tolerance = AGREEMENT if how.endswith("floats") else AGREEMENT**2
@@ -250,13 +246,13 @@ def _differences(key, ways, proved, atol):
 
 
 def proved_steps(p, given, proof=None):
-    """{key: value in base units} of the steps that ``prove`` finds too, on numbers of 50 digits."""
+    """{key: value in base units} of the steps that ``prove`` returns, in 50 digits."""
     found, asked = (proof or _Proof(p))(given), {a.key for a in p.answers}
     return {key: x for key, x in found.items() if key not in asked}
 
 
 def _steps_against_proof(p, given, proof):
-    """Sentences on steps that are not those of the proof, at the numbers ``given``."""
+    """Faults: steps that differ from the proof, at the numbers ``given``."""
     proved = proved_steps(p, given, proof)
     if not proved:
         return []
@@ -278,7 +274,7 @@ def _steps_against_proof(p, given, proof):
 
 
 def _is_real(numbers):
-    """True of finite real numbers, and of what is no number."""
+    """Whether all numbers are real and finite; words count as real."""
     return all(
         not isinstance(x, (float, complex, mpf, mpc)) or (mp.im(x) == 0 and mp.isfinite(x))
         for x in numbers
@@ -287,16 +283,16 @@ def _is_real(numbers):
 
 def _word_faults(answer, solved, proved):
     if answer.kind.has_options and solved not in answer.of:
-        return [f"{answer.key}: solve says {solved!r}, which is none of {', '.join(answer.of)}"]
+        return [f"{answer.key}: solve says {solved!r}, which is not one of {', '.join(answer.of)}"]
     if answer.kind.is_word and not answer.kind.readings(solved, answer.form, {}, []):
-        return [f"{answer.key}: solve gives {solved!r}, which is no whole number"]
+        return [f"{answer.key}: solve gives {solved!r}, which is not a whole number"]
     if solved != proved:
         return [f"{answer.key}: solve says {solved}, prove says {proved}"]
     return []
 
 
 def _hidden(p, given, exempt):
-    """Mistakes that give nearly the right answer; words only with the book's numbers."""
+    """Faults: mistakes close to the key; for words, only with the numbers of the book."""
     faults = []
     right, wrong = at_points(p, {n: given[n] for n in p.givens})
     book = all(given[n] == x for n, x in p.book_values.items())
@@ -304,7 +300,7 @@ def _hidden(p, given, exempt):
         for key, points in answers.items():
             a, real = p.answer(key), list(filter(_is_real, points))
             if a.kind.has_options and not {x for (x,) in points} <= set(a.of):
-                faults.append(f"the mistake {name} gives {key} a word that is none of {a.of}")
+                faults.append(f"the mistake {name} gives {key} a word that is not one of {a.of}")
             elif not real and book:
                 faults.append(f"the mistake {name} gives no real {key}")
             elif name in exempt or (a.kind.is_word and not book):
@@ -322,7 +318,7 @@ def _is_hidden(kind, points, key):
 
 
 def _following(p, given, right):
-    """What ``follows`` says of right earlier answers must be the right later ones."""
+    """Faults of ``follows``, which must turn right earlier answers into right later ones."""
     faults, asked = [], [a.key for a in p.answers]
     for key, earlier in earlier_answers(p).items():
         strange = [n for n in (key, *earlier) if n not in asked]
@@ -352,7 +348,7 @@ def _gap(a, b):
 
 
 def _both_zero(a, b, atol, tolerance):
-    """Whether both ways say that a key is zero, far nearer to it than ``atol``."""
+    """Whether both are zero, to far less than ``atol``."""
     with mp.workdps(DIGITS):
         size = mp.sqrt(sum(mpf(x) ** 2 for x in (*a, *b)))
         return bool(len(a) == len(b) and size <= atol * mp.sqrt(tolerance))

@@ -1,4 +1,4 @@
-"""What an error in the code of a problem says to its author: file, line, and what may be meant."""
+"""Errors in the code of a problem, worded for its author: file, line, and the likely name."""
 
 import builtins
 import math
@@ -14,8 +14,8 @@ from .places import EXERCISES, home, homes, place
 
 
 def meant(name: object, known: Iterable[str], form: str = "{}") -> str:
-    """ "; did you mean omega?", or "" where nothing that is known is like this name."""
-    found = nearest(name, known, 0.6)  # of names of three letters, as a_C for a_G
+    """ "; did you mean omega?", or "" if no known name is similar."""
+    found = nearest(name, known, 0.6)  # low enough for a_C to suggest a_G
     return f"; did you mean {form.format(found)}?" if found else ""
 
 
@@ -25,7 +25,7 @@ def explained(problem_id: str, error: Exception) -> str:
     frames = list(traceback.walk_tb(error.__traceback__))
     own = [f for f in frames if Path(f[0].f_code.co_filename).parent == folder]
     if isinstance(error, SyntaxError) and len(error.args) > 1:
-        # of its attributes Dask brings none from another process
+        # its attributes are lost on the way from a process of Dask
         message, (file, line, *_) = error.args
         return f"{_shown(file)}, line {line}: {message}"
     if not own:
@@ -36,14 +36,14 @@ def explained(problem_id: str, error: Exception) -> str:
 
 
 def of_own_problem(error: Exception) -> str:
-    """The error as a sentence if a course's own problem raised it, here or in another process; else
+    """The error as a sentence if a course's own problem raised it, here or in another process; or
     "".
     """
     text = "".join(traceback.format_exception(error))
     for file, line in reversed(re.findall(r'File "([^"\n]+)", line (\d+)', text)):
         folder = Path(file).parent
         if folder.parent != EXERCISES and homes().get(folder.name) == folder:
-            words = explained(f"{folder.name}/1", error)  # of its chapter
+            words = explained(f"{folder.name}/1", error)  # any problem of its chapter
             return words if _shown(file) in words else f"{_shown(file)}, line {line}: {words}"
     return ""
 
@@ -54,9 +54,9 @@ def _shown(file):
 
 def _reason(error, frame, line):
     if isinstance(error, NotImplementedError):
-        return "this is not written yet"
+        return "not written yet"
     if isinstance(error, TypeError) and (used := _of_math(frame, line)):
-        return f"take {used} of newton_euler, not of math, which has numbers alone"
+        return f"take {used} from newton_euler: math takes numbers only"
     if isinstance(error, AttributeError) and isinstance(error.obj, Givens):
         known = error.obj.names
         there = f"there are {', '.join(known) or 'none'}"
@@ -70,14 +70,14 @@ def _reason(error, frame, line):
 
 
 def _words(error):
-    """What an error of the engine says is a sentence; others begin with their names."""
+    """The message of an error: alone if it is the engine's, else after the name of its type."""
     if type(error).__module__.startswith("newton_euler"):
         return str(error)
     return f"{type(error).__name__}: {error}"
 
 
 def _of_math(frame, line):
-    """The function of the module math that this line calls, "" if it calls none."""
+    """The function of the module math that this line uses, or ""."""
     text = Path(frame.f_code.co_filename).read_text(encoding="utf-8").splitlines()[line - 1]
     for name in re.findall(r"[A-Za-z_][\w.]*", text):
         owner, _, function = name.rpartition(".")

@@ -1,8 +1,7 @@
 """Later answers of a problem from a student's own earlier ones.
 
-The code of a problem says it in ``follows``: {later answer: function of the givens and of the
-earlier answers that it is named after}, in base units, vectors along the axes of the answers,
-matrices as three rows:
+The code of a problem defines ``follows``: {later answer: function of the givens and, by name, of
+earlier answers}, in base units, vectors along the axes of the answers, matrices as three rows:
 
     follows = {"r": lambda g, speed: speed / g.n}
 """
@@ -33,10 +32,10 @@ def earlier_answers(p: Problem) -> dict[str, tuple[str, ...]]:
 def follow(
     p: Problem, key: str, values: Mapping[str, Scalar], earlier: Mapping[str, tuple]
 ) -> tuple:
-    """The answer ``key`` that follows from ``earlier`` answers, as a tuple of numbers or its word.
+    """The answer ``key`` that follows from ``earlier`` answers, as a tuple of numbers or a word.
 
     values : givens and symbols in the units of the text
-    earlier : {answer: tuple of numbers, in its unit}, with those that ``earlier_answers`` names
+    earlier : {answer: tuple of numbers, in its unit}, of at least those in ``earlier_answers``
     """
     base = {name: _in_base(p, name, earlier[name]) for name in earlier_answers(p)[key]}
     found = follow_in_base(p, key, p.base(values), base)
@@ -46,7 +45,7 @@ def follow(
 
 
 def follow_in_base(p: Problem, key: str, g: Givens, earlier: Mapping[str, Sequence[Any]]) -> Any:
-    """The same in base units, as the code has it: a scalar, a Vector, rows, or a word."""
+    """:func:`follow` in base units: a scalar, a Vector, rows, or a word."""
     frame = Frame("axes of the answers")
     return p.code.follows[key](g, **{n: _nested(p, n, x, frame) for n, x in earlier.items()})
 
@@ -66,5 +65,5 @@ def _nested(p, name, numbers, frame):
 
 
 def acceleration_of(omega: Vector, alpha: Vector, r: Vector) -> Vector:
-    """The acceleration of the point at ``r`` against the point of the body that ``r`` begins at."""
+    """The acceleration of the tip of ``r`` relative to its tail, both fixed in the body."""
     return alpha.cross(r) + omega.cross(omega.cross(r))

@@ -1,4 +1,4 @@
-"""The format of the YAML files: chapters and problems, and a sentence about what does not fit."""
+"""The format of the YAML files of chapters and problems; what does not fit is refused in words."""
 
 import math
 from pathlib import Path
@@ -11,7 +11,7 @@ from newton_euler.answers.kinds import KINDS
 from .errors import meant
 from .model import Answer, CatalogueError, Chapter, Given, Problem, Symbol, place
 
-# angles away from 0 and 90 degrees, where formulas that differ may agree
+# angles away from 0 and 90 degrees, where different formulas may agree
 SYMBOL_RANGES = {"rad": (0.25, 1.1), "deg": (15, 65)}
 OTHER_RANGE = (0.6, 1.9)
 # the keys of a problem
@@ -61,7 +61,7 @@ def _check_place(problem_id, path):
     home = f"{folder}/{stem}.yaml"
     if (path.parents[1] / home).exists():
         raise CatalogueError(
-            f"the id {problem_id} is that of {home}, too; give one of them the id that its "
+            f"the id {problem_id} is also that of {home}; give one of them the id that its "
             "name says, or delete it"
         )
     raise CatalogueError(
@@ -89,17 +89,17 @@ def _answer(a):
     optional = ("unit", "of", "atol", "weight", "follow_through", "symbol", "because")
     _check_keys(a, "an answer", ("key", "kind", "means"), optional)
     key, name, of, atol = _text(a, "key"), _text(a, "kind"), a.get("of", []), a.get("atol", 1e-6)
-    _require(name in KINDS, f"{key}: kind {name!r} is none of {', '.join(sorted(KINDS))}")
+    _require(name in KINDS, f"{key}: kind {name!r} is not one of {', '.join(sorted(KINDS))}")
     kind = KINDS[name]
     fault = f"{key}: of must be the list of words to choose from, and is {short(of)}"
     _require(isinstance(of, list), fault)
     _require(
         kind.has_options == bool(of),
-        f"{key}: a choice has of: [...] with its words, and no other kind has; this is a {kind}",
+        f"{key}: a choice, and no other kind, has of: [...] with its words; this is a {kind}",
     )
     _require(
         all(isinstance(w, str) and not set(w) & set("|\n") for w in of),
-        f"{key}: of must be a list of words without a |, and is {short(of)}; yes and no want "
+        f"{key}: of must be a list of words without a |, and is {short(of)}; yes and no need "
         'quotation marks: ["yes", "no"]',
     )
     fault = f"{key}: atol must be a number, as in 1e-6, and is {short(atol)}"
@@ -120,12 +120,17 @@ def _answer(a):
 
 
 def _step(key, s):
-    _check_keys(s, f"the step {key}", ("means",), ("unit", "section", "equation", "kind"))
-    return {name: _text(s, name) for name in s} | {"unit": _unit(key, s)}
+    optional = ("unit", "section", "equation", "kind", "of_givens")
+    _check_keys(s, f"the step {key}", ("means",), optional)
+    of_givens = s.get("of_givens", False)
+    fault = f"{key}: of_givens must be true or false, and is {short(of_givens)}"
+    _require(type(of_givens) is bool, fault)
+    texts = {name: _text(s, name) for name in s if name != "of_givens"}
+    return texts | {"unit": _unit(key, s), "of_givens": of_givens}
 
 
 def _mistakes(named):
-    """{mistake: its text}; an entry is the text, or {text: ..., same_in_book: true}."""
+    """{mistake: its text}, from entries that are a text or {text: ..., same_in_book: true}."""
     for name, entry in named.items():
         if isinstance(entry, dict):
             _check_keys(entry, f"the mistake {name}", ("text",), ("same_in_book",))
@@ -140,7 +145,7 @@ def _mistakes(named):
 
 def _checked(found, asked):
     for key, value in found.items():
-        asks = f"asked for are {', '.join(asked)}"
+        asks = f"the answers are {', '.join(asked)}"
         _require(key in asked, f"checked has {key}, which is not asked for; {asks}")
         _require(
             value is not None and not isinstance(value, dict),
@@ -153,14 +158,14 @@ def _checked(found, asked):
 
 
 def _require(holds, fault):
-    """Raises the sentence where what it asks for does not hold."""
+    """Raise ``fault`` as an error unless ``holds``."""
     if not holds:
         raise CatalogueError(fault)
 
 
 def _check_keys(entry, what, needed, optional):
-    """Refuses all but a mapping with the ``needed`` keys and perhaps ``optional`` ones."""
-    keys = f"its keys are {', '.join(needed)} and, where wanted, {', '.join(optional)}"
+    """Refuse all but a mapping with the ``needed`` and at most the ``optional`` keys."""
+    keys = f"its keys are {', '.join(needed)} and optionally {', '.join(optional)}"
     if not isinstance(entry, dict):
         raise CatalogueError(f"{what} must be written as key: value, and is {short(entry)}; {keys}")
     if unknown := [key for key in entry if key not in (*needed, *optional)]:
@@ -171,7 +176,7 @@ def _check_keys(entry, what, needed, optional):
 
 
 def _text(entry, key):
-    """The text under a key, on one line; empty where an optional one is not there."""
+    """The text under a key, on one line; "" if it is missing."""
     text = entry.get(key, "")
     fault = f"{key} must be a text, and is {short(text)}; put it in quotation marks"
     _require(isinstance(text, str), fault)
@@ -179,7 +184,7 @@ def _text(entry, key):
 
 
 def _named(entry, key):
-    """The mapping from names under an optional key."""
+    """The mapping from names under a key, empty if it is missing."""
     named = entry.get(key) or {}
     fault = f"{key} must be written as name: value, and is {short(named)}"
     _require(isinstance(named, dict), fault)
@@ -187,7 +192,7 @@ def _named(entry, key):
         _require(
             isinstance(name, str) and name.isidentifier(),
             f"{key}: {name!r} is not a name: write letters, digits and _, in quotation marks if "
-            "YAML reads another thing",
+            "YAML takes it for something else",
         )
     return named
 
@@ -206,7 +211,7 @@ def _unit(name, entry):
 
 
 def _latex(name, entry):
-    """How a quantity is printed, where its name does not say it: LaTeX of one symbol."""
+    """The symbol of a quantity, in LaTeX, where it does not follow from the name."""
     text = _text(entry, "symbol")
     _require(
         not set("$=") & set(text) and text.count("{") == text.count("}"),

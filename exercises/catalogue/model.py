@@ -1,7 +1,6 @@
-"""A problem: what it gives, what it asks for, and the code that computes it.
+"""A problem: its givens, its answers, and the code that computes them.
 
-Its numbers go in and out in the units of its text; the code of ``p16.py`` sees them in kg, m, s and
-rad.
+Numbers go in and out in the units of the text; the code of ``p16.py`` sees kg, m, s and rad.
 """
 
 import importlib
@@ -25,7 +24,7 @@ from .words import word, words_at
 
 @dataclass(frozen=True)
 class Chapter:
-    """A chapter: the name of its folder, its title, and what holds for all its problems."""
+    """A chapter: the name of its folder, its title, and the text common to its problems."""
 
     name: str
     title: str
@@ -34,8 +33,8 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Given:
-    """A number that a problem gives: its value in the book, its unit, the range that it may be
-    drawn from; ``latex`` is how it is printed, where its name does not say it.
+    """A number that a problem gives: its value in the book, its unit, the range of its variants;
+    ``latex`` is its symbol where that does not follow from the name.
     """
 
     name: str
@@ -49,8 +48,8 @@ class Given:
 
 @dataclass(frozen=True)
 class Symbol:
-    """A quantity that a problem names without a number; ``vary`` is where formulas are compared,
-    ``unit`` its unit, ``latex`` how it is printed, where its name does not say it.
+    """A quantity without a number; ``vary`` is the range in which formulas are compared, ``latex``
+    its symbol where that does not follow from the name.
     """
 
     name: str
@@ -61,14 +60,13 @@ class Symbol:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a problem asks for.
+    """An answer that a problem asks for.
 
-    kind : may be given by its name. atol : the absolute tolerance, in ``unit``, for a key that is
-    zero. weight : its share of the problem's points, relative to those of the other answers.
-    follow_through : the part of them that it earns where it is wrong, but follows from a student's
-    own earlier answers. latex : how it is printed, where its key does not say it. rtol : the
-    relative tolerance of its numbers, which a sheet may change. because : of a choice, what tells
-    it, as a sentence for the worked solution that holds for all numbers.
+    kind : a Kind or its name. atol : absolute tolerance, in ``unit``, for a key of zero. weight :
+    its share of the points, relative to the other answers. follow_through : the part of its points
+    for a wrong answer that follows from the student's own earlier ones. latex : its symbol, where
+    that does not follow from the key. rtol : relative tolerance, which a sheet may change. because
+    : the reason for a choice, for the worked solution: a sentence that holds for all numbers.
     """
 
     key: str
@@ -89,7 +87,7 @@ class Answer:
 
     @cached_property
     def form(self) -> Form:
-        """The form in which it is answered."""
+        """The kind, unit and options of the answer."""
         return Form(self.kind, self.unit, self.of)
 
 
@@ -121,9 +119,7 @@ class Givens:
         return list(self._values)
 
     def but(self, **changes: Scalar) -> "Givens":
-        """The same with some quantities changed (in base units): what a wrong reading of the
-        problem uses.
-        """
+        """A copy with some quantities changed (in base units), for mistakes."""
         unknown = set(changes) - set(self._values)
         if unknown:
             raise CatalogueError(
@@ -133,20 +129,20 @@ class Givens:
 
     @property
     def one(self) -> Scalar:
-        """The number 1 in the kind of the givens, as exact as they are: ``sqrt(3 * g.one)`` has all
-        digits, also in a problem that gives no number.
+        """The number 1 of the same type as the givens: ``sqrt(3 * g.one)`` is exact to all their
+        digits, even if the problem gives no number.
         """
         kinds = (integer_like(1, x) for x in self._values.values())
         return next((x for x in kinds if type(x) is not int), self._one)
 
     def stated(self, name: str) -> Scalar:
-        """The number of the text in its own unit: what a student uses who forgets to convert."""
+        """The number as printed, in its own unit: that of a student who forgets to convert."""
         return unit(self._units[name]).from_base(self._values[name], self._system)
 
 
 class Code(Protocol):
-    """What the file of a problem defines, over numbers of any kind; it may have ``steps(g)`` and
-    ``follows``, too, and has no ``draw`` without a figure.
+    """The functions of a problem's module, over scalars of any kind; ``steps(g)`` and ``follows``
+    are optional, and ``draw`` goes with a figure.
     """
 
     follows: Mapping[str, Callable[..., Any]]
@@ -155,10 +151,10 @@ class Code(Protocol):
         """The answers, by the engine."""
 
     def prove(self, g: Givens) -> dict[str, Any]:
-        """The answers by another way, and some of the steps."""
+        """The answers, and perhaps steps, in another way."""
 
     def mistakes(self, g: Givens) -> dict[str, dict[str, Any]]:
-        """The wrong answers that students give, by mistake."""
+        """{mistake: the wrong answers that it gives}."""
 
     def draw(self, g: Givens, ax: Any) -> None:
         """The figure."""
@@ -168,11 +164,10 @@ class Code(Protocol):
 class Problem:
     """One problem of the book: its text, its data, and through ``code`` what it computes.
 
-    ``steps`` has unit, means, section and equation of the steps that its code computes by key.
-    ``checked`` is what was found by hand for the numbers of the book: {key: number, formula as a
-    text, or list of them}. ``same_in_book`` names the mistakes that give the right answer for the
-    numbers of the book. ``figure`` is empty where there is none. ``step_texts`` is what steps of
-    its code mean in another language.
+    ``steps`` has unit, means, section and equation of each step, by key. ``checked`` has results by
+    hand for the numbers of the book: {key: number, formula as a text, or list of them}.
+    ``same_in_book`` names the mistakes that give the right answer for the numbers of the book.
+    ``figure`` is empty without a figure. ``step_texts`` has the texts of steps in another language.
     """
 
     id: str
@@ -248,7 +243,7 @@ class Problem:
 
     @property
     def units(self) -> dict[str, str]:
-        """Unit of each given and symbol."""
+        """{given or symbol: its unit}."""
         return {n: q.unit for n, q in self.quantities.items()}
 
     @cached_property
@@ -258,7 +253,7 @@ class Problem:
 
     @cached_property
     def notation(self) -> dict[str, str]:
-        """How each given, symbol and answer is printed, in LaTeX: {name: symbol}."""
+        """{given, symbol or answer: its LaTeX}."""
         asked = {a.key: a.latex or symbol(a.key, a.kind.is_vector) for a in self.answers}
         return asked | {n: q.latex or symbol(n) for n, q in self.quantities.items()}
 
@@ -268,8 +263,8 @@ class Problem:
         return {n: g.value for n, g in self.givens.items()}
 
     def base(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> Givens:
-        """Givens for the code, from ``values`` in the units of the text; it must name every given
-        and symbol. ``one`` is the number 1 in the kind that is meant where there are none.
+        """Givens for the code, from ``values`` in the units of the text, which must name every
+        given and symbol. ``one`` sets the type of numbers where there are none.
         """
         units = self.units
         missing = [n for n in units if n not in values]
@@ -285,13 +280,13 @@ class Problem:
         return Givens(given, units, one, self.system)
 
     def dimensions(self) -> Givens:
-        """Givens for the code that are dimensions, without values."""
+        """Givens whose values are their dimensions."""
         pure = self.base(dict.fromkeys(self.units, 1.0))
         return pure.but(**{n: unit(u).dimension for n, u in self.units.items()})
 
     def in_units(self, results: Mapping[str, Any]) -> dict[str, Any]:
-        """Results of the code (in base units) in the units of the answers; a Vector stays a Vector
-        with its terms, and a word the function that gives it.
+        """Results of the code (in base units) in the units of the answers; a Vector keeps its
+        terms, and a function that returns a word is left as it is.
         """
         return {
             key: in_unit(value, self.answer(key), self.system) for key, value in results.items()
@@ -312,14 +307,14 @@ class Problem:
         return found
 
     def wrong(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> dict[str, dict[str, Any]]:
-        """What the listed mistakes make of the answers: {mistake: {key: as from :meth:`solve`}}."""
+        """The answers by each listed mistake: {mistake: {key: as from :meth:`solve`}}."""
         results = self.code.mistakes(self.base(values, one))
         compute = lambda g: self.code.mistakes(g).values()
         found = self._with_words(compute, results.values(), values, one)
         return dict(zip(results, found, strict=True))
 
     def _with_words(self, compute, results, values, one):
-        """The ``results`` of ``compute(g)``, [{key: answer}], in units and with their words."""
+        """The ``results`` of ``compute(g)``, [{key: answer}], in their units, words evaluated."""
         found = [self.in_units(answers) for answers in results]
         if not self.has_words:
             return found
@@ -342,8 +337,8 @@ class Problem:
         }
 
     def formulas(self) -> dict[str, Any]:
-        """The answers with every symbol as a SymPy symbol and the givens of the book as numbers;
-        exact ones next to symbols, 3/2 for 1.5.
+        """The answers with SymPy symbols and the book's givens, which are exact (3/2 for 1.5) if an
+        answer is a formula.
         """
         given = self.book_values
         if self.symbolic:
@@ -351,7 +346,7 @@ class Problem:
         return self.solve({**given, **self.sympy_symbols()}, sympy.Integer(1))
 
     def sympy_symbols(self) -> dict[str, Any]:
-        """A SymPy symbol for each symbol of the text: real, and positive where its range is."""
+        """{symbol: SymPy symbol}, real, or positive if its range is."""
 
         def ranged(name, low):
             return sympy.Symbol(name, **({"positive": True} if low > 0 else {"real": True}))

@@ -1,4 +1,4 @@
-"""What authors of problems overlook, in texts, numbers and figures: each as a sentence."""
+"""Oversights of authors, in texts, numbers and figures, as sentences."""
 
 import random
 import re
@@ -9,17 +9,17 @@ from .model import Problem
 from .sections import headings
 from .variants import Hides, at_points, distance, drawn_value, flat, objection
 
-DRAWS = 4  # sets of numbers for each that is proved; none where that is the book's alone
-MANY = 0.5  # of them without an answer: the ranges want another look
-MOST = 0.95  # refused for any reason: numbers are found in twenty draws, of 300 that are tried
-SAME = 1e-9  # relative: an answer that does not change
-BY_HAND = 1e-6  # relative, of numbers found by hand
+DRAWS = 4  # sets of numbers for each that is proved; none if only the book's are
+MANY = 0.5  # share of draws without an answer at which ranges are reported
+MOST = 0.95  # share of draws refused for any reason at which ranges are reported
+SAME = 1e-9  # relative change below which an answer is the same
+BY_HAND = 1e-6  # relative error of numbers found by hand
 NOISE = 1e-9  # round-off for zero
-SHARED = 0.2  # of the points, at the most, for a number that is the same for all
+SHARED = 0.2  # largest share of the points for a number that is the same for all
 
 
 def overlooked(p: Problem, seeds: int = 1) -> list[str]:
-    """All that can be seen without the proof, with the more numbers the more ``seeds``."""
+    """Faults that need no proof; with ``DRAWS`` sets of numbers for each of several ``seeds``."""
     found = [*_in_texts(p), *_in_numbers(p)]
     return found or [*_by_hand(p), *_over_draws(p, DRAWS * seeds if seeds > 1 else 0)]
 
@@ -33,14 +33,14 @@ def _in_texts(p: Problem) -> Iterator[str]:
         for name in re.findall(r"\{(\w+)\}", text):
             if name not in p.notation and not _of_latex(text, name):
                 yield (
-                    f"{where}: {{{name}}} is no given, symbol or answer; there are "
+                    f"{where}: {{{name}}} is not a given, symbol or answer; there are "
                     f"{', '.join(p.units)}{meant(name, p.notation, '{{{}}}')}"
                 )
     for a in p.answers:
         if a.key in p.units:
             yield f"{a.key} is a given and an answer: give one of them another name"
         if a.kind.is_vector and not p.frame:
-            yield f"{a.key} is a vector: say in frame: along which axes"
+            yield f"{a.key} is a vector: name its axes under frame:"
     for name, text in p.mistakes.items():
         if text and (not re.match(r"[a-z]+s ", text) or text.endswith(".")):
             yield (
@@ -53,13 +53,13 @@ def _in_texts(p: Problem) -> Iterator[str]:
             yield f"section {number} is not in the chapters{known}"
     if not p.figure and callable(getattr(p.code, "draw", None)):
         yield (
-            f"{p.name}.py has draw, but {p.name}.yaml no figure:, the text for those who cannot "
+            f"{p.name}.py has draw, but {p.name}.yaml lacks figure:, the text for those who cannot "
             "see it"
         )
 
 
 def _of_latex(text, name):
-    r"""True for what braces hold of a command, as in ``$\mathbf{r}$``."""
+    r"""True for the argument of a LaTeX command or index, as in ``$\mathbf{r}$``."""
     return re.search(rf"(\\\w+|[_^]|\}})\{{{name}\}}", text) is not None
 
 
@@ -76,7 +76,7 @@ def _in_numbers(p: Problem) -> Iterator[str]:
 
 
 def _by_hand(p: Problem) -> Iterator[str]:
-    """What was found by hand against ``solve``, of formulas at two points."""
+    """Results by hand that differ from ``solve``; formulas are compared at two points."""
     for share in (0.5, 0.31) if p.checked else ():
         at = {n: low + share * (high - low) for n, (low, high) in _ranges(p).items()}
         right = p.solve({**p.book_values, **at})
@@ -91,7 +91,7 @@ def _ranges(p):
 
 
 def _differs(p, key, stated, right, at):
-    """How what is stated by hand differs from the right answer at this point; "" if not."""
+    """How the result by hand differs from the right answer at this point, or ""."""
     import sympy
 
     if p.answer(key).kind.is_word:
@@ -117,13 +117,13 @@ def _differs(p, key, stated, right, at):
 
 
 def _over_draws(p: Problem, number: int) -> Iterator[str]:
-    """Numbers drawn as students' are, those that are refused too."""
+    """Faults that show over many draws like students', refused ones included."""
     if not number or not any(g.vary for g in p.givens.values()):
         return
     rng = random.Random(f"draws of {p.id}")
     drawn: list[dict[str, float]] = []
     refused: list[str | None] = []
-    # where most are refused, so few are left that four times as many are drawn
+    # up to four times as many, if most are refused
     while len(drawn) < number or (refused.count(None) < number / 2 and len(drawn) < 4 * number):
         drawn.append({n: drawn_value(g, rng) for n, g in p.givens.items()})
         refused.append(objection(p, drawn[-1]))
@@ -132,10 +132,7 @@ def _over_draws(p: Problem, number: int) -> Iterator[str]:
     without = [reason for reason in why if not isinstance(reason, Hides)]
     if len(without) > MANY * number or len(why) > MOST * number:
         usual = max(set(without or why), key=why.count)
-        yield (
-            f"of {number} draws {len(why)} are refused, so that numbers are hard to find: one "
-            f"{usual}; narrow vary"
-        )
+        yield (f"of {number} draws {len(why)} are refused: one {usual}; narrow vary")
         return
     good = [values for values, reason in zip(drawn, refused, strict=True) if not reason]
     keys = [at_points(p, values) for values in good]
@@ -156,7 +153,7 @@ def _tolerances(p, keys):
             ]
             if taken:
                 yield (
-                    f"{a.key}: atol: {a.atol:g} {a.unit} takes the mistake {taken[0]} for right, "
+                    f"{a.key}: atol: {a.atol:g} {a.unit} accepts the mistake {taken[0]}, "
                     "where the numbers are small; atol is for a key that is zero"
                 )
                 break
@@ -169,16 +166,16 @@ def _unchanging(p, keys):
         is_number = not (a.kind.is_word or a.kind.is_formula)
         if is_number and a.weight > SHARED * whole and all(_is_same(points[0], x) for x in points):
             yield (
-                f"{a.key} is the same for all students, whatever the numbers are, and is worth "
+                f"{a.key} is the same for all students and worth "
                 f"{a.weight / whole:.0%} of the points: let a given decide it, or lower its weight:"
             )
 
 
 def _unused(p, values):
-    """Givens that the text does not name, and on which no answer and no mistake depends."""
+    """Givens that the text does not name and no answer or mistake depends on."""
     here = at_points(p, values)
     for name, g in p.givens.items():
-        if f"{{{name}}}" in p.text:  # left over on purpose: students must see that
+        if f"{{{name}}}" in p.text:  # a superfluous given, on purpose
             continue
         others = [*(g.vary or ()), 1.1 * values[name]]
         moved = [at_points(p, {**values, name: x}) for x in others]
@@ -201,8 +198,8 @@ def _is_same(one, other):
 
 
 def missing_in_figure(p: Problem) -> list[str]:
-    """What the labels of the figure of ``p`` lack: symbols that it should have (``figure: true``),
-    and the points that its text names.
+    """Labels missing in the figure of ``p``: symbols with ``figure: true``, and points that its
+    text names.
     """
     try:
         labels = _labels(p) if p.figure else []
@@ -242,5 +239,5 @@ def _letter(symbol):
 
 
 def _points(text):
-    """The capital letters in a text that begin no sentence and name no shape, as an L-section."""
+    """The single capital letters in a text, without those of shapes, as in L-section."""
     return set(re.findall(r"(?<=[^.:]\s)([A-Z])\b(?![-'])", text))

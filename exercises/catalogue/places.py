@@ -1,8 +1,8 @@
-"""Where problems are: those of the book here, and those of a course in folders of its own.
+"""Where problems are: the book's here, a course's in folders of its own.
 
-Such a folder has chapters as this one: ``bridge/chapter.yaml``, and ``bridge/p03.yaml`` and
-``p03.py`` for the problem bridge/3. Known are the folders that :func:`use` adds, in this process
-and those that it starts, and the packages that name themselves under the entry point GROUP.
+Such a folder has chapters like this one: ``bridge/chapter.yaml``, with ``bridge/p03.yaml`` and
+``p03.py`` for the problem bridge/3. Folders are added by :func:`use`, for this process and its
+children, and by packages under the entry point GROUP.
 """
 
 import os
@@ -24,8 +24,8 @@ class CatalogueError(ValueError):
 
 
 def place(problem_id: str) -> tuple[str, str]:
-    """The folder of a problem number and the name of its files there: "4/16" is ("ch04", "p16"),
-    "A/3" is ("appA", "p03"), and "bridge/3", of a course, ("bridge", "p03").
+    """The folder of a problem and the name of its files: ("ch04", "p16") for "4/16", ("appA",
+    "p03") for "A/3", and ("bridge", "p03") for "bridge/3" of a course.
     """
     found = re.fullmatch(r"([1-9]\d*|[AB]|[a-z][a-z0-9_]*)/([1-9]\d*)", str(problem_id), re.A)
     if not found or re.match(r"(ch\d+|app[a-z])/", str(problem_id)):
@@ -39,7 +39,7 @@ def place(problem_id: str) -> tuple[str, str]:
 
 
 def use(folder: str | Path) -> list[str]:
-    """Know the problems in a folder of a course from now on; returns the names of its chapters."""
+    """Add the problems in a folder of a course; returns the names of its chapters."""
     path = Path(folder).resolve()
     if path not in _used():
         os.environ[VARIABLE] = os.pathsep.join(map(str, [*_used(), path]))
@@ -58,7 +58,7 @@ def homes() -> dict[str, Path]:
     """{chapter: its folder}: those of the book, then those of courses by name and number."""
     found = {home.name: home for home in sorted(_with_problems(EXERCISES))}
     own = [home for folder in [*_used(), *_of_packages()] for home in _of_a_course(folder)]
-    for home in sorted(own, key=lambda home: _natural(home.name)):
+    for home in sorted(own, key=lambda home: natural_order(home.name)):
         if (EXERCISES / home.name).exists() or re.fullmatch(r"ch\d+|app[A-Za-z]|all", home.name):
             raise CatalogueError(
                 f"{home}: the name {home.name} is taken by the book; give your chapter another, "
@@ -75,14 +75,14 @@ def homes() -> dict[str, Path]:
 
 
 def home(chapter: str) -> Path:
-    """The folder of a chapter, whether or not there is one; that of the book without a search."""
+    """The folder of a chapter, which need not exist."""
     here = EXERCISES / chapter
     return here if here.exists() else homes().get(chapter, here)
 
 
 def files_of(problem_id: str) -> list[Path]:
-    """The files on which a problem alone depends: its two, and what its chapter has besides where
-    it is a course's own.
+    """The files that belong to a problem: its two, and in a course's own chapter the code that its
+    problems share.
     """
     chapter, name = place(problem_id)
     folder = home(chapter)
@@ -101,12 +101,12 @@ def _of_packages():
         spec = find_spec(point.value)
         if not (spec and spec.submodule_search_locations):
             raise CatalogueError(
-                f"the entry point {point.name} of {GROUP} names {point.value}, which is no package"
+                f"the entry point {point.name} of {GROUP} must name a package, not {point.value}"
             )
         path = Path(next(iter(spec.submodule_search_locations))).resolve()
         if {"site-packages", "dist-packages"} & set(path.parts):
             raise CatalogueError(
-                f"{path} is where students' code may read it, since it is among the libraries: "
+                f"{path} is among the libraries, where students' code can read it: "
                 "install the package from its own folder, by pip install -e"
             )
         yield path
@@ -116,7 +116,7 @@ def _of_a_course(folder):
     found = _with_problems(folder) if folder.is_dir() else []
     if not found:
         raise CatalogueError(
-            f"{folder} has no problems: they are in chapters, as bridge/p01.yaml for bridge/1"
+            f"{folder} has no problems: put them in chapters, as bridge/p01.yaml for bridge/1"
         )
     for home in found:
         if not re.fullmatch(r"[a-z][a-z0-9_]*", home.name):
@@ -130,8 +130,8 @@ def _with_problems(folder: Path) -> list[Path]:
     return [home for home in folder.iterdir() if any(home.glob("p*.yaml"))]
 
 
-def _natural(name):
-    """For sorting: week2 before week10."""
+def natural_order(name: str) -> list[str | int]:
+    """A key for sorting: week2 before week10."""
     return [int(x) if x.isdigit() else x for x in re.split(r"(\d+)", name)]
 
 

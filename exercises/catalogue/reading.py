@@ -1,4 +1,4 @@
-"""Finds and reads chapters and problems: ``chNN/chapter.yaml`` and ``chNN/pMM.yaml``."""
+"""Chapters and problems, read from ``chNN/chapter.yaml`` and ``chNN/pMM.yaml``."""
 
 import re
 from collections.abc import Iterable
@@ -55,8 +55,8 @@ def _problems(name):
 
 
 def problem(problem_id: str) -> Problem:
-    """The problem with this number, ``problem("4/16")``, its texts in the reader's language where
-    they are given in it. Only its own file is read.
+    """The problem with this number, ``problem("4/16")``, in the reader's language if translated.
+    Only its own file is read.
     """
     return translated(_problem(problem_id))
 
@@ -78,7 +78,7 @@ def _problem(problem_id):
 
 
 def select(names: Iterable[str]) -> list[Problem]:
-    """The problems that ``names`` stand for: problem numbers, chapter names, or "all"."""
+    """The problems selected by ``names``: problem numbers, chapter names, or "all"."""
     chosen = []
     for name in names:
         if name == "all":
@@ -91,7 +91,7 @@ def select(names: Iterable[str]) -> list[Problem]:
 
 
 def forget() -> None:
-    """Read all anew when it is asked for again."""
+    """Clear the caches, so that files are read again."""
     for kept in (homes, _chapter, _problems, _problem, _problem_at):
         kept.cache_clear()
 
@@ -105,7 +105,7 @@ def _problem_at(path: Path) -> Problem:
 
 
 def _read(path, build):
-    """``build(entry, path)`` of what the file holds; errors begin with the name of the file."""
+    """``build(entry, path)`` of the file's content; errors begin with the name of the file."""
     name = f"{path.parent.name}/{path.name}"
     try:
         return build(load(path.read_bytes().decode("utf-8")), path)
@@ -119,8 +119,8 @@ def _read(path, build):
     except yaml.YAMLError as error:
         reason = " ".join(str(error).replace('"<unicode string>", ', "").split())
         raise CatalogueError(
-            f"{name} is not YAML: {reason}; a text with a colon, a # or quotation marks in it "
-            "wants quotes around it"
+            f"{name} is not YAML: {reason}; a text with a colon, a # or quotation marks "
+            "must be quoted"
         ) from error
     except ValueError as error:
         raise CatalogueError(f"{name}: {error}") from error

@@ -1,5 +1,5 @@
-"""What any answer to a problem must be, whoever's numbers it has: shown to students, whose receipts
-warn of an answer that cannot be.
+"""Bounds on the answers of a problem over all variants. Students get them: a receipt warns of an
+impossible answer.
 """
 
 import math
@@ -15,16 +15,15 @@ from .variants import at_points, drawn_value
 
 Sane: TypeAlias = tuple[float, float] | tuple[float, float, str] | str
 DRAWS = 100  # sets of numbers
-ROOM = 3.0  # beyond what these give; rounded outward to powers of ten, which tell no key
+ROOM = 3.0  # beyond these, then rounded outward to powers of ten, which give no key away
 
 
 @cache
 def sane_answers(p: Problem) -> dict[str, Sane]:
-    """{answer: (low, high) of its size, "kinetic energy", "magnitude", or "magnitude of" a vector
-    that is asked for with it, also behind its size} of problem ``p``; an answer of which nothing
-    is known is left out.
+    """{answer: (low, high) of its size, "kinetic energy", "magnitude" or "magnitude of" another
+    answer, or size and word} of problem ``p``, for answers of which something is known.
     """
-    # not the change of one, which may be negative
+    # at the start only: a change of kinetic energy may be negative
     words = {a.key: KINETIC for a in p.answers if a.means.lower().startswith(KINETIC)}
     rng = random.Random(f"sizes of {p.id}")
     values = {
@@ -45,7 +44,7 @@ def sane_answers(p: Problem) -> dict[str, Sane]:
 
 
 def _magnitude(p, a, right):
-    """ "magnitude", with the vector whose size it is; "" where it may be negative."""
+    """ "magnitude", with the name of the vector if it is an answer; "" where it may be negative."""
     sizes = [x for (x,) in right[a.key]]
     if min(sizes) < 0:
         return ""

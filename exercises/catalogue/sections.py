@@ -15,8 +15,8 @@ from .model import Problem
 def section_line(p: Problem, chapters: str = "") -> str:
     """The line of a statement: "*Section* 4.10 Summary of the method", or "*Appendix* A".
 
-    chapters : where the chapters are, and the heading links to: the address of the site
-        ("https://…"), or the folder of the notebooks as seen from an assignment ("../chapters")
+    chapters : the target of the link: the address of the site ("https://…"), or the folder of the
+    notebooks as seen from an assignment ("../chapters")
     """
     if not p.section:
         return ""
@@ -27,7 +27,7 @@ def section_line(p: Problem, chapters: str = "") -> str:
     notebook, heading = found
     if not chapters:
         return f"*{what}* {heading}"
-    # JupyterLab's names of headings: their text, with hyphens between the words
+    # JupyterLab's anchors: the heading with hyphens for spaces
     at = f"{notebook}#{quote(heading.replace(' ', '-'))}"
     if "://" in chapters:
         at = f"chapters/{notebook.removesuffix('.ipynb')}.html#{section_anchor(p.section)}"
@@ -40,9 +40,7 @@ def section_anchor(number: str) -> str:
 
 
 def headings() -> dict[str, tuple[str, str]]:
-    """{section: (name of the notebook, its heading there)} of the notebooks of the chapters, in
-    the reader's language where they are given in it.
-    """
+    """{section: (notebook, heading)} of all chapters, in the reader's language if translated."""
     return _headings(language())
 
 

@@ -1,5 +1,5 @@
-"""Whether the texts of a problem in another language were made from the English ones as they are
-now: their file keeps a hash of those, ``source``.
+"""Whether a translation of a problem is up to date: its file keeps a hash of the English texts,
+``source``.
 """
 
 import hashlib
@@ -21,7 +21,7 @@ from .variants import symbol_values
 
 
 def english(problem_id: str) -> dict[str, Any]:
-    """The English texts of a problem, with those that its code says of steps."""
+    """The English texts of a problem, with those of steps that are in its code."""
     with speaking(ENGLISH):
         p = problem(problem_id)
         numbers = p.book_values | symbol_values(p, random.Random(p.id))
@@ -36,8 +36,8 @@ def source_of(problem_id: str) -> str:
 
 
 def is_current(problem_id: str, name: str) -> bool | None:
-    """True if the texts in the language of this name were made from the English ones as they are
-    now, and all are there; None if there are none.
+    """True if the texts in the named language are complete and made from the present English ones;
+    None if there are none.
     """
     path = file_of(problem_id, name)
     if not path.exists():
@@ -48,8 +48,8 @@ def is_current(problem_id: str, name: str) -> bool | None:
 
 
 def begin(problem_id: str, name: str) -> Path:
-    """Write the English texts of a problem to where those in the language of this name belong, to
-    translate; a file that is there stays as it is.
+    """Write the English texts of a problem to the file of its translation, to be translated there;
+    an existing file is kept.
     """
     path = file_of(problem_id, name)
     if not path.exists():
@@ -60,7 +60,7 @@ def begin(problem_id: str, name: str) -> Path:
 
 
 def mark_current(path: Path) -> None:
-    """Write the hash of the source into a file of texts."""
+    """Write the hash of the present English texts into a translation."""
     name = path.parents[1].name.removeprefix("ch").lstrip("0").removeprefix("app")
     source = source_of(f"{name}/{int(path.stem[1:])}")
     text = re.sub(r"(?m)^source:.*\n", "", path.read_text("utf-8"))

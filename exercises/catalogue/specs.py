@@ -1,5 +1,5 @@
-"""From a chapter's spec, one YAML list of its problems, to the files of a new chapter: the texts
-as ``pNN.yaml`` and for each a ``pNN.py`` that says what is to be written.
+"""A new chapter from its spec, a YAML list of problems: each becomes a ``pNN.yaml`` and a
+``pNN.py`` with functions to be filled in.
 """
 
 import re
@@ -17,7 +17,7 @@ from .places import EXERCISES
 
 WIDTH = 160  # of a line of text
 TEXTS = ("text", "figure", "frame")
-# a name of a mistake is made of its first words that say something
+# the name of a mistake: its first words except these
 WORDS_OF_A_NAME = 4
 EMPTY_WORDS = {
     "a", "an", "and", "as", "by", "for", "in", "is", "it", "its", "of", "on", "so", "that", "the",
@@ -28,11 +28,11 @@ EMPTY_WORDS = {
 def write_chapter(
     name: str, spec: str | Path, only: Sequence[str] = (), folder: Path | None = None
 ) -> list[Path]:
-    """Write the files of chapter ``name`` from the file ``spec``; returns their paths.
+    """Write the files of chapter ``name`` from the file ``spec``; return their paths.
 
-    only : numbers of the problems to write; default: all. folder : of the chapters. Raises
-    :class:`CatalogueError` if a problem does not fit the format, and before anything is
-    written; a file that is there already is left alone, and if all are, that is an error too.
+    only : numbers of the problems to write; default: all. folder : of the chapters. Existing files
+    are kept. Raises :class:`CatalogueError`, before anything is written, if a problem does not fit
+    the format or if all files exist.
     """
     entries = _entries(name, Path(spec), only)
     if not (folder or (EXERCISES / name).exists() or re.fullmatch(r"ch\d+|app[A-Z]", name)):
@@ -51,8 +51,8 @@ def write_chapter(
     files = {path: text for path, text in files.items() if not path.exists()}
     if not files:
         raise CatalogueError(
-            f"{target} has the files of all these problems; none is overwritten: delete those that "
-            "are to be written anew"
+            f"{target} has the files of all these problems, and none is overwritten: delete those "
+            "to be written again"
         )
     for path, text in {**_of_the_chapter(name, Path(spec), target), **files}.items():
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -76,7 +76,7 @@ def _entries(name, spec, only):
 
 
 def _mended(entry):
-    """The entry with whole texts: YAML takes what follows a comma for a key without a value."""
+    """The entry with texts restored that YAML cut at a comma, taking the rest for a key."""
 
     def whole(a):
         rest = [k for k, x in a.items() if x is None]
@@ -87,12 +87,12 @@ def _mended(entry):
     if not isinstance(answers, list) or not all(
         isinstance(a, dict) and "means" in a for a in answers
     ):
-        return entry  # refused where it is read
+        return entry  # refused by read_problem
     return {**entry, "answers": [whole(a) for a in answers]}
 
 
 def _of_the_chapter(name, spec, target):
-    """``chapter.yaml``, with the title in the first comment of the spec, and ``__init__.py``."""
+    """``chapter.yaml``, with the title from the first comment of the spec, and ``__init__.py``."""
     first = spec.read_text(encoding="utf-8").partition("\n")[0]
     title = re.match(r"#\s*([^.]+)", first)
     files = {
@@ -103,7 +103,7 @@ def _of_the_chapter(name, spec, target):
 
 
 def problem_yaml(entry: dict[str, Any]) -> str:
-    """The text of ``pNN.yaml`` from one entry of a spec, without its comments: all that it has."""
+    """The text of ``pNN.yaml`` from one entry of a spec."""
     content = {field: x for field, x in entry.items() if x or field not in OPTIONAL}
     if str(content.get("figure", "")).lower().startswith("none"):
         del content["figure"]
@@ -123,7 +123,7 @@ def _as_yaml(content, flow=False):
 
 
 def mistake_names(texts: Iterable[str]) -> dict[str, str]:
-    """{name: text} of mistakes that have no names yet, from their first words."""
+    """{name: text}, with names made from the first words of the texts."""
     named = {}
     for text in texts:
         words = re.findall(r"[a-z]+|[A-Z]\w*", text.partition(",")[0])
@@ -138,11 +138,11 @@ def mistake_names(texts: Iterable[str]) -> dict[str, str]:
 
 # -- the code
 
-CODE = Path(__file__).with_name("new_problem.txt")  # what an author of a problem begins with
+CODE = Path(__file__).with_name("new_problem.txt")  # the author's template
 
 
 def problem_code(entry: dict[str, Any]) -> str:
-    """The text of ``pNN.py``: the functions, each with what it must return."""
+    """The text of ``pNN.py``: functions to be filled in, with docstrings of what they return."""
     keys = [a["key"] for a in entry["answers"]]
     figure = " ".join((entry.get("figure") or "none").split())
     mistakes = entry.get("mistakes") or ()
@@ -161,6 +161,6 @@ def problem_code(entry: dict[str, Any]) -> str:
 
 
 def _wrapped(text):
-    """A text as a part of a docstring, without what would end it."""
+    """A text as a part of a docstring, without quotes or backslashes that would break it."""
     lines = textwrap.wrap(text.replace("\\", "/").replace('"', "'"), 70, break_on_hyphens=False)
     return "\n    ".join(lines)

@@ -1,17 +1,17 @@
-"""The steps on the way to the answers of a problem: intermediate quantities in their order, each
-with its unit and the sentence that introduces it.
+"""The steps on the way to the answers of a problem: intermediate quantities in order, each with its
+unit and meaning.
 
-The code of a problem computes them in ``steps(g)``, {key: value in base units}; their texts, units
-and equations stand under ``steps:`` in its YAML. With terms of a sum among them, or a :class:`Step`
-that brings its own text, it yields them:
+The code of a problem computes them in ``steps(g)``, {key: value in base units}; texts, units and
+equations are under ``steps:`` in its YAML. If they include terms of a sum, or a :class:`Step` with
+its own text, it yields them:
 
     def steps(g):
         ground, arm, rod, D = arm_and_rod(g)
         yield "omega_CD", rod.angular_velocity(ground)
         yield from terms(D.acceleration(ground, via=arm), "a_D", "mm/s^2")
 
-A problem without ``steps`` has the terms of its answers that are named sums. ``prove`` may return
-steps too, by their keys, found by its own way.
+Without ``steps``, they are the terms of those answers that are named sums. ``prove`` may return
+steps too, by their keys.
 """
 
 import random
@@ -34,7 +34,7 @@ from .variants import drawn_value, flat, symbol_values
 from .wording import term_text
 from .words import word
 
-SETS = 3  # of numbers by which repeated terms are found
+SETS = 3  # of numbers, to find repeated terms
 SAME = 1e-9  # relative
 
 
@@ -44,11 +44,13 @@ class Step:
 
     key : its name, as in a student's notebook: "omega_CD"
     value : a scalar of any kind, a Vector, a matrix as rows; a word or count, or a function for it
-    unit : in which it is stated; kind : may be given by its name; that of a Vector is known
+    unit : of the stated value; kind : a Kind or its name, needless for a Vector
     means : what it is, as "angular velocity of CD in the ground"
-    section, equation : of the book, where it is found and by which equation; "" where there is none
+    section, equation : their numbers in the book, or ""
     term : (name, equation of the engine) of a term of a sum
-    of : the key of this sum
+    of : the key of the sum
+    of_givens : True if the worked solution finds it from the givens alone, since an earlier
+        quantity is equal to it, or to a part of it, by chance
     """
 
     key: str
@@ -60,6 +62,7 @@ class Step:
     term: tuple = ()
     of: str = ""
     kind: Kind = KINDS["number"]
+    of_givens: bool = False
 
     def __post_init__(self) -> None:
         kind = "vector" if isinstance(self.value, Vector) else self.kind
@@ -73,7 +76,7 @@ class Step:
 
     @property
     def is_of_its_kind(self) -> bool:
-        """True if the value has the form of the kind."""
+        """True if the value fits the kind."""
         if self.kind.is_word:
             return isinstance(self.value, (str, int)) or callable(self.value)
         return len(flat(self.value)) == self.kind.length and not isinstance(self.value, str)
@@ -82,9 +85,9 @@ class Step:
 def terms(
     vector: Vector, key: str, stated_in: str, section: str = "", number: str = ""
 ) -> Iterator[Step]:
-    """The named terms of a velocity, an acceleration or another sum as steps: of ``a_D`` the steps
-    ``a_D_coriolis`` and so on. Terms that are zero are left out. ``number``: of the equation, where
-    the chapter numbers it differently from the engine, as (2.25) for (4.18).
+    """The nonzero named terms of a velocity, an acceleration or another sum as steps
+    ``a_D_coriolis`` and so on. ``number``: of the equation, where the chapter's differs from the
+    engine's, as (2.25) for (4.18).
     """
     equation = vector.equation
     if equation is None:
@@ -106,14 +109,14 @@ def terms(
 
 
 def is_zero(vector: Vector) -> bool:
-    """True if all components are the number zero, and not only for some values."""
+    """True if all components are the number zero, hence zero for all values."""
     return all(is_numeric(x) and x == 0 for x in map(to_plain, vector.c))
 
 
 def steps(p, values, one=1.0, with_all_terms=False):
-    """The steps of problem ``p`` for ``values`` in the units of the text, each in its own unit; a
-    vector stays one, with its frame. ``one`` as for :meth:`Problem.base`; ``with_all_terms`` of the
-    answers, too.
+    """The steps of problem ``p`` for ``values`` in the units of the text, each in its own unit,
+    vectors with their frames. ``one`` as for :meth:`Problem.base`; ``with_all_terms`` adds the
+    terms of the answers.
     """
     g = p.base(values, one)
     found = listed_steps(p, g)
@@ -124,8 +127,8 @@ def steps(p, values, one=1.0, with_all_terms=False):
 
 
 def listed_steps(p: Problem, g: Givens) -> list[Step]:
-    """The steps of ``p`` for givens ``g`` of any kind, in base units: those that its code lists, or
-    the terms of its answers.
+    """The steps of ``p`` for givens ``g``, in base units: those of its code, or the terms of its
+    answers.
     """
     own = getattr(p.code, "steps", None)
     found = own(g) if own else _from_answers(p, g)
@@ -140,15 +143,15 @@ def listed_steps(p: Problem, g: Givens) -> list[Step]:
 
 @cache
 def repeated(p: Problem) -> frozenset[str]:
-    """The steps of which nothing is asked in practice: whatever the numbers, they are an answer, or
-    as terms another step.
+    """The steps that practice does not ask for: for all numbers they equal an answer or, as terms,
+    another step.
     """
     rng, always = random.Random(f"steps of {p.id}"), None
     for _ in range(SETS):
         numbers = {n: drawn_value(q, rng) for n, q in p.givens.items()} | symbol_values(p, rng)
         try:
             found = _repeated_at(p, p.base(numbers))
-        except (ArithmeticError, ValueError):  # no motion with these numbers
+        except (ArithmeticError, ValueError):  # these numbers admit no motion
             continue
         always = found if always is None else always & found
     return always or frozenset()
@@ -167,7 +170,7 @@ def _repeated_at(p, g):
 
 
 def _is_same(a, b):
-    """Whether two vectors have the same numbers as components, not all of them zero."""
+    """Whether two vectors have the same components, not all zero."""
     pairs = list(zip(map(float, a.c), map(float, b.c), strict=True))
     size = max(abs(x) for pair in pairs for x in pair)
     return size > 0 and all(abs(x - y) <= SAME * size for x, y in pairs)
@@ -183,7 +186,7 @@ def _with_text(p, key, value):
 
 
 def _stated(step, p):
-    """A step in its unit, a term of a sum in the words of the problem."""
+    """A step in its unit; for a term of a sum, in the words of the problem."""
     value = in_unit(step.value, step.unit, p.system)
     if not step.term:
         return replace(step, value=value)
@@ -195,9 +198,7 @@ def _stated(step, p):
 
 
 def in_unit(value: Any, stated_in: str, system: System) -> Any:
-    """The value of a step in its unit; a whole number, a word, or what a function gives that waits
-    for numbers, is itself.
-    """
+    """The value of a step in its unit; words and whole numbers have none; functions are called."""
     if isinstance(value, (str, int)) or callable(value):
         return word(value)
     if isinstance(value, (tuple, list)):
@@ -206,15 +207,15 @@ def in_unit(value: Any, stated_in: str, system: System) -> Any:
 
 
 def further_terms(p: Problem, listed: Iterable[Step], answers: Mapping[str, Any]) -> list[Step]:
-    """The terms of the answers that are sums, but for those of which some are listed."""
+    """The terms of those answers that are sums and have no terms listed yet."""
     shown = {s.of for s in listed}
     sums = {k: x for k, x in answers.items() if is_sum(x, p)}
     return [s for s in _terms_of(p, sums) if s.of not in shown]
 
 
 def is_sum(answer: Any, p: Problem) -> bool:
-    """True if an answer is shown with a table of its terms, which are then not listed as steps: all
-    but the terms of an equation that the chapter of ``p`` does not have.
+    """True if an answer is shown with a table of its terms, which are then not listed as steps:
+    unless its equation comes after the chapter of ``p``.
     """
     if not isinstance(answer, Vector) or len(answer.terms) < 2 or answer.equation is None:
         return False
@@ -237,14 +238,14 @@ def _check_names(p, found):
     for s in found:
         if not s.key.isidentifier() or s.key in taken:
             raise CatalogueError(
-                f"{p.id}: the step {s.key!r} must have a name of its own, of letters, digits "
-                "and _; givens, answers and other steps have other names"
+                f"{p.id}: the step {s.key!r} needs a name of its own, of letters, digits "
+                "and _, unlike those of givens, answers and other steps"
             )
         taken.add(s.key)
 
 
 def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
-    """What is wrong with the steps of ``p``, as sentences: their names, and their dimensions."""
+    """The faults of the steps of ``p``, as sentences: in names and dimensions."""
     try:
         computed = {s.key for s in steps(p, values)}
     except CatalogueError as error:
@@ -263,11 +264,9 @@ def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
         return [f"steps adds unlike quantities: {error}"]
     for s in found:
         if not s.is_of_its_kind:
-            wrong.append(f"the step {s.key} has another form than a {s.kind}: say its kind")
+            wrong.append(f"the step {s.key} is not a {s.kind}: name its kind")
         asked = unit(s.unit).dimension
         for x in () if isinstance(s.value, str) or callable(s.value) else flat(s.value):
             if x != asked if isinstance(x, Dimension) else x and any(asked.powers):
-                wrong.append(
-                    f"the step {s.key} is stated in {s.unit}, that is {asked}, and has {x}"
-                )
+                wrong.append(f"the step {s.key} is stated in {s.unit} ({asked}), but has {x}")
     return wrong

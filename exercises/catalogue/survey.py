@@ -1,8 +1,7 @@
-"""What problems are chosen by: section, kinds of answers, equations, steps, how hard and how long.
+"""Choosing problems: by section, kinds of answers, equations, steps, difficulty and time.
 
-It gives no answer away. Difficulty and time are estimates from what is computed, on a scale that
-spreads the problems of this catalogue; what students of a course found hard is measured apart
-(:mod:`grader.reports.measured`).
+No answer is given away. Difficulty and time are estimated from the computation, on a scale that
+spreads this catalogue; what students found hard is in :mod:`grader.reports.measured`.
 """
 
 import math
@@ -14,20 +13,21 @@ from functools import cache
 from newton_euler.algebra.source import uses
 
 from .model import Problem
+from .places import natural_order
 from .tracing import traced_quantities
 from .variants import sheets
 
-# where difficulties 2 to 5 begin: fifths of the catalogue
+# lower limits of difficulties 2 to 5: fifths of the catalogue
 FIFTHS = (5.0, 6.5, 8.0, 9.5)
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A problem in the catalogue.
+    """A problem as it is searched for.
 
-    kinds : of its answers. equations : of the book, cited by its steps. steps : on the way to its
-    answers, without the terms of sums. operations : of the whole computation.
-    sheets : how many sets of numbers can be drawn. words : all its texts, in lower case
+    kinds : of its answers. equations : cited by its steps. steps : without the terms of sums.
+    operations : of the whole computation. sheets : number of variants. words : its texts, in lower
+    case
     """
 
     id: str
@@ -46,7 +46,7 @@ class Entry:
 
     @property
     def difficulty(self) -> int:
-        """From 1 to 5, by the steps, their equations, the operations, and formulas to be found."""
+        """From 1 to 5, by steps, equations, operations, and whether a formula is asked for."""
         formula = any("expression" in kind for kind in self.kinds)
         size = self.steps + self.terms / 3 + len(self.equations) / 2 + formula
         size += math.log2(1 + self.operations) / 2
@@ -54,8 +54,8 @@ class Entry:
 
     @property
     def minutes(self) -> int:
-        """The time for a student who knows the section: to read, and for each step, term, answer
-        and operation; a multiple of five.
+        """The time for a student who knows the section, to the next five minutes: reading, and each
+        step, term, answer and operation.
         """
         reading = 2 + len(self.words.split()) / 80
         work = 2 * self.steps + self.terms + self.answers + self.operations / 5
@@ -64,7 +64,7 @@ class Entry:
 
 @cache
 def entry(p: Problem) -> Entry:
-    """The entry of a problem."""
+    """The problem ``p`` as an entry."""
     found = traced_quantities(p)
     terms = [s for s in found.steps if s.term]
     needed = uses(found.trace, [x for numbers in found.components.values() for x in numbers])
@@ -73,14 +73,10 @@ def entry(p: Problem) -> Entry:
     return Entry(
         p.id, p.chapter, p.section, p.title,
         tuple(dict.fromkeys(a.kind.name for a in p.answers)),
-        tuple(sorted({s.equation for s in found.steps if s.equation}, key=_natural)),
+        tuple(sorted({s.equation for s in found.steps if s.equation}, key=natural_order)),
         len(found.steps) - len(terms), len(terms), operations, len(p.answers), sheets(p),
         bool(p.figure), " ".join(" ".join((p.title, p.text, p.figure, *means)).lower().split()),
     )  # fmt: skip
-
-
-def _natural(number):
-    return [int(x) if x.isdigit() else x for x in re.split(r"(\d+)", number)]
 
 
 Span = tuple[float, float]
@@ -88,8 +84,8 @@ Span = tuple[float, float]
 
 @dataclass(frozen=True)
 class Wanted:
-    """What is looked for; what is empty is not asked. A problem has one of the ``sections`` (4.1 is
-    not 4.10, 4 is all of the chapter) and ``kinds``, all of the ``equations`` and ``words``.
+    """A search: any of the ``sections`` (4 is the whole chapter) and ``kinds``, all of the
+    ``equations`` and ``words``; empty fields match every problem.
     """
 
     sections: tuple[str, ...] = ()
@@ -99,7 +95,7 @@ class Wanted:
     spans: Mapping[str, Span] | None = None  # of the numbers of an entry, by name
 
     def has(self, e: Entry) -> bool:
-        """True if an entry is what is looked for."""
+        """True if the entry matches."""
         section = (e.section, e.section.partition(".")[0])
         return (
             (not self.sections or any(s in section for s in self.sections))
@@ -111,11 +107,11 @@ class Wanted:
 
 
 def _found(word, e):
-    """True if a word of the entry begins so, or it is its number, section or equation."""
+    """True if ``word`` begins a word of the entry, or is its number, section or equation."""
     exact = (e.id.lower(), e.section, e.chapter.lower(), *e.equations)
     return word.lower() in exact or re.search(rf"\b{re.escape(word.lower())}", e.words) is not None
 
 
 def chosen(problems: Iterable[Problem], wanted: Wanted) -> list[Entry]:
-    """The entries of the problems that are looked for."""
+    """The entries that match."""
     return [e for e in map(entry, problems) if wanted.has(e)]

@@ -1,5 +1,5 @@
-"""What the code of a problem computes, traced once: its steps and answers as traced scalars, and
-the linear equations that it solves on the way.
+"""The computation of a problem, traced once: its steps and answers as traced scalars, and the
+linear equations solved on the way.
 """
 
 from collections.abc import Mapping, Sequence
@@ -19,12 +19,11 @@ from .variants import flat
 class Traced:
     """The computation of a problem in base units.
 
-    givens : the traced number of each given and symbol, the argument of its name
-    components : {key: its traced numbers}, of the steps in their order and then of the answers;
-        words and counts are left out
-    units : the unit in which each of them is stated
-    solved : the linear equations that were solved, in their order
-    steps : the steps themselves, whose values are traced
+    givens : {given or symbol: its traced argument}
+    components : {key: its traced numbers}, steps first, then answers; without words and counts
+    units : {key: the unit in which it is stated}
+    solved : the linear equations, in the order of their solution
+    steps : with traced values
     """
 
     trace: Trace
@@ -36,9 +35,9 @@ class Traced:
 
 
 def traced_quantities(p: Problem, to_be_read: bool = False) -> Traced:
-    """The traced computation of ``p``; ``to_be_read`` with all terms of the answers among the steps
-    and, where nothing is given, with the number 1 as the argument "one", so that constants show how
-    they are found. Raises ScalarError where it branches on values.
+    """The traced computation of ``p``. ``to_be_read`` adds the terms of the answers to the steps
+    and, where nothing is given, the argument "one" for the number 1, so that constants show how
+    they are found. Raises ScalarError if the code branches on values.
     """
     trace = Trace()
     givens = {n: trace.new("argument", n) for n in p.units}
@@ -62,7 +61,7 @@ def traced_quantities(p: Problem, to_be_read: bool = False) -> Traced:
 
 
 def before(parts: Sequence[Any]) -> set[int]:
-    """The numbers of traced quantities and of all from which they are computed."""
+    """The numbers of traced quantities and of everything they are computed from."""
     found, waiting = set(), [*parts]
     while waiting:
         a = waiting.pop()

@@ -1,7 +1,6 @@
-"""The texts of a problem in another language: ``ch09/de/p01.yaml`` beside ``ch09/p01.yaml``, with
-its title, text, figure and frame, and what its givens, answers, steps and mistakes mean, by name.
-
-``source`` there is a hash of the English texts, see :mod:`~.sources`.
+"""The texts of a problem in another language: ``ch09/de/p01.yaml`` for ``ch09/p01.yaml``, with
+title, text, figure and frame, and by name the texts of givens, answers, steps and mistakes. Its
+``source`` is a hash of the English texts, see :mod:`~.sources`.
 """
 
 from dataclasses import replace
@@ -20,18 +19,18 @@ MEANINGS = "givens", "answers", "because", "steps", "mistakes"
 
 
 def file_of(problem_id: str, name: str) -> Path:
-    """The file of the texts of a problem in the language of this name."""
+    """The file of a problem's texts in the named language."""
     chapter, stem = place(problem_id)
     return home(chapter) / name / f"{stem}.yaml"
 
 
 def has_own_texts(problem_id: str, name: str) -> bool:
-    """True if the texts of a problem are given in the language of this name, or written in it."""
+    """True if a problem has texts in the named language."""
     return name == ENGLISH or file_of(problem_id, name).exists()
 
 
 def translated(p: Problem) -> Problem:
-    """The problem with its texts in the language that is spoken, as far as they are given."""
+    """The problem in the reader's language, as far as it is translated."""
     return p if language() == ENGLISH else _translated(p, language())
 
 
@@ -70,13 +69,13 @@ def _translated(p, name):
 
 
 def translated_chapter(c: Chapter) -> Chapter:
-    """The chapter with its title in the language that is spoken, where it is given."""
+    """The chapter with its title in the reader's language, if translated."""
     path = home(c.name) / language() / "chapter.yaml"
     return replace(c, **_read(path)) if language() != ENGLISH and path.exists() else c
 
 
 def texts_of(p: Problem) -> dict[str, Any]:
-    """The texts of a problem in the shape of such a file."""
+    """The texts of a problem, nested as in such a file."""
     return {
         **{name: getattr(p, name) for name in TEXTS},
         "givens": {n: g.means for n, g in p.givens.items()},

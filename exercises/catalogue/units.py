@@ -1,4 +1,4 @@
-"""From what the code of a problem computes to what the text asks for: units and axes of answers."""
+"""Units and axes of answers: from base units in the code to those of the text."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -12,7 +12,7 @@ from newton_euler.kinematics import Frame
 
 
 class Asked(Protocol):
-    """An answer that is asked for: its kind and its unit."""
+    """Anything with a kind and a unit."""
 
     @property
     def kind(self) -> Kind: ...
@@ -26,17 +26,17 @@ _METRIC = {"m", "mm", "cm", "km", "g", "kg", "N", "kN", "J", "W", "Pa"}
 
 
 def system_of(symbols: Mapping[str, Any], units: Iterable[str]) -> System:
-    """The coherent system in which a problem with these units is solved: in a formula with feet and
-    pounds no factor 0.3048 is to appear.
+    """The coherent system of a problem with these units: a formula in feet and pounds must not
+    contain 0.3048.
     """
     names = {name for text in units for name in re.findall(r"[A-Za-z]+", text)}
     return US if symbols and names & _US and not names & _METRIC else SI
 
 
 def in_unit(value: Any, answer: Asked, system: System = SI) -> Any:
-    """A result in base units of the ``system``, in the unit of its ``answer``; a Vector stays a
-    Vector with its terms. A word or count, or the function that gives it, is itself. What vanishes
-    whatever the symbols are is 0.
+    """A result in base units of the ``system``, in the unit of its ``answer``; a Vector keeps its
+    terms. Words and counts, or functions that return them, are left as they are. An expression that
+    vanishes identically is 0.
     """
     if answer.kind.is_word:
         return value
@@ -51,8 +51,8 @@ def in_unit(value: Any, answer: Asked, system: System = SI) -> Any:
 
 
 def in_frame(frame: Frame, answers: Any) -> Any:
-    """The answers, or whole mistakes of answers, with every Vector expressed in ``frame`` (or in
-    the frame of that name in its own tree).
+    """The answers, also nested by mistake, with every Vector expressed in ``frame`` (or the frame
+    of that name in its own tree).
     """
     if isinstance(answers, dict):
         return {name: in_frame(frame, answer) for name, answer in answers.items()}

@@ -1,4 +1,4 @@
-"""Each student's own numbers: drawn within the ranges of a problem, rounded as in a textbook, and
+"""Each student's own numbers: drawn within the ranges of a problem, rounded as in a textbook,
 rejected if they make a bad problem.
 """
 
@@ -22,26 +22,26 @@ from .reading import problem
 
 Points: TypeAlias = tuple[tuple, ...]  # the components of an answer at each point
 Answers: TypeAlias = dict[str, Points]
-DRAWS = 300  # attempts before a range is called impossible
+DRAWS = 300  # attempts before giving up
 POINTS = 8  # number of points at which formulas are compared
-SENSITIVITY = 50  # a given rounded to 0.1 % may change an answer by 5 % at the most
+SENSITIVITY = 50  # rounding a given to 0.1 % may change an answer by 5 % at most
 
 
 def seed(secret: bytes, assignment: str, student: str, problem_id: str) -> bytes:
-    """The seed of one student's numbers: HMAC-SHA256 of assignment, student and problem under the
-    course's secret (bytes).
+    """The seed of one student's numbers: HMAC-SHA256 of assignment, student and problem, keyed by
+    the course's secret.
     """
     text = "\0".join((assignment, student, problem_id))
     return hmac.new(secret, text.encode(), hashlib.sha256).digest()
 
 
 def practice_seed(p: Problem, n: int, what: str = "practice") -> bytes:
-    """The seed of the numbers of the variant ``n`` that is practised."""
+    """The seed of the numbers of practice variant ``n``."""
     return f"{what} {p.id} {n}".encode()
 
 
 def draw(p: Problem, seed_bytes: bytes) -> dict[str, float]:
-    """Values for every given of ``p``, in its units: for a seed the same on every machine."""
+    """Values for every given of ``p``, in its units; the same for a seed on every machine."""
     if not any(g.vary for g in p.givens.values()):
         return p.book_values
     for attempt in range(DRAWS):
@@ -58,7 +58,7 @@ def draw(p: Problem, seed_bytes: bytes) -> dict[str, float]:
 
 
 def symbol_values(p: Problem, rng: random.Random) -> dict[str, float]:
-    """A random value for each symbol of a problem, within its ``vary``, to compare formulas at."""
+    """A random value within ``vary`` for each symbol of a problem."""
     return {n: rng.uniform(*s.vary) for n, s in p.symbols.items()}
 
 
@@ -73,7 +73,7 @@ def symbol_points(p: Problem) -> dict[str, Any]:
 
 
 def drawn_value(given: Given, rng: random.Random) -> float:
-    """A number for a given, on a grid of round numbers within its range; ``rng`` chooses."""
+    """A random round number within the range of a given."""
     if given.vary is None:
         return given.value
     first, last, step = _grid(given.vary)
@@ -83,8 +83,8 @@ def drawn_value(given: Given, rng: random.Random) -> float:
 
 
 def sheets(p: Problem) -> int:
-    """How many sets of numbers there are for a problem: 1 where nothing varies. Those that
-    :func:`objection` refuses are counted, too.
+    """The number of variants of a problem, including those that :func:`objection` refuses; 1 if
+    nothing varies.
     """
     grids = [_grid(g.vary) for g in p.givens.values() if g.vary]
     return math.prod(last - first + 1 for first, last, _ in grids)
@@ -98,7 +98,7 @@ def _grid(span):
 
 
 def _round_step(x):
-    """1, 2 or 5 times a power of ten, nearest below ``x``: the grid that drawn numbers lie on."""
+    """The largest 1, 2 or 5 times a power of ten up to ``x``."""
     power = 10.0 ** math.floor(math.log10(x))
     return max(m for m in (1, 2, 5) if m * power <= x * (1 + 1e-9)) * power
 
@@ -108,11 +108,10 @@ class Hides(str):
 
 
 def objection(p: Problem, values: Mapping[str, Scalar]) -> str | None:
-    """Why these values make a bad problem, or None: not finite, ill-conditioned, a component that
-    could be left out, or a mistake that gives nearly the right answer.
-
-    Judged over the points that scoring uses. A mistake that has no real answer with these numbers
-    cannot be made with them, and one in a word may give the right one.
+    """Why these values make a bad problem, or None: not finite, ill-conditioned, a negligible
+    component, or a mistake that gives nearly the right answer. Judged over the points that scoring
+    uses. A mistake that has no real answer with these numbers cannot be made with them, and one in
+    a word may give the right one.
     """
     right, wrong = at_points(p, values)
     for key, points in right.items():
@@ -128,7 +127,7 @@ def objection(p: Problem, values: Mapping[str, Scalar]) -> str | None:
 
 
 def _ill_conditioned(p, values, right):
-    """Which given changes a number or word by far more than itself, or None."""
+    """The given that changes an answer by far more than itself, in words, or None."""
     for given, g in p.givens.items():
         if not (g.vary and values[given]):
             continue
@@ -142,8 +141,8 @@ def _ill_conditioned(p, values, right):
 
 
 def apart(wrong: Points, right: Points) -> bool:
-    """True if a wrong answer is far from the key at half of the points at least, of those at which
-    both are real; or if there is none. Answers are tuples of points.
+    """True if a wrong answer is far from the key at half or more of the points where both are real,
+    or if there are no such points. Answers are tuples of points.
     """
     far = [
         distance(x, key) >= SEPARATION
@@ -164,7 +163,7 @@ def at_points(p: Problem, values: Mapping[str, Scalar]) -> tuple[Answers, dict[s
     """(key, mistakes) as tuples of points: {answer: points}, {mistake: {answer: points}}.
 
     A point is a tuple of components, floats or words; nan where a formula is not real. A formula
-    has one point for each of :func:`symbol_points`, unless ``values`` has its symbols.
+    has a point for each of :func:`symbol_points`, unless ``values`` includes the symbols.
     """
     values = {**symbol_points(p), **values}
     try:
@@ -180,11 +179,14 @@ def at_points(p: Problem, values: Mapping[str, Scalar]) -> tuple[Answers, dict[s
     )
 
 
+_SCALARS = {float, int, str}
+
+
 def as_points(components: Sequence[Any], count: int = 1) -> Points:
-    """The components of an answer (floats, words, or arrays of them) as points, ``count`` or as
-    many as there are in the arrays.
+    """The components of an answer (floats, words, or arrays of them) as points: ``count``, or as
+    many as the arrays hold.
     """
-    if count == 1 and all(type(x) in (float, int, str) for x in components):
+    if count == 1 and _SCALARS.issuperset(map(type, components)):
         return (tuple(components),)
     arrays = np.broadcast_arrays(*components, np.empty(count))[:-1]
     rows = [r if r.dtype.kind in "OU" else r.astype(float) for r in arrays]
@@ -192,8 +194,8 @@ def as_points(components: Sequence[Any], count: int = 1) -> Points:
 
 
 def evaluate(p: Problem, values: Mapping[str, Scalar]) -> tuple[dict, dict]:
-    """(key, mistakes) as tuples of floats: {answer: numbers}, {mistake: {answer: numbers}}; from
-    the problem's formulas traced once.
+    """(key, mistakes) as tuples of floats: {answer: numbers}, {mistake: {answer: numbers}}, by
+    formulas traced once.
 
     ``values`` may hold floats, or arrays of shape (N,) for a whole class at once.
     """
@@ -210,12 +212,12 @@ def _evaluated(p, values):
 
 @cache
 def _compiled(problem_id):
-    """The key and the mistakes as straight-line text; None for words and counts."""
+    """The key and the mistakes as straight-line code; None if there are words or counts."""
     return traced(problem(problem_id), _evaluated)
 
 
 def traced(p: Problem, formula: Callable, more: Iterable[str] = ()) -> Callable | None:
-    """``formula(p, values)`` as straight-line text, called with the values by name; None if problem
+    """``formula(p, values)`` as straight-line code, called with the values by name; None if problem
     ``p`` has no numbers, or answers that are words or counts. ``more`` names further values.
     """
     if not p.units or p.has_words:

@@ -8,8 +8,7 @@ from newton_euler.algebra.ledger import Equation
 from .book_equations import own_term
 from .model import Problem
 
-# the terms of the equations of relative motion, whose symbols v_B, a_B would be taken for the
-# velocity and acceleration of a point B of the problem, and of (4.15)
+# of (4.15) and relative motion, whose v_B, a_B would be read as those of a point B of the problem
 RELATIVE_MOTION = {
     ("velocity", "origin"): Words("the velocity of the origin of the moving frame"),
     ("velocity", "relative"): Words(
@@ -80,7 +79,7 @@ def term_text(
     if not equation.kind.startswith("angular"):
         return Words("the term {formula}", formula=name)
     if " x " not in name:
-        # of an angular acceleration; the cross products are how the turning changes direction
+        # of an angular acceleration: the cross products are the change of direction
         whose = _of_frame(name, problem)
         if equation.kind == "angular acceleration":
             return Words("the growth of the turning {whose}", whose=whose)

@@ -1,32 +1,36 @@
-"""Words and counts: answers without a unit. The code of a problem may give them as functions
-without arguments, which are called once there are numbers: they may compare and branch.
+"""Words and counts: answers without a unit. The code of a problem may return functions without
+arguments, which may branch: they are called with numbers.
 
     {"sense": lambda: "ascending" if v_y > 0 else "descending"}
 """
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
+from operator import index
 from typing import Any, Protocol
 
 from newton_euler.algebra.scalars import Scalar, is_numeric
 
 
 class Stated(Protocol):
-    """A problem, as its words need it: the ranges of its symbols, and givens for its code."""
+    """The part of a problem used here: the ranges of its symbols, and givens for its code."""
 
     symbols: Mapping[str, Any]
 
     def base(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> Any:
-        """The values as the code of the problem takes them."""
+        """The givens for the code of the problem."""
 
 
 def word(value: Any) -> Any:
-    """The word or whole number that the code of a problem returns, or a function that does."""
+    """A word or whole number, or the one that a function returns."""
     value = value() if callable(value) else value
     if isinstance(value, str):
         return str(value)
+    with suppress(TypeError):
+        return index(value)  # also of a :class:`~newton_euler.dynamics.constraints.Freedom`
     try:
         return int(value) if int(value) == value else value
-    except (TypeError, ValueError):  # a check of the problem tells what it is
+    except (TypeError, ValueError):  # reported by the check of the problem
         return value
 
 
@@ -34,9 +38,9 @@ def words_at(
     p: Stated, compute: Callable[[Any], Mapping], values: Mapping[str, Scalar], one: Scalar
 ) -> dict:
     """The words and counts of ``compute(g)``, {key: answer}, for ``values`` in the units of the
-    text: computed in numbers of which none is an array, so that they may branch.
+    text, computed on scalars, so that the code may branch.
 
-    A symbol without a number is at the middle of its range. Of arrays, one word for each instant.
+    A symbol without a number takes the middle of its range. Arrays give an array of words.
     """
     import numpy as np
 

@@ -22,7 +22,7 @@ def solve(g):
 
 
 def slope_and_bend(g):
-    """The first and the second derivative of y by x."""
+    """The first and second derivatives of y with respect to x."""
     y = curve(g)(moving(g.x_1, rate=g.one))[1]
     return y.rate, y.acceleration
 

@@ -14,14 +14,14 @@ def motion(g, theta, ground=None):
 
 
 def rates(g, theta):
-    """theta' from the speed; theta'' such that there is no acceleration along the velocity."""
+    """theta' from the speed; theta'' makes the acceleration normal to the velocity."""
     v, a = motion(g, moving(theta, rate=g.one))  # per rad and per rad^2
     theta_dot = g.v / v.norm()
     return theta_dot, -(theta_dot**2) * a.dot(v) / v.dot(v)
 
 
 def at_constant_speed(g, theta, ground=None):
-    """The motion asked about."""
+    """Velocity and acceleration at constant speed."""
     return motion(g, moving(theta, *rates(g, theta)), ground)
 
 
@@ -65,7 +65,7 @@ def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     place = lambda theta: (g.A * theta * cos(theta), g.A * theta * sin(theta), 0)
-    theta = 2.3  # on the first turn, where the letters have room
+    theta = 2.3  # on the first turn, with room for labels
     O, P = (0, 0, 0), place(theta)
     s.axes(O, ground, length=3.2 * g.A, labels=["x", "y", ""])
     s.path([place(4.6 * n / 120) for n in range(121)])

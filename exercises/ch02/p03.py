@@ -25,7 +25,7 @@ def steps(g):
 
 
 def prove(g):
-    """The parabola by its focus and directrix: y is the place as far from one as from the other."""
+    """The parabola as the points equally far from focus and directrix."""
     f = 1 / (4 * g.k)
 
     def place(t):

@@ -1,4 +1,4 @@
-"""2/4: grain that falls into a chute."""
+"""2/4: grain falling into a chute."""
 
 from exercises.tools import Sketch, root
 from newton_euler import Frame, sqrt
@@ -23,7 +23,7 @@ def steps(g):
 
 
 def prove(g):
-    """The speed at which the grain is at the height of the mouth when it is above an edge."""
+    """The speeds at which the grain falls by h on its way to each edge."""
     speed = lambda edge: root(lambda v: g.h - g.g / 2 * (edge / v) ** 2, edge / 100, 100 * edge)
     return {"v_0": [speed(g.d), speed(g.d + g.w)]}
 

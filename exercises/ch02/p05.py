@@ -1,11 +1,11 @@
-"""2/5: a jet of water that comes down into a trench."""
+"""2/5: a jet of water falling into a trench."""
 
 from exercises.tools import Sketch, mp, root
 from newton_euler import Frame, cos, kinematics, pi, sin
 
 
 def drop(g, x, up):
-    """How far the water is below the nozzle at the horizontal distance x."""
+    """Depth of the jet below the nozzle at the horizontal distance x."""
     return -kinematics.from_time(lambda t: -g.g, x / (g.v_0 * sin(g.phi)), v0=up)[0]
 
 

@@ -36,7 +36,7 @@ def steps(g):
 
 
 def prove(g):
-    """The moment at which the water is as high as the lawn under it."""
+    """The time at which the water is at the height of the lawn."""
     answers, times = {}, {}
     for key, side in SIDES.items():
 

@@ -1,4 +1,4 @@
-"""2/8: a ball that hits a wall as high as it can: whether it rises or falls."""
+"""2/8: a ball that hits a wall as high as possible: is it rising or falling?"""
 
 from exercises.devices import thrown_ball as device
 from exercises.tools import mp, rate, root
@@ -31,7 +31,7 @@ def prove(g):
     slope = upward / ahead
 
     def speed(angle):
-        """The speed with which the ball comes to the foot of the wall."""
+        """The initial speed that reaches the foot of the wall."""
         return root(lambda v: v * mp.sin(angle) - g.g / 2 * g.d / (v * mp.cos(angle)), 1e-3, 1e3)
 
     # least where it no longer changes with the angle

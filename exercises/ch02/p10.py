@@ -1,18 +1,18 @@
-"""2/10: a car that speeds up in a curve."""
+"""2/10: a car speeding up in a curve."""
 
 from exercises.tools import Sketch, at_angle, rate, root, second_rate, size
 from newton_euler import Frame, moving, polar, sqrt
 
-FOOT = 0.3048  # m: who takes mi/h for ft/s
+FOOT = 0.3048  # m, for the mistake of ft/s for mi/h
 
 
 def speed_rate(g):
-    """Half of the growth of v^2 per length, from v dv = a_t ds."""
+    """Half the change of v^2 per length, from v dv = a_t ds."""
     return (g.v_2**2 - g.v_1**2) / (2 * g.L)
 
 
 def speed(g):
-    """After the distance s."""
+    """Speed after the distance s."""
     return sqrt(g.v_1**2 + 2 * speed_rate(g) * g.s)
 
 
@@ -33,7 +33,7 @@ def steps(g):
 
 
 def prove(g):
-    """The time over the stretch is its length over the mean speed; then the place in time."""
+    """The time over the stretch from its length and mean speed, then position over time."""
     T = g.L / ((g.v_1 + g.v_2) / 2)
     gone = lambda t: g.v_1 * t + (g.v_2 - g.v_1) / T * t**2 / 2
     when = root(lambda t: gone(t) - g.s, 0, T)
@@ -72,5 +72,7 @@ def draw(g, ax):
     s.dot(P)
     s.vector(P, local.j, "$a_t$", kind="acceleration")
     s.vector(P, -local.i, "$a_n$", kind="acceleration")
+    for n, distance in enumerate((0, g.L), 1):
+        s.vector(at(distance), axes(distance).j, f"$v_{n}$", kind="velocity")
     s.dimension(O, at(0), "R", offset=0)
     s.label(O, "O")

@@ -1,4 +1,4 @@
-"""2/11: how a jet is curved at the nozzle and at its highest point."""
+"""2/11: radii of curvature of a jet at the nozzle and at its highest point."""
 
 from exercises.devices import jet
 from exercises.tools import mp
@@ -6,7 +6,7 @@ from newton_euler import Frame, cos, pi, sin
 
 
 def places(g):
-    """The motion at the nozzle, and at the top, where the forward velocity is left."""
+    """The motion at the nozzle and at the top, where the velocity is horizontal."""
     ground = Frame("ground")
     v = ground.vector(g.v_0 * sin(g.phi), 0, g.v_0 * cos(g.phi))
     return jet.motion(g, ground, v), jet.motion(g, ground, ground.i * v.x)

@@ -13,13 +13,13 @@ def direction(g):
 
 
 def normal_acceleration(g):
-    """The normal acceleration at the nozzle, whatever the speed."""
+    """The normal acceleration at the nozzle, independent of the speed."""
     ground, e = direction(g)
     return jet.motion(g, ground, e).acceleration.y
 
 
 def top(g, v_0):
-    """The radius of curvature where the forward velocity is left."""
+    """The radius of curvature at the top, where the velocity is horizontal."""
     ground, e = direction(g)
     return jet.motion(g, ground, ground.i * (v_0 * e.x)).radius
 
@@ -37,7 +37,7 @@ def steps(g):
 
 
 def prove(g):
-    """The speed with which the curve z(x) is bent as on the photograph."""
+    """The speed for which the curve z(x) has the given curvature."""
     slope = g.b / g.c
     v_0 = root(lambda v: jet.proved_radius(g, v, slope, 0) - g.rho_0, 1e-2, 1e3)
     rho_top = jet.proved_radius(g, v_0, slope, jet.proved_top(g, v_0, slope))

@@ -16,7 +16,7 @@ def circle(g):
 
 
 def on_circle(g):
-    """The motion on it, with the speed and its rate, in these axes."""
+    """The motion on this circle, with the given speed and its rate."""
     here = at_speed(circle(g), 0 * g.one, velocity(g)[1].norm(), -g.b)
     return frenet_along(circle(g), here, Frame("along and across"))
 
@@ -39,7 +39,7 @@ def steps(g):
 
 
 def prove(g):
-    """On a parabola with the curvature of the path; along its tangent as along a line."""
+    """On a parabola with the curvature of the path."""
     speed = mp.hypot(g.v_1, g.v_2)
 
     def place(t):
@@ -76,6 +76,7 @@ def draw(g, ax):
     s.line(C, P)
     s.vector(P, e_t, "$e_t$", kind="plain")
     s.vector(P, e_n, "$e_n$", kind="plain")
+    s.vector(P, -e_t, "b", kind="acceleration")
     s.axes((0.5 * g.rho, -0.8 * g.rho, 0), ground, length=0.4 * g.rho, labels=["i", "j", ""])
     s.dimension(P, C, r"$\rho$", offset=0.12 * g.rho)
     s.dot(C, "C")

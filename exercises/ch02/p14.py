@@ -7,7 +7,7 @@ CASES = 1, 2
 
 
 def pin(g, case):
-    """Velocity and acceleration of P along x, y; C moves as P does along x."""
+    """Velocity and acceleration of P along x, y; C moves like P along x."""
     ground = Frame("ground")
     rates = {1: (g.omega, 0 * g.alpha), 2: (0 * g.omega, g.alpha)}[case]
     P = polar(ground, "P", g.d, moving(g.theta, *rates))
@@ -25,7 +25,7 @@ def steps(g):
 
 
 def prove(g):
-    """The place of P by the tangent u of half the angle, without sines and cosines."""
+    """The position of P in terms of u = tan(theta/2)."""
 
     def P(theta):
         u = mp.tan(theta / 2)
@@ -64,6 +64,7 @@ def draw(g, ax):
     s.hinge(O)
     s.hinge(P)
     s.arc(O, (d, 0, 0), P, label=r"$\theta$")
+    s.swing(O, P, ground.k, label=r"$\dot\theta,\ \ddot\theta$")
     s.dimension(O, P, "d", offset=0.15 * d)
     s.label(O, "O")
     s.label(P, "P", offset=(14, 6))

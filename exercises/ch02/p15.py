@@ -5,7 +5,7 @@ from newton_euler import Frame, cos, frenet, sin, sqrt
 
 
 def airplane(g, total):
-    """The airplane's motion at A, from the size of the acceleration; x forward, y up."""
+    """The motion at A, from the magnitude of the acceleration; x forward, y up."""
     ground = Frame("ground")
     upward = sqrt(total**2 - g.v_dot**2)
     return frenet(ground.vector(g.v, 0, 0), ground.vector(g.v_dot, upward, 0))
@@ -21,7 +21,7 @@ def steps(g):
 
 
 def prove(g):
-    """The radius at which the acceleration on a parabola in time along the arc has this size."""
+    """The radius for which the acceleration on the circle has this magnitude."""
 
     def along(rho):
         angle = lambda t: (g.v * t + g.v_dot * t**2 / 2) / rho

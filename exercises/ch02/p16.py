@@ -31,7 +31,7 @@ follows = {"a_P2": lambda g, v_tape: rim_point(g.r_2, v_tape, g.a_t2).norm()}
 
 
 def prove(g):
-    """The rims in time, turned by the tape; at this speed P1 has the given acceleration inward."""
+    """The rims over time; the speed gives P1 the given inward acceleration."""
     path = lambda r, v: lambda t: at_angle(r, (v * t + g.a_t2 * t**2 / 2) / r)
     acceleration = lambda r, v: second_rate(path(r, v))
     fast = mp.mpf(100) * mp.sqrt(g.a_n1 * g.r_1 + g.a_t2 * g.r_1)
@@ -63,6 +63,8 @@ def draw(g, ax):
     s.cable(A, first, second, B, turns=(-1, -1, -1, -1))
     s.dot((0, r, 0), "P1")
     s.dot((apart + q, 0, 0), "P2")
+    s.vector((0, r, 0), -ground.j, r"$a_{n1}$", kind="acceleration")
+    s.vector((apart + q, 0, 0), -ground.j, r"$a_{t2}$", kind="acceleration")
     s.dimension(one, (-r * 3**0.5 / 2, r / 2, 0), label="$r_1$", offset=0)
     s.dimension(two, (apart - q * 3**0.5 / 2, q / 2, 0), label="$r_2$", offset=0)
     s.label((0.1 * apart, -down, 0), "A")

@@ -1,4 +1,4 @@
-"""2/17: a pin that a turning arm carries along a cam."""
+"""2/17: a pin carried along a cam by a turning arm."""
 
 from exercises.devices import polar_motion
 from exercises.tools import Sketch, at_angle, minus, plus, rot, second_rate, size, times
@@ -16,7 +16,7 @@ solve, steps, mistakes = polar_motion.problem_of(pin)
 
 
 def prove(g):
-    """The limacon by cranks: b at omega and c/2 at twice that, as 2 cos^2 = 1 + cos of twice."""
+    """The limacon as the sum of two cranks: b at omega and c/2 at 2 omega."""
 
     angle = lambda t: g.theta + g.omega * t
     back = lambda t: plus(at_angle(g.c / 2, 2 * angle(t)), [g.c / 2, 0, 0])

@@ -1,4 +1,4 @@
-"""2/18: a rocket on the radar: where it is heading, a word, and how its path is curved."""
+"""2/18: a rocket on the radar: its heading, a word, and the curvature of its path."""
 
 from exercises.tools import Sketch, at_angle, cross, rate, second_rate, size
 from newton_euler import Frame, cos, moving, sin
@@ -6,7 +6,7 @@ from newton_euler.kinematics import flexure, polar
 
 
 def rocket(g):
-    """Velocity and acceleration along e_r, e_theta; r'', not measured, does not bend the path."""
+    """Velocity and acceleration along e_r, e_theta; rho does not depend on r''."""
     ground = Frame("ground")
     theta = moving(0 * g.one, rate=g.theta_dot, acceleration=g.theta_ddot)
     P = polar(ground, "P", moving(g.r, rate=g.r_dot), theta)
@@ -44,6 +44,7 @@ def mistakes(g):
         "rho_is_r": {"rho": g.r},
         "no_r": {"rho": g.r_dot**2 / abs(g.theta_ddot)},
         "negative": {"rho": -rho},
+        "toward": {"heading": "toward"},
         "across": {"heading": "across"},
     }
 

@@ -1,4 +1,4 @@
-"""2/19: a collar on a rod that turns faster and faster."""
+"""2/19: a collar on an accelerating rod."""
 
 from exercises.devices import collar_on_rod
 

@@ -1,4 +1,4 @@
-"""2/20: a collar on a rod that turns back."""
+"""2/20: a collar on a rod that reverses."""
 
 from exercises.devices import collar_on_rod
 from newton_euler import pi

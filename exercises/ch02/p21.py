@@ -12,7 +12,7 @@ def rocket(g):
 
 
 def measured(g):
-    """What the readings give: velocity across the line of sight, acceleration along it."""
+    """The measured components: velocity across the line of sight, acceleration along it."""
     ground, P = rocket(g)
     return P.velocity(ground).y, P.acceleration(ground).x
 
@@ -30,7 +30,7 @@ def steps(g):
 
 
 def prove(g):
-    """The vertical climb, in time, on which the radar would read what it reads."""
+    """The vertical climb over time that gives the radar's readings."""
     away, up = g.r * mp.cos(g.theta), g.r * mp.sin(g.theta)
     height = lambda v, a: lambda t: up + v * t + a * t**2 / 2
     elevation = lambda y: lambda t: mp.atan2(y(t), away)

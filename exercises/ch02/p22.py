@@ -1,4 +1,4 @@
-"""2/22: the acceleration on a spiral that grows by the same factor in equal times."""
+"""2/22: the acceleration on an exponential spiral."""
 
 from exercises.devices import polar_motion
 from exercises.tools import Sketch, mp, second_rate, size
@@ -6,7 +6,7 @@ from newton_euler import Frame, cos, exp, log, moving, polar, sin
 
 
 def particle(g):
-    """Ground, distance and particle; theta is counted from where r = R."""
+    """Ground, distance and particle; theta = 0 at r = R."""
     ground, theta = Frame("ground"), moving(0 * g.n, rate=g.omega)
     r = g.R * exp(g.n * theta)
     return ground, r, polar(ground, "P", r, theta)

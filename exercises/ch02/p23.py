@@ -12,7 +12,7 @@ def axes(g):
 
 
 def rates(position, velocity):
-    """The four answers: no acceleration."""
+    """The four answers, for zero acceleration."""
     r, theta = polar_coordinates(position, velocity, 0 * velocity)
     return {
         "r_dot": r.rate,
@@ -44,7 +44,7 @@ follows = {  # both components of the acceleration are zero
 
 
 def prove(g):
-    """The way of A along its line, as length and direction."""
+    """Distance and direction of A over time."""
     start = g.h / mp.tan(g.theta)
     r = lambda t: mp.hypot(start + g.v * t, g.h)
     theta = lambda t: mp.atan2(g.h, start + g.v * t)

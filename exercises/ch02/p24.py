@@ -44,7 +44,7 @@ follows = {"v_mag": lambda g, v_P: v_P.norm(), "a_mag": lambda g, a_P: a_P.norm(
 
 
 def prove(g):
-    """The components by the way of P on the crank, the magnitudes by that on the arm."""
+    """The components from P on the crank, the magnitudes from P on the arm."""
     P = crank(g)
     r = lambda t: in_arm(g, P(t), t)[0]
     angle = lambda t: g.theta + g.omega * t

@@ -41,7 +41,7 @@ def a_cor(g, v_rel):
 
 
 def v_P(g, v_rel):
-    """By the velocity of the place of the arm where P is."""
+    """v_P from v_rel and the velocity of the point of the arm at P."""
     right, vector = solve(g), v_rel.frame.vector
     return v_rel + vector(*right["v_P"].terms["rotation"].components())
 
@@ -55,7 +55,7 @@ follows = {"a_cor": a_cor, "v_P": v_P, "a_P": a_P}
 
 
 def prove(g):
-    """The pin on its crank, seen from the arm; Coriolis is what the other terms leave over."""
+    """The pin on its crank, seen from the arm; the Coriolis term is the rest."""
     P = crank(g)
     seen = lambda t: in_arm(g, P(t), t)
     place = lambda t: times(rot("z", g.omega * t), P(0))

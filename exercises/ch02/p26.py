@@ -1,4 +1,4 @@
-"""2/26: a boom that extends faster and faster."""
+"""2/26: a boom extending at an increasing rate."""
 
 from exercises.devices.truck_boom import moving_with, sketch
 

@@ -1,4 +1,4 @@
-"""2/27: a boom that falls faster and faster."""
+"""2/27: a boom lowered at an increasing rate."""
 
 from exercises.devices.truck_boom import moving_with, sketch
 

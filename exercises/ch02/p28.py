@@ -1,4 +1,4 @@
-"""2/28: a boom on a truck that drives at a steady speed."""
+"""2/28: a boom on a truck at constant speed."""
 
 from exercises.devices.truck_boom import moving_with, sketch
 

@@ -1,4 +1,4 @@
-"""2/29: a boom on a truck that gains speed."""
+"""2/29: a boom on an accelerating truck."""
 
 from exercises.devices.truck_boom import moving_with, sketch
 

@@ -1,4 +1,4 @@
-"""2/30: the velocity of a car as it is seen from another one that turns."""
+"""2/30: the velocity of a car as seen from another one that turns."""
 
 from exercises.devices import two_cars
 from exercises.devices.two_cars import cars, draw, seen_velocity, velocity_steps

@@ -1,4 +1,4 @@
-"""2/31: the acceleration of a car as it is seen from another one that turns."""
+"""2/31: the acceleration of a car as seen from another one that turns."""
 
 from exercises.devices import two_cars as device
 

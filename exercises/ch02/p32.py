@@ -1,4 +1,4 @@
-"""2/32: as 2/31, while both cars change their speed."""
+"""2/32: as 2/31, with both speeds changing."""
 
 from exercises.devices import two_cars
 

@@ -1,4 +1,4 @@
-"""2/33: a slider that passes the centre of a turning disk."""
+"""2/33: a slider at the centre of a turning disk."""
 
 from exercises.devices.turning_plate import turning
 from exercises.tools import Sketch, angular_velocity, mp, rot, second_rate
@@ -21,7 +21,7 @@ def steps(g):
 
 
 def prove(g):
-    """The path in the ground, a spiral through O, along the slot as it lies at t = 0."""
+    """The spiral in the ground, through O, along x at t = 0."""
     theta = lambda t: g.omega * t + g.alpha * t**2 / 2
     place = lambda t: [g.x_dot * t * mp.cos(theta(t)), g.x_dot * t * mp.sin(theta(t)), 0]
     return {"a": second_rate(place), "omega_disk": angular_velocity(lambda t: rot("z", theta(t)))}

@@ -1,4 +1,4 @@
-"""2/34: the lower tip of a bracket that slides on a turning plate."""
+"""2/34: the lower tip of a bracket sliding on a turning plate."""
 
 from exercises.devices import welder
 from exercises.devices.turning_plate import acceleration_from

@@ -1,4 +1,4 @@
-"""2/36: an end of a rod that slides in a turning bracket."""
+"""2/36: an end of a rod sliding in a turning bracket."""
 
 from exercises.devices import sliding_rod
 from exercises.devices.turning_plate import acceleration_from

@@ -1,4 +1,4 @@
-"""2/38: the rod of 2/36, which slows down in the bracket."""
+"""2/38: the rod of 2/36, slowing down in the bracket."""
 
 from exercises.devices import sliding_rod
 from exercises.devices.turning_plate import acceleration_from, motion

@@ -30,7 +30,7 @@ def steps(g):
 
 
 def prove(g):
-    """The mean velocity times the time; the velocity so from the mean acceleration."""
+    """Mean velocity times time, the velocity likewise from the mean acceleration."""
 
     instants = proofs.box(1, 0, 0, order=3)  # from -1/2 to 1/2; exact for t^4
 

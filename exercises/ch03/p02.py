@@ -35,13 +35,13 @@ def steps(g):
 
 
 def prove(g):
-    """Of degree n in time: t x' = n x, t^2 x'' = n (n - 1) x; v_n by the triangle of v and n."""
+    """For powers of t, t x' = n x and t^2 x'' = n (n - 1) x; v_n by the triangle of v and n."""
     place = lambda t: [g.cx * t**2, g.cy * t**3, -g.cz * t**4]
     r, n = place(g.t1), [g.nx, g.ny, g.nz]
     degree = [mp.log(y / x, 2) for x, y in zip(r, place(2 * g.t1), strict=True)]
     v = [d * x / g.t1 for d, x in zip(degree, r, strict=True)]
     a = [(d - 1) * x / g.t1 for d, x in zip(degree, v, strict=True)]
-    third = size(minus(v, n))  # numbers alone, a length of v being as good as one of n
+    third = size(minus(v, n))  # numbers without units
     cosine = (size(v) ** 2 + size(n) ** 2 - third**2) / (2 * size(v) * size(n))
     return {"v": v, "v_n": size(v) * cosine, "a": a, "length": size(n)}
 

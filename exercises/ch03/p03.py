@@ -1,4 +1,4 @@
-"""3/3: constant speed on a curve that is given by a parameter."""
+"""3/3: constant speed on a parametric curve."""
 
 from exercises.tools import Sketch, rate, scaled, size
 from newton_euler import Frame, kinematics, moving
@@ -30,7 +30,7 @@ def steps(g):
 
 
 def prove(g):
-    """Along the tangent, and across it as the tangent turns with the path. No rates of q."""
+    """v along the tangent, a from its rotation along the path, without rates of q."""
     along = lambda q: rate(lambda p: [g.a * p, g.b * p**2, g.c * p**3], q)
     tangent = lambda q: scaled(1 / size(along(q)), along(q))
     a_n = g.nu**2 / size(along(1))

@@ -6,12 +6,12 @@ from newton_euler import kinematics, moving, pi
 
 
 def rise(g):
-    """The rise for one radian."""
+    """The rise per radian."""
     return g.p / (2 * pi(g.p))
 
 
 def angle(g):
-    """theta at the instant when it is zero, with its rates."""
+    """theta = 0, with its rates."""
     return kinematics.at_speed(helix(g.a, rise(g)), 0 * g.one, g.nu)
 
 

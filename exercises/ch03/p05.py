@@ -1,4 +1,4 @@
-"""3/5: acceleration of constant magnitude on a helix, uniformly and from rest."""
+"""3/5: acceleration of constant magnitude on a helix, at constant speed and from rest."""
 
 from exercises.devices.helix import figure, on_helix
 from exercises.tools import mp, proofs
@@ -6,7 +6,7 @@ from newton_euler import asin, integral, kinematics, moving, pi, sin, sqrt
 
 
 def rise(p):
-    """The rise for one radian."""
+    """The rise per radian."""
     return p / (2 * pi(p))
 
 
@@ -25,7 +25,7 @@ def of_numbers(g):
 
 
 def formulas(g, c, n):
-    """(c theta'')^2 + (n theta'^2)^2 = A^2 has theta' constant, or from rest by a sine."""
+    """Solutions of (c theta'')^2 + (n theta'^2)^2 = A^2: constant theta', and from rest."""
     uniform = sqrt(g.A / n) * g.t
     return {
         "theta_uniform": uniform,
@@ -36,15 +36,16 @@ def formulas(g, c, n):
 
 
 def times_from_rest(g, c, n):
-    """t is the integral of dtheta/theta'. With 2 n theta/c = pi/2 - 2 asin(sin(w)/sqrt(2)) it is an
-    elliptic integral of the first kind, in which w falls from pi/2 at the start to 0 at theta_1.
+    """The times t_h, t_1, integrals of dtheta/theta'. With 2 n theta/c = pi/2 - 2
+    asin(sin(w)/sqrt(2)) they are elliptic integrals of the first kind, w falling from pi/2 at the
+    start to 0 at theta_1.
     """
     scale = c / sqrt(2 * n * g.A_1)
     return {"t_h": falls(g)[0] * scale, "t_1": falls(g)[1] * scale}
 
 
 def falls(g):
-    """This integral from where w is at theta_1/2, and from 0."""
+    """The elliptic integrals to theta_1/2 and to theta_1."""
     right = pi(g.one) / 2
     at_half = asin(sqrt(2 * g.one) * sin(right / 4))
     fall = lambda end: integral(lambda w: 1 / sqrt(1 - sin(w) ** 2 / 2), end, right)
@@ -70,7 +71,7 @@ def steps(g):
 
 
 def prove(g):
-    """theta and t as integrals of u = theta'^2 from rest, at most A/n; the rate is a root."""
+    """theta and t as integrals over u = theta'^2 from rest, up to A/n; the rate as a root."""
     c, n, h = stretch_and_bend(g.a, g.p)
     rate = proofs.root(lambda w: n * w**2 - g.A, 0, 2 * mp.sqrt(g.A / n))
     return {
@@ -87,26 +88,26 @@ def proved_times(g):
     scale = c / n / mp.sqrt(g.A_1 / n)
 
     def time(share):
-        """The time to u = s*s, as a share of the largest."""
+        """The time until u is this share of A/n."""
         return proofs.integral(lambda s: scale / mp.sqrt(1 - s**4), 0, mp.sqrt(share))
 
     return {"t_h": time(share_at(reached(0, c, n) / 2, c, n)), "t_1": time(1)}
 
 
 def stretch_and_bend(a, p):
-    """Sizes of the first and second derivative by theta of the helix as a path, and its rise."""
+    """Magnitudes of dr/dtheta and its derivative on the helix, and its rise."""
     h = p / (2 * mp.pi)
     place = lambda s: [a * mp.cos(s), a * mp.sin(s), h * s]
     return proofs.size(proofs.rate(place)), proofs.size(proofs.second_rate(place)), h
 
 
 def reached(s, c, n):
-    """theta where u = 1 - s*s of the largest, so that its end is not lost in round-off."""
+    """theta where u = (1 - s*s) A/n, a form without cancellation near the end."""
     return proofs.integral(lambda s: c / n / mp.sqrt(2 - s * s), s, 1)
 
 
 def share_at(theta, c, n):
-    """u at the angle theta, as a share of the largest."""
+    """u at the angle theta, as a share of A/n."""
     s = mp.findroot(lambda s: reached(s, c, n) - theta, (0.6, 0.7))
     return 1 - s * s
 

@@ -67,7 +67,7 @@ def steps(g):
 
 
 def prove(g):
-    """OP turned by matrices and differentiated in fixed axes; its elevation by z, by x and y."""
+    """OP by rotation matrices, differentiated in fixed axes; elevation from z, or from x and y."""
     later = lambda q, q_dot, q_ddot: lambda t: q + q_dot * t + q_ddot * t**2 / 2
     theta = later(g.theta, g.theta_dot, g.theta_ddot)
     phi = later(g.phi, g.phi_dot, g.phi_ddot)
@@ -104,7 +104,7 @@ def mistakes(g):
     right = solve(g)
     a, z = right["a_rect"], height_above(g)
     a_sph = right["a_sph"]
-    other = pi(g.one) / 2 - g.phi  # at the same rates, sine and cosine exchanged
+    other = pi(g.one) / 2 - g.phi  # with sine and cosine exchanged, at the same rates
     phi = moving(other, rate=g.phi_dot, acceleration=g.phi_ddot)
     exchanged = spherical(Frame("ground"), "P", g.R, angle(g), phi)
     return {

@@ -14,7 +14,7 @@ def motion(g, theta):
 
 
 def angle(g):
-    """theta with its rates, which are the same all along."""
+    """theta with its rates, constant along the helix."""
     q = at_speed(helix(g.b, g.p), 0 * g.one, g.nu)
     return moving(g.theta, rate=q.rate, acceleration=q.acceleration)
 

@@ -1,4 +1,4 @@
-"""3/8: a point that climbs faster and faster on a cylinder."""
+"""3/8: a point climbing a cylinder at an increasing rate."""
 
 from exercises.tools import Sketch, mp, rate, second_rate, size
 from newton_euler import Frame, cos, cylindrical, moving, pi, sin
@@ -14,7 +14,7 @@ def path(g):
 
 
 def solve(g):
-    """Along e_r, e_theta and k, since a magnitude is the same in all systems."""
+    """By cylindrical components: magnitudes are the same in all systems."""
     t = moving(g.t, rate=g.one)
     ground = Frame("ground")
     P = cylindrical(ground, "P", g.r, g.nu * t / g.r, g.nu * t + g.a * t**2 / 2)
@@ -33,7 +33,7 @@ def steps(g):
 
 
 def prove(g):
-    """The cylinder unrolled: the path in the plane, and how far the circle leaves its tangent."""
+    """The path on the unrolled cylinder, and the deviation of the circle from its tangent."""
     unrolled = lambda t: [g.nu * t, g.nu * t + g.a * t**2 / 2]
     in_plane = second_rate(unrolled, g.t)
     across = second_rate(lambda t: g.r - g.r * mp.cos(g.nu * (t - g.t) / g.r), g.t)

@@ -1,4 +1,4 @@
-"""3/10: an acceleration that is square to the velocity, or nearly so; flexure."""
+"""3/10: an acceleration at right angles to the velocity, or nearly so; flexure."""
 
 from exercises.devices.instant_of_motion import GROUND, figure, speed_and_flexure, vectors
 from exercises.tools import minus, plus, size

@@ -6,7 +6,7 @@ from newton_euler import Frame, cylindrical, moving
 
 
 def handle(g, up):
-    """A, which rises at the speed ``up``."""
+    """A, rising at the speed ``up``."""
     return cylindrical(Frame("ground"), "A", g.a, moving(0 * g.one, rate=g.n), moving(0, rate=up))
 
 

@@ -1,11 +1,11 @@
-"""3/13: the largest acceleration of a point on an element that turns and moves up and down."""
+"""3/13: the largest acceleration of a point on an element that turns and oscillates axially."""
 
 from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, cylindrical, moving, pi, sin
 
 
 def at_the_top(g):
-    """The acceleration of A at the end of the stroke, where the axial part is largest."""
+    """The acceleration of A at the end of the stroke, where the axial component is largest."""
     z = g.z0 * sin(moving(pi(g.one) / 2, rate=2 * pi(g.one) * g.n))
     A = cylindrical(Frame("ground"), "A", g.r, moving(0 * g.one, rate=g.omega), z)
     return A.acceleration(A.ground)
@@ -21,7 +21,7 @@ def steps(g):
 
 
 def prove(g):
-    """The acceleration is largest where it is as large a little before as a little after."""
+    """The maximum of the acceleration over time, where its rate vanishes."""
     up = lambda t: g.z0 * mp.sin(2 * mp.pi * g.n * t)
     place = lambda t: proofs.at_angle(g.r, g.omega * t, up(t))
     a = lambda t: proofs.size(proofs.second_rate(place, t))

@@ -1,4 +1,4 @@
-"""3/14: water flowing outward in a nozzle that turns about the vertical, in cylindrical terms."""
+"""3/14: water in a nozzle turning about the vertical, in cylindrical components."""
 
 from exercises.devices.nozzle import figure, nozzle_and_particle, particle_in_time
 from exercises.tools import mp, rate, second_rate, size, terms

@@ -1,4 +1,4 @@
-"""3/15: how the spherical unit vectors turn."""
+"""3/15: rotation of the spherical unit vectors."""
 
 from exercises.devices.spherical_point import figure, place_in_time
 from exercises.tools import mp, rate, spherical_axes, times
@@ -9,7 +9,7 @@ draw = figure
 
 
 def axes(g):
-    """Ground, and the frame of the unit vectors; the azimuth does not matter."""
+    """Ground, and the frame of the unit vectors, at any azimuth."""
     ground = Frame("ground")
     return ground, spherical_frame(ground, moving(0, g.theta_dot), moving(g.phi, g.phi_dot))
 
@@ -30,7 +30,7 @@ def steps(g):
 
 
 def prove(g):
-    """The unit vectors as they are drawn at the moving place, differentiated."""
+    """The unit vectors at the moving point, differentiated."""
     place = place_in_time(lambda t: 1, lambda t: g.theta_dot * t, lambda t: g.phi + g.phi_dot * t)
     here = spherical_axes(place(mp.mpf(0)))
     e_R, e_theta, e_phi = rate(lambda t: spherical_axes(place(t)))

@@ -9,7 +9,7 @@ PRODUCTS = dict.fromkeys(("coriolis_theta", "coriolis_phi", "coriolis_theta_phi"
 
 
 def point(g):
-    """Ground, and the point; its azimuth does not matter."""
+    """Ground, and the point, at any azimuth."""
     ground = Frame("ground")
     R, phi = moving(g.R, g.R_dot, g.R_ddot), moving(g.phi, g.phi_dot, g.phi_ddot)
     return ground, spherical(ground, "P", R, moving(0, g.theta_dot, g.theta_ddot), phi)
@@ -21,7 +21,7 @@ def solve(g):
 
 
 def steps(g):
-    """The velocity, and its three parts differentiated; the acceleration is the sum of these."""
+    """The velocity, and the rates of its three terms, which add up to the acceleration."""
     ground, P = point(g)
     R, _, phi = P.coordinates
     about = R * cos(phi) * moving(g.theta_dot, g.theta_ddot)
@@ -41,7 +41,7 @@ def prove(g):
     here = spherical_axes(place(mp.mpf(0)))
 
     def part(n):
-        """The n-th part of the velocity in time, along axes of the ground."""
+        """The n-th term of the velocity over time, along axes of the ground."""
         e = lambda t: spherical_axes(place(t))
         return lambda t: scaled(times(e(t), rate(place, t))[n], e(t)[n])
 
@@ -51,7 +51,7 @@ def prove(g):
 
 def mistakes(g):
     a = solve(g)["a"]
-    # with phi from the vertical e_phi points down
+    # e_phi points down if phi is from the vertical
     down = solve(g.but(phi=pi(g.phi) / 2 - g.phi, phi_dot=-g.phi_dot, phi_ddot=-g.phi_ddot))["a"]
     return {
         "constant_unit_vectors": {

@@ -1,4 +1,4 @@
-"""3/17: the end of a telescoping boom that is lowered on a turning shaft."""
+"""3/17: the end of a telescoping boom, lowered on a turning shaft."""
 
 from exercises.devices.spherical_point import elevation_in_time, local_acceleration
 from exercises.devices.telescoping_boom import boom_end, end_in_time, figure

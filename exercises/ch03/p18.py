@@ -1,4 +1,4 @@
-"""3/18: the end of a telescoping boom that is raised on a turning shaft while it extends."""
+"""3/18: the end of a telescoping boom, raised on a turning shaft while it extends."""
 
 from exercises.devices.spherical_point import elevation_in_time, local_acceleration
 from exercises.devices.telescoping_boom import boom_end, end_in_time, figure

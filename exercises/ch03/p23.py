@@ -23,8 +23,7 @@ def transformed(g, matrix):
 
 
 def solve(g):
-    v, phi, axes = velocity(g)
-    return {"T_phi": T_phi(phi.value), "v": v.expressed_in(axes)}
+    return transformed(g, T_phi(ride.coordinates(g)[3].value))
 
 
 def steps(g):
@@ -33,7 +32,7 @@ def steps(g):
 
 
 def prove(g):
-    """The matrix from the unit vectors that are drawn at the place of the car."""
+    """The matrix from the unit vectors at the car."""
     P = ride.car_in_time(g)
     here, there, v = cylindrical_axes(P(0)), spherical_axes(P(0)), rate(P)
     answers = {"T_phi": times(there, transposed(here)), "v": times(there, v)}

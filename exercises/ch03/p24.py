@@ -1,4 +1,4 @@
-"""3/24: the acceleration of a ride's car, from spherical to cylindrical parts by the matrix."""
+"""3/24: the acceleration of a ride's car, from spherical to cylindrical components."""
 
 from exercises.devices import amusement_ride as ride
 from exercises.tools import cylindrical_axes, second_rate, spherical_axes, times, transposed
@@ -22,10 +22,7 @@ def transformed(g, matrix):
 
 
 def solve(g):
-    """The acceleration by (3.23), shorter than the matrix product, which ``follows`` has."""
-    ground, P, _ = ride.car(g)
-    phi = ride.coordinates(g)[3]
-    return {"T_phi_inv": transpose(T_phi(phi.value)), "a": P.acceleration(ground)}
+    return transformed(g, transpose(T_phi(ride.coordinates(g)[3].value)))
 
 
 def steps(g):
@@ -35,7 +32,7 @@ def steps(g):
 
 
 def prove(g):
-    """The matrix from the unit vectors that are drawn at the place of the car."""
+    """The matrix from the unit vectors at the car."""
     P = ride.car_in_time(g)
     here, there, a = spherical_axes(P(0)), cylindrical_axes(P(0)), second_rate(P)
     answers = {"T_phi_inv": times(there, transposed(here)), "a": times(there, a)}

@@ -12,7 +12,7 @@ def angle_AOP(g):
 
 
 def tip(g, inside):
-    """Ground, and P as the end of OP, which is lower than OA by the angle ``inside``."""
+    """Ground, and P as the end of OP, at the angle ``inside`` below OA."""
     ground = Frame("ground")
     phi = pi(g.beta_1) / 2 - moving(g.beta_1, g.b_dot, g.b_ddot) - inside
     R = sqrt(g.l_OA**2 + g.l_AP**2)
@@ -47,7 +47,7 @@ def steps(g):
 
 
 def prove(g):
-    """From the rectangular coordinates of P in time."""
+    """By the rectangular coordinates of P over time."""
     P = tip_in_time(g)
     a, phi = local_acceleration(P), elevation_in_time(P)
     return {

@@ -1,4 +1,4 @@
-"""3/27: components of a position by matrices: an answer that is a matrix has three rows."""
+"""3/27: components of a position by matrices, given as three rows."""
 
 from exercises.tools import Sketch, mp, times
 from newton_euler import Frame, atan2, sqrt
@@ -13,7 +13,7 @@ def coordinates(g):
 
 
 def answers(g, phi, turned=lambda T: T):
-    """The answers for the elevation phi; ``turned`` is what is done to the matrices."""
+    """The answers for the elevation phi; ``turned`` is applied to the matrices."""
     _, theta, *_ = coordinates(g)
     ground = Frame("ground")
     to_cylindrical, to_spherical = turned(T_theta(theta)), turned(T_phi(phi))
@@ -37,7 +37,7 @@ def steps(g):
 
 
 def prove(g):
-    """Rows of unit vectors: toward the point, around the axis, square to both; no angle."""
+    """Rows of unit vectors: to the point, around the axis, normal to both; without angles."""
     r = mp.sqrt(g.x**2 + g.y**2)
     R = mp.sqrt(r**2 + g.z**2)
     T_1 = [[g.x / r, g.y / r, 0], [-g.y / r, g.x / r, 0], [0, 0, g.one]]

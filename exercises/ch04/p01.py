@@ -1,4 +1,4 @@
-"""4/1: the handle of a screw-jack, by a frame that rises with the screw without turning."""
+"""4/1: the handle of a screw-jack, by a frame that rises with the screw but does not turn."""
 
 from exercises.devices.moving_frame import seen_in
 from exercises.devices.screw_jack import figure, handle_in_time, rise, screw_in_nut

@@ -1,4 +1,4 @@
-"""4/2: water that flows outward in a nozzle which turns about the vertical."""
+"""4/2: water flowing outward in a nozzle that turns about the vertical."""
 
 from exercises.devices.moving_frame import motion_via
 from exercises.devices.nozzle import figure, nozzle_and_particle, particle_in_time

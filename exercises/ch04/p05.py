@@ -33,7 +33,7 @@ def prove(g):
     omega = angular_velocity(C)
     return {
         "omega_C": omega,
-        "omega_spin": omega[0],  # OC, along x, goes round z
+        "omega_spin": omega[0],  # OC, along x, turns about z
         "v_C": rate(lambda t: times(OC(t), [g.R, 0, 0])),
         "omega_OC": angular_velocity(OC)[2],
         "v_A": rate(lambda t: times(rot("z", g.omega * t), [g.R, 0, g.r])),

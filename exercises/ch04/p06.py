@@ -15,7 +15,7 @@ def roller_and_rod(g):
 
 
 def height(g):
-    """Length OA, which the answer does not depend on."""
+    """Length OA; the answer does not depend on it."""
     return 0.8 * g.b
 
 

@@ -16,7 +16,7 @@ def line_AB(g):
 
 
 def turning(ground, origin, omega, omega_dot):
-    """A frame with this angular velocity and its rate, by turns about x, y and z from zero."""
+    """A frame with this angular velocity and rate, by rotations about x, y and z from zero."""
 
     def frame(accelerations):
         f = ground.translate("A", origin)
@@ -24,7 +24,7 @@ def turning(ground, origin, omega, omega_dot):
             f = f.rotate(axis, axis, rate=rate, acceleration=acceleration)
         return f
 
-    # they belong to omega_dot, but to no second rate of a turn
+    # belongs to omega_dot, but to no second rate of an angle
     cross_products = frame((0, 0, 0)).angular_acceleration(ground)
     return frame(omega_dot - cross_products)
 
@@ -36,7 +36,7 @@ def solve(g):
 
 
 def a_B(g, omega):
-    """By the rate of omega, which is given."""
+    """a_B from omega and its given rate."""
     vector = omega.frame.vector
     AB = vector(g.L, 0, 0)
     a_A, omega_dot = vector(g.a_Ax, g.a_Ay, g.a_Az), vector(g.wd_x, g.wd_y, g.wd_z)
@@ -73,7 +73,7 @@ def prove(g):
 
     def B(t):
         A = plus(scaled(t, v_A), scaled(t**2 / 2, a_A))
-        # the turning with omega from 0 to t: exact to t^2 in the angle
+        # the rotation from 0 to t, accurate to t^2
         mean = plus(omega, scaled(t / 2, omega_dot))
         return plus(A, proofs.times(proofs.rot(mean, t * proofs.size(mean)), [g.L, 0, 0]))
 
@@ -97,7 +97,7 @@ def mistakes(g):
 def draw(g, ax):
     ground, frame, B = line_AB(g)
     A = frame.origin
-    s = Sketch(ax, ground, azimuth=-60, elevation=25)
+    s = Sketch(ax, ground, azimuth=35, elevation=25)
     s.line(A, B, style="solid")
     s.axes(A, frame, length=0.35 * g.L, labels="ijk")
     s.vector(A, A.velocity(ground), "$v_A$")

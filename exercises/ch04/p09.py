@@ -22,7 +22,7 @@ def ends(g, x_dot, y_dot):
 def rod(g):
     """Ground, the ends A on the z axis and B on the ellipse, and the middle M."""
 
-    # the rod keeps its length, and B goes along the tangent of the ellipse
+    # the rod keeps its length, and B moves along the tangent of the ellipse
     def violated(x_dot, y_dot):
         ground, A, B = ends(g, x_dot, y_dot)
         v_A, v_B = A.velocity(ground), B.velocity(ground)

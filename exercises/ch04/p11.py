@@ -13,7 +13,7 @@ def cones(g, rate_of_B):
 
 
 def rolling(g, rate_of_B):
-    """omega of C, in the plane of the axes; C slides neither on A nor on B."""
+    """omega of C, in the plane of the axes; C rolls on A and B."""
     ground, A, B, on_A, on_B = cones(g, rate_of_B)
     cone_C = lambda x, y: ground.rotate("about x", "x", rate=x).rotate("about y", "y", rate=y)
     velocity = lambda cone, contact: cone.point("", *contact).velocity(ground)
@@ -37,7 +37,7 @@ def steps(g):
 
 
 def prove(g):
-    """C's axis goes round x while C turns on it; equal arcs on C and A, and on C and B."""
+    """C turns on its axis, which goes round x; equal arcs on C and A, and on C and B."""
     half_gap = (mp.pi - g.beta_A - g.beta_B) / 2
     tilt = g.beta_A + half_gap  # inclination of the axis of C to x
     # pitch radii at the distance 1 from the apex

@@ -27,8 +27,8 @@ def steps(g):
 
 
 def prove(g):
-    """The arc rolled along the path of radius R is as long as the arc on the rim of the disk."""
-    # going toward +y, its top leads
+    """Equal arcs on the path of radius R and on the rim of the disk."""
+    # moving toward +y, its top leads
     disk = lambda t: times(rot("z", g.omega * t), rot("x", -g.R * g.omega * t / g.r))
     centre = rate(lambda t: times(rot("z", g.omega * t), [g.R, 0, g.r]))
     omega = angular_velocity(disk)

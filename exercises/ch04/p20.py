@@ -30,7 +30,7 @@ def steps(g):
 
 
 def prove(g):
-    """The cylinder points along z at first, turns to x about ED; ED turns from y to z about x."""
+    """The cylinder turns about ED from z to x, and ED about x from y to z."""
     DA = lambda t: times(rot("y", g.omega_2 * t), [0, 0, g.s + g.u * t])
     A = lambda t: times(rot("x", g.omega_1 * t), proofs.plus([0, g.h, 0], DA(t)))
     bracket = lambda t: times(rot("x", g.omega_1 * t), rot("y", g.omega_2 * t))

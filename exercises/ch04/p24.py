@@ -5,7 +5,9 @@ from newton_euler import Frame, cos, sin
 
 
 def fuselage_and_rotor(g):
-    """y toward the nose, z along the mast; the nose goes down about -x; the rotor turns about z."""
+    """y toward the nose, z along the mast; the fuselage pitches down about -x; the rotor is about
+    z.
+    """
     ground = Frame("ground")
     fuselage = ground.rotate("fuselage", "-x", rate=g.omega)
     return ground, fuselage, fuselage.rotate("rotor", "z", rate=g.Omega)
@@ -24,7 +26,7 @@ def steps(g):
 
 
 def prove(g):
-    """As the nose sinks the mast leans forward; the blade, right at first, turns to the nose."""
+    """The mast tilts forward; the blade turns from the right toward the nose."""
     mast = lambda t: [0, mp.sin(g.omega * t), mp.cos(g.omega * t)]
     rotor = lambda t: spun(mast(t), [1, 0, 0], g.Omega * t)
     fuselage = lambda t: spun([1, 0, 0], [0, mp.cos(g.omega * t), -mp.sin(g.omega * t)], 0)

@@ -45,7 +45,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    """B as a ring that carries the axle of C and hangs itself between the uprights of A."""
+    """B is drawn as a ring between the uprights of A, carrying the axle of C."""
     ground, A, B, C = drums(g)
     s = Sketch(ax, ground, azimuth=32, elevation=22)
     s.ground((0, 0, -2.3), normal=ground.k)

@@ -5,7 +5,7 @@ from newton_euler import Frame, pi
 
 
 def simulator(g):
-    """Ground with z up; in turn the fork about z, the mounting about x, the drum about y, or e."""
+    """Ground with z up; then the fork about z, the mounting about x, the drum about y (or e)."""
     ground = Frame("ground")
     fork = ground.rotate("fork", "z", rate=g.Omega)
     mounting = fork.rotate("mounting", "x", angle=g.theta, rate=g.theta_dot)
@@ -13,7 +13,7 @@ def simulator(g):
 
 
 def turns(g):
-    """Omega, theta_dot and P as vectors along the axes of the fork; each knows how it changes."""
+    """Omega, theta_dot and P as vectors along the axes of the fork, with their rates."""
     ground, fork, mounting, drum = simulator(g)
     pairs = (fork, ground), (mounting, fork), (drum, mounting)
     return ground, *(one.angular_velocity(other).expressed_in(fork) for one, other in pairs)
@@ -24,7 +24,7 @@ def alpha_of(ground, *turns):
 
 
 def solve(g):
-    # by (4.12) in components of the fork, where the formula is short
+    # by (4.12) along the axes of the fork, for a short formula
     return {"alpha_drum": alpha_of(*turns(g))}
 
 

@@ -36,7 +36,7 @@ def a_A(g, omega_panel, alpha_panel):
 
 
 follows = {
-    # its components along the axes of the spacecraft are constant
+    # constant along the axes of the spacecraft
     "alpha_panel": lambda g, omega_panel: (g.omega * omega_panel.frame.k).cross(omega_panel),
     "v_A": lambda g, omega_panel: omega_panel.cross(place(g, omega_panel.frame)),
     "a_A": a_A,

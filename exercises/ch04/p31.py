@@ -21,7 +21,7 @@ follows = {"r": lambda g, speed: speed / g.n}
 
 
 def prove(g):
-    """The speed at the distance 1 from the axis, as a numerical derivative, gives r."""
+    """r by the speed at the distance 1 from the axis, a numerical derivative."""
     speed = size([g.v_x, 0, g.v_z])
     at_one = size(rate(lambda t: times(rot("y", g.n * t), [1, 0, 0])))
     return {"speed": speed, "r": speed / at_one}
@@ -40,7 +40,7 @@ def mistakes(g):
 def draw(g, ax):
     r, v = solve(g)["r"], velocity(g)
     ground = v.frame
-    # any direction square to v would do
+    # any direction normal to v
     axis = ground.vector(-g.v_z, -v.norm() / 6, g.v_x).direction()
     O, A, end = ground.point("O", 0, 0, 0), axis * (6.8 * r), axis * (4.8 * r)
     P = end + v.cross(axis).direction() * r

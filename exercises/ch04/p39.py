@@ -1,4 +1,4 @@
-"""4/39: the side of a disk in a turning bracket, growing rates."""
+"""4/39: the side of a disk in a turning bracket, increasing rates."""
 
 from exercises.devices import disk_in_bracket as device
 

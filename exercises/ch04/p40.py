@@ -1,4 +1,4 @@
-"""4/40: the top of a disk on an axle that sticks out of its turning bracket."""
+"""4/40: the top of a disk on an axle projecting from a turning shaft."""
 
 from exercises.devices import disk_in_bracket as device
 

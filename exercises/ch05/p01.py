@@ -19,7 +19,7 @@ def steps(g):
 
 
 def prove(g):
-    """By the mass points of a square, which is moved to the triangle."""
+    """By the mass points of a square, mapped to the triangle."""
     points = area_points(g)
     area = sum(A for A, _ in points)
     first_x, first_y = (sum(A * place[n] for A, place in points) for n in range(2))

@@ -11,7 +11,7 @@ draw = figure
 
 
 def prove(g):
-    """By the mass points of the two."""
+    """By the mass points of both spheres."""
     points = [
         (mass * share, proofs.plus(place, middle))
         for mass, ball, middle in spheres(g)

@@ -1,4 +1,4 @@
-"""5/3: the centre of mass of a block and a cylinder that stands on it."""
+"""5/3: the centre of mass of a block with a cylinder on top."""
 
 from exercises.devices.block_with_cylinder import BLOCK, figure, parts
 from exercises.devices.put_together import centre, chord, problem_of, sliced, unweighed

@@ -27,7 +27,7 @@ def steps(g):
 
 
 def prove(g):
-    """By tubes about the axis: that of the radius s goes from the side up to the base."""
+    """By thin tubes about the axis, from the side up to the base."""
 
     def tubes(s):
         volume, low, length = tube(g, s)

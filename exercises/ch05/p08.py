@@ -29,7 +29,7 @@ def steps(g):
 
 
 def prove(g):
-    """By the shadow of the shell on the plane of its rim."""
+    """By the projection of the shell onto the plane of its rim."""
 
     def circle(s):
         area, z = shadow(g, s)

@@ -16,7 +16,7 @@ def steps(g):
     parts = rods(pairwise(corners(g)))
     for part in parts:
         yield f"d_{part.name}", part.centre.position(CHAIN)
-    yield from sums(CHAIN, parts, content="length", length="m")
+    yield from sums(CHAIN, parts, content="length", length="m", equal_parts=True)
 
 
 def prove(g):

@@ -1,4 +1,4 @@
-"""5/12: the centre of mass of a disk with a hole beside its centre."""
+"""5/12: the centre of mass of a disk with an eccentric hole."""
 
 from exercises.devices.disk_with_hole import DISK, figure, parts, rim
 from exercises.devices.put_together import centre, problem_of, proved

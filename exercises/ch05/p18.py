@@ -41,6 +41,6 @@ def draw(g, ax):
         O, top = (x, 0, 0), (x, 0, radius)
         s.disk(O, space.j, radius)
         s.dot(top)
-        # of the same length: how large W is, is asked
+        # of equal length, since the ratio is asked for
         s.arrow((x, 0, radius + 0.5), top, name, kind="force")
         s.label((x, 0, -radius), planet, offset=(0, -12), bold=False)

@@ -12,7 +12,7 @@ def f(x, y, z):
 
 
 def count(bodies, **constraints):
-    return dynamics.degrees_of_freedom(bodies, constraints).count
+    return dynamics.degrees_of_freedom(bodies, constraints)
 
 
 def solve(g):
@@ -20,11 +20,11 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(TWO), "constraints": 2}
+    return {"coordinates": count(TWO).unknowns, "constraints": 2}
 
 
 def prove(g):
-    """On any surface, two numbers say where a particle is; here it is a wavy one."""
+    """By two coordinates of each particle, here on a wavy surface."""
     places = lambda *q: [x for a, b in (q[:2], q[2:]) for x in (a, b, mp.sin(a) * mp.cos(2 * b))]
     return {"dof": freedom(places, mpf("0.3"), mpf("0.7"), mpf("-0.5"), mpf("0.1"))}
 

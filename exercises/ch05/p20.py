@@ -7,12 +7,12 @@ SPACE, PLANE = "particle", "particle in plane"
 
 
 def rod(P):
-    """The particle stays at one distance, here the unit of length, from O."""
+    """The particle stays at unit distance from O."""
     return sum(x * x for x in P) - 1
 
 
 def count(kind, **constraints):
-    return dynamics.degrees_of_freedom({"P": kind}, constraints).count
+    return dynamics.degrees_of_freedom({"P": kind}, constraints)
 
 
 def solve(g):
@@ -20,11 +20,11 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(PLANE), "constraints": 1}
+    return {"coordinates": count(PLANE).unknowns, "constraints": 1}
 
 
 def prove(g):
-    """By the one angle that says where P is."""
+    """By the angle that locates P."""
     return {"dof": freedom(lambda q: [mp.sin(q), -mp.cos(q)], mpf("0.4"))}
 
 

@@ -5,12 +5,12 @@ from newton_euler import Frame, dynamics
 
 
 def sphere(P):
-    """The particle stays at one distance, here the unit of length, from O."""
+    """The particle stays at unit distance from O."""
     return sum(x * x for x in P) - 1
 
 
 def count(**constraints):
-    return dynamics.degrees_of_freedom({"P": "particle"}, constraints).count
+    return dynamics.degrees_of_freedom({"P": "particle"}, constraints)
 
 
 def solve(g):
@@ -19,11 +19,11 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(), "constraints": 1}
+    return {"coordinates": count().unknowns, "constraints": 1}
 
 
 def prove(g):
-    """By two angles, as of longitude and latitude, that say where P is."""
+    """By the longitude and latitude of P."""
     place = lambda longitude, lat: at_angle(mp.cos(lat), longitude, mp.sin(lat))
     return {"dof": freedom(place, mpf("0.4"), mpf("-0.7"))}
 

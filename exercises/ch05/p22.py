@@ -7,17 +7,17 @@ BODIES = {"cart": "body in plane", "P": "particle in plane"}
 
 
 def track(cart):
-    """The hinge C, by which the cart is located, stays at its height, and the cart level."""
+    """The hinge C, which locates the cart, stays at its height, and the cart stays level."""
     return cart[1:]
 
 
 def rod(cart, P):
-    """P stays at one distance, here the unit of length, from C."""
+    """P stays at unit distance from C."""
     return (P[0] - cart[0]) ** 2 + (P[1] - cart[1]) ** 2 - 1
 
 
 def count(**constraints):
-    return dynamics.degrees_of_freedom(BODIES, constraints).count
+    return dynamics.degrees_of_freedom(BODIES, constraints)
 
 
 def solve(g):
@@ -25,11 +25,11 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(), "track": 2, "rod": 1}
+    return {"coordinates": count().unknowns, "track": 2, "rod": 1}
 
 
 def prove(g):
-    """By the way of the cart and the angle of the rod."""
+    """By the displacement of the cart and the angle of the rod."""
     return {"dof": freedom(lambda x, q: [x, x + mp.sin(q), -mp.cos(q)], mpf(2), mpf("0.4"))}
 
 
@@ -44,7 +44,7 @@ def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xz")
     L = g.L
-    # the pendulum hangs in front of the cart and of the track
+    # the pendulum is in front of cart and track
     C, P = (0, -0.3 * L, 0), (0.28 * L, -0.3 * L, -0.96 * L)
     s.road([(-1.2 * L, 0, -0.35 * L), (1.2 * L, 0, -0.35 * L)])
     s.box((0, 0, 0), ground, (1.3 * L, 0.3 * L, 0.3 * L))

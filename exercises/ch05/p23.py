@@ -5,19 +5,19 @@ from newton_euler import Frame, cos, dynamics
 
 
 def floor(ladder):
-    """The lower end is on the floor; a ladder is located by it and by its slope."""
+    """The lower end is on the floor; it and the slope locate the ladder."""
     _, y, _ = ladder
     return y
 
 
 def wall(ladder):
-    """The upper end, the unit of length up the ladder, is at the wall x = 0."""
+    """The upper end of the ladder, of unit length, is at the wall x = 0."""
     x, _, slope = ladder
     return x + cos(slope)
 
 
 def count(**constraints):
-    return dynamics.degrees_of_freedom({"ladder": "body in plane"}, constraints).count
+    return dynamics.degrees_of_freedom({"ladder": "body in plane"}, constraints)
 
 
 def solve(g):
@@ -25,11 +25,11 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(), "constraints": 2}
+    return {"coordinates": count().unknowns, "constraints": 2}
 
 
 def prove(g):
-    """By the angle from the wall, which gives the places of both ends."""
+    """By the angle from the wall, which locates both ends."""
     return {"dof": freedom(lambda q: [mp.sin(q), 0, 0, mp.cos(q)], mpf("0.4"))}
 
 
@@ -44,7 +44,7 @@ def mistakes(g):
 def draw(g, ax):
     s = Sketch(ax, Frame("ground"), plane="xz")
     A, B = (0.5 * g.L, 0, 0), (0, 0, 0.75**0.5 * g.L)
-    # along the wall down, then along the floor: what is fixed is on the right of the way
+    # down the wall, then along the floor: the hatching is on the right
     s.road([(0, 0, 1.1 * g.L), (0, 0, 0), (0.9 * g.L, 0, 0)])
     s.rod(A, B)
     s.dimension(A, B, label="L", offset=-0.1 * g.L)

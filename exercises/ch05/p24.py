@@ -22,7 +22,7 @@ def steps(g):
 
 
 def prove(g):
-    """By the lengths that run over each pulley, from left to right."""
+    """By the lengths of rope that pass each pulley, from left to right."""
 
     def heights(over_1, over_2):
         P2 = -over_1

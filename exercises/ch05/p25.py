@@ -24,7 +24,7 @@ def steps(g):
 
 
 def prove(g):
-    """By the lengths that run over each pulley, from left to right."""
+    """By the lengths of rope that pass each pulley, from left to right."""
 
     def heights(over_1, over_2, over_3, over_4):
         P2, P3 = over_1, -over_1

@@ -4,29 +4,31 @@ from exercises.tools import Sketch, freedom, mpf
 from newton_euler import Frame, dynamics
 
 BLOCKS = {"first": 1, "second": 1}  # one coordinate each, along the track
+PAIRS = 3
 
 
 def count(bodies=BLOCKS, **constraints):
-    return dynamics.degrees_of_freedom(bodies, constraints).count
+    return dynamics.degrees_of_freedom(bodies, constraints)
 
 
 def answers(dof, without):
-    """The count with springs and dampers, and the word for the count without."""
-    word = "unchanged" if without == dof else "larger" if without > dof else "smaller"
+    """The count with springs and dampers, and the choice for the count without."""
+    more = without.count - dof.count
+    word = "larger" if more > 0 else "smaller" if more else "unchanged"
     return {"dof": dof, "without": word}
 
 
 def solve(g):
-    # springs and dampers are forces, not constraints: the system is the same without them
+    # springs and dampers are forces, not constraints
     return answers(count(), count())
 
 
 def steps(g):
-    return {"coordinates": count()}
+    return {"coordinates": count().unknowns}
 
 
 def prove(g):
-    """Any distances of the blocks are possible, whatever forces it takes."""
+    """By the positions of the blocks, which are independent."""
     return {"dof": freedom(lambda x, y: [x, y], mpf(1), mpf(2)), "without": "unchanged"}
 
 
@@ -37,6 +39,8 @@ def mistakes(g):
         "outer_pairs_hold": answers(
             count(left=lambda first: first[0] - 1, right=lambda second: second[0] - 2), count()
         ),
+        "each_pair": {"dof": PAIRS},
+        "pairs_move": {"dof": count().count + PAIRS, "without": "smaller"},
         "two_directions": {"dof": count(dict.fromkeys(BLOCKS, "particle in plane"))},
     }
 

@@ -7,22 +7,22 @@ PLANE = {"P1": "particle in plane", "P2": "particle in plane"}
 
 
 def rod_1(P1):
-    """P1 stays at one distance, here the unit of length, from O."""
+    """P1 stays at unit distance from O."""
     return P1[0] ** 2 + P1[1] ** 2 - 1
 
 
 def rod_2(P1, P2):
-    """P2 stays at one distance from P1."""
+    """P2 stays at unit distance from P1."""
     return (P2[0] - P1[0]) ** 2 + (P2[1] - P1[1]) ** 2 - 1
 
 
 def in_one_line(P1, P2):
-    """The second rod goes on in the direction of the first."""
+    """The second rod continues in the direction of the first."""
     return P1[0] * P2[1] - P1[1] * P2[0]
 
 
 def count(**constraints):
-    return dynamics.degrees_of_freedom(PLANE, constraints).count
+    return dynamics.degrees_of_freedom(PLANE, constraints)
 
 
 def solve(g):
@@ -30,7 +30,7 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": count(), "constraints": 2}
+    return {"coordinates": count().unknowns, "constraints": 2}
 
 
 def prove(g):

@@ -35,8 +35,8 @@ def fixed_length(P2):
 def answers(**constraints):
     """When P2 may swing, and when it may not."""
     return {
-        "dof_swinging": degrees_of_freedom(TWO, constraints).count,
-        "dof_vertical": degrees_of_freedom(TWO, {**constraints, "vertical": vertical}).count,
+        "dof_swinging": degrees_of_freedom(TWO, constraints),
+        "dof_vertical": degrees_of_freedom(TWO, {**constraints, "vertical": vertical}),
     }
 
 
@@ -45,11 +45,11 @@ def solve(g):
 
 
 def steps(g):
-    return {"coordinates": degrees_of_freedom(TWO).count, "constraints": 2, "more": 2}
+    return {"coordinates": degrees_of_freedom(TWO).unknowns, "constraints": 2, "more": 2}
 
 
 def prove(g):
-    """By the string's length inside the cone, the angle of its line, two angles of what hangs."""
+    """By the string's length on the cone, its azimuth, and two angles of the hanging part."""
     on_cone = lambda r, turn: [r * mp.cos(turn), r * mp.sin(turn), r]
 
     def below(r, turn, to_x, to_y):
@@ -80,7 +80,7 @@ def draw(g, ax):
     r, h = 0.75 * g.L * sin(g.gamma), 0.75 * g.L * cos(g.gamma)
     tip, rim, left, right = (0, 0, 0), (0, 0, h), (0, -r, h), (0, r, h)
     P1, P2 = (-0.6 * r, 0.48 * r, 0.768 * h), (0, 0, 0.768 * 0.75 * g.L - g.L)
-    s.ring(rim, ground.k, r)  # a cone without a filling: it hides nothing
+    s.ring(rim, ground.k, r)  # an outline, so that nothing is hidden
     s.line(tip, left, style="solid")
     s.line(tip, right, style="solid")
     s.line(tip, (0, 0, 1.3 * h), style="centre")

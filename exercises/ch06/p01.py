@@ -30,7 +30,7 @@ def solve(g):
 
 
 def prove(g):
-    """Across its line the three forces have no resultant; the line is in the second quadrant."""
+    """By the line across which the three forces have no resultant, in the second quadrant."""
     pairs = (g.F_1, g.theta_1), (g.F_2, g.theta_2), (g.F_3, g.theta_3)
     line = root(lambda line: sum(F * mp.sin(theta - line) for F, theta in pairs), mp.pi / 2, mp.pi)
     size = sum(F * mp.cos(theta - line) for F, theta in pairs)
@@ -60,7 +60,7 @@ def draw(g, ax):
         s.arrow(P, tip, kind="force")
         s.label(tip, f"$F_{n}$", offset=F, bold=False)
         arc = s.around(P, (radius * g.F_2, 0, 0), AXES.k, angle)
-        s.path(arc)  # the third is more than half a turn
+        s.path(arc)  # the third arc exceeds half a turn
         at = arc[3 * len(arc) // 4 if n == 3 else len(arc) // 2]
         s.label(at, rf"$\theta_{n}$", offset=at, bold=False)
     s.dot(P, "P", offset=(9, -10))

@@ -4,7 +4,7 @@ from exercises.tools import rate, root
 from newton_euler import Frame, dynamics
 
 AXES = Frame("axes")
-G = 32.2  # the number in ft/s^2 that a student takes
+G = 32.2  # the number in ft/s^2, for a mistake
 
 
 def force(g):

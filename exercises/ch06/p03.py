@@ -1,10 +1,10 @@
-"""6/3: the force on a particle whose position is known in time."""
+"""6/3: the force on a particle from its position over time."""
 
 from exercises.tools import rate
 from newton_euler import Frame, dynamics, kinematics
 
 AXES = Frame("axes")
-G = 32.2  # the number in ft/s^2 that a student takes
+G = 32.2  # the number in ft/s^2, for a mistake
 
 
 def particle(g):
@@ -22,7 +22,7 @@ def steps(g):
 
 
 def prove(g):
-    """Each force component by its power: the rate of its kinetic energy over the velocity."""
+    """Each force component as power over velocity, the power as a rate of kinetic energy."""
     axes = (
         lambda t: g.c_0 - g.c_1 * t**2,
         lambda t: g.c_2 * t**3,

@@ -1,4 +1,4 @@
-"""6/4: the force on a particle whose velocity is known in time."""
+"""6/4: the force on a particle from its velocity over time."""
 
 from exercises.tools import mp, scaled, second_rate
 from newton_euler import Frame, cos, dynamics, moving, radians, sin
@@ -7,7 +7,7 @@ AXES = Frame("axes")
 
 
 def tip(g):
-    """The tip of the velocity, drawn from a fixed point: it moves with the acceleration."""
+    """The tip of the velocity drawn from a fixed point, which moves at the acceleration."""
     t = moving(g.t_1, rate=g.one)
     angle = g.omega * t
     return AXES.point("tip", g.A * cos(angle), g.B * t**2, -g.A * sin(angle))

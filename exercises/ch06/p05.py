@@ -24,7 +24,7 @@ follows = {"a_B": lambda g, a_A: a_A, "T": lambda g, a_A: g.W_A * (1 - a_A / g.g
 
 
 def prove(g):
-    """By the energy; the side of B shrinks, so that B and A change their roles."""
+    """By the energy; the side of B shortens, so that A and B exchange their roles."""
     a, T = by_energy(g, g.W_B, g.W_A, (lambda s: [1, s], lambda s: [0, -s]), 10 * g.g)
     return {"a_A": a, "a_B": a, "T": T}
 

@@ -1,4 +1,4 @@
-"""6/6: a block on a smooth plane, drawn by one that hangs."""
+"""6/6: a block on a smooth plane, pulled by a hanging one."""
 
 from exercises.devices.roped_blocks import (
     block_steps,
@@ -40,7 +40,7 @@ def prove(g):
 
 
 def mistakes(g):
-    """The tension, too, where it would be found from the wrong acceleration of B."""
+    """With the tension where it follows from the wrong acceleration of B."""
     level = solve(g.but(beta=0 * g.beta))
     steep = solve(g.but(beta=pi(g.beta) / 2 - g.beta))
     return {

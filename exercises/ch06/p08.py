@@ -29,7 +29,7 @@ follows = {"a_B": lambda g, a_A: 2 * a_A, "T": lambda g, a_A: g.W_A / 2 * (1 + a
 
 
 def prove(g):
-    """By the energy; A is where the rope, from the ceiling at the height 1, keeps its length."""
+    """By the energy; the fixed length of the rope, from the ceiling at height 1, locates A."""
 
     def A(s):
         return [0, root(lambda y: 2 * (1 - y) + (1 + s) - 3, -1 - abs(s), 1 + abs(s))]

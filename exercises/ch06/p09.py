@@ -1,4 +1,4 @@
-"""6/9: when an object begins to slip on a turning cone; all forces per unit of mass."""
+"""6/9: when an object begins to slip on a turning cone; forces per unit mass."""
 
 from exercises.tools import Sketch, mp, mpf, root, rot, second_rate, times
 from newton_euler import Frame, cos, cylindrical, sin, solve_linear, sqrt, tan, where
@@ -6,7 +6,7 @@ from newton_euler.dynamics import resultant_force, weight
 
 
 def about_to_slip(g):
-    """The highest rate, the acceleration toward the axis at it, and N there."""
+    """The highest rate without slip, and the inward acceleration and N at it."""
     ground = Frame("ground")
     P = cylindrical(ground, "P", g.r, 0, 0)
     normal = P.local.vector(sin(g.beta), 0, cos(g.beta))
@@ -14,7 +14,7 @@ def about_to_slip(g):
     forces = lambda N: weight(g.one, ground.k, g.g) + N * (normal + g.mu * up)
     law = lambda a_n, N: resultant_force(g.one, P.local.i * -a_n) - forces(N)
     a_n, N = solve_linear(law)
-    # zero where it slides off the cone at rest
+    # zero if it slides off even at rest
     return sqrt(where(a_n > 0, a_n, 0 * a_n) / g.r), a_n, N
 
 
@@ -29,7 +29,7 @@ def steps(g):
 
 
 def prove(g):
-    """The contact force on the explicit circle: it slips where the part along exceeds mu N."""
+    """By the contact force on the circle: slip begins where its tangential part reaches mu N."""
 
     def contact(omega):
         x, _, z = second_rate(lambda t: times(rot("z", omega * t), [g.r, 0, 0]))

@@ -1,4 +1,4 @@
-"""6/10: the tension in a pendulum's wire before and after release; weight and wire are units."""
+"""6/10: the tension in a pendulum's wire before and after release, for unit weight and length."""
 
 from exercises.tools import Sketch, mp, plus, rate, root, rot, second_rate, size, times
 from newton_euler import Frame, cos, moving, polar, sin, solve_linear
@@ -32,7 +32,7 @@ def steps(g):
 
 
 def prove(g):
-    """Held, the energy is stationary there; let go, theta_0 - c t^2/2 with the c that keeps it."""
+    """Stationary energy before; after release, theta_0 - c t^2/2 with the c that conserves it."""
     place = lambda theta: [mp.sin(theta), -mp.cos(theta), 0]
     energy = lambda cord, theta: place(theta)[1] - cord * place(theta)[0]
     slope = lambda cord: rate(lambda theta: energy(cord, theta), g.theta)

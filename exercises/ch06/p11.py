@@ -1,4 +1,4 @@
-"""6/11: a slider that a cord holds in the slot of a turning disk."""
+"""6/11: a slider held by a cord in the slot of a turning disk."""
 
 from exercises.tools import Sketch, rot, second_rate, times
 from newton_euler import Frame, cos, moving, sin, solve_linear, sqrt
@@ -32,7 +32,7 @@ def steps(g):
 
 
 def prove(g):
-    """Along the slot, the acceleration of A on its circle, m times."""
+    """m times the acceleration of A on its circle, along the slot."""
 
     def place(t):
         return times(rot("z", g.omega * t + g.n * (g.omega * t) ** 2 / 2), [g.r, 0, 0])

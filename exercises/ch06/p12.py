@@ -21,7 +21,7 @@ def hump(g):
 
 
 def speed(g):
-    """The speed at which the weight alone is the normal force that the hump needs."""
+    """The speed at which the hump needs a normal force equal to the weight."""
     return sqrt(g.g * hump(g))
 
 
@@ -44,7 +44,7 @@ def steps(g):
 
 
 def prove(g):
-    """By the motion at constant speed: the highest has no force of the road at the hump."""
+    """By the motion at the constant speed for which the road exerts no force at the hump."""
     place = lambda x: [x, g.b * mp.sin(2 * mp.pi * x / g.L), 0]
     push = lambda x, v: g.m * (g.g + at_constant_speed(place, x, v)[1][1])
     v = root(lambda v: push(g.L / 4, v), mp.sqrt(g.g * g.L) / 100, 100 * mp.sqrt(g.g * g.L))
@@ -65,7 +65,7 @@ def mistakes(g):
 def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
-    L, b = 1.0, 0.11  # the waves are drawn higher than they are
+    L, b = 1.0, 0.11  # the waves are exaggerated
     height = lambda x: b * sin(2 * pi(x) * x / L)
     xs = [L * n / 60 for n in range(-7, 86)]
     s.road([(x, height(x), 0) for x in xs])

@@ -1,4 +1,4 @@
-"""6/13: a block that hangs from a free cart, both let go from rest."""
+"""6/13: a block hanging from a free cart, both released from rest."""
 
 from exercises.tools import Sketch, minus, mp, rate, second_rate, size
 from newton_euler import Frame, cos, moving, sin, solve_linear
@@ -14,8 +14,8 @@ def hung(g, a_A, alpha):
 
 
 def let_go(g, cart_moves=1):
-    """Newton's second law of the cart along the track and of the block; the mistakes hold the
-    cart while they look at the block.
+    """Newton's second law for the cart along the track and for the block; in the mistakes the
+    block's equation has a fixed cart.
     """
 
     def laws(a_A, alpha, T):
@@ -43,8 +43,8 @@ follows = {"T": lambda g, a_A: g.m_A * a_A / sin(g.theta)}
 
 
 def prove(g):
-    """The centre of mass of both stays above one place, and what the block loses in height is
-    kinetic energy: the second rate of the one angle at rest, then the explicit motion.
+    """The centre of mass keeps its horizontal position and the energy is conserved: these give the
+    second rate of the angle at rest, then the explicit motion.
     """
 
     def A(theta):
@@ -79,7 +79,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground, cord, B = hung(g, g.g, g.g / g.L)  # the accelerations are not seen
+    ground, cord, B = hung(g, g.g, g.g / g.L)  # any accelerations
     A = cord.origin
     s = Sketch(ax, ground, plane="xz")
     wide, high, r = 0.5 * g.L, 0.2 * g.L, 0.06 * g.L

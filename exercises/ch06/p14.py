@@ -18,7 +18,7 @@ def before(g):
 
 
 def after(g):
-    """Newton's second law of the sphere, which begins to move across CD at eta times g."""
+    """Newton's second law for the sphere, whose acceleration is eta g across CD."""
     axes, _, CD = wires(g)
     return solve_linear(lambda T_CD, eta: T_CD * CD.i - g.W * axes.k - g.W * eta * CD.k)
 
@@ -32,7 +32,7 @@ def steps(g):
 
 
 def prove(g):
-    """Virtual work before; after, the fall that keeps the energy, differentiated. Wire, g: 1."""
+    """Virtual work before; after, the motion that conserves energy; unit wire length and g."""
     C = [mp.cos(g.alpha), 0, mp.sin(g.alpha)]
     with_AB = lambda u: [mp.cos(g.psi + u) - mp.cos(g.psi), 0, mp.sin(g.psi) - mp.sin(g.psi + u)]
     with_CD = lambda u: minus(C, [mp.cos(g.alpha + u), 0, mp.sin(g.alpha + u)])

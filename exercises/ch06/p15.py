@@ -4,7 +4,7 @@ from exercises.tools import Sketch, mp, mpf, proofs, rate, times
 from newton_euler import Frame, acos, asin, atan, cos, pi, root, sin
 from newton_euler.dynamics import reaction
 
-ENDS = ("-0.3", "0.3", "3", "3.3")  # one place between each two, for all numbers of `vary`
+ENDS = ("-0.3", "0.3", "3", "3.3")  # one equilibrium in each interval, for all numbers in `vary`
 
 
 def collar(g, theta):
@@ -22,7 +22,7 @@ def hoop_force(g, theta):
 
 
 def along_hoop(g, theta):
-    """The component along the hoop, which one without friction cannot give."""
+    """The component along the hoop, zero without friction."""
     N = hoop_force(g, theta)
     return N.dot(N.frame.vector(cos(theta), 0, sin(theta)))
 
@@ -41,7 +41,7 @@ def steps(g):
 
 
 def prove(g):
-    """Where the Lagrangian of the collar, carried round in the ground, is stationary in theta."""
+    """Where the Lagrangian of the collar, moving with the hoop, is stationary in theta."""
 
     def place(theta, t=0):
         return times(proofs.rot("z", g.omega * t), [g.r * mp.sin(theta), 0, -g.r * mp.cos(theta)])

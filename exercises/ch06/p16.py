@@ -21,7 +21,7 @@ def hyperbolic(g, t):
 
 
 def oscillating(g, t):
-    """A solution with gravity, by trial."""
+    """A particular solution with gravity."""
     return drop(g) * sin(g.omega * t)
 
 

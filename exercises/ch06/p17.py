@@ -1,4 +1,4 @@
-"""6/17: a particle slides through a dip and over a crest."""
+"""6/17: a particle sliding through a dip and over a crest."""
 
 from exercises.tools import Sketch, cross, mp, mpf, rate, second_rate, size
 from exercises.tools import root as place_of
@@ -7,19 +7,19 @@ from newton_euler.dynamics import path_force, speed_after
 
 
 def speed(g, h):
-    """After a slide without friction from rest through the height h."""
+    """Speed after a smooth slide from rest through the height h."""
     return speed_after(0, g.m * g.g * h, g.m)
 
 
 def pressed(g, across):
-    """The upward force of the track, where mass times acceleration is ``across``, upward."""
+    """The track's upward force for mass times upward acceleration ``across``."""
     return across + g.m * g.g
 
 
 def solve(g):
     _, at_B = path_force(g.m, speed(g, g.h_B), 0, 1 / g.rho_B)
     v_C = speed(g, g.h_C)
-    # with the centre of curvature below, the force toward it is -across
+    # -across: the centre of curvature is below
     s = solve_linear(lambda flexure: pressed(g, -path_force(g.m, v_C, 0, flexure)[1]))
     return {"F_B": pressed(g, at_B), "rho_C": 1 / s.flexure}
 
@@ -29,7 +29,7 @@ def steps(g):
 
 
 def prove(g):
-    """By free fall: at B on a circle, at C as in free flight, whose curvature is measured."""
+    """By the speed of free fall: at B on a circle, at C by the curvature of free flight."""
 
     def fallen(h):
         depth = lambda t: g.g * t**2 / 2

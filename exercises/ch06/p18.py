@@ -12,13 +12,13 @@ def launch(g):
 
 
 def from_target(g, r, t):
-    """The answers, for the place of the bullet at the time t."""
+    """The answers, for the position of the bullet at the time t."""
     return {"t_D": t, "d_up": r.z - g.H, "d_east": r.x}
 
 
 def solve(g):
     v = launch(g)
-    t = g.D / v.y  # for a shot to the north the rotation does not change y
+    t = g.D / v.y  # y does not depend on the rotation for a shot to the north
     return from_target(g, shot(g, t, v), t)
 
 
@@ -31,7 +31,7 @@ def steps(g):
 
 
 def prove(g):
-    """The free flight as it is seen from the stars, stopped when it has gone D to the north."""
+    """The free flight in the inertial frame, up to the distance D to the north."""
     way = size([g.D, g.H])
     place = flight(g, scaled(g.v_0 / way, [0, g.D, g.H]))
 
@@ -59,7 +59,7 @@ def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="yz")
     O, foot, T = (0, 0, 0), (0, g.D, 0), (0, g.D, g.H)
-    sag = 0.12 * size([g.D, g.H])  # far more than in the problem
+    sag = 0.12 * size([g.D, g.H])  # far greater than in the problem
     s.road([(0, -0.15 * g.D, 0), (0, 1.4 * g.D, 0)])
     s.rod(foot, T)
     s.line(O, T)

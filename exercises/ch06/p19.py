@@ -1,4 +1,4 @@
-"""6/19: where a stone lands that is dropped on the turning Earth."""
+"""6/19: where a stone dropped on the turning Earth lands."""
 
 from exercises.devices.turning_earth import flight, globe, ground_axes, shot, to_first_order
 from exercises.tools import root
@@ -7,7 +7,7 @@ from newton_euler.applications import earth_rate
 
 
 def fall_time(g):
-    """The rotation does not change it to first order."""
+    """The time of fall, to first order independent of the rotation."""
     return sqrt(2 * g.h / g.g)
 
 
@@ -22,7 +22,7 @@ def steps(g):
 
 
 def prove(g):
-    """The free flight seen from the stars, with the Earth's speed at h, to the ground."""
+    """The free flight in the inertial frame, with the Earth's speed at h, to the ground."""
     place = flight(g, [0, 0, 0], g.h)
     t_0 = (2 * g.h / g.g) ** 0.5
 

@@ -7,7 +7,7 @@ from newton_euler.applications import earth_rate, force_near_earth
 
 
 def force(g):
-    """The force on the car to first order; ``coriolis`` has no vertical part here."""
+    """The force on the car to first order; here ``coriolis`` is horizontal."""
     ground = ground_axes(g)
     return force_near_earth(g.M, -g.v * ground.j, -g.a * ground.j, earth_rate(ground))
 
@@ -22,10 +22,10 @@ def steps(g):
 
 
 def prove(g):
-    """The explicit motion along a meridian, seen from the stars: its acceleration to the east."""
+    """The eastward acceleration of the motion along a meridian, in the inertial frame."""
 
     def place(t):
-        """Away from the axis in the first meridian plane, east of it, along the axis."""
+        """Coordinates from the axis in the initial meridian plane, east of it, along the axis."""
         lat = g.lat - (g.v * t + g.a * t**2 / 2) / RADIUS
         return at_angle(RADIUS * mp.cos(lat), g.omega_e * t, RADIUS * mp.sin(lat))
 

@@ -13,7 +13,7 @@ def elevation(g):
 
 
 def landing(g, phi):
-    """Where the bullet comes down; a shot to the north takes as long as without rotation."""
+    """The point of impact; to first order the rotation does not change the time of flight."""
     north = pi(phi) / 2
     ground = ground_axes(g)
     t = flight_time(g.v_0, north, phi, g.lat, g.g, 0 * g.omega_e)
@@ -35,7 +35,7 @@ follows = {"x": lambda g, phi: landing(g, phi)[1].x}
 
 
 def prove(g):
-    """The elevation from the height over the target; then the free flight, seen from the stars."""
+    """The elevation from the height above the target; then free flight in the inertial frame."""
 
     def over_target(e):
         t = g.D / (g.v_0 * mp.cos(e))
@@ -70,7 +70,7 @@ def mistakes(g):
 def draw(g, ax):
     s = Sketch(ax, Frame("ground"), plane="yz")
     O, T = (0, 0, 0), (0, g.D, 0)
-    top = 0.15 * g.D  # far more than in the problem
+    top = 0.15 * g.D  # far greater than in the problem
     s.road([(0, -0.1 * g.D, 0), (0, 1.4 * g.D, 0)])
     s.path([(0, g.D * q, 4 * top * q * (1 - q)) for q in (n / 40 for n in range(41))])
     s.dot(O)

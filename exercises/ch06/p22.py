@@ -1,4 +1,4 @@
-"""6/22: where a shot straight up comes down on the turning Earth, a word and a formula."""
+"""6/22: where a shot straight up lands on the turning Earth, a word and a formula."""
 
 from exercises.devices.turning_earth import flight, globe, ground_axes, shot, to_first_order
 from exercises.tools import root
@@ -6,7 +6,7 @@ from newton_euler import pi
 
 
 def answers(x):
-    """The word is for the place that is asked about."""
+    """The answers; the word says on which side the shot lands."""
 
     def side():
         if x == 0:
@@ -17,7 +17,7 @@ def answers(x):
 
 
 def way(g):
-    """The displacement from the launch until the shot is back, to first order, with its terms."""
+    """The displacement from launch to landing, to first order, with its terms."""
     return shot(g, 2 * g.v_0 / g.g, g.v_0 * ground_axes(g).k)
 
 
@@ -32,7 +32,7 @@ def steps(g):
 
 
 def prove(g):
-    """The free flight as it is seen from the stars, as far as to the ground."""
+    """The free flight in the inertial frame, to the ground."""
     place, top = flight(g, [0, 0, g.v_0]), g.v_0 / g.g
 
     def down(share):

@@ -7,15 +7,15 @@ from newton_euler.applications import coriolis_acceleration, earth_rate
 
 
 def velocity(g, east=-1):
-    """Northwest: as much to the west as to the north."""
+    """The velocity, northwest by default."""
     return ground_axes(g).vector(east, 1, 0) * (g.v / sqrt(2 * g.one))
 
 
 def on_track(g, v, share=1):
-    """The reaction to the track's force, which carries the weight and gives the Coriolis term."""
+    """The reaction to the track's force, which balances the weight and gives the Coriolis term."""
     a = -share * coriolis_acceleration(earth_rate(v.frame), v)
     of_track = dynamics.reaction(g.M, a, weight=-g.M * g.g * v.frame.k)
-    # as a plain vector: its terms would be called after those of the other force
+    # a plain vector, so that its terms do not take the names of the other force's
     return {"F_track": v.frame.vector(*(-of_track).components())}
 
 
@@ -30,7 +30,7 @@ def steps(g):
 
 
 def prove(g):
-    """The straight motion, seen from the stars; first order is what changes sign with the rate."""
+    """The straight motion in the inertial frame; the first-order part is odd in the rate."""
     v = scaled(g.v / (2 * g.one) ** 0.5, [-1, 1, 0])
 
     def acceleration(sense):

@@ -1,4 +1,4 @@
-"""7/3: the inertia matrix of a block and a cylinder that stands on it."""
+"""7/3: the inertia matrix of a block with a cylinder on top."""
 
 from exercises.devices.block_with_cylinder import BLOCK, figure, parts
 from exercises.devices.inertia import answer, no_products, problem_of, together, wrong_sign

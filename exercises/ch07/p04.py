@@ -14,7 +14,7 @@ def density(g, radius=radius):
 
 
 def moments(g, radius=radius, transfer=1):
-    """(I_xx, I_yy, I_zz) by thin disks at height z; ``transfer`` weighs the parallel-axis term."""
+    """(I_xx, I_yy, I_zz) by thin disks at height z; ``transfer`` scales the parallel-axis term."""
     rho = density(g, radius)
     disk = lambda z: bodies.disk(radius(g, z), CONE.point("C", 0, 0, z), "z", density=rho)
     own, far = (

@@ -19,7 +19,9 @@ def prove(g):
 def mistakes(g):
     half, diameter, leg = parts(g, g.lam)
     I = together(WIRE, [half, diameter, leg])
-    sheet = disk(g.r, WIRE, "z", mass=half.mass)  # half of a disk of twice the mass has the same
+    sheet = disk(
+        g.r, WIRE, "z", mass=half.mass
+    )  # half of a disk of twice the mass has the same moments
     xx, yy, zz = I.moments
     near = leg.mass * g.r**2
     return {

@@ -1,4 +1,4 @@
-"""7/12: the inertia matrix of a disk with a hole beside its centre."""
+"""7/12: the inertia matrix of a disk with an eccentric hole."""
 
 from exercises.devices.disk_with_hole import DISK, figure, parts, rim
 from exercises.devices.inertia import matrix, problem_of, together, untransferred, whole

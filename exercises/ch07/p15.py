@@ -25,7 +25,7 @@ def steps(g):
 
 
 def prove(g):
-    """The columns are the angular momenta when all turn at unit rate about x, about y, about z."""
+    """The columns are the angular momenta for unit rates about x, y and z."""
 
     def momentum(axis):
         v = lambda start: rate(lambda t: times(rot(axis, t), start))

@@ -10,7 +10,7 @@ draw = figure
 
 
 def moments(g, area):
-    """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx), when the mass is spread over this area."""
+    """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx), for the mass spread over this area."""
     xx, yy, xy = (g.m / area * x for x in second_moments(g.a, height(g)))
     return (yy, xx, xx + yy), (xy, 0, 0)
 

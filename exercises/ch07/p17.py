@@ -35,9 +35,9 @@ def steps(g):
     return {"sigma": sheet(g), "J_2": moment(g.r2), "J_1": moment(g.r1)}
 
 
-# equal diameters; and for a plate the moment about the normal is the sum of the two in it
+# all diameters are equal; for a plate the moment about the normal is the sum of the two in it
 def prove(g):
-    """Thin rings side by side, with the share 2 u du/(r2^2 - r1^2) of the mass in each."""
+    """Thin rings, each with the share 2 u du/(r2^2 - r1^2) of the mass."""
     squares = lambda p: [p[1] ** 2, p[0] ** 2, p[0] ** 2 + p[1] ** 2]
     ring_of = lambda u: proofs.scaled(2 * u, proofs.mean(squares, proofs.ring(u, order=2)))
     share = g.m / (g.r2**2 - g.r1**2)

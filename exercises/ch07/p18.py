@@ -20,7 +20,7 @@ def about_base(g):
 
 
 def about_axis(g):
-    """By the same strips, of the width b (1 - u/h)."""
+    """By the same strips, of width b (1 - u/h)."""
     return integral(lambda u: g.m / g.h * (1 - u / g.h) * (g.b * (1 - u / g.h)) ** 2 / 6, 0, g.h)
 
 
@@ -35,7 +35,7 @@ def steps(g):
 
 # a plate: the moment about the normal is the sum of the two in it
 def prove(g):
-    """A square plate, pressed together toward its upper edge, and the mass in it with it."""
+    """A square plate and its mass, mapped to the triangle by narrowing it upward."""
 
     def pressed(share, place):
         x, up = place[0], (place[1] + 1) / 2  # from 0 to 1

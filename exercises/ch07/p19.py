@@ -1,4 +1,4 @@
-"""7/19: a cylinder from which a cone is cut."""
+"""7/19: a cylinder with a conical cavity."""
 
 from exercises.tools import Sketch, proofs
 from newton_euler import Frame, sqrt
@@ -8,7 +8,7 @@ PART = Frame("part")  # its origin is the middle of the lower end
 
 
 def solids(g):
-    """The cylinder and the cone, of density 1. The height drops out: it is 3 a/2 here."""
+    """The cylinder and the cone, of density 1 and any height, here 3 a/2."""
     h = 3 * g.a / 2
     apex = PART.point("apex", 0, h - g.q * h, 0)
     full = cylinder(g.a, h, PART.point("C", 0, h / 2, 0), "y", density=1)

@@ -7,7 +7,7 @@ from newton_euler import sqrt
 
 
 def at_G(g, r_a):
-    """The radius of gyration about GG', if it is at this distance from AA'."""
+    """The radius of gyration about GG', if GG' is at this distance from AA'."""
     A, G, _ = about_A(g.m, g.I_AA, r_a, g.L - r_a)
     return A.about(G).radius_of_gyration("z")
 
@@ -18,7 +18,7 @@ def solve(g):
 
 
 def apart(g):
-    """r_a - r_b: r_a^2 - r_b^2 is (r_a + r_b) (r_a - r_b)."""
+    """r_a - r_b, from r_a^2 - r_b^2."""
     return (g.I_AA - g.I_BB) / (g.m * g.L)
 
 
@@ -30,12 +30,12 @@ follows = {"k_G": lambda g, r_a: at_G(g, r_a)}
 
 
 def prove(g):
-    """With two mass points of the same mass, centre and moments about AA' and BB'."""
+    """By two mass points with the same mass, centre and moments about AA' and BB'."""
 
     def excess(r_a):
         return mean_square([g.L - x for x in two_masses(g.I_AA / g.m, r_a)]) - g.I_BB / g.m
 
-    nearly = 1 - mp.mpf(10) ** -9  # share of the distance that puts all the mass at G
+    nearly = 1 - mp.mpf(10) ** -9  # share of the distance, almost all of the mass at G
     r_a = proof_root(excess, 0, nearly * mp.sqrt(g.I_AA / g.m))
     near, far = two_masses(g.I_AA / g.m, r_a)
     return {"r_a": r_a, "k_G": (far - near) / 2}
@@ -52,7 +52,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    # GG' is asked for, so its place is not that of the answer
+    # GG' is not where the answer has it
     s, up = figure(ax, 0.54 * g.L, 0.46 * g.L)
     s.dimension((0, 0, 0), (0.54 * g.L, 0, 0), label="$r_a$", offset=up)
     s.dimension((0.54 * g.L, 0, 0), (g.L, 0, 0), label="$r_b$", offset=up)

@@ -15,7 +15,7 @@ def steps(g):
 
 
 def prove(g):
-    """With two mass points of the same mass, moment about AA' and centre."""
+    """By two mass points with the same mass, centre and moment about AA'."""
     near, far = two_masses(g.I_AA / g.m, g.r_a)
     from_B = [g.r_a + g.r_b - x for x in (near, far)]
     return {"I_BB": g.m * mean_square(from_B), "I_GG": g.m * ((far - near) / 2) ** 2}

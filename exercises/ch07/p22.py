@@ -1,4 +1,4 @@
-"""7/22: what the integrals of the squares of the coordinates say about moments of inertia."""
+"""7/22: moments of inertia from the integrals of the squares of the coordinates."""
 
 from math import cos, pi, sin
 
@@ -57,7 +57,7 @@ def by_points(points):
 
 
 def prove(g):
-    """By chords of mass points turned about each axis; the body is a cloud and its like, turned."""
+    """By mass points turned about each axis, for a cloud and the same cloud turned."""
     points = cloud(g.Jx, g.Jy, g.Jz)
     spun = [(w / 2, place) for w, (x, y, z) in points for place in ([x, y, z], [x, -z, y])]
 
@@ -75,13 +75,15 @@ def mistakes(g):
         "squares_for_moments": {"gap": gap(g.Jx, g.Jy, g.Jz), "gap_sym": gap_sym(g.Jx, g.Jy, g.Jz)},
         "no_symmetry": {"gap_sym": gap_sym(*moments(g.Jx, g.Jy, g.Jz))},
         "line_for_plane": {"when_zero": LINE},
+        "no_sum_vanishes": {"when_zero": "never"},
+        "all_distances": {"when_zero": "only a single particle"},
     }
 
 
 def draw(g, ax):
     s = Sketch(ax, BODY, azimuth=35, elevation=22)
     O, P = (0, 0, 0), (0.55, 0.75, 0.45)
-    # an outline in the plane that is seen in full
+    # an outline in the plane of the figure
     across, up = (-sin(0.61), cos(0.61), 0), (-0.31, -0.21, 0.93)
     wave = [2 * pi * n / 60 for n in range(61)]
     s.path([tuple((1.25 + 0.12 * sin(3 * t)) * (cos(t) * u + 0.75 * sin(t) * v)

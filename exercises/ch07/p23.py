@@ -14,7 +14,7 @@ def about(q, body):
 
 
 def shortfall(q, body):
-    """The moment about the body's own axis, which m d^2 leaves out, over the whole."""
+    """The error of m d^2: the moment about the body's own axis over the whole moment."""
     own, whole = about(q, body)
     return own.moment("z") / whole.moment("z")
 
@@ -24,7 +24,7 @@ def one(g):
 
 
 def trend(first, second):
-    """The word, from both errors."""
+    """The answer on the trend, from both errors."""
     return "improves" if second < first else "worsens"
 
 

@@ -8,13 +8,13 @@ WEDGE = Frame("wedge")  # its origin is on the axis OO', x toward the centre of 
 
 
 def full(g):
-    """The wedge without the hole, which is the wedge made smaller by q, with q^2 of its mass."""
+    """The wedge without its hole, a copy scaled by q with q^2 of the mass."""
     # the thickness, along both axes, has no influence
     return wedge(g.r, g.psi / 2, g.r, WEDGE, "z", "x", mass=g.m / (1 - g.q**2))
 
 
 def distance(g, part):
-    """The distance from OO' to GG', where the wedge without the hole is ``part``."""
+    """The distance from OO' to GG', for the wedge ``part`` without its hole."""
     return part.centre.position(WEDGE).x * (1 - g.q**3) / (1 - g.q**2)
 
 
@@ -30,7 +30,7 @@ def steps(g):
 
 
 def prove(g):
-    """Radial slivers, the mass in them growing with the distance from OO'."""
+    """By radial slivers, with mass proportional to the distance from OO'."""
     across = [(share, (x + 1) / 2) for share, (x, _, _) in proofs.box(2, 0, 0, order=2)]
     radii = [(share, g.q + (1 - g.q) * x) for share, x in across]
     sliver = [(2 * share * u / (1 + g.q), g.r * u) for share, u in radii]

@@ -26,7 +26,7 @@ def steps(g):
 
 
 def prove(g):
-    """By thin tubes about the axis, the squares of the distances from the line added up on each."""
+    """By thin tubes about the axis, with the mean square distance from the line for each."""
 
     def squares(p):  # the ring is about z: its x is the height here
         return [(p[0] + g.ro) ** 2 + p[1] ** 2, 1, p[0] ** 2 + p[1] ** 2]

@@ -22,7 +22,7 @@ def steps(g):
 
 
 def prove(g):
-    """The squares of the heights above the tangent, added up along the wire."""
+    """The squares of the heights above the tangent, integrated along the wire."""
     down = device.mean_over_half(lambda x, y: -y, g.r)
     return {
         "I_ring": g.m * mean(lambda p: (p[1] + g.r) ** 2, points_of_ring(g.r)),

@@ -17,7 +17,7 @@ def steps(g):
 
 
 def prove(g):
-    """The squares of the distances from each axis, added up along the wire."""
+    """The squares of the distances from each axis, integrated along the wire."""
     down = mean_over_half(lambda x, y: -y, g.r)
     return {
         "I_AA": g.m * mean_over_half(lambda x, y: y**2, g.r),

@@ -1,4 +1,4 @@
-"""7/28: the cone that has the same moment of inertia about all axes through its centre of mass."""
+"""7/28: the cone with equal moments of inertia about all axes through its centre of mass."""
 
 from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, atan, bodies, sqrt
@@ -7,7 +7,7 @@ CONE = Frame("cone")  # its origin is the apex, z points to the base
 
 
 def shares(g):
-    """Of a cone as wide as high: the height of G, the axial moment, and that by the heights."""
+    """Height of G, axial moment and integral of squared heights, for a cone as wide as high."""
     cone = bodies.cone(g.one, g.one, CONE, "z", mass=g.one)
     d, own = cone.centre.position(CONE).z, cone.inertia.moment("z")
     return d, own, cone.about(CONE).moment("x") - own / 2 - d**2
@@ -29,7 +29,7 @@ def steps(g):
 
 
 def prove(g):
-    """Disks that grow from the apex; a wider cone is the same one, stretched across."""
+    """Disks that grow from the apex; a wider cone is a stretched one."""
     body = [
         (3 * up**2 * share * w, [y * up, up])
         for share, (x, _, _) in proofs.box(2, 0, 0, order=3)
@@ -53,7 +53,7 @@ def mistakes(g):
 
 def draw(g, ax):
     s = Sketch(ax, CONE, plane="xz")
-    r, h = 0.36, 1  # not of the asked shape
+    r, h = 0.36, 1  # not the shape asked for
     apex, left, right = (0, 0, 0), (-r, 0, -h), (r, 0, -h)
     s.plate([apex, left, right])
     s.line((0, 0, 0.25), (0, 0, -1.2), style="centre")

@@ -1,4 +1,4 @@
-"""7/29: how long a spacecraft with two panels is to be for a steady spin."""
+"""7/29: the length of a spacecraft with two panels for a stable spin."""
 
 from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, composite, root, sqrt
@@ -8,7 +8,7 @@ CRAFT = Frame("craft")
 
 
 def parts(g, l_r, shell_mass=None, panel_mass=None):
-    """The shell and two panels, of radius 1, with a mass of 1 per area or with these masses."""
+    """The shell and two panels, for unit radius and unit mass per area, or with these masses."""
 
     def matter(mass):
         return {"density": g.one} if mass is None else {"mass": mass}
@@ -34,7 +34,7 @@ def critical(g, of):
 
 
 def solve(g):
-    """Where I_yy, which is 1/2 and the slope times (l/r)^2, is as great as I_xx."""
+    """I_yy = I_xx, where I_yy is 1/2 plus a multiple of (l/r)^2."""
     *_, I_x, slope = steps(g).values()
     return {"l_r": sqrt((I_x - g.one / 2) / slope)}
 
@@ -48,7 +48,7 @@ def steps(g):
 
 
 def prove(g):
-    """Mass points on the shell and the panels; each body with a length of 1, which is stretched."""
+    """By mass points on the shell and the panels, of unit length, then stretched."""
 
     def points(body, along):
         for share, place in body:
@@ -102,7 +102,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    l = 2.2  # over r, not that of the answer
+    l = 2.2  # l/r, not that of the answer
     s = Sketch(ax, CRAFT, azimuth=-60, elevation=30)
     ends, half = ((-l / 2, 0, 0), (l / 2, 0, 0)), g.q * l / 2
     for y in (1, -1):

@@ -29,7 +29,7 @@ def steps(g):
 
 
 def prove(g):
-    """The squares of the distances from x', added up along the chain."""
+    """The squares of the distances from x', integrated along the chain."""
     place, way, bends = path(g)
     total = lambda f: proofs.integral(lambda s: f(place(s)), 0, way, bends)
     d = proofs.scaled(1 / way, total(lambda p: p))

@@ -1,4 +1,4 @@
-"""8/1: a beam on a pin and a cable, whose cable snaps."""
+"""8/1: a beam on a pin and a cable that snaps."""
 
 from exercises.devices.broken_cable import (
     acceleration_of,
@@ -16,7 +16,7 @@ from newton_euler.bodies import rod
 
 
 def offset(g):
-    """The level distance from the pin to the centre of mass."""
+    """The horizontal distance from the pin to the centre of mass."""
     return (1 - 2 * g.k) * g.L / 2
 
 

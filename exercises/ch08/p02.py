@@ -1,4 +1,4 @@
-"""8/2: a square plate on a pin and a cable, whose cable snaps."""
+"""8/2: a square plate on a pin and a cable that snaps."""
 
 from exercises.devices import broken_cable as device
 from exercises.tools import Sketch, box, plus, second_rate

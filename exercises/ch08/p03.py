@@ -1,4 +1,4 @@
-"""8/3: a rod between two guides, let go from rest."""
+"""8/3: a rod between two guides, released from rest."""
 
 from exercises.tools import Sketch, box, let_go, mean, mp, plus, proofs, rot, times
 from newton_euler import Frame, bodies, cos, equations_of_motion, moving, pi, sin, solve_linear

@@ -19,12 +19,12 @@ def engine(g, theta=None):
 
 
 def force_at_O(g, a_O):
-    """Along the cylinder, from that which moves the piston."""
+    """The force at O along the cylinder, from the motion of the piston."""
     return -resultant_force(mass_from_weight(g.W_P, g.g), a_O)
 
 
 def forces(g, F_x=None):
-    """F_B and F_O; ``F_x``: the component of F_O along the cylinder, if not that of the piston."""
+    """F_B and F_O; ``F_x``: a wrong component of F_O along the cylinder."""
     ground, bar, B, O = engine(g)
     F_x = force_at_O(g, O.acceleration(ground)).dot(ground.i) if F_x is None else F_x
 
@@ -50,7 +50,7 @@ def steps(g):
 
 
 def prove(g):
-    """The explicit motion: the place of O is where the rod, of fixed length, ends on the axis."""
+    """The explicit motion: O is where the rod, of fixed length, meets the axis."""
     B = lambda t: [g.b * mp.cos(g.n * t), g.b * mp.sin(g.n * t), 0]
 
     def piston(t):

@@ -1,4 +1,4 @@
-"""8/5: a bar that leans on the headboard of an accelerating truck."""
+"""8/5: a bar leaning on the headboard of an accelerating truck."""
 
 from exercises.tools import Sketch, box, mp, mpf, plus, proofs, rot, times, vanishing
 from newton_euler import Frame, bodies, cos, equations_of_motion, moving, sin, solve_linear
@@ -43,13 +43,13 @@ def steps(g):
 
 
 def prove(g):
-    """The greatest acceleration at which, for any share of friction at B, the bed can drive A."""
+    """The greatest acceleration, over all shares of friction at B, that the bed can give A."""
     length, B = mpf(1), [mp.cos(g.theta), mp.sin(g.theta), 0]
     half = [length / 2, 0, 0]
     points = [(u, times(rot("z", g.theta), plus(half, r))) for u, r in box(length, 0, 0, order=2)]
 
     def contact(a, share):
-        """F_A, N_A and N_B for the unit of mass."""
+        """F_A, N_A and N_B per unit mass."""
         motion = lambda t: [(u, plus([a * t**2 / 2, 0, 0], r)) for u, r in points]
         of_weight = -g.g * sum(u * r[0] for u, r in points)
         arm = B[1] + share * g.mu * B[0]

@@ -1,4 +1,4 @@
-"""8/6: an unbalanced wheel that rolls down a slope and is about to jump."""
+"""8/6: an unbalanced wheel, rolling down a slope and about to jump."""
 
 from exercises.tools import Sketch, mp, mpf, rate, root, second_rate, vanishing
 from newton_euler import Frame, atan2, cos, sin, solve_linear, sqrt
@@ -6,11 +6,9 @@ from newton_euler.dynamics import acceleration_by, weight
 
 
 def upright(g):
-    """The vector omega^2 OG in axes x level, y up.
-
-    Without contact forces there is no moment about G; omega and the velocity of O do not change,
-    and G, whose acceleration in axes that move with O is that of gravity, has only the centripetal
-    term.
+    """The vector omega^2 OG, x horizontal and y up. Without contact forces there is no moment about
+    G, so omega and the velocity of O are constant, and the acceleration of G, which is g, is
+    centripetal only.
     """
 
     def laws(q_x, q_y):
@@ -38,7 +36,7 @@ def steps(g):
 
 
 def contact(g, phi, square):
-    """Proof: contact forces along slope and normal of a unit mass, half on each side of G."""
+    """Proof: contact forces along slope and normal, for unit mass, one half on each side of G."""
     v, k = mp.sqrt(square), g.r / 2
 
     def places(a):
@@ -53,14 +51,14 @@ def contact(g, phi, square):
     pull = [g.g * mp.sin(g.theta), -g.g * mp.cos(g.theta)]
 
     def missing(a):
-        """The force that gravity leaves to the surface, on each half."""
+        """The force on each half besides gravity."""
         return [
             [(x - y) / 2 for x, y in zip(of_half, pull, strict=True)]
             for of_half in second_rate(places(a))
         ]
 
     def power(a):
-        """The power of these forces; the surface, where the wheel does not slip, gives none."""
+        """The power of these forces, which is zero without slip."""
         return sum(
             F * w
             for half, velocity in zip(missing(a), rate(places(a)), strict=True)
@@ -72,12 +70,12 @@ def contact(g, phi, square):
 
 
 def prove(g):
-    """The speed at which the normal force vanishes; the place where the friction does with it."""
+    """The speed at which the normal force vanishes, where the friction vanishes too."""
     square = lambda phi: vanishing(lambda u: contact(g, phi, u)[1], g.g * g.r, 2 * g.g * g.r)
 
     def friction(phi):
         F = contact(g, phi, square(phi))[0] / g.g
-        return mp.chop(F, mpf(10) ** -20)  # below, it is what differences in time leave
+        return mp.chop(F, mpf(10) ** -20)  # below this, the error of differences in time
 
     phi = root(friction, mpf(-1), mpf(1.4))
     v = mp.sqrt(square(phi))
@@ -95,7 +93,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    tilt, other = 0.35, 0.9  # angles of the slope and of OG: not as asked for
+    tilt, other = 0.35, 0.9  # angles of the slope and of OG, not the answer's
     ground = Frame("ground")
     slope = ground.rotate("slope", "-z", angle=tilt)
     s = Sketch(ax, ground, plane="xy")

@@ -1,4 +1,4 @@
-"""8/7: a cylinder that falls while a thread unwinds from it."""
+"""8/7: a cylinder falling while a thread unwinds from it."""
 
 from exercises.devices.rolling_cylinder import rolled, rolls
 from exercises.tools import Sketch, force_needed, kinetic_energy, let_go, mp
@@ -8,7 +8,7 @@ from newton_euler.dynamics import mass_from_weight
 
 
 def motion(g, shape=disk):
-    """The thread is the surface, x down along it: the cylinder rolls down the thread."""
+    """The cylinder rolls down the thread, x being downward."""
     return rolls(mass_from_weight(g.W, g.g), g.R, (g.g, 0), shape=shape)
 
 
@@ -23,7 +23,7 @@ def steps(g):
 
 
 def prove(g):
-    """By the energy of the mass points, let go."""
+    """By the energy of mass points released from rest."""
     m = g.W / g.g
 
     a = let_go(lambda q, t: kinetic_energy(m, lambda t: rolled(g.R, q(t)), t) - g.W * q(t))

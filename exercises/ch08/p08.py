@@ -1,4 +1,4 @@
-"""8/8: a cylinder on a slab that is suddenly accelerated, slipping and rolling."""
+"""8/8: a cylinder on a suddenly accelerated slab, slipping and rolling."""
 
 from exercises.devices.rolling_cylinder import rolls, slips
 from exercises.tools import Sketch, disk, plus, proofs, rot, second_rate, times, vanishing
@@ -6,7 +6,7 @@ from newton_euler import Frame
 
 
 def no_slip(g, condition=None):
-    """The motion on the slab without slip, for unit mass."""
+    """The motion without slip, for unit mass."""
     return rolls(g.one, g.r, (0, -g.g), g.n * g.g, no_slip=condition)
 
 
@@ -15,7 +15,7 @@ def with_slip(g, f):
 
 
 def solve(g):
-    """Rolling needs the friction n m g/3, more than the surface can give in case a, less in b."""
+    """Rolling needs the friction n m g/3, more than the limit in case a, less in b."""
     return {"alpha_a": with_slip(g, g.f_a).alpha, "alpha_b": no_slip(g).alpha}
 
 
@@ -25,18 +25,18 @@ def steps(g):
 
 
 def prove(g):
-    """The friction is as large as it can be, unless less carries the contact with the slab."""
+    """The friction is at its limit, unless less moves the contact with the slab."""
 
     def motion(alpha):
         points = disk(g.r, order=2)
         return lambda t: [(u, times(rot("z", alpha * t**2 / 2), p)) for u, p in points]
 
-    # alpha by a force at the contact of 1, from the moment that the mass points need
+    # alpha for a unit force at the contact, from the moment that mass points need
     by_one = vanishing(lambda alpha: proofs.moment_needed(1, motion(alpha))[2] - g.r, 0, 1 / g.r)
     turning = lambda F: by_one * F
 
     def lag(F):
-        """The acceleration of the contact behind that of the slab."""
+        """The slab's acceleration minus that of the contact."""
         alpha = turning(F)
 
         def contact(t):

@@ -29,7 +29,7 @@ def steps(g):
 
 
 def prove(g):
-    """The energy at O is that of the height at P; let go there, the mass points roll back."""
+    """By equal energies at O and P, and the mass points released at P."""
     height = lambda q: mp.sin(g.theta) * sum(u * r[0] for u, r in rolled(g.a, q))
 
     def energy(q, t):

@@ -1,4 +1,4 @@
-"""8/10: a car door that swings shut as the car starts."""
+"""8/10: a car door swinging shut as the car starts."""
 
 from exercises.tools import Sketch, box, kinetic_energy, mean, mp, rate, vanishing
 from newton_euler import Frame, bodies, dynamics, integral, moving, pi, solve_linear, sqrt
@@ -8,7 +8,7 @@ def door(g, theta, alpha):
     """Ground, hinge and door from above, x out of the car, y forward: the door is a rod."""
     ground = Frame("ground")
     hinge = ground.point("hinge", 0, moving(0 * g.b, rate=0, acceleration=g.a), 0)
-    angle = moving(theta, rate=0, acceleration=alpha)  # its rate needs no moment about the hinge
+    angle = moving(theta, rate=0, acceleration=alpha)  # its rate adds no moment about the hinge
     frame = ground.rotate("door", "-z", angle=angle, origin=hinge)
     body = bodies.rod(g.b, frame.point("G", g.b / 2, 0, 0), "x", mass=g.M, name="door")
     return ground, frame.point("O", 0, 0, 0), body
@@ -21,7 +21,7 @@ def moment(g, theta, alpha):
 
 
 def alpha(g, theta):
-    """The angular acceleration that needs no moment, as the hinge gives none."""
+    """The angular acceleration for zero moment about the hinge."""
     return solve_linear(lambda alpha: moment(g, theta, alpha).z).alpha
 
 
@@ -43,7 +43,7 @@ def steps(g):
 
 
 def prove(g):
-    """In the car, the work of the weight -M a; in the frame of the hinge, which gives no power."""
+    """In the frame of the car, by the work of the inertial force -M a."""
     points = [(u, x + g.b / 2) for u, (x, _, _) in box(g.b, 0, 0, order=2)]
 
     def places(angle, forward=0):

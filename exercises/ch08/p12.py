@@ -1,4 +1,4 @@
-"""8/12: the angular momentum of a cone that spins in a turning bracket."""
+"""8/12: the angular momentum of a cone spinning in a turning bracket."""
 
 from exercises.tools import Sketch, in_frame, proofs
 from newton_euler import Frame, Inertia, bodies
@@ -26,7 +26,7 @@ def steps(g):
 
 
 def prove(g):
-    """Momenta of mass points, at the share u of the way from the vertex to the base, in time."""
+    """By momenta of mass points, in disks at the share u of the height."""
     base = proofs.disk(g.r)
     orientation = lambda t: proofs.times(proofs.rot("x", g.omega * t), proofs.rot("z", g.p * t))
 

@@ -21,7 +21,7 @@ solve, steps, follows = turning_body.problem_of(inertia, AXIS, "US")
 
 
 def prove(g):
-    """By the mass points of a square, moved to the triangle: its edges to O and to AC."""
+    """By the mass points of a square, mapped to the triangle, with edges going to O and AC."""
 
     def over_plate(f):
         def weighed(place):

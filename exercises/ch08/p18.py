@@ -1,4 +1,4 @@
-"""8/18: a quarter of a disk that turns about one of its straight edges."""
+"""8/18: a quarter disk turning about one of its straight edges."""
 
 from exercises.devices import turning_body
 from exercises.tools import Sketch, mp, proofs
@@ -19,7 +19,7 @@ solve, steps, follows = turning_body.problem_of(inertia, AXIS)
 
 
 def prove(g):
-    """By mass points along the radii, and over the angle of these."""
+    """By mass points along radii, integrated over the angle."""
     radii = proofs.box(1, 0, 0, order=2)
 
     def over_plate(f):

@@ -1,4 +1,4 @@
-"""8/19: four particles on light rods that turn about a line."""
+"""8/19: four particles on light rods, turning about a line."""
 
 from itertools import pairwise
 

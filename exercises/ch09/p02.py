@@ -7,12 +7,12 @@ from newton_euler.bodies import Inertia, rod
 
 
 def on_bar(g, shaft, name, distance):
-    """The point at this distance from O."""
+    """The point of the bar at this distance from O."""
     return shaft.point(name, distance * cos(g.theta), distance * sin(g.theta), 0)
 
 
 def welded_bar(g):
-    """The bar, with its inertia about G along the axes of the shaft: formulas come out short."""
+    """The bar, with its inertia about G along the axes of the shaft, for short formulas."""
     _, shaft = rotor.turning_shaft(g)
     G = on_bar(g, shaft, "G", g.l / 2)
     along = shaft.rotate("bar", "z", angle=g.theta)

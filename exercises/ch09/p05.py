@@ -26,7 +26,7 @@ def mistakes(g):
     right = rotor.answers(r)
     return {
         "about_the_middle": rotor.only(rotor.with_inertia(r, moment=1 * g.one / 4), "H_O"),
-        # about A the force on B has no part in the force equation
+        # with moments about A, F_B does not depend on the force equation
         "pure_couple": rotor.only(rotor.pure_couple(r), "F_A"),
         "wrong_sign": rotor.with_inertia(r, product=-1),
         "millimetres": {

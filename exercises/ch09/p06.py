@@ -10,7 +10,7 @@ def fixed_plate(g):
 
 
 def with_sides(g, a, b):
-    """The plate, x along PQ and y along PS, with sides of which it has the moments."""
+    """The plate, x along PQ and y along PS, with moments of inertia for the sides a, b."""
     _, shaft = rotor.turning_shaft(g)
     edges = shaft.rotate("plate", "-z", angle=atan2(g.b, g.a))
     return rotor.in_bearings(shaft, [bodies.plate(a, b, edges, "z", mass=g.m)], -g.c, g.c)
@@ -24,9 +24,9 @@ solve, steps, follows = rotor.problem_of(
 
 
 def prove(g):
-    """The places by their shares u, v of the edges: u PQ + v PS, and PQ + PS is PR."""
+    """Mass points at u PQ + v PS, where PQ + PS = PR."""
     PR = mp.hypot(g.a, g.b)
-    PQ = [g.a**2 / PR, -g.a * g.b / PR]  # the height on the hypotenuse, and its foot
+    PQ = [g.a**2 / PR, -g.a * g.b / PR]  # foot and height over the diagonal
     PS = [g.b**2 / PR, g.a * g.b / PR]
     shares = [(share * g.m, u, v) for share, (u, v, _) in box(1, 1, 0)]
     points = [(m, [u * PQ[0] + v * PS[0], u * PQ[1] + v * PS[1], 0]) for m, u, v in shares]

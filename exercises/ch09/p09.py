@@ -1,4 +1,4 @@
-"""9/9: a ring that swings out from a turning shaft."""
+"""9/9: a ring swinging out from a turning shaft."""
 
 from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, acos, cos, particle, pi, sin, solve_linear, sqrt
@@ -12,8 +12,8 @@ def hanging(g, body=ring):
 
 
 def moments(g, body, A, inertia, cos_beta):
-    """About x and over sin(beta): what the turning needs at 1 rad/s, and that of the weight."""
-    up = A.frame.vector(0, cos_beta, 1)  # over sin(beta) in its component along the normal
+    """Moments about x over sin(beta): the one needed at 1 rad/s, and that of the weight."""
+    up = A.frame.vector(0, cos_beta, 1)  # its component along the normal divided by sin(beta)
     return up.cross(inertia.times(up)).x, (body.centre - A).cross(up * -g.g).x
 
 
@@ -44,7 +44,7 @@ follows = {"omega_max": lambda g, beta_ring: g.omega * sqrt(cos(beta_ring))}
 
 
 def prove(g):
-    """The energy in the shaft's frame is stationary; least at 0 while its curvature is positive."""
+    """By stationary energy in the shaft's frame, a minimum at 0 while its curvature is positive."""
     points = [(share, (x, g.a - y)) for share, (x, y, _) in proofs.ring(g.a)]
 
     def energy(beta, omega):

@@ -1,4 +1,4 @@
-"""10/1: a spinning disk that hangs from a ball joint and precesses."""
+"""10/1: a spinning disk, hanging from a ball joint and precessing."""
 
 from exercises.devices import hanging_disk as device
 

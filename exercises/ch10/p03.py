@@ -26,7 +26,7 @@ def steps(g):
 
 
 def prove(g):
-    """Both rates at which the mass points need just the moment of their weights."""
+    """Both rates at which mass points need exactly the moment of their weights."""
     given, found = proof_data(g)
     slow, fast = both_rates(*given)
     square, _ = needed_by_rates(*given[:3])

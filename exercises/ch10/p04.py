@@ -29,7 +29,7 @@ follows = {"eps_slow": lambda g, psi_slow, psi_fast: psi_slow / psi_fast}
 
 
 def prove(g):
-    """From the exact rates at which mass points need just the moment M, at far larger spins."""
+    """From the exact rates at which mass points need the moment M, at much larger spins."""
     points = device.two_rings(mp.sqrt(g.Iz), mp.sqrt(g.I0))
     square, product = device.needed_by_rates(1, points, g.theta)
     slow, fast = device.both_rates(1, points, g.theta, g.phi_dot, g.M)

@@ -24,7 +24,7 @@ def steps(g):
 
 
 def prove(g):
-    """The exact rates at far larger spins: the slow one goes as 1/spin, the fast as the spin."""
+    """The exact rates at much larger spins, the slow one as 1/spin, the fast one as the spin."""
     given, found = proof_data(g)
     rates = leading(*given)
     m, points, *_ = given

@@ -7,7 +7,7 @@ from newton_euler.applications.gyroscopes import free_precession, steady_spin
 
 
 def per_mass(g, shape=bodies.cylinder):
-    """Transverse and axial moment of inertia of the unit of mass."""
+    """Transverse and axial moment of inertia per unit mass."""
     I_0, _, I_z = shape(g.R, g.L, frames(g.theta)[1], "z", mass=g.one).inertia.moments
     return I_0, I_z
 
@@ -27,7 +27,7 @@ def solve(g):
 
 
 def whole_rate(g):
-    """The rate about the axis of symmetry with which no moment is needed (10.29)."""
+    """The total rate about the axis of symmetry in torque-free precession (10.29)."""
     I_0, I_z = per_mass(g)
     return I_0 / I_z * g.psi_dot * cos(g.theta)
 
@@ -38,12 +38,12 @@ def steps(g):
 
 
 def by_sign(along):
-    """The word, from the component along OC of the spin."""
+    """The answer on the sense, from the component of the spin along OC."""
     return "direct" if along > 0 else "retrograde"
 
 
 def prove(g):
-    """The spin at which the angular momentum is along OC, so that precession does not change it."""
+    """The spin for which the angular momentum is along OC, hence constant."""
     points = [
         (u * v, plus(p, q))
         for u, p in disk(g.R, order=2)

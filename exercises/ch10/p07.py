@@ -7,14 +7,14 @@ from newton_euler.dynamics import weight
 
 
 def frames(g):
-    """Ground with Y up, the head, turning about the post with Z towards the fan, and what spins."""
+    """Ground with Y up, the head, turning about the post with Z towards the fan, and the rotor."""
     ground = Frame("ground")
     head = ground.rotate("head", "y", rate=g.Omega)
     return ground, head, head.rotate("rotor", "-z", rate=g.p)
 
 
 def gyroscopic_moment(g):
-    """The moment that the spinning parts need; in steady precession no others need any."""
+    """The moment needed in steady precession, by the spinning parts only."""
     ground, head, rotor = frames(g)
     return normal_moment(
         head.angular_velocity(ground), rotor.angular_velocity(head), g.m * g.k**2
@@ -28,7 +28,7 @@ def moment_of_block(g, b):
 
 
 def distance(g, M, b_0):
-    """The distance at which the weights have the moment M, if that at b_0 balances the fan."""
+    """The distance at which the weights have the moment M, if they balance at b_0."""
     return solve_linear(lambda b: moment_of_block(g, b) - moment_of_block(g, b_0) - M).b
 
 
@@ -46,7 +46,7 @@ def steps(g):
 
 
 def prove(g):
-    """The moment that mass points of ring and block need; the fan's balance at rest places it."""
+    """The moment that mass points of ring and block need; balance at rest locates the fan."""
     of_weights = lambda *points: sum(m * g.g * place[2] for m, place in points)
     block = lambda b: (g.m_A, [0, 0, -b])
     ahead = vanishing(lambda d: of_weights((g.m, [0, 0, d]), block(g.b_0)), 0, g.b_0)
@@ -82,7 +82,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    """The block is drawn anywhere, the fan before the post at about the same distance."""
+    """The block at any distance, the fan in front of the post at about the same one."""
     ground, _, _ = frames(g)
     d = g.b_0
     s = Sketch(ax, ground, up="y", azimuth=-62, elevation=16)

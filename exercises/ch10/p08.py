@@ -13,7 +13,7 @@ def motor(g):
 
 
 def couple(g):
-    """The gyroscopic couple that the supports must give (10.38)."""
+    """The gyroscopic couple that the supports must exert (10.38)."""
     ground, table, rotor = motor(g)
     spin = rotor.angular_velocity(table).expressed_in(table)
     precession = table.angular_velocity(ground).expressed_in(table)
@@ -21,7 +21,7 @@ def couple(g):
 
 
 def supports(g, couple):
-    """The forces at A and B that carry the weight and give the couple."""
+    """The forces at A and B that balance the weight and exert the couple."""
     table, j = couple.frame, couple.frame.j
     G, A, B = table.point("G", 0, 0, 0), table.point("A", -g.a, 0, 0), table.point("B", g.b, 0, 0)
 
@@ -51,7 +51,7 @@ follows = {"F_B": lambda g, F_A: g.m * g.g - F_A}
 
 
 def prove(g):
-    """What the mass points of rotor and rest need besides their weight, about each support."""
+    """The moments about each support that the mass points need besides that of gravity."""
     turned = [(share, [z, x, y]) for share, (x, y, z) in proofs.ring(g.k)]
 
     def rotor(t):

@@ -1,4 +1,4 @@
-"""10/9: a wheel that rolls around a post and presses harder on the floor than its weight."""
+"""10/9: a wheel rolling around a post, whose normal force exceeds its weight."""
 
 from exercises.tools import Sketch, moment_needed, mp, plus, proofs, rot, times
 from newton_euler import Body, ForceSystem, Frame, bodies, dynamics, solve_linear, solve_rates
@@ -14,7 +14,7 @@ def wheel(g, spin):
 
 
 def rolling_spin(g):
-    """The rate of the disk on its axle that keeps its point of contact at rest."""
+    """The rate of the disk on its axle in rolling."""
 
     def slip(spin):
         ground, axle, body = wheel(g, spin)
@@ -32,7 +32,7 @@ def moment(g, spin, wheel=wheel):
 
 
 def normal_force(g, needed):
-    """The one that gives this moment about the line of the hinge, together with the weight."""
+    """The normal force that, with the weight, exerts this moment about the line of the hinge."""
     axle = needed.frame
     O, C, contact = (axle.point("", x, 0, z) for x, z in ((0, 0), (g.R, 0), (g.R, -g.r)))
     forces = lambda N: ForceSystem({"N": (axle.k * N, contact), "W": (axle.k * -g.W, C)})
@@ -51,7 +51,7 @@ def steps(g):
 
 
 def prove(g):
-    """The mass points of the rolling disk in time: their moment less that of the weight."""
+    """By mass points of the rolling disk: the needed moment minus that of the weight."""
     m = g.W / g.g
     upright = [(share, [z, x, y]) for share, (x, y, z) in proofs.disk(g.r)]
     unrolled = lambda t: g.R * g.Omega * t / g.r

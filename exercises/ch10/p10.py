@@ -1,4 +1,4 @@
-"""10/10: for which lengths a thin tube with a ring precesses in the sense of its spin."""
+"""10/10: the lengths at which a thin tube with a ring has direct precession."""
 
 from exercises.devices.wobbling import WOBBLE, needed_spin, neutral_length
 from exercises.tools import Sketch, mpf, proofs
@@ -8,13 +8,13 @@ from newton_euler.bodies import cylinder, cylindrical_shell, ring, rod
 
 
 def tube(g, ratio, kind=cylindrical_shell):
-    """Transverse and axial moment of inertia of a tube of the mass and the radius 1."""
+    """Transverse and axial moment of inertia of a tube of unit mass and radius."""
     I = kind(g.one, ratio, Frame("tube"), "z", mass=g.one).inertia
     return I.moment("x"), I.moment("z")
 
 
 def around(g):
-    """Those of the ring."""
+    """The moments of inertia of the ring."""
     I = ring(g.one, Frame("ring"), "z", mass=g.one).inertia
     return g.n * I.moment("x"), g.n * I.moment("z")
 
@@ -49,7 +49,7 @@ def steps(g):
 
 def prove(g):
     """The length at which mass points turn about a slanting axis without a moment; the sense from
-    the spin that they need to precess without a moment.
+    their spin in torque-free precession.
     """
     rim = proofs.ring(mpf(1), order=2)
 
@@ -87,7 +87,7 @@ def mistakes(g):
 def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=-60, elevation=20)
-    r, l = 1.0, 3.2  # not of the asked shape
+    r, l = 1.0, 3.2  # not the shape asked for
     low, high = (-l / 2, 0, 0), (l / 2, 0, 0)
     s.line((-0.85 * l, 0, 0), (l, 0, 0), style="centre")
     s.cylinder(low, high, r, bore=0.94 * r)

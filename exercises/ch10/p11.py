@@ -1,4 +1,4 @@
-"""10/11: two disks on a rod that do not precess."""
+"""10/11: two disks on a rod without precession."""
 
 from exercises.devices.wobbling import neutral_length
 from exercises.tools import Sketch, proofs
@@ -7,13 +7,13 @@ from newton_euler.bodies import disk
 
 
 def in_the_middle(g):
-    """The axial and the transverse moment of inertia if the centres of both disks were at O."""
+    """The axial and transverse moments of inertia with both centres at O."""
     both = disk(g.r, Frame("rod").point("O", 0, 0, 0), "z", mass=2 * g.m)
     return both.inertia.moment("z"), both.inertia.moment("x")
 
 
 def length(g, I, across, share=2):
-    """The b at which ``across`` and what the distances add, m b^2/share, are the axial moment."""
+    """The b at which ``across`` plus the transfer term m b^2/share equals the axial moment."""
     return {"b": sqrt(share * (I - across) / g.m)}
 
 
@@ -47,7 +47,7 @@ def mistakes(g):
 def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=-55, elevation=20)
-    r, b = 1.0, 3.0  # not of the asked shape
+    r, b = 1.0, 3.0  # not the shape asked for
     P, Q = (-b / 2, 0, 0), (b / 2, 0, 0)
     s.rod(P, Q)
     for end in (P, Q):

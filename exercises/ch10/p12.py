@@ -1,4 +1,4 @@
-"""10/12: two cones, joined at their vertices, that do not precess."""
+"""10/12: two cones, joined at their vertices, without precession."""
 
 from exercises.devices.wobbling import difference, neutral_length
 from exercises.tools import Sketch, mpf, proofs
@@ -7,7 +7,7 @@ from newton_euler.bodies import cone, cylinder
 
 
 def cones(g, ratio):
-    """Two cones of the mass and the base radius 1; the frame is at their common vertex."""
+    """Two cones of unit mass and base radius; the frame is at their common vertex."""
     frame = Frame("cones")
     O = frame.point("O", 0, 0, 0)
     upper = cone(g.one, ratio, O, "z", mass=g.one, name="upper")
@@ -20,7 +20,7 @@ def limit(g, excess):
 
 
 def shares(g):
-    """The moments of a cone as wide as high, which a stretch along the axis multiplies."""
+    """The moments of a cone as wide as high, to be scaled with the height."""
     body, O = cones(g, g.one)
     I = body.parts[0].about(O)
     axial = I.moment("z")
@@ -31,7 +31,7 @@ steps = shares
 
 
 def solve(g):
-    """Where the moments about all axes through the vertices are equal."""
+    """Equal moments of inertia about all axes through the vertices."""
     of = shares(g)
     return {"ratio": sqrt((of["axial"] - of["flat"]) / of["tall"])}
 
@@ -80,7 +80,7 @@ def mistakes(g):
 def draw(g, ax):
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=-60, elevation=15)
-    r, h = 1.0, 1.6  # not of the asked shape
+    r, h = 1.0, 1.6  # not the shape asked for
     O, high = (0, 0, 0), (0, 0, h)
     for side in (1, -1):
         s.cone(O, ground.k * side, h, r)

@@ -6,7 +6,7 @@ from newton_euler.applications import normal_moment
 
 
 def rotor(g):
-    """Ground with z up, the bracket with its origin at G, the cylinder, of any length."""
+    """Ground with z up, the bracket with origin G, and the cylinder, of arbitrary length."""
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "z", rate=g.Omega)
     spinning = bracket.rotate("cylinder", "x", rate=g.P)
@@ -30,11 +30,11 @@ def solve(g):
 def steps(g):
     _, _, body = rotor(g)
     I = body.inertia.moment("x")
-    return {"I": I, "H_spin": g.P * I}
+    return {"I": I, "H_spin": g.P * I, "M_spin": on_the_rotor(g)}
 
 
 def prove(g):
-    """What a cylinder of another length needs about C, less what its weight gives there."""
+    """The moment that a cylinder of another length needs about C, minus that of its weight."""
     m, length = g.W / g.g, g.r
     C = [0, 0, -2 * g.r]
     points = [

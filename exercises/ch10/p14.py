@@ -1,4 +1,4 @@
-"""10/14: a spinning disk that falls over on a cross shaft, and the forces of its bearings."""
+"""10/14: a spinning disk falling over on a cross shaft, and its bearing forces."""
 
 from exercises.tools import Sketch, minus, mp, mpf, plus, proofs, rot, scaled, times
 from newton_euler import ForceSystem, Frame, particle, pi, solve_linear, sqrt
@@ -7,7 +7,7 @@ from newton_euler.dynamics import resultant_force, resultant_moment, weight
 
 
 def scene(g, rate=0, acceleration=0, spin=0, mass=1):
-    """Level: ground with x along the shaft, z up, and the disk; its shafts' z is from O to it."""
+    """Ground with x along the shaft and z up, and the disk; z of its frame is from O to it."""
     ground = Frame("ground")
     level = pi(g.r) / 2
     shafts = ground.rotate("shafts", "-x", angle=level, rate=rate, acceleration=acceleration)
@@ -25,14 +25,14 @@ def about_shaft(g, body):
 
 
 def fall(g, scene=lambda g: scene(g, mass=g.m)):
-    """theta_dot and theta_ddot, by work and moment of the weight, whatever the spin."""
+    """theta_dot and theta_ddot, by work and moment of the weight, independent of the spin."""
     ground, body = scene(g)
     I_0, arm = about_shaft(g, body), body.centre.position(ground).y
     return sqrt(2 * g.m * g.g * arm / I_0), g.m * g.g * arm / I_0
 
 
 def needed(g, rate, acceleration):
-    """The force, less the weight, and the moment about O that the bearings must give."""
+    """The force without the weight, and the moment about O, that the bearings must exert."""
     ground, body = scene(g, rate, acceleration, g.P, g.m)
     force = resultant_force(g.m, body.centre.acceleration(ground)).expressed_in(ground)
     moment = resultant_moment(body, ground, about=ground.point("O", 0, 0, 0))
@@ -73,7 +73,7 @@ follows = {"F_B": lambda g, F_A: F_A.frame.vector(*needed(g, *fall(g))[0]) - F_A
 
 
 def prove(g):
-    """The disk falls by the moment of its weights, added up; each force by what the other lacks."""
+    """The fall by integrating the moment of the weights; each force by moments about the other."""
     plate = proofs.disk(g.r, order=2)
 
     def body(theta, spin):
@@ -99,7 +99,7 @@ def prove(g):
     acceleration = proofs.vanishing(lacking, 0, unit)
 
     def force_across(x):
-        """The force at the distance c from the place x on the shaft, by the moment about x."""
+        """The force at distance c from the point x of the shaft, by the moment about x."""
         about = (x, 0, 0)
         _, M_y, M_z = minus(moment(level, rate, acceleration, about), of_weights(level, about))
         return scaled(-1 / (2 * x), [0, M_z, -M_y])

@@ -1,4 +1,4 @@
-"""11/1: a cart that slides down a rough chute."""
+"""11/1: a cart sliding down a rough chute."""
 
 from exercises.tools import Sketch, minus, mp, proofs, rate, root, scaled, size, vanishing
 from newton_euler import Frame, pi, sqrt
@@ -14,13 +14,13 @@ def scene(g):
 
 
 def normal_force(g):
-    """The normal force of the chute: the cart does not move across it."""
+    """The normal force of the chute, across which the cart does not move."""
     ground, chute, *_ = scene(g)
     return -weight(g.m, ground.j, g.g).dot(chute.j)
 
 
 def work(g, N=None):
-    """The work of the weight and the friction; N: another normal force than the right one."""
+    """The work of the weight and the friction; N: a wrong normal force."""
     ground, chute, A, B = scene(g)
     N = normal_force(g) if N is None else N
     forces = {"weight": weight(g.m, ground.j, g.g), "friction": -g.mu * N * chute.i}
@@ -51,18 +51,18 @@ def steps(g):
 
 
 def prove(g):
-    """The motion in time along a line; besides the weight acts the chute, by the friction law."""
+    """The motion over time, under the weight and the chute's force by the friction law."""
     down = [mp.cos(g.theta), -mp.sin(g.theta)]
     across = [mp.sin(g.theta), mp.cos(g.theta)]
     place = lambda a: lambda t: scaled(g.v_A * t + a * t**2 / 2, down)
 
     def parts(a):
-        """The parts of the force of the chute, up it and across it."""
+        """The components of the chute's force, up it and across it."""
         F = scaled(g.m, minus(proofs.second_rate(place(a)), [0, -g.g]))
         return tuple(sum(f * e for f, e in zip(F, line, strict=True)) for line in (down, across))
 
     a = vanishing(lambda a: parts(a)[0] + g.mu * parts(a)[1], 0, g.g)
-    # the first time at which the cart is L away: it comes to rest beyond B, if at all
+    # the first time at the distance L: the cart stops beyond B, if at all
     far = 2 * g.L / g.v_A if a >= 0 else min(2 * g.L / g.v_A, -g.v_A / a)
     end = root(lambda t: size(place(a)(t)) - g.L, 0, far)
     along, N = parts(a)

@@ -14,13 +14,13 @@ def scene(g):
 
 
 def cable(g):
-    """The length of the cable as far as C, at the start and at the end."""
+    """The length of the cable from the block to C, at the start and at the end."""
     _, A, B, C = scene(g)
     return (C - A).norm(), (C - B).norm()
 
 
 def work(g):
-    """The pulled end moves by as much as the part between block and pulley shortens."""
+    """The works of cable and spring; the pulled end moves as far as the block's part shortens."""
     start, end = cable(g)
     taken = spring_potential(g.k, g.x_1 + g.d) - spring_potential(g.k, g.x_1)
     return summed({"cable": g.F * (start - end), "spring": -taken})
@@ -40,7 +40,7 @@ def steps(g):
 
 
 def prove(g):
-    """The motion in time, from the forces along the rail; their work is added up on the way."""
+    """The motion over time, from the forces along the rail, with their work."""
     C = [g.d, g.h]
 
     def rates(state):

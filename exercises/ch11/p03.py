@@ -1,7 +1,7 @@
-"""11/3: a car that drives up one slope and coasts up a steeper one."""
+"""11/3: a car driving up one slope and coasting up a steeper one."""
 
 from exercises.tools import Sketch, minus, mp, proofs, rate, root, scaled, size, vanishing
-from newton_euler import Frame, sin, solve_linear
+from newton_euler import Frame, cos, sin, solve_linear
 from newton_euler.algebra.ledger import summed
 from newton_euler.dynamics import constant_force_work
 
@@ -11,7 +11,8 @@ def scene(g):
     ground = Frame("ground")
     first = ground.rotate("first slope", "z", angle=g.theta_1)
     B = first.point("B", g.s_AB, 0, 0)
-    second = first.rotate("second slope", "z", angle=g.theta_2 - g.theta_1, origin=B)
+    start = ground.point("B", g.s_AB * cos(g.theta_1), g.s_AB * sin(g.theta_1), 0)
+    second = ground.rotate("second slope", "z", angle=g.theta_2, origin=start)
     return ground, first, second, ground.origin, B
 
 
@@ -22,10 +23,10 @@ def work_to_B(g):
 
 
 def distance(g, U):
-    """Along the second slope, on which the weight does the work -U."""
-    ground, _, second, _, B = scene(g)
-    energy = lambda s: U + constant_force_work(-g.W * ground.j, B, second.point("P", s, 0, 0)).value
-    return solve_linear(energy, "s").s
+    """The distance on the second slope, where the weight does the work -U."""
+    ground, _, second, _, _ = scene(g)
+    work = lambda P: constant_force_work(-g.W * ground.j, second.origin, P).value
+    return solve_linear(lambda s: U + work(second.point("P", s, 0, 0)), "s").s
 
 
 def solve(g):
@@ -38,8 +39,8 @@ def steps(g):
 
 
 def prove(g):
-    """The motion in time on either slope: besides the weight the engine's force acts, or none."""
-    gravity = 10  # its acceleration, any: the mass is W over it, and the distances are the same
+    """The motion over time on each slope, with and without the engine's force."""
+    gravity = 10  # any value: the distances do not depend on it
     m = g.W / gravity
 
     def line(angle, v, a):
@@ -77,7 +78,7 @@ def draw(g, ax):
     long, high = 0.14 * g.s_AB, 0.06 * g.s_AB
     end = second.point("end", 0.75 * g.s_AB, 0, 0)
     s.road([(-0.2 * g.s_AB, 0, 0), A])
-    s.wire([A, B, end])  # without hatching, so that the small angles are free
+    s.wire([A, B, end])  # without hatching, for the small angles
     s.box(first.point("car", 0, 0.8 * high, 0), first, (long, high, high))
     for x in (-0.3 * long, 0.3 * long):
         s.disk(first.point("wheel", x, 0.3 * high, 0), ground.k, 0.3 * high)

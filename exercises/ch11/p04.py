@@ -1,4 +1,4 @@
-"""11/4: a collar that slides down a quarter of a hoop into a spring."""
+"""11/4: a collar sliding down a quarter hoop into a spring."""
 
 from exercises.devices.quarter_hoop import sketch, slides, work_of_weight
 from exercises.tools import until
@@ -7,7 +7,7 @@ from newton_euler.dynamics import speed_after, spring_potential
 
 
 def compression(g, v):
-    """The compression at which the spring has taken the collar's energy at the speed v."""
+    """The compression at which the spring has absorbed the collar's energy at the speed v."""
     return sqrt(g.m * v**2 / 2 / spring_potential(g.k, g.one))
 
 
@@ -28,7 +28,7 @@ follows = {"x_max": lambda g, v_B: compression(g, v_B)}
 
 
 def prove(g):
-    """The motion in time, down the hoop and then against the spring."""
+    """The motion over time, down the hoop and then against the spring."""
     t, v = slides(g)
 
     def against(state):

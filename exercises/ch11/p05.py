@@ -1,4 +1,4 @@
-"""11/5: a collar that slides down a quarter of a hoop, pulled by a spring from across."""
+"""11/5: a collar sliding down a quarter hoop, pulled by a spring from the other side."""
 
 from exercises.devices.quarter_hoop import hoop, sketch, slides, spring_pull, work_of_weight
 from exercises.tools import minus, size
@@ -36,7 +36,7 @@ def steps(g):
 
 
 def prove(g):
-    """The motion in time, from the forces at each place of the hoop."""
+    """The motion over time, from the forces along the hoop."""
     P = [g.R, 0]
     _, v = slides(g, spring_pull(g, P))
     x_A, x_B = (size(minus(end, P)) - g.l_0 for end in ([-g.R, 0], [0, -g.R]))

@@ -1,4 +1,4 @@
-"""11/6: two arms with a spring between them that fall open."""
+"""11/6: two arms, joined by a spring, that fall open."""
 
 from exercises.tools import Sketch, mp, until
 from newton_euler import Frame, dynamics, pi, sin
@@ -6,7 +6,7 @@ from newton_euler.algebra.ledger import summed
 
 
 def scene(g, theta):
-    """The ground with y up; of the left and the right arm the body and the end of the spring."""
+    """The ground with y up; body and end of the spring for the left and the right arm."""
     ground = Frame("ground")
     sides = []
     for name, turn in (("left", theta), ("right", -theta)):
@@ -62,7 +62,7 @@ def steps(g):
 
 
 def prove(g):
-    """The right arm in time: moments of weight and spring about O, and the works of both sides."""
+    """The right arm over time: moments of weight and spring about O, works for both arms."""
     free = 2 * g.c  # each end is then c to the side
 
     def rates(state):

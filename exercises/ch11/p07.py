@@ -1,4 +1,4 @@
-"""11/7: a linkage of two pairs of links that folds down on a spring."""
+"""11/7: a linkage of two pairs of links, folding down on a spring."""
 
 from exercises.tools import Sketch, minus, mp, until
 from newton_euler import Frame, acos, atan2, cos, sin, sqrt
@@ -16,8 +16,8 @@ def scene(g, theta, side=1):
 
 
 def height(g):
-    """p, q and the height of the collar in k h^2/2 - p h + q = 0: the energies over x = a + b - h,
-    which is 0 where all began, and times h.
+    """p, q and the height h of the collar from k h^2/2 - p h + q = 0, the energy equation times h
+    over x = a + b - h, which is 0 at the start.
     """
     p = g.k * (g.a + g.b) / 2 - (g.m_c + g.m_b) * g.g
     q = g.m_b * g.g * (g.b - g.a)
@@ -34,9 +34,9 @@ def steps(g):
 
 
 def prove(g):
-    """The power of the forces, per rate of the lower links, is added up along the motion until all
-    work is given back. The velocity of the collar is that about the instantaneous centre of an
-    upper link: at the height of the collar, on the line of the lower link.
+    """The power of the forces, per rate of the lower links, integrated along the motion until the
+    work returns to zero. The velocity of the collar is about the instantaneous centre of an upper
+    link, at the height of the collar on the line of the lower link.
     """
 
     def ball(lean):
@@ -46,7 +46,7 @@ def prove(g):
         return y + mp.sqrt(g.b**2 - x**2)
 
     def power(state):
-        """Of the collar's weight, of the balls' and of the spring."""
+        """The power of the collar's weight, of the balls' and of the spring."""
         x, y = ball(state[0])
         h = collar(x, y)
         # the centre is (x h/y, h), and both of its distances are multiplied by y

@@ -1,4 +1,4 @@
-"""11/8: a particle on a light frame that swings down and stretches a spring."""
+"""11/8: a particle on a light frame, swinging down and stretching a spring."""
 
 from exercises.devices.spring_to_pin import pull
 from exercises.tools import Sketch, minus, mp, plus, size, speed_along
@@ -30,7 +30,7 @@ def drop(g):
 
 
 def energies(g):
-    """What the weight loses, and what the spring takes."""
+    """The loss of potential energy of the weight, and the gain of the spring's."""
     _, C, (_, B) = ends(g)
     return weight_potential(g.m, drop(g), g.g), spring_between(g.k, lengths(g)[0], C, B)
 
@@ -52,7 +52,7 @@ def steps(g):
 
 
 def prove(g):
-    """The forces of weight and spring, added up along the circle of B."""
+    """The forces of weight and spring, integrated along the circle of B."""
     circle = lambda theta: [g.b * mp.sin(theta), 0, g.b * mp.cos(theta)]
     C = [0, 0, g.d]
     start, end = circle(g.theta_0), circle(g.theta_1)

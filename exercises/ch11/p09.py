@@ -1,4 +1,4 @@
-"""11/9: a roller coaster: the seat in a loop, and a hump on which the car just stays."""
+"""11/9: a roller coaster: the force of the seat in a loop, and a hump without contact force."""
 
 from exercises.devices.vertical_loop import circle, contact, draw_loop, proved_contact
 from exercises.tools import Sketch, force_needed, mp, speed_along
@@ -26,7 +26,7 @@ def at_D(g, v, r=None, **shares):
 
 
 def least_radius(g, v):
-    """The radius at which the weight is just the force that the crest needs."""
+    """The radius at which the crest needs a force equal to the weight."""
 
     return root(lambda rho: g.W - path_force(mass(g), v, 0, 1 / rho)[1], g.h / 100, 10 * g.h)
 
@@ -48,7 +48,7 @@ def steps(g):
 
 
 def prove(g):
-    """The weight added up along some track that leads from A to B, round the loop and up to E."""
+    """The weight integrated along some track from A to B, round the loop and up to E."""
     m, r = g.W / g.g, g.d / 2
     weight = lambda place: [0, 0, -g.W]
     v_B = speed_along(m, weight, lambda q: [g.h * q, 0, g.h * (1 - q) ** 2], 0, 1)

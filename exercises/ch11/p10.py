@@ -1,4 +1,4 @@
-"""11/10: the least compression of a spring that shoots a pellet round a loop."""
+"""11/10: the least compression of a spring to shoot a pellet round a loop."""
 
 from exercises.devices.vertical_loop import contact, draw_loop, proved_contact
 from exercises.tools import ProofError, Sketch, after, mp, mpf, until
@@ -12,7 +12,7 @@ def mass(g):
 
 
 def least_speed(g, r):
-    """The speed at the top of a loop of radius r at which contact is just kept."""
+    """The speed at which a pellet just keeps contact at the top of a loop of radius r."""
     fast = 10 * sqrt(g.g * r)
     return root(lambda v: contact(mass(g), g.g, r, pi(r), v), fast / 1000, fast)
 
@@ -22,7 +22,7 @@ def kinetic(g, v):
 
 
 def compression(g, v, rise):
-    """The compression that gives the pellet the speed v after the rise."""
+    """The compression that gives the pellet the speed v at the height ``rise``."""
     needed = kinetic(g, v) + weight_potential(mass(g), rise, g.g)
     most = g.W / g.k + 10 * rise
     return {"x_min": root(lambda x: spring_potential(g.k, x) - needed, most / 10**4, most)}
@@ -39,7 +39,7 @@ def steps(g):
 
 
 def prove(g):
-    """Backward in time from the top, where the loop ceases to push, into the spring to rest."""
+    """Backward in time from the top, with zero contact force, into the spring to rest."""
     m = g.W / g.g
     v = proved_root(lambda v: proved_contact(m, g.g, g.r, mp.pi, v), 0, 10 * mp.sqrt(g.g * g.r))
     swing = mp.sqrt(g.r / g.g)
@@ -54,7 +54,7 @@ def prove(g):
     _, (x, _) = until(slowing, [mpf(0), v_B], lambda s: s[1], mp.sqrt(m / g.k) / 2)
 
     def gets_round(speed):
-        """Whether a pellet that enters the loop with this speed touches it in all places."""
+        """Whether a pellet that enters the loop at this speed keeps contact all the way."""
         state, moment = [0.0, float(speed / g.r)], float(swing / 20)
         while state[0] < 2 * mp.pi:
             if proved_contact(m, g.g, g.r, state[0], state[1] * g.r) < 0:

@@ -31,7 +31,7 @@ def work(g, end):
 
 
 def speeds(g, U_B, U_A, v_C=None):
-    """After these works."""
+    """The speeds after these works."""
     m, start = mass_from_weight(g.W, g.g), g.v_C if v_C is None else v_C
     T_C = m * start**2 / 2
     return {key: speed_after(0, T_C + U, m) for key, U in (("v_B", U_B), ("v_A", U_A))}
@@ -52,7 +52,7 @@ follows = {"v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weig
 
 
 def prove(g):
-    """The pull of the spring, added up along the hoop."""
+    """The pull of the spring, integrated along the hoop."""
     hoop = lambda phi: [-g.R * mp.cos(phi), g.R * mp.sin(phi), 0]
     P = [g.R + g.d, 0, 0]
     at_C, at_B = hoop(0), hoop(mp.pi / 2)
@@ -93,3 +93,4 @@ def draw(g, ax):
     s.dimension(A, P, label="d", offset=-0.35 * g.R)
     s.arrow(O, (-0.6 * g.R, -0.8 * g.R, 0), label="R")
     s.label(P, "P", offset=(16, 0))
+    s.vector(C, ground.j, "$v_C$", kind="velocity")

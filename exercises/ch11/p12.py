@@ -31,7 +31,7 @@ def work(g, name):
 
 
 def speeds(g, U_B, U_C):
-    """After these works."""
+    """The speeds after these works."""
     return {"v_B": speed_after(0, U_B, g.m), "v_C": speed_after(0, U_C, g.m)}
 
 
@@ -49,7 +49,7 @@ follows = {"v_C": lambda g, v_B: speed_after(v_B, energy(g, "B") - energy(g, "C"
 
 
 def prove(g):
-    """The pull of the spring, added up along the rod."""
+    """The pull of the spring, integrated along the rod."""
     rod = lambda phi: [-g.r * mp.cos(phi), 0, g.r * mp.sin(phi)]
     D = [g.x_D, g.y_D, g.z_D]
     spring = pull(g.k, g.l_0, D)

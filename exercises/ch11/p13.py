@@ -24,7 +24,7 @@ def field(g):
 
 
 def edge(start, end):
-    """The way between two places as a function of a number from 0 to 1."""
+    """The segment between two places, as a function of a number from 0 to 1."""
     return lambda s: tuple(p + s * (q - p) for p, q in zip(start, end, strict=True))
 
 
@@ -38,7 +38,7 @@ def work(g, start, end):
 
 
 def round_trip(g, places):
-    """The works along the sides, with the way back to the first place."""
+    """The works along the sides, back to the first place."""
     return [work(g, P, Q) for P, Q in pairwise([*places, places[0]])]
 
 
@@ -54,7 +54,7 @@ def candidate(g):
 
 
 def answers(g, V):
-    """V, and how far its slope is from -F_x."""
+    """V, and the difference of its slope and -F_x."""
     P = Frame("axes").point("P", g.x, g.y, g.z)
     slope = -conservative_force(V, P).x
     return {"V": V(g.x, g.y, g.z), "mismatch_x": slope + field(g)(g.x, g.y, g.z)[0]}
@@ -96,7 +96,7 @@ def prove(g):
         return [sum(c * q for c, q in zip(row, r, strict=True)) for row in rows]
 
     def circulation(r):
-        """Round a place, for the unit of area."""
+        """The circulation around a place, per unit area."""
         to_y = rate(lambda t: F(plus(r, [t, 0, 0])))[1]
         return to_y - rate(lambda t: F(plus(r, [0, t, 0])))[0]
 
@@ -137,7 +137,7 @@ def mistakes(g):
     F, none = field(g), 0 * g.x
 
     def in_three_legs(x, y, z, x_0, y_0):
-        """Less the work along x, then y at ``x_0``, then z at ``x_0`` and ``y_0``."""
+        """Minus the work along x, then y at ``x_0``, then z at ``x_0`` and ``y_0``."""
         ways = (
             lambda s: F(s * x, none, none)[0] * x,
             lambda s: F(x_0, s * y, none)[1] * y,

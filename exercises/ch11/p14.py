@@ -1,4 +1,4 @@
-"""11/14: a central force with the cube of the distance in it: its test and its potential."""
+"""11/14: a central force with the cube of the distance: its test and its potential."""
 
 from exercises.tools import Sketch, gradient, proofs, rate
 from newton_euler import Frame, integral
@@ -20,7 +20,7 @@ def place(g):
 
 
 def derivatives(g):
-    """One of each pair."""
+    """One cross derivative of each pair."""
     J = jacobian(field(g), place(g))
     return Frame("axes").vector(*(J[n][m] for n, m in ((0, 1), (1, 2), (2, 0))))
 
@@ -42,7 +42,7 @@ def steps(g):
 
 
 def prove(g):
-    """Slopes along slanted lines, and the work along a curve that is not the segment."""
+    """Slopes along slanted lines, and the work along a curve."""
 
     def force(x, y, z):
         r = proofs.size([x, y, z])

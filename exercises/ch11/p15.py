@@ -1,4 +1,4 @@
-"""11/15: a collar that a spring drives outward on a rod, which turns freely about the vertical."""
+"""11/15: a collar driven outward by a spring on a rod that turns freely about the vertical."""
 
 from exercises.tools import Sketch, mp, until
 from newton_euler import Frame, kinetic_energy, moving, particle, root, solve_rates, sqrt
@@ -42,10 +42,10 @@ def speed(g):
 
 
 def answers(g, rate):
-    """``rate``: of the rod, as a function of the place of the collar."""
+    """The answers; ``rate``: of the rod, as a function of r."""
 
     def surplus(r):
-        """What is left for the radial motion."""
+        """The kinetic energy of the radial motion."""
         return energy(g) - potential(g, r) - kinetic(g, r, 0, rate(r))
 
     omega_B = rate(g.r_B)
@@ -74,7 +74,7 @@ def steps(g):
 
 
 def prove(g):
-    """The collar's rectangular coordinates in time: only the spring acts on it in the plane."""
+    """The collar's rectangular coordinates over time, under the spring alone."""
     m = g.W / g.g
 
     def rates(state):

@@ -39,7 +39,7 @@ def steps(g):
 
 
 def prove(g):
-    """Each mass point is on a cycloid: in one turn the disk advances by the length of its rim."""
+    """Mass points on cycloids: the disk advances by its circumference per turn."""
     omega = 2 * mp.pi / (2 * mp.pi * g.r / g.u)
     points = proofs.disk(g.r, order=2)
 

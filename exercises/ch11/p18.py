@@ -33,13 +33,13 @@ def half_product(I, omega):
 
 
 def about_O(g, omega):
-    """The kinetic energy of the sphere that turns at omega about O, at rest."""
+    """The kinetic energy of the sphere turning at omega about the fixed point O."""
     axes, O = hung()
     return half_product(body(g, axes).about(O), axes.vector(*omega.components()))
 
 
 def answers(g, energy):
-    """``energy``: as a function of the angular velocity, along x, y, z."""
+    """The answers; ``energy``: a function of the angular velocity along x, y, z."""
     axes, _ = hung()
     return {"T_omega": energy(by_components(g, axes)), "T_euler": energy(by_euler(g, axes))}
 
@@ -61,7 +61,7 @@ def steps(g):
 
 
 def prove(g):
-    """The mass points of the ball, turned about one axis, and by Euler's angles in time."""
+    """By mass points of the ball, turned about one axis, and by Euler's angles."""
     points = [(u, [x, y, z + g.R]) for u, (x, y, z) in ball(g.R, order=2)]
     axis = [g.omega_x, g.omega_y, g.omega_z]
     tilt = lambda t: rot("x", g.theta + g.theta_dot * t)

@@ -1,4 +1,4 @@
-"""11/19: the kinetic energies of two disks that roll on one shaft round the vertical."""
+"""11/19: the kinetic energies of two disks on one shaft, rolling round the vertical."""
 
 from exercises.devices.disk_on_shaft import energy_of_disk, rolling, spinning, unrolled
 from exercises.tools import Sketch
@@ -11,7 +11,7 @@ def places(g):
 
 
 def answers(g, energy):
-    """``energy``: of a disk, as a function of its distance from the axis."""
+    """The answers; ``energy``: of a disk, as a function of its distance from the axis."""
     outer, inner = map(energy, places(g).values())
     return {"T_outer": outer, "T_inner": inner, "ratio": outer / inner}
 

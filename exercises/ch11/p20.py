@@ -1,4 +1,4 @@
-"""11/20: the kinetic energy of a disk on an arm that rolls round the inside of a cylinder."""
+"""11/20: the kinetic energy of a disk on an arm, rolling round the inside of a cylinder."""
 
 from exercises.devices.disk_on_shaft import carried, contact, rolling, spinning, unrolled
 from exercises.tools import Sketch, angular_velocity, mp, plus, proofs, rate, rot, size, times
@@ -30,7 +30,7 @@ def rolls(g):
 
 
 def axial(d):
-    """The axial angular velocity; the spin is against the turning of the arm, and larger."""
+    """The axial angular velocity; the spin opposes the rotation of the arm and exceeds it."""
     return -d.body.angular_velocity(d.ground).expressed_in(d.shaft).x
 
 
@@ -65,14 +65,14 @@ def steps(g):
 
 
 def prove(g):
-    """The rim touches the wall and unrolls along it; mass points of the same inertia."""
+    """By the rim rolling along the wall, and mass points of the same inertia."""
     Omega = 2 * mp.pi * g.f
     gap = lambda theta: g.R - times(rot("y", theta - mp.pi / 2), [g.L, 0, -g.r])[0]
     theta = proofs.root(gap, 0, mp.pi / 4)
     up = mp.pi / 2 - theta
     spin = unrolled(Omega, g.r, g.R)
 
-    # about G: four points round OA, two on OA, and the rest of the mass at G
+    # four points around OA, two on OA, and the rest of the mass at G
     one, round_it, on_it = g.L, g.I_a / (4 * g.L**2), (g.I_t - g.I_a / 2) / (2 * g.L**2)
     around = [(round_it, [0, y * one, z * one]) for y, z in ((1, 0), (-1, 0), (0, 1), (0, -1))]
     along = [(on_it, [x * one, 0, 0]) for x in (1, -1)]

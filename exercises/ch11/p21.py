@@ -1,4 +1,4 @@
-"""11/21: the kinetic energy of a disk on a slanting shaft that rolls in a circle."""
+"""11/21: the kinetic energy of a disk on an inclined shaft, rolling in a circle."""
 
 import math
 
@@ -9,12 +9,12 @@ from newton_euler.bodies import disk
 
 
 def shaft(g):
-    """In the triangle D, C, P the right angle is at C. The spin does not matter for the place."""
+    """The disk on its shaft; the triangle D, C, P has its right angle at C."""
     return spinning(g.n, 0 * g.n, g.b, atan(g.a / g.b))
 
 
 def rate(g, d):
-    """The disk turns about the level line from contact to D as fast as the shaft carries C."""
+    """The rate of the disk about the line from the contact to D, by the velocity of C."""
     unlike = lambda rate: (rate * -d.ground.i - g.n * d.ground.k).cross(d.C.position(d.ground)).y
     (found,) = solve_rates(unlike, 1)
     return found
@@ -56,7 +56,7 @@ def steps(g):
 
 
 def prove(g):
-    """The rim unrolls along the circle of the points of contact, whose radius is DP."""
+    """By the rim rolling along the circle of contact, of radius DP."""
     up = mp.acos(g.b / mp.hypot(g.a, g.b))
     spin = unrolled(g.n, g.a, g.b * mp.cos(up) + g.a * mp.sin(up))
 

@@ -1,4 +1,4 @@
-"""11/22: the kinetic energy of a cone that rolls round its tip."""
+"""11/22: the kinetic energy of a cone rolling about its tip."""
 
 from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, bodies, cos, sin, solve_rates, tan
@@ -14,7 +14,7 @@ def scene(g, spin):
 
 
 def rolling(g):
-    """The scene with the spin that keeps the line of contact at rest: nothing turns it about z."""
+    """The scene in rolling: omega has no z component."""
 
     def turning(spin):
         _, contact, body, _ = scene(g, spin)
@@ -42,7 +42,7 @@ def steps(g):
 
 
 def prove(g):
-    """The base unrolls on a circle as large as the side is long; mass points in this motion."""
+    """By mass points, the base rolling on a circle whose radius is the side of the cone."""
     r, side = g.h * mp.tan(g.alpha), g.h / mp.cos(g.alpha)
     base = proofs.disk(r, order=2)
     points = [
@@ -61,7 +61,7 @@ def prove(g):
         return [(share, proofs.times(R, place)) for share, place in points]
 
     def about_x(angle):
-        """The squares of the distances from the x axis, with the axis of the cone so inclined."""
+        """The mean square distance from the x axis, with the axis of the cone at this angle."""
         tilt = proofs.rot("y", -angle)
         return g.M * proofs.mean(lambda p: sum(x * x for x in proofs.times(tilt, p)[1:]), points)
 

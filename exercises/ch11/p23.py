@@ -1,4 +1,4 @@
-"""11/23: energy and angular momentum of a turning platform with a particle that slides in it."""
+"""11/23: energy and angular momentum of a turning platform with a sliding particle."""
 
 from exercises.tools import Sketch, in_frame, mpf, proofs
 from newton_euler import Frame, moving, particle
@@ -41,7 +41,7 @@ def steps(g):
 
 
 def prove(g):
-    """The platform as mass points, and the particle, in the spiral that it goes through."""
+    """The platform as mass points, and the particle on its spiral."""
     rim = proofs.disk(g.a, order=2)
 
     def platform(t):

@@ -1,4 +1,4 @@
-"""11/24: a pendulum made of a rod and a bob, let go."""
+"""11/24: a pendulum of a rod and a bob, released from rest."""
 
 from exercises.tools import Sketch, mp, mpf, proofs
 from newton_euler import Frame, cos, particle, sin
@@ -22,7 +22,7 @@ def potentials(g, theta):
 
 
 def losses(g):
-    """What rod and bob lose of it on the way down."""
+    """The losses of potential energy of rod and bob."""
     pairs = zip(potentials(g, g.theta_A), potentials(g, 0), strict=True)
     return [start - end for start, end in pairs]
 
@@ -34,7 +34,7 @@ def moments(g):
 
 
 def speed(g, T, I):
-    """The speed of the bob, where the pendulum of this inertia has the kinetic energy T."""
+    """The speed of the bob for the kinetic energy T and this inertia."""
     return speed_after(0, T, I / g.l**2)
 
 
@@ -53,7 +53,7 @@ def steps(g):
 
 
 def prove(g):
-    """The motion from release, the mass points' moment equal to that of their weights."""
+    """The motion from release, with mass points that need the moment of their weights."""
     along = [
         (share, [g.l * (p[0] + mpf(1) / 2), 0, 0]) for share, p in proofs.box(1, 0, 0, order=2)
     ]

@@ -1,4 +1,4 @@
-"""11/25: a particle that is attracted to the origin, in a tube along a space curve."""
+"""11/25: a particle attracted to the origin, in a tube along a space curve."""
 
 from math import degrees
 
@@ -8,7 +8,7 @@ from newton_euler.dynamics import gravitational_potential, speed_after
 
 
 def tube(g, theta):
-    """The particle in the tube, as theta grows at the rate of 1 in the units of theta."""
+    """The particle in the tube, for theta increasing at unit rate."""
     theta = moving(theta, rate=1)
     return cylindrical(Frame("ground"), "P", g.R_0 + g.q * theta, theta, g.p * theta)
 
@@ -23,12 +23,12 @@ def from_origin(g, theta):
 
 
 def speed_from(g, V):
-    """The speed at theta = 0, with the potential energy V at the release."""
+    """The speed at theta = 0, for the potential energy V at release."""
     return speed_after(0, V - potential(g, g.R_0), g.m)
 
 
 def velocity(g, speed, radial=1):
-    """Down the tube; ``radial`` weighs the radial part of its direction."""
+    """The velocity down the tube; ``radial`` multiplies the radial part of its direction."""
     P = tube(g, 0 * g.z_0 / g.p)
     along = P.velocity(P.local.parent).reweighted(radial=radial)
     return -along.direction() * speed
@@ -61,7 +61,7 @@ def steps(g):
 
 
 def prove(g):
-    """The attraction added up along the tube, in rectangular coordinates."""
+    """The attraction integrated along the tube, in rectangular coordinates."""
     place = lambda theta: proofs.at_angle(g.R_0 + g.q * theta, theta, g.p * theta)
     force = lambda r: proofs.scaled(-g.K * g.m / proofs.size(r) ** 3, r)
     start = proofs.root(lambda theta: place(theta)[2] - g.z_0, 0, 2 * g.z_0 / g.p)
@@ -92,7 +92,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    """Seen from the middle between x and the particle."""
+    """The view is from halfway between x and the particle."""
     ground, start = Frame("ground"), g.z_0 / g.p
     s = Sketch(ax, ground, azimuth=degrees(start / 2), elevation=24)
     R = lambda theta: g.R_0 + g.q * theta

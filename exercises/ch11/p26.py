@@ -15,7 +15,7 @@ def potential(g, depth):
 def ratio(g):
     """The ratio of the kinetic energies at c and b, with the same angular momentum."""
 
-    def per_square(depth):  # of the angular momentum, whatever the rate is
+    def per_square(depth):  # over the square of the angular momentum, at any rate
         T, H = level_motion(g.m, g.a, depth, sqrt(g.g / g.a))
         return T / H**2
 
@@ -23,7 +23,7 @@ def ratio(g):
 
 
 def kinetic(g, at_c):
-    """The kinetic energy at the level b, if that at c is this multiple of it."""
+    """The kinetic energy at the level b, for this ratio of that at c to it."""
 
     (T_b,) = solve_rates(lambda T_b: (1 - at_c) * T_b + potential(g, g.b) - potential(g, g.c), 1)
     return T_b
@@ -34,7 +34,8 @@ def energy(g, at_c):
 
 
 def solve(g):
-    return energy(g, ratio(g))
+    v_b = speed_after(0, kinetic(g, ratio(g)), g.m)
+    return {"E_total": g.m * v_b**2 / 2 + potential(g, g.b)}
 
 
 def steps(g):
@@ -46,7 +47,7 @@ def steps(g):
 
 
 def prove(g):
-    """The speed at b from which the bob next moves level at c: in floats, then more closely."""
+    """The speed at b after which the bob is next horizontal at c: in floats, then refined."""
 
     def miss(speed):
         kind = float if isinstance(speed, float) else g.one.__class__

@@ -1,4 +1,4 @@
-"""11/27: how far down a spherical pendulum comes that is thrown from the level position."""
+"""11/27: how far a spherical pendulum descends from a horizontal start."""
 
 from exercises.devices.spherical_pendulum import (
     depth_angle,
@@ -27,7 +27,7 @@ def steps(g):
 
 
 def prove(g):
-    """The motion under the weight and the force of the rod, until it goes up again."""
+    """The motion under the weight and the force of the rod, until it rises again."""
     place, _ = other_level(g.g, 0 * g.l, g.l, g.u_0)
     r, v = start(0 * g.l, g.l, g.u_0)[:3], [0, g.u_0, 0]
     return {"angle": depth_angle(place), "H": g.m * proofs.cross(r, v)[2]}

@@ -1,4 +1,4 @@
-"""11/28: a particle in a ring that turns freely about its vertical diameter."""
+"""11/28: a particle in a ring turning freely about its vertical diameter."""
 
 from exercises.devices.spherical_pendulum import (
     depth_angle,
@@ -12,7 +12,7 @@ from newton_euler.dynamics import weight_potential
 
 
 def cosine(g, share=1):
-    """The cosine of the smallest angle, which is the sine of the angle below the level."""
+    """The cosine of the smallest angle, the sine of the angle below the horizontal."""
     return sine_of_descent(g.m, g.a, g.omega, g.g, share)
 
 
@@ -31,8 +31,8 @@ def steps(g):
 
 
 def prove(g):
-    """The motion under the weight and a force along the radius, as the ring can give no other: one
-    across it needs a moment. At the lowest point the motion turns round.
+    """The motion to the lowest point, under the weight and a radial force, the only one that a
+    massless ring exerts.
     """
     place, _ = other_level(g.g, 0 * g.a, g.a, g.a * g.omega)
     return answers(mp.pi / 2 - depth_angle(place))

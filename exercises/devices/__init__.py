@@ -1,1 +1,1 @@
-"""Devices of the book, shared by problems: frames, points, figure, and the proofs' motion."""
+"""Devices shared by several problems: frames, points, figure, and the motion for ``prove``."""

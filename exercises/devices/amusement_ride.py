@@ -12,14 +12,14 @@ def coordinates(g):
 
 
 def car(g):
-    """Ground, with z up, and the car by its cylindrical and by its spherical coordinates."""
+    """Ground, with z up, and the car in cylindrical and in spherical coordinates."""
     ground = Frame("ground")
     r, theta, z, phi = coordinates(g)
     return (ground, cylindrical(ground, "P", r, theta, z), spherical(ground, "P", g.R, theta, phi))
 
 
 def steps(g, section, *names):
-    """The steps of these names, r, z and phi and their rates, for a section of the book."""
+    """The named ones of r, z, phi and their rates as steps."""
     r, _, z, phi = coordinates(g)
     means = {
         "z": (z.value, "m", "height of the car at theta = pi/4"),
@@ -29,7 +29,7 @@ def steps(g, section, *names):
         "r_ddot": (
             r.acceleration,
             "m/s^2",
-            r"its second rate, $-(\dot{z}^2 + z\,\ddot{z} + \dot{r}^2)/r$",
+            r"its second rate, from $r\,\dot{r} = -z\,\dot{z}$",
         ),
         "sin_phi": (sin(phi.value), "1", "sine of the elevation of the arm, z/R"),
         "cos_phi": (cos(phi.value), "1", "cosine of the elevation, sqrt(1 - sin(phi)^2)"),
@@ -45,7 +45,7 @@ def steps(g, section, *names):
 
 
 def car_in_time(g):
-    """Proof, the place of the car in time, at theta = pi/4 at t = 0."""
+    """Proof: position of the car over time, theta = pi/4 at t = 0."""
 
     def P(t):
         theta = mp.pi / 4 + g.omega * t
@@ -57,7 +57,7 @@ def car_in_time(g):
 
 
 def proved_steps(g, *names):
-    """Proof: those of r, z and phi and their rates that are steps of a problem."""
+    """Proof: the named ones of r, z, phi and their rates."""
     P = car_in_time(g)
     found = {}
     for name, of in {
@@ -79,7 +79,7 @@ def on_track(g, theta):
 
 
 def figure(g, ax, elevation_angle=False):
-    """The ride with the track, the height of a car or the elevation of its arm, and theta."""
+    """The ride, its track, theta, and the height of a car or the elevation of its arm."""
     ground, C, P = car(g)
     s = Sketch(ax, ground, azimuth=12, elevation=33)
     place = P.position(ground)
@@ -109,7 +109,7 @@ def figure(g, ax, elevation_angle=False):
 
 
 def section(g, ax):
-    """The vertical plane of the arm of a car, with the unit vectors of both systems at the car."""
+    """The vertical plane of a car's arm, with the unit vectors of both coordinate systems."""
     ground, C, P = car(g)
     s = Sketch(ax, C.local, plane="xz")
     place = P.position(ground)

@@ -1,7 +1,7 @@
 """Masses on ropes over pulleys, some of which hang on ropes themselves, after Atwood: 5/24, 5/25.
 
-A machine is a pulley: its name, its radius, and for either end of its rope the length of the run
-and what hangs there, the name of a mass or another pulley.
+A machine is a pulley: its name, its radius, and for each end of its rope the length of the run and
+its load, the name of a mass or another pulley.
 """
 
 from exercises.tools import Step
@@ -11,33 +11,33 @@ SIZE = 0.45  # size of a mass
 
 
 def rope(pulley, left, right):
-    """A constraint for ``degrees_of_freedom``: the heights at both ends add up to zero."""
+    """A constraint for ``degrees_of_freedom``: the rope keeps its length."""
     return left[0] + right[0] - 2 * pulley[0]
 
 
 def count(names, **ropes):
-    """Degrees of freedom of things that move vertically only, under these ropes."""
-    return degrees_of_freedom(dict.fromkeys(names, 1), ropes).count
+    """Degrees of freedom of the named parts, which move vertically, with these ropes."""
+    return degrees_of_freedom(dict.fromkeys(names, 1), ropes)
 
 
 def steps_to_count(heights, ropes, phrase):
-    """``phrase``: what the heights are."""
-    yield Step("heights", count(heights), "1", phrase, "5.11", kind="count")
+    """Heights and ropes; ``phrase`` describes the heights."""
+    yield Step("heights", count(heights).unknowns, "1", phrase, "5.11", kind="count")
     yield Step("ropes", len(ropes), "1", "constraints: each rope keeps its length", "5.11", "5.28",
                kind="count")  # fmt: skip
 
 
 def miscounts(masses, heights, ropes):
-    """Wrong counts, of what is forgotten."""
+    """Wrong counts of degrees of freedom."""
     return {
-        "no_pulleys": {"dof": count(masses) - len(ropes)},
+        "no_pulleys": {"dof": count(masses).count - len(ropes)},
         "masses_only": {"dof": count(masses)},
         "no_ropes": {"dof": count(heights)},
     }
 
 
 def draw_machine(s, frame, machine):
-    """In the (x, z) plane of ``frame``, with a ceiling."""
+    """The machine in the (x, z) plane of ``frame``, under a ceiling."""
     radius = machine[1]
     z = 1.6 * radius
     s.road([(2 * radius, 0, z), (-2 * radius, 0, z)])

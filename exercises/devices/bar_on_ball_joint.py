@@ -25,12 +25,12 @@ def moving_so_that(g, conditions):
 
 
 def joint_motion(g):
-    """The assembly as it moves: the velocity of A has the x and y components that are given."""
+    """The assembly with the given x and y components of the velocity of A."""
     return moving_so_that(g, lambda v_A: (v_A.x - g.v_Ax, v_A.y - g.v_Ay))
 
 
 def answers(ground, body, A, D):
-    """What both problems ask for."""
+    """The answers of both problems, for this motion."""
     return in_frame(ground, {"omega": body.angular_velocity(ground), "v_D": D.velocity(ground)})
 
 
@@ -47,21 +47,19 @@ follows = {"v_D": v_D}
 
 
 def steps(g):
-    """What v_A = omega x r_A says component by component."""
+    """The components of v_A = omega x r_A, one by one."""
     ground, body, A, D = joint_motion(g)
     omega = body.angular_velocity(ground).expressed_in(ground)
     yield Step("r_A", A.position(body).expressed_in(ground), "in", "position of A from O", "4.4")
-    means = r"{} component of omega, from $v_{{Ay}} = \omega_z {{x_A}} - {{omega_x}} {{z_A}}$"
-    yield Step("omega_z", omega.z, "rad/s", means.format("z"), "4.4", "4.11")
-    means = r"y component of omega, from $v_{Ax} = \omega_y {z_A} - \omega_z {h}$"
-    yield Step("omega_y", omega.y, "rad/s", means, "4.4", "4.11")
+    yield Step("omega_z", omega.z, "rad/s", "z component of omega, from v_Ay", "4.4", "4.11")
+    yield Step("omega_y", omega.y, "rad/s", "y component of omega, from v_Ax", "4.4", "4.11")
     v_A = A.velocity(ground).expressed_in(ground)
     yield Step("v_A", v_A, "in/s", "velocity of A, with the z component", "4.4", "4.11")
     yield Step("r_D", D.position(body).expressed_in(ground), "in", "position of D from O", "4.4")
 
 
 def prove(g):
-    """The body turns steadily about one axis; two rates come from numerical velocities."""
+    """A steady rotation about one axis; two rates follow from numerical velocities."""
     A, D = [g.x_A, g.h, g.z_A], [-g.x_A / 2, g.h, -g.z_A / 2]
 
     def velocity(r, y, z):
@@ -80,7 +78,7 @@ def prove(g):
 
 
 def mistakes(g):
-    """The mistakes that both problems list."""
+    """The mistakes of both problems."""
     reverse = solve(g.but(v_Ax=-g.v_Ax, v_Ay=-g.v_Ay))  # r x omega = v_A
     return {
         "r_cross_omega": {"omega": reverse["omega"], "v_D": -reverse["v_D"]},

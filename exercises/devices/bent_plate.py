@@ -1,4 +1,4 @@
-"""The part of 5/14 and 7/14: a plate bent along y at O, with a hole and a round top."""
+"""The plate of 5/14 and 7/14, bent along y at O, with a hole and a round top."""
 
 from exercises.tools import Sketch
 from newton_euler import Frame

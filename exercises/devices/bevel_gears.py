@@ -8,13 +8,13 @@ def gears(n, n_C, tan_gamma):
     """Ground, the arm turning about z with OA along its y, and gear B, which does not slip on C."""
     ground = Frame("ground")
     arm, C = ground.rotate("OA", "z", rate=n), ground.rotate("C", "z", rate=n_C)
-    # on the common line of the pitch cones, from O; the length does not matter
+    # along the common line of the pitch cones, any distance from O
     contact = (0, tan_gamma, -1)
 
     def slip(spin):
         tooth = arm.rotate("B", "y", rate=spin).point("tooth", *contact)
         gap = C.point("gap", *contact)
-        return (tooth.velocity(ground) - gap.velocity(ground)).x  # square to the plane of DE and OA
+        return (tooth.velocity(ground) - gap.velocity(ground)).x  # normal to the plane of DE and OA
 
     (spin,) = solve_rates(slip, 1)
     return ground, arm, arm.rotate("B", "y", rate=spin)
@@ -28,7 +28,7 @@ def answers(n, n_C, tan_gamma):
 
 
 def steps(n, n_C, tan_gamma, rolling):
-    """The turning of B on its arm, in which it does not slide on C: ``rolling`` is the formula."""
+    """The rotation of B on its arm without slip on C, by the formula ``rolling``."""
     ground, arm, B = gears(n, n_C, tan_gamma)
     omega = arm.angular_velocity(ground)
     yield Step("omega_OA", omega, "rad/s", "angular velocity of DE and OA in the ground", "4.9")
@@ -40,16 +40,16 @@ def steps(n, n_C, tan_gamma, rolling):
     yield from terms(alpha, "alpha_B", "rad/s^2", "4.9")
 
 
-# along the axes of the arm, which turn about z, omega_B is constant
+# omega_B is constant along the axes of the arm, which turn about z
 follows = {"alpha_B": lambda g, omega_B: (g.n * omega_B.frame.k).cross(omega_B)}
 
 
 def proved(n, n_C, tan_gamma):
-    """Equal arcs pass the contact on the pitch circles of B and C, radii as 1 to tan(gamma)."""
+    """Proof: equal arcs on the pitch circles of B and C, whose radii are as 1 to tan(gamma)."""
 
     def gear_B(t):
-        overtaken = (n - n_C) * t  # the angle by which the arm has gone round on C
-        # rolling toward -x: the top of B goes ahead
+        overtaken = (n - n_C) * t  # angle of the arm relative to C
+        # rolling toward -x: the top of B leads
         return times(rot("z", n * t), rot("y", -overtaken * tan_gamma))
 
     omega = proofs.angular_velocity(gear_B)
@@ -58,7 +58,7 @@ def proved(n, n_C, tan_gamma):
 
 
 def figure(ax, tan_gamma, C_turns):
-    """The gears, with a line of contact of length 1, seen nearly square to their plane."""
+    """The gears, with a line of contact of length 1, viewed almost normal to their plane."""
     gamma = atan(tan_gamma)
     ground = Frame("ground")
     places = ("O", 0, 0, 0), ("A", 0, sin(gamma) + 0.4, 0), ("D", 0, 0, -2), ("E", 0, 0, 0.8)

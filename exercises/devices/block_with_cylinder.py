@@ -1,4 +1,4 @@
-"""The body of 5/3 and 7/3: a block with a corner at O, and a cylinder that stands on it."""
+"""The body of 5/3 and 7/3: a block with a corner at O, and a cylinder on top."""
 
 from exercises.tools import Sketch
 from newton_euler import Frame
@@ -8,7 +8,7 @@ BLOCK = Frame("block")
 
 
 def parts(g, foot=None, density=1):
-    """``foot`` is the height on which the cylinder stands."""
+    """Block and cylinder; ``foot`` is the height of the base of the cylinder."""
     foot = g.c if foot is None else foot
     middle = BLOCK.point("middle", g.a / 2, g.b / 2, g.c / 2)
     axis = BLOCK.point("axis", g.x_c, g.b / 2, foot + g.l_c / 2)
@@ -21,7 +21,7 @@ def parts(g, foot=None, density=1):
 def figure(g, ax):
     s = Sketch(ax, BLOCK, azimuth=-120, elevation=22)
     O, foot, top = (0, 0, 0), (g.x_c, g.b / 2, g.c), (g.x_c, g.b / 2, g.c + g.l_c)
-    right = (0.87 * g.r_c, -0.5 * g.r_c, 0)  # to the right as seen
+    right = (0.87 * g.r_c, -0.5 * g.r_c, 0)  # to the right in the figure
     s.box((g.a / 2, g.b / 2, g.c / 2), BLOCK, (g.a, g.b, g.c))
     s.cylinder(foot, top, g.r_c)
     s.axes(O, BLOCK, length=1.25 * g.a)

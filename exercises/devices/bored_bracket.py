@@ -8,7 +8,7 @@ BRACKET = Frame("bracket")
 
 
 def block(g, name, x, low, high, density=1):
-    """A block from 0 to x, over all of the width, between two heights."""
+    """A block from 0 to x, of full width, between two heights."""
     middle = BRACKET.point(name, x / 2, g.l_y / 2, (low + high) / 2)
     return box(x, g.l_y, high - low, middle, "x", density=density, name=name)
 
@@ -29,7 +29,7 @@ def figure(g, ax):
     s = Sketch(ax, BRACKET, azimuth=-113, elevation=28)
     O, high = (0, 0, 0), g.h_b + g.h_w
     end, top = (g.l_x, 0, 0), (g.x_h, g.l_y / 2, g.h_b)
-    half = g.h_b / 2  # a plate is as thick on either side of its outline
+    half = g.h_b / 2  # a plate extends by this on both sides of its outline
     axis = (g.x_h, g.l_y / 2, half)
     outline = [(x, y, half) for x, y in ((0, 0), (g.l_x, 0), (g.l_x, g.l_y), (0, g.l_y))]
     s.plate(outline, [s.around(axis, (g.x_h + g.r_h, g.l_y / 2, half), BRACKET.k)], g.h_b)

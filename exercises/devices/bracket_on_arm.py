@@ -20,7 +20,7 @@ def motion_by_way_of_arm(P, ground, arm):
 
 
 def motion_steps(P, ground, arm):
-    """What is seen from DEG of the point P of the bracket, then the terms of the answers."""
+    """The motion of P, a point of the bracket, relative to DEG, then the terms of the answers."""
     yield from turning_of(arm, ground, ground, "DEG", "the moving frame, fixed in DEG,")
     yield from seen_in(arm, P, ground, "mm", "DEG", "E")
     v, a = motion_by_way_of_arm(P, ground, arm).values()
@@ -29,17 +29,17 @@ def motion_steps(P, ground, arm):
 
 
 def common_mistakes(P, ground):
-    """Those of both problems; the bracket's own formula has the terms origin and euler."""
+    """The mistakes of both problems; here the moving frame is the bracket."""
     v, a = P.velocity(ground), P.acceleration(ground)
     return in_frame(ground, {
         "C_at_rest": {f"v_{P.name}": v.without("origin"), f"a_{P.name}": a.without("origin")},
-        # the euler term again, on top of an acceleration that has it
+        # the euler term counted twice
         "coriolis_and_alpha_x_r": {f"a_{P.name}": a.reweighted(euler=2)},
     })  # fmt: skip
 
 
 def motion_in_time(g, name, up, out):
-    """Proof, of a point ``up`` and ``out`` from C: about the arm, then about y."""
+    """Proof, for a point ``up`` and ``out`` from C: about the arm, then about y."""
 
     def seen(t):
         phi = g.omega_1 * t
@@ -56,7 +56,7 @@ def motion_in_time(g, name, up, out):
 
 
 def sketch(g, ax, a):
-    """The figure of both, with the length ``a`` of BA."""
+    """The figure of both problems, with the length ``a`` of BA."""
     ground, arm, bracket = arm_and_bracket(g)
     E, C, G, D = (
         arm.point(n, x, y, 0)

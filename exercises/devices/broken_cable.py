@@ -1,8 +1,8 @@
-"""A flat body in a vertical plane that hangs on a pin and a cable, at the instant when the cable
-snaps: 8/1 and 8/2.
+"""A flat body in a vertical plane, hung from a pin and a cable, at the instant the cable snaps: 8/1
+and 8/2.
 
-The pin is the origin of the ground, x to the right and y up. A ``shape`` is a function that makes
-the body in a frame that turns about the pin.
+The pin is the origin of the ground, x to the right and y up. A ``shape`` makes the body in a frame
+that turns about the pin.
 """
 
 from exercises.tools import Step, force_needed, kinetic_energy, let_go, mean, rot, times
@@ -17,7 +17,7 @@ def turned(alpha):
 
 
 def acceleration_of(place, alpha):
-    """In the ground, of a place of the body."""
+    """Acceleration in the ground of a point of the body."""
     ground, frame = turned(alpha)
     return frame.point("P", *place).acceleration(ground).expressed_in(ground)
 
@@ -49,7 +49,7 @@ def moment_of_weight(g, shape):
 
 
 def pin_force(g, shape, alpha):
-    """The force of the pin on the body that turns so."""
+    """The force of the pin on the body for this ``alpha``."""
     ground, frame = turned(alpha)
     body = shape(frame)
     a_G = body.centre.acceleration(ground).expressed_in(ground)
@@ -57,7 +57,7 @@ def pin_force(g, shape, alpha):
 
 
 def fall_steps(g, shape, pin):
-    """Mass, moment of inertia, moment and acceleration of the centre of mass; ``pin`` is named."""
+    """The steps to alpha and to the force of the pin, whose letter is ``pin``."""
     ground, frame = turned(falls(g, shape).alpha)
     body = shape(frame)
     I, a_G = body.about(ground.origin).moments[2], body.centre.acceleration(ground)
@@ -70,7 +70,9 @@ def fall_steps(g, shape, pin):
 
 
 def by_energy(g, points, *places):
-    """Proof: alpha by the energy of mass ``points``, the pin by their momentum; places in time."""
+    """Proof: alpha by energy and the pin force by momentum of mass ``points``; ``places`` over
+    time.
+    """
 
     def energy(q, t):
         motion = lambda t: [(share, times(rot("z", q(t)), r)) for share, r in points]
@@ -85,7 +87,7 @@ def by_energy(g, points, *places):
 
 
 def sums(g, points, pin):
-    """Proof: the steps that are sums over the mass points."""
+    """Proof: the steps, as sums over the mass points."""
     return {
         f"I_{pin}": g.W / g.g * mean(lambda r: r[0] ** 2 + r[1] ** 2, points),
         f"M_{pin}": mean(lambda r: r[0] * -g.W, points),

@@ -1,6 +1,5 @@
-"""The chain of 5/11, 7/11, 7/30, 8/11 and 8/17: three equal rods from O, along x, y and z. It may
-begin with another axis, ``first``, that the others follow in the order x, y, z, x; ``edge`` is the
-name of the length of a rod.
+"""The chain of 5/11, 7/11, 7/30, 8/11 and 8/17: three equal rods from O, along x, y and z, or in
+cyclic order from another axis, ``first``; ``edge`` names the given length of a rod.
 """
 
 from itertools import pairwise
@@ -18,13 +17,13 @@ def corners(g, first="x", edge="a"):
 
 
 def in_order(components, first):
-    """Components along the first rod, the second and the third, as those along x, y, z."""
+    """Components along x, y, z from those along the first, second and third rod."""
     n = "xyz".index(first)
     return [components[(k - n) % 3] for k in range(3)]
 
 
 def all_from_O(g):
-    """The mistake of three rods that all start at O: pairs of their ends."""
+    """The ends of three rods that by mistake all start at O."""
     O, A, *_ = corners(g)
     return [(O, end) for end in (A, CHAIN.point("B", 0, g.a, 0), CHAIN.point("C", 0, 0, g.a))]
 
@@ -35,14 +34,14 @@ def rods(pairs, **matter):
 
 
 def path(g, first="x", edge="a"):
-    """Proof, along the chain: the place after a way s, the whole way, and where it has corners."""
+    """Proof, along the chain: position at arc length s, total length, and its corners."""
     a = getattr(g, edge)
     place = lambda s: in_order([min(max(s - n * a, 0), a) for n in range(3)], first)
     return place, 3 * a, (a, 2 * a)
 
 
 def figure(g, ax, first="x", edge="a"):
-    """The sketch, on which more can be drawn."""
+    """The figure of the chain; returns the sketch."""
     s = Sketch(ax, CHAIN, azimuth=-60, elevation=22)
     O, A, B, C = corners(g, first, edge)
     s.axes(O, CHAIN, length=1.5 * getattr(g, edge))

@@ -1,11 +1,11 @@
-"""The collar A on a rod OB turning in a plane about O (2/19, 2/20): r and theta given in time."""
+"""The collar A on a rod OB that turns in a plane about O (2/19, 2/20), r(t) and theta(t) given."""
 
 from exercises.tools import Sketch, Step, mp, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving, polar
 
 
 def moving_by(r, theta):
-    """``solve``, ``steps``, ``prove`` and ``draw``; ``r``, ``theta``: of givens and time."""
+    """``solve``, ``steps``, ``prove`` and ``draw`` for functions ``r``, ``theta`` of (g, t)."""
     return (
         lambda g: motion(g, r, theta),
         lambda g: steps(g, r, theta),
@@ -15,7 +15,7 @@ def moving_by(r, theta):
 
 
 def collar(g, r, theta):
-    """Ground and collar at the time t_1; ``r``, ``theta``: functions of the givens and the time."""
+    """Ground and collar at the time t_1."""
     ground, t = Frame("ground"), moving(g.t_1, rate=1)
     return ground, polar(ground, "A", r(g, t), theta(g, t))
 
@@ -40,7 +40,7 @@ def steps(g, r, theta):
 
 
 def prove(g, r, theta):
-    """The path in fixed axes x, y, then along the rod and across it."""
+    """The path in fixed axes, differentiated, then resolved along and across the rod."""
     place = lambda t: times(rot("z", theta(g, t)), [r(g, t), 0, 0])
     along_rod = lambda vector: times(rot("z", -theta(g, g.t_1)), vector)
     return {
@@ -52,7 +52,7 @@ def prove(g, r, theta):
 
 
 def common_mistakes(g, r, theta):
-    """The mistakes that can be made in both problems."""
+    """The mistakes of both problems."""
     a = motion(g, r, theta)["a"]
     return {
         "no_coriolis": {"a": a.without("coriolis")},
@@ -62,7 +62,7 @@ def common_mistakes(g, r, theta):
 
 
 def sketch(g, ax, r):
-    """The rod at some instant, at the angle of 35 degrees, with the collar where it is at t_1."""
+    """The rod at 35 degrees, with the collar at its distance at t_1."""
     ground, size = Frame("ground"), r(g, g.t_1)
     rod = ground.rotate("rod", "z", 0.6)
     O, A, B = (rod.point(*P, 0, 0) for P in (("O", 0), ("A", size), ("B", 1.7 * size)))

@@ -1,4 +1,4 @@
-"""The cone of 5/4 and 7/4: it stands on its apex O and opens along z."""
+"""The cone of 5/4 and 7/4, with its apex at O, opening along z."""
 
 import math
 
@@ -13,20 +13,20 @@ def radius(g, z):
 
 
 def tube(g, s):
-    """Proof, of the thin tube of radius s: volume per ds, where it begins on the side, length."""
+    """Proof, for the thin tube of radius s: volume per ds, height of its lower end, length."""
     low = g.h * s / g.r
     return 2 * mp.pi * s * (g.h - low), low, g.h - low
 
 
 def figure(g, ax):
-    """The side is drawn by its outline alone, so that the disk in it is seen."""
+    """The cone in outline, with the disk in it visible."""
     azimuth, elevation = -60, 18
     s = Sketch(ax, CONE, azimuth=azimuth, elevation=elevation)
     O, top, end = (0, 0, 0), (0, 0, g.h), (g.r, 0, g.h)
     z = 0.55 * g.h
     s.disk((0, 0, z), CONE.k, radius(g, z), thickness=0.05 * g.h)
     s.ring(top, CONE.k, g.r)
-    # there one looks along the side
+    # where the line of sight is tangent to the side
     aside = math.acos(g.r / g.h * math.tan(math.radians(elevation)))
     for angle in (math.radians(azimuth) - aside, math.radians(azimuth) + aside):
         s.line(O, (g.r * math.cos(angle), g.r * math.sin(angle), g.h), style="solid")

@@ -1,4 +1,4 @@
-"""A connecting rod with parallel axes AA', BB' and GG' between them, along z."""
+"""A connecting rod with parallel axes AA', GG' and BB', along z."""
 
 from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, bodies
@@ -7,14 +7,14 @@ ROD = Frame("rod")
 
 
 def about_A(mass, moment, r_a, r_b):
-    """The :class:`Inertia` at A, of which only the moment about AA' is known, G, and B."""
+    """The :class:`Inertia` at A, with only the moment about AA' known, and G and B."""
     G = ROD.point("G", r_a, 0, 0)
     A = bodies.Inertia(ROD, (0, 0, moment), mass=mass, centre=G, tolerance=None)
     return A, G, ROD.point("B", r_a + r_b, 0, 0)
 
 
 def two_masses(moment_per_mass, r_a):
-    """Proof: two mass points at k from G with the moment about AA'; their distances from A."""
+    """Proof: distances from A of two mass points, k from G, with the moment about AA'."""
     places = lambda k: [r_a - k, r_a + k]
     missing = lambda k: mean_square(places(k)) - moment_per_mass
     k = proofs.root(missing, 0, 2 * mp.sqrt(moment_per_mass))

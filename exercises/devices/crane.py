@@ -1,4 +1,4 @@
-"""The crane of 4/4 (and 3/26): it revolves while its boom OP is lowered."""
+"""The crane of 4/4 (and 3/26), which revolves while its boom OP is lowered."""
 
 from exercises.devices.boom import turning_boom
 from exercises.tools import Sketch, mp, rot, times
@@ -12,13 +12,13 @@ def crane(g):
 
 
 def tip_in_time(g):
-    """Proof, the place of P in time."""
+    """Proof: position of P over time."""
     beta = lambda t: g.beta_1 + g.b_dot * t
     return lambda t: times(rot("z", g.n * t), [g.R * mp.sin(beta(t)), 0, g.R * mp.cos(beta(t))])
 
 
 def figure(g, ax, ground, house, P):
-    """The figure, without axes, of these frames and P; returns the sketch."""
+    """The figure without axes; returns the sketch."""
     O, up, foot = ground.point("O", 0, 0, 0), (0, 0, 0.6 * g.R), (0, 0, -0.3 * g.R)
     s = Sketch(ax, ground, azimuth=-112, elevation=18)
     s.ground(foot, normal=ground.k, size=0.8 * g.R)

@@ -1,8 +1,8 @@
 """The bevel pinion of 4/5 and 4/10, carried round by a cage between two equal bevel gears that face
 each other on one axis.
 
-The axis of the gears and the axis of the pinion are two of x, y, z that follow each other. The
-first gear is on the positive side.
+The axes of the gears and of the pinion are successive ones of x, y, z. The first gear is on the
+positive side.
 """
 
 from mpmath import matrix
@@ -14,12 +14,12 @@ AXES = "xyz"
 
 
 def next_axis(axis):
-    """The axis after this one, in the order x, y, z, x."""
+    """The next axis in cyclic order."""
     return AXES[(AXES.index(axis) + 1) % 3]
 
 
 def coordinates(axis, along, across):
-    """Coordinates ``along`` the axis of the gears and ``across``, on that of the pinion."""
+    """The point at ``along`` on the axis of the gears and ``across`` on that of the pinion."""
     x = [0, 0, 0]
     x[AXES.index(axis)], x[AXES.index(next_axis(axis))] = along, across
     return x
@@ -33,7 +33,7 @@ def train(axis, cage_rate, spin, names=("cage", "pinion")):
 
 
 def slip(g, axis, cage_rate, spin, gear_rate, side):
-    """Velocity of the pinion's tooth against the gear on this side, square to both axes."""
+    """Velocity of the pinion's tooth relative to the gear on this side, normal to both axes."""
     ground, _, pinion = train(axis, cage_rate, spin)
     gear = ground.rotate("gear", axis, rate=gear_rate)
     here = coordinates(axis, side * g.r, g.R)
@@ -43,19 +43,19 @@ def slip(g, axis, cage_rate, spin, gear_rate, side):
 
 
 def meshing_rates(g, axis, first, second):
-    """Rates of cage and pinion at which the pinion runs on gears at ``first`` and ``second``."""
+    """Rates of cage and pinion in mesh with gears that turn at ``first`` and ``second``."""
     slips = lambda *rates: (slip(g, axis, *rates, first, 1), slip(g, axis, *rates, second, -1))
     return solve_rates(slips, 2)
 
 
 def spin_against(g, axis, cage_rate, gear_rate, side):
-    """Rate of the pinion in the cage if only the contact with the gear on that side is kept."""
+    """Rate of the pinion in the cage if it meshes only with the gear on that side."""
     (spin,) = solve_rates(lambda spin: slip(g, axis, cage_rate, spin, gear_rate, side), 1)
     return spin
 
 
 def rolled(g, axis, first, second):
-    """Orientations of cage and pinion in time, by equal arcs on both wheels at two contacts."""
+    """Proof: orientations of cage and pinion over time, by equal arcs at both contacts."""
 
     def angles(t):
         # R (phi - cage) = -r spin on the first side, +r spin on the second
@@ -68,7 +68,7 @@ def rolled(g, axis, first, second):
 
 
 def section(s, g, axis, pinion_sides):
-    """Draw gears and pinions in the plane of their axes: pitch cones that touch along lines."""
+    """Draw the pitch cones of gears and pinions in the plane of their axes."""
 
     def wheel(corners):
         s.plate(

@@ -1,8 +1,8 @@
 """The disk of 4/34 to 4/41, on a horizontal axle in a bracket that turns about the vertical.
 
-Axes of the bracket: z up along its shaft, y along the axle. The disk turns in the bracket at P
-about +y, the bracket at omega about +z; the disk's centre is on the axle at the distance b from the
-shaft. On the rim, A is at the top and B at the side on +x.
+Axes of the bracket: z up along its shaft, y along the axle. The disk turns relative to the bracket
+at P about +y, the bracket at omega about +z; the disk's centre is on the axle, b from the shaft. On
+the rim, A is at the top and B at the side on +x.
 """
 
 from exercises.devices.moving_frame import seen_in, turning_of
@@ -13,7 +13,7 @@ PLACES = {"A": (0, 0, 1), "B": (1, 0, 0)}
 
 
 def data(g):
-    """(rate, growth) of the bracket and of the disk, and the offset b; zero where not given."""
+    """(rate, acceleration) of the bracket and of the disk, and the offset b; zero if not given."""
     omega = g.omega_b if hasattr(g, "omega_b") else g.omega
     return (omega, getattr(g, "omega_dot", 0)), (g.P, getattr(g, "P_dot", 0)), getattr(g, "b", 0)
 
@@ -60,7 +60,7 @@ def turning(frames):
 
 
 def rim_motion(frames, name, r):
-    """Velocity and acceleration of A or B, along the bracket's axes, by way of the bracket."""
+    """Velocity and acceleration of A or B, along the bracket's axes, via the bracket."""
     ground, bracket, disk = frames
     S = rim_point(disk, name, r)
     v, a = S.velocity(ground, via=bracket), S.acceleration(ground, via=bracket)
@@ -80,7 +80,7 @@ def turning_steps(g):
 
 
 def rim_steps(g, name):
-    """What is seen from the bracket of A or B, then the terms of its velocity and acceleration."""
+    """The motion of A or B relative to the bracket, then the terms of velocity and acceleration."""
     ground, bracket, disk = frames = disk_in_bracket(g)
     length, start = ("mm", "O") if hasattr(g, "b") else ("m", "the disk's centre")
     phrase = "the moving frame, fixed in the bracket,"
@@ -93,7 +93,7 @@ def rim_steps(g, name):
 
 
 def alpha_disk(g, omega_disk):
-    """Along the axes of the bracket, which turn about z."""
+    """alpha from omega, along the axes of the bracket, which turn about z."""
     (omega, omega_dot), (_, P_dot), _ = data(g)
     frame = omega_disk.frame
     return frame.vector(0, P_dot, omega_dot) + (omega * frame.k).cross(omega_disk)
@@ -125,7 +125,7 @@ def all_from_turning(name):
 
 
 def wrong_accelerations_of_B(g, a):
-    """Two mistakes that can be made in the acceleration ``a`` of B in each of its problems."""
+    """Two mistakes in the acceleration ``a`` of B, in each of its problems."""
     (omega, _), (P, _), _ = data(g)
     mixed = 2 * P * omega * g.r
     return {
@@ -135,14 +135,14 @@ def wrong_accelerations_of_B(g, a):
 
 
 def in_time(g, t):
-    """Proof: the angles turned by bracket and disk, and the direction of the axle."""
+    """Proof: angles of bracket and disk, and the direction of the axle."""
     (omega, omega_dot), (P, P_dot), _ = data(g)
     theta, phi = omega * t + omega_dot * t**2 / 2, P * t + P_dot * t**2 / 2
     return theta, phi, [-mp.sin(theta), mp.cos(theta), 0]
 
 
 def prove_turning(g):
-    """The same angular motion, from the orientation of the disk as a function of time."""
+    """Proof: angular velocity and acceleration from the disk's orientation over time."""
 
     def disk(t):
         _, phi, axle = in_time(g, t)
@@ -153,7 +153,7 @@ def prove_turning(g):
 
 
 def prove_rim(g, name):
-    """The same motion from the place in time: the angle on the rim grows from +z toward +x."""
+    """Proof: motion of A or B from its position over time, the rim turning from +z toward +x."""
     start = {"A": 0, "B": mp.pi / 2}[name]
     phi = lambda t: start + in_time(g, t)[1]
     seen = lambda t: [g.r * mp.sin(phi(t)), data(g)[-1], g.r * mp.cos(phi(t))]
@@ -168,9 +168,7 @@ def prove_rim(g, name):
 
 
 def figure(g, ax, rim="", omega_name=r"\omega"):
-    """The figure; ``rim``: the points of the rim that it shows. Rates that grow are shown with
-    their growth.
-    """
+    """The figure, with the points ``rim``; rates that grow are labelled with their derivatives."""
     ground, bracket, disk = disk_in_bracket(g)
     s = Sketch(ax, ground, azimuth=50, elevation=18)
     letters = [
@@ -205,7 +203,7 @@ def _draw_fork(s, bracket, disk, r, omega, P):
 
 
 def _draw_axle(s, bracket, disk, r, omega, P):
-    """The disk at the end of an axle that sticks out of the shaft by the length b."""
+    """The disk at the end of an axle of length b that projects from the shaft."""
     O, foot = bracket.point("O", 0, 0, 0), bracket.point("", 0, 0, -1.6 * r)
     s.shaft(foot, O)
     s.rod(O, disk.origin)

@@ -43,7 +43,7 @@ def frames_and_point(g, name):
 
 
 def answers(frames, S):
-    """The answers for the rim point S, along the axes of B, by way of the disk."""
+    """The answers for the rim point S, along the axes of B."""
     ground, B, _, disk = frames
     return in_frame(B, {
         "omega_disk": disk.angular_velocity(ground),
@@ -54,7 +54,7 @@ def answers(frames, S):
 
 
 def rim_steps(g, name):
-    """The turning of A, then that of the disk, and the motion of C or D with the disk."""
+    """The rotation of A and of the disk, then the motion of C or D."""
     frames, S = frames_and_point(g, name)
     ground, B, A, disk = frames
     yield from turning_of(A, ground, B, "A", "the bracket A")
@@ -82,14 +82,14 @@ def rim_from_turning(name):
 
 
 def pin_and_axis(gone_round, risen):
-    """Proof: the pin of A in B, which has gone round, and the axis, risen from +y."""
+    """Proof: the pin of A in B after B has turned, and the disk's axis after A has turned."""
     pin = [mp.cos(gone_round), mp.sin(gone_round), 0]
     level = [-mp.sin(gone_round), mp.cos(gone_round), 0]
     return pin, plus(scaled(mp.cos(risen), level), [0, 0, mp.sin(risen)])
 
 
 def prove_turning(omega_1, omega_2, omega_3):
-    """Proof: the disk's angular velocity and acceleration, from its orientation in time."""
+    """Proof: the disk's angular velocity and acceleration, from its orientation over time."""
 
     def disk(t):
         pin, axis = pin_and_axis(omega_1 * t, omega_2 * t)
@@ -99,7 +99,7 @@ def prove_turning(omega_1, omega_2, omega_3):
 
 
 def prove_carrier(omega_1, omega_2):
-    """Proof: angular velocity and acceleration of what carries the disk's axle, likewise."""
+    """Proof: the same for the bracket A, which carries the disk's axle."""
 
     def carrier(t):
         pin, axis = pin_and_axis(omega_1 * t, omega_2 * t)
@@ -109,7 +109,7 @@ def prove_carrier(omega_1, omega_2):
 
 
 def prove_rim(g, name):
-    """The same answers; the top of the rim goes toward +x, the side on +x goes down."""
+    """Proof: the top of the rim moves toward +x, the side on +x moves down."""
 
     def place(t):
         pin, axis = pin_and_axis(g.omega_1 * t, g.omega_2 * t)

@@ -1,4 +1,4 @@
-"""A body of revolution on a shaft that turns about z (11/16, 11/19 to 11/21), its energy."""
+"""Energy of a body of revolution on a shaft that turns about z (11/16, 11/19 to 11/21)."""
 
 from dataclasses import dataclass
 
@@ -17,9 +17,9 @@ class OnShaft:
 
 
 def spinning(Omega, spin, L, *rise):
-    """C is at the distance L from the origin, through which the shaft goes, above the level by the
-    sum of the angles ``rise``; it turns about the vertical at Omega, and the body relative to it at
-    the rate ``spin``.
+    """The body at C, a distance L along the shaft from the origin; the shaft turns about the
+    vertical at Omega, inclined upward by the sum of the angles ``rise``, and the body on it at
+    ``spin``.
     """
     ground = Frame("ground")
     shaft = ground.rotate("plane", "z", rate=Omega)
@@ -30,12 +30,12 @@ def spinning(Omega, spin, L, *rise):
 
 
 def contact(d, radius):
-    """The point of the body that lies on the rim, in the vertical plane of the shaft below it."""
+    """The lowest point of the rim, in the vertical plane of the shaft."""
     return d.body.point("P", 0, 0, -radius)
 
 
 def rolling(Omega, radius, L, *rise):
-    """The same with the spin at which the contact is at rest."""
+    """:func:`spinning`, with the spin for which the contact is at rest."""
 
     def slip(spin):
         d = spinning(Omega, spin, L, *rise)
@@ -46,12 +46,12 @@ def rolling(Omega, radius, L, *rise):
 
 
 def turned(points):
-    """Proof: mass points whose axis was z, with the axis x."""
+    """Proof: mass points turned from the axis z to the axis x."""
     return [(share, [z, x, y]) for share, (x, y, z) in points]
 
 
 def carried(points, Omega, spin, L, rise=0):
-    """Proof, the motion of mass points, given from C along the axes of the shaft."""
+    """Proof: the motion of mass points, given relative to C along the axes of the shaft."""
     tilt = rot("y", -rise)
 
     def motion(t):
@@ -62,12 +62,12 @@ def carried(points, Omega, spin, L, rise=0):
 
 
 def unrolled(Omega, radius, path):
-    """Proof, the spin of a rim that unrolls along a circle of radius ``path``: equal arcs."""
+    """Proof: the spin of a rim that rolls along a circle of radius ``path``, by equal arcs."""
     turn = 2 * mp.pi / Omega  # time
     return -2 * mp.pi * path / radius / turn
 
 
 def energy_of_disk(m, radius, Omega, spin, L, rise=0):
-    """Proof, of the mass points of a thin disk."""
+    """Proof: kinetic energy of the mass points of a thin disk."""
     points = turned(disk(radius, order=2))
     return proofs.kinetic_energy(m, carried(points, Omega, spin, L, rise))

@@ -14,7 +14,7 @@ def parts(g, density=1):
 
 
 def rim(g, c, s):
-    """Proof, the distance from the hole's centre to the disk's rim in the direction (c, s)."""
+    """Proof: distance from the hole's centre to the disk's rim in the direction (c, s)."""
     return mp.sqrt(g.R**2 - (g.e * s) ** 2) - g.e * c
 
 

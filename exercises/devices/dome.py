@@ -7,17 +7,17 @@ SHELL = Frame("shell")
 
 
 def over_rings(g, f):
-    """The integral over the angle phi from z, of f(phi) for the ring there, a number or tuple."""
+    """The integral of ``f(phi)``, for the ring at the angle phi from z."""
     return integral(f, 0, pi(g.one) / 2)
 
 
 def area_of_ring(g, phi, width=None):
-    """Per dphi; ``width`` is R unless another one is given."""
+    """Area per dphi; ``width`` is R by default."""
     return 2 * pi(g.one) * (g.R * sin(phi)) * (g.R if width is None else width)
 
 
 def shadow(g, s):
-    """Proof, area per ds over the circle of radius s, steeper by R/z than its plane; and z."""
+    """Proof: area per ds above the circle of radius s (R/z times that of the plane), and z."""
     z = mp.sqrt(g.R**2 - s**2)
     return 2 * mp.pi * s * g.R / z, z
 
@@ -27,7 +27,7 @@ def figure(g, ax):
     O, end = (0, 0, 0), (-0.6 * g.R, -0.8 * g.R, 0)
     s.hemisphere(O, SHELL.k, g.R, open=True)
     for phi in (0.75, 0.82):
-        # a little outside, so that it is seen
+        # slightly outside, to be visible
         s.ring((0, 0, g.R * cos(phi)), SHELL.k, 1.01 * g.R * sin(phi))
     s.axes(O, SHELL, length=1.5 * g.R)
     s.dimension(O, end, label="R", offset=0)

@@ -24,7 +24,7 @@ def solve(g):
 
 
 def steps(g):
-    """The angular velocity of the rod, the rate of D in the arm, then the terms of the answers."""
+    """The rod's angular velocity, D's velocity relative to the arm, the terms of the answers."""
     ground, arm, rod, D = arm_and_rod(g)
     omega, v_r = rod.angular_velocity(ground).expressed_in(ground), D.velocity(arm)
     yield Step("omega_CD", omega, "rad/s", "angular velocity of CD in the ground", "4.9", "4.22")
@@ -35,7 +35,7 @@ def steps(g):
 
 
 def a_D(g, alpha_CD):
-    """By the angular acceleration of the rod in which D and C are fixed."""
+    """The acceleration of D from the rod's angular acceleration."""
     right, vector = solve(g), alpha_CD.frame.vector
     CD = vector(0, -g.L * cos(g.beta_1), g.L * sin(g.beta_1))
     return vector(*right["a_D"]) + (alpha_CD - vector(*right["alpha_CD"])).cross(CD)
@@ -45,11 +45,11 @@ follows = {"a_D": a_D}
 
 
 def prove(g):
-    """The direction of CD in the turning vertical plane, from CB to the shaft upward by beta."""
+    """The direction of CD in the turning vertical plane, raised by beta from CB."""
 
     def rod(t):
         c, s = mp.cos(g.beta_1 + g.b_dot * t), mp.sin(g.beta_1 + g.b_dot * t)
-        # columns: x, along CD, x cross that
+        # columns: x, the direction of CD, their cross product
         return times(rot("z", g.omega * t), transposed([[1, 0, 0], [0, -c, s], [0, -s, -c]]))
 
     def in_arm(t):
@@ -63,7 +63,7 @@ def prove(g):
 
 
 def common_mistakes(g):
-    """The mistakes that can be made in both problems."""
+    """The mistakes of both problems."""
     ground, arm, rod, D = arm_and_rod(g)
     return in_frame(ground, {
         "no_cross_product": {"alpha_CD": rod.angular_acceleration(ground).without("BC x CD")},
@@ -85,6 +85,7 @@ def draw(g, ax):
     s.axes(B, ground, length=1.4 * g.b, labels="XYZ")
     s.turn(A, ground.k, label=r"$\omega$")
     s.arc(C, B, D, label=r"$\beta$")
+    s.swing(C, D, -ground.i, label=r"$\dot\beta$")
     s.dimension(B, C, label="b", offset=-0.1 * (g.b + g.L))
     s.dimension(C, D, label="L")
     for P in (A, B, C, D):

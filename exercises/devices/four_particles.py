@@ -13,7 +13,7 @@ def masses(g):
 
 
 def rods(g):
-    """The ways from each particle to the next: for the mistake of taking them for places."""
+    """The vectors from each particle to the next, for the mistake of taking them as positions."""
     return (g.a, 0, 0), (0, g.b, 0), (0, 0, g.c)
 
 

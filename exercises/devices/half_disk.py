@@ -14,7 +14,7 @@ def in_polar(g, power, f, element=lambda r: r):
 
 
 def top(g, x):
-    """Proof, the height of the arc."""
+    """Proof: height of the arc."""
     return mp.sqrt(g.R**2 - x**2)
 
 

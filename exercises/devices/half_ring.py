@@ -18,7 +18,7 @@ def depth(part):
 
 
 def from_G(g, own, d):
-    """The moment about an axis through M, from that about its parallel through G, at depth d."""
+    """The moment about an axis through M, from ``own`` about its parallel through G, at depth d."""
     return own + g.m * (g.r - d) ** 2
 
 
@@ -29,7 +29,7 @@ def with_half_disk(g, at_centre):
 
 
 def half_steps(g, axis, through):
-    """What is needed to go over G; ``axis``, and the words for it through G."""
+    """The steps via G; ``axis``, and ``through``, the words for its parallel through G."""
     part, M = half(g)
     yield Step("d", depth(part), "m", "distance of the centre of mass from the diameter, 2*r/pi",
                "5.4", "5.13")  # fmt: skip
@@ -40,5 +40,5 @@ def half_steps(g, axis, through):
 
 
 def mean_over_half(f, r):
-    """Proof: the mean of f(x, y) over the arc, along its angle from one end to the other."""
+    """Proof: the mean of f(x, y) over the arc."""
     return proofs.integral(lambda t: f(r * mp.cos(t), -r * mp.sin(t)), 0, mp.pi) / mp.pi

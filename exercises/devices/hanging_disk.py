@@ -21,7 +21,7 @@ def data(g):
 
 
 def spin(g, transverse=None, theta=None):
-    """The spin, with the values of a mistake where they are given."""
+    """The spin, with wrong values where a mistake gives them."""
     I_0, I_z, M = data(g)
     transverse = I_0 if transverse is None else transverse
     theta = pi(g.beta) - g.beta if theta is None else theta
@@ -29,7 +29,7 @@ def spin(g, transverse=None, theta=None):
 
 
 def total(g):
-    """The whole rate about AB, of steady precession (10.31)."""
+    """The total rate about AB in steady precession (10.31)."""
     I_0, I_z, M = data(g)
     theta = pi(g.beta) - g.beta
     return (M / (g.psi_dot * sin(theta)) + I_0 * g.psi_dot * cos(theta)) / I_z
@@ -51,7 +51,7 @@ def steps(g):
 
 
 def prove(g):
-    """The spin with which the mass points need just the moment of their weights."""
+    """The spin for which the mass points need exactly the moment of their weights."""
     theta = mp.pi - g.beta
     points = [(share, plus(r, [0, 0, g.L])) for share, r in proofs.disk(g.D / 2, order=2)]
     M = steady_precession.of_weights(g.m, g.g, points, theta)

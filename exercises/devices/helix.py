@@ -1,21 +1,21 @@
-"""The helix of 3/4, 3/5 and 3/7, about the z axis: its rise is that for one radian."""
+"""The helix of 3/4, 3/5 and 3/7, about the z axis; its rise is per radian."""
 
 from exercises.tools import Sketch, mp
 from newton_euler import Frame, cos, cylindrical, pi, sin
 
 
 def helix(radius, rise):
-    """The helix, a function of the angle about z."""
+    """The helix as a function of the angle about z."""
     return lambda theta: (radius * cos(theta), radius * sin(theta), rise * theta)
 
 
 def on_helix(radius, rise, theta):
-    """P on the helix in cylindrical coordinates, with a ground of its own; ``theta`` may move."""
+    """P on the helix in cylindrical coordinates, in its own ground; ``theta`` may be ``moving``."""
     return cylindrical(Frame("ground"), "P", radius, theta, rise * theta)
 
 
 def unrolled(radius, rise, speed, start=0):
-    """Proof, the place at constant speed: unrolled, the helix is the hypotenuse over its circle."""
+    """Proof: position at constant speed; unrolled, the helix is a hypotenuse above its circle."""
     turn = 2 * mp.pi * radius
     along = mp.hypot(turn, 2 * mp.pi * rise)
 

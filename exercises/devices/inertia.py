@@ -1,4 +1,4 @@
-"""Inertia matrices of bodies put together of parts, others cut out, or integrated."""
+"""Inertia matrices of composite bodies, with parts cut out, or by integration."""
 
 from exercises.tools import Step
 from newton_euler.bodies import Body, Inertia
@@ -25,7 +25,7 @@ def whole(frame, parts, removed=()):
 
 
 def problem_of(frame, parts, mass, length, inertia, holes=False, at_O=(), given=()):
-    """``solve`` and ``steps`` about ``parts(g)``; with ``holes``, a pair of these and holes."""
+    """``solve`` and ``steps`` for ``parts(g)``; with ``holes``, a pair of parts and holes."""
     bodies = lambda g: parts(g) if holes else (parts(g),)
     units = {"mass": mass, "length": length, "inertia": inertia}
     steps = lambda g: steps_of(frame, *bodies(g), at_O=at_O, given=given, **units)
@@ -33,23 +33,23 @@ def problem_of(frame, parts, mass, length, inertia, holes=False, at_O=(), given=
 
 
 def untransferred(frame, part):
-    """The part moved to O: for the mistake of no parallel axis term."""
+    """The part moved to O, for the mistake of a missing parallel axis term."""
     return Body(part.name, part.mass, frame.origin, part.inertia.moments, frame)
 
 
 def wrong_sign(frame, I):
-    """The mistake of the products with a plus sign in the matrix."""
+    """The mistake of products of inertia with a plus sign in the matrix."""
     return matrix(frame, I.moments, [-x for x in I.products])
 
 
 def no_products(frame, I):
-    """The mistake of no products of inertia."""
+    """The mistake of omitted products of inertia."""
     return matrix(frame, I.moments)
 
 
 def steps_of(frame, parts, removed=(), *, mass, length, inertia, at_O=(), given=()):
-    """Mass, unless it is ``given``, own matrix, place and matrix at O of each part; ``at_O`` names
-    those centred at O.
+    """Mass (unless ``given``), own matrix, place and matrix at O of each part; ``at_O`` names parts
+    centred at O.
     """
     for part in (*parts, *removed):
         key, cut_out = part.name.split()[0], ", to be subtracted" if part in removed else ""

@@ -1,5 +1,5 @@
-"""Proofs of inertia matrices, by the angular momenta of mass points in a body that turns: they know
-neither a table of solids nor the parallel axis theorem.
+"""Proofs of inertia matrices, by the angular momenta of mass points of a turning body: without a
+table of solids or the parallel axis theorem.
 """
 
 from itertools import pairwise
@@ -15,7 +15,7 @@ def turned(place):
 
 
 def of_points(mass, points, at=(0, 0, 0)):
-    """The matrix at O of this mass, spread as ``points`` about the place ``at``."""
+    """The matrix at O of a mass spread as ``points`` around the place ``at``."""
     return added((mass, proofs.mean(lambda place: turned(proofs.plus(place, at)), points)))
 
 
@@ -26,15 +26,14 @@ def added(*weighed):
 
 
 def raised(points, length):
-    """Mass points that are spread along z too, over this length about where they are."""
+    """Mass points spread along z as well, symmetrically over this length."""
     along = proofs.box(0, 0, length, order=2)
     return [(u * v, proofs.plus(p, q)) for u, p in points for v, q in along]
 
 
 def along_path(density, place, way, corners):
-    """The matrices at O of the pieces of a wire of this mass per length; ``place(s)`` is the
-    place after the way s on it, and ``corners`` are the ways to the ends of the pieces before the
-    last.
+    """The matrices at O of the pieces of a wire of this mass per length and of length ``way``;
+    ``place(s)`` is the position at arc length s, ``corners`` are where pieces join.
     """
     ends = pairwise([0, *corners, way])
     return [added((density, proofs.integral(lambda s: turned(place(s)), *pair))) for pair in ends]

@@ -1,4 +1,4 @@
-"""A point of which velocity and acceleration are known at one instant, as in 3/9 to 3/11."""
+"""A point with known velocity and acceleration at one instant, as in 3/9 to 3/11."""
 
 from exercises.tools import Sketch, mp, rate, scaled, size
 from newton_euler import Frame
@@ -12,14 +12,14 @@ def vectors(g):
 
 
 def speed_and_flexure(v, a):
-    """Proof, the rate of the speed, and the turning of the tangent for each length of path."""
+    """Proof: rate of the speed, and rotation of the tangent per length of path."""
     velocity = lambda t: [x + y * t for x, y in zip(v, a, strict=True)]
     tangent = lambda t: scaled(1 / size(velocity(t)), velocity(t))
     return rate(lambda t: size(velocity(t))), size(rate(tangent)) / size(v)
 
 
 def angle_between(v, a):
-    """Proof, from the three sides of the triangle of v, a and their difference."""
+    """Proof: from the sides of the triangle of v, a and their difference."""
     b, c = size(v), size(a)
     third = size([x - y for x, y in zip(v, a, strict=True)])
     return mp.acos((b * b + c * c - third * third) / (2 * b * c))

@@ -5,12 +5,12 @@ from newton_euler import frenet
 
 
 def motion(g, ground, v):
-    """The motion of the water in intrinsic components, where its velocity is v."""
+    """The motion of the water in intrinsic components, at the point where its velocity is v."""
     return frenet(v, ground.vector(0, 0, -g.g))
 
 
 def proved_radius(g, v_0, slope, x):
-    """Proof: the radius of curvature of the curve z(x), which leaves A with this slope."""
+    """Proof: radius of curvature of the curve z(x) with this slope at A."""
     z = lambda x: slope * x - g.g / 2 * (1 + slope**2) * (x / v_0) ** 2
     return (1 + rate(z, x) ** 2) ** 1.5 / abs(second_rate(z, x))
 

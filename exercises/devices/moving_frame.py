@@ -1,4 +1,4 @@
-"""The steps before (4.17), (4.18): how a frame turns, and the motion of a point seen in it."""
+"""The steps before (4.17), (4.18): rotation of a frame, and motion of a point relative to it."""
 
 from exercises.catalogue.steps import is_zero
 from exercises.catalogue.wording import body_text
@@ -6,7 +6,7 @@ from exercises.tools import Step, terms
 
 
 def turning_of(frame, ground, axes, name, phrase):
-    """omega and alpha, if not zero, along ``axes`` of the frame of this ``phrase`` ("the arm")."""
+    """omega and nonzero alpha of the frame called ``phrase`` ("the arm"), along ``axes``."""
     omega = frame.angular_velocity(ground).expressed_in(axes)
     alpha = frame.angular_acceleration(ground).expressed_in(axes)
     within = body(ground)
@@ -18,8 +18,8 @@ def turning_of(frame, ground, axes, name, phrase):
 
 
 def seen_in(frame, P, axes, length, phrase, start, r="r", acceleration=True):
-    """Place, velocity and acceleration (if it is needed) of P in a frame with its origin at
-    ``start``, along ``axes``; ``length`` is the unit of lengths. What is zero is left out.
+    """Position, velocity and, if needed, acceleration of P relative to a frame with its origin at
+    ``start``, along ``axes``, where not zero; ``length`` is the unit of length.
     """
     name = body_text(P.name)
     seen = P.position(frame), P.velocity(frame), P.acceleration(frame)
@@ -34,7 +34,9 @@ def seen_in(frame, P, axes, length, phrase, start, r="r", acceleration=True):
 
 
 def motion_via(frame, P, ground, key, phrase, start, moved="P"):
-    """How the frame in ``phrase`` turns, what it sees of P; (4.17) and (4.18) by terms, in m."""
+    """Rotation of the frame in ``phrase``, motion of P relative to it; terms of (4.17), (4.18), in
+    m.
+    """
     yield from turning_of(frame, ground, frame, key, f"the moving frame, fixed in {phrase},")
     yield from seen_in(frame, P, frame, "m", phrase, start)
     v, a = P.velocity(ground, via=frame), P.acceleration(ground, via=frame)

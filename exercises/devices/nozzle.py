@@ -1,4 +1,4 @@
-"""The nozzle of 4/2 (and 3/14): it turns about the vertical through O, water flowing outward."""
+"""The nozzle of 4/2 (and 3/14), turning about the vertical through O, with outward flow."""
 
 from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, moving
@@ -13,13 +13,13 @@ def nozzle_and_particle(g):
 
 
 def particle_in_time(g):
-    """Proof, the place of the particle in time."""
+    """Proof: position of the particle over time."""
     d = lambda t: g.d + g.nu * t
     return lambda t: times(rot("z", g.omega * t), [d(t) * mp.sin(g.tilt), 0, d(t) * mp.cos(g.tilt)])
 
 
 def figure(g, ax, ground, turning, P):
-    """The figure, without axes, of these frames and the particle; returns the sketch."""
+    """The figure without axes; returns the sketch."""
     nozzle, O = P.frame, (0, 0, 0)
     up = ground.point("up", 0, 0, 1.3 * g.d)
     s = Sketch(ax, ground, azimuth=-105, elevation=15)

@@ -9,7 +9,7 @@ def height(g):
 
 
 def start(g, y):
-    """Proof, where the horizontal strip at this height, which ends at x = a, begins."""
+    """Proof: left end of the horizontal strip at this height, which ends at x = a."""
     return g.a * mp.sqrt(y / g.b)
 
 

@@ -1,4 +1,4 @@
-"""A plane curve on which a point keeps its speed, as in 2/1 and 2/2: the proof."""
+"""Proof for a point at constant speed on a plane curve, as in 2/1 and 2/2."""
 
 from exercises.tools import plus, rate, scaled, second_rate, size
 
@@ -7,8 +7,8 @@ def at_constant_speed(curve, q, speed):
     """Velocity and acceleration at ``q`` of a point that runs along ``curve(q)``, a list of three,
     in the direction of increasing q.
 
-    q grows with q' t + q'' t^2/2. The speed gives q'; q'' is such that the speed stays, so that the
-    acceleration has no part along the velocity. It is linear in q''.
+    q grows by q' t + q'' t^2/2. The speed gives q'; q'' makes the acceleration, which is linear in
+    it, normal to the velocity.
     """
     q_dot = speed / size(rate(lambda t: curve(q + t)))
     acceleration = lambda q_ddot: second_rate(lambda t: curve(q + q_dot * t + q_ddot * t**2 / 2))

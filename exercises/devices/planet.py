@@ -4,11 +4,9 @@ from exercises.tools import mean, shell
 
 
 def pull(mass, radius, distance):
-    """For ``prove``: the force on a unit mass at a distance from the centre, in units in which the
-    constant of gravitation is 1: the attraction of mass points added up.
-
-    How the mass depends on the distance from the centre must not matter; here all of it is in a
-    shell far below the surface.
+    """Proof: the force on a unit mass at a distance from the centre, for a gravitational constant
+    of 1, as a sum over mass points. The radial distribution of mass must not matter; here all of it
+    is in a shell far below the surface.
     """
 
     def component(place):

@@ -7,7 +7,7 @@ PLATE = Frame("plate")
 
 
 def over_strips(end, height, f):
-    """The integral over vertical strips: of f(x, y) dx from O to ``end``, y the height there."""
+    """The integral of f(x, y) dx from O to ``end``, y being the height at x."""
     return integral(lambda x: f(x, height(x)), 0, end)
 
 
@@ -51,7 +51,7 @@ def steps_to_centre(end, height):
 
 
 def steps_to_inertia(end, height, mass):
-    """Towards the inertia matrix at O of a plate of this mass."""
+    """The steps to the inertia matrix at O of a plate of this mass."""
     A = area(end, height)
     xx, yy, xy = (mass / A * x for x in second_moments(end, height))
     yield Step("area", A, "m^2", "area of the plate, the integral of y dx", "7.3")
@@ -59,4 +59,6 @@ def steps_to_inertia(end, height, mass):
     yield Step("I_xx", yy, "kg*m^2", "integral of y^2 dm, of each strip y^2/3 dm", "7.2", "7.10")
     yield Step("I_yy", xx, "kg*m^2", "integral of x^2 dm", "7.2", "7.10")
     yield Step("I_xy", xy, "kg*m^2", "integral of x y dm, of each strip x y/2 dm", "7.2", "7.10")
-    yield Step("I_zz", xx + yy, "kg*m^2", "I_xx + I_yy, the plate being flat", "7.2", "7.10")
+    yield Step(
+        "I_zz", xx + yy, "kg*m^2", "moment of inertia about z, the plate being flat", "7.2", "7.10"
+    )

@@ -1,4 +1,4 @@
-"""A point moving by its polar coordinates; the acceleration's magnitude is asked: 2/17, 2/22."""
+"""A point in polar coordinates, the magnitude of whose acceleration is asked for: 2/17, 2/22."""
 
 from exercises.tools import Step, terms
 

@@ -1,4 +1,4 @@
-"""Bodies of parts, others cut out: centres from those of the parts; proofs by slices and wires."""
+"""Centres of composite bodies, with parts cut out; proofs by slices and wires."""
 
 from exercises.tools import Step, mp, proofs
 from newton_euler import centre_of_mass
@@ -8,25 +8,24 @@ POWERS = {"length": 1, "area": 2, "volume": 3}
 
 
 def centre(frame, parts, removed=()):
-    """The answer of all these problems, from bodies."""
+    """The answer: the centre of mass of bodies."""
     return {"d": centre_of_mass([*parts, *(-hole for hole in removed)], frame).position(frame)}
 
 
 def problem_of(frame, parts, holes=False, **units):
-    """``solve`` and ``steps`` about ``parts(g)``; with ``holes``, a pair of these and holes."""
+    """``solve`` and ``steps`` for ``parts(g)``; with ``holes``, a pair of parts and holes."""
     bodies = lambda g: parts(g) if holes else (parts(g),)
     return (lambda g: centre(frame, *bodies(g)), lambda g: steps_of(frame, *bodies(g), **units))
 
 
 def unweighed(frame, one, points):
-    """The mistake of the plain mean of points; ``one`` is g.one."""
+    """The mistake of an unweighted mean of points; ``one`` is g.one."""
     return {"d": centre_of_mass([(one, P) for P in points], frame).position(frame)}
 
 
 def steps_of(frame, parts, removed=(), *, content, length, mass="", given=()):
-    """The content of each part (one of SYMBOLS), unless it is ``given``, and its centre, named
-    after the first word of its name, then the sums over all of them. ``length`` and ``mass`` are
-    units.
+    """The content (one of SYMBOLS, unless ``given``) and centre of each part, with the first word
+    of its name as index, then the sums. ``length`` and ``mass`` are units.
     """
     symbol, (unit, _) = SYMBOLS[content], units(content, length, mass)
     for part in (*parts, *removed):
@@ -47,7 +46,7 @@ def units(content, length, mass):
     return f"{length}^{n}".removesuffix("^1"), f"{length}^{n + 1}"
 
 
-def sums(frame, parts, removed=(), *, content, length, mass=""):
+def sums(frame, parts, removed=(), *, content, length, mass="", equal_parts=False):
     """The content of the whole and its first moment, as steps."""
     unit, unit_of_moment = units(content, length, mass)
     first, *others = (*parts, *(-hole for hole in removed))
@@ -57,16 +56,16 @@ def sums(frame, parts, removed=(), *, content, length, mass=""):
     for part in others:
         Q = Q + part.mass * part.centre.position(frame)
     yield Step("Q", Q, unit_of_moment, f"sum of {content} times place of the centre", "5.4",
-               "5.11")  # fmt: skip
+               "5.11", of_givens=equal_parts)  # fmt: skip
 
 
 def proved(content, whole, first):
-    """What a proof returns that found the content of the whole and its first moment."""
+    """The result of a proof, from the total content and its first moment."""
     return {"d": [m / whole for m in first], SYMBOLS[content]: whole, "Q": list(first)}
 
 
 def sliced(content, slice_at, start, end, breaks):
-    """Proof by slices at x: ``slice_at(x)`` is the content per dx and its moments along y, z."""
+    """Proof by slices at x: ``slice_at(x)`` is the content per dx and its first moments in y, z."""
 
     def moments(x):
         per_dx, first_y, first_z = slice_at(x)
@@ -77,10 +76,10 @@ def sliced(content, slice_at, start, end, breaks):
 
 
 def chord(distance, radius):
-    """Proof, the length of a chord of a circle at this distance from its centre; 0 outside."""
+    """Proof: length of the chord of a circle at this distance from its centre; 0 outside."""
     return 2 * mp.sqrt(max(radius**2 - distance**2, 0))
 
 
 def walked(path, length, breaks):
-    """Proof, of a wire: the mean of ``path(s)`` over all the way s, with corners at ``breaks``."""
+    """Proof for a wire: the mean of ``path(s)`` over arc length s, with corners at ``breaks``."""
     return proved("length", length, proofs.integral(path, 0, length, breaks))

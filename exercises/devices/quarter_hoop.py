@@ -18,7 +18,7 @@ def work_of_weight(g):
 
 
 def slides(g, pull=lambda place: [0, 0]):
-    """Proof, (time, speed at B), in time from rest at A; ``pull(place)``: a further force."""
+    """Proof: (time, speed at B) after release at A; ``pull(place)`` is a further force."""
 
     def rates(state):
         angle, u = state
@@ -32,7 +32,7 @@ def slides(g, pull=lambda place: [0, 0]):
 
 
 def spring_pull(g, P):
-    """Proof, the force of a spring from the pin ``P`` on the collar, as a function of its place."""
+    """Proof: the force of a spring from the pin ``P`` on the collar, as a function of its place."""
 
     def pull(place):
         toward = minus(P, place)

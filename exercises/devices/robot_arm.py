@@ -12,7 +12,7 @@ def robot(g):
 
 
 def tip_in_time(g):
-    """Proof, the place of P in time."""
+    """Proof: position of P over time."""
 
     def P(t):
         beta = g.beta_1 + g.b_dot * t + g.b_ddot * t**2 / 2
@@ -23,7 +23,7 @@ def tip_in_time(g):
 
 
 def figure(g, ax, ground, base, P):
-    """The figure, without axes, of these frames and P; returns the sketch."""
+    """The figure without axes; returns the sketch."""
     O, A = ground.point("O", 0, 0, 0), P.frame.point("A", 0, 0, g.l_OA)
     up, foot = (0, 0, 0.8 * g.l_OA), (0, 0, -0.5 * g.l_OA)
     x, _, z = A.position(ground)
@@ -38,6 +38,7 @@ def figure(g, ax, ground, base, P):
     s.line(A, level)
     s.arc(O, up, A, label=r"$\beta$")
     s.arc(A, level, P, label=r"$\beta$")
+    s.swing(O, P, ground.j, label=r"$\dot\beta,\ \ddot\beta$")
     s.turn((0, 0, -0.25 * g.l_OA), ground.k, label=r"$\omega$")
     s.dimension(O, A, label=r"$l_{OA}$", offset=0.24 * g.l_OA)
     s.dimension(A, P, label=r"$l_{AP}$", offset=-0.12 * g.l_OA)

@@ -1,5 +1,4 @@
-"""A homogeneous cylinder or disk that touches a surface, or a thread, along which it rolls or
-slips: 8/7, 8/8, 8/9.
+"""A homogeneous cylinder or disk that rolls or slips along a surface or a thread: 8/7, 8/8, 8/9.
 
 Axes: x along the surface, y out of it, z = x cross y; the contact C is at -r y from the centre.
 ``a`` is the acceleration of the centre along x, ``alpha`` the angular acceleration about z, ``F``
@@ -17,7 +16,7 @@ def rolls(m, r, gravity, surface=0, shape=disk, no_slip=None):
 
     gravity : components of the acceleration of gravity along x and y
     surface : acceleration of the surface along x
-    no_slip : instead of the right condition, a mistaken one, of a and alpha
+    no_slip : a wrong condition of a and alpha, instead of the right one
     """
 
     def laws(a, alpha, F, N):
@@ -33,7 +32,7 @@ def slips(m, r, gravity, f):
 
 
 def _equations(m, r, gravity, shape, a, alpha, F, N):
-    """Newton's and Euler's, and the acceleration of the body at the contact along x."""
+    """Newton's and Euler's equations, and the x acceleration of the body at the contact."""
     ground = Frame("ground")
     G = ground.point("G", moving(0 * r, rate=0, acceleration=a), 0, 0)
     frame = ground.rotate("cylinder", "z", acceleration=alpha, origin=G)

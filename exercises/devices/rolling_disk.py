@@ -23,7 +23,7 @@ def rolling_spin(g):
 
     def slip(spin):
         ground, _, disk, _ = axle_and_disk(g, spin)
-        # along the way that the centre moves
+        # in the direction of motion of the centre
         return disk.point("contact", 0, -g.r, 0).velocity(ground).x
 
     (spin,) = solve_rates(slip, 1)
@@ -31,7 +31,7 @@ def rolling_spin(g):
 
 
 def rolling_steps(g):
-    """The turning of the axle and the condition of rolling."""
+    """The rotation of the axle and the condition of rolling."""
     ground, axle, disk, _ = axle_and_disk(g, rolling_spin(g))
     omega = axle.angular_velocity(ground).expressed_in(axle)
     means = "angular velocity of the axle, once round in T"
@@ -45,7 +45,7 @@ def rolling_steps(g):
 
 
 def proved_steps(g):
-    """Proof, what of this is found from the motion."""
+    """Proof: two of these steps, from the motion."""
     outward = lambda t: times(rot("y", 2 * mp.pi * t / g.T), [0, 0, g.R])
     turning = [0, 2 * mp.pi / g.T, 0]
     spin = minus(proofs.angular_velocity(orientation(g)), turning)
@@ -53,7 +53,7 @@ def proved_steps(g):
 
 
 def orientation(g):
-    """Proof, in time: the centre goes the arc R theta, the rim unrolls as much, A down at first."""
+    """Proof, over time: centre and rim both cover the arc R theta; A starts at the bottom."""
 
     def disk(t):
         theta = 2 * mp.pi * t / g.T
@@ -63,7 +63,7 @@ def orientation(g):
 
 
 def rim_point(g):
-    """Proof, the place of A in time, from the directions of travel and of the vertical."""
+    """Proof: position of A over time, from the directions of travel and of the vertical."""
 
     def A(t):
         theta = 2 * mp.pi * t / g.T
@@ -79,7 +79,7 @@ def rim_point(g):
 
 
 def sketch(g, ax, with_A=True):
-    """The figure of all three; the point A is in it where it is asked for."""
+    """The figure of all three problems."""
     ground, axle, _, A = axle_and_disk(g, rolling_spin(g))
     C = axle.point("C", 0, 0, 0)
     origin = ground.point("origin", 0, 0, 0)

@@ -1,7 +1,7 @@
 """Two blocks on one rope over pulleys without mass or friction, 6/5 to 6/8: in the x, y plane, y
 up.
 
-The rope pulls either block along its own line, toward the pulley.
+The rope pulls each block along a line toward the pulley.
 """
 
 from dataclasses import dataclass
@@ -22,17 +22,17 @@ class Block:
     m: Any
     line: Vector
     on_face: bool = False
-    pulls: int = 1  # the parts of the rope that pull on it
-    runs: int = 1  # those that shorten as it moves along its line
+    pulls: int = 1  # parts of the rope that pull on it
+    runs: int = 1  # parts that shorten as it moves along its line
 
     @property
     def W_t(self):
-        """The part of its weight against the pull of the rope."""
+        """The component of its weight against the pull of the rope."""
         return self.W * self.line.y
 
 
 def hanging(g, name, W, parts=1):
-    """A block of this weight that hangs on this many parts of the rope."""
+    """A block of this weight on this many parts of the rope."""
     return Block(name, W, mass_from_weight(W, g.g), Frame("ground").j, False, parts, parts)
 
 
@@ -51,7 +51,7 @@ class Motion(NamedTuple):
 
 
 def motion(A, B):
-    """The :class:`Motion` of A and B: each has pulls*T - W_t = m*a, and the rope its length."""
+    """The :class:`Motion` of A and B: pulls*T - W_t = m*a for each, and a rope of fixed length."""
     F, M = without_tension(A, B)
     a = F / M
     T = (A.W_t + A.m * (B.runs * a)) / A.pulls
@@ -59,39 +59,39 @@ def motion(A, B):
 
 
 def without_tension(A, B):
-    """(F, M): the force and the mass that are left of the equations of motion without T, where A
-    moves ``B.runs`` times and B ``-A.runs`` times the acceleration F/M.
+    """(F, M): net force and effective mass after T is eliminated; A accelerates at ``B.runs`` and B
+    at ``-A.runs`` times F/M.
     """
     F = A.pulls * B.W_t - B.pulls * A.W_t
     return F, A.m * (B.runs * B.pulls) + B.m * (A.runs * A.pulls)
 
 
 def block_steps(A, B, laws):
-    """The masses, the parts of the weights along the lines, and what is left without the tension of
-    the equations of motion, which ``laws`` writes, for the acceleration a of ``A`` toward its
+    """The masses, the components of the weights along the rope, and the equation of motion after T
+    is eliminated from ``laws``, the equations in words, for the acceleration of ``A`` toward its
     pulley.
     """
     for b in (A, B):
-        yield Step(f"m_{b.name}", b.m, "slug", f"mass of {b.name}, W/g")
+        yield Step(f"m_{b.name}", b.m, "slug", f"mass of {b.name}")
     for b in (A, B):
         if b.on_face:
             means = f"part of the weight of {b.name} down its face"
             yield Step(f"W_{b.name}t", b.W_t, "lb", means, "6.1", "6.3")
     F, M = without_tension(A, B)
-    yield Step("F", F, "lb", f"force that is left of the equations of motion {laws} without T",
-               "6.1", "6.4")  # fmt: skip
-    yield Step("M", M, "slug", "mass that it accelerates, F = M*a", "6.1", "6.4")
+    means = f"force that is left when T is eliminated from the equations of motion {laws}"
+    yield Step("F", F, "lb", means, "6.1", "6.4")
+    yield Step("M", M, "slug", "mass that it accelerates: F = M*a", "6.1", "6.4")
 
 
 def by_energy(g, W_A, W_B, places, reach):
-    """Proof: the rate of growth a of the run of the rope at B, and its tension, from the energy.
+    """Proof: the second rate of the length of rope at B, and its tension, from the energy.
 
-    places : of A and B, lists, when B has moved by s along its line away from the pulley
-    reach : a is between this and a millionth of it
+    places : functions of the displacement s of B away from its pulley: positions of A and B
+    reach : an upper bound of the second rate, which must exceed a millionth of it
     """
 
     def gain(W, place, a):
-        """The gain in energy of a block in the first unit of time, s = a t^2/2 from rest."""
+        """The gain in energy of a block after unit time, s = a t^2/2 from rest."""
         moved = lambda t: place(a * t**2 / 2)
         up = minus(moved(1), moved(0))[1]
         return W / g.g * sum(v**2 for v in rate(moved, 1)) / 2 + W * up
@@ -102,21 +102,21 @@ def by_energy(g, W_A, W_B, places, reach):
         reach / 10**6,
         reach,
     )
-    return a, -gain(W_B, places[1], a) / (a / 2)  # what B loses is the work against the rope
+    return a, -gain(W_B, places[1], a) / (a / 2)  # B's loss of energy is its work against the rope
 
 
 def draw_wedge(ax, left, right=None):
     """A wedge with A on its left, B on its right face or hanging; angles with their labels."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
-    height, half, long = 0.55, 0.09, 0.13  # of the wedge; half sizes of a block
+    height, half, long = 0.55, 0.09, 0.13  # height of the wedge, half sizes of a block
     top, foot = (0, 0, 0), (-height / tan(left[0]), -height, 0)
     heel = (height / tan(right[0]) if right else 0, -height, 0)
     s.plate([top, foot, heel], shade="light")
     s.road([(foot[0] - half, -height, 0), (heel[0] + 3 * half, -height, 0)])
 
     def block(name, angle, run, side=1, thick=2):
-        """Its middle at ``run`` from the top, on this ``side``; returns the rope's end."""
+        """A block with its middle at ``run`` from the top; returns the rope's end."""
         face = ground.rotate(f"line of {name}", "z", angle)
         place = face.point(name, -run, side * half, 0)
         s.box(place, face, (2 * long, thick * half, 2 * half))

@@ -1,4 +1,4 @@
-"""A body on a shaft in two bearings, 9/1 to 9/6: H, its rate, forces, balance; x from A to B."""
+"""A body on a shaft in two bearings (9/1 to 9/6): H, its rate, forces, balance; x from A to B."""
 
 from dataclasses import dataclass
 
@@ -6,7 +6,7 @@ from exercises.tools import Sketch, Step, in_frame, mpf, proofs, rate, rot, size
 from newton_euler import Body, Frame, Point, composite, dynamics
 from newton_euler.applications import balance, reactions
 
-SMALL = mpf(10) ** -25  # a sum over mass points below this, of parts of about 1, is zero
+SMALL = mpf(10) ** -25  # a sum over mass points below this, with terms of about 1, is zero
 
 
 @dataclass(frozen=True)
@@ -53,25 +53,28 @@ def answers(r):
 
 
 def principal_steps(body, *axes):
-    """The moments about the centre that count, each (key, axis of the body, which it is)."""
+    """The relevant moments of inertia about the centre; ``axes``: (key, body axis, description)."""
     for key, axis, which in axes:
         yield Step(key, body.inertia.moment(axis), "kg*m^2", f"moment of inertia {which}",
                    "7.6")  # fmt: skip
 
 
-def shaft_steps(r, products="xy"):
-    """The moment and ``products`` of inertia that enter H_O: those that are not zero."""
+def shaft_steps(r, products="xy", from_principal=False):
+    """The moment and ``products`` of inertia that enter H_O: those that are not zero;
+    ``from_principal`` moments, or integrals.
+    """
+    found = ("7.4", "") if from_principal else ("7.2", "7.10")
     I = r.body.about(r.O, r.shaft)
     yield Step("I_xx", I.moments[0], "kg*m^2", "moment of inertia about the axis of the shaft",
-               "7.2", "7.10")  # fmt: skip
+               *found)  # fmt: skip
     for name in products.split():
         product = {"xy": I.products[0], "xz": I.products[2]}[name]
-        yield Step(f"I_{name}", product, "kg*m^2", f"product of inertia about O, the sum of "
-                   f"{name[0]}*{name[1]}*dm", "7.2", "7.10")  # fmt: skip
+        means = f"product of inertia about O, the integral of {name[0]}*{name[1]}*dm"
+        yield Step(f"I_{name}", product, "kg*m^2", means, *found)
 
 
 def force_steps(r):
-    """Steps for G off the axis: its acceleration, the parts of each bearing force."""
+    """Steps for G off the axis: its acceleration, and the terms of each bearing force."""
     a_G = r.body.centre.acceleration(r.ground).expressed_in(r.shaft)
     yield Step("a_G", a_G, "m/s^2", "acceleration of the centre of mass", "4.8",
                "4.18")  # fmt: skip
@@ -102,14 +105,14 @@ def following(rotor_of):
 def problem_of(rotor_of, *axes, products="xy", off_axis=False):
     """``solve``, ``steps`` and ``follows`` of a problem whose :class:`Rotor` is ``rotor_of(g)``.
 
-    axes : of a body of one part, as principal_steps takes them
+    axes : for :func:`principal_steps`, of a body of one part
     off_axis : whether its centre of mass is off the axis
     """
 
     def steps(g):
         r = rotor_of(g)
         yield from principal_steps(r.body.parts[0], *axes)
-        yield from shaft_steps(r, products)
+        yield from shaft_steps(r, products, from_principal=bool(axes))
         if off_axis:
             yield from force_steps(r)
 
@@ -120,10 +123,10 @@ def problem_of(rotor_of, *axes, products="xy", off_axis=False):
 
 
 def with_inertia(r, moment=1, product=1):
-    """The answers with the shaft's moment of inertia and the products each times a factor."""
+    """The answers with wrong factors on the shaft's moment of inertia and on the products."""
     right, found = answers(r), forces(r)
     H, change = right["H_O"], product - 1
-    # what is added, not reweighted: so zero is still a formula of the symbols
+    # added, not reweighted, so that zero remains a formula in the symbols
     return in_frame(r.shaft, {
         "H_O": r.shaft.vector(moment * H.x, product * H.y, product * H.z),
         "Hdot_O": right["Hdot_O"] + right["Hdot_O"] * change,
@@ -137,7 +140,7 @@ def only(answers, *keys):
 
 
 def pure_couple(r):
-    """The bearing forces with m a_G left out."""
+    """The mistake of bearing forces without m a_G."""
     found = forces(r)
     return in_frame(r.shaft, {
         "F_A": found.A.without("static"),
@@ -154,10 +157,10 @@ def on_the_bearings(r):
 
 
 def prove(g, points, a, b, extra=("I_xx", "I_xy")):
-    """From the mass points of the body, pairs (mass, place in the shaft), carried round: their
-    angular momentum about O, differenced, and the moments that they need about the bearings. A
-    bearing force has none about its own bearing, so that each follows from that about the other.
-    ``extra`` names the steps that it finds too.
+    """The answers from rotating mass points, pairs (mass, place in the shaft): their angular
+    momentum about O, its rate, and the moments that the motion needs about the bearings. A force
+    has no moment about its own bearing, so each follows from the moment about the other. ``extra``
+    names steps to return too.
     """
 
     def carried(t):
@@ -189,7 +192,7 @@ def prove(g, points, a, b, extra=("I_xx", "I_xy")):
 
 
 def state(static, dynamic):
-    """The word for a balance."""
+    """The answer on the balance."""
     if static and dynamic:
         return "both"
     return "static" if static else "dynamic" if dynamic else "neither"

@@ -1,4 +1,4 @@
-"""The satellite of 5/2 and 7/2: two spheres that touch, the larger about O, x through both."""
+"""The satellite of 5/2 and 7/2: two touching spheres, the larger about O, x through both."""
 
 from exercises.tools import Sketch, proofs
 from newton_euler import Frame, bodies
@@ -15,7 +15,7 @@ def parts(g, distance=None, shape=bodies.sphere):
 
 
 def spheres(g):
-    """Proof, of each sphere its mass, its mass points and the place of its centre."""
+    """Proof: mass, mass points and centre of each sphere."""
     return [
         (g.m1, proofs.ball(g.R1, order=2), [0, 0, 0]),
         (g.m2, proofs.ball(g.R2, order=2), [g.R1 + g.R2, 0, 0]),

@@ -1,11 +1,11 @@
-"""The screw-jack of 4/1 (and 3/12): one lead up in each turn; A is the end of its handle."""
+"""The screw-jack of 4/1 (and 3/12), which rises by one lead per turn; A ends its handle."""
 
 from exercises.tools import Sketch, at_angle, mp
 from newton_euler import Frame, cos, moving, pi, sin
 
 
 def rise(g):
-    """Axial speed of the screw: one lead for each turn."""
+    """Axial speed of the screw."""
     return g.lead * g.n / (2 * pi(g.n))
 
 
@@ -17,17 +17,17 @@ def screw_in_nut(g, rise, n):
 
 
 def handle_in_time(g):
-    """Proof, the place of A in time: a circle about the axis, and the lead times the turns made."""
+    """Proof: position of A over time, a circle about the axis and the lead times the turns."""
     return lambda t: at_angle(g.a, g.n * t, g.lead * g.n * t / (2 * mp.pi))
 
 
 def figure(g, ax, ground, rising, A):
-    """The figure, without axes, of these frames and A; returns the sketch."""
+    """The figure without axes; returns the sketch."""
     B, thick, low = rising.origin, 0.15 * g.a, -0.3 * g.a - 2.5 * g.lead
     s = Sketch(ax, ground, azimuth=-110, elevation=18)
     s.box((0, 0, low), ground, (0.9 * g.a, 0.7 * g.a, 0.3 * g.a))
     s.cylinder((0, 0, low + 0.15 * g.a), B, thick)
-    lowest, right = -0.1 * g.a - 2.4 * g.lead, -20 * pi() / 180  # the edge of the screw as seen
+    lowest, right = -0.1 * g.a - 2.4 * g.lead, -20 * pi() / 180  # the visible edge of the screw
 
     def on_thread(turns):
         w = right + 2 * pi() * turns

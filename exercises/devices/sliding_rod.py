@@ -6,9 +6,8 @@ from newton_euler import moving
 
 
 def about(name, side, **rates):
-    """The end ``name`` as a function of g, and ``solve``, ``steps``, ``prove`` and ``draw`` of a
-    problem about it; ``side``: -1 or 1, along i from A. ``rates`` as for :func:`end`, functions
-    of g.
+    """The end ``name`` as a function of g, and ``solve``, ``steps``, ``prove`` and ``draw`` for it;
+    ``side``: -1 or 1, along i from A. ``rates``: functions of g, for :func:`end`.
     """
     place = lambda g: (side * getattr(g, f"x_{name}"), getattr(g, f"y_{name}"))
     given = lambda g: {rate: of(g) for rate, of in rates.items()}
@@ -23,14 +22,14 @@ def about(name, side, **rates):
 
 
 def end(g, name, x, y, alpha=None, a_r=None):
-    """Ground, and the rod's end; ``alpha``: growth of the clockwise rate, ``a_r``: of the speed."""
+    """Ground, and the rod's end; ``alpha`` (clockwise) and ``a_r`` are the rates of omega and u."""
     ground, bracket = turning("bracket", -g.omega, None if alpha is None else -alpha)
     growing = {} if a_r is None else {"acceleration": a_r}
     return ground, bracket.point(name, moving(x, rate=g.u, **growing), y, 0)
 
 
 def prove(g, name, x, y, alpha=0, a_r=0):
-    """The explicit path of the end."""
+    """Proof by the explicit path of the end."""
     return proof(
         name,
         "bracket",
@@ -46,7 +45,7 @@ def without(ground, P, *names):
 
 
 def common_mistakes(g, scene, x):
-    """Those of 2/36 and 2/39; ``scene(g)`` is the end, ``x`` names its distance from A."""
+    """The mistakes of 2/36 and 2/39; ``scene(g)`` is the end, ``x`` names its distance from A."""
     return {
         "counterclockwise": motion(*scene(g.but(omega=-g.omega))),
         "no_coriolis": without(*scene(g), "coriolis"),
@@ -55,10 +54,9 @@ def common_mistakes(g, scene, x):
 
 
 def draw(g, ax, name, x, y, alpha=None, a_r=None):
-    """The figure; the other end of the rod is as far from A on the other side.
+    """The figure; the rod extends equally far on both sides of A.
 
-    A given rate of growth is an arrow: ``alpha`` a wider arc, ``a_r``, which is negative, to the
-    left.
+    Second rates are arrows: ``alpha`` a wider arc, the negative ``a_r`` to the left.
     """
     ground, P = end(g, name, x, y)
     bracket, side, far = P.frame, x / abs(x), abs(x)

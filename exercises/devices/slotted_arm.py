@@ -1,27 +1,27 @@
-"""The slotted arm of 2/24, 2/25 turns about O; the pin P of a crank CP slides in it; OC = CP."""
+"""The slotted arm of 2/24, 2/25, turning about O, with the pin P of a crank CP in it; OC = CP."""
 
 from exercises.tools import Sketch, at_angle, plus, rot, times
 from newton_euler import Frame, cos, moving, sin
 
 
 def turning(g):
-    """The angle of the arm and the distance OP, both moving."""
+    """The angle of the arm and the distance OP, with their rates."""
     theta = moving(g.theta, rate=g.omega)
     return theta, 2 * g.b * cos(theta)
 
 
 def crank(g):
-    """Proof, P in time: the angle at the centre is twice that at the circumference."""
+    """Proof: P over time; the angle at the centre is twice that at the circumference."""
     return lambda t: plus([g.b, 0, 0], at_angle(g.b, 2 * (g.theta + g.omega * t)))
 
 
 def in_arm(g, vector, t=0):
-    """Proof, components along the arm and across it."""
+    """Proof: components along the arm and across it."""
     return times(rot("z", -g.theta - g.omega * t), vector)
 
 
 def sketch(g, ax, labels):
-    """The figure of both; ``labels``: of the axes along the arm."""
+    """The figure of both problems; ``labels``: of the axes along the arm."""
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", g.theta)
     O, C = ground.point("O", 0, 0, 0), ground.point("C", g.b, 0, 0)

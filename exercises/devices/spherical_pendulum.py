@@ -1,6 +1,6 @@
-"""A particle at a constant distance from a fixed point O, 11/26 to 11/28: as the bob of a spherical
-pendulum, or in a ring without mass that turns freely about its vertical diameter. Either gives it
-a force along the line to O alone, so that its angular momentum about the vertical is kept.
+"""A particle at a constant distance from a fixed point O (11/26 to 11/28): the bob of a spherical
+pendulum, or a bead in a massless ring that turns freely about its vertical diameter. Both
+constraints conserve the angular momentum about the vertical.
 """
 
 from exercises.tools import mp, proofs
@@ -9,7 +9,7 @@ from newton_euler.dynamics import kinetic_energy, weight_potential
 
 
 def level_motion(m, radius, depth, rate):
-    """Kinetic energy and angular momentum about the vertical through O on a level circle."""
+    """Kinetic energy and angular momentum about the vertical through O, on a horizontal circle."""
     ground = Frame("ground")
     turning = ground.rotate("turning", "z", rate=rate)
     P = particle(m, turning.point("P", sqrt(radius**2 - depth**2), 0, -depth))
@@ -17,10 +17,11 @@ def level_motion(m, radius, depth, rate):
 
 
 def sine_of_descent(m, radius, rate, g, share=1):
-    """Of the greatest angle below the level of O, s, if the particle starts there with this rate.
+    """The sine s of the greatest angle below the level of O, for a start at that level at this
+    rate.
 
-    With the angular momentum kept, its kinetic energy T_0 becomes T_0/(1 - s^2), and it loses
-    m g radius s of potential energy: (T_0/(m g radius)) s = 1 - s^2. ``share`` weighs T_0.
+    As the angular momentum is conserved, the kinetic energy T_0 becomes T_0/(1 - s^2) while m g
+    radius s of potential energy is lost: (T_0/(m g radius)) s = 1 - s^2. ``share`` multiplies T_0.
     """
     T_0, _ = level_motion(m, radius, 0 * radius, rate)
     k = share * T_0 / weight_potential(m, radius, g)
@@ -31,7 +32,7 @@ def sine_of_descent(m, radius, rate, g, share=1):
 
 
 def rates(g):
-    """Of the state, z upward: the force toward O keeps the distance, r.a + v^2 = 0."""
+    """The rates of the state, z upward; the force toward O follows from r.a + v^2 = 0."""
 
     def of(state):
         r, v = state[:3], state[3:]
@@ -42,21 +43,21 @@ def rates(g):
 
 
 def start(depth, radius, speed):
-    """Level, along y; in floats if these are floats."""
+    """The state of a horizontal start along y, in the arithmetic of the arguments."""
     zero = 0 * speed
     away = (radius * radius - depth * depth) ** (speed / speed / 2)
     return [away, zero, -depth, zero, speed, zero]
 
 
 def other_level(g, depth, radius, speed):
-    """Place and velocity at the next moment without vertical velocity."""
+    """Position and velocity at the next instant without vertical velocity."""
     hint = radius / (speed + (g * radius) ** (speed / speed / 2))
     _, state = proofs.until(rates(g), start(depth, radius, speed), lambda s: s[5], hint)
     return state[:3], state[3:]
 
 
 def way(g, depth, radius, speed, duration, pieces=60):
-    """Places on the trajectory, in floats."""
+    """Points of the trajectory, in floats."""
     state, places = start(*map(float, (depth, radius, speed))), []
     for _ in range(pieces + 1):
         places.append(tuple(state[:3]))

@@ -1,28 +1,28 @@
-"""A point with spherical angles (3/15, 3/16; a proof for others): phi is the elevation."""
+"""A point in spherical coordinates (3/15, 3/16; a proof for others); phi is the elevation."""
 
 from exercises.tools import Sketch, at_angle, elevation, mp, second_rate, spherical_axes, times
 from newton_euler import Frame, cos, kinematics, sin
 
 
 def place_in_time(R, theta, phi):
-    """Proof, the place in time; the coordinates are functions of time."""
+    """Proof: position over time from coordinates over time."""
     across = lambda t: R(t) * mp.cos(phi(t))
     up = lambda t: R(t) * mp.sin(phi(t))
     return lambda t: at_angle(across(t), theta(t), up(t))
 
 
 def local_acceleration(A, t=0):
-    """Proof, the acceleration of a place A in time, along e_R, e_theta, e_phi there."""
+    """Proof: acceleration of A, a position over time, along e_R, e_theta, e_phi."""
     return times(spherical_axes(A(t)), second_rate(A, t))
 
 
 def elevation_in_time(A):
-    """Proof, the elevation of a place A in time."""
+    """Proof: elevation of A, a position over time."""
     return lambda t: elevation(A(t))
 
 
 def figure(g, ax, distance="", theta=0.9):
-    """The figure, with the elevation of g and the name of OP; the azimuth is not asked about."""
+    """The figure, with the elevation of g and ``distance``, a label for OP; any azimuth will do."""
     ground = Frame("ground")
     axes = kinematics.spherical_frame(ground, theta, g.phi)
     s = Sketch(ax, ground, azimuth=40, elevation=20)

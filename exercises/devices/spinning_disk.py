@@ -1,12 +1,10 @@
-"""A disk that spins in an arm about a shaft through O, 9/7 and 9/8: H_O, and what supports give."""
+"""A disk that spins in an arm on a shaft through O (9/7, 9/8): H_O, force and couple on it."""
 
 from dataclasses import dataclass
 
-from exercises.devices.rotor import state
-from exercises.tools import Step, disk, in_frame, mpf, plus, proofs, rate, rot, size, times
+from exercises.devices.rotor import SMALL, state
+from exercises.tools import Step, disk, in_frame, plus, proofs, rate, rot, size, times
 from newton_euler import Body, Frame, Point, bodies, dynamics
-
-SMALL = mpf(10) ** -25  # a sum over mass points below this, of parts of about 1, is zero
 
 
 @dataclass(frozen=True)
@@ -29,7 +27,7 @@ def spinning(g, radius, shaft, spin, C=(0, 0, 0)):
 
 
 def with_moments_exchanged(d, spin):
-    """The same, the axial and the diametral moment of inertia exchanged."""
+    """The disk with its axial and diametral moments of inertia exchanged."""
     axial, across = moments(d, spin)
     exchanged = (across if axis == spin else axial for axis in "xyz")
     wrong = Body("disk", d.body.mass, d.body.frame, tuple(exchanged))
@@ -47,20 +45,20 @@ def momentum(d):
 
 
 def answers(d, couple):
-    """H_O, its rate, and as ``couple`` the moment about O, at rest, which is that rate (8.11)."""
+    """H_O, its rate, and under ``couple`` the moment about O, which equals the rate (8.11)."""
     H = momentum(d)
     Hdot = H.rate(d.ground)
     return in_frame(d.arm, {"H_O": H, "Hdot_O": Hdot, couple: Hdot})
 
 
 def force(d):
-    """What moves the centre of mass, a point of the arm."""
+    """The resultant force on the disk, whose centre of mass is a point of the arm."""
     C = d.body.frame.origin
     return dynamics.resultant_force(d.body.mass, C.acceleration(d.ground)).expressed_in(d.arm)
 
 
 def balance(d):
-    """The word, from the distance of the centre of mass from the axis and the rate of H_O."""
+    """The answer on the balance, by the offset of the centre of mass and the rate of H_O."""
     omega, H = d.arm.angular_velocity(d.ground), momentum(d)
     G = d.body.centre - d.O
     rests = abs(omega.cross(G)) <= 1e-9 * abs(omega) * abs(G)
@@ -84,14 +82,14 @@ def disk_rate(d, couple):
 
 
 def no_rotation(d, couple):
-    """Mistake: only the components of H_O differentiated, which are constant."""
+    """Mistake: only the components of H_O, which are constant, differentiated."""
     right = momentum(d).rate(d.ground)
-    # not 0: so zero is still a formula of the symbols
+    # not 0, so that zero remains a formula in the symbols
     return dict.fromkeys(("Hdot_O", couple), (right - right.terms["rotation"]).expressed_in(d.arm))
 
 
 def following(couple, shaft):
-    """``follows`` with the couple under its key; the arm turns about its axis ``shaft``."""
+    """``follows`` with the key ``couple``; the arm turns about its axis ``shaft``."""
 
     def Hdot_O(g, H_O):
         axis = dict(zip("xyz", (H_O.frame.i, H_O.frame.j, H_O.frame.k), strict=True))[shaft]
@@ -101,7 +99,7 @@ def following(couple, shaft):
 
 
 def prove_spinning(g, radius, shaft, spin, C, couple):
-    """From the disk's mass points in time: the moment of what each needs, m a; force: F_A."""
+    """The answers from the disk's moving mass points, with the force F_A."""
     turned = {"x": lambda x, y, z: [z, x, y], "y": lambda x, y, z: [y, z, x],
               "z": lambda x, y, z: [x, y, z]}[spin]  # fmt: skip
     points = [(share * g.m, turned(*place)) for share, place in disk(radius)]

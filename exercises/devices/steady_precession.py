@@ -1,9 +1,9 @@
-"""A body of revolution that precesses steadily about the vertical through a point O of its axis,
-10/1 to 10/5, and free of moments 10/6: Euler's angles, the moment of the weight, and the proof.
+"""A body of revolution in steady precession about the vertical through a point O of its axis (10/1
+to 10/5; free of moments, 10/6): Euler's angles, the moment of the weight, and the proof.
 
-theta is the angle from the upward vertical K to the axis k, and the line of nodes has the direction
-of K x k. The proofs carry mass points round in the explicit motion and ask what moment they need:
-no moment of inertia, no equation of a gyroscope.
+theta is the angle from the upward vertical K to the axis k; the line of nodes is along K x k. The
+proofs find the moment that mass points need in the explicit motion, without moments of inertia or
+equations of a gyroscope.
 """
 
 from exercises.tools import mean, moment_needed, mp, mpf, plus, ring, root, rot, times
@@ -26,13 +26,13 @@ def weight_moment(m, g, ground, axes, r):
 
 
 def orientation(theta, psi_dot, phi_dot):
-    """As a function of time; at the time 0 the line of nodes is x."""
+    """Orientation as a function of time; at t = 0 the line of nodes is x."""
     tilted = rot("x", theta)
     return lambda t: times(rot("z", psi_dot * t), tilted, rot("z", phi_dot * t))
 
 
 def carried(points, turned):
-    """Mass points, placed along the axes of the body, as a function of time."""
+    """Mass points, given along the axes of the body, as a function of time."""
 
     def motion(t):
         R = turned(t)
@@ -42,17 +42,17 @@ def carried(points, turned):
 
 
 def needed(m, points, theta, psi_dot, phi_dot):
-    """The moment about O and the line of nodes that they need in this precession."""
+    """The moment about O, along the line of nodes, that mass points need in this precession."""
     return moment_needed(m, carried(points, orientation(theta, psi_dot, phi_dot)))[0]
 
 
 def of_weights(m, g, points, theta):
-    """The moment of their weights there, which are along -z."""
+    """The moment of their weights, about the same line."""
     return m * mean(lambda r: -g * times(rot("x", theta), r)[1], points)
 
 
 def two_rings(k_z, k_x, c=0):
-    """Mass points with these radii of gyration about O and the centre of mass at the distance c."""
+    """Mass points with these radii of gyration about O and the centre of mass at distance c."""
     h = mp.sqrt(k_x**2 - c**2 - k_z**2 / 2)
     return [
         (share / 2, plus(place, [0, 0, c + side * h]))
@@ -68,22 +68,21 @@ def needed_by_rates(m, points, theta):
 
 
 def both_rates(m, points, theta, phi_dot, moment):
-    """The two rates, slow and fast, at which they need just this moment, positive and not too
-    large, if that about the axis is the smaller moment of inertia.
-
-    Time is counted in that of 1 rad of spin: the rate is x, and the spin 1.
+    """The slow and the fast rate at which mass points need this moment, for a small positive moment
+    and an axial moment of inertia that is the smaller one. Time is in units of 1 rad of spin: the
+    rate is x, and the spin 1.
     """
     square, product = needed_by_rates(m, points, theta)
     surplus = lambda x: square * x * x + product * x - moment / phi_dot**2
     middle = -product / (2 * square)
     high = middle
-    while surplus(high / 2) > 0:  # the slow one may be smaller by many digits
+    while surplus(high / 2) > 0:  # the slow rate may be smaller by orders of magnitude
         high /= 2
     return phi_dot * root(surplus, 0, high), phi_dot * root(surplus, middle, 2 * middle)
 
 
 def leading(m, points, theta, phi_dot, moment):
-    """Leading terms of both rates and the correction of the slow one, by far larger spins."""
+    """Leading terms of both rates and the correction of the slow one, from much larger spins."""
     faster, fastest = mpf(10) ** 10, mpf(10) ** 20
     slow, fast = both_rates(m, points, theta, fastest * phi_dot, moment)
     psi_slow = fastest * slow

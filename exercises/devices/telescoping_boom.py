@@ -1,18 +1,18 @@
-"""The telescoping boom OA of 3/17 and 3/18, on a vertical shaft that turns."""
+"""The telescoping boom OA of 3/17 and 3/18, on a turning vertical shaft."""
 
 from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, moving, pi, spherical
 
 
 def boom_end(omega, beta, length):
-    """Ground, and the end A; ``beta``, from the upward vertical, and ``length`` are moving."""
+    """Ground, and the end A, for moving ``beta``, from the upward vertical, and ``length``."""
     ground = Frame("ground")
     elevation = pi(beta.value) / 2 - beta
     return ground, spherical(ground, "A", length, moving(0, rate=omega), elevation)
 
 
 def end_in_time(omega, beta, length):
-    """Proof, the place of A in time; ``beta`` and ``length`` are functions of it."""
+    """Proof: position of A over time, from functions ``beta`` and ``length`` of time."""
     along = lambda t: [length(t) * mp.sin(beta(t)), 0, length(t) * mp.cos(beta(t))]
     return lambda t: times(rot("z", omega * t), along(t))
 

@@ -1,12 +1,12 @@
-"""The ball of 2/7 and 2/8, thrown at a vertical wall as high as can be: path, proof, figure."""
+"""The ball of 2/7 and 2/8, thrown to hit a vertical wall as high as possible."""
 
 from exercises.tools import Sketch, mp, rate, root
 from newton_euler import Frame, kinematics, moving, sqrt
 
 
 def at_wall(g, u):
-    """Height and slope of the path at the wall; ``u``: the slope at which the ball is thrown. With
-    x for the time: over x, the slope falls at the rate g over the square of the forward velocity.
+    """Height and slope of the path at the wall, for an initial slope ``u``. With x as the
+    independent variable, the slope decreases at the rate g over the square of the forward velocity.
     """
     forward_squared = g.v_0**2 / (1 + u**2)
     return kinematics.from_time(lambda x: -g.g / forward_squared, g.d, v0=u)
@@ -18,7 +18,7 @@ def forward(g, u):
 
 
 def best_slope(g):
-    """The slope of the highest throw: the height is quadratic in it, so two derivatives tell."""
+    """The initial slope of the highest hit: the height is quadratic in it."""
     h, _ = at_wall(g, moving(0 * g.one, rate=g.one))
     return -h.rate / h.acceleration
 
@@ -34,12 +34,12 @@ def proved_height(g, gam):
 
 
 def proved_path(g, gam):
-    """Proof: the place of the ball in time."""
+    """Proof: position of the ball over time."""
     return lambda t: [g.v_0 * mp.cos(gam) * t, g.v_0 * mp.sin(gam) * t - g.g * t**2 / 2]
 
 
 def draw(g, ax):
-    """The thrower at O, the wall, the place hit; and of the path only the beginning."""
+    """The thrower at O, the wall, the point of impact, and the beginning of the path."""
     s = Sketch(ax, Frame("ground"), plane="xz")
     u = best_slope(g)
     h, _ = at_wall(g, u)

@@ -14,7 +14,7 @@ def data(g):
 
 
 def top(g, **wrong):
-    """The arguments of the engine's functions, the ones of a mistake instead of the right ones."""
+    """Arguments for the engine's functions, with wrong ones for a mistake."""
     return data(g) | {"spin": g.phi_dot} | wrong
 
 
@@ -29,7 +29,7 @@ def data_steps(g):
 
 
 def proof_data(g):
-    """Mass points, and what the proof needs and finds of them."""
+    """Arguments for the proof, with mass points, and the steps found from these."""
     m, points = g.W / g.g, two_rings(g.k_z, g.k_x, g.c)
     M = of_weights(m, g.g, points, g.theta)
     found = {
@@ -41,7 +41,7 @@ def proof_data(g):
 
 
 def draw(g, ax):
-    """As a wheel about G with the axial radius of gyration k_z on a thin axle."""
+    """The top as a wheel of radius k_z about G, on a thin axle."""
     ground, axes = frames(g.theta, pi(g.theta) / 2)
     s = Sketch(ax, ground, azimuth=-68, elevation=18)
     O, G = axes.origin, axes.point("G", 0, 0, g.c)

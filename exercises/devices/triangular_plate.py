@@ -9,7 +9,7 @@ def height(g):
 
 
 def area_points(g):
-    """Proof, pairs (area, place): a square mapped to the triangle, its lower edge to O."""
+    """Proof: pairs (area, place), by a map from the unit square whose lower edge goes to O."""
     half = 1 / mpf(2)
     points = []
     for share, (x, y, _) in proofs.box(1, 1, 0):

@@ -1,4 +1,4 @@
-"""The telescoping boom AB of a truck (2/26 to 2/29), which stands or drives; theta falls."""
+"""The telescoping boom AB of a truck (2/26 to 2/29), at rest or driving; theta decreases."""
 
 from exercises.tools import Sketch, Step, at_angle, in_frame, plus, proofs, rate, rot, terms
 from newton_euler import Frame, moving, pi
@@ -19,7 +19,7 @@ def moving_with(**rates):
 
 
 def boom(g, L_ddot=0, alpha=0, theta=0, v=0, a=0):
-    """Ground, with x the way the truck drives and y up; the boom, with i from A to B; B.
+    """Ground, x forward and y up; the boom, with i from A to B; B.
 
     L_ddot : the second rate of the length
     alpha : theta''; theta itself matters only where the truck moves
@@ -39,7 +39,7 @@ def motion(ground, arm, B):
 
 
 def boom_steps(ground, arm, B):
-    """The turning of the boom and the motion of B in it, then the terms of the answers."""
+    """The rotation of the boom, the motion of B relative to it, then the terms of the answers."""
     omega, alpha = arm.angular_velocity(ground), arm.angular_acceleration(ground)
     yield Step("omega_boom", omega.expressed_in(arm), "rad/s",
                "angular velocity of the boom, along k", "2.8", "2.19")  # fmt: skip
@@ -53,7 +53,7 @@ def boom_steps(ground, arm, B):
 
 
 def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
-    """B in time, forward and up; along the boom of the instant any theta will do."""
+    """B over time, forward and up; along the boom, the answers do not depend on theta."""
     elevation = lambda t: theta - g.omega * t + alpha * t**2 / 2
     A = lambda t: [v * t + a * t**2 / 2, 0, 0]
 
@@ -72,7 +72,7 @@ def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
 
 
 def sketch(g, ax, theta=None):
-    """The truck, the boom, omega and the answers' axes, at 35 degrees unless theta is given."""
+    """The truck, the boom, omega and the axes of the answers; theta is 35 degrees by default."""
     angle = 7 * pi(g.L) / 36 if theta is None else theta
     ground, arm, B = boom(g, theta=angle)
     size = g.L

@@ -1,8 +1,8 @@
-"""Bodies that turn about one of their axes x, y, z, which is fixed in them and in the ground, at a
-rate omega that grows at the rate alpha: angular momentum and moment, 8/11 and 8/13 to 8/19.
+"""Bodies turning about a fixed axis, x, y or z, at the rate omega with alpha: angular momentum and
+moment (8/11 and 8/13 to 8/19).
 
-Neither asks for the ground: (8.17) and (8.18) have all in the axes of the body. The proofs let the
-mass points move along their circles.
+No ground frame is needed: (8.17) and (8.18) are in the axes of the body. The proofs move mass
+points on their circles.
 """
 
 from itertools import pairwise
@@ -25,7 +25,7 @@ def about_origin(frame, parts):
 
 
 def problem_of(inertia, axis, system="SI"):
-    """``solve``, ``steps`` and ``follows`` of a problem; ``inertia``: the Inertia, of g."""
+    """``solve``, ``steps`` and ``follows`` for ``inertia(g)``, an :class:`Inertia`."""
     return (
         lambda g: answers(g, inertia(g), axis),
         lambda g: steps_of(g, inertia(g), axis, system),
@@ -34,7 +34,7 @@ def problem_of(inertia, axis, system="SI"):
 
 
 def answers(g, inertia, axis):
-    """H_O and M_O from an :class:`Inertia`, a right or a wrong one."""
+    """H_O and M_O from an :class:`Inertia`, right or wrong."""
     return {
         "H_O": fixed_line_momentum(inertia, g.omega, axis),
         "M_O": fixed_line_moment(inertia, g.omega, g.alpha, axis),
@@ -42,7 +42,7 @@ def answers(g, inertia, axis):
 
 
 def moment_from_momentum(axis):
-    """The function that ``follows`` needs: H has constant components per omega."""
+    """``follows``: H/omega has constant components in the body."""
 
     def M_O(g, H_O):
         e = {"x": H_O.frame.i, "y": H_O.frame.j, "z": H_O.frame.k}[axis]
@@ -55,7 +55,7 @@ def moment_from_momentum(axis):
 
 
 def products(inertia, axis):
-    """The products of inertia with the coordinate along the axis, by name."""
+    """{name: product of inertia} for those with the coordinate along the axis."""
     xy, yz, zx = inertia.products
     named = {"I_xy": xy, "I_yz": yz, "I_zx": zx}
     return {name: value for name, value in named.items() if axis in name[2:]}
@@ -75,7 +75,8 @@ def inertia_steps(inertia, axis, system="SI"):
                "7.14" if parts else "7.10")  # fmt: skip
     for name, value in products(inertia, axis).items():
         u, v = name[2:]
-        yield Step(name, value, unit, f"integral of {u} {v} over the mass", "7.2", "7.10")
+        means = f"integral of {u} {v} over the mass"
+        yield Step(name, value, unit, means, "7.2", "7.10", of_givens=True)
 
 
 def steps_of(g, inertia, axis, system="SI"):
@@ -88,12 +89,12 @@ def steps_of(g, inertia, axis, system="SI"):
 
 
 def no_rotation(g, inertia, axis):
-    """The mistake of no omega x H."""
+    """The mistake of omitting omega x H."""
     return {"M_O": answers(g, inertia, axis)["M_O"].without("rotation")}
 
 
 def other_products(inertia, xy=None, yz=None, zx=None):
-    """The :class:`Inertia` with the products that are given, all others as they are."""
+    """The :class:`Inertia` with the given products replaced."""
     new = [b if a is None else a for a, b in zip((xy, yz, zx), inertia.products, strict=True)]
     return Inertia(inertia.point, inertia.moments, new, frame=inertia.frame, tolerance=None)
 
@@ -107,23 +108,22 @@ def wrong_sign(inertia):
 
 
 def added_to_moment(inertia, axis, extra):
-    """The :class:`Inertia` with a wrong moment about the axis, by ``extra``."""
+    """The :class:`Inertia` with ``extra`` added to the moment about the axis."""
     moments = [x + extra if u == axis else x for u, x in zip("xyz", inertia.moments, strict=True)]
     return Inertia(inertia.point, moments, inertia.products, frame=inertia.frame, tolerance=None)
 
 
-# -- proofs: what stands for a body is the function that integrates an f(place) over its mass
+# -- proofs: a body is a function that integrates f(place) over its mass
 
 
 def of_points(mass, points, at=(0, 0, 0)):
-    """The integral over this mass, spread as ``points`` (see :func:`mean`) about a place."""
+    """The integral over a mass spread as ``points`` (see :func:`mean`) around the place ``at``."""
     return lambda f: scaled(mass, mean(lambda place: f(plus(place, at)), points))
 
 
 def of_wire(density, place, way, corners, names):
-    """The integrals over the pieces of a wire of this mass per length, by their names;
-    ``place(s)`` is the place after the way s, and ``corners`` are the ends of the pieces before
-    the last.
+    """{name: integral over a piece} of a wire of this mass per length; ``place(s)`` is the position
+    at arc length s up to ``way``, ``corners`` are where pieces join.
     """
 
     def over_piece(start, end):
@@ -134,7 +134,7 @@ def of_wire(density, place, way, corners, names):
 
 
 def prove_momentum(g, axis, **parts):
-    """The momenta of the mass points on their circles have moments about O; inertia adds up."""
+    """H_O from the momenta of mass points on their circles, and the steps, as sums."""
     n, across = "xyz".index(axis), ["xyz".index(u) for u in ACROSS[axis]]
     square = lambda place: [sum(place[k] ** 2 for k in across)]
     squares = {f"I_{axis}{axis}_{name}": over(square)[0] for name, over in parts.items()}
@@ -147,7 +147,7 @@ def prove_momentum(g, axis, **parts):
 
 
 def prove(g, axis, **parts):
-    """As above, with the moments of the forces; a single term from a start at rest."""
+    """The same with the moments of the forces; a start from rest gives the relative term."""
     M_O = _moment(parts, rot_about(axis, g.omega, g.alpha), proofs.second_rate)
     from_rest = _moment(parts, rot_about(axis, 0, g.alpha), proofs.second_rate)
     found = prove_momentum(g, axis, **parts)

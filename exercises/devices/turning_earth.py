@@ -4,16 +4,18 @@ from exercises.tools import Sketch, minus, mp, mpf, plus, rate, rot, scaled, tim
 from newton_euler import Frame, cos, sin
 from newton_euler.applications import earth_frame, earth_rate, ground_frame, projectile_position
 
-RADIUS = mpf(6_400_000)  # m, of the Earth in proofs: to first order in its rate, any will do
+RADIUS = mpf(
+    6_400_000
+)  # m, of the Earth in proofs, which to first order in its rate do not depend on it
 
 
 def ground_axes(g):
-    """The ground at the latitude of g, on the Earth that turns under the stars."""
+    """The ground at the latitude of g, on the turning Earth."""
     return ground_frame(earth_frame(Frame("stars"), g.omega_e), g.lat)
 
 
 def shot(g, t, launch, omega=None):
-    """The place of a shot at time t, with its named terms; ``omega``: the Earth's by default."""
+    """Position of a shot at time t, with named terms; ``omega`` is the Earth's by default."""
     ground = launch.frame
     return projectile_position(t, launch, -g.g * ground.k, omega or earth_rate(ground))
 
@@ -22,22 +24,22 @@ def shot(g, t, launch, omega=None):
 
 
 def axes_turned(g, angle):
-    """Ground axes as columns, after the Earth has turned by an angle: along the first ones."""
+    """The ground axes as columns, along the initial ones, after the Earth has turned."""
     return rot([0, mp.cos(g.lat), mp.sin(g.lat)], angle)
 
 
 def flight(g, velocity, height=0):
-    """The place over the ground, as a function of time and of a share of the Earth's rate, of a
-    body that leaves from ``height`` with a velocity relative to the ground. Seen from the stars it
-    has the velocity of the ground as well, and falls along the vertical of the ground, which turns.
+    """Position relative to the ground, as a function of time and of a share of the Earth's rate, of
+    a body that leaves ``height`` with a velocity relative to the ground. In the inertial frame it
+    also has the velocity of the ground, and falls along the turning vertical.
     """
     start, up = [0, 0, RADIUS + height], [0, 0, mpf(1)]
 
     def place(t, share):
         turning = share * g.omega_e
         carried = [turning * mp.cos(g.lat) * start[2], 0, 0]
-        # integrated twice over time, what comes at the part u of the flight counts 1 - u; Simpson's
-        # rule, good to the second order in the rate
+        # a double integral over time weights the fraction u of the flight by 1 - u: Simpson's rule,
+        # accurate to second order in the rate
         ups = plus(up, scaled(2, times(axes_turned(g, turning * t / 2), up)))
         fall = scaled(-g.g * t**2 / 6, ups)
         from_centre = plus(start, scaled(t, plus(velocity, carried)), fall)
@@ -48,7 +50,7 @@ def flight(g, velocity, height=0):
 
 
 def to_first_order(f):
-    """The list f(share of the Earth's rate) to first order in that rate."""
+    """The vector f(share of the Earth's rate), to first order in the share, at the full rate."""
     return plus(f(mpf(0)), rate(f))
 
 

@@ -1,18 +1,18 @@
-"""A body that slides along i on a plate that turns about A: the welder, the rod of 2/36."""
+"""A body sliding along i on a plate that turns about A: the welder, the rod of 2/36."""
 
 from exercises.tools import Step, in_frame, mp, proofs, rate, rot, second_rate, terms
 from newton_euler import Frame
 
 
 def turning(name, omega, alpha=None):
-    """Ground with z out of the plane; the plate about A, with the axes of the ground now."""
+    """Ground with z out of the plane; the plate, about A, at the instant parallel to the ground."""
     ground = Frame("ground")
     growing = {} if alpha is None else {"acceleration": alpha}
     return ground, ground.rotate(name, "z", rate=omega, **growing)
 
 
 def motion(ground, P):
-    """Velocity and acceleration of P, a point that moves in the plate, with their terms."""
+    """Velocity and acceleration of P, which moves in the plate, with their terms."""
     return in_frame(ground, {
         f"v_{P.name}": P.velocity(ground),
         f"a_{P.name}": P.acceleration(ground),
@@ -20,7 +20,7 @@ def motion(ground, P):
 
 
 def motion_steps(ground, P, length):
-    """What enters (2.24) and (2.25), then their terms; ``length`` is the unit of lengths."""
+    """The quantities in (2.24) and (2.25), then the terms; ``length`` is the unit of length."""
     plate, name = P.frame, P.frame.name
     yield Step(
         f"omega_{name}", plate.angular_velocity(ground), "rad/s",
@@ -41,7 +41,7 @@ def motion_steps(ground, P, length):
 
 
 def proof(name, plate, theta, x, y):
-    """The same from the explicit path: ``theta``, ``x`` and ``y`` are functions of time."""
+    """Proof by the explicit path; ``theta``, ``x`` and ``y`` are functions of time."""
 
     def P(t):
         c, s = mp.cos(theta(t)), mp.sin(theta(t))
@@ -59,7 +59,7 @@ def proof(name, plate, theta, x, y):
 
 
 def acceleration_from(ground, P, v):
-    """From a velocity v: a = omega x (v + v_r) + alpha x r + a_r, since v = v_r + omega x r."""
+    """Acceleration from v = v_r + omega x r: a = omega x (v + v_r) + alpha x r + a_r."""
     right = motion(ground, P)
     off = ground.vector(*v) - right[f"v_{P.name}"]
     return right[f"a_{P.name}"] + P.frame.angular_velocity(ground).cross(off).expressed_in(ground)

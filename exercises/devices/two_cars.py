@@ -1,13 +1,13 @@
-"""The cars of 2/30 to 2/32, on curves that bend apart: what those in A see of B."""
+"""The cars of 2/30 to 2/32, on curves that bend apart: the motion of B as seen from A."""
 
 from exercises.tools import Sketch, Step, minus, mp, proofs, rate, rot, second_rate, times
 from newton_euler import Frame, cos, moving, sin
 
 
 def cars(g, a_A=0, a_B=0):
-    """Ground, with its axes those of the car A at the instant; the frame of the car A; B.
+    """Ground, at the instant parallel to car A; the frame of car A; B.
 
-    a_A, a_B : how fast the speeds of A and of B grow
+    a_A, a_B : rates of the speeds of A and B
     """
     ground = Frame("ground")
     # both turn counterclockwise: each car has the centre of its curve on its left
@@ -20,7 +20,7 @@ def cars(g, a_A=0, a_B=0):
 
 
 def place(ground, car, B, seen=None):
-    """A point of the car A where B is; with ``seen``, it moves in the car at this velocity."""
+    """A point of car A at the position of B, moving in the car at the velocity ``seen``, if any."""
     r = B.position(car)
     if seen is None:
         return car.point("Q", *r)
@@ -29,7 +29,7 @@ def place(ground, car, B, seen=None):
 
 
 def seen_velocity(ground, car, B, change=lambda v: v):
-    """v_B - (v_A + omega x r), (2.24); ``change`` makes a mistake of the sum in brackets."""
+    """v_B - (v_A + omega x r), (2.24); ``change`` falsifies the sum in brackets."""
     v = place(ground, car, B).velocity(ground)
     return B.velocity(ground).expressed_in(ground) - change(v)
 
@@ -44,7 +44,7 @@ def seen_acceleration(ground, car, B, *missing, seen=None):
 
 
 def velocity_steps(ground, car, B):
-    """What enters (2.24)."""
+    """The quantities in (2.24)."""
     v = place(ground, car, B).velocity(ground).expressed_in(ground)
     omega = car.angular_velocity(ground)
     yield Step("omega_A", omega, "rad/s", "angular velocity of the car A, v/R", "2.8", "2.19")
@@ -55,7 +55,7 @@ def velocity_steps(ground, car, B):
 
 
 def acceleration_steps(ground, car, B):
-    """What enters (2.25)."""
+    """The quantities in (2.25)."""
     yield from velocity_steps(ground, car, B)
     v_rel = seen_velocity(ground, car, B)
     means = (
@@ -69,7 +69,7 @@ def acceleration_steps(ground, car, B):
     means = "acceleration of {} in the ground, tangential and normal"
     yield Step("a_A", terms["origin"], "m/s^2", means.format("A"), "2.3", "2.14")
     a_B = B.acceleration(ground).expressed_in(ground)
-    yield Step("a_B", a_B, "m/s^2", means.format("B"), "2.3", "2.14")
+    yield Step("a_B", a_B, "m/s^2", means.format("B"), "2.3", "2.14", of_givens=True)
     for name, means in (
         ("euler", "the term alpha x r"),
         ("coriolis", r"the Coriolis term $2\boldsymbol{\omega}\times\mathbf{v}_\text{rel}$"),
@@ -79,7 +79,7 @@ def acceleration_steps(ground, car, B):
 
 
 def prove(g, a_A=0, a_B=0):
-    """Both cars in time; B along the turning axes of A, and the rates of these coordinates."""
+    """Both cars over time, and the rates of B's coordinates along the turning axes of A."""
     angle = lambda a: lambda t: (g.v * t + a * t**2 / 2) / g.R
 
     def on_circle(centre, phi, side):
@@ -111,7 +111,7 @@ def draw(g, ax):
 
 
 def figure(g, ax):
-    """The plan view: sketch, ground, half a car's length; curves as far as the cars are apart."""
+    """The plan view; returns sketch, ground and half the length of a car."""
     ground, _, _ = cars(g)
     s = Sketch(ax, ground, plane="xy")
     far, A, B = 1.3 * g.x / (g.R + 0.3 * g.x), (0, 0, 0), (g.x, 0, 0)

@@ -1,4 +1,4 @@
-"""The joint of 4/21 and 4/29: a shaft spins in a block, tilted in a fork that turns."""
+"""The joint of 4/21 and 4/29: a shaft spinning in a block that tilts in a turning fork."""
 
 from exercises.tools import Sketch, Step, in_frame, mp, rot, spun, times
 from newton_euler import Frame
@@ -25,14 +25,14 @@ def angular_acceleration(g):
 
 
 def direction(g):
-    """The step that gives the direction of the shaft, along the axes of the fork."""
+    """The direction of the shaft along the axes of the fork, as a step."""
     _, fork, shaft = fork_and_shaft(g)
     means = "direction of the shaft, $\\sin\\gamma$ along y and $\\cos\\gamma$ along z"
     return Step("e", shaft.k.expressed_in(fork), "1", means)
 
 
 def orientation(g):
-    """Proof, in time: turned about e from the pin on; then all goes round with the fork."""
+    """Proof, over time: rotation about e, starting at the pin, then rotation with the fork."""
 
     def shaft(t):
         gamma, pin = g.gamma_1 - g.gamma_rate * t, [1, 0, 0]

@@ -1,11 +1,11 @@
-"""A particle inside a smooth vertical loop, 11/9 and 11/10: its contact, proof, figure."""
+"""A particle inside a smooth vertical loop (11/9, 11/10): its contact, proof, figure."""
 
 from exercises.tools import force_needed, mp, plus
 from newton_euler import Frame, dynamics, kinematics, moving, pi
 
 
 def track_force(m, g, r, phi, v):
-    """The track's force and the direction to the centre, ``phi`` from down, y up, at ``v``."""
+    """The track's force and the direction to the centre, at ``phi`` from the bottom, y up."""
     ground = Frame("ground")
     P = kinematics.polar(ground, "P", r, moving(phi - pi(phi) / 2, rate=v / r))
     N = dynamics.reaction(m, P.acceleration(ground), weight=-m * g * ground.j)
@@ -13,18 +13,18 @@ def track_force(m, g, r, phi, v):
 
 
 def contact(m, g, r, phi, v, **shares):
-    """The part toward the centre; the track cannot pull. ``shares`` of its terms, for mistakes."""
+    """The track's force toward the centre; ``shares`` reweights its terms, for mistakes."""
     N, inward = track_force(m, g, r, phi, v)
     return N.reweighted(**shares).dot(inward)
 
 
 def circle(r):
-    """Proof: the place at the angle phi, z up, from the lowest point."""
+    """Proof: position as a function of phi, z up, from the lowest point."""
     return lambda phi: [r * mp.sin(phi), 0, r - r * mp.cos(phi)]
 
 
 def proved_contact(m, g, r, phi, v):
-    """Proof: what is needed toward the centre besides the weight, whatever the speed's rate."""
+    """Proof: the force needed toward the centre besides the weight, at any rate of the speed."""
     needed = force_needed(m, lambda t: [(1, circle(r)(phi + v / r * t))])
     track = plus(needed, [0, 0, m * g])
     return track[2] * mp.cos(phi) - track[0] * mp.sin(phi)

@@ -1,4 +1,4 @@
-"""The rods of 5/13 and 7/13: from O one along y and one up to C, from C one parallel to x."""
+"""The rods of 5/13 and 7/13: along y from O, up from O to C, and parallel to x from C."""
 
 from exercises.tools import Sketch
 from newton_euler import Frame
@@ -8,7 +8,7 @@ WELDED = Frame("welded")
 
 
 def ends(g, height=None):
-    """O, the ends B and C of the first two rods, and the third's ends, at the ``height``."""
+    """O, the ends B and C of the first two rods, and both ends of the third, at ``height``."""
     height = g.c if height is None else height
     return (
         WELDED.point("O", 0, 0, 0),
@@ -20,7 +20,7 @@ def ends(g, height=None):
 
 
 def parts(g, height=None, **matter):
-    """Three bodies; ``matter`` is ``density`` or ``mass``, the same for all; default: density 1."""
+    """The three rods; ``matter``: ``density`` (1 by default) or ``mass`` of each."""
     O, B, C, S, E = ends(g, height)
     matter = matter or {"density": 1}
     names = ("first rod", "second rod", "third rod")
@@ -29,7 +29,7 @@ def parts(g, height=None, **matter):
 
 
 def path(g):
-    """Proof, from end to end through O: the place after a way s, the whole way, its corners."""
+    """Proof, from end to end through O: position at arc length s, total length, and corners."""
     place = lambda s: [max(s - g.b - g.c, 0), max(g.b - s, 0), min(max(s - g.b, 0), g.c)]
     return place, g.b + g.c + g.L, (g.b, g.b + g.c)
 

@@ -1,4 +1,4 @@
-"""The welder of 2/34, 2/35: a bracket with tips D and E slides along i on a plate turning at A."""
+"""The welder of 2/34, 2/35: a bracket with tips D and E, sliding on a plate that turns about A."""
 
 from exercises.devices.turning_plate import motion, motion_steps, proof, turning
 from exercises.tools import Sketch, in_frame
@@ -6,7 +6,7 @@ from newton_euler import moving
 
 
 def about(name, side):
-    """The tip as a function of g, solve, steps, prove, mistakes, draw; ``side``: 1 above A."""
+    """The tip as a function of g, solve, steps, prove, mistakes, draw; ``side`` is 1 above A."""
     place = lambda g: (getattr(g, f"x_{name}"), side * getattr(g, f"y_{name}"))
     this_tip = lambda g: tip(g, name, *place(g))
 
@@ -25,7 +25,7 @@ def about(name, side):
 
 
 def tip(g, name, x, y):
-    """Ground, and the tip at x, y from A, which moves along i in the plate."""
+    """Ground, and the tip at x, y from A, moving along i in the plate."""
     ground, plate = turning("plate", g.omega)
     return ground, plate.point(name, moving(x, rate=g.u), y, 0)
 
@@ -41,7 +41,7 @@ def mistakes(g, name, x, y):
 
 
 def draw(g, ax, name, x, y):
-    """The figure, in which both tips are as far from the level of A."""
+    """The figure, with both tips equally far from the level of A."""
     ground, P = tip(g, name, x, y)
     plate, h, side = P.frame, abs(y), y / abs(y)
     A, C, end = (plate.point(*p, 0, 0) for p in (("A", 0 * x), ("C", 0.42 * x), ("end", x)))

@@ -13,9 +13,8 @@ def over(g, f, start=None):
 
 
 def along(g, f):
-    """Proof, the integral of f(place) ds along the wire, f a list or matrix: by the slope of the
-    line from (-R, 0) to the wire, u = y/(R + x), in which the circle is a fraction of polynomials;
-    the way along it is from the rates of x and y.
+    """Proof: the integral of f(place) ds along the wire, f a list or matrix, over the slope u =
+    y/(R + x) of the line from (-R, 0), a rational parametrization of the circle.
     """
 
     def per_slope(u):

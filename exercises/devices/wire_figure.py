@@ -8,7 +8,7 @@ WIRE = Frame("wire")
 
 
 def parts(g, density=1, side=-1):
-    """Half circle, diameter, leg; ``side`` is that of the leg."""
+    """Half circle, diameter, leg, which is at ``side``."""
     leg = WIRE.point("leg", side * g.r, 0, g.c / 2)
     return [
         half_ring(g.r, WIRE, "z", "y", density=density, name="half circle"),
@@ -18,7 +18,7 @@ def parts(g, density=1, side=-1):
 
 
 def path(g):
-    """Proof, leg, diameter, half circle: the place after a way s, the whole way, its corners."""
+    """Proof, leg to half circle: position at arc length s, total length, and corners."""
     foot, bend = g.c, g.c + 2 * g.r
 
     def place(s):
@@ -32,7 +32,7 @@ def path(g):
 
 
 def figure(g, ax):
-    """The sketch, on which more can be drawn."""
+    """The figure of the wire; returns the sketch."""
     s = Sketch(ax, WIRE, azimuth=-60, elevation=25)
     O, left, right = (0, 0, 0), (-g.r, 0, 0), (g.r, 0, 0)
     s.axes(O, WIRE, length=1.6 * g.r)

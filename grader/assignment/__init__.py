@@ -1,4 +1,4 @@
-"""Builds the notebook of an assignment, and each student's copy with their own numbers and figures.
+"""The notebook of an assignment, and each student's copy with their own numbers and figures.
 ``fetch`` is not imported here: it imports nbgrader, which takes two seconds.
 """
 

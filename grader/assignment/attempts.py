@@ -14,11 +14,11 @@ from .numbers import keep_numbers, numbers_path
 from .personal import make_personal_copies
 from .released import released
 
-BY_HAND = "by_hand.json"  # what persons gave for an attempt
+BY_HAND = "by_hand.json"  # manual grades of an attempt
 
 
 def parts(course: Course, assignment: str, student: str) -> dict[str, Path]:
-    """{name in the folder of an attempt: path while the attempt counts}."""
+    """{name in the folder of an attempt: path while it is the current one}."""
     return {
         "submitted": course.path / "submitted" / student / assignment,
         "autograded": course.path / "autograded" / student / assignment,
@@ -35,14 +35,14 @@ def attempts_folder(course: Course, assignment: str, student: str) -> Path:
 
 
 def earlier_attempts(course: Course, assignment: str, student: str) -> dict[int, Path]:
-    """The folders of the attempts that no longer count, by number."""
+    """{number: folder} of the attempts that have been set aside."""
     folder = attempts_folder(course, assignment, student)
     found = [f for f in folder.glob("*") if f.name.isdigit()] if folder.is_dir() else []
     return dict(sorted((int(f.name), f) for f in found))
 
 
 def new_attempt(course: Course, assignment: str, student: str) -> tuple[int, Path]:
-    """Set an attempt aside and make a sheet with fresh numbers: (number of the attempt, path)."""
+    """Set the current attempt aside and make a sheet with fresh numbers; returns (number, path)."""
     if student not in course.roster():
         raise CourseError(f"{student} is not on the roster")
     refuse_exam(
@@ -64,7 +64,7 @@ def new_attempt(course: Course, assignment: str, student: str) -> tuple[int, Pat
 
 
 def put_back(course: Course, assignment: str, student: str, number: int) -> None:
-    """Let an earlier attempt count again; the current one, if any, is set aside."""
+    """Make an earlier attempt the current one; that one, if any, is set aside."""
     earlier = earlier_attempts(course, assignment, student)
     if number not in earlier:
         raise CourseError(
@@ -75,7 +75,7 @@ def put_back(course: Course, assignment: str, student: str, number: int) -> None
     if now["submitted"].is_dir():
         _set_aside(course, assignment, student, max(earlier) + 1)
     for name, path in now.items():
-        _remove(path)  # a sheet that was not handed in
+        _remove(path)  # a sheet not handed in
         if (earlier[number] / name).exists():
             path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
             (earlier[number] / name).rename(path)
@@ -89,8 +89,8 @@ def put_back(course: Course, assignment: str, student: str, number: int) -> None
 def is_work_of_earlier(
     course: Course, assignment: str, student: str, name: str, content: bytes
 ) -> int | None:
-    """The number of the earlier attempt with the same notebook, else None: nbgrader collects the
-    last submission, even one made before the new sheet was handed out.
+    """The number of the earlier attempt with the same notebook, or None. nbgrader collects the last
+    submission, even one made before the new sheet was handed out.
     """
     for number, folder in earlier_attempts(course, assignment, student).items():
         path = folder / "submitted" / f"{name}.ipynb"
@@ -102,7 +102,7 @@ def is_work_of_earlier(
 def _set_aside(course: Course, assignment: str, student: str, number: int) -> None:
     folder = attempts_folder(course, assignment, student) / str(number)
     folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-    with course.gradebook() as book, contextlib.suppress(ValueError):  # it was not graded yet
+    with course.gradebook() as book, contextlib.suppress(ValueError):  # not graded yet
         write_json(folder / BY_HAND, of_student(book, assignment, student))
     for name, path in parts(course, assignment, student).items():
         if path.exists():

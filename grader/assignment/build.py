@@ -1,4 +1,4 @@
-"""Writes the source notebook of an assignment into a course folder."""
+"""The source notebook of an assignment, written into a course folder."""
 
 import contextlib
 import shutil
@@ -25,10 +25,10 @@ from .spec import Spec, read_spec, spec_of
 
 @dataclass(frozen=True)
 class Built:
-    """The course, the source notebook, the assignment, the number of new students, and how the
-    roster was read.
+    """The result of a build: course, source notebook, assignment, number of new students, and how
+    the roster was read.
 
-    merged, backup : what an update has kept of the notebook that was there, and its copy
+    merged, backup : the merge with an existing notebook, and a copy of that notebook
     """
 
     course: Course
@@ -54,8 +54,8 @@ def build_assignment(
 ) -> Built:
     """Write the source notebook of a chapter, of the problems ``only`` under the name ``what``, or
     of a :class:`~grader.assignment.spec.Spec`, into a new course, or with ``update`` into an
-    existing one. A notebook that is there is merged with what has changed
-    (:mod:`~grader.assignment.merge`), and keeps its problems unless ``only`` names them.
+    existing one. An existing notebook is merged with what has changed
+    (:mod:`~grader.assignment.merge`), and keeps its problems unless ``only`` is given.
 
     students : path of a roster as CSV; id_column : the header of its ids. bar : a ``rich`` progress
         bar. name, exchange : of a new course. chapters : where links lead, from now on in this
@@ -74,7 +74,7 @@ def build_assignment(
         if update
         else new_course(course_path, name, exchange)
     )
-    # drawn before the folder is made, so that a failure leaves nothing behind
+    # before the folder is made, so that a failure leaves nothing behind
     figures = _figures(spec.problems, bar)
     with opened as course:
         if chapters is not None:
@@ -87,14 +87,14 @@ def build_assignment(
         kept, backup = _write(course, spec, notebook)
         enrolled = course.enrol(roster.students) if roster else 0
     if update:
-        write_pinned(course.path)  # a course of an earlier version has none
+        write_pinned(course.path)  # courses of earlier versions have none
     read_as = roster.read_as if roster else ""
     path = course.source(spec.name)
     return Built(Course(course_path), path, spec, enrolled, read_as, kept, backup)
 
 
 def _check_name(course, spec):
-    """Note that it is an exam; refuse a name that another assignment has."""
+    """Refuse a name too close to another assignment's; record whether it is an exam."""
     for other in (p.name for p in (course.path / "source").glob("*/")):
         if other != spec.name and other.lower() == spec.name.lower():
             raise CourseError(
@@ -108,7 +108,7 @@ def _check_name(course, spec):
 
 
 def _write(course, spec, notebook):
-    """Write a source notebook, merged with the one that is there: (what was merged, its copy)."""
+    """Write a source notebook, merged with an existing one: (the merge, a copy of that one)."""
     name = spec.name
     path, base = course.source(name), course.built(name)
     kept = backup = None
@@ -125,7 +125,7 @@ def _write(course, spec, notebook):
 
 
 def _built(course_path, name):
-    """The assignment that the last build wrote, None if there is none."""
+    """The assignment of the last build, or None."""
     base = Course(course_path).built(name)
     if (path := base.with_suffix(".yaml")).exists():
         return read_spec(path)

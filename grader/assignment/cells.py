@@ -1,8 +1,8 @@
-"""The cells of a notebook, as the JSON of the format: what this package and nbgrader write into
-their metadata, and what a cell is to grading.
+"""The cells of a notebook, as JSON: the metadata of this package and of nbgrader, and a cell's role
+in grading.
 
-Courses keep what is written here: notebooks that are handed out cannot be graded any more when a
-key or a role has another name.
+Courses store these names: renaming a key or a role makes notebooks ungradable that have been handed
+out.
 """
 
 from collections.abc import Mapping
@@ -14,7 +14,7 @@ Sources = dict[str, tuple[str, str]]  # (text, checksum) of cells in the gradebo
 
 
 class OwnMetadata(TypedDict, total=False):
-    """What this package writes into a cell, under "newton_euler".
+    """The metadata of this package, under "newton_euler".
 
     role : see :func:`kind`. problem : its number, as "4/16". asked : {key: form} of an answer cell.
     weights, follow_through, tolerance, help : may be added to an answer cell by the instructor, see
@@ -31,7 +31,7 @@ class OwnMetadata(TypedDict, total=False):
 
 
 class NbgraderMetadata(TypedDict, total=False):
-    """What nbgrader reads and writes in a cell, under "nbgrader"."""
+    """The metadata of nbgrader, under "nbgrader"."""
 
     schema_version: int
     cell_type: str
@@ -85,29 +85,27 @@ def code_cell(
 
 
 def own_metadata(cell: Mapping[str, Any]) -> OwnMetadata:
-    """The metadata that this package wrote into a cell; {} for others."""
+    """The metadata of this package in a cell, or {}."""
     return _metadata(cell, "newton_euler")
 
 
 def nbgrader_metadata(cell: Mapping[str, Any]) -> NbgraderMetadata:
-    """The metadata that nbgrader wrote into a cell; {} for others."""
+    """The metadata of nbgrader in a cell, or {}."""
     return _metadata(cell, "nbgrader")
 
 
 def _metadata(cell: Mapping[str, Any], who: str) -> Any:
-    """A part of a cell's metadata; {} where a student has put something else in its place."""
+    """A part of a cell's metadata; {} if it is missing or malformed."""
     metadata = cell.get("metadata")
     part = metadata.get(who) if isinstance(metadata, dict) else None
     return part if isinstance(part, dict) else {}
 
 
 def kind(cell: Mapping[str, Any]) -> str:
-    """What a trusted cell is to grading.
-
-    Ours are "introduction", "setup", "statement", "givens", "answer" and "receipt"; an instructor's
-    "test" (autograder tests), "hand" (an answer that a person grades), "task" (one without a place
-    for the answer), "solution" (an answer that tests of other cells grade), "locked", and "plain"
-    for all without nbgrader's marks.
+    """The role of a trusted cell in grading. Ours are "introduction", "setup", "statement",
+    "givens", "answer" and "receipt"; an instructor's "test" (autograder tests), "hand" (an answer
+    that a person grades), "task" (one without a place for the answer), "solution" (an answer that
+    tests of other cells grade), "locked", and "plain" for all without nbgrader's marks.
     """
     role = own_metadata(cell).get("role")
     if role:

@@ -1,4 +1,4 @@
-"""The assignment that a command names: of a course, of a file, or of chosen problems."""
+"""The assignment named in a command: from a course, a file, or a choice of problems."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -19,9 +19,9 @@ def chosen(
     points: Iterable[str] = (),
     course: Course | None = None,
 ) -> Spec:
-    """The assignment of this name: as the ``course`` has it, as ``hw3.yaml`` says, of the problems
-    ``only``, or of the chapter of that name. An item that is a problem has a text where the
-    instructor has changed the problem's: with the book's numbers, and without the figure.
+    """The assignment of this name: from the ``course``, from ``hw3.yaml``, of the problems
+    ``only``, or of the chapter of that name. A problem whose text the instructor has changed is an
+    item with that text, with the book's numbers and without the figure.
     """
     only, points, path = tuple(only), tuple(points), Path(assignment)
     if course and not only and course.source(path.stem).exists():
@@ -31,13 +31,13 @@ def chosen(
     if not only and (path.exists() or path.name == assignment):
         return read_spec(path)
     if course and not only and path.stem not in chapters():
-        return spec_of_course(course, path.stem)  # which says what there is
+        return spec_of_course(course, path.stem)  # raises an error that lists the assignments
     return spec_of(Path(assignment).stem, only, points)
 
 
 def named(names: Iterable[str], course: Course | None = None) -> dict[Problem, Mapping[str, Any]]:
-    """The problems that names stand for, with the options that a sheet gives them: numbers, ranges,
-    chapters, "all", files of assignments, and assignments of the ``course``.
+    """{problem: its options on the sheet} for ``names``: problem numbers, ranges, chapters, "all",
+    files of assignments, and assignments of the ``course``.
     """
     found: dict[Problem, Mapping[str, Any]] = {}
     for name in names:

@@ -1,5 +1,5 @@
-"""How each quantity of a problem follows from the givens and from the quantities before it, as
-formulas of SymPy: read off the traced computation.
+"""Formulas (SymPy) for each quantity of a problem in terms of givens and earlier quantities, read
+off the traced computation.
 """
 
 import random
@@ -18,20 +18,20 @@ from .names import Names, unsigned, value_of
 from .tidy import constant, factored, readable, simplest
 from .traced_formulas import Writer
 
-LONGEST_LIST = 60  # operations of all components that a reader follows
-SHEETS = 4  # on which sums are compared
+LONGEST_LIST = 60  # operations, in all components, that a reader can follow
+SHEETS = 4  # sets of numbers on which sums are compared
 
 
 @dataclass(frozen=True)
 class Derivation:
-    """How a quantity is found.
+    """The derivation of a quantity.
 
-    formulas : of its components, each None where it is no formula to read
-    together : equations that are solved first, as pairs of their two sides
+    formulas : of its components, None for those without a readable formula
+    together : equations to be solved first, as pairs of sides
     unknowns : the names of their unknowns
-    solved : True if it is itself an unknown of such equations, of these or of earlier ones
-    varies : True if it depends on what is given
-    after : the answers that are shown before it, since it is found from them
+    solved : True if it is an unknown of these or of earlier equations
+    varies : True if it depends on the givens
+    after : the answers that it is found from, and that must be shown before it
     """
 
     formulas: tuple = ()
@@ -51,8 +51,8 @@ def component(key: str, n: int, count: int) -> str:
 
 
 def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivation]:
-    """The :class:`Derivation` of each step and answer of ``p``; empty where its computation cannot
-    be traced. ``values`` decide between cases.
+    """{key: :class:`Derivation`} of the steps and answers of ``p``; empty if it cannot be traced.
+    ``values`` decide between cases.
     """
     found = _traced(p)
     if found is None:
@@ -67,7 +67,7 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
 
 
 def _unrelated(p, n):
-    """Numbers of the givens and symbols, also for those that all students share."""
+    """Random numbers for givens and symbols, also for givens that do not vary."""
     rng, drawn = random.Random(n), draw(p, bytes([n]))
     shared = {
         k: (q.value or 1.0) * rng.uniform(0.97, 1.03) for k, q in p.givens.items() if not q.vary
@@ -81,8 +81,8 @@ def _ranges(p):
 
 
 def _choices(found):
-    """What decides between cases in a traced computation: conditions, and what has an absolute
-    value.
+    """The quantities that decide between cases in a traced computation: conditions, and arguments
+    of absolute values.
     """
     return [s.args[0] for s in found.trace.steps if s.op in ("where", "abs")]
 
@@ -97,8 +97,8 @@ def _traced(p):
 
 @lru_cache(maxsize=400)
 def _derivations(p, cases, positive, usual):
-    """The derivations where the choices of the computation, in their order, are ``cases``, and
-    these quantities are ``positive``; ``usual`` if the givens are within their ranges.
+    """The derivations for these ``cases`` of the choices in the computation and these ``positive``
+    quantities; ``usual``: the givens are within their ranges.
     """
     found = _traced(p)
     numbers = [c.number if isinstance(c, Step) else None for c in _choices(found)]
@@ -117,7 +117,7 @@ def _derivations(p, cases, positive, usual):
 
 
 class _Deriver:
-    """Derives the quantities in the order in which they are shown, each from those before it.
+    """Derives the quantities in order of display, each from earlier ones.
 
     found : the derivations
     """
@@ -136,17 +136,22 @@ class _Deriver:
         self.traced, self.asked, self.units = traced, asked, units
         self.components = traced.components
         self.given_by = {x.number: name for name, x in traced.givens.items()}
-        self.terms = {s.key: s.of for s in traced.steps if s.of in asked}
-        # {number: (name, sign)} of components, for which others have the name
+        self.sum_of = {s.key: s.of for s in traced.steps if s.of}
+        self.sums = {*self.sum_of.values()}
+        # {sum: vectors that are one of its terms, and no other one}
+        self.whole_terms = dict[str, set[str]]()
+        self.of_givens = {s.key for s in traced.steps if s.of_givens}
+        self.terms = {key: of for key, of in self.sum_of.items() if of in asked}
+        # {number: (name, sign)} of components
         self.called = dict[int, tuple[str, int]]()
-        first = {}  # {number: the quantity that has its name}
+        first = {}  # {number: the quantity that names it}
         for key in sorted(self.components, key=lambda k: k in self.terms):
             for x, name in zip(self.components[key], self._names(key), strict=True):
                 x, sign = unsigned(x)
                 if isinstance(x, Step) and x.number not in self.called:
                     self.called[x.number] = name, sign
                     first[x.number] = key
-        # {answer: its numbers}, where no step has them; cos(phi) is found without a matrix of it
+        # {answer: its numbers}, unless a step has them; not of matrices
         self.answers_by = {}
         for key in {a for a in asked if len(self.components.get(a, ())) in range(1, 9)}:
             numbers = numbers_of(self.components[key]) - {*self.given_by}
@@ -168,7 +173,7 @@ class _Deriver:
         return [component(key, n, count) for n in range(count)]
 
     def order(self):
-        """The quantities as they are shown: the terms of an answer just before it."""
+        """The quantities in order of display: the terms of an answer just before it."""
         keys = list(self.components)
         steps = [k for k in keys if k not in self.asked and k not in self.terms]
         answers = [k for k in keys if k in self.asked]
@@ -177,7 +182,7 @@ class _Deriver:
         ]
 
     def derive(self, key):
-        """Derives a quantity; a step after the answers that it is found from."""
+        """Derive a quantity, after the answers that it is found from."""
         after = self._found_before(key)
         for other in after:
             self.derive(other)
@@ -185,7 +190,7 @@ class _Deriver:
             self.found[key] = replace(self._derived(key), after=after)
 
     def _found_before(self, key):
-        """The answers that a step is found from, and that are not shown yet."""
+        """The answers that a step is found from and that have not been shown yet."""
         if key in self.asked or key in self.terms:
             return ()
         parts = self.components[key]
@@ -194,13 +199,20 @@ class _Deriver:
         return tuple(a for a in answers if a not in self.found and self.answers_by[a] <= found)
 
     def _derived(self, key):
-        """The derivation of a quantity, which is known from now on."""
+        """The derivation of a quantity, which later ones may use."""
         parts, names, writer = self.components[key], self._names(key), self.writer
+        self._keep_apart(key)
         writer.start(key, parts)
         formulas = tuple(map(writer.formula, range(len(parts)), parts, names))
         formulas = self.known.of_one_body(self._explicit(formulas, names))
         solved = any(getattr(unsigned(x)[0], "number", None) in writer.solved for x in parts)
-        if key not in self.terms:  # no line has the name of a term of an answer
+        if of := self.sum_of.get(key):
+            shown = {f.name for f in formulas if getattr(f, "is_Symbol", False)}
+            vectors = (k for k, x in self.components.items() if len(x) == 3)
+            self.whole_terms.setdefault(of, set()).update(
+                k for k in vectors if shown and shown <= {*self._names(k)}
+            )
+        if key not in self.terms:  # terms of an answer are not used by name
             self._remember(key, parts, names, formulas)
         formulas = tuple(None if f is None else factored(f) for f in formulas)
         if sum(f.count_ops() for f in {*formulas} - {None}) > LONGEST_LIST:
@@ -209,9 +221,19 @@ class _Deriver:
         unknowns = frozenset(writer.wanted)
         return Derivation(formulas, tuple(writer.together), unknowns, solved, varies)
 
+    def _keep_apart(self, key):
+        """Keep out of the formula of a quantity those that equal a part of it by chance: of a term,
+        the components of a sum whose other terms are zero; all, if the problem asks for that.
+        """
+        of = self.sum_of.get(key)
+        apart = self.sums | self.whole_terms.get(of, set()) if of else set()
+        apart = {*self.components} - {key} if key in self.of_givens else apart
+        self.known.apart = {name for other in apart for name in self._names(other)}
+        self.names.apart = apart | self.known.apart
+
     def _explicit(self, formulas, names):
-        """The formulas, with the solution of one equation that is linear in its one unknown in the
-        place of what has no other formula, and of an unknown that is no quantity of the problem.
+        """The formulas after solving a single linear equation, if there is one: its solution
+        replaces a missing formula, or an unknown that is not a quantity of the problem.
         """
         together, wanted = self.writer.together, self.writer.wanted
         if len(together) != 1 or len(wanted) != 1:
@@ -232,7 +254,7 @@ class _Deriver:
         return tuple(solution if f is None and n == unknown.name else f for f, n in pairs)
 
     def _remember(self, key, parts, names, formulas):
-        """Makes a quantity known to later ones."""
+        """Let later quantities use this one."""
         if len(parts) == 1 and formulas[0] is not None and formulas[0].is_positive:
             self.writer.positive.add(key)
         symbols = list(map(self.writer.symbol, names))
@@ -245,7 +267,7 @@ class _Deriver:
             self._rename(key, parts[0])
 
     def _rename(self, key, x):
-        """A given that a step states with the other sign, or in another unit, has its name then."""
+        """Give a given the name of a step that states it with the other sign or in another unit."""
         x, sign = unsigned(x)
         given = self.given_by.get(getattr(x, "number", None))
         if given and (sign < 0 or self.units[given] != self.traced.units[key]):

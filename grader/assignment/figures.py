@@ -1,4 +1,4 @@
-"""Draws the figures of problems to scale, from a student's own numbers, as PNG."""
+"""Figures of problems, to scale, from a student's own numbers."""
 
 import io
 from collections.abc import Callable, Iterable
@@ -13,8 +13,8 @@ COLUMNS = 5  # columns of a contact sheet
 
 
 def figure_png(problem: Problem, values: Values) -> bytes | None:
-    """The figure of a problem as PNG bytes, None for a problem without one; ``values`` in the units
-    of the text. A symbol without a number is drawn at the middle of its range.
+    """The figure of a problem as PNG, or None; ``values`` in the units of the text. A symbol
+    without a number is drawn at the middle of its range.
     """
     if not problem.figure:
         return None
@@ -22,7 +22,7 @@ def figure_png(problem: Problem, values: Values) -> bytes | None:
 
 
 def figure_svg(problem: Problem, values: Values) -> bytes | None:
-    """The same as SVG, without fonts: vectors for print."""
+    """The figure as SVG for print, with texts as outlines."""
     import matplotlib
 
     if not problem.figure:
@@ -35,7 +35,7 @@ def figure_svg(problem: Problem, values: Values) -> bytes | None:
 
 
 def figure_for_page(problem: Problem, values: Values) -> bytes | None:
-    """The same as SVG with texts in the fonts of the page that shows it, in few bytes."""
+    """The figure as a small SVG, with texts in the fonts of the page."""
     if not problem.figure:
         return None
     given = problem.base(drawing_values(problem, values))
@@ -43,14 +43,14 @@ def figure_for_page(problem: Problem, values: Values) -> bytes | None:
 
 
 def figure_faults(problem: Problem, values: Values) -> list[str]:
-    """Sentences on what is hard to read in the figure of a problem."""
+    """What is hard to read in the figure of a problem, as sentences."""
     from newton_euler.drawing.page.legibility import faults
 
     return faults(_drawn(problem, values))
 
 
 def contact_sheet(problems: Iterable[Problem], values_of: Callable[[Problem], Values]) -> bytes:
-    """One PNG of the figures of many problems, each with its number."""
+    """A PNG with the figures of many problems and their numbers."""
     from matplotlib.figure import Figure
 
     problems = list(problems)
@@ -86,5 +86,5 @@ def _png(figure, dpi):
 
 
 def drawing_values(problem: Problem, values: Values) -> Values:
-    """A value for every given and symbol; the middle of its range where ``values`` has none."""
+    """A value for every given and symbol: from ``values``, or the middle of the range."""
     return {**{n: sum(s.vary) / 2 for n, s in problem.symbols.items()}, **values}

@@ -1,6 +1,4 @@
-"""Formulas of SymPy as a reader sees them, in LaTeX or as text, with six digits: with symbols, or
-with numbers in the place of the symbols.
-"""
+"""SymPy formulas for readers, in LaTeX or as text, with symbols or with numbers of six digits."""
 
 import math
 import re
@@ -10,11 +8,13 @@ from typing import Any
 
 from newton_euler.algebra.late import np, sympy
 from newton_euler.algebra.units import unit
-from newton_euler.answers.notation import number_symbol, unit_symbol
+from newton_euler.answers.notation import number_symbol, symbol, unit_symbol
+
+from .layout import laid_out
 
 Quantity = tuple[Any, str]  # a number and its unit
 _WORD = r"\\text\{[^{}]*\}(?:_(?:\w|\{(?:[^{}]|\{[^{}]*\})*\}))?(?:\^\{[^{}]*\})?"
-# the space between a word and another factor, which LaTeX leaves out
+# a space between a word and another factor, which LaTeX omits
 _BESIDE_WORD = re.compile(rf"(?P<word>{_WORD}) (?=[\\\w])|(?<=[\w}}]) (?=\\text)")
 
 
@@ -25,9 +25,11 @@ def written(
     numbers: bool = False,
     degrees: bool = False,
 ) -> str:
-    """A formula in LaTeX or as text, its symbols by ``names``, which are ``numbers`` or not; with
-    ``degrees``, right angles in a sum are not written as pi/2.
+    """A formula in LaTeX or as text, its symbols replaced by ``names`` and in the order of these,
+    which may be ``numbers``; with ``degrees``, right angles in a sum are not written as pi/2.
     """
+    formula, called = laid_out(formula, names)
+    names = {**names, **{placed: names[name] for placed, name in called.items()}}
     printer = _printer(latex)(names, numbers)
     printer.degrees = degrees
     text = printer.doprint(formula)
@@ -35,15 +37,13 @@ def written(
 
 
 def numerals(quantities: Mapping[str, Quantity], bare: bool, latex: bool) -> dict:
-    """{name: number as it is written} of quantities; without their units where all is ``bare``, but
-    for degrees.
-    """
+    """{name: number as text}, ``bare`` without units, except for degrees."""
     return {n: _numeral(*q, bare, latex) for n, q in quantities.items()}
 
 
 def coherent(units: Collection[str]) -> bool:
-    """True if numbers in these units can be put into a formula without a factor, as mm and mm/s^2;
-    an angle in degrees shows its unit.
+    """True if a formula needs no factor for numbers in these units, as mm and mm/s^2; degrees,
+    which are always marked, are ignored.
 
     >>> coherent(["m", "s", "m/s"]), coherent(["mm", "m/s^2", "s"])
     (True, False)
@@ -63,35 +63,48 @@ def _numeral(x, stated_in, bare, latex):
 
 
 def _is_apart(text):
-    """True if what is written for a symbol needs parentheses: -3, 2 x 10^3, 25 km/h, l/r."""
+    """True if the text of a symbol needs parentheses: -3, 2 x 10^3, 25 km/h, l/r."""
     return "/" in text or (text[:1] in "-0123456789" and not text.replace(".", "").isdigit())
 
 
 def _is_function(text):
-    r"""True if a power or factor behind what is written for a symbol would go into it: \cos b."""
+    r"""True if a following power or factor would be read as part of the text: \cos b."""
     return text.startswith((r"\sin ", r"\cos ", r"\tan "))
 
 
 def _one_root(product):
-    """A product with its square roots of factors as one."""
-    roots = [x for x in product.args if x.is_Pow and abs(x.exp) == sympy.Rational(1, 2)]
+    """A product with its square roots combined into one: h sqrt(h/g) for h^(3/2)/sqrt(g), and
+    sqrt(2 g/3) for sqrt(6 g)/3.
+    """
+    half = sympy.Rational(1, 2)
+    roots = [
+        x for x in product.args if x.is_Pow and x.exp.is_Rational and x.exp.q == 2
+        and (abs(x.exp) == half or x.base.is_Symbol)
+    ]  # fmt: skip
     if len(roots) < 2:
         return product
     inside = sympy.Mul(*(x.base ** sympy.sign(x.exp) for x in roots))
     others = [x for x in product.args if x not in roots]
+    others += [x.base ** (x.exp - sympy.sign(x.exp) * half) for x in roots if abs(x.exp) != half]
+    number, square = product.as_coeff_Mul()[0], inside.as_coeff_Mul()[0]
+    if number.is_Rational and abs(number.p) == 1 and square % number.q == 0:
+        others = [sympy.sign(number), *(x for x in others if x != number)]
+        inside = inside / number.q**2
+    others = [x for x in others if x != 1]
     root = sympy.Pow(inside, sympy.Rational(1, 2), evaluate=False)
     return sympy.Mul(*others, root, evaluate=False) if others else root
 
 
 class _Names:
-    """Prints symbols by their names, and floats with six digits."""
+    """Prints symbols by ``names``, and floats with six digits."""
 
     names: Mapping[str, str]
     numbers: bool
     degrees = False
+    latex = False
 
     def _as_ordered_terms(self, expr, order=None):
-        """Terms without a minus sign first."""
+        """Terms in order, positive ones first."""
         terms = super()._as_ordered_terms(expr, order)
         if self.degrees:
             terms = [self._in_degrees(x) for x in terms]
@@ -105,7 +118,8 @@ class _Names:
         return sympy.sign(turns) * sympy.Symbol(f"{float(abs(turns) * 180):.6g}{mark}")
 
     def _print_Symbol(self, expr, style="plain"):
-        return self.names.get(expr.name, expr.name)
+        is_name = self.latex and expr.name.isidentifier()  # and no number
+        return self.names.get(expr.name) or (symbol(expr.name) if is_name else expr.name)
 
     def _print_Add(self, expr, order=None):
         text = super()._print_Add(expr, order)
@@ -115,8 +129,10 @@ class _Names:
         import sympy
 
         f = -expr
-        if isinstance(f, (sympy.asin, sympy.atan)) and f.args[0].is_Add:  # an angle without a sign
-            return self._print(f.func(-f.args[0], evaluate=False))
+        if isinstance(f, (sympy.asin, sympy.atan)):  # an angle without a sign
+            inside = [-x if x.is_Add else x for x in sympy.Mul.make_args(f.args[0])]
+            if inside != [*sympy.Mul.make_args(f.args[0])]:
+                return self._print(f.func(sympy.Mul(*inside, evaluate=False), evaluate=False))
         joined = _one_root(expr) if expr.is_Mul else expr  # SymPy prints 1/x here, too
         alone = expr.is_Mul and not joined.is_Mul
         text = self._print(joined) if alone else super()._print_Mul(joined)
@@ -185,7 +201,7 @@ def _text_printer():
             return f"{float(expr):.6g}"
 
         def stringify(self, args, sep, level=0):
-            """The arguments of a function, which has brackets of its own."""
+            """The arguments of a function, without further brackets."""
             return (
                 super().stringify(args, sep, level) if level else sep.join(map(self._print, args))
             )

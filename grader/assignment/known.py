@@ -1,4 +1,4 @@
-"""What is known of earlier quantities, and how the formula of a later one is shortened by it."""
+"""Shortening the formula of a quantity by means of earlier ones."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -7,24 +7,26 @@ from typing import Any
 from exercises.catalogue import Givens
 
 from .names import unsigned
-from .tidy import is_atom, is_forced, is_itself_shorter, readable
+from .tidy import is_atom, is_forced, is_itself_shorter, is_root, readable
 
-SHORT = 1  # operations of what is read as easily as the name of a component of another vector
+SHORT = 1  # operations of a formula as easy to read as the name of a vector's component
 
 
 @dataclass
 class Known:
-    """Formulas of the quantities that are shown already.
+    """Formulas of the quantities shown so far.
 
     givens : their names
     units : of the givens and symbols
-    drawn : sheets of numbers by which it is seen what is positive for everybody
-    shorter : pairs of a formula and the name that stands for it
+    drawn : sheets of numbers, to see what is positive for everybody
+    shorter : pairs of a formula and the name that replaces it
     short : {component of a vector: formula as short as its name}
     products : {name: formula} of products of givens
-    constants : {number: name} of those that are the same for all givens
-    opposite : {component: component of another vector that has the other sign}
+    constants : {number: name} of quantities that are the same for all givens
+    opposite : {component: the component of another vector with the opposite sign}
     entries : {entry of a matrix: its formula}
+    apart : the names that are not used now
+    entry : the end of the name that is written, where it is an entry of a matrix: "_xx"
     """
 
     givens: Collection[str]
@@ -36,12 +38,12 @@ class Known:
     constants: dict[float, Any] = field(default_factory=dict)
     opposite: dict[Any, Any] = field(default_factory=dict)
     entries: dict[Any, Any] = field(default_factory=dict)
+    apart: set[str] = field(default_factory=set)
+    entry: str = ""
     _placed: dict[tuple[int, int, int], Any] = field(default_factory=dict)
 
     def add(self, parts: Sequence[Any], symbols: Sequence[Any], formulas: Sequence[Any]) -> None:
-        """Adds a quantity: its traced components, their names and formulas, None where it has no
-        formula.
-        """
+        """Add a quantity: its traced components, their names, and their formulas or None."""
         import sympy
 
         for n, (part, symbol) in enumerate(zip(parts, symbols, strict=True)):
@@ -58,21 +60,21 @@ class Known:
             and not f.has(sympy.Add, sympy.Function)
         }  # fmt: skip
         if len(parts) == 1 or any(f.count_ops() > SHORT for f, _ in named):
-            # a vector's w/2 is of several bodies that lie side by side
+            # a vector's w/2 may belong to several bodies
             shared = {f for f, _ in named if len(parts) > 1 and f.as_coeff_Mul()[1].is_Symbol}
             longer = [(f, x) for f, x in named if f not in shared]
             self.shorter += [(f, x) for f, x in longer if not is_atom(f) and not f.is_number]
+            self.shorter += [(f.base, x**2) for f, x in longer if is_root(f) and f.base.is_Add]
         else:
             self.short |= {x: f for f, x in named}
 
     def is_of_givens(self, formula: Any) -> bool:
-        """True if a formula has no name of an earlier quantity."""
-        return {x.name for x in formula.free_symbols} <= {*self.givens}
+        """True if a formula contains only givens."""
+        return self._names(formula) <= {*self.givens}
 
     def of_one_body(self, formulas: Sequence[Any]) -> Sequence[Any]:
-        """The formulas of the entries of a matrix: where it is a sum of matrices, by the entries of
-        the latest of each body; where it is none, entries of another are equal by chance, and
-        written out.
+        """The formulas of the entries of a matrix: if it is a sum of matrices, by the latest matrix
+        of each body; if not, names of other entries, equal by chance, are written out.
         """
         if len(formulas) != 9 or None in formulas:
             return formulas
@@ -83,8 +85,8 @@ class Known:
         return tuple(f.xreplace(self.entries) if is_atom(f) else f for f in formulas)
 
     def shortened(self, formula: Any, met: Collection[str] = ()) -> Any:
-        """The formula by the names of earlier quantities; those of ``met`` stand in the computation
-        itself.
+        """The formula in terms of earlier quantities; ``met`` are those that the computation itself
+        uses.
         """
         formula = self._without_ones(self.named(self._without_bars(readable(formula))))
         if is_atom(formula):
@@ -93,8 +95,20 @@ class Known:
         return self._without_doubles(self._written_out(formula))
 
     def named(self, formula: Any) -> Any:
-        """The formula with earlier quantities in the place of theirs."""
-        for other, name in reversed(self.shorter):
+        """The formula with the formulas of earlier quantities replaced by their names; in an entry
+        of a matrix, those of the same entry first.
+        """
+        pairs = [x for x in reversed(self.shorter) if not self._names(x[1]) & self.apart]
+        pairs.sort(key=lambda x: not (self.entry and str(x[1]).endswith(self.entry)))
+        shorter = self._named_once(formula, pairs)
+        return shorter if shorter == formula else self._named_once(shorter, pairs)
+
+    @staticmethod
+    def _names(formula):
+        return {x.name for x in formula.free_symbols}
+
+    def _named_once(self, formula, pairs):
+        for other, name in pairs:
             shorter = formula.subs(other, name)
             if shorter == formula and not other.is_Add:
                 shorter = formula.subs(1 / other, 1 / name)
@@ -103,16 +117,14 @@ class Known:
         return formula
 
     def _written_out(self, formula):
-        """The formula with short components written out where most of it then cancels."""
+        """The formula with short components written out, if that makes it shorter."""
         if not formula.free_symbols & self.short.keys():
             return formula
         plain = readable(formula.xreplace(self.short).expand())
         return plain if is_itself_shorter(plain, formula) else formula
 
     def _without_doubles(self, formula):
-        """The formula with both names where two components add up that are opposite, as v_B and
-        -v_A: twice one of them says less.
-        """
+        """The formula with both names for a sum of opposite components: v_B - v_A, not 2 v_B."""
         import sympy
 
         def both(c, x):
@@ -124,7 +136,7 @@ class Known:
         return sympy.Add(*(both(c, x) for c, x in terms)) if len(terms) > 1 else formula
 
     def _without_bars(self, formula):
-        """The formula without the bars around what is positive for all numbers that are drawn."""
+        """The formula without bars around what has one sign for all drawn numbers."""
         import sympy
 
         for bars in formula.atoms(sympy.Abs):
@@ -137,9 +149,9 @@ class Known:
         return formula
 
     def _without_multiples(self, formula, met):
-        """The formula with products of givens written out that are equal by chance: where a number
-        times one stands alone, as 4*I_1/3, and beside one that differs by a given of the same unit,
-        as m_1*d^2 and m_2*d^2.
+        """The formula with names written out that equal a product of givens by chance: those with a
+        factor, as 4*I_1/3, and those beside a product that differs by a given of the same unit, as
+        m_1*d^2 and m_2*d^2.
         """
         import sympy
 
@@ -155,12 +167,12 @@ class Known:
         return sympy.Add(*(written_out(c, x) for c, x in terms))
 
     def _differ_by_one(self, one, other):
-        """Whether two products differ by a given in the place of another of the same unit."""
+        """Whether two products differ in one given, by another of the same unit."""
         ratio = [str(x) for x in (one / other).as_numer_denom()]
         return ratio[0] != ratio[1] and len({self.units.get(x, x) for x in ratio}) == 1
 
     def _without_ones(self, formula):
-        """The formula without squares of components of a unit vector that add up to one."""
+        """The formula simplified by sin^2 + cos^2 = 1 for components of a unit vector."""
         import sympy
 
         squared = {self.short.get(x.base) for x in formula.atoms(sympy.Pow) if x.exp == 2} - {None}

@@ -1,8 +1,8 @@
-"""How each step and answer of a problem is found, in LaTeX or as text: the equation with symbols,
-with the numbers of one sheet, and the value.
+"""The lines of a worked solution, in LaTeX or as text: for each step and answer the equation with
+symbols, with the numbers of a sheet, and the value.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -26,20 +26,22 @@ from newton_euler.answers.tolerance import NOISE
 from .cells import Values
 from .derivations import Derivation, component, derivations
 from .formulas import coherent, numerals, written
+from .layout import in_reading_order
 from .tidy import integrated, is_atom, simplest
 
 LONGEST = 400  # characters of a formula with numbers
+SAME_OPERATIONS = 4  # more than those of a result do not show how it was found
 
 
 @dataclass(frozen=True)
 class Line:
-    """A step or answer of a worked solution; its formulas are LaTeX, or text.
+    """A step or answer of a worked solution, in LaTeX or as text.
 
-    together, with_numbers : the equations that are solved first
-    above : True if it is an unknown of equations that were solved before
-    name : of the quantity, "" where it has none
-    equal : what it is equal to: its formula, that with numbers, its value with the unit
-    reason : why there is no formula, where there is none
+    together, with_numbers : equations to be solved first, with symbols and with numbers
+    above : True if it is an unknown of equations solved before
+    name : of the quantity, or ""
+    equal : right-hand sides: formula, formula with numbers, value with unit
+    reason : why there is no formula, or ""
     """
 
     step: Step
@@ -58,8 +60,8 @@ TOO_LONG = Words("its formula is too long for a page")
 
 def lines(p: Problem, values: Values, latex: bool = True, formulas: bool = True) -> Iterator[Line]:
     """The lines of a worked solution: the steps, and then the answers, for ``values`` in the units
-    of the text, with SymPy symbols for quantities without a number; without ``formulas`` their
-    values only.
+    of the text, with SymPy symbols for quantities without a number; without ``formulas``, values
+    only.
     """
     answers = p.solve(values)
     asked = [Step(a.key, answers[a.key], a.unit, a.means) for a in p.answers]
@@ -96,6 +98,8 @@ class _Writer:
                 key = component(s.key, n, len(parts))
                 named = p.notation.get(key) or symbol(key)
                 self._know(key, named, x, s.unit)
+        self.names = {n: self.names[n] for n in in_reading_order(self.units)}
+        self.numbers = {n: self.numbers[n] for n in self.names if n in self.numbers}
 
     def _know(self, name, named, x, stated):
         self.names[name], self.units[name] = named if self.latex else name, stated
@@ -104,12 +108,12 @@ class _Writer:
             self.sizes[stated] = max(self.sizes.get(stated, 0.0), abs(float(x)))
 
     def after(self, key):
-        """The answers that are shown before a step or answer."""
+        """The answers that must be shown before a step or answer."""
         found = self.derivations.get(key, Derivation()).after
         return {*found, *(x for other in found for x in self.after(other))}
 
     def _count(self, s):
-        """A counted answer as the first count of the steps less those after it, "" if it is not."""
+        """A counted answer as a difference of the counts in the steps, or ""."""
         counts = [x.value for x in self.steps if isinstance(x.value, int)]
         for n in range(2, len(counts) + 1):
             if isinstance(s.value, int) and counts[0] - sum(counts[1:n]) == s.value:
@@ -124,6 +128,8 @@ class _Writer:
         formula, numbers = self._formula(found.formulas, s)
         value = self._value(s)
         formula = formula or ("" if s in self.steps else self._count(s))
+        if self._is_same(found.formulas, s):
+            formula = ""
         chain = [x for x in (formula, numbers) if x]
         last = (value, value.removesuffix(self._unit(s)))
         chain = [x for n, x in enumerate(chain) if x not in (*chain[:n], *last)]
@@ -131,8 +137,19 @@ class _Writer:
         reason = "" if chain or above or found.together else self._reason(s, found)
         rows, with_numbers = self._together(found)
         with_numbers = () if formula else with_numbers
-        name = self._name(s) or (symbol(s.key) if rows else "")  # which the equations have
+        name = self._name(s) or (symbol(s.key) if rows else "")  # as in the equations
         return Line(s, rows, with_numbers, above, name, (*chain, value), reason)
+
+    def _is_same(self, formulas, s):
+        """True if the formulas of a result are the result in a form that says no more."""
+        pairs = [*zip(formulas, map(to_plain, flat(s.value)), strict=False)] if formulas else []
+        return any(not is_numeric(x) and x.free_symbols for _, x in pairs) and all(
+            f is not None
+            and not f.has(sympy.Integral)
+            and {x.name for x in f.free_symbols} <= {*self.p.symbols}
+            and (is_numeric(x) or f.count_ops() <= simplest(x).count_ops() + SAME_OPERATIONS)
+            for f, x in pairs
+        )
 
     def _reason(self, s, found):
         """Why there is no formula."""
@@ -146,14 +163,14 @@ class _Writer:
         return SAME if known or not found.varies else TOO_LONG
 
     def _sum(self, key, n):
-        """A component of a sum, of the symbols of its terms."""
+        """A component of a sum, in terms of those of its terms."""
         return sympy.Add(*(sympy.Symbol(component(k, n, 3)) for k in self.sums[key]))
 
     def _together(self, found):
-        """The equations that are solved together, with symbols and with numbers."""
+        """The equations to be solved first, with symbols and with numbers."""
         rows = self._rows(found.together, self._called)
         free = {x.name for pair in found.together for f in pair for x in f.free_symbols}
-        used = {n: self.numbers[n] for n in free - found.unknowns if n in self.numbers}
+        used = {n: x for n, x in self.numbers.items() if n in free - found.unknowns}
         if len(used) < len(free - found.unknowns) or not used:
             return rows, ()
         bare = coherent([self.numbers[n][1] for n in free if n in self.numbers])
@@ -177,12 +194,13 @@ class _Writer:
         return self.p.notation[s.key] if a else symbol(s.key, s.is_vector)
 
     def _called(self, formula):
-        """The names of the symbols of a formula; unknowns have those of the code."""
+        """The names of the symbols of a formula; unknowns have their names in the code."""
         free = {s.name for s in formula.free_symbols}
-        return {n: self.names.get(n) or (symbol(n) if self.latex else n) for n in free}
+        unknown = {n: symbol(n) if self.latex else n for n in sorted(free - {*self.names})}
+        return {n: text for n, text in self.names.items() if n in free} | unknown
 
     def _formula(self, formulas, s):
-        """A quantity as a formula, and with numbers; "" where there is none to read."""
+        """The formula of a quantity, with symbols and with numbers, each perhaps ""."""
         if not formulas or None in formulas or all(isinstance(f, sympy.Float) for f in formulas):
             return "", ""
         free = {x.name for f in formulas for x in f.free_symbols}
@@ -190,7 +208,7 @@ class _Writer:
         plain = self._whole(formulas, s.key) or self._joined(
             [written(f, self._called(f), self.latex, degrees=degrees) for f in formulas]
         )
-        if s.key in self.sums:  # its terms stand above it
+        if s.key in self.sums:  # the terms are shown above
             plain = ""
         if any(n not in self.numbers for n in free):
             return plain, ""
@@ -198,13 +216,13 @@ class _Writer:
         if all(f.is_number or is_atom(f) for f in formulas) and stated == {s.unit}:
             return plain, ""
         bare = not (degrees and any(map(self._mixes, formulas))) and coherent([s.unit, *stated])
-        names = numerals({n: self.numbers[n] for n in free}, bare, self.latex)
+        names = numerals({n: self.numbers[n] for n in self.names if n in free}, bare, self.latex)
         formulas = [integrated(sympy.sympify(f.xreplace(self._nothing(f)))) for f in formulas]
         text = self._joined([written(f, names, self.latex, True, degrees) for f in formulas])
         return plain, text if len(text) <= LONGEST else ""
 
     def _mixes(self, formula):
-        """True if an angle in degrees is added to one that is not."""
+        """True if angles in degrees and in other units are added."""
 
         def in_degrees(x):
             of = x.as_coeff_Mul()[1]
@@ -213,7 +231,7 @@ class _Writer:
         return any(len(set(map(in_degrees, x.args))) == 2 for x in formula.atoms(sympy.Add))
 
     def _nothing(self, formula):
-        """The symbols of a formula of which round-off is left, such as cos(60 deg) - 1/2, as 0."""
+        """{symbol: 0} for symbols that are zero up to round-off, as cos(60 deg) - 1/2."""
         known = {
             x: self.numbers[x.name] for x in formula.free_symbols if x.name not in self.p.units
         }
@@ -223,7 +241,7 @@ class _Writer:
         return 1e-12 * self.sizes.get(stated_in, 0.0)
 
     def _whole(self, formulas, own_key):
-        """The name of another vector that has these components, "" if there is none."""
+        """The name of another vector with these components, or ""."""
         keys = {f.name.rpartition("_")[0] for f in formulas if f.is_Symbol}
         key = keys.pop() if len(keys) == 1 else ""
         own = [component(key, n, len(formulas)) for n in range(len(formulas))]
@@ -253,7 +271,7 @@ class _Writer:
             value = value.rounded(self._noise(s.unit))
         elif is_numeric(value) and abs(value) <= self._noise(s.unit):
             value = 0
-        text = latex_of(value, self.p.notation) if self.latex else formatted(value)
+        text = latex_of(value, self.names) if self.latex else formatted(value, self.names)
         return text + self._unit(s)
 
     def _unit(self, s):
@@ -267,7 +285,9 @@ def _without_dots(row):
 
 
 def latex_of(value, notation):
-    """An answer in LaTeX, numbers with six significant digits."""
+    """An answer in LaTeX, numbers with six significant digits, and names in the order of
+    ``notation``, which is {name: LaTeX}.
+    """
     if isinstance(value, (tuple, list)) and all(isinstance(x, (tuple, list)) for x in value):
         return matrix_symbol([[latex_of(x, notation) for x in row] for row in value])
     if isinstance(value, (Vector, tuple, list)):
@@ -277,18 +297,21 @@ def latex_of(value, notation):
         return rf"\text{{{value}}}"
     if is_numeric(value) or not value.free_symbols:
         return number_symbol(value if isinstance(value, int) else float(value))
-    names = {x.name: notation.get(x.name) or symbol(x.name) for x in value.free_symbols}
+    others = sorted({x.name for x in value.free_symbols} - {*notation})
+    names = {**notation, **{n: symbol(n) for n in others}}
     return written(simplest(value), names, latex=True)
 
 
-def formatted(value: Any) -> str:
-    """An answer as text, numbers with six significant digits, round-off for zero as zero."""
+def formatted(value: Any, names: Iterable[str] = ()) -> str:
+    """An answer as text, numbers with six significant digits, round-off cleared; a formula with its
+    symbols in the order of ``names``.
+    """
     if isinstance(value, (Vector, tuple, list)):
         size = NOISE * max((abs(float(x)) for x in flat(value) if is_numeric(x)), default=0.0)
         shown = (0 if is_numeric(v) and abs(float(v)) < size else v for v in value)
-        return "[" + ", ".join(map(formatted, shown)) + "]"
+        return "[" + ", ".join(formatted(v, names) for v in shown) + "]"
     if isinstance(value, (int, str)):
         return str(value)
     if is_numeric(value) or not value.free_symbols:
         return f"{float(value) + 0.0:.6g}"
-    return written(simplest(value), {}, latex=False)
+    return written(simplest(value), {n: n for n in names}, latex=False)

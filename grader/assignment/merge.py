@@ -1,9 +1,9 @@
-"""Merges a source notebook that an instructor has changed with what the exercises are today.
+"""Merges a source notebook that an instructor has changed with the present exercises.
 
-Each part of a cell (text, pictures, what nbgrader and this package keep in it) is compared with
-what the last build wrote there: what the instructor changed stays, what the exercises changed comes
-in, and where both changed the instructor's stays and is reported. An instructor's own cells, their
-order, and what they took out stay as they are.
+Each part of a cell (text, pictures, metadata of nbgrader and of this package) is compared with the
+last build: changes of the instructor stay, changes of the exercises come in, and where both
+changed, the instructor's stays and is reported. An instructor's own cells, order and deletions are
+kept.
 """
 
 from collections.abc import Iterable, Mapping
@@ -13,15 +13,15 @@ from typing import Any
 from .cells import Cell, Notebook, own_metadata
 
 PARTS = ("source", "attachments", "nbgrader", "newton_euler")
-_VOLATILE = ("checksum", "schema_version", "cell_type")  # which nbgrader writes when it likes
+_VOLATILE = ("checksum", "schema_version", "cell_type")  # which nbgrader rewrites at any time
 
 
 @dataclass(frozen=True)
 class Merged:
-    """The merged notebook, and where it is not simply today's: names of cells.
+    """The merged notebook, and the names of cells that differ from the present exercises.
 
-    kept : cells with a change of the instructor; conflicts : those in which the exercises changed
-        the same part. removed : cells that are not in today's selection
+    kept : cells changed by the instructor; conflicts : those of which the exercises changed the
+    same part. removed : cells of problems no longer selected
     """
 
     notebook: Notebook
@@ -31,8 +31,8 @@ class Merged:
 
 
 def merged(base: Notebook, theirs: Notebook, ours: Notebook) -> Merged:
-    """The instructor's notebook ``theirs`` with what has changed from ``base``, which the last
-    build wrote, to ``ours``, which it would write now.
+    """The instructor's notebook ``theirs`` with the changes from ``base``, the last build, to
+    ``ours``, the present one.
     """
     before, now = _by_name(base["cells"]), _by_name(ours["cells"])
     result = Merged({**theirs, "cells": []})
@@ -54,7 +54,7 @@ def _by_name(cells: Iterable[Cell]) -> dict[str, Cell]:
 
 
 def _name(cell):
-    """What a cell of ours is in any notebook: its problem and role; "" for an instructor's."""
+    """The name of a cell of ours, its problem and role; "" for an instructor's."""
     own = own_metadata(cell)
     return " ".join(filter(None, (own.get("problem"), own.get("role"))))
 
@@ -90,7 +90,7 @@ def _merged_cell(base, theirs, ours, result):
 
 
 def _insert(cells, new, order):
-    """Put new cells behind those that precede them in ``order``."""
+    """Insert new cells after those that precede them in ``order``."""
     for cell in new:
         earlier = set(order[: order.index(_name(cell))])
         place = max((n for n, c in enumerate(cells) if _name(c) in earlier), default=-1)

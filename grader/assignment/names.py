@@ -1,4 +1,4 @@
-"""The names under which a formula has the numbers of a traced computation."""
+"""Names in formulas for the numbers of a traced computation."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -7,7 +7,6 @@ from itertools import permutations
 from operator import mul, truediv
 from typing import Any
 
-from exercises.catalogue.tracing import numbers_of
 from newton_euler.algebra.trace import Step
 from newton_euler.classroom.practising.programs import operate
 
@@ -22,14 +21,15 @@ class Names:
 
     fixed : of givens, and of the unknowns of equations
     found : of the components of quantities: {number: {quantity: {place: symbol}}}
-    opposite : the same for numbers that have the other sign, with a minus sign
-    sheets : numbers of the givens without any relation, and the traced numbers that follow
-    by_value : {numbers on the sheets: {name of what has them: its place in a matrix}}
+    opposite : the same for numbers with the opposite sign, with a minus sign
+    sheets : unrelated numbers for the givens, and the traced numbers that follow from them
+    by_value : {numbers on the sheets: {name: its place in a matrix}}
     sizes : numbers of components, by quantity
     uses : how often each occurs in the quantity that is written
     place, size : index of the component that is written, number of components of its quantity
-    whole : the traced numbers of this quantity
+    whole : the numbers of its components on the sheets
     indices : the indices of its name, as AB of I_AB
+    apart : the quantities that are not used now, and the names of their components
     scalars : the quantities that are one number, on the sheets
     givens : {numbers on the sheets: given}
     """
@@ -42,20 +42,21 @@ class Names:
     uses: Counter[str] = field(default_factory=Counter)
     place: int = 0
     size: int = 1
-    whole: set[int] = field(default_factory=set)
+    whole: set[tuple[str, ...]] = field(default_factory=set)
     indices: set[str] = field(default_factory=set)
+    apart: set[str] = field(default_factory=set)
     scalars: list[tuple[Any, Sequence[float]]] = field(default_factory=list)
     givens: dict[tuple[str, ...], Any] = field(default_factory=dict)
     by_value: dict[tuple[str, ...], dict[Any, int | None]] = field(default_factory=dict)
 
     def give(self, x: Step, symbol: Any) -> None:
-        """Gives its name to a given."""
+        """Name a given."""
         self.fixed[x.number] = symbol
         if numbers := self._numbers(x):
             self.givens[_rounded(numbers)] = symbol
 
     def add(self, key: str, parts: Sequence[Any], symbols: Sequence[Any]) -> None:
-        """Gives names to the components of a quantity."""
+        """Name the components of a quantity."""
         self.sizes[key] = len(parts)
         for n, (x, symbol) in enumerate(zip(parts, symbols, strict=True)):
             inner, sign = unsigned(x)
@@ -69,11 +70,11 @@ class Names:
                 self.opposite.setdefault(inner.number, {}).setdefault(key, {})[n] = -symbol
 
     def look_at(self, key: str, parts: Sequence[Any]) -> None:
-        """Counts for the formulas of a quantity how many numbers of each earlier one they have: of
-        quantities that are partly equal, the one that is used most is meant, or of those that are
-        used as often, the one with the same index.
+        """Count how often a quantity's formulas use each earlier one: of partly equal quantities
+        the most used is meant, or of equally used ones the one with the same index.
         """
-        self.size, self.uses, self.whole = len(parts), Counter(), numbers_of(parts)
+        self.place, self.size, self.uses = 0, len(parts), Counter()
+        self.whole = {_rounded(self._numbers(x)) for x in parts} - {()}
         self.indices = _indices(key)
         seen, waiting = set(), [*parts]
         while waiting:
@@ -94,24 +95,27 @@ class Names:
             return None
         if self.size == 9 and not (candidates := self._in_place(candidates)):
             return None
+        same = [k for k in candidates if self.indices and _indices(k) == self.indices]
+        if len(candidates) > 1 and len(same) != 1 and x.args and all(map(self._is_plain, x.args)):
+            return None  # as b/2, of two bodies that lie side by side
         used = max(self.uses[k] for k in candidates)
         key, *others = (k for k in candidates if self.uses[k] == used)
-        same = [k for k in (key, *others) if self.indices and _indices(k) == self.indices]
+        same = [k for k in same if k in (key, *others)] or [
+            k for k in (key, *others) if self.size == 3 and "xyz"[self.place] in k.split("_")[-1]
+        ]
         if others and len(same) == 1:
             key, others = same[0], []
-        if others and x.args and all(self._is_plain(a) for a in x.args):
-            return None  # as b/2, of two bodies that lie side by side
         if (self.size, self.sizes[key]) == (9, 3) and len(candidates[key]) > 1 and x.args:
-            return None  # of which axis it is does not show
+            return None  # the axis is ambiguous
         return self._at_place(candidates[key], self.sizes[key])
 
     def equal(self, x: Step) -> Any:
-        """The name of the given, or for a sum of the one earlier quantity, that has the same value
-        on all sheets, by whatever way the code came to it; None if there is none. Products, sums of
-        what has a name, and whole quantities are equal to others by chance.
+        """The name of the given, or for a sum of the single earlier quantity, with the same value
+        on all sheets, however it was computed; or None. Products, sums of named quantities, and
+        whole quantities equal others by chance only.
         """
         numbers, here = self._numbers(x), self.place if self.size == 9 else None
-        is_whole = x.number in self.whole
+        is_whole = _rounded(numbers) in self.whole
         given = self.givens.get(_rounded(numbers))
         parts = [a for a in x.args if isinstance(a, Step)]
         is_multiple = len(parts) == 1 and self.of(parts[0]) is not None
@@ -120,15 +124,14 @@ class Names:
         if x.op not in "+-" or is_whole or all(map(self._is_known, x.args)):
             return None
         for sign in (1, -1):
-            names = self.by_value.get(_rounded(numbers, sign), {})
+            found = self.by_value.get(_rounded(numbers, sign), {})
+            names = {name: x for name, x in found.items() if name.name not in self.apart}
             if len(names) == 1 and here in names.values():
                 return sign * next(iter(names))
         return None
 
     def of_two(self, x: Any) -> Any:
-        """A number as the ratio or product of two earlier ones, by whatever way the code came to
-        it; None if it is none.
-        """
+        """A number as the ratio or product of two earlier ones, however computed; or None."""
         numbers = self._numbers(x)
         for (a, of_a), (b, of_b) in permutations(self.scalars if numbers else (), 2):
             if _rounded(numbers) == _rounded(map(truediv, of_a, of_b)):
@@ -138,7 +141,7 @@ class Names:
         return None
 
     def vanishes(self, x: Any) -> bool:
-        """True if two numbers cancel on all sheets but for round-off."""
+        """True if two numbers cancel on all sheets up to round-off."""
         if not isinstance(x, Step) or x.op not in "+-" or not (sizes := self._numbers(x.args[0])):
             return False
         rest = [value_of(x, *sheet) for sheet in self.sheets]
@@ -146,7 +149,7 @@ class Names:
         return all(n is not None and abs(n) <= ROUND_OFF * abs(size) for n, size in pairs)
 
     def _numbers(self, x):
-        """A traced number on the sheets; () where it is the same on all, or has none."""
+        """A traced number on the sheets; () if it is the same on all, or undefined on one."""
         found = [value_of(x, *sheet) for sheet in self.sheets] if isinstance(x, Step) else []
         return () if None in found or len({*found}) < 2 else found
 
@@ -154,7 +157,7 @@ class Names:
         return not isinstance(x, Step) or self.of(unsigned(x)[0]) is not None
 
     def _in_place(self, candidates):
-        """Without the entries of other matrices that stand elsewhere in these, and so are equal by
+        """The candidates without entries at other places of other matrices, which are equal by
         chance; the latest first.
         """
         return {
@@ -167,10 +170,11 @@ class Names:
         return not isinstance(a, Step) or a.number in self.fixed
 
     def _candidates(self, x):
-        return self.found.get(x.number) or self.opposite.get(x.number, {})
+        found = self.found.get(x.number) or self.opposite.get(x.number, {})
+        return {key: x for key, x in found.items() if key not in self.apart}
 
     def _at_place(self, by_place, size):
-        """The component of the same axis; of a matrix that multiplies a vector, that of the row."""
+        """The component of the same axis; of a matrix in a vector's formula, that of the row."""
         rows = (
             {n // 3: x for n, x in reversed(by_place.items())}
             if (size, self.size) == (9, 3)
@@ -190,12 +194,12 @@ def _indices(key):
 
 
 def _rounded(numbers, sign=1):
-    """Numbers without their round-off, to be compared."""
+    """Numbers rounded for comparison."""
     return tuple(f"{sign * x:.11g}" for x in numbers)
 
 
 def value_of(x: Any, values: Any, memo: dict[int, float | None]) -> float | None:
-    """The number of a traced quantity for givens, None where it has none."""
+    """The number of a traced quantity for these givens, or None if it is undefined."""
     if not isinstance(x, Step):
         return float(x)
     if x.number not in memo:

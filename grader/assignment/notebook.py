@@ -4,12 +4,11 @@ numbers.
 Notebooks are plain dicts here (the JSON of the format), because nbformat validates at every step
 and a class has hundreds. Each problem has four cells: the statement; the givens, with a student's
 own numbers and without an nbgrader id; the answer, which is editable and the only text of a
-submission that is used; and the receipt, which is locked, has no points, and checks the form of the
+submission that is used; and the receipt, locked and without points, which checks the form of the
 answer.
 
-Courses keep what is written here: a change of cell ids, of grade ids, of MASTER_COPY or of the
-numbers and units in :func:`givens` makes assignments that are already handed out impossible to
-grade.
+Courses store what is written here: a change of cell ids, of grade ids, of MASTER_COPY or of the
+numbers and units in :func:`givens` makes assignments ungradable that have been handed out.
 """
 
 import base64
@@ -89,7 +88,7 @@ choose_language("{language}")
 
 
 def number(x: float) -> str:
-    """The text of a number, floats with six significant digits."""
+    """A number as text, floats with six significant digits."""
     return f"{x:.6g}" if isinstance(x, float) else str(x)
 
 
@@ -98,8 +97,8 @@ def statement(
 ) -> str:
     """The text of a problem with the student's numbers, as Markdown with formulas of LaTeX between
     dollar signs; the figure is the attachment ``figure.png``. For ``chapters`` see
-    :func:`~exercises.catalogue.sections.section_line`. ``code=False`` leaves out what only a
-    program needs: names in code, and the list of those that are asked for.
+    :func:`~exercises.catalogue.sections.section_line`. ``code=False`` leaves out names in code and
+    the list of those asked for.
     """
     mentioned = set()
 
@@ -131,7 +130,7 @@ def statement(
 
 
 def frame_heading(p: Problem) -> str:
-    """What ``p.frame`` is called: that of a problem without vectors says no components."""
+    """The heading of ``p.frame``: components, or a note in a problem without vectors."""
     is_vector = any(a.kind.length > 2 for a in p.answers)
     return _("Components") if is_vector else _("Note")
 
@@ -144,12 +143,12 @@ def _asked(p, a):
 
 
 def typeset(text: str, p: Problem, replaced: Callable[[re.Match[str]], str] | None = None) -> str:
-    """A text of the catalogue in LaTeX: each ``{name}`` by ``replaced(match)``, in a formula
-    between dollar signs by its symbol; Greek letters that are written out as letters.
+    """A text of the catalogue in LaTeX: each ``{name}`` is replaced by ``replaced(match)``, in a
+    formula between dollar signs by its symbol; names of Greek letters by letters.
     """
     parts = re.split(r"(\$[^$]*\$)", text)
     for n, part in enumerate(parts):
-        if n % 2:  # a formula, in which {r} may be what a command is about
+        if n % 2:  # a formula, in which {r} may be an argument
             parts[n] = _NAMED.sub(lambda m: f"{{{p.notation.get(m[1], m[1])}}}", part)
         else:
             part = typeset_names(part, p.notation)
@@ -163,7 +162,7 @@ _NAMED = re.compile(r"\{(\w+)\}")
 def givens(p: Problem, values: Values) -> str:
     """The source of the cell that defines a student's numbers, and the symbols of a formula."""
     lines = definitions(p, values)
-    if p.givens:  # lets a receipt check whether these numbers were used
+    if p.givens:  # so that a receipt can check whether these numbers were used
         lines.append(f'given("{p.id}", {", ".join(f"{n}={n}" for n in p.givens)})')
     return "\n".join(lines)
 
@@ -191,7 +190,7 @@ def givens_lines(p: Problem, values: Values) -> list[str]:
 
 
 def starter(p: Problem) -> str:
-    """The source of the answer cell as it is handed out."""
+    """The initial source of the answer cell."""
     width = max(len(a.key) for a in p.answers)
     lines = [f"# {p.id}: {_(WORK)}"]
     lines += [f"{a.key:<{width}} = None  # {a.form.stated}: {a.means}" for a in p.answers]
@@ -199,7 +198,7 @@ def starter(p: Problem) -> str:
 
 
 def receipt_cell(p: Problem, exam: bool = False) -> str:
-    """The source of the locked cell that checks the form of the answers; in an exam only that."""
+    """The source of the locked receipt; in an exam it checks only the form of the answers."""
     forms = ", ".join(f'{a.key}="{a.form}"' for a in p.answers)
     symbols = f"symbols={ {n: s.unit for n, s in p.symbols.items()}!r}, " if p.symbols else ""
     own = {q: x.latex for q, x in ({a.key: a for a in p.answers} | p.symbols).items() if x.latex}
@@ -270,8 +269,7 @@ def build_notebook(
 
 def _problem_cells(p, values, figure, chapters, options, exam):
     n = slug(p.id)
-    # generate_assignment replaces the (empty) solution region by ClearSolutions.code_stub; a cell
-    # without one would lose its text
+    # an empty solution region for generate_assignment, which would clear a cell without one
     answer = starter(p).replace("\n", "\n### BEGIN SOLUTION\n### END SOLUTION\n", 1)
     asked = {a.key: str(a.form) for a in p.answers}
     own: OwnMetadata = {"role": "answer", "problem": p.id, "asked": asked}
@@ -315,7 +313,7 @@ def personal_notebook(
     """The released notebook with a student's own numbers and figures; ``values`` and ``figures`` by
     problem.
 
-    What an instructor has written into one of our cells remains: only the numbers in it change.
+    An instructor's changes of our cells are kept: only numbers are replaced.
     """
     cells = []
     for cell in released["cells"]:
@@ -335,7 +333,7 @@ def personal_notebook(
 
 
 def statement_with(p, text, values):
-    """The text of a problem with a student's numbers, wherever it gives one."""
+    """The text of a problem with a student's numbers in place of those of its givens."""
     pieces, numbers = _around_numbers(p, text)
     own = [written(values[name]) for name, written in numbers]
     return "".join(x for pair in zip(pieces, [*own, ""], strict=True) for x in pair)
@@ -343,8 +341,8 @@ def statement_with(p, text, values):
 
 @lru_cache(maxsize=1000)
 def _around_numbers(p, text):
-    """A text, the same for all students, split at the numbers of its givens: (the pieces around
-    them, [(name, function that writes the number)]).
+    """A text split at the numbers of its givens: (the pieces around them, [(name, function that
+    writes the number)]).
     """
     if not p.givens:
         return [text], []
@@ -364,7 +362,7 @@ def _around_numbers(p, text):
 @cache
 def _givens_in(p):
     """Patterns of "symbol = number" for the givens of ``p``, as written now and by earlier
-    releases; group 1 is the symbol. It is empty in ``\\bar b = 8``, which is another symbol.
+    releases; group 1 is the symbol, empty in ``\\bar b = 8``, which is another symbol.
     """
     digits = r"[-+]?\d[\d.]*(?: \\times 10\^\{-?\d+\}|e[-+]?\d+)?"
     symbols = "|".join(re.escape(p.notation[name]) for name in p.givens)
@@ -375,7 +373,7 @@ def _givens_in(p):
 
 
 def _earlier_markup(name):
-    """A name as in statements of earlier releases: omega_1 as an italic omega with an index."""
+    """A name as in statements of earlier releases: an italic omega with an index for omega_1."""
     base, *indices = name.split("_")
     dots = {"dot": "\u0307", "ddot": "\u0308"}
     mark = "".join(dots[i] for i in indices if i in dots)
@@ -397,7 +395,7 @@ def _givens_with(p, source, values):
     for name, book, own in zip(p.givens, _book_lines(p), givens_lines(p, values), strict=True):
         if book in source:
             source = source.replace(book, own)
-        else:  # an instructor has changed the line
+        else:  # a line changed by the instructor
             source = re.sub(rf"(?m)^{name} = [-+.\w]+", f"{name} = {number(values[name])}", source)
     return source
 

@@ -1,5 +1,5 @@
-"""The numbers of each student's sheet. They are drawn once, kept in COURSE/numbers, and graded from
-then on, whatever the ranges of an exercise are later.
+"""The numbers of each student's sheet: drawn once, kept in COURSE/numbers, and used from then on,
+even if the ranges of an exercise change.
 """
 
 import json
@@ -27,7 +27,7 @@ PRACTISED = 20  # sets of numbers of a practice file: twice as many as it has by
 def kept_numbers(
     course: Course, assignment: str, student: str, problems: Iterable[Problem]
 ) -> SheetValues:
-    """One student's numbers in today's units; those that are not kept yet are drawn, and kept."""
+    """A student's numbers in today's units; missing ones are drawn and kept."""
     path = numbers_path(course, assignment, student)
     kept = _read(path)
     missing = [p for p in problems if p.id not in kept]
@@ -40,8 +40,8 @@ def kept_numbers(
 
 
 def _drawn(course, assignment, student, problems):
-    """New numbers for a sheet; those of an exam are on no other sheet of the course, in no practice
-    file of the usual size, and not the book's, as far as the ranges allow.
+    """New numbers for a sheet; in an exam, as far as the ranges allow, other ones than the book's
+    and those of other sheets of the course and of practice files of the usual size.
     """
     drawn = course.values(assignment, student, problems)
     if not is_exam(course, assignment):
@@ -60,7 +60,7 @@ def _drawn(course, assignment, student, problems):
 
 @cache
 def _practised(p: Problem) -> set:
-    """The numbers of the book, and those with which practice files begin."""
+    """The numbers of the book and the first ones of practice files."""
     return {_as_kept(p.book_values)} | {
         _as_kept(draw(p, practice_seed(p, n))) for n in range(PRACTISED)
     }
@@ -68,7 +68,7 @@ def _practised(p: Problem) -> set:
 
 @lru_cache(maxsize=2)
 def _taken(folders: tuple[tuple[Path, int], ...]) -> dict[str, set]:
-    """{problem: the numbers that sheets have in these folders, which changed at these times}."""
+    """{problem: the numbers of all sheets in these folders}; the times are for the cache."""
     found: dict[str, set] = {}
     for path in (path for folder, _ in folders for path in folder.glob("*.json")):
         for number, given in _read(path).items():
@@ -82,7 +82,7 @@ def _as_kept(values):
 
 
 def numbers_in(path: Path, problems: Iterable[Problem]) -> SheetValues:
-    """The numbers that a file keeps, in today's units, of those problems that still have them."""
+    """The numbers in a file, in today's units, for problems whose givens it covers."""
     kept, found = _read(path), {}
     for p in problems:
         if p.id in kept and kept[p.id].keys() >= p.givens.keys():
@@ -93,7 +93,7 @@ def numbers_in(path: Path, problems: Iterable[Problem]) -> SheetValues:
 def keep_numbers(
     course: Course, assignment: str, student: str, problems: Iterable[Problem], values: SheetValues
 ) -> KeptNumbers:
-    """Add the numbers of these problems to those that are kept; returns them all."""
+    """Add the numbers of these problems to a student's file; returns all in it."""
     path = numbers_path(course, assignment, student)
     kept = _read(path)
     for p in problems:
@@ -145,7 +145,7 @@ def _converted(p, name, number, text):
 
 
 def _handed_out(course, assignment, student):
-    """The numbers in a copy that was made before numbers were kept."""
+    """The numbers in a copy from a version that did not keep them."""
     path = course.personal_path(assignment, student)
     if not path.exists():
         return {}

@@ -1,4 +1,4 @@
-"""What an assignment may say of a problem, in its file or in the metadata of the answer cell."""
+"""Options of a problem in an assignment, from its file or the metadata of the answer cell."""
 
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
@@ -7,9 +7,9 @@ from exercises.catalogue import Problem
 from exercises.catalogue.errors import meant
 from newton_euler.classroom.practising.files import HELP as PRACTICE_HELP
 
-# what a student is shown at the most: points, right or wrong, after grading; also which mistake
-# explains an answer, and at once whether it is right; also steps with hints, in practice; also the
-# worked solution, after the due date
+# the most that a student is shown: points and verdicts after grading; also the mistake behind an
+# answer, and verdicts at once; also steps with hints in practice; also the worked solution after
+# the due date
 HELP = ("none", *PRACTICE_HELP)
 LARGEST = 0.1  # relative tolerance
 
@@ -20,7 +20,7 @@ def read_option(name: str, value: Any, p: Problem | None = None) -> Any:
 
 
 def unknown(word: object, known: Iterable[str], what: str = "is not one of") -> str:
-    """That a word is not among those that are known, and which of them may be meant."""
+    """A sentence that a word is not a known one, with the likeliest of those."""
     names = sorted(known)
     return f"{word!r} {what} {', '.join(names)}{meant(word, names)}"
 
@@ -46,7 +46,7 @@ def _tolerance(value, p=None):
 
 
 def _percent(value):
-    """A share, also from a text with a percent sign; anything else unchanged."""
+    """A text with a percent sign as a number; anything else unchanged."""
     text = str(value).strip()
     try:
         return float(text.removesuffix("%")) / 100 if text.endswith("%") else value
@@ -79,4 +79,4 @@ OPTIONS: Mapping[str, Callable[[Any, Any], Any]] = {
     "points": _points, "weights": _weights, "follow_through": _share, "tolerance": _tolerance,
     "help": _help,
 }  # fmt: skip
-BY_SHEET = ("follow_through", "tolerance", "help")  # those that a sheet may say for all
+BY_SHEET = ("follow_through", "tolerance", "help")  # those that a sheet may set for all problems

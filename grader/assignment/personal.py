@@ -25,9 +25,9 @@ def make_personal_copies(
     workers: int | None = None,
     right_or_wrong: bool = False,
 ) -> dict[str, Path]:
-    """Write the personal copies of an assignment for ``students`` (default: the roster), of all its
-    notebooks with problems; returns {student: path}. Figures show a student's own numbers, so that
-    they are drawn for each, on ``workers`` processes.
+    """Write the personal copies of an assignment for ``students`` (default: the roster), for all
+    its notebooks with problems; returns {student: path}. Figures are drawn for each student's
+    numbers, by ``workers`` processes.
 
     right_or_wrong : let receipts say whether an answer is right where the sheet has no help level,
         see :mod:`newton_euler.answers.seals`
@@ -93,7 +93,7 @@ def copy_to_exchange(
 ) -> list[str]:
     """Copy personal notebooks ({student: path}) next to ``outbound``, the released assignment in
     the exchange: not into it, so that a plain fetch gets no student's numbers. Returns the students
-    whose copies others could read, since this machine cannot give them to one user.
+    whose copies others can read, as access cannot be limited to one user.
     """
     from .fetch import FOLDER, personal_name
 
@@ -111,12 +111,12 @@ def copy_to_exchange(
         if not _restrict_to_user(student, target):
             open_to_others.append(student)
     for place in (folder, folder.parent):
-        os.chmod(place, 0o711)  # may be entered under a known name, but not listed
+        os.chmod(place, 0o711)  # may be entered by name, but not listed
     return open_to_others
 
 
 def warning(students: list[str]) -> str:
-    """The warning where :func:`copy_to_exchange` has left copies open to others; else ""."""
+    """A warning about the copies that :func:`copy_to_exchange` left open to others, or ""."""
     if not students:
         return ""
     return (
@@ -129,7 +129,8 @@ def warning(students: list[str]) -> str:
 
 def _restrict_to_user(student, target):
     """Make the copy readable by the student alone, if they are a user of this machine: root
-    transfers ownership; others use an access list, where ``setfacl`` is installed. True if done.
+    transfers ownership; others use an access list, if ``setfacl`` is installed. Returns whether it
+    was done.
     """
     try:
         import pwd
@@ -145,7 +146,7 @@ def _restrict_to_user(student, target):
         return True
     if tool := shutil.which("setfacl"):
         who = f"user:{user.pw_uid}:rX,group::---,other::---"
-        # not every file system has access lists; the names of the folders are still not listed
+        # fails on file systems without access lists
         command = [tool, "--modify", who, *paths]
         return subprocess.run(command, capture_output=True, check=False).returncode == 0
     return False

@@ -13,13 +13,13 @@ from .notebook import personal_notebook
 from .numbers import kept_numbers
 from .sheet import Task, tasks
 
-# metadata of a cell that change what the work in it is worth, not how it runs
+# metadata that affect the points of a cell, not how it runs
 WORTH = ("points", "weights", "follow_through", "tolerance", "help", "checksum")
 
 
 @dataclass(eq=False)
 class Released:
-    """A notebook as generated for release: shared by all students, so not to be modified."""
+    """A notebook as generated for release; shared by all students, not to be modified."""
 
     path: Path
 
@@ -30,12 +30,12 @@ class Released:
 
     @cached_property
     def tasks(self) -> dict[str, Task]:
-        """The problems that it asks for."""
+        """{number: task} of its problems."""
         return tasks(self.notebook)
 
     @cached_property
     def hashes(self) -> tuple[str, str]:
-        """(hash of the file, hash of what decides its run: all but points, weights and figures)."""
+        """(hash of the file, hash of what affects its run: all but points, weights and figures)."""
         ran = json.dumps([_as_run(c) for c in self.notebook["cells"]], sort_keys=True)
         return _hash(self.path.read_bytes()), _hash(ran.encode())
 
@@ -85,8 +85,8 @@ def master_notebook(
     name: str | None = None,
     values: SheetValues | None = None,
 ) -> Notebook:
-    """The trusted notebook of a student, by default that of the assignment's name: the released one
-    as it is now, with the student's numbers, and the figures of the copy that was handed out.
+    """The trusted notebook of a student, by default the one named like the assignment: the released
+    one with the student's numbers, and the figures of the copy that was handed out.
     """
     name = name or assignment
     found = released(course, assignment).get(name)

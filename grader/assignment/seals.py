@@ -8,8 +8,8 @@ from .sheet import tasks
 
 
 def with_seals(notebook: Notebook, values: SheetValues, unless_said: bool = True) -> Notebook:
-    """A student's copy with seals of the right answers in its cells of numbers, of the problems
-    whose help level is "check" or more; ``unless_said``: also of those that have none.
+    """A student's copy with seals of the right answers in its cells of numbers, for problems with
+    help level "check" or more; ``unless_said``: also for those without a level.
     """
     cells = []
     asked = {
@@ -31,7 +31,7 @@ def with_seals(notebook: Notebook, values: SheetValues, unless_said: bool = True
 
 
 def _seals(p, values, asked):
-    """{answer: seal}; none of an answer that the sheet asks for in another form than today's."""
+    """{answer: seal}, without answers whose form on the sheet is not today's."""
     numbers = numbers_of(p, values)
     same = [a for a in p.answers if asked is None or asked.get(a.key) == str(a.form)]
     return {a.key: _seal(a, numbers) for a in same}

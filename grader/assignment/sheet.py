@@ -1,4 +1,4 @@
-"""The problems that a notebook asks for, read from its cells, whatever it was built from."""
+"""The problems of a notebook, read from its cells."""
 
 import json
 from dataclasses import asdict, dataclass, replace
@@ -11,22 +11,21 @@ from ..course import CourseError
 from .cells import Notebook, nbgrader_metadata, own_metadata
 from .options import read_option
 
-LATER = ("tolerance", "help")  # options that sheets of earlier versions do not have
+LATER = ("tolerance", "help")  # options that sheets of earlier versions lack
 
 
 @dataclass(frozen=True)
 class Task:
-    """A problem on a sheet: its number and what its answer cell is worth.
+    """A problem on a sheet: its number and the options of its answer cell.
 
-    weights : {key: weight} where the instructor distributes the points unlike the exercise
-    asked : {key: form} of what is asked for; None on sheets of earlier versions, which lack it
-    follow_through : the share that a part earns if it follows correctly from a wrong one; None for
-        that of the exercise
-    tolerance : relative, of its numbers; None for that of all (0.005)
-    help : the most that a student is shown, one of :data:`~.options.HELP`; None where the sheet
-        says nothing
-    The last four stand in the "newton_euler" metadata of the answer cell, where the instructor may
-    change them.
+    weights : {key: weight} if the instructor's differ from the exercise's
+    asked : {key: form} of the answers; None on sheets of earlier versions
+    follow_through : the share that a part earns if it follows from a wrong one; None for the
+    exercise's
+    tolerance : relative, of its numbers; None for the default (0.005)
+    help : the most that a student is shown, one of :data:`~.options.HELP`; None if unspecified The
+    last four are in the "newton_euler" metadata of the answer cell, where the instructor may change
+    them.
     """
 
     problem: str
@@ -40,13 +39,13 @@ class Task:
 
     @cached_property
     def as_json(self) -> str:
-        """All of it as JSON, to detect changes; what later versions added only where it is set."""
+        """The task as JSON, to detect changes; options of later versions only if they are set."""
         known = {n: x for n, x in asdict(self).items() if n not in LATER or x is not None}
         return json.dumps(known, sort_keys=True)
 
     @property
     def forms(self) -> dict[str, str] | None:
-        """:attr:`asked` in the order of the exercise, since nbgrader sorts what it writes."""
+        """:attr:`asked` in the order of the exercise: nbgrader sorts metadata."""
         if self.asked is None:
             return None
         known = {a.key: self.asked[a.key] for a in self.exercise.answers if a.key in self.asked}
@@ -54,8 +53,8 @@ class Task:
 
     @property
     def exercise(self) -> Problem:
-        """The exercise as it is today, with the tolerance of the sheet; raises
-        :class:`CourseError` if there is none.
+        """Today's exercise, with the tolerance of the sheet; raises :class:`CourseError` if there
+        is none.
         """
         try:
             return with_tolerance(find_problem(self.problem), self.tolerance)
@@ -68,15 +67,15 @@ class Task:
 
 @lru_cache(maxsize=1000)
 def with_tolerance(p: Problem, tolerance: float | None) -> Problem:
-    """The problem with this relative tolerance of its numbers; None: with its own."""
+    """The problem with this relative tolerance, or its own for None."""
     if tolerance is None:
         return p
     return replace(p, answers=tuple(replace(a, rtol=tolerance) for a in p.answers))
 
 
 def tasks(notebook: Notebook) -> dict[str, Task]:
-    """The problems that a notebook asks for, in its order: those with an answer cell. The points
-    are those of the cell, 0 if it is not graded.
+    """The problems of a notebook in order: those with an answer cell. Points are those of the cell,
+    0 if it is not graded.
     """
     found: dict[str, Task] = {}
     for cell in notebook["cells"]:
@@ -94,7 +93,7 @@ def tasks(notebook: Notebook) -> dict[str, Task]:
 
 
 def _read(own, name):
-    """An option in the metadata of an answer cell, None where it is not there."""
+    """An option in the metadata of an answer cell, or None."""
     if name not in own:
         return None
     try:
@@ -104,5 +103,5 @@ def _read(own, name):
 
 
 def problems_of(notebook: Notebook) -> list[Problem]:
-    """The problems that a notebook asks for, in its order."""
+    """The problems of a notebook, in order."""
     return [task.exercise for task in tasks(notebook).values()]

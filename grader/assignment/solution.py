@@ -17,8 +17,8 @@ from .spelled import typeset_formulas
 
 
 def worked_solution(p: Problem, values: Values, text: bool = True, formulas: bool = True) -> str:
-    """The worked solution as Markdown; ``text``: with the text of the problem before it;
-    ``formulas``: with how each value is found, which holds for other numbers too.
+    """The worked solution as Markdown; ``text``: preceded by the text of the problem; ``formulas``:
+    with the formula of each value.
     """
     out = [statement(p, values, figure=False), "", f"*{_('Solution')}*", ""] if text else []
     found = {line.step.key: line for line in lines(p, values, formulas=formulas)}
@@ -33,12 +33,13 @@ def worked_solution(p: Problem, values: Values, text: bool = True, formulas: boo
             out += _answer(p.answer(key), line, p, found.values())
         elif key not in shown:
             n += 1
-            out += [f"{n}. {_sentence(_means(line.step, p))}{_where(line.step)}: {_chain(line)}"]
+            means = _not_twice(_means(line.step, p), line.equal[0])
+            out += [f"{n}. {_sentence(means)}{_where(line.step)}: {_chain(line)}"]
     return "\n".join(out)
 
 
 def _chain(line):
-    """A quantity with all that it is equal to, in pieces between which a page can break a line."""
+    """A quantity and its equal forms, in pieces between which lines can break."""
     first, *others = line.equal
     begin = f"{line.name} = {first}" if line.name else first
     pieces = [f"${begin}$", *(f"$= {x}$" for x in others)]
@@ -48,7 +49,7 @@ def _chain(line):
 
 
 def _equations(line):
-    """The equations that are solved first, "" if there are none."""
+    """The equations to be solved first, or ""."""
     rows = "; ".join(f"${row}$" for row in line.together)
     numbers = "; ".join(f"${row}$" for row in line.with_numbers)
     found = _("from {equations}", equations=rows) if rows else ""
@@ -62,24 +63,38 @@ def _means(step, p):
     return f"{_words(*step.term, p)}{_(', in ')}${symbol(step.of, step.is_vector)}$"
 
 
+def _not_twice(means, formula):
+    """A description without the formula that stands behind it, too."""
+    shown = _names_in(formula.partition(r"\ \text")[0])  # without a unit
+    return _BEHIND_COMMA.sub(lambda m: "" if _names_in(m[1]) == shown else m[0], means)
+
+
+def _names_in(formula):
+    return {*re.findall(r"\\[A-Za-z]+|[A-Za-z]+|\d+", formula)} - _LAYOUT
+
+
+_LAYOUT = {r"\frac", r"\left", r"\right", r"\cdot", r"\text", r"\mathbf", r"\hat"}
+_BEHIND_COMMA = re.compile(r", \$([^$=]*)\$(?=$|[,;:])")
+
+
 def _typeset(means, p):
     return typeset_formulas(means, p.notation, lambda text: typeset(text, p))
 
 
 def _words(name, equation, p):
-    """A term in words; its formula is LaTeX of the engine, in which {a} is not a given."""
+    """A term in words; braces in its LaTeX, from the engine, are not givens."""
     parts = re.split(r"(\$[^$]*\$)", spoken(term_text(name, equation, p, latex=True)))
     return "".join(x if n % 2 else typeset(x, p) for n, x in enumerate(parts))
 
 
 def _sentence(means):
-    """With a capital letter, but "x component of ..." as it is."""
+    """The text with a capital letter, except "x component of ..."."""
     is_name = means[1:2] in (" ", "") and means[:1] != "a"
     return means if is_name else means[:1].upper() + means[1:]
 
 
 def _where(s):
-    """Where the book finds a quantity; the equation as it writes it, but for a term of a sum."""
+    """The section and equation of a quantity; the equation in full unless for a term of a sum."""
     places = [
         _("section {number}", number=s.section) if s.section != "A" else _("appendix A")
     ] * bool(s.section)
@@ -90,7 +105,7 @@ def _where(s):
 
 
 def _answer(a, line, p, found):
-    """An answer after the table of its terms, where it is a sum."""
+    """An answer, after a table of its terms if it is a sum."""
     yield ""
     if is_sum(line.step.value, p):
         terms = {x.step.term[0]: x for x in found if x.step.of == a.key}
@@ -100,15 +115,14 @@ def _answer(a, line, p, found):
 
 
 def _ledger(a, value, p, found):
-    """The terms of an answer as a table, each in words, how it is found, and its value. A zero term
-    is left out if it comes from a frame or a force, and listed if it belongs to an equation of
-    relative motion.
+    """The terms of an answer as a table: words, formula and value. Zero terms are listed if they
+    belong to an equation of relative motion, and omitted if they come from a frame or a force.
 
     found : the lines of terms by their names
     """
     explained = value.explain()
     equation = explained.equation
-    # in chapter 2 the equations have other numbers than in the engine
+    # chapter 2 numbers equations differently from the engine
     cited_by = next((x.step.equation for x in found.values()), equation.number)
     number = own_number(cited_by, p)
     stated = book_equations().get(number)
@@ -129,6 +143,6 @@ def _ledger(a, value, p, found):
             equal = [f"{latex_of(term, p.notation)}{unit_symbol(a.unit)}"]
             equal = found[name].equal if name in found else equal
             cells = _words(name, equation, p), " = ".join(equal)
-            words, how = (c.replace("|", r"\vert ") for c in cells)  # a bar would end the cell
+            words, how = (c.replace("|", r"\vert ") for c in cells)  # a bar ends a cell
             yield f"| {words} | ${how}$ |"
     yield ""

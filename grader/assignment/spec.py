@@ -1,7 +1,5 @@
-"""What an assignment consists of: problems of any chapters, what they are worth, texts between.
-
-An instructor writes it as a file; ``python -m grader build --help`` prints one with all that it may
-hold.
+"""The contents of an assignment: problems of any chapters, their points, and texts between them. An
+instructor writes it as a file; ``python -m grader build --help`` prints a complete example.
 """
 
 import re
@@ -26,8 +24,8 @@ from .options import BY_SHEET, OPTIONS, read_option, unknown
 
 @dataclass(frozen=True)
 class Item:
-    """A problem with what its answer cell is worth, a ``text`` between problems, or a ``question``
-    of the instructor's own, by its cell: its ``text``, and ``key``, what a person grades it by.
+    """A problem with its options, a ``text`` between problems, or an instructor's own ``question``,
+    named by its cell, with its ``text`` and its ``key`` for manual grading.
     """
 
     problem: Problem | None = None
@@ -40,8 +38,8 @@ class Item:
 @dataclass(frozen=True)
 class Spec:
     """An assignment: its name, its title, its items. ``due`` and ``opens`` are texts of dates;
-    ``late``, one of :data:`~grader.course.exam.LATE`, is empty where it is no exam; ``left_out``:
-    the cells of a notebook that are no items.
+    ``late``, one of :data:`~grader.course.exam.LATE`, is empty for homework; ``left_out``: the
+    cells of a notebook that are not items.
     """
 
     name: str
@@ -65,7 +63,7 @@ class Spec:
 
     @property
     def warnings(self) -> list[str]:
-        """What an instructor may not expect of the sheet, in sentences."""
+        """Possible surprises of the sheet for an instructor, as sentences."""
         wide = [i.problem.id for i in self.items if i.problem and _takes_mistakes(i)]
         same = [p.id for p in self.problems if self.late and sheets(p) == 1]
         found = [
@@ -104,8 +102,8 @@ def _entry(item, common):
 
 
 def spec_of(name: str, chosen: Iterable[str] = (), points: Iterable[str] = ()) -> Spec:
-    """The assignment ``name`` of the problems ``chosen``, as "4/3", "11/1-11/6" or "ch04"; of none,
-    all of the chapter of that name. ``points``: texts as "4/3=10".
+    """The assignment ``name`` of the problems ``chosen``, as "4/3", "11/1-11/6" or "ch04"; by
+    default all of the chapter of that name. ``points``: texts as "4/3=10".
     """
     if not re.fullmatch(r"[A-Za-z0-9]\w*(-\w+)*", name):
         raise CourseError(
@@ -126,7 +124,7 @@ def spec_of(name: str, chosen: Iterable[str] = (), points: Iterable[str] = ()) -
 
 
 def in_range(text: str) -> list[Problem]:
-    """The problems that "4/3", "11/1-11/6", "11/1 – 6" or "ch04" stands for."""
+    """The problems of "4/3", "11/1-11/6", "11/1 – 6" or "ch04"."""
     text = re.sub(r"\s*[-–]\s*", "-", text.strip())
     if "/" not in text:
         return list(problems(text))
@@ -227,7 +225,7 @@ def read_spec(path: Path) -> Spec:
 
 
 def _dates(path, content):
-    """When it is due, or the window of an exam."""
+    """The due date, or the window of an exam."""
 
     def wrong(key, words):
         return _error(path, content.lines[key], words)
@@ -250,7 +248,7 @@ def _dates(path, content):
 
 
 def _date(path, content, key):
-    """The text of a date, which can be read; "" where there is none."""
+    """The text of a valid date, or ""."""
     try:
         if content.get(key):
             due_date(str(content[key]))
@@ -285,7 +283,7 @@ def _single(points, line):
 
 
 def _found(path, name, line):
-    """The problems of a name in the file."""
+    """The problems that a name in the file selects."""
     try:
         return in_range(str(name))
     except (CatalogueError, CourseError) as error:

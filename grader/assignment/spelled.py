@@ -1,4 +1,4 @@
-"""Formulas that a text spells as they are typed, in LaTeX."""
+"""Formulas typed in a text, converted to LaTeX."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -18,10 +18,10 @@ _OPENED = {"sqrt": (r"\sqrt{", "}"), "d": ("d", ""), None: ("(", ")")}
 def typeset_formulas(
     text: str, symbols: Mapping[str, str], rest: Callable[[str], str] = str
 ) -> str:
-    r"""A text with its formulas in LaTeX between dollar signs; what is there already stays.
+    r"""A text with its formulas in LaTeX between dollar signs; existing LaTeX is kept.
 
-    symbols : {name: LaTeX} of those that are not written as symbol() says
-    rest : what is made of the text between the formulas, and of those that are there
+    symbols : {name: LaTeX} of names for which symbol() does not apply
+    rest : applied to the text between formulas, and to existing LaTeX
 
     >>> print(typeset_formulas("a mass, m*r_1^2/2 of a disk: sqrt(r^2 - z'^2), -k x_0", {}))
     a mass, $m\,r_1^2/2$ of a disk: $\sqrt{r^2 - z'^2}$, $-k\,x_0$
@@ -35,21 +35,21 @@ def _typeset(text, symbols, rest):
     for match in _START.finditer(text):
         if match.start() >= done and (found := _Span(text, match.start(), symbols).found):
             latex, end = found
-            if not text.startswith(" deg", end) and "\\times" not in latex:  # left to the rest
+            if not text.startswith(" deg", end) and "\\times" not in latex:  # left to ``rest``
                 out, done = f"{out}{rest(text[done : match.start()])}${latex}$", end
     return out + rest(text[done:])
 
 
 class _Span:
-    """The longest formula that begins at a place of a text.
+    """The longest formula that begins at a position of a text.
 
-    found : its LaTeX and its end; None where nothing but names stands there, as P in a sentence
+    found : its LaTeX and its end; None for mere names, as P in a sentence
     """
 
     def __init__(self, text, start, symbols):
         self.text, self.symbols = text, symbols
         self.latex, self.closing, self.found = "", [], None
-        self.weight = 0  # what speaks for a formula; 2 are enough
+        self.weight = 0  # evidence for a formula; 2 is enough
         end = self._operand(start)
         while end is not None:
             if not self.closing and self.weight >= 2:
@@ -57,7 +57,7 @@ class _Span:
             end = self._next(end)
 
     def _next(self, at):
-        """The end of one more operand or parenthesis; None where the formula is over."""
+        """The end of the next operand or parenthesis, or None at the end of the formula."""
         if self.closing and self.text[at : at + 1] == ")":
             self.latex += self.closing.pop()
             return at + 1
@@ -71,7 +71,7 @@ class _Span:
         return None
 
     def _operand(self, at, beside=False):
-        """The end of an operand, or of what opens one; ``beside`` the one before as a factor."""
+        """The end of an operand; ``beside``: a factor of the one before."""
         found = _OPERAND.match(self.text, at)
         if found is None or (found["minus"] and self.latex and self.latex[-1] not in "({ "):
             return None

@@ -1,4 +1,4 @@
-"""Formulas of SymPy in the form in which they are read."""
+"""SymPy formulas in readable form."""
 
 import math
 from collections.abc import Sequence
@@ -8,13 +8,13 @@ from typing import Any
 
 from newton_euler.algebra.late import sympy
 
-LONGEST = 30  # operations of a formula that a reader follows
-ROUND_OFF = 1e-15  # no constant of a formula is as small
-HOPELESS = 150  # operations that are not worth to be simplified
+LONGEST = 30  # operations of a formula that a reader can follow
+ROUND_OFF = 1e-15  # smaller constants are zero
+HOPELESS = 150  # operations above which simplifying is not worth while
 
 
 def readable(formula: Any) -> Any:
-    """The formula, integrated under a bar, with sin^2 + cos^2 = 1 where that makes it shorter."""
+    """The formula, with integrals in denominators evaluated, and sin^2 + cos^2 = 1 if shorter."""
     formula = sympy.sympify(formula)
     formula = formula.xreplace({x: constant(x) for x in formula.atoms(sympy.Float)})
     formula = formula.replace(_is_double, integrated)
@@ -22,17 +22,24 @@ def readable(formula: Any) -> Any:
         formula = formula.doit()
     if formula.has(sympy.sin) and formula.has(sympy.cos) and not is_long(formula):
         other = sympy.trigsimp(sympy.expand(formula))
-        return min(formula, other, key=lambda f: f.count_ops())
+        shorter = other.count_ops() < formula.count_ops() and not _doubles_angles(other, formula)
+        return other if shorter else formula
     formula = without_conjugates(formula)
     if not LONGEST / 2 < formula.count_ops() < HOPELESS:
         return formula
     other = sympy.simplify(formula)
-    # the order of the terms of a readable formula shows how it was found
+    # a readable formula is kept: the order of its terms shows its origin
     return other if is_long(formula) or other.count_ops() < formula.count_ops() / 2 else formula
 
 
+def _doubles_angles(formula, other):
+    """True if a formula has an angle twice, as sin(2 x), that another has not."""
+    angles = [{y.args[0] for y in x.atoms(sympy.sin, sympy.cos)} for x in (formula, other)]
+    return any(x / 2 in angles[1] for x in angles[0] - angles[1])
+
+
 def _is_double(x):
-    """True for an integral with t - u, by which an integral of an integral is computed."""
+    """True for an integral with the factor t - u, which stands for a double integral."""
     if not isinstance(x, sympy.Integral):
         return False
     variable, _, end = x.limits[0]
@@ -40,13 +47,10 @@ def _is_double(x):
 
 
 def integrated(formula: Any) -> Any:
-    """The formula with the integrals of polynomials worked out."""
-
-    def value(x):
-        return sympy.factor_terms(sympy.expand(x.doit()))
-
+    """The formula with integrals of polynomials evaluated."""
     return formula.replace(
-        lambda x: isinstance(x, sympy.Integral) and x.function.is_polynomial(x.limits[0][0]), value
+        lambda x: isinstance(x, sympy.Integral) and x.function.is_polynomial(x.limits[0][0]),
+        lambda x: sympy.expand(x.doit()),
     )
 
 
@@ -77,8 +81,8 @@ def _joined(product):
 
 
 def without_unknown(rows: Sequence[tuple[Any, Any]], unknown: Any) -> tuple[list, dict]:
-    """Linear equations with what the shortest of them says of one unknown in its place in the
-    others, and this as {unknown: formula}; empty where none has it.
+    """Linear equations with one unknown eliminated by the shortest of them, and {unknown: formula},
+    empty if no equation contains it.
     """
     differences = [left - right for left, right in rows]
     slopes = [d.diff(unknown) for d in differences]
@@ -95,16 +99,19 @@ def without_unknown(rows: Sequence[tuple[Any, Any]], unknown: Any) -> tuple[list
 
 
 def _without_divisor(row):
-    """The two sides of an equation, multiplied by what they are divided by."""
+    """The two sides of an equation, without denominators."""
     above, below = sympy.fraction(sympy.together(row[0] - row[1]))
     return tuple(row) if below.is_number else (sympy.expand(above), sympy.Integer(0))
 
 
 def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
-    """The two sides of an equation without minus signs before their terms, where there are two, and
-    without a sum, or a root of one, that is a factor of both.
+    """The two sides of an equation, with negative terms moved to the other side if both keep one,
+    and without common factors that are sums or roots of sums.
     """
-    terms = sympy.Add.make_args(sympy.expand(row[0] - row[1]))
+    difference = row[0] - row[1]
+    expanded = sympy.expand(difference)
+    shorter = _names_in(expanded) <= _names_in(difference)
+    terms = sympy.Add.make_args(expanded if shorter else difference)
     shared = set.intersection(*({x for x in t.args if x.is_Pow and x.base.is_Add} for t in terms))
     terms = [t / sympy.Mul(*shared) for t in terms]
     left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
@@ -113,8 +120,8 @@ def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
 
 
 def is_forced(name: Any, value: Any, formula: Any) -> bool:
-    """True if a formula has the name of a value under an unusual power, or times a number where the
-    value has one: 4 I_1 for m a^2, where I_1 = m a^2/4.
+    """True if a formula uses a name in an unusual power, or times a number that only undoes one in
+    its value: 4 I_1 for m a^2, where I_1 = m a^2/4.
     """
     usual = (1, 2, sympy.Rational(1, 2))
     if any(p.base == name and abs(p.exp) not in usual for p in formula.atoms(sympy.Pow)):
@@ -124,8 +131,8 @@ def is_forced(name: Any, value: Any, formula: Any) -> bool:
 
 
 def factored(formula: Any) -> Any:
-    """The formula without factors that cancel in its fractions, and with those that a sum under a
-    root, in a function or above a fraction has in all its terms before it; terms stay terms.
+    """The formula with fractions cancelled and with common factors of nested sums taken out; its
+    own terms are kept apart.
     """
     import sympy
 
@@ -146,7 +153,7 @@ def _cancelled(term):
 
 
 def _names_in(formula):
-    """How often names, and how often numbers stand in a formula."""
+    """The number of names and of numbers in a formula."""
     import sympy
 
     atoms = [x for x in sympy.preorder_traversal(formula) if x.is_Atom]
@@ -154,22 +161,27 @@ def _names_in(formula):
 
 
 def is_itself_shorter(formula: Any, other: Any) -> bool:
-    """True if a formula has at most half of the operations of another."""
+    """True if a formula has at most half the operations of another."""
     return formula.count_ops() <= other.count_ops() / 2
 
 
 def is_atom(formula: Any) -> bool:
-    """True if a formula is a name, with a sign or without."""
+    """True if a formula is a name, perhaps with a minus sign."""
     return formula.is_Symbol or (-formula).is_Symbol
 
 
+def is_root(formula: Any) -> bool:
+    """True if a formula is a square root."""
+    return formula.is_Pow and formula.exp == sympy.S.Half
+
+
 def is_long(formula: Any) -> bool:
-    """True if a reader does not follow a formula."""
+    """True if a formula is too long to follow."""
     return formula.count_ops() > LONGEST
 
 
 def constant(x: Any) -> Any:
-    """A number of the code as a reader writes it: 1/3 for 0.333..., pi/2 for 1.5707..."""
+    """A number as one writes it: 1/3 for 0.333..., pi/2 for 1.5707..."""
     x = float(x) if abs(float(x)) > ROUND_OFF else 0.0
     if x.is_integer():
         return sympy.Integer(int(x))
@@ -182,19 +194,19 @@ def constant(x: Any) -> Any:
 
 
 def _rooted(root):
-    """A root without factors that cancel under it."""
+    """A root with common factors cancelled under it."""
     import sympy
 
     inside = sympy.factor(root.base)
     return inside**root.exp if _names_in(inside) < _names_in(root.base) else root
 
 
-@lru_cache(maxsize=4000)  # many results are the same for all students
+@lru_cache(maxsize=4000)  # results are often the same for all students
 def simplest(formula: Any) -> Any:
     """A result as the shortest of its usual forms."""
     if formula.count_ops() > HOPELESS:
         return formula
-    if formula.has(sympy.Float):  # next to rounded numbers pi and sqrt(2) are rounded too
+    if formula.has(sympy.Float):  # beside rounded numbers, pi and sqrt(2) are rounded too
         formula = formula.replace(lambda x: x.is_number and not x.is_Rational, sympy.N)
     formula = formula.replace(lambda x: x.is_Pow and not x.exp.is_Integer, _rooted)
     ways = factored, sympy.factor, sympy.expand, sympy.together

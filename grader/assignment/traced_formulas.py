@@ -1,4 +1,4 @@
-"""Traced numbers as formulas of SymPy, with the equations that are solved on the way."""
+"""Traced numbers as SymPy formulas, with the equations solved on the way."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -18,25 +18,24 @@ NAMES = {"abs": "Abs", "**": "Pow", "pow": "Pow", **{name: name for name in (*FU
 
 @dataclass(eq=False)
 class Unwritten(Exception):
-    """A computation that no short formula shows."""
+    """The computation has no short formula."""
 
 
 @dataclass
 class Writer:
-    """Writes traced numbers as formulas, cut at what has a name.
+    """Writes traced numbers as formulas in terms of named quantities.
 
     found : the traced computation
-    cases : {number of what decides between cases: which one holds}
-    names, known : of the givens and of the quantities before
+    cases : {number of a deciding quantity: the case that holds}
+    names, known : of the givens and of earlier quantities
     called : {number: (name, sign)} of all quantities, for the unknowns of equations
     taken : all names of the problem
-    positive : names of what is positive
+    positive : names of positive quantities
 
-    together, wanted : the equations that were met since :meth:`start`, and the names of their
-        unknowns
-    met : the names by which the formula has numbers of the computation itself
-    solved : the numbers that were unknowns of equations which are shown
-    nameless : {symbol of an unknown that is no quantity of the problem: what it is equal to}
+    together, wanted : the equations met since :meth:`start`, and the names of their unknowns
+    met : the names that replace numbers of the computation itself
+    solved : the numbers that were unknowns of displayed equations
+    nameless : {unknown that is not a quantity of the problem: its value}
     """
 
     found: Traced
@@ -59,32 +58,33 @@ class Writer:
         for equations in self.found.solved:
             for name, x in equations.values.items():
                 x, sign = unsigned(x)
-                # one that is equal to a coefficient is no unknown by whose name this is written
+                # not an unknown if it equals a coefficient
                 plain = self._is_traced(x) and x.number not in givens
                 if plain and x.number not in before(equations.equations):
                     self.unknowns.setdefault(x.number, (equations, name, sign))
 
     def _is_traced(self, x):
-        """Whether it is a number of this computation, and not of one within a root or integral."""
+        """Whether it is a number of this computation, not of one inside a root or integral."""
         steps = self.found.trace.steps
         return isinstance(x, Step) and x.number < len(steps) and steps[x.number] is x
 
     def symbol(self, name: str) -> Any:
-        """The symbol of a name; positive where its number is, or all that are drawn for it."""
+        """The symbol of a name, positive if its numbers are."""
         import sympy
 
         return sympy.Symbol(name, real=True, positive=True if name in self.positive else None)
 
     def start(self, key: str, parts: Sequence[Any]) -> None:
-        """Begins with the quantity ``key`` of these components."""
+        """Begin the quantity ``key`` with these components."""
         self.together, self.wanted = [], set()
         self.names.look_at(key, parts)
 
     def formula(self, place: int, x: Any, name: str) -> Any:
-        """The formula of the component at ``place``, called ``name``; None where there is none to
-        read.
+        """The formula of the component at ``place``, called ``name``, or None without a readable
+        one.
         """
         self.names.place, self.met = place, set()
+        self.known.entry = name[-3:] if self.names.size == 9 else ""
         if self.names.vanishes(x):
             return constant(0)
         try:
@@ -130,7 +130,7 @@ class Writer:
         return _applied(x.op, [self._written(a, memo) for a in x.args])
 
     def _holds(self, condition):
-        """Which case holds for the values of this sheet."""
+        """The case that holds on this sheet."""
         case = self.cases.get(getattr(condition, "number", None))
         if case is None:
             raise Unwritten
@@ -139,14 +139,15 @@ class Writer:
     # -- a root, an integral, and linear equations
 
     def _within(self, whole, n, memo, x):
-        """A root or an integral of a formula within this one."""
+        """A root or an integral inside this formula."""
         import sympy
 
         if whole.op not in ("root", "integral"):
             raise Unwritten
         inner, start, end, *outside = whole.args
         root = whole.op == "root"
-        name = self.called.get(x.number, (self._free("u"), 1))[0] if root else self._free("u")
+        name = self._free("u" if root else inner.variable or "u")
+        name = self.called.get(x.number, (name, 1))[0] if root else name
         variable = self.symbol(name)
         own = dict(zip(inner.parameters, [variable, *outside], strict=True))
         formula = sympy.sympify(self._inner(inner.leaves[n], own, memo))
@@ -163,7 +164,7 @@ class Writer:
         return sympy.Integral(formula, (variable, *limits)) if formula != 0 else formula
 
     def _inner(self, x, own, memo):
-        """A traced number within a root or integral; ``own`` are the arguments there by name."""
+        """A traced number inside a root or integral; ``own``: {argument there: its formula}."""
         import sympy
 
         if not isinstance(x, Step):
@@ -176,7 +177,7 @@ class Writer:
         return _applied(x.op, [self._inner(a, own, memo) for a in x.args])
 
     def _solved(self, x):
-        """The name of an unknown, after its equations are shown; None if they are too long."""
+        """Show the equations of an unknown and return its name; None if they are too long."""
         equations, name, own = self.unknowns[x.number]
         name, sign = self.called.get(x.number, (self._free(name), own))
         if id(equations) not in self.shown:
@@ -194,8 +195,8 @@ class Writer:
         return self.names.fixed[x.number]
 
     def _without_nameless(self, rows, unknowns):
-        """Linear equations without the unknowns that are no quantities of the problem, whose names
-        tell a reader nothing; :attr:`nameless` says what these are.
+        """Linear equations without unknowns that are not quantities of the problem; their values
+        are in :attr:`nameless`.
         """
         angles = ("cos_", "sin_", "tan_")
         for u in unknowns:
@@ -206,14 +207,14 @@ class Writer:
         return [row for row in rows if row[0] != row[1]]
 
     def _free(self, name):
-        """A name for what is no quantity of the problem, other than theirs."""
+        """An unused name for something that is not a quantity of the problem."""
         return name if name not in self.taken else next(x for x in "uwqXYZ" if x not in self.taken)
 
     def _rows(self, equations: Solved) -> Sequence[tuple[Any, Any]]:
-        """Linear equations as pairs of their two sides; none if one of them is too long."""
+        """Linear equations as pairs of sides; none if one is too long."""
         names = self._unknowns(equations)
         everything = self.unknowns
-        # their own unknowns, here and from now on where they are too long
+        # without their own unknowns; for good if they are too long
         self.unknowns = {n: x for n, x in everything.items() if x[0] is not equations}
         rows = []
         try:
@@ -230,7 +231,7 @@ class Writer:
         return rows
 
     def _unknowns(self, equations):
-        """The unknowns of linear equations as symbols, by the names that the code has for them."""
+        """{name in the code: symbol} of the unknowns of linear equations."""
         symbols = {}
         for name in equations.names:
             x, sign = unsigned(equations.values.get(name))

@@ -1,9 +1,9 @@
-"""What nbgrader's Validate says of a sheet: which problems are open, which answers cannot be read,
-that nothing was checked. nbgrader itself takes an untouched problem for a failure, and a sheet
-without a check for a success.
+"""The report of nbgrader's Validate on a sheet: open problems, unreadable answers, or that nothing
+was checked. nbgrader itself reports an untouched problem as a failure, and a sheet without checks
+as a success.
 
 This file is copied into COURSE/student/ and runs on the students' side, where grader and exercises
-are not installed. Where nbgrader is not as it was, Validate keeps its own words.
+are not installed. If nbgrader's internals differ, Validate is left as it is.
 """
 
 import contextlib
@@ -14,9 +14,9 @@ from collections.abc import Callable, Iterator
 from datetime import datetime
 from typing import Any
 
-OPEN = "OpenAnswer"  # the class of a receipt's error where answers are open
-CELL_SECONDS = 10.0  # after which the grader stops a cell
-# methods of nbgrader's Validator that are replaced or called, with their arguments
+OPEN = "OpenAnswer"  # the class of a receipt's error for open answers
+CELL_SECONDS = 10.0  # limit of a cell in grading
+# methods of nbgrader's Validator used here, with their arguments
 INTERNALS = {
     "validate": "self filename", "validate_and_print": "self filename", "_preprocess": "self nb",
     "_get_type_changed_cells": "self nb", "_get_changed_cells": "self nb",
@@ -28,12 +28,14 @@ READ = "Whether an answer is right is not checked here: that is graded once it i
 
 
 def apply() -> bool:
-    """Have Validate speak of problems; False, and all stays as it is, where nbgrader differs."""
+    """Patch Validate to report problems; returns False, without a change, if nbgrader differs."""
     try:
         from nbgrader.validator import Validator
     except ImportError:
         return False
-    if getattr(Validator.validate, "of_problems", False):  # a server reads its settings again
+    if getattr(
+        Validator.validate, "of_problems", False
+    ):  # patched before: a server may reread its settings
         return True
     if any(_arguments(Validator, name) != given for name, given in INTERNALS.items()):
         return False
@@ -48,7 +50,7 @@ def _arguments(owner, name):
 
 
 def _validate(original: Callable) -> Callable:
-    """Replaces ``Validator.validate``, whose results the button's dialog shows."""
+    """A replacement of ``Validator.validate``, whose result the button's dialog shows."""
 
     def validate(self: Any, filename: str) -> dict[str, list[dict[str, str]]]:
         report = _report(self, filename)
@@ -66,7 +68,7 @@ def _validate(original: Callable) -> Callable:
 
 
 def _validate_and_print(original: Callable) -> Callable:
-    """Replaces ``Validator.validate_and_print``, the command line's."""
+    """A replacement of ``Validator.validate_and_print`` of the command line."""
 
     def validate_and_print(self: Any, filename: str) -> None:
         report = _report(self, filename)
@@ -80,8 +82,8 @@ def _validate_and_print(original: Callable) -> Callable:
 
 
 def _report(validator, filename):
-    """(whether all is answered and can be read, the first sentence, lines), or None where
-    nbgrader's own words are the right ones.
+    """(whether all is answered and readable, the first sentence, lines), or None to leave the
+    report to nbgrader.
     """
     from nbformat import current_nbformat, read
 
@@ -157,7 +159,7 @@ def _state(answer, receipt):
 
 
 def _questions(notebook: Any, validator: Any) -> Iterator[tuple[str, str, str]]:
-    """The same of each question of the instructor's own."""
+    """The same for each question of the instructor's own."""
     from nbgrader import utils
 
     for cell in notebook.cells:
@@ -183,7 +185,7 @@ def _line(text):
 
 
 def _seconds(cell):
-    """How long a cell ran."""
+    """The run time of a cell."""
     times = cell.metadata.get("execution", {})
     with contextlib.suppress(KeyError, ValueError):
         start, end = (times[n] for n in ("iopub.execute_input", "shell.execute_reply"))

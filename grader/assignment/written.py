@@ -1,4 +1,4 @@
-"""An assignment as its source notebook in a course is now."""
+"""An assignment, read from its present source notebook in a course."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -12,7 +12,7 @@ from .cells import Notebook, kind, nbgrader_metadata, own_metadata
 from .options import OPTIONS
 from .spec import Item, Spec
 
-OTHERS = "test", "solution", "locked", "plain"  # kinds of cells that are the instructor's own
+OTHERS = "test", "solution", "locked", "plain"  # kinds of an instructor's own cells
 _FOR_GRADERS = re.compile(
     r"(?ms)^[^\n]*BEGIN (SOLUTION|MARK SCHEME)\b[^\n]*\n(.*?)^[^\n]*END \1\b[^\n]*$\n?"
 )
@@ -20,8 +20,8 @@ _FIGURE = re.compile(r"!\[(?:\\.|[^\]])*\]\(attachment:[^)]*\)")
 
 
 def spec_of_course(course: Course, name: str) -> Spec:
-    """The assignment as its source notebook is now: problems, each with its text where the
-    instructor has changed it, texts between them, and questions of their own that a person grades.
+    """The assignment in its source notebook: problems, with their texts if the instructor has
+    changed them, texts between them, and the instructor's questions for manual grading.
     """
     path, base = course.source(name), course.built(name)
     course.require(name)
@@ -52,7 +52,7 @@ def _title(notebook: Notebook) -> str:
 
 
 def _items(notebook: Notebook, built: Mapping[str, str]) -> Iterator[Item | str]:
-    """The items, and the names of cells that are not items."""
+    """The items, and the names of other cells."""
     changed: dict[str, str] = {}
     for cell in notebook["cells"]:
         role, text = kind(cell), cell["source"]
@@ -80,9 +80,7 @@ def _problem(cell, changed):
 
 
 def _question(cell):
-    """A cell that a person grades; nbgrader puts its stub in the place of an answer that has no
-    region of its own.
-    """
+    """A manually graded cell; nbgrader replaces an answer without a solution region by its stub."""
     marks, source = nbgrader_metadata(cell), cell["source"]
     text, key = _FOR_GRADERS.sub("", source), _FOR_GRADERS.sub(r"\2", source)
     text = "" if text == source and marks.get("solution") else text

@@ -1,4 +1,4 @@
-"""The command that writes a bank of questions for a learning platform."""
+"""The command ``bank``: questions for a learning platform."""
 
 import hashlib
 import hmac
@@ -21,18 +21,16 @@ if TYPE_CHECKING:
     "--format", "form", required=True, type=click.Choice(["moodle", "qti", "canvas"]),
     help="Moodle's XML; a package of QTI 2.1; Canvas' package, of QTI 1.2.",
 )  # fmt: skip
-@count_option(
-    "--variants", 10, "How many sets of numbers of each problem; the platform draws among them."
-)
+@count_option("--variants", 10, "Sets of numbers for each problem, from which the platform draws.")
 @click.option(
     "-o",
     "--to",
     "path",
     type=FILE,
-    help="Default: NAME-FORMAT.xml or .zip, here. Only you read it.",
+    help="Default: NAME-FORMAT.xml or .zip, here, readable by you alone.",
 )
 @course_option(
-    "The course: its assignment as it is now; no answer in the bank is near one of its students', "
+    "A course: its present assignment; no answer in the bank is near one of its students', "
     "and the numbers come from its secret."
 )
 @click.option("--seed", type=int, help="Other numbers.")
@@ -50,7 +48,7 @@ def bank(
 
     Each has variants with numbers and figures of their own, the tolerance of our grading, and each
     listed mistake as a wrong answer with its diagnosis as feedback. Problems in symbols are asked
-    with numbers. What a platform cannot ask is printed and written to FILE.txt.
+    with numbers. Whatever the platform cannot ask is listed, also in FILE.txt.
 
     \b
     bank hw3 --course ~/mechanics --format moodle --variants 20
@@ -69,7 +67,7 @@ def bank(
     spec = chosen(assignment, (*only, *more), (), course)
     path = path or Path(f"{spec.name}-{form}{FORMATS[form][1]}")
     text = f"bank {spec.name} {'' if seed is None else seed}"
-    if course:  # a student who has this program does not know the numbers
+    if course:  # so that students with this program cannot derive the numbers
         text = hmac.new(course.secret, text.encode(), hashlib.sha256).hexdigest()
     with progress_bar() as bar:
         graded = None

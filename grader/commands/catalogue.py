@@ -1,4 +1,4 @@
-"""Commands by which an instructor chooses problems."""
+"""The commands ``problems`` and ``preview``, for choosing problems."""
 
 import json
 import math
@@ -17,7 +17,7 @@ COLUMNS = ("id", "section", "steps", "difficulty", "minutes", "sheets", "right")
 
 
 class Span(click.ParamType):
-    """A number, or a range of numbers of which an end may be open."""
+    """A number, or a range with perhaps an open end."""
 
     name = "LOW-HIGH"
 
@@ -28,7 +28,7 @@ class Span(click.ParamType):
         except ValueError:
             first, last = math.nan, math.nan
         if not first <= last:
-            self.fail(f"{value!r} is no range: write 3, 2-4, 2- or -4", param, context)
+            self.fail(f"{value!r} is not a range: write 3, 2-4, 2- or -4", param, context)
         return first, last
 
 
@@ -37,20 +37,20 @@ SPAN = Span()
 
 @click.command()
 @click.argument("names", nargs=-1, metavar="[ch04 | 4/16 | 11/1-11/6 | hw3 …]")
-@click.option("--section", "sections", multiple=True, metavar="4.10", help="Of this section, or 4.")
 @click.option(
-    "--kind", "kinds", multiple=True, help="That asks for such an answer: number, vector, choice …"
+    "--section", "sections", multiple=True, metavar="4.10", help="In this section, or chapter 4."
 )
 @click.option(
-    "--equation", "equations", multiple=True, metavar="4.18", help="That uses this equation."
+    "--kind", "kinds", multiple=True, help="With an answer of this kind: number, vector, choice …"
 )
+@click.option("--equation", "equations", multiple=True, metavar="4.18", help="Using this equation.")
 @click.option("--search", "words", metavar="WORDS", help="With all these words in its texts.")
-@click.option("--steps", type=SPAN, help="By the number of steps to its answers.")
+@click.option("--steps", type=SPAN, help="Number of steps to its answers.")
 @click.option("--difficulty", type=SPAN, help="From 1 to 5, estimated from the computation.")
-@click.option("--minutes", type=SPAN, help="That takes so long, estimated.")
-@click.option("--sheets", type=SPAN, help="By the number of different sheets that can be drawn.")
-@course_option("Also say what share of the points its students earned, and of how many sheets.")
-@click.option("--right", type=SPAN, help="With such a share of the points earned, in percent.")
+@click.option("--minutes", type=SPAN, help="Estimated time.")
+@click.option("--sheets", type=SPAN, help="Number of different sheets.")
+@course_option("Also list the share of points that its students earned, and the number of sheets.")
+@click.option("--right", type=SPAN, help="Share of points earned, in percent.")
 @click.option(
     "--sort", type=click.Choice(COLUMNS), help="Sort by this column; default: as in the book."
 )
@@ -69,17 +69,17 @@ def problems(
     as_json: bool,
     **spans: tuple[float, float] | None,
 ) -> None:
-    """List the problems to choose from, by what they are about and how hard they are.
+    """List problems by subject and difficulty.
 
     Difficulty and minutes are estimates from the steps, equations and operations of the solution;
-    with --course also what students earned. Where the number of sheets is 1, all
-    students have the same problem.
+    with --course also what students earned. If the number of sheets is 1, all students have the
+    same numbers.
 
     \b
     problems ch04 --difficulty 1-2               the easy ones of chapter 4
     problems --search "gyroscope precession"     in all texts
     problems --equation 4.18 --kind vector --minutes -20
-    problems --course ~/mechanics --right -50    those that half of the points were lost in
+    problems --course ~/mechanics --right -50    those in which half of the points were lost
     """
     from exercises.catalogue.survey import Entry, Wanted, chosen
     from newton_euler.answers.kinds import KINDS
@@ -115,13 +115,13 @@ def problems(
     if as_json:
         click.echo(json.dumps([_as_json(e, earned) for e in found], indent=1))
     elif not found:
-        click.echo("No problem is like that.")
+        click.echo("No problem matches.")
     else:
         console.print(problems_table(found, earned if course else None))
 
 
 def _by(name):
-    """The key that sorts by a column; sections by their numbers, appendices first."""
+    """The sort key of a column; sections by number, appendices first."""
     if name != "section":
         return lambda e: getattr(e, name)
     return lambda e: [int(x) if x.isdigit() else 0 for x in e.section.split(".")]
@@ -143,11 +143,11 @@ def _as_json(e, earned):
 def preview(
     names: tuple[str, ...], course: "Course | None", text: bool, path: Path | None, no_open: bool
 ) -> None:
-    """Show problems before they are on a sheet, as a page in the browser.
+    """Preview problems on a page in the browser.
 
-    Of each: text, figure, key, the numbers and keys of three students, steps, tolerance, how many
-    sheets there are, difficulty, and every listed mistake with its answer and what a student reads
-    of it. The page holds keys: only you can read the file.
+    For each: text, figure, key, the numbers and keys of three students, steps, tolerance, number of
+    sheets, difficulty, and every listed mistake with its answer and its feedback. The page holds
+    keys: only you can read the file.
     """
     from ..assignment.chosen import named
     from ..course.files import write_text

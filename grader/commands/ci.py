@@ -1,4 +1,4 @@
-"""The command that writes the workflow by which a course's repository proves its problems."""
+"""The command ``ci``: a workflow that proves the problems in a course's repository."""
 
 from pathlib import Path
 
@@ -7,7 +7,7 @@ import click
 from .shared import FOLDER
 
 TEMPLATES = Path(__file__).with_name("templates")
-# {name of a template: where it is written}
+# {template: path in the repository}
 FORGES = {
     "github": ".github/workflows/problems.yml",
     "pages": ".github/workflows/pages.yml",
@@ -22,13 +22,13 @@ FORGES = {
 def ci(forge: str, folder: str, to: Path) -> None:
     """Write the workflow that proves and diagnoses a course's own problems at each push.
 
-    It is for the repository of a course, and fails where a key is wrong, a text names what is not
-    given, or a mistake passes for right. "pages" is the workflow that builds the site and puts it
-    on GitHub Pages. A file that is there already is left as it is.
+    It is for the repository of a course, and fails if a key is wrong, a text uses something not
+    given, or a mistake passes for right. "pages" is the workflow that builds the site for GitHub
+    Pages. An existing file is kept.
     """
     path = to / FORGES[forge]
     if path.exists():
-        raise click.UsageError(f"{path} is there already; delete it to have it written anew")
+        raise click.UsageError(f"{path} exists; delete it to have it written again")
     path.parent.mkdir(parents=True, exist_ok=True)
     text = (TEMPLATES / f"{forge}.yaml").read_text(encoding="utf-8")
     path.write_text(text.replace("{folder}", folder), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Commands that make a course and change its settings."""
+"""Commands that make courses and change their settings."""
 
 import shlex
 from dataclasses import replace
@@ -35,12 +35,12 @@ ID_COLUMN = click.option(
 
 
 def _example(name):
-    """The file of an assignment, as click leaves it: a block of lines."""
+    """An example of an assignment's file, indented as a block for click."""
     path = Path(__file__).parent / "templates" / f"{name}.yaml"
     return indent(path.read_text(encoding="utf-8"), "  ")
 
 
-BUILD = f"""Make an nbgrader assignment: of a chapter, of problems, or as a file describes it.
+BUILD = f"""Make an nbgrader assignment from a chapter, from problems, or from a file.
 
 The course folder is new, or with --update an existing one.
 
@@ -191,11 +191,10 @@ def build(
 @COURSE
 @click.option("-o", "--to", "path", type=FILE, help="The file to write; default: print it.")
 def spec(assignment: str, course: "Course", path: Path | None) -> None:
-    """Write the file of an assignment from the source notebook that is in a course.
+    """Write the file of an assignment from its source notebook in a course.
 
-    It has the problems and texts in their order, with the points, weights, tolerances and help
-    levels that are in the notebook now, and the dates: build makes the same assignment of it, in
-    another course or the next year.
+    It has the problems and texts in order, with the present points, weights, tolerances and help
+    levels, and the dates: build makes the same assignment from it, in another course or next year.
     """
     from ..assignment.written import spec_of_course
     from ..course.files import write_text
@@ -229,8 +228,8 @@ def _report_merge(merged, backup, written):
 def share(group: str, course: "Course") -> None:
     """Let the users of a group work on a course: assistants, and an account that grades.
 
-    They can grade, comment and export as you do, and can read all that is in the course, the secret
-    of its numbers too. One account, yours, releases and collects.
+    They can grade, comment and export as you do, and can read everything in the course, including
+    the secret of its numbers. One account, yours, releases and collects.
     """
     from ..course.shared import share as open_course
 
@@ -244,7 +243,7 @@ def share(group: str, course: "Course") -> None:
 def hub(courses: tuple[Path, ...], to: Path) -> None:
     """Write one configuration for the students of several courses on one machine.
 
-    They share an exchange. A student sees the courses side by side, and in a terminal names one:
+    They share an exchange. Students see the courses side by side, and in a terminal name one:
     nbgrader fetch_assignment ch04 --course COURSE
     """
     from ..course import Course
@@ -282,8 +281,9 @@ def next_year(
 ) -> None:
     """Make a course from last year's, in the folder LAST.
 
-    It has its notebooks as you edited them, its settings and own problems, and a secret of its own,
-    so that every student has other numbers; no students, no submissions, due dates by --later.
+    It keeps the notebooks as you edited them, the settings and the course's own problems, and has a
+    new secret, hence new numbers for every student; no students, no submissions, due dates by
+    --later.
     """
     from ..course import Course
     from ..course.due import due_dates
@@ -311,8 +311,8 @@ def next_year(
 def enrol(roster: str, course: "Course", id_column: str | None) -> None:
     """Add the students of a roster to a course, and change nothing else.
 
-    Students who are in the course already keep their numbers and scores. Those who join after an
-    assignment was released get their copies by: personal ASSIGNMENT --student ID --exchange
+    Enrolled students keep their numbers and scores. Those who join after an assignment was released
+    get their copies by: personal ASSIGNMENT --student ID --exchange
     """
     from ..course import read_roster
 
@@ -330,8 +330,8 @@ def enrol(roster: str, course: "Course", id_column: str | None) -> None:
 def due(assignment: str, when: str, course: "Course", students: tuple[str, ...]) -> None:
     """Set the due date of an assignment, and change nothing else.
 
-    With --student it is the date of this student alone; "none" takes it away again. Grade after it:
-    what is late, and the penalty (python -m grader late), follow.
+    With --student it is for this student alone; "none" removes it. Grade again afterwards, to
+    update lateness and penalties (python -m grader late).
     """
     from ..course.due import due_date, set_due, set_own_due
 
@@ -348,10 +348,10 @@ def due(assignment: str, when: str, course: "Course", students: tuple[str, ...])
 @click.argument("share", metavar="none|zero|10%")
 @COURSE
 def late(share: str, course: "Course") -> None:
-    """Set what late work loses: nothing, all, or a share of its points for each day begun.
+    """Set the penalty for late work: none, all, or a share of its points for each day begun.
 
-    It holds for all assignments of the course, also for work that was graded before: grade again. A
-    policy of your own in nbgrader_config.py comes first.
+    It holds for all assignments of the course; grade again for work graded before. A policy of your
+    own in nbgrader_config.py takes precedence.
     """
     from ..course.due import set_late_share
 

@@ -23,7 +23,7 @@ from .shared import FOLDER, SEED, console, count_option, counted, names_or_all, 
     help="Replace a given, in the unit of the text: --given omega=0.9. May be repeated.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print JSON and nothing else.")
-@click.option("--explain", is_flag=True, help="Also print how: steps, equations, terms of sums.")
+@click.option("--explain", is_flag=True, help="Also print steps, equations and terms of sums.")
 def solve(
     names: tuple[str, ...], seed: int | None, changed: tuple[str, ...], as_json: bool, explain: bool
 ) -> None:
@@ -79,16 +79,16 @@ def _pair(text):
 
 @click.command()
 @click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
-@count_option("--seeds", 3, "How many sets of numbers to check: the book's and drawn ones.")
+@count_option("--seeds", 3, "Sets of numbers to check: the book's and drawn ones.")
 @click.option(
-    "--workers", type=click.IntRange(1), help="How many processes; default: one for each core."
+    "--workers", type=click.IntRange(1), help="Number of processes; default: one per core."
 )
 def prove(names: tuple[str, ...], seeds: int, workers: int | None) -> None:
     """Check the keys, units and mistakes of problems.
 
     Every key must agree with its independent proof, every formula with its unit, and every listed
-    mistake must differ from the key; exit code 1 if a check fails. Two mistakes that give the same
-    wrong answer are a warning.
+    mistake must differ from the key; exit code 1 if a check fails. Mistakes with the same wrong
+    answer are a warning.
     """
     from exercises.catalogue import select
     from exercises.catalogue.checks import AGREEMENT
@@ -123,7 +123,7 @@ def prove(names: tuple[str, ...], seeds: int, workers: int | None) -> None:
 
 
 def _proved(name, seeds):
-    """(faults, warnings, number of steps, of which proved) of the problem of this number."""
+    """(faults, warnings, number of steps, number of proved steps) of a problem."""
     from exercises.catalogue import problem
     from exercises.catalogue.checks import alike, check, proved_steps, values
     from exercises.catalogue.overlooked import missing_in_figure
@@ -142,9 +142,9 @@ def _proved(name, seeds):
 @click.option(
     "--to", "folder", default=Path("."), type=FOLDER, help="Folder to write to; default: here."
 )
-@click.option("--sheet", is_flag=True, help="Write one contact sheet for each chapter instead.")
+@click.option("--sheet", is_flag=True, help="Write a contact sheet for each chapter instead.")
 def figure(names: tuple[str, ...], seed: int | None, folder: Path, sheet: bool) -> None:
-    """Write the figure of each problem as a PNG file, and say what is hard to read in it."""
+    """Write the figure of each problem as a PNG file, and report what is hard to read in it."""
     from exercises.catalogue import select
 
     from ..assignment import contact_sheet, figure_faults, figure_png
@@ -202,8 +202,8 @@ def solution(names: tuple[str, ...], seed: int | None) -> None:
 def new(chapter: str, spec: Path, only: tuple[str, ...], folder: Path | None) -> None:
     """Write the files of a new chapter's problems from a spec.
 
-    Each problem becomes pNN.yaml, and a pNN.py that says what is to be written. Files that are
-    there already are left as they are; if all are, nothing is written, with exit code 2.
+    Each problem becomes pNN.yaml and a pNN.py with functions to be filled in. Existing files are
+    kept; if all exist, the exit code is 2.
     """
     from exercises.catalogue.specs import write_chapter
 
@@ -213,19 +213,19 @@ def new(chapter: str, spec: Path, only: tuple[str, ...], folder: Path | None) ->
 
 @click.command()
 @click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
-@count_option("--draws", 3, "How many sets of numbers to take: the book's and drawn ones.")
+@count_option("--draws", 3, "Sets of numbers to use: the book's and drawn ones.")
 @click.option(
     "--practice",
     is_flag=True,
-    help="Measure the checks of practice files instead: listed mistakes given to check, common "
-    "slips to check_step, and random numbers to both.",
+    help="Measure the checks of practice files instead: listed mistakes in check, common "
+    "slips in check_step, and random numbers in both.",
 )
 def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     """Print how often the listed mistakes of problems are recognised.
 
-    Each mistake is made with each set of numbers and scored as a student's answer: it is named, or
-    misnamed as another, or stays unnamed; passed would be taken for right, and ends with exit
-    code 1. A second table is of unlisted slips, made by random edits of the formulas.
+    Each mistake is made with each set of numbers and scored as a student's answer: it is named,
+    misnamed as another, or unnamed; one that passed as right gives exit code 1. A second table has
+    unlisted slips, random edits of the formulas.
     """
     from exercises.catalogue import select
 
@@ -241,7 +241,7 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     console.print(shares_table(found, "What was given" if practice else "Listed mistakes"))
     if practice:
         click.echo(f"a check takes {1000 * took:.2g} ms")
-        return  # random numbers are right now and then
+        return  # random numbers are sometimes right
     slips = slip_shares(problems, draws)
     by_chance = slips.pop(RANDOM, Counter())
     console.print(shares_table(slips, "Unlisted slips", "kind", SLIP_OUTCOMES))

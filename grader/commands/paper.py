@@ -1,4 +1,4 @@
-"""The command that prints."""
+"""The command ``paper``: sheets and keys as PDF."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,16 +21,14 @@ if TYPE_CHECKING:
     help="The roster, as for build. Default: that of the course.",
 )
 @ID_COLUMN
-@course_option(
-    "The course: its assignment as it is now, its students, the numbers of their sheets."
-)
+@course_option("A course: its present assignment, its students, the numbers of their sheets.")
 @ONLY
 @POINTS
 @click.option(
     "--key-for",
     multiple=True,
     metavar="LOGIN|all",
-    help="Write the keys of these students again, and no sheets.",
+    help="Write only the keys of these students, again.",
 )
 @click.option(
     "-o", "--to", "folder", type=FOLDER, help="Default: COURSE/paper/NAME, or NAME-paper here."
@@ -46,11 +44,11 @@ def paper(
     key_for: tuple[str, ...],
     folder: Path | None,
 ) -> None:
-    """Write PDFs to be printed: a sheet for each student, with own numbers and figures, and keys.
+    """Write PDFs for printing: a sheet for each student, with own numbers and figures, and keys.
 
-    A sheet has room to answer and a code that its key has, too. A key has the student's numbers,
-    the answers with their tolerance, and how they are found; keys/overview.pdf has the answers of
-    all. ASSIGNMENT is one of the course, a file as hw3.yaml, or a chapter.
+    A sheet has room for answers and the same code as its key. A key has the student's numbers, the
+    answers with their tolerance, and their derivation; keys/overview.pdf has all answers.
+    ASSIGNMENT is one of the course, a file as hw3.yaml, or a chapter.
 
     \b
     paper hw3 --course ~/mechanics                      the numbers of their notebooks

@@ -1,4 +1,4 @@
-"""The commands that write practice files."""
+"""The commands ``practice`` and ``sets``: practice files."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,15 +16,15 @@ if TYPE_CHECKING:
 @click.option(
     "-o", "--to", "path", required=True, type=FILE, help="The file to write, as ch04.practice."
 )
-@count_option("--variants", 10, "How many sets of numbers each problem has, the book's first.")
+@count_option("--variants", 10, "Sets of numbers for each problem, the book's first.")
 @click.option(
     "--help-level",
     "level",
     default="solution",
     show_default=True,
     type=click.Choice(["check", "hints", "solution"]),
-    help="The most that a student is shown: whether an answer is right, and its mistake; also "
-    "every step, with hints; also the solution.",
+    help="The most that a student is shown: whether an answer is right, and its mistake; then "
+    "every step, with hints; then the solution.",
 )
 @course_option(
     "A course that grades such problems: no answer in the file is near one of its students', and "
@@ -35,11 +35,10 @@ def practice(
 ) -> None:
     """Write a practice file for students.
 
-    A student opens it with the engine alone: practice("ch04.practice")["4/16"] shows text and
-    figure with numbers as often as wanted, and checks answers and every step at once. A problem in
-    symbols is asked with numbers. Where a sheet of the course, or the file of an assignment, says a
-    tolerance or less help than --help-level, that counts. The file holds the answers for its own
-    numbers and no others.
+    A student needs only the engine: practice("ch04.practice")["4/16"] shows text and figure, with
+    new numbers on request, and checks answers and every step at once. Problems in symbols are asked
+    with numbers. A tolerance, or less help than --help-level, on a sheet of the course or in the
+    file of an assignment takes precedence. The file holds the answers for its own numbers only.
     """
     from ..assignment.chosen import named
     from ..practice import graded_numbers, rules_of, write_practice
@@ -73,17 +72,17 @@ def practice(
 
 
 @click.command()
-@click.option("-o", "--to", "folder", type=FOLDER, help="The folder; by default within the engine.")
+@click.option("-o", "--to", "folder", type=FOLDER, help="The folder; default: in the engine.")
 @click.option(
     "--course",
     type=click.Path(path_type=Path, exists=True, file_okay=False),
-    help="Leave out what is near the numbers that this course grades.",
+    help="A course: stay away from its graded numbers.",
 )
 def sets(folder: Path | None, course: Path | None) -> None:
-    """Write what everyone may practise: a practice file for each chapter.
+    """Write the public practice files, one per chapter.
 
-    They go into the engine of this checkout, where try_problem and practice() find them and a wheel
-    takes them along. Their numbers are drawn from a seed that no course has.
+    They go into the engine of this checkout, where try_problem and practice() find them, and into
+    its wheel. Their numbers are from a seed that no course uses.
     """
     from exercises.catalogue import select
 

@@ -19,9 +19,8 @@ if TYPE_CHECKING:
 def stats(assignment: str, course: "Course", csv_path: Path | None, png_path: Path | None) -> None:
     """Print statistics of a graded assignment, part by part.
 
-    The difficulty is the mean share of the points, so that 1 is easy; the discrimination is the
-    correlation with the points of all other parts. The file of --csv has every mistake with its
-    frequency.
+    Difficulty is the mean share of the points (1 is easy); discrimination is the correlation with
+    the points of all other parts. The file of --csv has the frequency of every mistake.
     """
     from ..reports import part_statistics, statistics_csv, statistics_figure, statistics_table
 
@@ -60,8 +59,8 @@ def export(
 ) -> None:
     """Write the results of a graded assignment as CSV.
 
-    The points are those of the gradebook: with what a person gave and extra credit, less the
-    penalty for lateness. The lines of --format parts have the points before any penalty.
+    The points are those of the gradebook: with manual grades and extra credit, minus the penalty
+    for lateness. The lines of --format parts have the points before any penalty.
 
     \b
     Canvas:      Gradebook > Import

@@ -1,4 +1,4 @@
-"""What the commands share: the console, the progress bar, the option that names a course."""
+"""Shared by the commands: the console, the progress bar, common options."""
 
 import contextlib
 from collections.abc import Callable, Iterator
@@ -16,11 +16,11 @@ from rich.progress import (
     TimeElapsedColumn,
 )
 
-if TYPE_CHECKING:  # importing it takes longer than most commands
+if TYPE_CHECKING:  # its import takes longer than most commands
     from ..course import Course
 
 STOPPED = 130  # exit code after Ctrl-C, as of a shell
-BEGINS_ANEW = "The same command begins anew."
+BEGINS_ANEW = "Running the command again starts over."
 
 console = Console(highlight=False)
 FOLDER = click.Path(path_type=Path, file_okay=False)
@@ -47,7 +47,7 @@ STUDENTS = click.option(
 )
 SEED = click.option("--seed", type=int, help="Draw a variant of the numbers, not the book's.")
 
-# in the context of a command: chapters of own problems, and their folders
+# keys in the context of a command: chapters of own problems, and their folders
 OWN_PROBLEMS, FOLDERS = "own problems", "problems from"
 
 
@@ -74,7 +74,7 @@ def _open(context, _, course_path):
 
 
 def _reopen(course_path):
-    """Let the group of a shared course have what a command has made."""
+    """Open files that a command has made to the group of a shared course."""
     from ..course import Course, CourseError
     from ..course.shared import open_to
 
@@ -85,8 +85,8 @@ def _reopen(course_path):
 
 
 def course_option(help: str, required: bool = False) -> Callable[[Any], Any]:
-    """The option --course: the command gets the Course, None where it is not given, and knows its
-    problems and its language.
+    """The option --course: the command gets the Course or None, with its problems and language in
+    effect.
     """
     return click.option(
         "--course", required=required, type=FOLDER, is_eager=True, callback=_open, help=help
@@ -94,14 +94,14 @@ def course_option(help: str, required: bool = False) -> Callable[[Any], Any]:
 
 
 COURSE = course_option("The course folder.", required=True)
-NEW_COURSE = click.option(  # a folder in which there need not be a course yet
+NEW_COURSE = click.option(  # a folder that need not have a course yet
     "--course", "course_path", required=True, type=FOLDER, is_eager=True, callback=_know,
     help="The course folder.",
 )  # fmt: skip
 
 
 def count_option(name: str, default: int, help: str) -> Callable[[Any], Any]:
-    """An option that says how many, one at least."""
+    """An option for a number of at least one."""
     return click.option(name, default=default, show_default=True, type=click.IntRange(1), help=help)
 
 
@@ -112,13 +112,13 @@ PROBLEMS_FROM = click.option(
     is_eager=True,
     expose_value=False,
     callback=_use,
-    help="A folder with chapters of your own problems, as bridge/p03.yaml and p03.py for bridge/3. "
-    "A course that is built with it remembers it.",
+    help="A folder with chapters of your own problems: bridge/p03.yaml and p03.py for bridge/3. "
+    "A course built with it remembers it.",
 )
 
 
 def remember_problems(course: "Course") -> None:
-    """Write the folders of --problems-from into course.json, relative where they are in it."""
+    """Write the folders of --problems-from into course.json, those in the course as relative."""
     folders = [p.resolve() for p in click.get_current_context().meta.get(FOLDERS) or ()]
     here = [str(p.relative_to(course.path) if course.path in p.parents else p) for p in folders]
     known = course.settings.get("problems_from", [])
@@ -127,19 +127,19 @@ def remember_problems(course: "Course") -> None:
 
 
 def names_or_all(names: tuple[str, ...]) -> tuple[str, ...]:
-    """The names themselves, or where there are none all problems: of --problems-from, if given."""
+    """The names, or by default all problems, of --problems-from if given."""
     own = click.get_current_context().meta.get(OWN_PROBLEMS)
     return names or tuple(own or ("all",))
 
 
 class Stopped(KeyboardInterrupt):
-    """Ctrl-C, with how far the run came and what the next one does."""
+    """Ctrl-C, with the progress so far and what the next run does."""
 
 
 @contextlib.contextmanager
 def progress_bar(*columns: ProgressColumn, then: str = BEGINS_ANEW) -> Iterator[Progress]:
-    """A progress bar on the shared console, with how many of how many and the time. Ctrl-C within
-    is :class:`Stopped`, with how far it came and what follows ``then``.
+    """A progress bar on the shared console, with counts and time. Ctrl-C raises :class:`Stopped`,
+    with the progress so far and the sentence ``then``.
     """
     from ..course.processes import ctrl_c_not_ignored
 
@@ -162,8 +162,8 @@ def progress_bar(*columns: ProgressColumn, then: str = BEGINS_ANEW) -> Iterator[
 
 @contextlib.contextmanager
 def counted(what: str, total: float) -> Iterator[Callable[..., None]]:
-    """A function to be called after each of ``total`` steps, which a :func:`progress_bar` shows, or
-    with how much was done.
+    """A function to call after each of ``total`` steps, or with the amount done, shown by a
+    :func:`progress_bar`.
     """
     with progress_bar() as bar:
         task = bar.add_task(what, total=total)
@@ -171,6 +171,6 @@ def counted(what: str, total: float) -> Iterator[Callable[..., None]]:
 
 
 def _how_far(task):
-    """How much of a task is done: a count, or a share where the whole is 1."""
+    """The progress of a task: a count, or a percentage if the total is 1."""
     done = f"{task.completed:g} of {task.total or '?'}"
     return f"{task.description}: {f'{task.percentage:.0f} %' if task.total == 1.0 else done}"

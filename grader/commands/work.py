@@ -1,4 +1,4 @@
-"""Commands by which work is handed out, taken in and graded."""
+"""Commands that hand out, take in and grade work."""
 
 import sys
 from pathlib import Path
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 UNSANDBOXED = 3  # exit code
 GOES_ON = (
-    "These are kept; the next run goes on from there (but with --force), and writes the gradebook."
+    "These are kept; the next run continues from there (unless --force), and writes the gradebook."
 )
 
 
@@ -50,8 +50,8 @@ def personal(
     The assignment must be generated for release; each copy has its student's own numbers and
     figures.
 
-    Without an exchange, hand out COURSE/personal/ASSIGNMENT/STUDENT/ASSIGNMENT.ipynb yourself: to
-    that student only.
+    Without an exchange, give COURSE/personal/ASSIGNMENT/STUDENT/ASSIGNMENT.ipynb to that student
+    only.
     """
     from ..assignment import make_personal_copies
 
@@ -101,7 +101,7 @@ def grade(
 ) -> None:
     """Grade the submissions of an assignment.
 
-    Runs the answers of the notebooks in COURSE/submitted in a sandbox, scores them, and writes
+    Runs the answers of the notebooks in COURSE/submitted in a sandbox, scores them, and writes the
     gradebook and annotated notebooks.
 
     \b
@@ -168,8 +168,7 @@ def retry(
     """Give a student another sheet, with fresh numbers.
 
     The earlier attempt is set aside in COURSE/attempts; its grade stands until the new sheet is
-    handed in and graded, which then counts. With --back the earlier one counts again: grade after
-    it.
+    handed in and graded. With --back the earlier one counts again: grade afterwards.
     """
     from ..assignment.attempts import new_attempt, put_back
 
@@ -184,7 +183,7 @@ def retry(
 
 
 def _put_into_exchange(course, assignment, paths):
-    """Copy personal notebooks to the exchange, and warn where others can read them."""
+    """Copy personal notebooks to the exchange, and warn if others can read them."""
     from ..assignment.personal import copy_to_exchange, exchange_outbound, warning
 
     outbound = exchange_outbound(course, assignment)
@@ -205,10 +204,10 @@ def _put_into_exchange(course, assignment, paths):
 def take_in(assignment: str, archive: Path, course: "Course", replace: bool, times: bool) -> None:
     """Take students' work from a zip archive, without nbgrader's exchange.
 
-    ARCHIVE is what a learning platform gives as "download all submissions". A notebook is a
-    student's if its folder, or where it has none its name, holds their id or their whole name and
-    no word that may be of anybody else's: of a name that a platform numbered, what comes before the
-    numbers. The table lists the matches. Exit code 1 if a file was left out.
+    ARCHIVE is a learning platform's "download all submissions". A notebook is a student's if the
+    name of its folder, or without one its own, has their id or whole name and no word that may be
+    someone else's; in names numbered by a platform, only the part before the numbers counts. The
+    table lists the matches. Exit code 1 if a file was left out.
     """
     from ..course import take_in as take
     from ..reports import taken_in_table
@@ -234,7 +233,7 @@ def take_in(assignment: str, archive: Path, course: "Course", replace: bool, tim
 )
 @PROBLEMS
 def demo(course_path: Path, only: tuple[str, ...]) -> None:
-    """Run all steps on an example course, of chapter 4 or of that of the problems that are named.
+    """Run all steps on an example course, of chapter 4 or of the named problems.
 
     Builds and releases an assignment, plays six students who fetch and submit it, grades them, and
     writes their feedback pages.
@@ -245,7 +244,7 @@ def demo(course_path: Path, only: tuple[str, ...]) -> None:
 
 
 def _chapter_of(only):
-    """The chapter of these problems; chapter 4 where none is named."""
+    """The chapter of these problems; by default chapter 4."""
     from exercises.catalogue import select
 
     found = list(dict.fromkeys(p.chapter for p in select(only))) or ["ch04"]

@@ -1,4 +1,4 @@
-"""What persons gave in the gradebook: points, extra credit, comments."""
+"""Manual grades in the gradebook: points, extra credit, comments."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -7,13 +7,13 @@ COLUMNS = ("manual_score", "extra_credit", "manual_comment", "needs_manual_grade
 
 
 def given_by_hand(rows: Iterable[Any]) -> dict[str, Any]:
-    """The columns of these rows of one cell, its grade and its comment, that a person filled."""
+    """The manually filled columns in the rows of one cell, its grade and its comment."""
     found = {n: x for row in rows for n in COLUMNS if (x := getattr(row, n, None)) is not None}
     return found if found.keys() - {"needs_manual_grade"} else {}
 
 
 def give(row: Any, given: dict[str, Any]) -> None:
-    """Fill the columns of a grade or a comment with what a person gave, or empty them."""
+    """Set the manual columns of a grade or a comment, or clear them."""
     for name in COLUMNS[:-1]:
         if hasattr(row, name):
             setattr(row, name, given.get(name))
@@ -22,7 +22,7 @@ def give(row: Any, given: dict[str, Any]) -> None:
 
 
 def of_student(book: Any, assignment: str, student: str) -> dict[str, dict[str, Any]]:
-    """{notebook: {cell: what a person gave}} for one student's submission."""
+    """{notebook: {cell: manual columns}} of one student's submission."""
     return {
         notebook.name: {
             name: given
@@ -34,7 +34,7 @@ def of_student(book: Any, assignment: str, student: str) -> dict[str, dict[str, 
 
 
 def give_student(book: Any, assignment: str, student: str, kept: dict[str, dict[str, Any]]) -> None:
-    """Give one student's submission what :func:`of_student` returned, and nothing else."""
+    """Set the manual columns of a student's submission to those of :func:`of_student`."""
     for notebook in book.find_submission(assignment, student).notebooks:
         for name, rows in _by_cell(notebook).items():
             for row in rows:

@@ -1,4 +1,4 @@
-"""Makes a course folder, whole or not at all."""
+"""The creation of a course folder, completely or not at all."""
 
 import contextlib
 import hashlib
@@ -16,7 +16,7 @@ from .identity import CourseError, course_id
 
 TEMPLATES = Path(__file__).with_name("templates")
 ASSIGNMENT = Path(__file__).parents[1] / "assignment"
-FOR_STUDENTS = ("fetch", "validate")  # files that run on their side
+FOR_STUDENTS = ("fetch", "validate")  # files that run on the students' side
 MADE = {  # the files that a build writes
     UNFINISHED, ".course_secret", ".gitignore", "course.json", "gradebook.db",
     "built", "gradebook.db-journal", "nbgrader_config.json", "nbgrader_config.py", "source",
@@ -25,7 +25,7 @@ MADE = {  # the files that a build writes
 
 
 def refuse_existing(path: str | Path) -> None:
-    """Raise :class:`CourseError` if the folder holds more than the remains of a killed build."""
+    """Raise :class:`CourseError` if the folder has more than the remains of a killed build."""
     path = Path(path)
     if not path.exists():
         return
@@ -43,9 +43,8 @@ def refuse_existing(path: str | Path) -> None:
 def new_course(
     path: str | Path, name: str | None = None, exchange: str | Path | None = None
 ) -> Iterator[Course]:
-    """A context with a new course, in a folder that is empty or does not exist yet; if the block
-    raises, nothing of it remains. Its id follows from ``name``, by default that of the folder; its
-    language is the one that is spoken.
+    """A context with a new course, in an empty or new folder; if the block raises, nothing remains.
+    Its id follows from ``name``, by default that of the folder; its language is the current one.
 
     The folder is marked as unfinished until the block has ended, so that the next build replaces
     what a killed one has left.
@@ -59,7 +58,7 @@ def new_course(
     _empty(path)
     try:
         _write_all(path, course_id(name or path.name), exchange)
-        course = object.__new__(Course)  # Course(path) refuses what is marked as unfinished
+        course = object.__new__(Course)  # Course(path) refuses unfinished courses
         course.path = path
         yield course
         (path / UNFINISHED).unlink()

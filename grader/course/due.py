@@ -1,7 +1,7 @@
 """The due date of an assignment, for everybody and for single students.
 
-A student's own date is kept in COURSE/extensions.json, since nbgrader has a place for it only once
-the student has handed in; grading writes it there.
+A student's own date is kept in COURSE/extensions.json, since nbgrader can store it only after the
+student has handed in; grading then writes it to the gradebook.
 """
 
 import json
@@ -13,7 +13,7 @@ from .files import write_json
 from .folder import Course
 from .identity import CourseError
 
-EXTENSIONS = "extensions.json"  # git ignores it: it names students
+EXTENSIONS = "extensions.json"  # in .gitignore, since it names students
 
 
 def due_date(text: str) -> datetime:
@@ -21,7 +21,7 @@ def due_date(text: str) -> datetime:
     text = text.strip()
     when, _, zone = text.rpartition(" ")
     try:
-        if zone and ":" not in zone:  # otherwise it is the time of day
+        if zone and ":" not in zone:  # not a time of day
             found = datetime.fromisoformat(when).replace(tzinfo=ZoneInfo(zone))
         else:
             found = datetime.fromisoformat(text)
@@ -34,8 +34,8 @@ def due_date(text: str) -> datetime:
 
 
 def set_due(course: Course, assignment: str, when: datetime | None) -> None:
-    """Set the due date of an assignment in nbgrader's gradebook, which keeps it without a zone;
-    None: it has none.
+    """Set or, with None, remove the due date of an assignment in nbgrader's gradebook, which keeps
+    it without a zone.
     """
     course.require(assignment)
     due = when and when.replace(tzinfo=None)
@@ -47,7 +47,7 @@ def set_due(course: Course, assignment: str, when: datetime | None) -> None:
 
 
 def due_dates(course: Course) -> dict[str, datetime]:
-    """{assignment: its due date, in UTC without a zone} of those that have one."""
+    """{assignment: its due date, in UTC without a zone}."""
     with course.gradebook() as book:
         return {a.name: a.duedate for a in book.assignments if a.duedate}
 
@@ -55,7 +55,7 @@ def due_dates(course: Course) -> dict[str, datetime]:
 def set_own_due(
     course: Course, assignment: str, students: Iterable[str], when: datetime | None
 ) -> None:
-    """Give these students a due date of their own; None: they have that of everybody."""
+    """Set the own due date of these students; None: the general one applies."""
     course.require(assignment)
     students = list(students)
     if unknown := sorted(set(students) - set(course.roster())):
@@ -80,16 +80,14 @@ def set_own_due(
 
 
 def extensions(course: Course, assignment: str, due: datetime | None) -> dict[str, timedelta]:
-    """{student: how much later than ``due``, a time in UTC without a zone, their work may come}."""
+    """{student: extension beyond ``due``, a time in UTC without a zone}."""
     own = _dates(course).get(assignment, {}) if due else {}
     dates = {s: datetime.fromisoformat(text).replace(tzinfo=None) for s, text in own.items()}
     return {s: date - due for s, date in dates.items()} if due else {}
 
 
 def is_over(course: Course, assignment: str) -> bool:
-    """True if an assignment has a due date that has passed for everybody: also for those with a
-    date of their own who have not handed in.
-    """
+    """True if the due date of an assignment has passed for everybody, extensions included."""
     with course.gradebook() as book:
         master = book.find_assignment(assignment)
         due = master.duedate
@@ -106,7 +104,7 @@ def _dates(course):
 
 
 def set_late_share(course: Course, text: str) -> float:
-    """Set what late work loses for each day begun, "none", "zero" or "10%": the share of 1."""
+    """Set the share that late work loses per day begun, from "none", "zero" or "10%"; return it."""
     words = {"none": 0.0, "zero": 1.0}
     try:
         share = words[text] if text in words else float(text.removesuffix("%")) / 100

@@ -1,10 +1,10 @@
-"""Exams: assignments with a window of time and one attempt, whose numbers nothing else has.
+"""Exams: assignments with a window of time, one attempt, and numbers used nowhere else.
 
 The settings of an exam are in course.json. It closes at its due date, for a student with an
-extension at theirs (:mod:`~grader.course.due`). Of what a student hands in the first work within
-the window counts, since whoever has handed in may talk; where there is none, the first work of all,
-which is refused if it is late, or graded with a remark, by the exam's rule. An instructor who wants
-another one to count takes it in (``take-in --replace``).
+extension at theirs (:mod:`~grader.course.due`). A student's first work within the window counts,
+since whoever has handed in may talk; without one, the first work of all, which by the exam's rule
+is refused if late, or graded with a remark. An instructor can make another one count (``take-in
+--replace``).
 """
 
 from collections.abc import Iterable, Mapping
@@ -18,18 +18,18 @@ from .due import extensions, is_over
 from .folder import Course
 from .identity import CourseError
 
-LATE = ("refuse", "mark")  # what comes late is not graded, or graded with a remark
+LATE = ("refuse", "mark")  # late work is not graded, or graded with a remark
 
 
 class LateError(CourseError):
-    """Work that came after an exam has closed is refused."""
+    """Work handed in after an exam closed is refused."""
 
 
 @dataclass(frozen=True)
 class Window:
-    """When an exam may be handed in, in UTC without a zone; None: at any time.
+    """The window of an exam, in UTC without a zone; None: unlimited.
 
-    late : one of :data:`LATE`. extensions : {student: how much later it closes}
+    late : one of :data:`LATE`. extensions : {student: extra time}
     """
 
     opens: datetime | None = None
@@ -38,14 +38,14 @@ class Window:
     extensions: Mapping[str, timedelta] = field(default_factory=dict)
 
     def closing(self, student: str) -> datetime:
-        """When it closes for a student."""
+        """The closing time for a student."""
         if self.closes is None:
             return datetime.max
         return self.closes + self.extensions.get(student, timedelta())
 
     def remark(self, student: str, when: datetime | None) -> str:
-        """What is noted on work of this time, "" if it came within the window; raises
-        :class:`LateError` if it is refused.
+        """The remark on work of this time, "" within the window; raises :class:`LateError` if it is
+        refused.
         """
         if when is None:
             return _("it is not known whether this was handed in within the window of the exam")
@@ -79,7 +79,7 @@ def is_exam(course: Course, assignment: str) -> bool:
 
 
 def window(course: Course, book: Any, assignment: str) -> Window | None:
-    """The window of an exam; None of another assignment. ``book``: the open gradebook."""
+    """The window of an exam, None for other assignments. ``book``: the open gradebook."""
     if not is_exam(course, assignment):
         return None
     kept = course.settings["exams"][assignment]
@@ -93,8 +93,8 @@ def window(course: Course, book: Any, assignment: str) -> Window | None:
 def judged(
     course: Course, book: Any, assignment: str, times: Mapping[str, datetime | None]
 ) -> tuple[dict[str, str], dict[str, str]]:
-    """({student: remark on the time of their work}, {student: why it is refused}) of an exam, from
-    the times of submission; ({}, {}) of another assignment.
+    """({student: remark on the time of submission}, {student: why it is refused}) for an exam; ({},
+    {}) for other assignments.
     """
     remarks: dict[str, str] = {}
     refused: dict[str, str] = {}
@@ -109,7 +109,7 @@ def judged(
 
 
 def set_exam(course: Course, assignment: str, opens: datetime | None, late: str = LATE[0]) -> None:
-    """Make an assignment an exam, before anybody has its sheet."""
+    """Make an assignment an exam, before any sheet is handed out."""
     if not is_exam(course, assignment) and any(
         (course.path / place / assignment).exists() for place in ("numbers", "personal")
     ):
@@ -123,13 +123,13 @@ def set_exam(course: Course, assignment: str, opens: datetime | None, late: str 
 
 
 def refuse_exam(course: Course, assignment: str, what: str) -> None:
-    """Raise :class:`CourseError` if an assignment is an exam, for which there is no ``what``."""
+    """Raise :class:`CourseError` with the reason ``what`` if an assignment is an exam."""
     if is_exam(course, assignment):
         raise CourseError(f"{assignment} is an exam: {what}")
 
 
 def refuse_feedback(course: Course, assignment: str) -> None:
-    """Raise :class:`CourseError` while somebody may still hand in an exam."""
+    """Raise :class:`CourseError` while an exam can still be handed in."""
     if is_exam(course, assignment) and not is_over(course, assignment):
         raise CourseError(
             f"the exam {assignment} is not over for everybody, and feedback on it would say what "
@@ -138,7 +138,7 @@ def refuse_feedback(course: Course, assignment: str) -> None:
 
 
 def refuse_before_opening(course: Course, assignment: str, now: datetime | None = None) -> None:
-    """Raise :class:`CourseError` while an exam must not reach students yet."""
+    """Raise :class:`CourseError` before an exam opens."""
     opens = course.settings.get("exams", {}).get(assignment, {}).get("opens")
     if opens and (now or datetime.now(UTC).replace(tzinfo=None)) < datetime.fromisoformat(opens):
         raise CourseError(

@@ -1,4 +1,4 @@
-"""Reads and writes files: our own as JSON, and those of students, which are not trusted."""
+"""Reading and writing files: our own JSON, and students' files, which are not trusted."""
 
 import contextlib
 import json
@@ -11,7 +11,7 @@ from typing import Any
 
 try:
     import orjson
-except ImportError:  # the standard library does the same, and takes three times as long for figures
+except ImportError:  # the standard library is equivalent, but three times slower for figures
     orjson = None  # type: ignore[assignment]
 
 PRIVATE = 0o600
@@ -20,7 +20,7 @@ MAX_DEPTH = 8  # levels of folders
 
 
 def read_json(path: str | Path) -> Any:
-    """A notebook that this package or nbgrader wrote, each cell's source as one string."""
+    """A notebook by this package or nbgrader, each cell's source as one string."""
     notebook = load_json(Path(path).read_bytes())
     for cell in notebook["cells"]:
         cell["source"] = "".join(cell["source"])  # nbgrader writes lists of lines
@@ -28,14 +28,14 @@ def read_json(path: str | Path) -> Any:
 
 
 def load_json(data: bytes) -> Any:
-    """The value of JSON in UTF-8, as from ``json.loads``; integers of more than 64 bits, which
-    notebooks do not have, may become floats.
+    """Like ``json.loads``, for UTF-8; integers beyond 64 bits, which notebooks do not have, may
+    become floats.
     """
     if orjson:
-        # orjson refuses what the standard library allows: NaN, lone surrogates, deep nesting
+        # orjson refuses NaN, lone surrogates and deep nesting, which json allows
         with contextlib.suppress(orjson.JSONDecodeError):
             return orjson.loads(data)
-    return json.loads(data.decode("utf-8-sig"))  # some editors begin a file with a byte-order mark
+    return json.loads(data.decode("utf-8-sig"))  # some editors write a byte-order mark
 
 
 def write_json(path: Path, content: Any, indent: int | None = 1) -> None:
@@ -45,21 +45,21 @@ def write_json(path: Path, content: Any, indent: int | None = 1) -> None:
 
 
 def write_notebook(path: Path, notebook: Mapping[str, Any]) -> None:
-    """:func:`write_json` without line breaks, for the notebooks of a class: mostly figures."""
+    """:func:`write_json` without line breaks, faster for notebooks with figures."""
     path.parent.mkdir(parents=True, exist_ok=True)
     write_bytes(path, _as_json(notebook) + b"\n")
 
 
 def _as_json(content):
     if orjson:
-        with contextlib.suppress(orjson.JSONEncodeError):  # an integer of more than 64 bits
+        with contextlib.suppress(orjson.JSONEncodeError):  # an integer beyond 64 bits
             return orjson.dumps(content)
     return json.dumps(content, ensure_ascii=False, separators=(",", ":")).encode("utf-8")
 
 
 def write_text(path: Path, text: str, mode: int = PRIVATE) -> None:
     """Write a text file, atomically."""
-    write_bytes(path, text.encode("utf-8"), mode)  # a text that cannot be encoded leaves no file
+    write_bytes(path, text.encode("utf-8"), mode)  # encoded first: a failure leaves no file
 
 
 def write_bytes(path: Path, data: bytes, mode: int = PRIVATE) -> None:
@@ -68,7 +68,7 @@ def write_bytes(path: Path, data: bytes, mode: int = PRIVATE) -> None:
     partial.unlink(missing_ok=True)
     with open(os.open(partial, os.O_WRONLY | os.O_CREAT | os.O_EXCL, mode), "wb") as f:
         f.write(data)
-    os.chmod(partial, mode)  # whatever the umask is
+    os.chmod(partial, mode)  # regardless of the umask
     os.replace(partial, path)
 
 
@@ -77,10 +77,10 @@ class NotTaken(ValueError):
 
 
 def read_regular(path: str | Path, limit: int, at: int | None = None) -> bytes:
-    """The bytes of a regular file of at most ``limit`` bytes; raises :class:`NotTaken`.
+    """The bytes of a regular file of at most ``limit`` bytes; else raises :class:`NotTaken`.
 
-    A link is not followed, and a pipe or a device is not read; ``at`` is the descriptor of the
-    folder that holds ``path``.
+    Links are not followed, pipes and devices are not read; ``at`` is the descriptor of the folder
+    of ``path``.
     """
     flags = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK
     try:
@@ -95,7 +95,8 @@ def read_regular(path: str | Path, limit: int, at: int | None = None) -> bytes:
     with open(descriptor, "rb") as f:
         if at is not None and found.st_uid != os.fstat(at).st_uid:  # a hard link to a neighbour's
             raise NotTaken("it belongs to somebody else than its folder")
-        # reserve its size, not the limit, which would cost more than reading; the file may grow
+        # reserves the size of the file, which may grow, since reserving the limit costs more than
+        # reading
         content = f.read(min(found.st_size, limit) + 1)
         if len(content) > found.st_size:
             content += f.read(limit + 1 - len(content))
@@ -113,10 +114,10 @@ def _is_link(path: str | Path, at: int | None) -> bool:
 def copy_regular(
     source: str | Path, target: str | Path, file_limit: int, limit: int, skip: Collection[str] = ()
 ) -> dict[str, str]:
-    """Copy the regular files below ``source`` into the new folder ``target``, which appears when it
-    is complete; returns {name of what was left out: why}.
+    """Copy the regular files below ``source`` into the new folder ``target``, which appears when
+    complete; returns {omitted name: reason}.
 
-    file_limit, limit : in bytes, of one file and of all together. skip : names that are not copied.
+    file_limit, limit : in bytes, of one file and of all. skip : names not to copy.
     """
     source, target = Path(source), Path(target)
     partial = target.with_name(f".{target.name}.partial")

@@ -31,9 +31,9 @@ from .files import write_json
 from .identity import CourseError, check_id, same_student
 
 SECRET_BYTES = 32
-UNFINISHED = ".unfinished_build"  # exists in a folder while a course is made there
+UNFINISHED = ".unfinished_build"  # marks a folder in which a course is being made
 
-_ADVICE = {  # by the primary code of SQLite's error
+_ADVICE = {  # by SQLite's primary error code
     "SQLITE_BUSY": "another program is writing to it; wait until it has ended, then run this "
     "again. Nothing was lost",
     "SQLITE_READONLY": "it cannot be written; give yourself write permission for it and for its "
@@ -66,7 +66,7 @@ class Course:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """The content of course.json; {} for a course of an earlier version, which has none."""
+        """The content of course.json; {} for a course of an earlier version, without that file."""
         path = self.path / "course.json"
         if not path.exists():
             return {}
@@ -122,7 +122,7 @@ class Course:
 
         try:
             return PyFileConfigLoader("nbgrader_config.py", path=str(self.path)).load_config()
-        except Exception as error:  # the file is a program, and may raise anything
+        except Exception as error:  # the file is a program
             line = getattr(error, "lineno", None)
             where = f", line {line}" if line else ""
             raise CourseError(
@@ -146,7 +146,7 @@ class Course:
             )
 
     def built(self, assignment: str) -> Path:
-        """The path of the source notebook as the last build would have written it afresh."""
+        """The path of a copy of the source notebook as newly written by the last build."""
         return self.path / "built" / f"{assignment}.ipynb"
 
     def released_path(self, assignment: str) -> Path:
@@ -196,11 +196,13 @@ class Course:
 
     @contextlib.contextmanager
     def gradebook(self) -> Iterator[Any]:
-        """nbgrader's gradebook, as a context manager; :class:`CourseError` if it cannot be used."""
+        """nbgrader's gradebook, as a context manager; raises :class:`CourseError` if unusable."""
         from nbgrader import api
         from sqlalchemy.exc import DatabaseError
 
-        api.get_alembic_version = newest_schema  # its own starts a process of three seconds
+        api.get_alembic_version = (
+            newest_schema  # nbgrader's own starts a process, for three seconds
+        )
         try:
             with api.Gradebook(f"sqlite:///{self.path / 'gradebook.db'}", self.name) as book:
                 yield book
@@ -217,7 +219,7 @@ class Course:
         with self.gradebook() as book:
             ids = sorted(s.id for s in book.students)
         known: dict[str, str] = {}
-        for i in ids:  # students that nbgrader has added were not compared
+        for i in ids:  # those added by nbgrader have not been compared
             if (other := known.setdefault(same_student(i), i)) != i:
                 raise CourseError(
                     f"the students {other!r} and {i!r} on the roster differ by upper and lower "
@@ -258,7 +260,7 @@ class Course:
 
 @cache
 def newest_schema() -> str:
-    """The version of the tables that nbgrader makes in a new gradebook."""
+    """The version of the tables in a new gradebook of nbgrader."""
     import nbgrader
     from alembic.script import ScriptDirectory
 
@@ -266,11 +268,9 @@ def newest_schema() -> str:
 
 
 def prepare(path: Path) -> None:
-    """Know a course's own problems, in the folders that course.json names, and speak its language
-    from now on.
-    """
+    """Add a course's own problems, from the folders in course.json, and switch to its language."""
     known: dict[str, Any] = {}
-    with contextlib.suppress(OSError, ValueError):  # reported where it is opened
+    with contextlib.suppress(OSError, ValueError):  # reported on opening the course
         known = dict(json.loads((path / "course.json").read_bytes()))
     for folder in known.get("problems_from", []):
         use(path / folder)

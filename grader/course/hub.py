@@ -10,7 +10,7 @@ from .identity import CourseError
 
 def write_hub(courses: Sequence[Course], to: Path) -> str:
     """Write the students' configuration for these courses into the folder ``to``; returns their
-    exchange, which must be one.
+    common exchange.
     """
     roots = {course.config().Exchange.get("root", "") or "" for course in courses}
     names = [course.name for course in courses]
@@ -23,14 +23,14 @@ def write_hub(courses: Sequence[Course], to: Path) -> str:
         raise CourseError(f"two of these courses have the id {names[0]}: build one with --name")
     (root,) = roots
     to.mkdir(parents=True, exist_ok=True)
-    # without a course id nbgrader lists all courses; a student has COURSE/ASSIGNMENT
+    # without a course id nbgrader lists all courses; students get COURSE/ASSIGNMENT
     settings = f"c.Exchange.root = {root!r}\nc.Exchange.path_includes_course = True\n"
     write_for_students(to, settings)
     return root
 
 
 def closed_to_others(folder: str | Path) -> Path | None:
-    """The outermost folder on the way to this one that other users cannot enter, or None."""
+    """The outermost folder on the path that other users cannot enter, or None."""
     path = Path(folder).resolve()
     shut = (p for p in [*reversed(path.parents), path] if p.exists() and not p.stat().st_mode & 1)
     return next(shut, None)

@@ -1,10 +1,10 @@
-"""The ids of students and courses, which name folders in the course and in the exchange."""
+"""Ids of students and courses, which name folders in the course and in the exchange."""
 
 import re
 import unicodedata
 
 _BAD_IN_ID = re.compile(r"[/\\+*?\[\]{}%<>:\"|\x00-\x1f\x7f]|^[.\s-]|\s$")
-LONGEST_ID = 100  # characters: the exchange appends assignment, time and 12 more
+LONGEST_ID = 100  # characters; the exchange appends assignment, time and 12 more
 
 
 class CourseError(ValueError):
@@ -12,7 +12,7 @@ class CourseError(ValueError):
 
 
 def check_id(student_id: str) -> str:
-    """The id itself; raises :class:`CourseError` if no folder can have this name."""
+    """The id itself; raises :class:`CourseError` if it cannot name a folder."""
     if not student_id or _BAD_IN_ID.search(student_id) or len(student_id) > LONGEST_ID:
         raise CourseError(
             f"{student_id!r} cannot be a student id: folders are named by it, and nbgrader "
@@ -24,15 +24,15 @@ def check_id(student_id: str) -> str:
 
 
 def same_student(student_id: str) -> str:
-    """The key under which two ids are the same student: those that would name one folder on some
-    machine, which does not distinguish case or the encodings of an accent.
+    """A key that is equal for ids that name the same folder on some machine: without distinction of
+    case or of the encodings of an accent.
     """
     return unicodedata.normalize("NFKC", student_id).casefold()
 
 
 def course_id(name: str) -> str:
-    """An id for a course of this name: "Meca-2026" for "Méca 2026". Every student's machine must be
-    able to write it, since it names a folder in nbgrader's exchange.
+    """An id for a course of this name: "Meca-2026" for "Méca 2026". It names a folder in nbgrader's
+    exchange, on any machine.
     """
     plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
     return re.sub(r"[^A-Za-z0-9._-]+", "-", plain).strip("-._") or "course"

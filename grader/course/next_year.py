@@ -1,4 +1,4 @@
-"""Makes a course from last year's: what the instructor wrote, and nothing about students."""
+"""A new course from last year's: the instructor's work, without anything about students."""
 
 import os
 import shutil
@@ -11,8 +11,8 @@ from .files import write_text
 from .folder import Course
 from .identity import CourseError
 
-ONE_YEAR = {"id", "secret_sha256", "exams"}  # settings that are not taken over
-WRITTEN = "source", "built"  # the notebooks as edited, and as built, by which an update merges
+ONE_YEAR = {"id", "secret_sha256", "exams"}  # settings not taken over
+WRITTEN = "source", "built"  # the notebooks as edited, and as built, for later merges
 
 
 def next_year(
@@ -22,12 +22,12 @@ def next_year(
     exchange: str | Path | None = None,
     later: timedelta | None = None,
 ) -> tuple[Course, list[str]]:
-    """(a new course in the folder ``path``, its assignments): the notebooks, settings and own
-    problems of ``last``, another id and secret, and so other numbers for every student; without
-    its students, their work and grades.
+    """(a new course in the folder ``path``, its assignments), with the notebooks, settings and own
+    problems of ``last`` and a new id and secret, hence new numbers for every student; without
+    students, work and grades.
 
     name, exchange : as for a new course; by default its exchange is that of ``last``
-    later : how much later assignments are due, exams apart; None: they have no due dates
+    later : shift of the due dates, except of exams; None: no due dates
     """
     settings = last.settings
     if not settings:
@@ -62,7 +62,7 @@ def next_year(
 
 
 def _carry_on(last, made, later):
-    """The due dates of assignments, but of exams."""
+    """Shift the due dates of assignments other than exams."""
     for assignment, due in due_dates(last).items():
         if made.source(assignment).exists() and assignment not in last.settings.get("exams", {}):
             set_due(made, assignment, due + later)

@@ -1,7 +1,6 @@
-"""Whose the files of an archive are, by the names that a learning platform or a teacher gave them.
-
-A file is a student's only if all that tells in a name is theirs: of "Ada Smith" nobody knows who
-she is where only an Ada Lovelace is on the roster, even if her id is "ada".
+"""The owners of the files in an archive, by names that a learning platform or a teacher gave. A
+file is a student's only if every significant word in the name is theirs: "Ada Smith" matches nobody
+if the roster has only an Ada Lovelace, even with the id "ada".
 """
 
 import re
@@ -16,8 +15,8 @@ if TYPE_CHECKING:  # importing it takes longer than most commands
     from nbgrader.api import Student
 
 
-# how platforms name work: ``who`` handed it in, with nothing else but for the ``title`` of the
-# assignment, ``number`` is the platform's own of that person; what comes after it the student chose
+# names of work by platforms: ``who`` handed it in, perhaps with the ``title`` of the assignment;
+# ``number`` is the platform's for that person; the rest was chosen by the student
 PLATFORMS = tuple(map(re.compile, (
     r"(?P<who>.+?)_\d+_assignsubmission_",  # Moodle
     r"(?P<who>.+?)(_LATE)?_(?P<number>\d+)_\d+_",  # Canvas
@@ -27,7 +26,7 @@ PLATFORMS = tuple(map(re.compile, (
 )))  # fmt: skip
 Words = tuple[str, ...]
 WORDS = re.compile(r"[^\W_]+")
-# words that say what a file is, and not whose
+# words that describe a file, not its owner
 SILENT = frozenset(WORDS.findall("""
     answer answers archive assignment assignments attachment attachments attempt code copy copies
     corrected download draft exercise exercises export exports file files final finished folder
@@ -36,24 +35,25 @@ SILENT = frozenset(WORDS.findall("""
     the upload uploads version week work works zip s v v1 v2 v3 v4 v5
 """))  # fmt: skip
 _BEFORE_DIGITS = re.compile(r"(?<=[^\W\d_])[-_. ]+(?=\d)")
-LONGEST_NAME = 6  # words of a name that may be joined in any order
+_SUFFIX = re.compile(r"(?i)\.ipynb$")
+LONGEST_NAME = 6  # words of a name that are tried in any order
 
 
 @dataclass(frozen=True)
 class Person:
-    """The words by which a student is known: ids, the whole name, the name joined to one word in
-    any order, and what may surround them.
+    """The words that identify a student: ids, the whole name, the name joined to one word in any
+    order, and other words that are theirs.
     """
 
     ids: tuple[Words, ...]
     name: Words
     joined: frozenset[str]
     own: frozenset[str]
-    number: str  # by which the platform knows the student, "" if the roster has none
+    number: str  # the platform's number of the student, or ""
 
     @classmethod
     def read(cls, student: "Student") -> "Person":
-        """What the roster has of a student."""
+        """The words of a student on the roster."""
         mail, number = student.email or "", student.lms_user_id or ""
         ids = tuple(w for x in (student.id, number, mail.partition("@")[0]) if (w := words(x)))
         both = student.first_name and student.last_name
@@ -64,7 +64,7 @@ class Person:
         return cls(ids, name, names, own, number)
 
     def is_named(self, found: Words, silent: frozenset[str]) -> bool:
-        """True if these words are of this student, and none of them of anybody else."""
+        """True if these words identify this student, and none is foreign."""
         telling = [i for i in self.ids if not all(_is_silent(w, silent, 2) for w in i)]
         return all(w in self.own or _is_silent(w, silent) for w in found) and (
             any(_holds(found, i) for i in telling)
@@ -74,7 +74,7 @@ class Person:
 
 
 def _is_silent(word, silent, digits=4):
-    """True for a word that names nobody, or a number as short as that of a copy or in a date."""
+    """True for a word that names nobody, or a short number, as of a copy or in a date."""
     return word in silent or (word.isdigit() and len(word) <= digits)
 
 
@@ -103,12 +103,12 @@ class Candidates:
         return SILENT | self.title
 
     def tells(self, part: str) -> bool:
-        """True if a name of a folder or file says whose it is."""
+        """True if the name of a folder or file identifies an owner."""
         silent = all(_is_silent(w, self.silent) for w in words(part))
         return not silent or bool(_of_platform(part) or self.named_in(part))
 
     def named_in(self, part: str, common: frozenset[str] = frozenset()) -> list[str]:
-        """The students of whom the name of a folder or file tells, apart from ``common`` words."""
+        """The students identified by the name of a folder or file, without ``common`` words."""
         match = _of_platform(part)
         who, number, titled = _who(part, match)
         if number and (known := [s for s, p in self.people.items() if p.number == number]):
@@ -124,21 +124,22 @@ class Candidates:
         return exact or (named(self.silent) if titled else [])
 
     def owners(self, folders: Sequence[str], own: str, common: frozenset[str]) -> list[str]:
-        """The students whose the outermost telling folder is, or the file where no folder tells,
-        and the others whose names folders within it are.
+        """The owners by the outermost folder that identifies one, or else by the file's own name,
+        and other students named by folders inside it.
         """
         telling = [part for part in folders if self.tells(part)] or [own]
         first, *inner = telling
         found = self.named_in(first) or self.named_in(first, common)
         if not self.tells(first):
-            parts = {words(part) for part in (*folders, own)}
+            # what is called as the assignment is nobody's, even if an id is that, too
+            parts = {w for part in (*folders, own) if not self.title.issuperset(w := words(part))}
             found = [s for s, p in self.people.items() if not parts.isdisjoint(p.ids)]
         others = [s for part in inner if found for s in self.named_in(part)]
         return list(dict.fromkeys([*found, *others]))
 
 
 def _of_platform(part):
-    """The match of the platform whose pattern ends first: what follows is the student's."""
+    """The match of the platform pattern that ends first: what follows is the student's."""
     found = [match for p in PLATFORMS if (match := p.match(part))]
     return min(found, key=lambda match: match.end(), default=None)
 
@@ -154,13 +155,13 @@ def _who(part, match):
 def owners(
     names: Sequence[str], assignment: str, people: Mapping[str, Person]
 ) -> dict[str, list[str]]:
-    """{name of a file: the students whose it may be}.
+    """{name of a file: its possible owners}.
 
-    A folder of all files holds the work of a class if it has no name that a platform gives to that
-    of one, is nobody's on the roster, and what lies in it belongs to two students or more.
+    A folder of all files holds the work of a class if its name is not a platform's for one student
+    and identifies nobody, and its content belongs to two or more students.
     """
     candidates = Candidates(people, frozenset(words(assignment)))
-    paths = {n: PurePosixPath(n.removesuffix(".ipynb").replace("\\", "/")).parts for n in names}
+    paths = {n: PurePosixPath(_SUFFIX.sub("", n).replace("\\", "/")).parts for n in names}
     lead = _shared(path[:-1] for path in paths.values())
     inside = _owners({n: path[len(lead) :] for n, path in paths.items()}, candidates)
     whose = {found[0] for found in inside.values() if len(found) == 1}
@@ -175,10 +176,10 @@ def _owners(paths, candidates):
 
 
 def _shared(folders: Iterable[Sequence[str]]) -> list[str]:
-    """The folders in which all files are."""
+    """The folders that contain all files."""
     return [level[0] for level in takewhile(lambda x: len({*x}) == 1, zip(*folders, strict=False))]
 
 
 def _common(found: set[Words]) -> frozenset[str]:
-    """The words of all of several names, as the title of the course."""
+    """The words common to several names, as the title of the course."""
     return frozenset.intersection(*map(frozenset, found)) if len(found) > 1 else frozenset()

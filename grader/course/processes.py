@@ -1,4 +1,4 @@
-"""Ctrl-C: processes that leave it to the one that started them, and code in which none is lost."""
+"""Ctrl-C: pools of processes that ignore it, and code in which it is never lost."""
 
 import contextlib
 import os
@@ -14,8 +14,8 @@ from multiprocessing.context import BaseContext
 def process_pool(
     workers: int | None = None, context: BaseContext | None = None
 ) -> Iterator[ProcessPoolExecutor]:
-    """A pool of processes, by default one per processor. Where the block raises, as by Ctrl-C,
-    what has not begun is never run.
+    """A pool of processes, by default one per processor. If the block raises, as by Ctrl-C, pending
+    jobs are cancelled.
     """
     ignored = signal.SIGINT, signal.SIG_IGN
     with ProcessPoolExecutor(workers or os.cpu_count(), context, signal.signal, ignored) as pool:
@@ -28,7 +28,7 @@ def process_pool(
 
 @contextlib.contextmanager
 def ctrl_c_not_ignored() -> Iterator[None]:
-    """In the block Ctrl-C comes again where Python ignores it, as in the callback of a weak
+    """Within the block, repeat a Ctrl-C that Python ignored, as in the callback of a weak
     reference.
     """
     if threading.current_thread() is not threading.main_thread():

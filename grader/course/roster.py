@@ -1,5 +1,5 @@
-"""Reads lists of students as Canvas, Moodle, Gradescope, spreadsheets and registrars export them:
-separators, encodings and the names of the columns differ.
+"""Lists of students, as exported by Canvas, Moodle, Gradescope, spreadsheets and registrars, with
+various separators, encodings and names of columns.
 """
 
 import codecs
@@ -15,8 +15,8 @@ SEPARATORS = ",;\t|"
 MAX_BYTES = 10 * 2**20
 
 # names of columns, in lower case and without signs; the first one present is used.
-# nbgrader's own `id` precedes all; a login name precedes a number, since the exchange knows
-# students by their login; an e-mail address is the last resort
+# nbgrader's own `id` comes first; a login name precedes a number, since the exchange uses logins;
+# an e-mail address is the last resort
 COLUMNS = {
     "id": (
         "sisloginid", "loginid", "username", "login", "netid", "benutzername", "anmeldename",
@@ -34,7 +34,7 @@ COLUMNS = {
     ),
     "full_name": ("student", "name", "fullname", "studentname", "students", "nomcomplet"),
 }  # fmt: skip
-PLATFORM_ID = "id"  # next to a login name: the number by which Canvas knows the student
+PLATFORM_ID = "id"  # beside a login name: Canvas' number of the student
 # rows of an exported gradebook that are not students
 NOT_A_STUDENT = re.compile(r"points possible|student, test|test student", re.I)
 
@@ -48,12 +48,12 @@ class Roster:
 
 
 def read_roster(path: str | Path, id_column: str | None = None) -> Roster:
-    """The students in a CSV file; raises :class:`CourseError` that names the line. ``id_column``:
-    the header of the ids; default: the first of the usual names.
+    """The students in a CSV file; errors (:class:`CourseError`) name the line. ``id_column``: the
+    header of the ids; default: the first of the usual names.
     """
     content, encoding = _decoded(path)
     first, *_ = content.split("\n", 1)
-    if first.strip().lower().startswith("sep="):  # a spreadsheet's own hint
+    if first.strip().lower().startswith("sep="):  # a spreadsheet's hint
         content = content[len(first) + 1 :]
     header = content.split("\n", 1)[0]
     separator = max(SEPARATORS, key=lambda s: len(_recognised(_fields(header, s))))
@@ -146,7 +146,7 @@ def _recognised(names):
 
 
 def _columns(path, names, id_column):
-    """{what: number of the column} for the columns in use."""
+    """{field: number of its column}."""
     keys = [_key(n) for n in names]
     columns = {
         what: keys.index(name)
@@ -158,7 +158,7 @@ def _columns(path, names, id_column):
         if id_column not in names:
             raise CourseError(f"{path} has no column {id_column!r}; it has {names}")
         columns["id"] = names.index(id_column)
-    elif "id" in names:  # nbgrader's own format, in which it is lower case
+    elif "id" in names:  # nbgrader's own format, lower case
         columns["id"] = names.index("id")
     if "id" not in columns:
         raise CourseError(f"{path}: {_EXPECTED}; got the columns {names}")

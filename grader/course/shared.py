@@ -1,4 +1,4 @@
-"""A course that several accounts work on: instructor, assistants, and one that grades."""
+"""A course shared by several accounts: instructor, assistants, and one that grades."""
 
 import grp
 import os
@@ -10,7 +10,7 @@ from .identity import CourseError
 
 
 def share(course: Course, group: str) -> None:
-    """Open a course to a group of users, by its name or number, now and after each command."""
+    """Open a course to a group of users, given by name or number, now and after each command."""
     try:
         _number(group)
     except KeyError:
@@ -25,7 +25,7 @@ def share(course: Course, group: str) -> None:
 
 
 def open_to(folder: Path, group: str) -> None:
-    """Let a group read and write what the user of this process has in the folder."""
+    """Let a group read and write this user's files in the folder."""
     number, own = _number(group), os.geteuid()
     for path in (folder, *folder.rglob("*")):
         found = path.lstat()

@@ -1,5 +1,4 @@
-"""Takes students' work from a zip archive, as a learning platform exports it, into the course:
-without nbgrader's exchange.
+"""Students' work from a zip archive of a learning platform, without nbgrader's exchange.
 
 Students control every name and every byte in an archive: a name is only compared with the roster
 and never used as a path, links are not followed, and sizes are counted while reading.
@@ -17,6 +16,8 @@ from .folder import Course
 from .identity import CourseError, same_student
 from .owners import Person, owners, words
 
+# the others' decompressors do not stop at what is asked for: 600 bytes may become a gigabyte
+METHODS = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 MAX_BYTES = 64 * 2**20  # the largest notebook that the grader reads
 MAX_TOTAL = 4 * 2**30  # bytes of all notebooks
 MAX_ENTRIES = 20_000
@@ -24,8 +25,8 @@ MAX_ENTRIES = 20_000
 
 @dataclass
 class TakenIn:
-    """What became of the files of an archive: {student: name} of those taken, [(student, name)]
-    where earlier work was kept, [(name, reason)] of those refused.
+    """The outcome for the files of an archive: {student: name} taken, [(student, name)] where
+    earlier work was kept, [(name, reason)] refused.
     """
 
     taken: dict[str, str] = field(default_factory=dict)
@@ -39,11 +40,11 @@ def take_in(
     """Put each notebook of a zip archive into COURSE/submitted, as its student's work; returns
     :class:`TakenIn`.
 
-    A file is a student's if its folder, or where it has none its name, holds their id or whole name
-    and no word that may be of anybody else's, see :mod:`.owners`. What a student named does not
-    count: folders and files in a folder of theirs, or what follows a platform's numbers.
-    replace : also where the student has already handed in. times : the times of the files in the
-        archive, read as UTC, are those of submission; otherwise none is kept, and nobody is late.
+    A file is a student's if the name of its folder, or without one its own, has their id or whole
+    name and no word that may be someone else's, see :mod:`.owners`. Names chosen by students do not
+    count: those inside a folder of theirs, or what follows a platform's numbers.
+    replace : also replace earlier work. times : use the times in the archive, as UTC, as times of
+    submission; otherwise there are none, and nobody is late.
     """
     course.require_released(assignment)
     with course.gradebook() as book:
@@ -66,20 +67,20 @@ def take_in(
 def _opened(archive):
     try:
         return zipfile.ZipFile(archive)
-    except Exception as error:  # zipfile has a dozen for what is damaged
+    except Exception as error:  # zipfile raises a dozen types for damaged archives
         raise CourseError(f"{archive} is not a zip archive that can be read ({error})") from error
 
 
 def _listed(archive, start):
-    """How many entries the list of contents has; a wrong length in one hides those behind it."""
+    """The number of entries in the list of contents; a wrong length in one hides later ones."""
     with open(archive, "rb") as f:
         f.seek(start)
         return f.read().count(b"PK\x01\x02")
 
 
 def _chosen(entries, assignment, people, result):
-    """{student: their notebook}; a file that fits nobody, or one of several that fit a student, is
-    refused: one named after another student must not replace that one's work.
+    """{student: their notebook}; files that fit nobody, and several that fit one student, are
+    refused: a file named after another student must not replace that one's work.
     """
     found = {}
     files = [(e, _refusal(e)) for e in entries if not e.is_dir()]
@@ -110,15 +111,17 @@ def _refusal(entry):
     kind = stat.S_IFMT(entry.external_attr >> 16)
     if kind not in (0, stat.S_IFREG):
         return "a link or a special file"
-    if not entry.filename.endswith(".ipynb"):
+    if not entry.filename.lower().endswith(".ipynb"):
         return "not a notebook"
     path = PurePosixPath(entry.filename.replace("\\", "/"))
     if path.is_absolute() or ".." in path.parts or ":" in path.parts[0]:
         return "its name leads out of the archive"
     if "__MACOSX" in path.parts or path.name.startswith("."):
-        return "not a notebook"  # macOS writes such companions
+        return "not a notebook"  # companion files of macOS
     if entry.flag_bits & 1:
         return "it is encrypted"
+    if entry.compress_type not in METHODS:
+        return "it is compressed by an unusual method; pack it again as a plain zip archive"
     if entry.file_size > MAX_BYTES:
         return f"it has more than the {MAX_BYTES / 1e6:.0f} MB that are read"
     return ""
@@ -134,7 +137,7 @@ def _write(course, assignment, archive, chosen, replace, times, result):
         try:
             with archive.open(entry) as f:
                 content = f.read(MAX_BYTES + 1)  # the size stated in an archive may be wrong
-        except Exception as error:  # one damaged notebook does not stop the others
+        except Exception as error:  # a damaged notebook must not stop the others
             result.refused.append((entry.filename, f"it is damaged: {error}"))
             continue
         total += len(content)
@@ -156,7 +159,7 @@ def _put(course, assignment, student, content, date):
     for earlier in ("timestamp.txt", "submission_secret.txt"):
         (folder / earlier).unlink(missing_ok=True)
     if date:
-        with contextlib.suppress(ValueError):  # month 0 in a careless archive
+        with contextlib.suppress(ValueError):  # a careless archive, as with month 0
             when = datetime(*date, tzinfo=UTC)
             write_text(folder / "timestamp.txt", f"{when:%Y-%m-%d %H:%M:%S} UTC\n")
     write_bytes(folder / f"{assignment}.ipynb", content)

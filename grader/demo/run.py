@@ -1,4 +1,4 @@
-"""Runs the demo: builds, releases, plays six students, grades, writes the feedback pages."""
+"""The demo: build, release, six students' work, grading, feedback pages."""
 
 import contextlib
 import logging
@@ -37,13 +37,13 @@ def run_demo(
     bar: Callable[[], contextlib.AbstractContextManager[Progress]],
     counted: Callable[[str, float], contextlib.AbstractContextManager[Callable[..., None]]],
 ) -> None:
-    """Make a course in ``folder`` and take it through all steps; exits with 1 if a student's points
-    are not as expected.
+    """Make a course in ``folder`` and run all steps; exit with 1 if a student's points are not as
+    expected.
 
     chapter : whose problems are handed out
     only : numbers of the problems to include; default: all
     bar : makes a ``rich`` progress bar
-    counted : shows how many of how many are done; gives a function to call after each
+    counted : shows progress; gives a function to call after each step
     """
     start = time.perf_counter()
     console.print(f"[bold]A course in {folder}[/]")
@@ -62,7 +62,7 @@ def run_demo(
     require_success(api.generate_assignment(chapter))
     with counted("personal copies", 1.0) as advance:
         paths = make_personal_copies(course, chapter, progress=advance)
-    # nbgrader's own step, not ours, which would make the personal copies again
+    # nbgrader's own step: ours would make the personal copies again
     _exchange_step(course, chapter, "release_assignment")
     copy_to_exchange(course, chapter, exchange_outbound(course, chapter), paths)
     console.print("[bold]Fetch, work, submit:[/] six students")
@@ -115,7 +115,7 @@ def _fetch_and_submit(course, chapter, console):
         path = home / chapter / f"{chapter}.ipynb"
         fetched = read_json(path)
         problems = problems_of(fetched)
-        # a real student reads them in the notebook
+        # which a real student reads in the notebook
         values = course.values(chapter, student, problems)
         notebook, expected[student] = submission(student, fetched, problems, values)
         path.chmod(0o644)
@@ -142,7 +142,7 @@ def require_success(result: Mapping[str, Any]) -> None:
 
 
 def _exchange_step(course, chapter, step, student="*", home=None):
-    """One step of nbgrader's exchange in this process: its command line takes 2.4 s to start."""
+    """A step of nbgrader's exchange, in this process: its command line takes 2.4 s to start."""
     from nbgrader.auth import Authenticator
     from nbgrader.coursedir import CourseDirectory
     from nbgrader.exchange import default

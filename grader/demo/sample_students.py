@@ -1,4 +1,4 @@
-"""Sample students for the demo and the tests: their answers, and the tricks of a hostile one."""
+"""Sample students for the demo and the tests: their answers, and attacks of a hostile one."""
 
 import copy
 from collections.abc import Iterable, Mapping, Sequence
@@ -37,8 +37,8 @@ def _source(nested):
 
 
 def answers_with_a_mistake(p: Problem, values: Values) -> tuple[dict[str, str], list[str]]:
-    """(answers, wrong keys) of a student who makes the first listed mistake that changes a single
-    answer; without one, the right answers.
+    """(answers, wrong keys) by the first listed mistake that changes a single answer; without one,
+    the right answers.
     """
     right = right_answers(p, values)
     for wrong in p.wrong({**p.sympy_symbols(), **values}).values():
@@ -121,8 +121,8 @@ FORGED_OUTPUT = {
 
 
 def hostile(notebook: Notebook, problems: Iterable[Problem]) -> Notebook:
-    """A notebook without an answer that tries all that earns full points in plain nbgrader: tags,
-    forged outputs, points, copied and edited tests.
+    """A notebook without answers that tries everything that earns full points in plain nbgrader:
+    tags, forged outputs, points, copied and edited tests.
     """
     forged = fill_in(notebook, {p.id: HOSTILE for p in problems})
     copies = []

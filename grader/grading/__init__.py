@@ -1,4 +1,4 @@
-"""Grades all submissions of an assignment at once and writes nbgrader's gradebook."""
+"""Grading all submissions of an assignment at once, and writing nbgrader's gradebook."""
 
 from .gradebook import Entry, instructors_cells, save
 from .one import grade_one

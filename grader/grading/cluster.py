@@ -1,50 +1,55 @@
-"""Spreads the grading of a class over a Dask cluster.
+"""Grading a class on a Dask cluster.
 
 The workers reach the course folder under the same path as the grader, on a shared file system, and
-have the same version of the checkout installed. Whatever else a run needs is in that folder while
-it lasts, readable by its owner alone; no key, secret or notebook passes the scheduler, but what a
-submission came to does: the student's id, points, values read, error texts. A worker does
-everything for a submission but write the gradebook, which the grader does. When a worker dies,
-Dask reassigns its submissions.
+have the same version of the checkout installed. Whatever else a run needs, and what each submission
+came to, is in that folder while it lasts, readable by its owner alone: what passes the scheduler
+is the path of the folder, a fingerprint, numbers that stand for submissions and random names of
+files. A worker does everything for a submission but write the gradebook, which the grader does.
+When a worker dies, Dask reassigns its submissions.
 """
 
 import atexit
 import contextlib
 import json
+import pickle
+import secrets
+import shutil
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
 from ..course import Course, CourseError, write_json
+from ..course.files import write_bytes
 from ..sandbox import Harvester, HarvestError
 from .gradebook import Entry
 from .records import fingerprint, run_state, score_state
 from .student import Result, Run
 
-AHEAD = 4  # submissions per thread that the scheduler holds at a time
-ANSWER_SECONDS = 10  # for a scheduler to answer
-READY_SECONDS = 60  # for a worker to import the grader and to start its harvester
-WATCH_SECONDS = 1  # between two looks whether workers live
+AHEAD = 4  # submissions per thread held by the scheduler at a time
+ANSWER_SECONDS = 10  # limit for a scheduler to answer
+READY_SECONDS = 60  # limit for a worker to import the grader and start its harvester
+WATCH_SECONDS = 1  # between checks of the workers
 
+PLAN = "plan.json"
 KEPT = "grade again: finished runs are kept and not repeated"
 NEW_WORKERS = "see their messages, and start others"
 
 
-# grades these students: {student: (result, what to write into the gradebook)}
-GradeStudents = Callable[
-    [Iterable[str], Callable[[Result], object] | None], dict[str, tuple[Result, Entry | None]]
-]
+# grades the students: {student: (result, what to write into the gradebook)}
+GradeStudents = Callable[[Callable[[Result], object]], dict[str, tuple[Result, Entry | None]]]
 
 
 @dataclass(frozen=True)
 class Shared:
-    """Where the workers find what is common to all submissions, and what must equal theirs."""
+    """Where workers find the data common to all submissions, and hashes that must equal their own;
+    they write the results into ``folder``, which is in the course folder.
+    """
 
     course: str
-    plan: str
+    folder: str
     code: str
     secret: str
     sandbox: bool
@@ -55,31 +60,33 @@ def cluster(
     address: str,
     course: Course,
     run: Run,
+    students: Sequence[str],
     sandbox: bool,
     report: Callable[[str], object] | None = None,
 ) -> Iterator[GradeStudents]:
     """A context with a function that grades on the workers of a scheduler; raises
-    :class:`CourseError` if it does not answer or a worker cannot grade. ``report`` gets a line
+    :class:`CourseError` if there is no answer or a worker cannot grade. ``report`` gets a line
     about each worker.
     """
-    plan = course.path / "scores" / ".plan.json"
+    folder = course.path / "scores" / ".plan"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(mode=0o700)
     common = {k: v for k, v in vars(run).items() if k not in ("course", "roster")}
-    write_json(plan, common, indent=None)
-    shared = Shared(
-        str(course.path), plan.name, _code(), fingerprint(course.secret, plan.read_bytes()), sandbox
-    )
+    write_json(folder / PLAN, {"students": list(students), "common": common}, indent=None)
+    plan = fingerprint(course.secret, (folder / PLAN).read_bytes())
+    shared = Shared(str(course.path), str(folder), _code(), plan, sandbox)
     try:
         with _connected(address) as client:
             threads = _examined(client, address, shared, report)
             try:
-                yield lambda students, progress: _graded(
+                yield lambda progress: _graded(
                     client, shared, run.roster, students, AHEAD * threads, progress
                 )
             finally:
-                with contextlib.suppress(Exception):  # a worker that dies now has stopped, too
+                with contextlib.suppress(Exception):  # a worker that has died has stopped, too
                     client.run(_stop)
     finally:
-        plan.unlink(missing_ok=True)
+        shutil.rmtree(folder)
 
 
 def _code():
@@ -100,12 +107,12 @@ def _connected(address):
         raise CourseError(
             f"no scheduler of Dask answers at {address} ({error}); start one with: dask scheduler"
         ) from error
-    with client, client.as_current():  # for what takes no client
+    with client, client.as_current():  # for functions without a client argument
         yield client
 
 
 def _examined(client, address, shared, report):
-    """The number of threads of the workers, all of which must be able to grade; those that die
+    """The number of threads of all workers, each of which must be able to grade; those that die
     meanwhile are left out.
     """
     workers = client.nthreads()
@@ -128,7 +135,7 @@ def _examined(client, address, shared, report):
 
 
 def _living(client):
-    """The workers, none where the scheduler does not answer."""
+    """The workers; none if the scheduler does not answer."""
     try:
         return client.nthreads()
     except OSError:
@@ -136,37 +143,37 @@ def _living(client):
 
 
 def _answer(client, worker, future, until):
-    """What a worker says of itself, as :func:`_examine`; None in place of True if it has died."""
+    """The result of :func:`_examine` on a worker, with None in place of True if it has died."""
     while time.monotonic() < until:
         try:
             return future.result(timeout=WATCH_SECONDS)
         except TimeoutError:
             if worker not in _living(client):
                 return None, "it died in its first check, and the others do its work"
-        except Exception as error:  # its Python has no grader, or the scheduler is gone
+        except Exception as error:  # no grader in its Python, or no scheduler
             return False, f"{type(error).__name__}: {error}"
     return False, f"it has not answered for {READY_SECONDS} s"
 
 
 def _graded(client, shared, roster, students, ahead, progress):
-    """{student: (result, what to write)}; the scheduler never holds more than ``ahead``
-    submissions, so that its memory does not grow with the class.
+    """{student: (result, entry)}; the scheduler holds at most ``ahead`` submissions, so that its
+    memory does not grow with the class.
     """
     found = {s: Run.not_on_roster(s) for s in students if s not in roster}
-    waiting, started = [s for s in reversed(students) if s in roster], {}
+    waiting, started = [n for n, s in enumerate(students) if s in roster][::-1], {}
     while waiting or started:
         while waiting and len(started) < ahead:
-            student = waiting.pop()
-            started[client.submit(_grade, shared, student, pure=False)] = student
+            n = waiting.pop()
+            started[client.submit(_grade, shared, n, pure=False)] = students[n]
         for future in _finished(client, list(started)):
             student = started.pop(future)
-            found[student] = _outcome(future, student)
+            found[student] = _outcome(future, student, shared)
             progress(found[student][0])
     return found
 
 
 def _finished(client, futures):
-    """Those that have ended, at least one; raises :class:`CourseError` if the cluster is gone."""
+    """At least one finished future; raises :class:`CourseError` if the cluster is gone."""
     from distributed import CancelledError, wait
 
     alive = time.monotonic()
@@ -181,9 +188,12 @@ def _finished(client, futures):
     raise CourseError(f"all workers of the cluster have died; {NEW_WORKERS}, then {KEPT}")
 
 
-def _outcome(future, student):
+def _outcome(future, student, shared):
     try:
-        return future.result()
+        path = Path(shared.folder, future.result())
+        outcome = pickle.loads(path.read_bytes())
+        path.unlink()
+        return outcome
     except Exception as error:  # Dask gives up after several workers have died with a submission
         why = f"could not be graded: its worker failed ({type(error).__name__}: {error})"
         return Result(student, problem=why), None
@@ -196,7 +206,7 @@ _starting = threading.Lock()
 
 
 def _examine(shared):
-    """(True, how this worker isolates students' code), or (False, why it cannot grade)."""
+    """(True, the isolation of students' code on this worker), or (False, why it cannot grade)."""
     try:
         _run_of(shared)
         return True, _harvester(shared).sandbox_state
@@ -204,27 +214,33 @@ def _examine(shared):
         return False, str(error)
 
 
-def _grade(shared, student):
-    return _run_of(shared).grade(student, _harvester(shared))
+def _grade(shared, n):
+    """The name of the file with the result of the ``n``-th submission."""
+    run, students = _run_of(shared)
+    outcome, name = run.grade(students[n], _harvester(shared)), secrets.token_hex()
+    write_bytes(Path(shared.folder, name), pickle.dumps(outcome))
+    return name
 
 
 @lru_cache(maxsize=1)
 def _run_of(shared):
-    """The run from the course folder; raises :class:`CourseError` if it is not the grader's."""
+    """The run and its students from the course folder; raises :class:`CourseError` if it is not the
+    grader's.
+    """
     if _code() != shared.code:
         raise CourseError(
             "it has another version of the checkout than the grader; install the same and start "
             "it again"
         )
     course = Course(shared.course)
-    path = Path(shared.course, "scores", shared.plan)
+    path = Path(shared.folder, PLAN)
     if not path.exists() or fingerprint(course.secret, path.read_bytes()) != shared.secret:
         raise CourseError(
             f"{shared.course} is not the course's folder there; let the workers reach it under the "
             "same path"
         )
-    common = json.loads(path.read_bytes())
-    return Run(course, roster=None, **common)
+    plan = json.loads(path.read_bytes())
+    return Run(course, roster=None, **plan["common"]), plan["students"]
 
 
 def _harvester(shared):
@@ -240,7 +256,7 @@ def _harvester(shared):
 
 
 def _stop():
-    """Leave nothing running on a worker."""
+    """Stop everything on a worker."""
     with _starting:
         while _harvesters:
             _, harvester = _harvesters.popitem()

@@ -1,7 +1,7 @@
-"""Reads and writes nbgrader's gradebook, for a whole class in one transaction: all of it or none.
+"""nbgrader's gradebook, written for a whole class in one transaction.
 
-The rows depend on the submissions and the gradebook alone, not on what was written before, so that
-a changed late policy, due date or timestamp takes effect, and both routes agree.
+Rows are recomputed from the submissions, so that a changed late policy, due date or timestamp takes
+effect, and both routes agree.
 """
 
 from collections import defaultdict
@@ -16,14 +16,14 @@ from ..course import Course
 from ..course.due import extensions
 from ..submission import Graded
 
-FEW = 100  # students: for up to this many only their rows are read, else those of the class
+FEW = 100  # students, up to which only their rows are read, not the whole class's
 
 
 @dataclass
 class Entry:
-    """What is written for one student: the graded notebooks by name, the time of submission (None:
-    an earlier one stays), whether the work is new, so that points by hand need a second look, and
-    whether it is another attempt, which inherits none of them.
+    """The entry of one student: graded notebooks by name, time of submission (None: unchanged),
+    whether the work is new, so that manual points need a second look, and whether it is another
+    attempt, which inherits no manual points.
     """
 
     student: str
@@ -35,7 +35,7 @@ class Entry:
 
 @dataclass
 class Total:
-    """A student's points in the gradebook, less the penalty; ``waiting``: cells for a person."""
+    """A student's points in the gradebook, minus the penalty; ``waiting``: cells still ungraded."""
 
     points: float = 0.0
     out_of: float = 0.0
@@ -125,7 +125,7 @@ class _Saving:
         return cells
 
     def write(self, entry: Entry) -> Total:
-        """Note the changes for one student; returns the :class:`Total`."""
+        """Collect the changes for one student; returns the :class:`Total`."""
         known = self.submissions.get(entry.student)
         _, own, timestamp, before = known or (None, self.api.new_uuid(), None, None)
         extension = self.extensions.get(entry.student, before)
@@ -152,16 +152,16 @@ class _Saving:
         return total
 
     def _write_cells(self, notebook, cells, entry, name, total):
-        """Note the changes to one notebook; returns its points, and those that are extra."""
+        """Collect the changes to one notebook; returns its points and extra points."""
         graded, points, extra_points = entry.notebooks.get(name), 0.0, 0.0
         for grade_id, cell in cells.grades.items():
-            # a notebook that was not handed in earns nothing, a cell without points in it waits
+            # 0 for a missing notebook; None for a cell to grade by hand
             automatic = graded.points.get(grade_id) if graded else 0.0
             known = self.grades.get((notebook, cell))
             _, _, row_id, before, manual, extra, needs = known or (None,) * 7
             if entry.again:
                 manual = extra = None
-            # points that a person gave for other work need a second look
+            # manual points for other work need a second look
             waits = automatic is None if manual is None else needs or entry.changed
             row = {"auto_score": automatic, "needs_manual_grade": waits}
             if not known:
@@ -203,7 +203,7 @@ class _Saving:
 
 
 class _LatePenalties:
-    """The penalties for late submissions, from the plugin that the course's configuration names."""
+    """The penalties for late submissions, by the plugin in the course's configuration."""
 
     def __init__(self, course):
         self.course = course

@@ -1,5 +1,5 @@
-"""Grades one notebook of one submission: from its record where nothing has changed, from the kept
-outcome of its run where only the key or the points have, else by running it.
+"""Grading one notebook of one submission: from its record if nothing has changed, from the kept
+outcome of its run if only the key or the points have, else by running it.
 """
 
 import os
@@ -42,8 +42,8 @@ from .records import (
 
 @dataclass
 class Outcome:
-    """The grade of a notebook; is the work new since last time, was the record reused as it is, is
-    it the first grade of another attempt.
+    """The grade of a notebook; whether the work is new, the record was reused unchanged, and this
+    is the first grade of another attempt.
     """
 
     graded: Graded
@@ -88,11 +88,13 @@ def grade_one(
     if ran and as_built:
         work = Work(**entry["work"])
     else:
-        notebook, work = rebuild(sheet.master, parse_notebook(submitted.name, content))
+        notebook, work = rebuild(
+            sheet.master, parse_notebook(submitted.name, content), sheet.places
+        )
     if ran:
         executed = Executed(**entry["executed"])
     else:
-        assert notebook  # it was rebuilt, since nothing is kept of its run
+        assert notebook  # rebuilt above, since no run is kept
         executed = execute(harvester, sheet, notebook)
     kept = {i for i in state["scored"] if ran and entry["scored"].get(i) == state["scored"][i]}
     graded = grade_notebook(sheet, work, executed, scores_of(entry, kept) if kept else {})
@@ -112,7 +114,7 @@ def grade_one(
 
 
 def _state(sheet, content, sandbox, remark):
-    """Hashes of what the parts of a record's entry depend on: "ran", the run in the sandbox;
+    """Hashes of the inputs of each part of a record's entry: "ran", the run in the sandbox;
     "built", the annotated notebook; "scored", the score of each problem; "content", the submission.
     """
     released, what_runs = sheet.released.hashes
@@ -137,7 +139,7 @@ _hash_of_texts = lru_cache(maxsize=10_000)(fingerprint)  # the same for all stud
 
 
 def _stamp(sheet):
-    """The time at which the student's copy, which has the figures, was last written."""
+    """The time of the last change of the student's copy, which has the figures."""
     path = personal_path(sheet.course, sheet.assignment, sheet.student, sheet.name)
     return path.stat().st_mtime_ns if path.exists() else 0
 
@@ -148,7 +150,7 @@ def autograded_path(course: Course, assignment: str, student: str, name: str) ->
 
 
 def _copy_nbgraders_files(source, target):
-    """Copy the small files that nbgrader wrote at submission and expects in autograded/."""
+    """Copy the small files of nbgrader's submit that it expects in autograded/."""
     for name in BESIDE:
         path = source / name
         if path.is_file() and not path.is_symlink() and path.stat().st_size < 10_000:

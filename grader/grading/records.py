@@ -1,5 +1,5 @@
 """COURSE/scores: the outcome of the run of each submission, and its grade. With the outcome kept, a
-corrected key grades again without running anything.
+corrected key is graded without running anything again.
 """
 
 import hashlib
@@ -21,7 +21,7 @@ VERSION = 3
 
 
 class Record(TypedDict):
-    """The file of a submission: for each notebook the outcome of its run, and its grade."""
+    """The file of a submission: {notebook: outcome of its run, and grade}."""
 
     version: int
     notebooks: dict[str, dict[str, Any]]
@@ -45,24 +45,24 @@ def fingerprint(*contents: Any) -> str:
 
 @cache
 def run_state() -> str:
-    """A hash of the code on which the outcome of a run depends: the engine and the cage."""
+    """A hash of the code that a run depends on: the engine and the cage."""
     return _hash_of("newton_euler", "grader/sandbox", "grader/submission", "grader/assignment")
 
 
 @cache
 def score_state() -> str:
-    """A hash of the code on which every score depends: the scoring, the shared exercises."""
+    """A hash of the code that every score depends on: the scoring, the shared exercises."""
     return _hash_of("exercises", "grader/scoring", but=_OF_A_PROBLEM)
 
 
 @cache
 def problem_state(problem_id: str) -> str:
-    """A hash of the files of a problem, on which only its scores depend."""
+    """A hash of the files of a problem, which only its scores depend on."""
     return fingerprint(*(f.read_bytes() for f in files_of(problem_id)))
 
 
 def _hash_of(*folders, but=None):
-    """A hash of the files in these folders of the checkout, but for those with such names."""
+    """A hash of the files in these folders of the checkout, without names that match ``but``."""
     files = [
         f
         for folder in folders
@@ -85,7 +85,7 @@ def read_record(path: Path) -> Record:
 
 
 def write_record(path: Path, record: Record) -> None:
-    """Write a record, with the scores of all notebooks together for those who read it."""
+    """Write a record, adding the scores of all notebooks together for readers."""
     notebooks = record["notebooks"].values()
     write_json(
         path,

@@ -1,4 +1,4 @@
-"""Grades all submissions of an assignment: only what changed, in one transaction."""
+"""Grading all submissions of an assignment: only what has changed, in one transaction."""
 
 import contextlib
 from collections.abc import Callable, Iterable
@@ -30,7 +30,7 @@ def grade(
 
     students : ids to grade; default: all who submitted. force : run unchanged submissions, too.
     workers : number of processes; default: one per processor. scheduler : the address of a Dask
-        cluster instead (see :mod:`grader.grading.cluster`), ``report`` is called with a line about
+        cluster instead (see :mod:`grader.grading.cluster`); ``report`` is called with a line about
         each of its workers. progress : called with each Result.
 
     A submission that cannot be graded is reported in its Result; its earlier grade, and all other
@@ -51,7 +51,7 @@ def grade(
         harvester = None if scheduler else stack.push(Harvester(workers, sandbox))
         new = force or not all(course.record_path(assignment, s).exists() for s in wanted)
         if new and harvester:
-            harvester.__enter__()  # its imports run in parallel to those of the gradebook
+            harvester.__enter__()  # imports in parallel with those of the gradebook
         book = stack.enter_context(course.gradebook())
         sources, roster = _assignment(book, assignment), {s.id for s in book.students}
         timed = wanted if is_exam(course, assignment) else ()
@@ -61,8 +61,8 @@ def grade(
         late = {s: (Result(s, problem=why), None) for s, why in refused.items()}
         wanted = [s for s in wanted if s not in late]
         if scheduler:
-            grade_all = stack.enter_context(cluster(scheduler, course, run, sandbox, report))
-            graded = grade_all(wanted, progress)
+            on_workers = cluster(scheduler, course, run, wanted, sandbox, report)
+            graded = stack.enter_context(on_workers)(progress)
         else:
             graded = _on_threads(run, harvester, wanted, progress)
         graded |= late
@@ -75,7 +75,7 @@ def grade(
 
 
 def _on_threads(run, harvester, students, progress):
-    """{student: (result, what to write)}; others are prepared or scored while workers run code."""
+    """{student: (result, entry)}; threads prepare and score while workers run code."""
     found = {}
     with ThreadPoolExecutor(harvester.count + 1) as pool:
         started = {pool.submit(run.grade, s, harvester): s for s in students}
@@ -84,7 +84,7 @@ def _on_threads(run, harvester, students, progress):
                 student = started.pop(done)
                 found[student] = done.result()
                 progress(found[student][0])
-        except BaseException:  # an interrupt does not wait for the others
+        except BaseException:  # on an interrupt, do not wait for the others
             pool.shutdown(wait=False, cancel_futures=True)
             harvester.abandon()
             raise

@@ -1,4 +1,4 @@
-"""Grades one submission, which may hold several notebooks."""
+"""Grading one submission, of one or several notebooks."""
 
 import os
 from collections.abc import Mapping
@@ -17,9 +17,9 @@ from .one import grade_one
 class Result:
     """The result of one submission, or in ``problem`` the reason why it was not graded.
 
-    points, out_of, extra, penalty : as the gradebook has them: automatic or given by hand, with
-        extra credit, less the penalty for lateness
-    waiting : number of cells that wait for a person
+    points, out_of, extra, penalty : from the gradebook: automatic or manual points, with extra
+    credit, minus the penalty for lateness
+    waiting : number of cells to grade by hand
     sandbox : "namespaces", or "unsandboxed: …"
     """
 
@@ -44,8 +44,8 @@ class Result:
 
 @dataclass(frozen=True)
 class Run:
-    """The data common to all submissions of one run; ``roster`` is None where it was checked,
-    ``remarks`` {student: what is noted on the time of their work}.
+    """The data common to all submissions of one run; ``roster`` is None if already checked,
+    ``remarks`` {student: remark on the time of submission}.
     """
 
     course: Course
@@ -57,7 +57,7 @@ class Run:
     remarks: Mapping[str, str] = field(default_factory=dict)
 
     def grade(self, student: str, harvester: Harvester) -> tuple[Result, Entry | None]:
-        """(result of one submission, what to write into the gradebook); never raises."""
+        """(result of one submission, entry for the gradebook); never raises."""
         if self.roster is not None and student not in self.roster:
             return self.not_on_roster(student)
         try:
@@ -66,7 +66,7 @@ class Run:
             why = f"{error}; ask for it again. An earlier grade stays as it is"
         except (CourseError, HarvestError) as error:
             why = f"could not be graded: {error}"
-        except Exception as error:  # one submission must not stop the grading of the others
+        except Exception as error:  # one submission must not stop the others
             why = (
                 "could not be graded, which is a bug of the grader: "
                 f"{type(error).__name__}: {error}. An earlier grade stays as it is"

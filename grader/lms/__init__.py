@@ -1,5 +1,5 @@
-"""Banks of questions for learning platforms, of numeric and choice answers, with each listed
-mistake as a wrong answer that has its diagnosis.
+"""Banks of questions for learning platforms, with numbers and choices as answers, and each listed
+mistake as a wrong answer with its diagnosis.
 """
 
 from .write import FORMATS, Bank, write_bank

@@ -1,7 +1,7 @@
-"""Canvas' package of QTI 1.2: one number or choice a question, a group of variants for each.
+"""Canvas' package of QTI 1.2: one number or choice per question, with a group of variants.
 
-Canvas takes every number that a numerical question's conditions name for a right answer. So a wrong
-one stands in the comment on wrong answers, with its diagnosis, and in no condition.
+Canvas takes every number in a numerical question's conditions for a right answer. So wrong ones are
+listed, with their diagnoses, in the comment on wrong answers.
 """
 
 from collections.abc import Iterable
@@ -17,7 +17,7 @@ FIGURE = '<p><img src="$IMS-CC-FILEBASE$/figures/{}.png" alt="{}"/></p>'
 
 
 def write(name: str, questions: Iterable[Question]) -> bytes:
-    """The bank as a quiz: of each number that is asked for, Canvas draws one variant."""
+    """The bank as a quiz: Canvas draws one variant of each number asked for."""
     figures: dict[str, bytes] = {}
     groups: dict[str, list[_Item]] = {}
     for q in questions:
@@ -36,7 +36,7 @@ def write(name: str, questions: Iterable[Question]) -> bytes:
 
 @dataclass(frozen=True)
 class _Item:
-    """Number ``m`` of part ``n`` of a question, or its choice; texts are HTML."""
+    """Number ``m``, or the choice, of part ``n`` of a question; texts are HTML."""
 
     question: Question
     part: Part

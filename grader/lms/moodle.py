@@ -17,7 +17,7 @@ RIGHT = "Right."
 
 
 def write(name: str, questions: Iterable[Question]) -> bytes:
-    """The bank as one file; each problem is a category, from which a quiz draws at random."""
+    """The bank as one file; each problem is a category from which a quiz draws at random."""
     return xml(
         "moodle", name=name, categories=groupby(questions, attrgetter("title")), kind_of=_kind,
         text_of=_text, number=number, base64=base64.b64encode, right=RIGHT,
@@ -45,7 +45,7 @@ def _asked(q, kind):
 
 
 def _weights(q):
-    """The weight of each number of each part: whole numbers, as Moodle wants them."""
+    """The weight of each number of each part, as integers for Moodle."""
     each = [Fraction(p.weight).limit_denominator(100) / len(_numbers(p)) for p in q.parts]
     whole = math.lcm(*(x.denominator for x in each))
     return [int(x * whole) for x in each]
@@ -71,8 +71,8 @@ def _alternatives(blank):
 
 
 def _escaped(text):
-    """A text within a cloze field: HTML whose entities Moodle resolves once more, without the signs
-    that end an alternative.
+    """A text in a cloze field: HTML escaped twice, as Moodle resolves entities once more, without
+    characters that end an alternative.
     """
     shown = escape(escape(text, quote=False), quote=False)
     return re.sub(r"[\\}#~]", lambda m: f"&#{ord(m[0])};", shown)

@@ -1,4 +1,4 @@
-"""The texts of a bank by their templates, and zip archives of them as QTI and Canvas read them."""
+"""The XML of a bank from templates, and its zip archives for QTI and Canvas."""
 
 import io
 import xml.etree.ElementTree as ET
@@ -12,7 +12,7 @@ NAMESPACE = "http://www.imsglobal.org/xsd/imscp_v1p1"
 
 
 def xml(template: str, **given: Any) -> bytes:
-    """The text that a template of this room makes of what it is given, which is well-formed."""
+    """The well-formed XML of a template with these values."""
     made = _templates().get_template(f"{template}.xml.j2").render(given).encode()
     ET.fromstring(made)
     return made
@@ -33,8 +33,8 @@ def packed(
     schema: str,
     version: str,
 ) -> bytes:
-    """The archive of these files: {path: content}; resources : [(identifier, type, its files)], the
-    first file of each is the one that it is read from.
+    """The archive of ``files``, {path: content}; resources : [(identifier, type, its files, the
+    main one first)].
     """
     manifest = xml(
         "manifest", namespace=NAMESPACE, name=name, resources=resources, schema=schema,

@@ -1,4 +1,4 @@
-"""Markdown as HTML, whose formulas MathJax typesets: every platform has it."""
+"""Markdown as HTML, with formulas for MathJax, which every platform has."""
 
 import re
 from functools import lru_cache
@@ -9,7 +9,7 @@ DIGITS = 10
 
 
 def html(markdown: str) -> str:
-    """A text as XHTML; formulas stand between \\( and \\).
+    """A text as XHTML, formulas between \\( and \\).
 
     >>> html("A *rod* of $\\\\frac12$ m")
     '<p>A <em>rod</em> of \\\\(\\\\frac12\\\\) m</p>'
@@ -26,13 +26,13 @@ def _converter():
 
 
 def inline(markdown: str) -> str:
-    """The same without the paragraph around it."""
+    """:func:`html` without the paragraph around it."""
     return re.sub(r"^<p>(.*)</p>$", r"\1", html(markdown), flags=re.S)
 
 
 def asked(part: Part, places: list[str] | None = None) -> str:
-    """What is asked for, as HTML in a paragraph: its words, symbol, and ``places`` for its numbers
-    with its unit behind them.
+    """The request for an answer, as an HTML paragraph: its text, symbol, ``places`` for its
+    numbers, and unit.
     """
     words, name, unit = (
         inline(x) for x in (part.means, _formula(part.symbol), _formula(part.unit))
@@ -44,7 +44,7 @@ def asked(part: Part, places: list[str] | None = None) -> str:
 
 
 def _rows(places):
-    """Places in parentheses; those of a matrix row by row."""
+    """Places in parentheses, nested for the rows of a matrix."""
     return f"({', '.join(map(_rows, places))})" if isinstance(places, list) else places
 
 
@@ -53,7 +53,7 @@ def _formula(latex):
 
 
 def axis(part: Part, n: int) -> str:
-    """Which of its numbers the n-th is, "" of a single one."""
+    """The name of the n-th number, "" if it is the only one."""
     if part.kind.is_vector:
         return f"component {n + 1} of 3"
     if part.kind.length == 9:
@@ -62,7 +62,7 @@ def axis(part: Part, n: int) -> str:
 
 
 def number(x: float) -> str:
-    """A number as all platforms read it.
+    """A number in a form that all platforms read.
 
     >>> number(-0.1), number(3.0), number(2.5e-7)
     ('-0.1', '3', '2.5e-07')

@@ -1,4 +1,4 @@
-"""QTI 2.1: a package of items, in which a vector is judged as a whole."""
+"""QTI 2.1: a package of items, with vectors judged as a whole."""
 
 from collections.abc import Iterable
 from html import escape

@@ -1,4 +1,4 @@
-"""A problem with one set of numbers as what every platform can ask: numbers within a margin, and
+"""A problem with one set of numbers in a form for every platform: numbers within a margin, and
 choices.
 """
 
@@ -22,7 +22,7 @@ Point = tuple[float, ...]
 
 @dataclass(frozen=True)
 class Wrong:
-    """What a listed mistake makes of an answer: numbers with their margins, or a word."""
+    """A wrong answer by a listed mistake: numbers with their margins, or a word."""
 
     point: Any
     off: Point
@@ -31,8 +31,8 @@ class Wrong:
 
 @dataclass(frozen=True)
 class Part:
-    """An answer of a question: what it means and its unit, in Markdown and LaTeX; its right numbers
-    with their margins, or the right word.
+    """An answer of a question: meaning and unit, in Markdown and LaTeX; the right numbers with
+    their margins, or the right word.
     """
 
     asked: Answer
@@ -45,7 +45,7 @@ class Part:
 
     @property
     def options(self) -> tuple[str, ...]:
-        """The words to choose from, () where numbers are asked for."""
+        """The words to choose from, () for numbers."""
         return self.asked.of
 
     @property
@@ -60,7 +60,7 @@ class Part:
 
     @property
     def blanks(self) -> list["Blank"]:
-        """Its numbers one by one, for platforms that judge them so."""
+        """Its numbers, for platforms that judge them one by one."""
         return [
             Blank(x, off, _merged(Wrong((w.point[n],), (w.off[n],), w.text) for w in self.wrong
                                   if abs(w.point[n] - x) > off))
@@ -69,17 +69,17 @@ class Part:
 
     @property
     def wholes(self) -> list[Wrong]:
-        """Its wrong answers as a whole, for platforms that judge all numbers together."""
+        """Its wrong answers, for platforms that judge all numbers together."""
         return _merged(self.wrong)
 
     def says(self, word: str) -> str:
-        """The diagnosis of a wrong word, "" where there is none."""
+        """The diagnosis of a wrong word, or ""."""
         return next((w.text for w in self.wholes if w.point == word), "")
 
 
 @dataclass(frozen=True)
 class Blank:
-    """One number: the right one, its margin, and the wrong ones."""
+    """One number: the right value, its margin, and wrong values."""
 
     key: float
     off: float
@@ -100,23 +100,23 @@ class Question:
     points: float
 
     def points_of(self, part: Part) -> float:
-        """What one of its parts earns."""
+        """The points of one of its parts."""
         return self.points * part.weight / sum(p.weight for p in self.parts)
 
 
 def question(
     p: Problem, values: Values, number: int, points: float, text: str = "", diagnosed: bool = True
 ) -> Question:
-    """Variant ``number`` of a problem without symbols; ``text`` is what an instructor has made of
-    the problem's; ``diagnosed``: with its listed mistakes. Without the parts that no platform can
-    judge, see :func:`left_out`.
+    """Variant ``number`` of a problem without symbols, and without parts that no platform can
+    judge, see :func:`left_out`; ``text``: the problem's as an instructor changed it; ``diagnosed``:
+    with listed mistakes.
     """
     described, right = quantities(p, values)
     every = wrong_numbers(p, values, described, right) if diagnosed else ()
     wrong = [w for w in every if w[1].group == "listed"]
     parts = tuple(_part(p, a, right[a.key], wrong) for a in p.answers if not left_out(a))
     shown = statement_with(p, text, values) if text else statement(p, values, False, code=False)
-    shown = shown.partition("\n")[2].strip()  # its heading is the name of the question
+    shown = shown.partition("\n")[2].strip()  # the heading is the name of the question
     ident = f"{slug(p.id)}-{number}"
     figure = figure_png(p, values)
     return Question(
@@ -125,7 +125,7 @@ def question(
 
 
 def left_out(a: Answer) -> str:
-    """Why an answer is not asked for, "" if it is."""
+    """Why an answer is left out, or ""."""
     if a.kind.is_formula:
         return "a formula"
     if not a.kind.is_word and len(a.kind.sealed((1.0,) * a.kind.length)) > 1:
@@ -158,12 +158,12 @@ def _part(p, a, right, wrong):
 
 
 def _off(a, point, key):
-    """The margins of a wrong answer; of a zero those of the key."""
+    """The margins of a wrong answer; for zeros, those of the key."""
     return tuple(m or k for m, k in zip(margins(a, tuple(point)), margins(a, key), strict=True))
 
 
 def _merged(wrong):
-    """Wrong answers that cannot be distinguished, as one, with both diagnoses."""
+    """Wrong answers, with indistinguishable ones merged and all their diagnoses."""
     found: list[tuple[Wrong, list[str]]] = []
     for w in wrong:
         texts = next((texts for other, texts in found if _alike(w, other)), None)

@@ -1,4 +1,4 @@
-"""Writes a bank: k variants of each problem, with numbers that no student is graded on."""
+"""Writing a bank: k variants of each problem, with numbers that no student is graded on."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -28,8 +28,8 @@ FORMATS = {
 
 @dataclass(frozen=True)
 class Bank:
-    """What was written: the number of problems and questions, and the sentences on what is left out
-    or other than on a sheet.
+    """A written bank: the number of problems and questions, and notes on what is left out or
+    differs from a sheet.
     """
 
     path: Path
@@ -49,10 +49,10 @@ def write_bank(
     done: Callable[[], object] = lambda: None,
 ) -> Bank:
     """Write ``variants`` sets of numbers of each problem of an assignment, drawn by ``seed``, as
-    ``form``, one of :data:`FORMATS`. The file holds the right answers: it is readable by its owner
-    alone.
+    ``form``, one of :data:`FORMATS`. The file holds the right answers and is readable by its owner
+    only.
 
-    graded : {problem id: [numbers of a student's sheet]}, near whose answers none of these comes
+    graded : {problem id: [numbers of a student's sheet]}, whose answers these must not come near
     done : called after each problem
     """
     write, _ = FORMATS[form]
@@ -80,7 +80,7 @@ def write_bank(
 
 
 def _of_sheet(spec):
-    """What a sheet does and a bank does not."""
+    """Notes on what a sheet does and a bank does not."""
     if own := [*(i.question for i in spec.items if i.question), *spec.left_out]:
         yield f"{', '.join(own)} left out: cells of your own"
     if any(len(p.answers) > 1 for p in spec.problems):
@@ -92,7 +92,7 @@ def _of_sheet(spec):
 def variants_of(
     job: tuple[str, str, Mapping[str, Any], Sequence[Values] | None], count: int, seed: str
 ) -> tuple[list[Question], list[str]]:
-    """(the questions of one problem, sentences on what is left out)."""
+    """(the questions of one problem, notes)."""
     name, text, options, graded = job
     asked = as_asked(problem(name), options)
     p, points = twin(asked), options.get("points", len(asked.answers))

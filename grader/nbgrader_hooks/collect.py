@@ -1,4 +1,4 @@
-"""Replaces nbgrader's collect: only regular files, and no student stops it for the others."""
+"""A replacement of nbgrader's collect: regular files only, unstoppable by a single student."""
 
 from datetime import datetime
 from functools import cached_property
@@ -21,7 +21,7 @@ class CollectRegularFiles(ExchangeCollect):
     """
 
     def _path_to_record(self, path: str) -> dict[str, Any]:
-        # students name these folders; nbgrader stops for all students at a name it does not expect
+        # students name these folders, and nbgrader stops at an unexpected name
         try:
             record = super()._path_to_record(path)
             check_id(record["username"])  # neither ".." nor control characters
@@ -42,7 +42,7 @@ class CollectRegularFiles(ExchangeCollect):
         super().init_src()
 
     def _sort_by_timestamp(self, records: list[dict[str, Any]]) -> list[dict[str, Any]]:
-        """A student's records, first the one that counts: of an exam not the last."""
+        """A student's records, the one that counts first: in an exam not the last one."""
         if self._window is None or not records[0]["username"]:
             return super()._sort_by_timestamp(records)
         student = records[0]["username"]
@@ -57,7 +57,7 @@ class CollectRegularFiles(ExchangeCollect):
 
     def copy_files(self) -> None:
         if self._window is not None:
-            # nbgrader updates by what is newer, or before the due date by whatever it has chosen
+            # nbgrader updates with newer work, or before the due date with any that it has chosen
             self.update, self.before_duedate = False, self.update
         self.src_records = [r for r in self.src_records if r["username"]]
         super().copy_files()
@@ -68,7 +68,7 @@ class CollectRegularFiles(ExchangeCollect):
 
     def _is_own(self, student: str, path: str) -> bool:
         """False if the submission claims to be by one student and belongs to another on the roster,
-        who could replace a neighbour's work with it.
+        who could thus replace a neighbour's work.
         """
         try:
             owner = find_owner(path)

@@ -1,4 +1,4 @@
-"""nbgrader's configuration for a course: the steps and pages that the hooks replace."""
+"""nbgrader's configuration for a course, with the steps and pages of the hooks."""
 
 import atexit
 import json
@@ -10,7 +10,7 @@ from traitlets.config import Config
 
 from ..course.shared import open_to
 
-# the names that are in each course's nbgrader_config.json, too
+# the names that are also in each course's nbgrader_config.json
 PINNED = Path(__file__).parents[1] / "course" / "templates" / "nbgrader_config.json"
 STUB = {"python": ""}
 PREPROCESSORS = "grader.nbgrader_hooks.preprocessors"
@@ -23,7 +23,7 @@ def configure(c: Config, course: str) -> None:
     root = Path(course).resolve().parent
     c.CourseDirectory.root = str(root)
     c.CourseDirectory.db_url = f"sqlite:///{root / 'gradebook.db'}"
-    if (root / "course.json").exists():  # earlier versions wrote the id into the configuration
+    if (root / "course.json").exists():  # earlier versions have the id in the configuration
         settings = json.loads((root / "course.json").read_text())
         c.CourseDirectory.course_id = settings["id"]
         if group := settings.get("group"):  # set by: python -m grader share
@@ -40,10 +40,10 @@ def configure(c: Config, course: str) -> None:
             setattr(c[section], trait, name)
 
     c.GenerateAssignment.exporter_class = "grader.nbgrader_hooks.generate.SourceReader"
-    c.Autograde.create_student = False  # a folder of an unknown student is reported, not graded
+    c.Autograde.create_student = False  # unknown students are reported, not graded
     c.Autograde.sanitize_preprocessors = [f"{PREPROCESSORS}.RebuildFromSource"]
     c.Autograde.autograde_preprocessors = [f"{PREPROCESSORS}.HarvestExecute"]
-    # always: so that it follows every change and completes a killed run; finished runs are kept
+    # always, to follow every change and complete a killed run; finished runs are kept
     c.Autograde.force = True
     for name in (
         "RebuildFromSource", "HarvestExecute", "GradesAndFigures", "SubmissionReader",
@@ -51,11 +51,11 @@ def configure(c: Config, course: str) -> None:
     ):  # fmt: skip
         c[name].course_path = str(root)
 
-    # grading by hand is anonymous ("Submission #1"): the introduction must not name the student
+    # manual grading is anonymous ("Submission #1"), so the introduction must not name the student
     c.HTMLExporter.preprocessors = ["grader.nbgrader_hooks.grading_page.WithoutName"]
     c.HTMLExporter.filters = {"markdown2html": "grader.nbgrader_hooks.grading_page.markdown2html"}
-    # our feedback template has the name of nbgrader's, which the formgrader requests; its other
-    # templates stay reachable
+    # our feedback template has the name of nbgrader's, requested by the formgrader; its other
+    # templates remain available
     c.HTMLExporter.extra_template_basedirs = [
         str(Path(__file__).with_name("templates")),
         str(Path(nbgrader.__file__).parent / "server_extensions/formgrader/templates"),

@@ -1,5 +1,5 @@
 """The content of the feedback page: a section for each problem and for each question of the
-instructor's own. The template lays it out; nothing of a student reaches it as HTML.
+instructor's own. No text of a student reaches the template as HTML.
 """
 
 import re
@@ -26,21 +26,21 @@ TAGS = {
 }  # fmt: skip
 ATTRIBUTES = {"a": ["href", "title"], "th": ["scope"]}
 
-# a link to a chapter leads to a notebook in the student's folder, where the page is not
+# a link to a chapter's notebook, relative to the student's folder
 _LINK_BESIDE = re.compile(r'<a href="(?!#|https?:)[^"]*">(.*?)</a>')
 
 
 def sanitized(markdown: str | None) -> str:
-    """Markdown of a student or a grader as HTML without scripts and external resources."""
+    """Markdown of a student or a grader as HTML, without scripts and external resources."""
     page = student_html(markdown or "")
-    # a long text has no HTML after student_html, and bleach would take minutes for it
+    # long texts have no HTML after student_html, and would take bleach minutes
     long = len(markdown or "") > LONGEST
     return page if long else bleach.clean(page, TAGS, ATTRIBUTES, strip=True)
 
 
 @dataclass
 class Section:
-    """A problem or a question of the instructor; HTML, but for the code in numbers and answer."""
+    """A problem or an instructor's question, in HTML except for the code in numbers and answer."""
 
     id: str
     name: str
@@ -49,7 +49,7 @@ class Section:
     statement: str = ""
     numbers: str = ""
     answer: str | None = None
-    text: str | None = None  # an answer in words
+    text: str | None = None  # a text as answer
     outputs: list[str] = field(default_factory=list)
     comments: list[str] = field(default_factory=list)
     score: float | None = None
@@ -81,7 +81,7 @@ class Sections(NbGraderPreprocessor):
 
 
 def _of_problem(number: str) -> Section:
-    """An empty section; the book's section is named where the catalogue still has the problem."""
+    """An empty section, with the section of the book if the catalogue still has the problem."""
     try:
         where = find_problem(number).section
     except CatalogueError:
@@ -94,7 +94,7 @@ def _add_cell(section: Section, role: str | None, cell: NotebookNode) -> None:
     if role == "statement":
         title, _, text = cell.source.partition("\n")
         section.title = title.removeprefix("## ")
-        # the catalogue's text and figure, rebuilt by the grader: not the student's
+        # the catalogue's text and figure, rebuilt by the grader
         section.statement = _LINK_BESIDE.sub(r"\1", html_with_mathml(text))
     elif role == "givens":
         section.numbers = cell.source
@@ -102,14 +102,14 @@ def _add_cell(section: Section, role: str | None, cell: NotebookNode) -> None:
         section.answer = cell.source
         _add_grade(section, cell)
     elif role == "receipt":
-        # from our own annotation, in which everything is escaped
+        # from our annotation, with everything escaped
         section.outputs += [
             o.data["text/html"] for o in cell.outputs if "text/html" in o.get("data", {})
         ]
 
 
 def _of_question(cell: NotebookNode) -> Section:
-    """The section of a question: the student's text, never the text of a test."""
+    """The section of a question, with the student's text but never that of a test."""
     name = cell.metadata.nbgrader.grade_id
     section = Section(f"question-{name}", name, re.sub("[-_]", " ", name))
     if utils.is_solution(cell) or utils.is_task(cell):

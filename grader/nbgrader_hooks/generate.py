@@ -1,5 +1,5 @@
-"""Generates an assignment again after work was handed in: nbgrader itself refuses when cells were
-added or removed, and leaves no release behind.
+"""Generating an assignment again after work was handed in: nbgrader itself refuses added or removed
+cells, and deletes the release.
 """
 
 import shutil
@@ -22,7 +22,7 @@ KINDS = ("grade", "solution", "task", "source")  # kinds of cells in the gradebo
 
 class SourceReader(Configured, NotebookExporter):
     """Reads the source notebooks for ``nbgrader generate_assignment``, which saves their cells by
-    :class:`SaveChangedCells`. The release that is there stays until the new one is complete.
+    :class:`SaveChangedCells`. An existing release stays until the new one is complete.
     """
 
     def __init__(self, **kwargs: Any) -> None:
@@ -49,10 +49,10 @@ class SourceReader(Configured, NotebookExporter):
 
 
 class SaveChangedCells(OfCourse, SaveCells):
-    """Writes the cells to the gradebook, also those added or removed since work was handed in.
+    """Writes the cells to the gradebook, including those added or removed since work was handed in.
 
-    A removed cell takes its points along. What a person gave for it is kept in COURSE/backup, and
-    is there again when the cell comes back.
+    The points of a removed cell are lost. Its manual grades are kept in COURSE/backup, and restored
+    when the cell comes back.
     """
 
     def _create_notebook(self, nb: NotebookNode) -> None:
@@ -63,7 +63,7 @@ class SaveChangedCells(OfCourse, SaveCells):
         super()._create_notebook(nb)
 
     def _change(self, notebook):
-        """Remove the cells that are gone, and add those that are new, for every submission."""
+        """Delete removed cells and add new ones, for every submission."""
         path = self.course.path / "backup" / f"{self.assignment_id}.by_hand.json"
         kept = load_json(path.read_bytes()) if path.exists() else {}
         by_hand, db, back = kept.setdefault(self.notebook_id, {}), self.gradebook.db, set()
@@ -91,12 +91,12 @@ class SaveChangedCells(OfCourse, SaveCells):
 
 
 def _rows(cell):
-    """What the submissions hold for a cell."""
+    """The rows of all submissions for a cell."""
     return *(getattr(cell, "grades", None) or ()), *(getattr(cell, "comments", None) or ())
 
 
 def _add_rows(cell, submission, by_hand):
-    """The rows of a new cell for one submission, which is not graded yet."""
+    """Add the rows of a new cell to an ungraded submission."""
     given, rows = by_hand.get(submission.student.id, {}), []
     if isinstance(cell, (api.GradeCell, api.TaskCell)):
         submission.grades.append(api.Grade(cell=cell))

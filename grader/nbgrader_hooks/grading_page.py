@@ -1,5 +1,5 @@
-"""The page of nbgrader's formgrader on which a person grades: without the student's name, and
-without code of a student that would run in the grader's browser.
+"""The page of nbgrader's formgrader for manual grading: without the student's name, and without
+students' code running in the grader's browser.
 """
 
 import html
@@ -23,9 +23,9 @@ from .shared import Processed
 Attachments = dict[str, dict[str, str]]  # attachments of a cell: {name: {MIME type: data}}
 BY_STUDENTS = ("own", "hand", "plain")  # kinds of cells whose text is the student's
 MOST_PICTURES = 2**26  # characters of all pictures in one text
-# the time of the Markdown library can grow quadratically: 1 MB would take hours
-LONGEST = 20_000  # characters that are read as Markdown; an essay of 3000 words
-# matches commands of MathJax that make links or set attributes of elements
+# Markdown can take quadratic time: hours for 1 MB
+LONGEST = 20_000  # characters to read as Markdown, about 3000 words
+# MathJax commands that make links or set attributes
 COMMANDS = re.compile(
     r"(?:\\|&#92;|&#x5c;|&bsol;)(?=(?:href|require|class|cssId|style|data)\b)", re.IGNORECASE
 )
@@ -46,7 +46,7 @@ class WithoutName(Preprocessor):
 
 @pass_context
 def markdown2html(context: Context, source: str) -> str:
-    """In place of nbconvert's filter, which lets scripts through: a student's text has none."""
+    """A replacement of nbconvert's filter, which lets scripts in students' texts through."""
     cell = context.get("cell", {})
     attachments = cell.get("attachments", {})
     if kind(cell) in BY_STUDENTS:
@@ -55,8 +55,8 @@ def markdown2html(context: Context, source: str) -> str:
 
 
 def html_with_mathml(text: str, attachments: Attachments | None = None) -> str:
-    """Markdown of the course as HTML with formulas in MathML: the formgrader has no MathJax without
-    a network, and the feedback page runs no scripts.
+    """Markdown of the course as HTML with formulas in MathML: the formgrader needs a network for
+    MathJax, and the feedback page runs no scripts.
     """
     renderer = _Renderer(escape=False, attachments=attachments or {})
     return MarkdownWithMath(renderer=renderer).render(text)
@@ -72,7 +72,7 @@ class _Renderer(IPythonRenderer):
 
 def student_html(text: str, attachments: Attachments | None = None) -> str:
     """Markdown of a student as HTML: HTML in it is shown as text, links run no scripts, and only
-    pictures that are attached are shown. A long text is shown verbatim.
+    attached pictures are shown. Long texts are shown verbatim.
     """
     if len(text) > LONGEST:
         page = f"<pre>{html.escape(text)}</pre>"
@@ -83,7 +83,7 @@ def student_html(text: str, attachments: Attachments | None = None) -> str:
 
 class _StudentRenderer(IPythonRenderer):
     def __init__(self, attachments):
-        # no anchors: their ids could clash with those of the page's fields
+        # no anchors, whose ids could clash with those of the page's fields
         super().__init__(
             escape=True, allow_harmful_protocols=False, attachments=attachments,
             exclude_anchor_links=True,
@@ -94,7 +94,7 @@ class _StudentRenderer(IPythonRenderer):
         kinds = self.attachments.get(url.removeprefix("attachment:"), {})
         found = next(((k, kinds[k]) for k in PICTURES if k in kinds), None)
         alt = self.escape_html(text)
-        # one picture may be referenced many times: a small file would become a huge page
+        # limited, since a picture may be referenced many times
         if found is None or not url.startswith("attachment:") or len(found[1]) > self._left:
             return f"<em>[{alt}]</em>"
         self._left -= len(found[1])

@@ -1,9 +1,9 @@
-"""Exporters without which nbgrader neither grades nor writes feedback. They refuse to work unless
-the configuration of the course is complete, and have nbgrader read regular files only.
+"""Exporters required by nbgrader for grading and feedback. They refuse to work unless the
+configuration of the course is complete, and make nbgrader read regular files only.
 
-The course's nbgrader_config.json names them. nbgrader reads it even where the instructor's
-nbgrader_config.py fails: it only logs that error and continues with its own steps, which would run
-students' code as the instructor. With these names it stops.
+The course's nbgrader_config.json names them. nbgrader reads that even if the instructor's
+nbgrader_config.py fails, an error that it only logs before running students' code as the
+instructor. With these names it stops.
 """
 
 import logging
@@ -36,7 +36,7 @@ class Configured(OfCourse):
                 "settings; nothing was run"
             )
         try:
-            from . import preprocessors  # noqa: F401  # before a first submission is touched
+            from . import preprocessors  # noqa: F401  # before any submission is touched
         except Exception as error:
             self._refuse(
                 f"the grader cannot be imported ({error}): install the checkout again with pip "
@@ -64,8 +64,8 @@ class Configured(OfCourse):
 
 class SubmissionReader(Configured, NotebookExporter):
     """Passes ``nbgrader autograde`` an empty notebook in place of each submission: our steps read
-    that themselves, as ``python -m grader grade`` does, and produce the file that nbgrader writes.
-    nbformat would follow a link, wait for a pipe, and take 7 GB for 60 MB of brackets.
+    the submission themselves, like ``python -m grader grade``, and produce the file that nbgrader
+    writes. nbformat would follow links, wait for pipes, and take 7 GB for 60 MB of brackets.
     """
 
     def from_filename(
@@ -80,8 +80,8 @@ class SubmissionReader(Configured, NotebookExporter):
 
 
 class FeedbackPage(Configured, HTMLExporter):
-    """Writes feedback pages. Only files that nbgrader needs itself are copied with them: a page is
-    complete, and a file of the student could take its place.
+    """Writes feedback pages. Only nbgrader's own files are copied with them: a page is complete,
+    and a file of the student could replace it.
     """
 
     def __init__(self, **kwargs: Any) -> None:
@@ -95,15 +95,15 @@ class FeedbackPage(Configured, HTMLExporter):
 
 
 def _how_far(converter):
-    """A sentence: nbgrader has removed the one in whose midst it was stopped."""
+    """The progress, as a sentence; nbgrader has removed the unfinished submission."""
     asked = sorted(converter.assignments)
     done = [sorted(converter.assignments[name]) for name in asked].index(converter.notebooks)
     return f"{done} of {len(asked)} are done and kept; the same command does the rest"
 
 
 def _one_line_each(record: logging.LogRecord) -> bool:
-    """A filter of nbgrader's log that removes control characters: students name files, nbgrader
-    prints the names, and they could erase lines of the terminal and add others.
+    """A filter of nbgrader's log that removes control characters: names of students' files could
+    erase or forge lines in the terminal.
     """
     if isinstance(record.args, tuple):
         record.args = tuple(_printable(x, "") if isinstance(x, str) else x for x in record.args)

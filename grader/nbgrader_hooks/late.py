@@ -1,4 +1,4 @@
-"""The late policy that ``python -m grader late`` sets: a share of the points for each day begun."""
+"""The late policy of ``python -m grader late``: a share of the points per day begun."""
 
 from math import ceil
 
@@ -9,7 +9,7 @@ DAY = 86_400  # seconds
 
 
 class LatePolicy(LateSubmissionPlugin):
-    """Takes ``share_per_day`` of the points for each day begun, at most all of them."""
+    """Subtracts ``share_per_day`` of the points per day begun, at most all of them."""
 
     share_per_day = Float(0.0, min=0.0, max=1.0).tag(config=True)
 

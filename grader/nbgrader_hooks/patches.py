@@ -1,4 +1,4 @@
-"""Replaces functions of nbgrader for which it has no setting: its own follow links (to the secret),
+"""Replacements of functions of nbgrader without a setting: its own follow links (to the secret),
 wait for pipes, and fail for the whole class at one student's timestamp.txt.
 """
 
@@ -12,7 +12,7 @@ from nbgrader.coursedir import CourseDirectory
 from ..submission.files import BESIDE
 from ..submission.timestamps import read_timestamp
 
-MAX_FILE = 10 * 2**20  # bytes of a file that is submitted with a notebook
+MAX_FILE = 10 * 2**20  # bytes of a file submitted with a notebook
 MAX_FILES = 200  # most files of a submission
 
 _find_all_files = base.find_all_files

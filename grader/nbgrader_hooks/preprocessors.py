@@ -1,5 +1,5 @@
-"""Preprocessors that replace nbgrader's own: grade a submission as ``python -m grader grade`` does,
-write the gradebook, prepare the feedback page.
+"""Preprocessors in place of nbgrader's own: they grade a submission like ``python -m grader
+grade``, write the gradebook, and prepare the feedback page.
 """
 
 import atexit
@@ -27,7 +27,7 @@ _harvester = None
 
 
 def shared_harvester() -> Harvester:
-    """The harvester of this process: nbgrader makes new preprocessors for every notebook."""
+    """The harvester of this process, as nbgrader makes new preprocessors for every notebook."""
     global _harvester
     if _harvester is None:
         _harvester = Harvester(1).__enter__()
@@ -47,7 +47,7 @@ def _with_written(resources, course):
 
 
 class RebuildFromSource(OfCourse, NbGraderPreprocessor):
-    """The only one of ``Autograde.sanitize_preprocessors``: grades the trusted notebook with the
+    """The only sanitize preprocessor of ``Autograde``: grades the trusted notebook with the
     student's work in it, not the submitted one.
     """
 
@@ -69,7 +69,7 @@ class RebuildFromSource(OfCourse, NbGraderPreprocessor):
 
 
 class HarvestExecute(OfCourse, NbGraderPreprocessor):
-    """Replaces ``Execute`` and what follows it: writes the gradebook, penalties included."""
+    """Replaces ``Execute`` and the steps after it: writes the gradebook, including penalties."""
 
     def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
         names, outcome = resources["nbgrader"], _graded.pop(_key(resources))
@@ -85,8 +85,8 @@ class HarvestExecute(OfCourse, NbGraderPreprocessor):
 
 
 class GradesAndFigures(OfCourse, GetGrades):
-    """For the feedback page: adds points and comments, also those of a human grader, puts each
-    figure into its text, and takes the instructor's hidden tests out.
+    """For the feedback page: adds points and comments, including manual ones, puts each figure into
+    its text, and removes the instructor's hidden tests.
     """
 
     def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
@@ -113,7 +113,7 @@ class GradesAndFigures(OfCourse, GetGrades):
         seen = self._seen.get(nbgrader_metadata(cell).get("grade_id"))
         if seen is not None:
             cell.source = seen
-        cell.pop("attachments", None)  # a student's are not shown, and could fill memory
+        cell.pop("attachments", None)  # not shown, and could fill memory
         number = own_metadata(cell).get("problem")
         if kind(cell) == "statement" and number in self._tasks:
             svg = figure_for_page(self._tasks[number].exercise, self._numbers[number]) or b""

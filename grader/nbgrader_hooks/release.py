@@ -1,5 +1,5 @@
-"""Replaces nbgrader's releases: that of an assignment makes the personal copies, that of feedback
-publishes our own pages only.
+"""Replacements of nbgrader's releases: that of an assignment makes the personal copies, that of
+feedback publishes only our own pages.
 """
 
 import contextlib
@@ -17,11 +17,11 @@ from ..course.files import NotTaken, read_regular
 from .shared import ending_at_ctrl_c
 
 MAX_PAGE = 256 * 2**20
-UNRELEASED = "nothing is released; the same command begins anew"
+UNRELEASED = "nothing is released; running the command again starts over"
 
 
 def _submission_secret(*folders: Path) -> str | None:
-    """The secret that names a student's page in the exchange; their nbgrader made it at submit."""
+    """The secret that names a student's page in the exchange, made when they submitted."""
     for folder in folders:
         with contextlib.suppress(NotTaken, UnicodeDecodeError):
             return read_regular(folder / "submission_secret.txt", 1000).decode()
@@ -29,7 +29,7 @@ def _submission_secret(*folders: Path) -> str | None:
 
 
 def _refused(exchange, rule, *place):
-    """End a step of the exchange, in words, where a rule of exams refuses it."""
+    """Stop a step of the exchange, in words, if a rule of exams refuses it."""
     try:
         rule(*place)
     except CourseError as error:
@@ -37,7 +37,7 @@ def _refused(exchange, rule, *place):
 
 
 class ReleaseWithPersonal(ExchangeReleaseAssignment):
-    """Makes each student's own copy, then releases the assignment and puts them beside it."""
+    """Makes each student's own copy, and puts them beside the released assignment."""
 
     def copy_files(self) -> None:
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
@@ -51,7 +51,7 @@ class ReleaseWithPersonal(ExchangeReleaseAssignment):
                 assignment,
             )
             return
-        if self.force or not Path(self.dest_path).is_dir():  # else it is refused, at once
+        if self.force or not Path(self.dest_path).is_dir():  # else super() refuses at once
             with ending_at_ctrl_c(self.log, lambda: UNRELEASED):
                 self.log.info("Making %d personal copies", len(students))
                 paths = make_personal_copies(course, assignment, students)

@@ -1,4 +1,4 @@
-"""What several hooks share."""
+"""Shared by several hooks: a course, stopping at Ctrl-C."""
 
 import contextlib
 import logging
@@ -14,7 +14,7 @@ from ..course.processes import ctrl_c_not_ignored
 
 Processed = tuple[NotebookNode, dict[str, Any]]  # what a preprocessor returns
 
-# key in the resources of nbconvert: the path of the annotated notebook that grading has written
+# key in nbconvert's resources: the path of the annotated notebook
 WRITTEN = "newton_euler_written"
 
 
@@ -23,7 +23,7 @@ STOPPED = 130  # exit code after Ctrl-C, as of a shell
 
 @contextlib.contextmanager
 def ending_at_ctrl_c(log: logging.Logger, how_far: Callable[[], str]) -> Iterator[None]:
-    """Ctrl-C in the block ends the process with a sentence on how far it came, no traceback."""
+    """End the process at Ctrl-C in the block, with the progress as a sentence and no traceback."""
     try:
         with ctrl_c_not_ignored():
             yield

@@ -1,6 +1,4 @@
-"""Sheets to be printed, each with a student's own numbers and figures, and keys for who marks
-them.
-"""
+"""Sheets for printing, each with a student's own numbers and figures, and keys for marking."""
 
 from .markup import PaperError
 from .write import Written, write_papers

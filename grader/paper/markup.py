@@ -1,4 +1,4 @@
-"""Markdown with formulas of LaTeX as Typst."""
+"""Markdown with LaTeX formulas as Typst."""
 
 import json
 import re
@@ -9,14 +9,14 @@ from ..course import CourseError
 
 
 class PaperError(CourseError):
-    """PDFs that cannot be written; the message says what to do."""
+    """A PDF cannot be written; the message says what to do."""
 
 
-BLANK = r"\text{BLANK}"  # in a formula: a place to write into
+BLANK = r"\text{BLANK}"  # in a formula: a blank to fill in
 
 
 def typst(markdown: str) -> str:
-    """A text in Markdown as Typst; formulas of LaTeX stand between dollar signs.
+    """A text in Markdown as Typst, with LaTeX formulas between dollar signs.
 
     >>> typst(r"A **rod** of $\\frac{1}{2}$ m")
     '#"A ";#strong[#"rod";]#" of ";$1/2$#" m";\\n\\n'
@@ -25,7 +25,7 @@ def typst(markdown: str) -> str:
 
 
 def formula(latex: str) -> str:
-    """A formula of LaTeX in Typst, without the dollar signs."""
+    """A LaTeX formula in Typst, without dollar signs."""
     return _formula(re.sub(r"\s+", " ", latex).strip())
 
 
@@ -40,7 +40,7 @@ def _parser():
 def _formula(latex):
     from tex2typst import tex2typst
 
-    try:  # beside the sign of an integral its limits stand anyway
+    try:  # Typst puts limits beside the integral sign anyway
         made = tex2typst(latex.replace(r"\limits", "")).replace('"BLANK"', "blank")
     except ValueError as error:
         reason = str(error).partition("\n")[0].removeprefix("Conversion failed: ")
@@ -49,7 +49,7 @@ def _formula(latex):
 
 
 def string(text: str) -> str:
-    """A text as a string of Typst, whatever signs it has.
+    """A text as a string literal of Typst.
 
     >>> string('5 $ for "a_1"')
     '"5 $ for \\\\"a_1\\\\""'
@@ -66,7 +66,7 @@ def _all(tokens):
 
 
 def _other(token: dict[str, Any]) -> str:
-    """What has no sign of its own: its children, or its text."""
+    """A token without markup of its own: its children, or its text."""
     return _all(token["children"]) if "children" in token else _text(token.get("raw", ""))
 
 
@@ -93,8 +93,8 @@ def _link(token):
 
 
 def in_line(latex: str, most: str = "15cm") -> str:
-    """A formula of LaTeX in a line of text; of an equation of matrices each side is as high as it
-    is, and no wider than ``most``.
+    """A LaTeX formula in a line of text; in an equation of matrices each side has its full height,
+    and is at most ``most`` wide.
     """
     sides = re.split(r" (?== )", latex) if r"\begin" in latex else [latex]
     return " ".join(
@@ -120,6 +120,6 @@ _WRITERS = {
     "list": _list,
     "table": _table,
     "link": _link,
-    "image": _around("emph"),  # its words: only a problem's own figure is printed
+    "image": _around("emph"),  # its alternative text: only figures of problems are printed
     "thematic_break": lambda t: "#line(length: 100%)\n\n",
 }  # fmt: skip

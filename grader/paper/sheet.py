@@ -22,15 +22,15 @@ from ..scoring.numbers import numbers_of
 from .markup import BLANK, formula, in_line, string, typst
 
 LOOK = Path(__file__).with_name("paper.typ")
-ROOM = 4.0, 1.5  # cm to write into: for a problem, and for each answer of it
+ROOM = 4.0, 1.5  # cm of room for a problem, and for each of its answers
 OWN_ROOM, YOURS = 6.0, "*Your answer*"  # room and heading of an instructor's own question
 Files = dict[str, bytes]  # what Typst compiles: {name: content}
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A problem of a sheet, with its text where the instructor has changed it, and what the sheet
-    says of it; a text; or a ``question`` of the instructor's own with its ``key``.
+    """A problem of a sheet, with its text if the instructor has changed it, and its options; a
+    text; or an instructor's own ``question`` with its ``key``.
     """
 
     problem: str = ""
@@ -42,13 +42,13 @@ class Entry:
 
     @property
     def asked(self) -> Problem:
-        """The problem, as the sheet asks for it."""
+        """The problem with the options of the sheet."""
         return as_asked(problem(self.problem), self.options)
 
 
 @dataclass(frozen=True)
 class Student:
-    """Whose sheet it is: login, name, the code of the variant, the numbers of each problem."""
+    """The owner of a sheet: login, name, the code of the variant, the numbers of each problem."""
 
     login: str
     name: str
@@ -82,9 +82,7 @@ def _written(e, student, files):
 
 
 def key(title: str, entries: Iterable[Entry], student: Student) -> Files:
-    """The files of the key of one student's sheet: numbers, answers with tolerance, how they are
-    found.
-    """
+    """The files of the key of one student's sheet: numbers, answers with tolerance, derivations."""
     entries, out = list(entries), []
     for e in entries:
         if e.question:
@@ -109,7 +107,7 @@ def key(title: str, entries: Iterable[Entry], student: Student) -> Files:
 
 
 def overview(title: str, entries: Iterable[Entry], students: Iterable[Student]) -> Files:
-    """The files of a table of all students' right answers, a problem after the other."""
+    """The files of a table of all students' right answers, problem by problem."""
     students, out = list(students), [typst(f"# {title}: all answers")]
     for p in (e.asked for e in entries if e.problem):
         out.append(typst(f"## {p.id} {p.title}"))
@@ -150,7 +148,7 @@ def _tolerance(a, point):
 
 
 def _asked(p, a):
-    """The row of an answer: what it means, and where to write it."""
+    """The row of an answer: its meaning, and a blank."""
     return f"{_means(p, a)}, [{_to_fill_in(p, a)}]"
 
 
@@ -168,7 +166,7 @@ def _to_fill_in(p, a):
 
 
 def _name(p, a):
-    """The symbol of an answer, "" where it is a word."""
+    """The symbol of an answer, "" for a word."""
     return "" if is_word(a.key) and not a.latex else f"${formula(p.notation[a.key])}$"
 
 
@@ -199,7 +197,7 @@ def _look():
 
 
 def variant_code(digest: bytes, values: Mapping[str, Any]) -> str:
-    """A short code of these numbers, as "K7QF-2M3P"; ``digest`` is secret."""
+    """A short code for these numbers, as "K7QF-2M3P"; ``digest`` is secret."""
     import base64
     import hmac
 

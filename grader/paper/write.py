@@ -1,4 +1,4 @@
-"""Writes the PDFs of a class: a sheet for each student, keys, a table of all answers."""
+"""Writing the PDFs of a class: a sheet for each student, keys, a table of all answers."""
 
 import importlib.util
 import multiprocessing
@@ -25,7 +25,7 @@ NEEDED = "typst", "tex2typst"
 
 @dataclass(frozen=True)
 class Written:
-    """The files that were written."""
+    """The written files."""
 
     sheets: tuple[Path, ...]
     keys: tuple[Path, ...]
@@ -41,10 +41,10 @@ def write_papers(
     done: Callable[[], object] = lambda: None,
 ) -> Written:
     """Write ``folder``/sheets/LOGIN.pdf and ``folder``/keys/LOGIN.pdf for each of the students, and
-    keys/overview.pdf; with ``key_for`` the keys of these logins only. All are the instructor's
-    alone to read.
+    keys/overview.pdf; with ``key_for`` the keys of these logins only. All are private to the
+    instructor.
 
-    The numbers are those of the course, or drawn from a secret that is kept in ``folder``.
+    The numbers are those of the course, or drawn from a secret kept in ``folder``.
     done : called after each student
     """
     require_typst()
@@ -72,7 +72,7 @@ def write_papers(
 
 
 def require_typst() -> None:
-    """Raise :class:`PaperError` unless what writes PDFs is installed."""
+    """Raise :class:`PaperError` unless the packages that write PDFs are installed."""
     if missing := [name for name in NEEDED if importlib.util.find_spec(name) is None]:
         raise PaperError(
             f"PDFs are written by {' and '.join(missing)}, not installed here: pip install -e "
@@ -81,10 +81,10 @@ def require_typst() -> None:
 
 
 def pdf(files: Files) -> bytes:
-    """What Typst makes of these files."""
+    """The PDF of these files, by Typst."""
     import typst
 
-    inputs: Any = files  # its annotations do not know that it takes files by name
+    inputs: Any = files  # files by name are missing in its annotations
     try:
         return typst.compile(inputs, format="pdf", timestamp=0)
     except typst.TypstError as error:
@@ -93,7 +93,7 @@ def pdf(files: Files) -> bytes:
 
 
 def _all(function, jobs, workers):
-    """The function of each job; by processes that are not forked, since Typst has threads."""
+    """``function`` of each job, in processes that are spawned, since Typst has threads."""
     if workers == 1:
         yield from map(function, jobs)
         return
@@ -129,7 +129,7 @@ def _student(spec, known, course, secret):
 
 
 def _own_secret(folder):
-    """The secret of sheets that belong to no course."""
+    """The secret of sheets without a course."""
     path = folder / ".paper_secret"
     if not path.exists():
         folder.mkdir(parents=True, exist_ok=True)

@@ -1,5 +1,5 @@
-"""The practice file of a chapter: problems with several sets of numbers, their keys, steps, wrong
-models and worked solutions, for a student who has the engine alone.
+"""The practice file of a chapter: problems with several sets of numbers, keys, steps, wrong models
+and worked solutions, for students, who have only the engine.
 """
 
 from .build import HELP, LeftOut, PracticeError, write_practice

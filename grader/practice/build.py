@@ -1,4 +1,4 @@
-"""Writes a practice file: a zip archive of one JSON text for each problem, and its figures."""
+"""Writing a practice file: a zip archive with a JSON text for each problem, and its figures."""
 
 import hashlib
 import io
@@ -36,28 +36,28 @@ from .relations import relations
 from .slips import slip_numbers
 from .twins import sets_of_numbers, twin
 
-COLOURS = 64  # colours of a figure: a quarter of the bytes, no visible difference
+COLOURS = 64  # colours of a figure: a quarter of the bytes without a visible difference
 
 
 def png(p: Problem, values: Values) -> tuple[str, bytes] | None:
-    """(".png", the figure of a problem) in few bytes, None where it has none."""
+    """(".png", the figure of a problem, in few bytes), or None."""
     found = figure_png(p, values)
     return (".png", _smaller(found)) if found else None
 
 
 def svg(p: Problem, values: Values) -> tuple[str, bytes] | None:
-    """The same as (".svg", …)."""
+    """(".svg", the figure of a problem), or None."""
     found = figure_for_page(p, values)
     return (".svg", found) if found else None
 
 
 class PracticeError(CourseError):
-    """A practice file that cannot be written as asked."""
+    """A practice file cannot be written as asked."""
 
 
 @dataclass(frozen=True)
 class LeftOut:
-    """A problem that is not in the file, and why."""
+    """A problem left out of the file, and why."""
 
     problem: str
     why: str
@@ -76,14 +76,14 @@ def write_practice(
 ) -> list[LeftOut]:
     """Write the practice file of ``problems``; returns the :class:`LeftOut` ones.
 
-    count : how many sets of numbers each has, the book's among them
-    help : the most that a student is shown: one of ``HELP``
-    graded : {problem id: [numbers of a student's sheet]} of what a course grades: no answer that is
-        practised is near one of these sheets', and problems are left out whose answers are
-        formulas, or the same for everybody
+    count : sets of numbers for each, including the book's
+    help : the most that a student is shown, one of ``HELP``
+    graded : {problem id: [numbers of a student's sheet]} of a course: answers in practice stay away
+    from those of these sheets, and problems are left out if their answers are formulas or the same
+    for everybody
     done : called after each problem
-    rules : {problem id: {"tolerance", "help"}} of the sheets that ask for it: less help than there
-        is on them is what counts
+    rules : {problem id: {"tolerance", "help"}} of the sheets that ask for it; the lesser help
+    counts
     draw : the figure of a problem with these numbers, :func:`png` or :func:`svg`
     """
     if help not in HELP:
@@ -136,9 +136,9 @@ def page_of(
     rules: Mapping[str, Any] | None = None,
     draw: Callable[[Problem, Values], tuple[str, bytes] | None] = png,
 ) -> Any:
-    """(page, figures) of the problem of this number, or why it is :class:`LeftOut`.
+    """(page, figures) of a problem, or :class:`LeftOut`.
 
-    graded : the numbers that students have of it, None where it is in no course
+    graded : students' numbers for it, None if no course has it
     rules : the "tolerance" and the "help" of the sheets that ask for it
     """
     rules = rules or {}
@@ -160,7 +160,7 @@ def page_of(
         if drawn := draw(p, values):
             suffix, figure = drawn
             file = f"{slug(name)}-{hashlib.sha256(figure).hexdigest()[:12]}{suffix}"
-            figures[file] = figure  # a figure without numbers is there once
+            figures[file] = figure  # a figure without numbers is stored once
             variants[-1]["figure"] = file
     labels = _numbered(variants, "wrong")
     slips = _numbered(variants, "slips")
@@ -179,7 +179,7 @@ def page_of(
 
 
 def _numbered(variants, name):
-    """The labels of what all variants have under this name, where each becomes [n, numbers]."""
+    """The labels of all variants' entries under this name, which become [n, numbers]."""
     labels = list(dict.fromkeys(tuple(label) for v in variants for *label, _ in v[name]))
     place = {label: n for n, label in enumerate(labels)}
     for v in variants:
@@ -188,8 +188,8 @@ def _numbered(variants, name):
 
 
 def _described(p, computed, help):
-    """The quantities of the first set of numbers: all sets have the same, except that a term that
-    is zero in one of them is no step.
+    """The quantities of all sets of numbers: the same in each, except that a zero term is not a
+    step.
     """
     found = {}
     for described, _ in computed:
@@ -205,7 +205,7 @@ def _described(p, computed, help):
 
 
 def _zero(key, kind, computed):
-    """How small a step counts as zero: a millionth of the largest that it is, 1e-6 if all are."""
+    """The size below which a step is zero: a millionth of its largest, or 1e-6 if all are zero."""
     if KINDS[kind].is_word:
         return 0.0
     sizes = [math.hypot(*right[key]) for _, right in computed if key in right]
@@ -216,7 +216,7 @@ def _variant(p, values, described, right, help):
     shown = {q["key"] for q in described if not q["step"] or help != "check"}
     wrong = wrong_numbers(p, values, described, right)
     slips = slip_numbers(p, values, described, right)
-    # formulas would serve for the numbers of an assignment, too
+    # formulas would also solve an assignment with other numbers
     solution = worked_solution(p, values, False, formulas=False) if help == "solution" else ""
     return {
         "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
@@ -236,7 +236,7 @@ def _variant(p, values, described, right, help):
 
 
 def _terms(p, values):
-    """{answer: [the terms of its sum, in words]}."""
+    """{answer: [terms of its sum, in words]}."""
     return {
         key: [stored(_typeset_term(name, x.equation, p)) for name in x.terms]
         for key, x in p.solve(values).items()
@@ -249,7 +249,7 @@ def _typeset_term(name, equation, p):
 
 
 def _plain(p, values):
-    """The text of a problem for a terminal: names as they are typed."""
+    """The text of a problem for a terminal, with names as typed."""
 
     def quantity(n):
         unit = p.givens[n].unit if n in p.givens else "1"

@@ -1,4 +1,4 @@
-"""The numbers that a course grades, and the answers for them, which practice avoids."""
+"""The graded numbers of a course and their answers, which practice avoids."""
 
 import json
 from collections.abc import Callable, Iterable, Sequence
@@ -16,16 +16,16 @@ from ..assignment.options import HELP
 from ..assignment.sheet import Task, tasks
 from ..course import Course, read_json
 
-FAR = 2  # tolerances: practised answers are as far from graded ones at least
+FAR = 2  # tolerances: the least distance of practice answers from graded ones
 
 
 def graded_numbers(
     path: str | Path, done: Callable[[int, int], object] = lambda n, of: None
 ) -> dict[str, list[Values]]:
-    """{problem id: [{name: number} of each student's sheet]} of all assignments of the course in a
-    folder: what is kept, and what is drawn for those on the roster who fetched nothing yet.
+    """{problem id: [{name: number} of each student's sheet]} for all assignments of the course in a
+    folder: stored numbers, and those derived for students who have not fetched yet.
 
-    done : called with the number of sheets read, and of all
+    done : called with the number of sheets read and the total
     """
     course = Course(path)
     asked = {
@@ -56,7 +56,7 @@ def rules_of(path: str | Path) -> dict[str, dict[str, Any]]:
 
 
 def strictest(asked: Iterable[Task]) -> dict[str, dict[str, Any]]:
-    """The same of some tasks."""
+    """:func:`rules_of` for some tasks."""
     found: dict[str, dict[str, Any]] = {}
     for task in asked:
         own = found.setdefault(task.problem, {})
@@ -67,7 +67,7 @@ def strictest(asked: Iterable[Task]) -> dict[str, dict[str, Any]]:
 
 
 def _known(name):
-    """A problem, None where the catalogue has it no longer."""
+    """A problem, or None if the catalogue no longer has it."""
     try:
         return problem(name)
     except CatalogueError:
@@ -76,7 +76,7 @@ def _known(name):
 
 class GradedAnswers:
     """The right answers for the numbers of a problem's graded sheets. Called with other numbers, it
-    says whether these are near: they have one of the answers of a sheet, or nearly so.
+    returns whether one of their answers is near one of a sheet's.
     """
 
     def __init__(self, p, sheets):
@@ -98,7 +98,7 @@ class GradedAnswers:
         )
 
     def _answers(self, values):
-        """{answer: the points that mean it}, of those with numbers."""
+        """{answer: its equivalent points}, for numeric answers."""
         p = self._problem
         right = evaluate(p, {n: values[n] for n in p.units})[0]
         return {
@@ -108,7 +108,7 @@ class GradedAnswers:
 
 
 def same_for_all(p: Problem, sets: Sequence[Values]) -> list[str]:
-    """The answers that are the same for all these numbers, up to round-off."""
+    """The answers that are equal for all these numbers, up to round-off."""
     first, *others = (evaluate(p, values)[0] for values in sets)
 
     def is_same(a):

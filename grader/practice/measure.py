@@ -1,5 +1,5 @@
-"""How well practice explains what students do: listed mistakes, common slips in every step, and
-random numbers.
+"""Measuring how well practice explains wrong answers: listed mistakes, common slips in every step,
+and random numbers.
 """
 
 import json
@@ -30,17 +30,17 @@ from .build import LeftOut, page_of
 from .quantities import NOISE
 
 LISTED, SLIPS, RANDOM = "listed mistakes", "slips in steps", "random numbers"
-DIGITS = 6  # that a student writes
+DIGITS = 6  # of a student's answer
 RANDOMS = 5  # answers for each quantity
 
 
 def practice_shares(
     problems: Iterable[Problem], variants: int, progress: Callable[[], object] = lambda: None
 ) -> tuple[dict[str, Counter], float]:
-    """{what was given: Counter of named, misnamed, unnamed, passed}, over this many sets of numbers
-    of each problem, and the middle of the times that a check took, in seconds.
+    """{kind of answer: Counter of named, misnamed, unnamed, passed} over ``variants`` sets of
+    numbers of each problem, and the median time of a check in seconds.
 
-    A slip is named if it is recognised, or taken for another that gives the same numbers.
+    A slip also counts as named if it is taken for another one with the same numbers.
     """
     found: dict[str, Counter] = {LISTED: Counter(), SLIPS: Counter(), RANDOM: Counter()}
     times: list[float] = []
@@ -63,7 +63,7 @@ def _measured(name, variants):
 
 
 class _Memory:
-    """In place of a practice file: one page."""
+    """A stand-in for a practice file, of one page."""
 
     help = "solution"
 
@@ -102,11 +102,11 @@ def _measure(page, number, found, times):
 
 
 def _outcome(p, q, x, right, cause, models, times):
-    """named, misnamed, unnamed or passed, of one wrong value."""
+    """The outcome for a wrong value: named, misnamed, unnamed or passed."""
     checked = _checked(p, q, x, times)
     if checked.verdicts[q["key"]] == "right":
         return "passed"
-    # an observation is no name of a mistake
+    # an observation does not name a mistake
     named = {c for c in checked.explained[q["key"]] if c != ROUNDED and not c.is_observation}
     if not named:
         return "unnamed"
@@ -138,8 +138,8 @@ def _equal(x, other):
 
 
 def slips(kind: str, right: Sequence[float]) -> list[tuple[Any, list[float]]]:
-    """[(cause, numbers)] of slips that are made anywhere: signs, components exchanged or left out.
-    Those that do not differ from the key are left out.
+    """[(cause, numbers)] of general slips that change the answer: signs, components exchanged or
+    left out.
     """
     found = [(OPPOSITE, [-x for x in right])]
     size = math.hypot(*right)
@@ -158,7 +158,7 @@ def slips(kind: str, right: Sequence[float]) -> list[tuple[Any, list[float]]]:
 
 
 def _random(right, rng):
-    """Numbers of the size of the right ones, up to three times more or less."""
+    """Random numbers within a factor of three of the size of the right ones."""
     size = math.hypot(*right) or 1.0
     x = [rng.gauss(0, 1) for _ in right]
     scale = size * 3 ** rng.uniform(-1, 1) / math.hypot(*x)

@@ -1,4 +1,4 @@
-"""Our texts for a terminal: names as they are typed, formulas of LaTeX as they are spoken."""
+"""Texts for a terminal: names as typed, LaTeX formulas as plain text."""
 
 import re
 from collections.abc import Callable, Collection
@@ -12,8 +12,8 @@ _FUNCTIONS = r"\b(sin|cos|tan|cot|sqrt|ln|exp|log)"
 
 
 def plain(text: str, names: Collection[str], quantity: Callable[[str], str] | None = None) -> str:
-    """``text`` for a terminal: each ``{name}`` of ``names`` by the name, and outside of formulas by
-    what ``quantity`` makes of it at its first place.
+    """``text`` for a terminal: each ``{name}`` in ``names`` becomes the name, or at its first place
+    outside formulas ``quantity(name)``.
 
     >>> plain(r"A drum turns with $\\dot\\theta = {omega}$, where {omega}.", {"omega"}, "{} = 2 1/s".format)
     'A drum turns with theta_dot = omega, where omega = 2 1/s.'
@@ -40,14 +40,14 @@ _NAMED = re.compile(r"\{(\w+)\}")
 
 
 def formula(latex: str, names: Collection[str] = ()) -> str:
-    """A formula of LaTeX as it is typed.
+    """A LaTeX formula as typed.
 
     >>> formula(r"\\mathbf A = {c} t^2\\,\\mathbf i - \\cos 2\\theta\\,\\mathbf j", {"c"})
     'A = c t^2 i - cos 2 theta j'
     >>> formula(r"\\mathbf R\\times\\ddot{\\mathbf R} + e^{-{k} x}", {"k"})
     'R x R_ddot + e^(-k x)'
     """
-    # a name of the problem is no group of LaTeX: e^{-{k} x}
+    # braces around a name of the problem are not a group: e^{-{k} x}
     text = _NAMED.sub(lambda m: f" {m[1]}" if m[1] in names else m[0], latex)
     text = re.sub(r"\\math(?:bf|rm)\b\s*", " ", text)
     text = re.sub(r"\\frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)", text)

@@ -1,5 +1,5 @@
-"""What everyone may practise: a practice file for each chapter, of numbers that are no course's.
-They come with the wheel and with the site, and are made there: none is kept in the repository.
+"""The public practice files, one per chapter, with numbers that belong to no course. They are part
+of the wheel and of the site, made there and not kept in the repository.
 """
 
 from collections.abc import Callable, Collection
@@ -12,7 +12,7 @@ from newton_euler.algebra.language import language, speaking
 from .build import LeftOut, svg, write_practice
 from .graded import graded_numbers, rules_of
 
-COUNT = 4  # sets of numbers for each problem, the book's among them
+COUNT = 4  # sets of numbers for each problem, including the book's
 SETS = Path(newton_euler.__file__).parent / "classroom" / "practising" / "sets"
 
 
@@ -23,14 +23,13 @@ def write_public(
     done: Callable[[], object] = lambda: None,
 ) -> list[LeftOut]:
     """Write ``ch04.practice`` … into a folder, by default where ``try_problem`` finds them; returns
-    the problems that are left out.
+    the problems left out.
 
     names : of chapters, by default all
-    course : the folder of a course: nothing that is near its graded numbers is in the files, as for
-        :func:`write_practice`
+    course : the folder of a course, whose graded numbers are avoided as in :func:`write_practice`
     done : called after each problem
     """
-    with speaking(language()):  # not the course's, which is opened
+    with speaking(language()):  # not in the language of the course, which Course sets
         graded, rules = (graded_numbers(course), rules_of(course)) if course else (None, None)
     left = []
     for name in names or chapters():

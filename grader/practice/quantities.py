@@ -1,5 +1,5 @@
-"""What can be checked in practice: the steps of a problem and then its answers, with their right
-numbers and the wrong models of each.
+"""The quantities that practice checks: the steps of a problem, then its answers, with right numbers
+and wrong models.
 """
 
 import contextlib
@@ -23,8 +23,8 @@ from ..assignment.notebook import typeset
 from ..scoring.wrong_models import general_models
 from .plain import plain
 
-KEPT = 10  # digits of the numbers of wrong models
-NOISE = 1e-12  # below it, in the unit of the text, model and key are both zero
+KEPT = 10  # digits of numbers of wrong models
+NOISE = 1e-12  # in the unit of the text: below this, model and key are both zero
 
 
 def quantities(p: Problem, values: Values) -> tuple[list[dict[str, Any]], dict[str, Any]]:
@@ -61,8 +61,8 @@ def _numbers(x, kind):
 def wrong_numbers(
     p: Problem, values: Values, described: list[dict[str, Any]], right: dict[str, Any]
 ) -> list[tuple]:
-    """[(key, cause, numbers)] of the wrong models of all quantities that differ from the
-    right ones.
+    """[(key, cause, numbers)] of the wrong models of all quantities, where they differ from the
+    key.
     """
     g = p.base(values)
     found = []
@@ -80,9 +80,7 @@ def wrong_numbers(
 
 
 def _listed(p, values):
-    """{mistake: {answer: its numbers or word}}; a mistake may have no real answer with these
-    numbers: arrays have nan where floats raise.
-    """
+    """{mistake: {answer: its numbers or word}}, nan where a mistake has no real answer."""
     try:
         wrong = p.wrong(values)
     except (ArithmeticError, ValueError):
@@ -117,14 +115,14 @@ def _steps_of(p):
 
 
 def _differs(kind, x, right):
-    """True if a model has numbers, and others than the key."""
+    """True if a model has real numbers that differ from the key."""
     if kind.is_word:
         return isinstance(x, (str, int)) and x != right
     key, numbers = (tuple(right),), (tuple(float(part) for part in x),)
-    size = math.hypot(*numbers[0], *right)  # where both are zero, the mistake cannot be seen
+    size = math.hypot(*numbers[0], *right)  # a mistake is invisible if both are zero
     return size > NOISE and math.isfinite(size) and is_apart(kind.like(numbers, key), key)
 
 
 def _short(x):
-    """Fewer digits; a word or count as it is."""
+    """Numbers rounded; a word or count unchanged."""
     return x if isinstance(x, (str, int)) else [float(f"{float(part):.{KEPT}g}") for part in x]

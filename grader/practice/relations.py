@@ -1,6 +1,6 @@
-"""How later quantities of a problem follow from earlier ones: its computation traced once, with the
-numbers of one variant for all that depends on the givens alone. What is left begins at the values
-of the quantities, for which a student's own can stand.
+"""How later quantities of a problem follow from earlier ones: the traced computation, with
+everything that depends only on the givens evaluated for one variant. The rest starts from the
+values of quantities, which may be a student's own.
 """
 
 import math
@@ -19,11 +19,11 @@ from ..assignment.names import value_of
 
 def relations(p: Problem, values: Values) -> dict[str, Any] | None:
     """{"operations": [[name, *arguments]], "quantities": {key: [component]}, "earlier": {key:
-    [keys]}} for :class:`~newton_euler.classroom.practising.programs.Program`; None where the
+    [keys]}} for :class:`~newton_euler.classroom.practising.programs.Program`; None if the
     computation cannot be traced.
 
-    An argument is a number, or [n] for the operation n. A component is [n, factor] for a multiple
-    of the operation n, or a number; None where it has no value.
+    An argument is a number, or [n] for operation n. A component is [n, factor] for a multiple of
+    operation n, or a number, or None if undefined.
     """
     try:
         components = _traced(p)
@@ -76,19 +76,19 @@ def _traced(p):
 
 
 def _inward(x, factor):
-    """A minus sign belongs to the factor: what it is the negative of is computed before."""
+    """A component without its minus sign, which goes into the factor."""
     return (x.args[0], -factor) if _is_step(x) and x.op == "neg" else (x, factor)
 
 
 def _evaluated(trace, g):
-    """The number of each traced operation for these values, None where it is no plain number."""
+    """The number of each traced operation for these values, or None."""
     memo: dict[int, float | None] = {}
     found = [value_of(s, g, memo) for s in trace.steps]
     return [None if x is None or not math.isfinite(x) else x for x in found]
 
 
 def _number(x, factor, numbers):
-    """A component that is the same whatever the quantities are."""
+    """A component that does not depend on the quantities."""
     value = numbers[x.number] if _is_step(x) else float(x)
     return None if value is None else factor * value
 
@@ -100,7 +100,7 @@ def _argument(a, numbers, place):
 
 
 def _reached(s, reached, starts):
-    """The operations of quantities from which one is computed."""
+    """The numbers of the quantities that an operation is computed from."""
     found = frozenset()
     for a in s.args:
         if _is_step(a):
@@ -109,7 +109,7 @@ def _reached(s, reached, starts):
 
 
 def _earlier(components, reached):
-    """{key: keys of the earlier quantities through which it is computed}."""
+    """{key: keys of the earlier quantities that it is computed from}."""
     owners, found = {}, {}
     for key, parts in components.items():
         own = [x.number for x, _ in parts if _is_step(x)]

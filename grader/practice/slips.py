@@ -1,4 +1,4 @@
-"""What simple slips in the computation make of answers and steps, for a practice file."""
+"""Answers and steps with simple slips in the computation, for a practice file."""
 
 import math
 from typing import Any
@@ -14,9 +14,9 @@ from ..scoring.computation import perturbed, perturbed_steps
 def slip_numbers(
     p: Problem, values: Values, described: list[dict[str, Any]], right: dict[str, Any]
 ) -> list[tuple]:
-    """[(key, rank, cause, numbers)] of the slips in the answers that are at most as rare as
-    :data:`RARER`, and of the simplest in the steps; of those with the same words and numbers, the
-    first. The formulas themselves are not in it: they would give the answers for other numbers.
+    """[(key, rank, cause, numbers)] of slips in answers up to rank :data:`RARER`, and of the
+    simplest in steps; the first of those with the same words and numbers. Formulas are not
+    included: they would give the answers for other numbers.
     """
     answers, steps = perturbed(p, values), perturbed_steps(p, values)
     found: dict[Any, tuple] = {}

@@ -1,5 +1,5 @@
-"""A problem with numbers in place of its symbols: what is practised is computed, and a formula that
-is asked for in an assignment is not given away.
+"""A problem with numbers in place of its symbols: practice is numeric, and does not give away
+formulas that an assignment asks for.
 """
 
 from collections.abc import Sequence
@@ -12,18 +12,18 @@ from exercises.catalogue.variants import draw, drawn_value, practice_seed
 from ..assignment.cells import Values
 from .graded import GradedAnswers
 
-TRIES = 50  # draws for each set that is far from all sheets of a class
+TRIES = 50  # draws per set that must be far from all sheets of a class
 
 
 @cache
 def twin(p: Problem) -> Problem:
-    """Problem ``p`` itself, or where it has symbols a problem that gives numbers for them."""
+    """Problem ``p``, with givens in place of any symbols."""
     if not p.symbols:
         return p
     numbers = {n: _given(s) for n, s in p.symbols.items()}
     answers = tuple(replace(a, kind=a.kind.numeric) for a in p.answers)
     numeric = replace(p, givens={**p.givens, **numbers}, symbols={}, answers=answers, checked={})
-    # the units in which its code sees the numbers must stay the same
+    # the system of units of its code must not change
     vars(numeric)["system"] = p.system
     return numeric
 
@@ -34,7 +34,7 @@ def _given(s):
 
 
 class _Middle:
-    """In place of a generator: the number in the middle of a range."""
+    """A stand-in for a random generator: the middle of a range."""
 
     def randint(self, first, last):
         return (first + last) // 2
@@ -43,8 +43,8 @@ class _Middle:
 def sets_of_numbers(
     p: Problem, count: int, graded: Sequence[Values] = (), seed: str = "practice", book: bool = True
 ) -> list[Values]:
-    """The numbers of the ``book``, or near the middle for symbols, and drawn ones, ``count`` in all
-    or as many as differ; none with an answer near one of the ``graded`` sheets.
+    """The numbers of the ``book`` (the middle of the range for symbols) and drawn ones, up to
+    ``count`` different sets, none with an answer near one of the ``graded`` sheets.
     """
     near = GradedAnswers(p, graded)
     found = [p.book_values] if book and not near(p.book_values) else []

@@ -58,8 +58,8 @@ def answers_text(p: Problem, results: Results) -> str:
 
 
 def solution_text(p: Problem, values: Values) -> str:
-    """How each step and answer of a problem is found, as text with rich's markup: its meaning with
-    section and equation of the book, the formula in symbols, in numbers, and the value.
+    """The steps and answers of a problem, as text with rich's markup: meaning, section and equation
+    of the book, formula in symbols and in numbers, and value.
     """
     out = []
     for line in solution_lines(p, {**p.sympy_symbols(), **values}, latex=False):

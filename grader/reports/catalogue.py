@@ -1,4 +1,4 @@
-"""The table of problems to choose from."""
+"""The table of problems."""
 
 from collections.abc import Mapping, Sequence
 
@@ -17,7 +17,9 @@ SHORT = {
 def problems_table(
     found: Sequence[Entry], earned: Mapping[str, tuple[float, int]] | None = None
 ) -> Table:
-    """A row for each problem; ``earned``: the share of points and number of sheets of a course."""
+    """A row for each problem; ``earned``: {problem: (share of points, number of sheets)} of a
+    course.
+    """
     table = Table(
         title=f"{len(found)} problem{'s' * (len(found) != 1)}",
         title_justify="left",

@@ -1,4 +1,4 @@
-"""How often the grader recognises the mistakes that the exercises list."""
+"""How often the grader recognises listed mistakes."""
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -20,10 +20,10 @@ def diagnosis_shares(
     problems: Iterable[Problem], draws: int, progress: Callable[[], object] = lambda: None
 ) -> dict[str, Counter[str]]:
     """{problem id: Counter of :data:`OUTCOMES`} over the book's numbers and ``draws`` - 1 drawn
-    sets: each listed mistake is made, written as a student would, and scored.
+    sets: each listed mistake is made, written down as by a student, and scored.
 
-    named: recognised, if need be among others that give the same answer; misnamed: taken for
-    another mistake; unnamed: wrong without an explanation; passed: taken for right.
+    named: recognised, perhaps with others that give the same answer; misnamed: taken for another
+    mistake; unnamed: not explained; passed: taken for right.
     """
     found: dict[str, Counter[str]] = {}
     for p in problems:
@@ -50,7 +50,7 @@ def _outcomes(p, values):
 
 
 def handed_in(p: Problem, answers: Mapping[str, Any]) -> dict[str, Any]:
-    """Answers, also wrong ones of the catalogue, as a student's receipt holds them."""
+    """Answers, right or wrong, in the form of a student's receipt."""
     forms = {a.key: a.form for a in p.answers if a.key in answers}
     read, faults = record(forms, {n: s.unit for n, s in p.symbols.items()}, answers)
     if faults:
@@ -71,7 +71,7 @@ def shares_table(
     of: str = "problem",
     outcomes: Sequence[str] = OUTCOMES,
 ) -> Table:
-    """The shares as a table for the terminal, with their sum."""
+    """The shares as a table for the terminal, with totals."""
     table = plain_table(title, of, ">made", *(f">{name} %" for name in outcomes))
     for name, counts in found.items():
         table.add_row(name, *_row(counts, outcomes))

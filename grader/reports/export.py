@@ -1,4 +1,4 @@
-"""Writes results as CSV: every part, or the files of Canvas, Moodle and Gradescope."""
+"""Results as CSV: every part, or the files of Canvas, Moodle and Gradescope."""
 
 import csv
 import re
@@ -7,8 +7,8 @@ from pathlib import Path
 from ..course import Course
 from .records import entries, lines, questions
 
-# a spreadsheet may run a text that begins so, or that goes on so behind what another language's
-# spreadsheet takes for the end of a cell, after quotes and characters that are not seen
+# a spreadsheet may run a text that begins with these, or has them after a character that ends a
+# cell in another locale, perhaps behind quotes and invisible characters
 _SIGNS = re.escape("=+-@−＝＋－＠﹦﹢﹣﹫⁼⁺⁻₌₊₋")
 _UNSEEN = r"(?:[^\w\s!#-/:-@\[-`{-~]|[\u115f\u1160\u3164\uffa0])"
 _RUNS = re.compile(
@@ -20,12 +20,12 @@ _RUNS = re.compile(
 def export(
     course: Course, assignment: str, form: str, path: str | Path, penalties: bool = True
 ) -> tuple[int, int]:
-    """Write results in one of :data:`FORMATS`; returns how many students wait for a person, and how
-    many have a penalty for lateness, which is subtracted unless ``penalties`` is False.
+    """Write results in one of :data:`FORMATS`; returns the numbers of students with cells to grade
+    by hand and with penalties for lateness, which are subtracted unless ``penalties`` is False.
     """
     found, maximum = lines(course, assignment, penalties)
     rows = FORMATS[form](course, assignment, found, maximum)
-    # with a byte-order mark Canvas and Moodle take UTF-8 too, and a spreadsheet needs it
+    # spreadsheets need a byte-order mark
     with open(path, "w", newline="", encoding="utf-8-sig" if form == "parts" else "utf-8") as f:
         csv.writer(f).writerows(map(cell, row) for row in rows)
     return sum(line.waiting for line in found), sum(line.penalty > 0 for line in found)
@@ -48,8 +48,8 @@ def _parts(course, assignment, found, maximum):
 
 
 def _canvas(course, assignment, found, maximum):
-    """Canvas finds a student by its own ID, else by the login; it takes the second line for the
-    maximum. The assignment must have the same name there, or becomes a new one.
+    """Canvas finds a student by its own ID, or by the login; the second line is the maximum. An
+    assignment of another name is created there.
     """
     yield ("Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment)
     yield ("    Points Possible", "", "", "", "", maximum)
@@ -59,8 +59,8 @@ def _canvas(course, assignment, found, maximum):
 
 
 def _moodle(course, assignment, found, maximum):
-    """Moodle asks at the import which column says who it is: "Email address" or "ID number", or
-    "Username", which holds the same id.
+    """On import Moodle asks for the column that identifies students: "Email address", "ID number",
+    or "Username", which holds the same id.
     """
     yield ("First name", "Last name", "ID number", "Username", "Email address", assignment)
     for line in found:
@@ -69,7 +69,7 @@ def _moodle(course, assignment, found, maximum):
 
 
 def _gradescope(course, assignment, found, maximum):
-    """The columns of Gradescope's own download of grades."""
+    """The columns of Gradescope's download of grades."""
     yield (
         "First Name", "Last Name", "SID", "Email", "Sections", assignment,
         f"{assignment} - Max Points",
@@ -80,7 +80,7 @@ def _gradescope(course, assignment, found, maximum):
 
 
 def cell(x: str | float | None) -> str:
-    """A cell of a CSV file: a number, or a text that no spreadsheet takes for a formula.
+    """A cell of a CSV file: a number, or a text that spreadsheets do not take for a formula.
 
     >>> cell(0.5), cell("=1+1"), cell("Ada;=1+1")
     ('0.5', "'=1+1", "Ada;'=1+1")

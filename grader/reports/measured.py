@@ -1,4 +1,4 @@
-"""How hard the students of a course found problems: from the kept scores of all its assignments."""
+"""The difficulty of problems for the students of a course, from the scores of all assignments."""
 
 from collections import defaultdict
 
@@ -7,7 +7,7 @@ from .records import entries
 
 
 def measured(course: Course) -> dict[str, tuple[float, int]]:
-    """{problem: (mean share of its points, number of sheets)} of all that has been graded."""
+    """{problem: (mean share of its points, number of sheets)} over all graded work."""
     earned: defaultdict[str, dict[tuple[str, str], list[float]]] = defaultdict(dict)
     for folder in sorted((course.path / "scores").glob("*/")):
         for e in entries(course, folder.name) if any(folder.glob("*.json")) else ():

@@ -1,5 +1,5 @@
-"""What an instructor sees of a problem before it is on a sheet: text, figure, key, other students'
-numbers, steps, listed mistakes with what a student reads of them.
+"""An instructor's preview of a problem: text, figure, key, numbers of three students, steps, listed
+mistakes with their feedback.
 """
 
 import base64
@@ -28,7 +28,7 @@ TEMPLATE = Path(__file__).parent / "templates" / "preview.html.j2"
 
 
 class Mistake(NamedTuple):
-    """A listed mistake in one part: the answer that it gives, and what the student reads."""
+    """A listed mistake in one part: its answer, and the message to the student."""
 
     name: str
     key: str
@@ -46,7 +46,7 @@ class Sheet(NamedTuple):
 
 @dataclass(frozen=True)
 class Preview:
-    """A problem with the ``options`` that a sheet gives it."""
+    """A problem with its ``options`` on a sheet."""
 
     problem: Problem
     options: Mapping[str, Any]
@@ -65,7 +65,7 @@ class Preview:
 
     @property
     def facts(self) -> list[str]:
-        """What it is chosen by, and how it is judged."""
+        """Its entry in the catalogue, tolerance and options."""
         e = entry(self.problem)
         cited = [f"equations {', '.join(e.equations)}"] if e.equations else []
         kinds = ", ".join(kind.replace("_", " ") for kind in e.kinds)
@@ -141,7 +141,7 @@ def _mistakes(p, help):
 
 
 def preview_page(found: Iterable[Preview]) -> str:
-    """The previews as one page, which loads nothing."""
+    """The previews as one self-contained page."""
     from jinja2 import Environment
 
     template = Environment(autoescape=True).from_string(TEMPLATE.read_text(encoding="utf-8"))

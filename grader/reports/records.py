@@ -1,4 +1,4 @@
-"""The kept scores of an assignment, part by part, and the points of the gradebook."""
+"""The scores of an assignment, part by part, and the points of the gradebook."""
 
 import json
 from collections import defaultdict
@@ -14,7 +14,7 @@ from ..course import Course, CourseError
 @dataclass(frozen=True)
 class Entry:
     """One student's score of one part; ``key`` is "" for a question of the instructor's own.
-    ``waits``: for a person, without points until then.
+    ``waits``: to be graded by hand, without points until then.
     """
 
     student: str
@@ -61,15 +61,15 @@ def _known(part):
     return {k: part[k] for k in part.keys() & OF_A_PART} | {"causes": causes}
 
 
-BY_HAND = "by hand"  # the key of an entry with the points that a person gave or took
+BY_HAND = "by hand"  # the key of an entry for manual changes of points
 
 
 def questions(course: Course, assignment: str, parts: Iterable[Entry]) -> Iterator[Entry]:
-    """The entries that ``parts`` lack: graded cells of the instructor's own, and the points that a
-    person gave or took. A student's entries then sum to the gradebook's points before any penalty.
+    """Entries for graded cells of the instructor's own, and for manual changes of points. With
+    ``parts``, a student's entries sum to the gradebook's points before penalties.
     """
     notebooks = released(course, assignment)
-    numbers = {  # a grade id is unique within its notebook only
+    numbers = {  # grade ids are unique only within a notebook
         (name, task.grade_id): number
         for name, notebook in notebooks.items()
         for number, task in notebook.tasks.items()
@@ -95,7 +95,7 @@ def questions(course: Course, assignment: str, parts: Iterable[Entry]) -> Iterat
 
 @dataclass(frozen=True)
 class Line:
-    """A student of the roster, with the points of the gradebook: None if nothing was handed in."""
+    """A student on the roster, with the points of the gradebook, None if nothing was handed in."""
 
     id: str
     first_name: str
@@ -108,10 +108,10 @@ class Line:
 
 
 def lines(course: Course, assignment: str, penalties: bool = True) -> tuple[list[Line], float]:
-    """(:class:`Line` of every student by last name, maximum of points): points with what a person
-    gave and extra credit, less the penalty for lateness, as ``nbgrader export`` has them.
+    """(a :class:`Line` for every student by last name, maximum points): points with manual grades
+    and extra credit, minus the penalty for lateness, as in ``nbgrader export``.
 
-    penalties : False to leave that penalty out
+    penalties : False to ignore that penalty
     """
     from nbgrader.api import MissingEntry
 

@@ -1,5 +1,5 @@
-"""Slips as students make them, by random edits of the formulas that a problem computes: what the
-diagnosis is measured with. It knows nothing of what the diagnosis looks for.
+"""Slips like students', by random edits of a problem's formulas, to measure the diagnosis;
+independent of what the diagnosis looks for.
 """
 
 import math
@@ -30,8 +30,8 @@ OF_GRAVITY = Dimension(0, 1, -2)
 
 
 class Edit(NamedTuple):
-    """Another expression (a step, a number, or an operation on them) for a step, wherever it is
-    used or in ``user`` alone.
+    """Another expression (a step, a number, or an operation on them) for a step, everywhere or only
+    in ``user``.
     """
 
     step: Step
@@ -40,8 +40,8 @@ class Edit(NamedTuple):
 
 
 class Formulas:
-    """What a problem computes from its numbers in base units: the steps, and the components of each
-    answer with their factor to the unit of the text.
+    """The computation of a problem in base units: the steps, and the components of each answer with
+    their factor to the unit of the text.
     """
 
     def __init__(self, p: Problem):
@@ -59,7 +59,7 @@ class Formulas:
         self.own = US if any(unit(u).is_of_feet for u in p.units.values()) else SI
 
     def one(self, dimension: Any) -> float:
-        """A quantity that is 1 in a student's units, feet and pounds where the text has them."""
+        """A quantity of 1 in the student's units: feet and pounds if the text has them."""
         if not isinstance(dimension, Dimension):
             return 1.0
         mass, length, _ = dimension.powers
@@ -86,7 +86,7 @@ class Formulas:
         for s in self.steps:
             try:
                 found[s.number] = value(s)
-            except (ValueError, TypeError, AttributeError):  # raised within an integral
+            except (ValueError, TypeError, AttributeError):  # an integral on dimensions
                 continue
         return found
 
@@ -102,7 +102,7 @@ def _used(leaves):
 
 
 class _Evaluation:
-    """Steps computed with edits, each once."""
+    """Steps evaluated with edits, each once."""
 
     def __init__(self, values, edits=()):
         self.values, self.found = values, {}
@@ -154,7 +154,7 @@ def _within(op, inner, *args):
 
 
 def edits(f: Formulas, values: Mapping[str, Any]) -> dict[str, list[tuple[Edit, ...]]]:
-    """{kind of slip: the edits by which it can be made in these formulas}."""
+    """{kind of slip: its possible edits of these formulas}."""
     found: dict[str, list[tuple[Edit, ...]]] = {}
     dimensions = f.dimensions()
     for s in f.steps:
@@ -243,8 +243,8 @@ def _of_given(s, f, values):
 
 
 class Made(NamedTuple):
-    """Wrong answers by one slip, beside right ones: {key: components} of all answers, in floats or
-    in trees of formulas, and the keys of the wrong ones.
+    """Answers with one slip: {key: components} of all, in floats or trees of formulas, and the keys
+    of the wrong ones.
     """
 
     kind: str
@@ -254,9 +254,7 @@ class Made(NamedTuple):
 
 
 def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterator[Made]:
-    """One slip of every kind that can be made in a problem, in all answers that it reaches or in
-    one of them.
-    """
+    """Slips of every possible kind in a problem, in all answers that they affect or in one."""
     f = Formulas(p)
     base = f.base({**values, **symbol_points(p)})
     right = {key: f.run(key, base) for key in f.answers}
@@ -271,7 +269,7 @@ def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterato
 
 
 def _changed(f, base, right, edit):
-    """{key: components} of the answers that an edit changes, those that have a value."""
+    """{key: components} of the answers with an edit, if they have values."""
     found = {}
     for key in right:
         try:
@@ -307,7 +305,7 @@ def _of_other_numbers(p, f, right, rng):
 
 
 def _following(f, base, right, rng):
-    """A wrong number in one answer, and those that are computed from it."""
+    """A wrong number in one answer, and the answers computed from it."""
     for key, edit in _wrong_numbers(f, right, rng):
         wrong, later = _later(f, base, right, key, edit)
         if later:
@@ -315,7 +313,7 @@ def _following(f, base, right, rng):
 
 
 def _going_on(f, base, right, rng):
-    """The same with a slip in what is computed from it."""
+    """The same, with a further slip in an answer computed from it."""
     choices = [e for every in edits(f, base).values() for e in every]
     for key, edit in _wrong_numbers(f, right, rng):
         follows, later = _later(f, base, right, key, edit)
@@ -329,7 +327,7 @@ def _going_on(f, base, right, rng):
 
 
 def _wrong_numbers(f, right, rng):
-    """(answer, the edits that make it wrong) of the answers from which others may follow."""
+    """(answer, edits that make it wrong) for answers from which others may follow."""
     for key in list(right)[:-1]:
         parts = [x for x, _ in f.answers[key]]
         if all(isinstance(x, Step) and x.op != "argument" for x in parts):
@@ -338,7 +336,7 @@ def _wrong_numbers(f, right, rng):
 
 
 def _later(f, base, right, key, edit):
-    """What an edit makes of an answer and of those after it; the later ones that it changes."""
+    """An answer and later ones with an edit, and the keys of the later ones that it changes."""
     keys = list(right)
     wrong = _changed(f, base, {k: right[k] for k in keys[keys.index(key) :]}, edit)
     return wrong, tuple(k for k in wrong if k != key and not _same(wrong[k], right[k]))
@@ -358,7 +356,7 @@ def _listed(p, values, right, rng):
 
 
 def _in_other_places(p, values, right):
-    """Answers exchanged with others of their kind and unit; vectors along the axes of others."""
+    """Answers exchanged with others of the same kind and unit, and vectors along other axes."""
     for a, b in combinations([p.answer(key) for key in right], 2):
         if (a.kind, a.unit) == (b.kind, b.unit):
             wrong = {a.key: right[b.key], b.key: right[a.key]}

@@ -17,18 +17,17 @@ from .export import cell
 from .records import BY_HAND, Entry, entries, questions
 from .tables import plain_table, shown
 
-FEWEST = 5  # students: a correlation of fewer means nothing
+FEWEST = 5  # students for a meaningful correlation
 
 
 @dataclass(frozen=True)
 class PartStatistics:
     """The statistics of one part of a problem.
 
-    difficulty : mean share of its points, so that 1 is easy; of a part without points the share of
-        right answers; None if all wait. discrimination : correlation of its points with those of
-        all other parts; None if too few students handed in or all got the same. verdicts : how
-        many of each. mistakes : [(words, how many)], the most frequent first. waiting : how many
-        wait for a person; they count in nothing else.
+    difficulty : mean share of its points (1 is easy), or of right answers in a part without points;
+    None if all wait. discrimination : correlation of its points with those of all other parts; None
+    for too few students or equal points. verdicts : {verdict: number}. mistakes : [(words,
+    number)], the most frequent first. waiting : number to grade by hand, counted nowhere else.
     """
 
     problem: str
@@ -73,14 +72,14 @@ def _difficulty(graded):
 
 
 def mistake_counts(found: Iterable[Entry]) -> list[tuple[str, int]]:
-    """[(words, how many)] of the mistakes, the most frequent first. A mistake is counted by its
-    causes, whose words may have changed since; it has the words of the last.
+    """[(words, number)] of the mistakes, the most frequent first. Mistakes are identified by their
+    causes, since words may have changed; the last words count.
     """
     counts: Counter[object] = Counter()
     words: dict[object, str] = {}
     for e in found:
         if e.diagnosis:
-            mistake = frozenset(e.causes) or e.diagnosis  # records of older versions have no causes
+            mistake = frozenset(e.causes) or e.diagnosis  # older records have no causes
             counts[mistake] += 1
             words[mistake] = e.diagnosis
     return [(words[mistake], n) for mistake, n in counts.most_common()]
@@ -127,7 +126,7 @@ def statistics_csv(parts: Iterable[PartStatistics], path: str | Path) -> None:
 
 def statistics_figure(parts: Sequence[PartStatistics], path: str | Path) -> None:
     """Draw the statistics: a bar of verdicts for each part, a dot for its discrimination."""
-    # distinguishable in grey, and for the colour-blind
+    # distinguishable in grey and by the colour-blind
     colours = {"right": "#1b7f5c", "wrong": "#d1622b", "unreadable": "#8a6fb0", "blank": "#c9c9c9"}
     figure = Figure(figsize=(8, 1.2 + 0.26 * len(parts)), dpi=120, layout="constrained")
     ax = figure.add_subplot()

@@ -1,5 +1,5 @@
-"""The results of grading as tables for the terminal, in 80 columns; texts of students are shown
-without control characters.
+"""Tables of results for the terminal, in 80 columns; students' texts are shown without control
+characters.
 """
 
 from collections import Counter
@@ -15,6 +15,8 @@ from ..grading import Result
 from ..sandbox import CAGED
 from ..submission.pipeline import MARK
 
+MOST = 600  # characters of a text in a table
+
 
 def plain_table(title: str, *columns: str) -> Table:
     """A table without vertical lines; ``columns`` are names, with a leading ``>`` for numbers."""
@@ -28,15 +30,20 @@ def plain_table(title: str, *columns: str) -> Table:
 
 
 def shown(text: object) -> str:
-    """A text for a cell of a table: without markup and control characters."""
-    return escape("".join(c if c.isprintable() else "\ufffd" for c in str(text)))
+    """A text for a cell of a table: without markup and control characters; of a very long one, as
+    a student may call a file, the two ends.
+    """
+    said = str(text)
+    if len(said) > MOST:
+        said = f"{said[: MOST // 2]} … {said[-MOST // 2 :]}"
+    return escape("".join(c if c.isprintable() else "\ufffd" for c in said))
 
 
 def gradebook_table(results: Sequence[Result]) -> Table:
     """A row for each student (points, answers by verdict, remark), and a summary."""
     columns = ("student", ">points", ">%", *(f">{m}" for m in MARK.values()), "remark")
     table = plain_table("Gradebook  (✓ right, ✗ wrong, ? not read, – blank)", *columns)
-    # code that ran without a cage may have changed the others' results
+    # unsandboxed code may have changed the others' results
     uncaged = any(r.sandbox != CAGED for r in results)
     for r in results:
         if r.problem:
@@ -55,7 +62,7 @@ def _percent(result):
 
 
 def _remarks(r):
-    """Remarks on a result: what waits, what was taken off or added, the most frequent diagnosis."""
+    """Remarks on a result: cells to grade, penalty, extra points, the most frequent diagnosis."""
     if r.waiting:
         yield f"{r.waiting} to grade by hand"
     if r.penalty:
@@ -67,7 +74,7 @@ def _remarks(r):
 
 
 def _most_frequent(result):
-    """The most frequent diagnosis of a result; without any, its most frequent note."""
+    """The most frequent diagnosis of a result, or else note."""
     diagnoses = Counter(text for _, _, text in result.diagnoses())
     if diagnoses:
         (text, count) = diagnoses.most_common(1)[0]
@@ -76,7 +83,7 @@ def _most_frequent(result):
     notes = Counter(s.note.split(",")[0] for s in result.scores.values() if s.note)
     if notes:
         return notes.most_common(1)[0][0]
-    return "" if result.note == result.sandbox else result.note  # which the row shows anyway
+    return "" if result.note == result.sandbox else result.note  # the row shows it anyway
 
 
 def _add_summary(table, results):
@@ -109,7 +116,7 @@ def diagnosis_table(results: Iterable[Result], most: int | None = None) -> Table
 
 
 def taken_in_table(taken: TakenIn) -> Table:
-    """What became of the files of an archive."""
+    """The outcome for the files of an archive."""
     table = plain_table("Work in the archive", "student", "file", "what became of it")
     for student, name in taken.taken.items():
         table.add_row(shown(student), shown(name), "[green]taken in[/]")

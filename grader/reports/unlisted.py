@@ -1,4 +1,4 @@
-"""How often the grader recognises wrong answers by slips that no problem lists."""
+"""How often the grader recognises unlisted slips."""
 
 import math
 import random
@@ -18,14 +18,14 @@ from ..scoring.numbers import numbers_of, points_of
 from .slips_made import LISTED, made
 
 SLIP_OUTCOMES = ("named", "followed", "silent", "misnamed")
-DIGITS = (4, 6, 17)  # in which an answer may be written
+DIGITS = (4, 6, 17)  # of an answer
 RANDOM = "random numbers"
 TRIES = 5  # random numbers for each answer
 
 
 def slip_shares(problems: Iterable[Problem], draws: int) -> dict[str, Counter[str]]:
-    """{kind of slip: Counter of :data:`SLIP_OUTCOMES`} over drawn numbers, of the wrong answers of
-    :func:`.slips_made.made` and of random numbers.
+    """{kind of slip: Counter of :data:`SLIP_OUTCOMES`} over drawn numbers, for the wrong answers of
+    :func:`.slips_made.made` and random numbers.
 
     named: with a cause that gives the same numbers; followed: as the sequel of a wrong answer;
     misnamed: with causes that do not give these numbers
@@ -35,7 +35,7 @@ def slip_shares(problems: Iterable[Problem], draws: int) -> dict[str, Counter[st
         for n in range(draws if p.givens else 1):
             rng = random.Random(f"slips in {p.id} {n}")
             values = draw(p, rng.randbytes(8))
-            with np.errstate(all="ignore"):  # the root of a negative number is nan
+            with np.errstate(all="ignore"):  # roots of negative numbers are nan
                 outcomes = [*_of_slips(p, values, rng), *_of_random(p, values, rng)]
             for kind, outcome in outcomes:
                 found.setdefault(kind, Counter())[outcome] += 1
@@ -65,7 +65,7 @@ def _of_random(p, values, rng):
 
 
 def _written(points, digits):
-    if len(points) > 1:  # a formula has all its digits
+    if len(points) > 1:  # a formula keeps all digits
         return points
     return (tuple(float(f"{float(x):.{digits}g}") for x in points[0]),)
 
@@ -100,7 +100,7 @@ def _causes(asked, judged, numbers):
 
 
 def _gives(causes, exact, asked, numbers, judged):
-    """True if one of these causes gives these numbers, to all digits."""
+    """True if one of these causes gives exactly these numbers."""
     key, kind = numbers.key[asked.key], asked.kind
     fit = Fit(exact, kind.like(key, exact), kind.rtol)
     models = [*numbers.wrong(asked.key), *kind.slips(fit)]
@@ -113,7 +113,7 @@ def _gives(causes, exact, asked, numbers, judged):
 
 
 def _going_on(asked, numbers, fit, judged):
-    """The slips in going on from earlier answers, as these were written, that are near."""
+    """The matching slips in computing on from the student's earlier answers."""
     names = numbers.earlier.get(asked.key, ())
     earlier = {n: judged[n].given for n in names if n in judged}
     found = numbers.sequel(asked.key, earlier).near(asked.key, fit, asked.kind) if names else ()

@@ -1,4 +1,4 @@
-"""Runs student code out of reach of keys, submissions, the instructor's files, the network."""
+"""Running student code without access to keys, submissions, the instructor's files, the network."""
 
 from .harvester import CAGED, CELL_SECONDS, SECONDS, Harvester
 from .worker import HarvestError

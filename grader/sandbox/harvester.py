@@ -23,9 +23,13 @@ MOST_TESTS = 200  # in one notebook
 MOST_TEXT = 2**20  # characters of all cells; a chapter worked out in full has 50 000
 PER_CELL = 100  # characters that each cell counts besides its text, which limits their number
 
-# matches cells that may need IPython: the worker then imports it once, before it forks the
+# match cells that may need a library: the worker then imports it once, before it forks the
 # student's process; a cell that is missed imports it itself
-_IPYTHON = re.compile(r"IPython|^[ \t]*[%!?>]|\?$|=[ \t]*[%!]", re.MULTILINE)
+_NEEDS = {
+    "IPython": re.compile(r"IPython|^[ \t]*[%!?>]|\?$|=[ \t]*[%!]", re.MULTILINE),
+    # of ours: integrals and motions
+    "scipy": re.compile(r"scipy|\b(integral|integrate|prepare|motion)\b"),
+}
 KERNEL = Path("/proc/sys")
 SETTINGS = (  # (name, value that forbids user namespaces, value that allows them)
     ("kernel.apparmor_restrict_unprivileged_userns", "1", "0"),  # Ubuntu 24.04
@@ -117,7 +121,11 @@ class Harvester:
             return self._not_run(len(cells), size, tests)
         limits: Limits = {
             "seconds": seconds, "cell_seconds": cell_seconds, "sandbox": self.sandbox,
-            "ipython": any(_IPYTHON.search(c.get("text", "")) for c in cells),
+            "libraries": [
+                name
+                for name, needs in _NEEDS.items()
+                if any(needs.search(c.get("text", "")) for c in cells)
+            ],
         }  # fmt: skip
         seen = [{k: v for k, v in c.items() if k != "hidden"} for c in cells]
         state, data, outcomes = self._exchange(seen, [c["hidden"] for c in tests], limits)
@@ -166,12 +174,12 @@ class Harvester:
         return state, data, outcomes
 
     def _settled(self, worker):
-        """The worker, or a new one if it cannot end the processes of its last job."""
-        try:
+        """The worker, or a new one if it has died or cannot end the processes of its last job."""
+        with contextlib.suppress(HarvestError):
             worker.settle()
-        except HarvestError:
-            return self._replaced(worker)
-        return worker
+            if worker.process.poll() is None:
+                return worker
+        return self._replaced(worker)
 
     def _replaced(self, worker):
         worker.kill()

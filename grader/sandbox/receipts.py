@@ -87,7 +87,8 @@ def _entry(line):
             entry = json.loads(json.dumps(entry, ensure_ascii=False).encode("utf-8", "replace"))
     except (ValueError, RecursionError):
         return {}
-    return entry if isinstance(entry, dict) and _is_shallow(entry) else {}
+    deep = line.count(b"[") + line.count(b"{") > DEPTH and not _is_shallow(entry)
+    return entry if isinstance(entry, dict) and not deep else {}
 
 
 def _is_shallow(value):

@@ -41,12 +41,12 @@ Job = dict[str, Any]  # a cell to run, see Harvester.run
 
 
 class Limits(TypedDict):
-    """How a job is run; ``ipython``: whether a cell may need IPython."""
+    """How a job is run; ``libraries``: those that a cell may need besides the usual ones."""
 
     seconds: float
     cell_seconds: float
     sandbox: bool
-    ipython: bool
+    libraries: list[str]
 
 
 class HarvestError(RuntimeError):

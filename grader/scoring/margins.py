@@ -1,5 +1,5 @@
-"""How far each number of an answer may be from the key: what a page or a platform can say of the
-rule by which answers are judged.
+"""The error that each number of an answer may have: the rule for right answers as pages and
+platforms can state it.
 """
 
 from exercises.catalogue.model import Answer

@@ -16,6 +16,7 @@ from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points,
 from newton_euler.algebra.language import cached_by_language
 from newton_euler.answers.causes import listed
 from newton_euler.answers.near import NO_SLIPS
+from newton_euler.dynamics.constraints import Freedom
 
 from .computation import (
     columns,
@@ -26,6 +27,7 @@ from .computation import (
     section,
     sequel_of,
 )
+from .miscounts import miscounts, misjudged
 from .sheet import ScoreError
 from .wrong_models import wrong_models
 
@@ -80,12 +82,20 @@ class Numbers:
         return self._wrong[key]
 
     def _wrong_words(self, answer):
-        """Every listed mistake in a word or count, as for :meth:`wrong`."""
+        """Every listed mistake in a word or count, as for :meth:`wrong`, and what else is wrong in
+        counting degrees of freedom.
+        """
         given = {m: x[answer.key] for m, x in self._wrong_answers.items() if answer.key in x}
-        return [
+        found = [
             (listed(m, self.problem.mistakes[m]), ((_one_word(answer, (x,)),),))
             for m, x in given.items()
         ]
+        right = self.problem.code.solve(self.problem.base(self.sample))[answer.key]
+        if isinstance(right, Freedom):
+            found += [(cause, ((n,),)) for cause, n in miscounts(right)]
+        right = self.key[answer.key][0][0]
+        found += [(cause, ((w,),)) for cause, w in misjudged(answer.key, answer.of, right)]
+        return found
 
     @cached_property
     def _wrong_answers(self):
@@ -192,9 +202,7 @@ def _sample(problem, values):
 
 
 def points_of(answer, components):
-    """The points of an answer: of a number next to formulas, in a problem with symbols,
-    the one that it is at all of them.
-    """
+    """The points of an answer: one for a number, also in a problem with symbols."""
     if not answer.kind.is_formula:
         return as_points(components)[:1]
     points = as_points(components)

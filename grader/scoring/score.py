@@ -8,7 +8,7 @@ run, evaluated as code or simplified here.
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import astuple, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from exercises.catalogue import Problem
@@ -54,7 +54,10 @@ class Part:
 
     def as_dict(self) -> dict[str, Any]:
         """The part as a dict that JSON can hold."""
-        return {**vars(self), "causes": [list(astuple(c)) for c in self.causes]}
+        return {
+            **vars(self),
+            "causes": [[c.group, c.name, c.text, c.where, c.subject] for c in self.causes],
+        }
 
 
 @dataclass(frozen=True)

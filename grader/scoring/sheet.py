@@ -1,6 +1,7 @@
 """What a released sheet asked for, and what each part of it is worth."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 from exercises.catalogue import Answer
 from newton_euler.algebra.units import unit
@@ -52,6 +53,9 @@ def asked_parts(problem, points=None, weights=None, asked=None, follow_through=N
     return parts
 
 
+_read = lru_cache(1000)(Form.read)  # the same for all students
+
+
 def _asked(problem, asked):
     if asked is None:
         return problem.answers, {a.key: a.form for a in problem.answers}
@@ -69,11 +73,12 @@ def _asked(problem, asked):
 
 def _form(problem, key, text):
     try:
-        return Form.read(text)
+        return _read(text)
     except AnswerError as error:
         raise ScoreError(f"the form of {key} on the sheet of {problem.id}: {error}") from error
 
 
+@lru_cache(10_000)
 def _factor(problem, answer, form):
     """The factor from the unit on the sheet to that of today's exercise."""
     if (form.kind, form.unit) == (answer.kind, answer.unit):

@@ -1,6 +1,5 @@
-"""How many wrong answers the receipts of a submitted notebook say that they have checked, in copies
-that say what is right. Students hold the notebook: a count may be too low, and is never believed to
-be more than a number.
+"""Counts of the wrong answers that the receipts of a submitted notebook have checked, in copies
+that tell right from wrong. Students can edit the notebook: a count may be too low.
 """
 
 from collections.abc import Iterator, Mapping
@@ -17,14 +16,14 @@ def checked_notes(master: Notebook, submitted: Mapping[str, Any]) -> dict[str, s
     """{problem: note} on the answers of which wrong ones were checked."""
     counts: dict[str, dict[str, int]] = {}
     for cell in submitted["cells"]:
-        own = own_metadata(cell) if isinstance(cell, dict) else {}
-        problem = own.get("problem")
-        if own.get("role") == "receipt" and isinstance(problem, str):
-            for key, n in _counts(cell):
+        for key, n in _counts(cell) if isinstance(cell, dict) else ():
+            own = own_metadata(cell)
+            problem = own.get("problem")
+            if own.get("role") == "receipt" and isinstance(problem, str):
                 of_problem = counts.setdefault(problem, {})
                 of_problem[key] = max(n, of_problem.get(key, 0))
     notes = {}
-    for own in map(own_metadata, master["cells"]):
+    for own in map(own_metadata, master["cells"] if counts else ()):
         found = counts.get(own.get("problem", ""), {})
         texts = [f"{key} {found[key]}" for key in own.get("asked", ()) if key in found]
         if texts:

@@ -42,8 +42,7 @@ class Executed:
 
 def cells_to_run(sheet: Sheet, notebook: Notebook) -> list[Job]:
     """The cells as :meth:`~grader.sandbox.Harvester.run` takes them; [] without any work."""
-    masters = {name: c for c in reversed(sheet.master["cells"]) for name in cell_names(c)}
-    worked = _worked_at(sheet.tasks, masters, notebook)
+    worked = _worked_at(sheet, notebook)
     if not worked:
         return []
     cells: list[Job] = []
@@ -67,15 +66,16 @@ def cells_to_run(sheet: Sheet, notebook: Notebook) -> list[Job]:
         elif what in RUN:
             cells.append({"role": "run", "name": cell["id"], "text": cell["source"]})
         elif what == "test":
-            cells.append(_test(sheet, cell, _master(masters, cell)["source"]))
+            cells.append(_test(sheet, cell, _master(sheet, cell)["source"]))
     return [*cells, _harvest(sheet.tasks[waiting])] if waiting else cells
 
 
-def _master(masters, cell):
-    return next(masters[name] for name in cell_names(cell) if name in masters)
+def _master(sheet, cell):
+    places = sheet.places
+    return sheet.master["cells"][next(places[n] for n in cell_names(cell) if n in places)]
 
 
-def _worked_at(asked, masters, notebook):
+def _worked_at(sheet, notebook):
     """The problems at which the student worked; all of them if there is work in other cells, since
     it may be for any, or an instructor's test.
     """
@@ -85,12 +85,12 @@ def _worked_at(asked, masters, notebook):
         if cell["cell_type"] != "code":
             continue
         if what in (OWN, "test"):
-            return {*asked, None}
+            return {*sheet.tasks, None}
         if what in ("answer", "plain", "solution") and not is_untouched(
-            _master(masters, cell), cell["source"]
+            _master(sheet, cell), cell["source"]
         ):
             if what != "answer":
-                return {*asked, None}
+                return {*sheet.tasks, None}
             worked.add(own_metadata(cell)["problem"])
     return worked
 

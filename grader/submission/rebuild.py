@@ -21,7 +21,7 @@ from ..assignment.cells import (
     own_metadata,
 )
 from .checked import checked_notes
-from .recognition import OWN, places_of, text_of
+from .recognition import OWN, Places, places_by_name, places_of, text_of
 
 EDITABLE = ("answer", "hand", "solution", "plain")  # kinds of cells whose text is the student's
 # kinds whose text is ours, but in which students also work: they add imports, or numbers
@@ -49,11 +49,14 @@ class Work:
     note: str = ""
 
 
-def rebuild(master: Notebook, submitted: Mapping[str, Any]) -> tuple[Notebook, Work]:
+def rebuild(
+    master: Notebook, submitted: Mapping[str, Any], known: Places | None = None
+) -> tuple[Notebook, Work]:
     """(the trusted notebook with a student's work in it, :class:`Work`): the cells of ``master`` in
-    its order, each followed by those that the student added behind it.
+    its order, each followed by those that the student added behind it. ``known``: the places of its
+    cells.
     """
-    found, added, note = _sorted_out(master, submitted)
+    found, added, note = _sorted_out(master, submitted, known or places_by_name(master))
     cells, work = [_own_cell(*own) for own in added.get(None, [])], Work(note=note)
     types_added = {c["cell_type"] for own in added.values() for c, _ in own}
     for n, cell in enumerate(master["cells"]):
@@ -77,7 +80,7 @@ def rebuild(master: Notebook, submitted: Mapping[str, Any]) -> tuple[Notebook, W
     return {**master, "cells": cells}, work
 
 
-def _sorted_out(master, submitted):
+def _sorted_out(master, submitted, known):
     """({place in the master: submitted copies of its cell}, {place: [(cell, text)] that were added
     behind it}, a note on the latter).
     """
@@ -85,7 +88,7 @@ def _sorted_out(master, submitted):
     found: dict[int, list[Any]] = {}
     added: dict[int | None, list[tuple[Any, str]]] = {}
     last, count, size = None, 0, 0
-    for cell, n in zip(cells, places_of(cells, master), strict=True):
+    for cell, n in zip(cells, places_of(cells, master, known), strict=True):
         if n is not None:
             last = n if n not in found else last
             found.setdefault(n, []).append(cell)

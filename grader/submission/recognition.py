@@ -30,14 +30,24 @@ def _first_lines():
     }
 
 
-def places_of(cells: Sequence[Mapping[str, Any]], master: Notebook) -> list[int | None]:
-    """For each submitted cell the number of the cell of ``master`` that it is, None for those that
-    the student added.
-    """
+Places = Mapping[tuple[str | None, ...] | None, int]
+
+
+def places_by_name(master: Notebook) -> Places:
+    """The number of each cell of a notebook by its names, the same for all students."""
     known: dict[tuple[str | None, ...] | None, int] = {}
     for n, cell in enumerate(master["cells"]):
         for name in cell_names(cell):
             known.setdefault(name, n)
+    return known
+
+
+def places_of(
+    cells: Sequence[Mapping[str, Any]], master: Notebook, known: Places
+) -> list[int | None]:
+    """For each submitted cell the number of the cell of ``master`` that it is, None for those that
+    the student added.
+    """
     found = [next((known[m] for m in cell_names(c) if m in known), None) for c in cells]
     by_name = set(found)
     for n, submitted in enumerate(cells):
@@ -47,8 +57,8 @@ def places_of(cells: Sequence[Mapping[str, Any]], master: Notebook) -> list[int 
 
 
 def _with_answers(cells, found, master):
-    """And the answers that are still missing: the only cell of code next to the statement, numbers
-    or receipt of the same problem that gives a value to a name that is asked for.
+    """The same with the answers that are still missing: the only code cell next to the statement,
+    numbers or receipt of the same problem that gives a value to a name that is asked for.
     """
     problems = [own_metadata(c).get("problem") for c in master["cells"]]
     missing = {

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from ..assignment.attempts import earlier_attempts
 from ..assignment.cells import Notebook, SheetValues, Sources, Values
@@ -10,6 +10,7 @@ from ..assignment.numbers import numbers_in
 from ..assignment.released import Released, master_notebook, released, sheet_numbers
 from ..assignment.sheet import Task
 from ..course import Course
+from .recognition import Places, places_by_name
 
 
 @dataclass(frozen=True)
@@ -33,9 +34,19 @@ class Sheet:
         return master_notebook(self.course, self.assignment, self.student, self.name, self.values)
 
     @property
+    def places(self) -> Places:
+        """The places of its cells by their names."""
+        return _places(self.released)
+
+    @property
     def tasks(self) -> dict[str, Task]:
         """The problems that it asks for."""
         return self.released.tasks
+
+
+@lru_cache(maxsize=16)
+def _places(notebook):
+    return places_by_name(notebook.notebook)
 
 
 def student_sheet(

@@ -266,9 +266,7 @@ class Compiled:
                 return False
             if util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":
-                    raise ImportError(
-                        "backend='heyoka' needs heyoka: pip install heyoka, or use backend='auto'"
-                    )
+                    raise ImportError("backend='heyoka' needs heyoka: pip install heyoka")
                 self.backend = "numpy"
                 return False
             hy = import_module("heyoka")
@@ -387,8 +385,7 @@ def recorded(f, **constants):
     unknown = [n for n in constants if n not in signature]
     if unknown:
         raise ScalarError(
-            f"the formula {f!r} got an unexpected keyword argument {unknown[0]!r}; it takes "
-            f"{', '.join(signature) or 'none'}"
+            f"{f!r} has no argument {unknown[0]!r}; it takes {', '.join(signature) or 'none'}"
         )
     trace, parameters = Trace(), [n for n in signature if n not in constants]
     values = {**constants, **{n: trace.new("argument", n) for n in parameters}}

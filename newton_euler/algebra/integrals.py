@@ -3,7 +3,7 @@ unit cube by products of Gauss rules, for numbers that SciPy's adaptive cubature
 """
 
 from collections.abc import Callable, Sequence
-from functools import cache, lru_cache
+from functools import cache, lru_cache, wraps
 from itertools import count, pairwise, product
 
 from .errors import checked
@@ -71,7 +71,7 @@ def _sum(a, b):
 
 def _piece(f, start, end):
     like = f(_middle(start, end))
-    found = iter(integrals(lambda x: _flat(f(x), like), start, end))
+    found = iter(integrals(wraps(f)(lambda x: _flat(f(x), like)), start, end))
     return _like(like, found)
 
 

@@ -79,8 +79,7 @@ class Moving(_Own):
 
     def __float__(self):
         raise ScalarError(
-            f"{self!r} is not one float: its value alone is x.value, and for math.sin(x) write "
-            "sin(x), from newton_euler import sin"
+            f"{self!r} is not one float: for math.sin(x) write sin(x), from newton_euler"
         )
 
     def __repr__(self):
@@ -127,8 +126,7 @@ class Moving(_Own):
             return self * (value / abs(value))
         if min_abs(value) == 0:
             raise DivisionError(
-                f"the rate of abs(x) does not exist where x = 0, as in {self!r}: take the sign "
-                "that x has before or after"
+                f"abs(x) has no rate where x = 0, as in {self!r}: take the sign before or after"
             )
         return self * where(value < 0, -1, 1)
 
@@ -207,8 +205,7 @@ class _Refusal:
 
     def __call__(self, *_):
         raise ScalarError(
-            f"np.{self.numpys} does not take a moving number: write {self.ours}(...), "
-            f"from newton_euler import {self.ours}"
+            f"np.{self.numpys} takes no moving number: write {self.ours}(...) of newton_euler"
         )
 
 
@@ -300,9 +297,7 @@ def _derived(x):
         return ZERO
     times = [s for s in x.free_symbols if str(s) == "t"]
     if len(times) > 1:
-        raise ScalarError(
-            f"{x} holds {len(times)} different symbols named t; use one t = Symbol('t') throughout"
-        )
+        raise ScalarError(f"{x} holds {len(times)} different symbols named t; use one")
     derivative = x.diff(times[0]) if times else ZERO
     return ZERO if derivative == 0 else derivative
 

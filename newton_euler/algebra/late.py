@@ -18,7 +18,7 @@ class _Late:
     """A module, or a class of it."""
 
     def __init__(self, module, name=None):
-        self._late = module, name
+        self._late, self.__name__ = (module, name), name or module
 
     def _found(self):
         module, name = self._late

@@ -18,6 +18,7 @@ from operator import add, mul
 from types import MappingProxyType
 
 from .errors import checked
+from .late import np
 from .ledger import distinct
 from .scalars import (
     ZERO,
@@ -642,8 +643,6 @@ class _Elimination:
 
 def _instant_by_instant(equations, names):
     """The solution for arrays that have no common pivot: each instant by itself, then together."""
-    import numpy as np
-
     shape = np.broadcast_shapes(*(np.shape(x) for e in equations for x in e.parts()))
 
     def at(n):

@@ -5,6 +5,7 @@ from itertools import pairwise
 from sys import float_info
 
 from .integrals import WorkError, by_formula, integral
+from .late import np
 from .scalars import (
     ZERO,
     SingularError,
@@ -156,7 +157,6 @@ def cubature(f, n, rtol, name, error=WorkError):
     and the largest of their estimated errors; ``error`` of ``name`` if they do not converge. f is a
     function of an array of places, one a row, that returns an array with their values as rows.
     """
-    import numpy as np
     from scipy.integrate import cubature
 
     found = cubature(
@@ -164,10 +164,7 @@ def cubature(f, n, rtol, name, error=WorkError):
     )
     off = float(np.max(found.error))
     if not np.isfinite(found.estimate).all():
-        raise error(
-            f"the integrals over {name} are not finite: the formula or the density grows without "
-            "bound within the limits"
-        )
+        raise error(f"the integrals over {name} are not finite: look at the limits")
     if found.status != "converged":
         raise error(
             f"the integrals over {name} did not converge: after {found.subdivisions} "

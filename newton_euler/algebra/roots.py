@@ -49,8 +49,7 @@ def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
         return kind._root(f, low, high)
     if not all(is_numeric(x) or _is_constant(x) for x in present):
         raise ScalarError(
-            f"the root of an equation with symbols, as {clipped(sample)} = 0, has no formula in "
-            "general: put numbers in, or solve it by hand or with SymPy"
+            f"put numbers in: the root of {clipped(sample)} = 0 has no formula in general"
         )
     # exact numbers of SymPy have no exact root in general, and their fractions grow without end
     if any(map(_is_constant, present)):

@@ -152,7 +152,7 @@ class _Zero(_Own):
 
     def __rtruediv__(self, other):
         raise DivisionError(
-            f"{other!r} is divided by a quantity that is zero by the structure of the formula"
+            f"{other!r} is divided by a structural zero: its divisor vanishes in any case"
         )
 
     def __pow__(self, power):

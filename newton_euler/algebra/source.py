@@ -161,8 +161,7 @@ def runtime_names(library):
 
     def refused(*_):
         raise ScalarError(
-            "heyoka has no integrals and roots inside a formula: take backend='numpy', or another "
-            "method of integration"
+            "heyoka has no integrals and roots inside a formula: take backend='numpy'"
         )
 
     return {

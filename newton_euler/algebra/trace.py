@@ -3,6 +3,7 @@ is traced cannot branch on a value; it chooses by :func:`newton_euler.algebra.sc
 """
 
 import threading
+from inspect import unwrap
 
 from .scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, scalar, to_plain
 
@@ -210,10 +211,7 @@ class Trace:
         """A key that is equal for equal arguments; those of 0.0, -0.0 and 0 differ."""
         if isinstance(a, Step):
             if a.trace is not self:
-                raise ScalarError(
-                    "a value of one formula is used inside another that is being compiled; pass it "
-                    "as an argument"
-                )
+                raise ScalarError("a value of another formula is used here; pass it as an argument")
             return "#", a.number
         if hasattr(a, "key"):  # a formula inside this one, or a table
             return a.key()
@@ -221,20 +219,21 @@ class Trace:
             raise ScalarError(f"a formula that is compiled takes real numbers, got {a}")
         if getattr(scalar(a), "shape", ()):
             raise ScalarError(
-                f"an array {a.shape} meets a traced value, which stands for one number: write the "
-                "entries one by one, as [c*x for c in array], or make the array an argument of the "
-                "compiled formula"
+                f"an array {a.shape} meets a traced value: write its entries one by one, or pass "
+                "it as an argument"
             )
         return type(a), repr(a) if isinstance(a, float) else a
 
 
 class Inner:
     """The formula that is integrated, or whose root is taken, as a constant of the formula around
-    it. What it reads of the outer steps, computed once, it is handed as arguments.
+    it. What it reads of the outer steps, computed once, it is handed as arguments. ``variable`` is
+    what its code calls the variable, "" where that does not show.
     """
 
-    def __init__(self, parameters, trace, leaves):
+    def __init__(self, parameters, trace, leaves, variable=""):
         self.parameters, self.trace, self.leaves = parameters, trace, leaves
+        self.variable = variable
 
     def key(self):
         """Equal for equal formulas, for a dictionary."""
@@ -269,7 +268,9 @@ def _inner(op, f, limits, sample, names=("x",)):
     names = [*names, *(step.args[0] for step in trace.captured.values())]
     trace.outer = None  # the formula is complete, and is kept without the outer one
     outside = [outer.steps[number] for number in trace.captured]
-    whole = outer.step(op, Inner(names, trace, leaves), *limits, *outside)
+    code = getattr(unwrap(f), "__code__", None)
+    inner = Inner(names, trace, leaves, next(iter(code.co_varnames), "") if code else "")
+    whole = outer.step(op, inner, *limits, *outside)
     return tuple(outer.step("item", whole, n) for n in range(len(leaves)))
 
 

@@ -49,8 +49,7 @@ class Dimension(_Own):
             self.powers = tuple(map(Fraction, (mass, length, time)))
         except (TypeError, ValueError, OverflowError, ZeroDivisionError):
             raise DimensionError(
-                "the powers of mass, length and time are three numbers, as Dimension(1, 2, -2), "
-                f"not {clipped((mass, length, time))}"
+                f"a dimension is three numbers, as (1, 2, -2), not {clipped((mass, length, time))}"
             ) from None
 
     def __repr__(self):
@@ -82,9 +81,7 @@ class Dimension(_Own):
         if outranks(other, self):
             return NotImplemented
         if (other := _as_dimension(other)) != self:
-            raise DimensionError(
-                f"cannot add {other} to {self}: look at the units of the two terms"
-            )
+            raise DimensionError(f"cannot add {other} to {self}: look at the units")
         return self
 
     __radd__ = __sub__ = __rsub__ = __add__
@@ -160,9 +157,7 @@ class Dimension(_Own):
         if name == "atan2":
             _ = args[0] + args[1]  # raises unless the dimensions agree
         elif any(self.powers):
-            raise DimensionError(
-                f"{name} of a quantity in {self}: its argument must be a pure number"
-            )
+            raise DimensionError(f"{name} of a quantity in {self}: it must be a pure number")
         return Dimension()
 
 
@@ -172,10 +167,7 @@ class Compared(_Own):
     __slots__ = ()
 
     def __bool__(self):
-        raise DimensionError(
-            "a comparison of dimensions has no outcome, since they have no values: choose by "
-            "where(x < y, a, b), or in a function that is called once there are numbers"
-        )
+        raise DimensionError("dimensions have no values to compare: choose by where(x < y, a, b)")
 
     def where(self, a, b):
         """The dimension of ``a`` and ``b``; of words the first."""

@@ -357,10 +357,7 @@ class Vector(Scaled, NamedTerms):
         # (W. Kahan, How Futile are Mindless Assessments of Roundoff, 2006, section 12)
         across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
         if is_numeric(across) and is_numeric(along) and min_abs(abs(across) + abs(along)) == 0:
-            raise FrameError(
-                f"a zero vector makes no angle, but one of {self} and {other} is zero, or too "
-                "small to be squared"
-            )
+            raise FrameError(f"a zero vector makes no angle, but one of {self} and {other} is zero")
         return atan2(across, along)
 
     # -- change in time
@@ -382,14 +379,11 @@ class Vector(Scaled, NamedTerms):
         """
         if observer is None:
             raise FrameError(
-                "a vector changes differently in different frames: say which, as in Q.rate(ground)"
+                "a rate of a vector is seen from a frame: say which, as in Q.rate(ground)"
             )
         self.frame.common(observer)
         if self._own_rate is None:
-            raise FrameError(
-                f"the rate of {self} is not known: it was computed for one instant. Build it from "
-                "moving quantities, as in frame.vector(moving(x, rate=...), y, z)"
-            )
+            raise FrameError(f"the rate of {self} is not known; build it from moving(x, rate=...)")
         seen = self._own_rate().expressed_in(self.frame)
         if observer is self.frame:
             return seen

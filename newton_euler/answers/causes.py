@@ -87,17 +87,36 @@ def sentence(causes: Iterable[Cause]) -> str | None:
     if not causes:
         return None
     see = _(" (see {where})", where=causes[0].where) if causes[0].where else ""
-    words, *others = dict.fromkeys(c.what for c in causes)
-    if not others:
-        words = _within_words(spoken(causes[0].text), see) or words
+    texts = _together(dict.fromkeys(c.text for c in causes))
+    first, *others = dict.fromkeys(spoken(text).partition(": ")[0] for text in texts)
+    words = first
     for other in others:
         two = _("{first}; or one that {other}", first=words, other=other)
-        words = _within_words(two, see) or words
-    return words + see
+        words = two if _has_room(two, see) else words
+    in_full = spoken(texts[0])
+    return (in_full if words == first and _has_room(in_full, see) else words) + see
 
 
-def _within_words(words, see):
-    return words if len((words + see).split()) <= WORDS else None
+def _has_room(words, see):
+    return len((words + see).split()) <= WORDS
+
+
+def _together(texts):
+    """The texts; of two that differ in one value only, one that has both."""
+    found: list[str] = []
+    for text in texts:
+        for n, other in enumerate(found):
+            mine, others = (getattr(x, "values", {}) for x in (text, other))
+            alike = mine and getattr(other, "template", "") == text.template
+            differ = [k for k in mine if alike and mine[k] != others[k]]
+            if len(differ) == 1 and differ[0] in ("term", "quantity", "name", "factor"):
+                (k,) = differ
+                both = Words("{first} or {second}", first=others[k], second=mine[k])
+                found[n] = Words(text.template, **{**mine, k: both})
+                break
+        else:
+            found.append(text)
+    return found
 
 
 def slip(name: str, text: Words) -> Cause:
@@ -134,16 +153,14 @@ DIAGONAL_ONLY = slip(
 )
 BOUNDS = slip("bounds", Words("has its bounds in the wrong order: the lower one comes first"))
 OTHER_ORDER = slip(
-    "order",
-    Words("has its components in another order: each belongs to one axis of the text"),
+    "order", Words("has its components in another order: each belongs to one axis of the text")
 )
 AS_SCALARS = slip(
     "as scalars",
     Words("adds the rates of turning as numbers: they are vectors along different axes"),
 )
 ROUNDED = slip(
-    "rounded",
-    Words("rounds the right answer too far: give three significant figures or more"),
+    "rounded", Words("rounds the right answer too far: give three significant figures or more")
 )
 BOOK = Cause("book", "", Words("takes the numbers of the book: your sheet has others"))
 EARLIER = Cause(
@@ -166,11 +183,7 @@ NEAR_IN_FEW_DIGITS = Cause(
         percent=f"{100 * NEARLY:.0f}",
     ),
 )
-NUMBERS = Cause(
-    "seen",
-    "numbers",
-    Words("its symbols are right, a number in front of them is not"),
-)
+NUMBERS = Cause("seen", "numbers", Words("its symbols are right, a number in front of them is not"))
 FIRST_DIGITS = Cause(
     "seen",
     "first digits",
@@ -190,27 +203,29 @@ def right_but(places: Sequence[int], length: int) -> Cause:
 
 def reversed_components(places: Sequence[int]) -> Cause:
     """Some components have the opposite sign."""
-    which = _ordinals(places)
-    several = Words(
-        "has the opposite sign in its {which} components: check the direction of what adds to it; "
-        "the rest is right",
-        which=which,
-    )
     one = Words(
         "has the opposite sign in its {which} component: check the direction of what adds to it; "
-        "the rest is right",
-        which=which,
+        "the rest is right"
     )
-    return slip(f"opposite {which}", several if len(places) > 1 else one)
+    several = Words(
+        "has the opposite sign in its {which} components: check the direction of what adds to it; "
+        "the rest is right"
+    )
+    return slip(f"opposite {_ordinals(places)}", _of_places(places, one, several))
 
 
 def left_out_components(places: Sequence[int]) -> Cause:
     """Some components are zero."""
-    which = _ordinals(places)
-    text = Words("leaves out its {which} component: it is not zero here", which=which)
-    if len(places) > 1:
-        text = Words("leaves out its {which} components: they are not zero here", which=which)
-    return slip(f"without {which}", text)
+    one = Words("leaves out its {which} component: it is not zero here")
+    several = Words("leaves out its {which} components: they are not zero here")
+    return slip(f"without {_ordinals(places)}", _of_places(places, one, several))
+
+
+def added_components(places: Sequence[int]) -> Cause:
+    """Components where there are none."""
+    one = Words("has a {which} component, where there is none: look at what points along it")
+    several = Words("has {which} components, where there are none: look at what points along them")
+    return slip(f"more {_ordinals(places)}", _of_places(places, one, several))
 
 
 def is_left_out(cause: Cause) -> bool:
@@ -227,6 +242,15 @@ def exchanged_components(places: Sequence[int]) -> Cause:
         "exchanges its {which} components: each belongs to one axis of the text", which=which
     )
     return slip(f"exchanged {which}", text)
+
+
+def moved_component(of: int, to: int) -> Cause:
+    """What belongs to one component is added to another one."""
+    text = Words(
+        "puts its {one} component along the {other} axis: each belongs to its own axis",
+        one=ORDINALS[of], other=ORDINALS[to],
+    )  # fmt: skip
+    return slip(f"moved {of} to {to}", text)
 
 
 def exchanged_axes(places: Sequence[int]) -> Cause:
@@ -264,18 +288,14 @@ def exchanged_entries(one: Sequence[int], other: Sequence[int]) -> Cause:
     )
 
 
-def sum_on_diagonal(n: int) -> Cause:
-    """A moment of inertia is the sum of the two others."""
-    text = Words(
-        "takes {entry} as the sum of the two others: that is right for a flat body in its plane "
-        "only",
-        entry=_entry(n, n),
-    )
-    return slip(f"sum {n}", text)
-
-
 def _ordinals(places: Sequence[int]) -> str:
     return joined(ORDINALS[n] for n in places)
+
+
+def _of_places(places: Sequence[int], one: Words, several: Words, **values: object) -> Words:
+    """The sentence on one component, or on several, "the first and second"."""
+    template = (several if len(places) > 1 else one).template
+    return Words(template, which=_ordinals(places), **values)
 
 
 LOST = {
@@ -303,10 +323,7 @@ def component_multiplied(places: Sequence[int], what: str, factor: float, large:
     several = Words(
         "has its {which} components {factor} times too {how} ({what}): the rest is right"
     )
-    text = Words(
-        (several if len(places) > 1 else one).template,
-        which=_ordinals(places), factor=f"{factor:.4g}", how=how, what=what,
-    )  # fmt: skip
+    text = _of_places(places, one, several, factor=f"{factor:.4g}", how=how, what=what)
     return Cause("factor", f"{places} {what} {how}", text)
 
 
@@ -316,6 +333,9 @@ def both(first: Cause, second: Cause) -> Cause:
     """
     name, one, other = f"{first.name} + {second.name}", first.what, second.what
     text = Words("{first}, and also {second}: both change the answer", first=one, second=other)
+    if second == OPPOSITE_NUMBER and re.fullmatch("has .* with the opposite sign", one):
+        what = one.removeprefix("has ").removesuffix(" with the opposite sign")
+        return Cause("both", name, Words("has all but {term} with the opposite sign", term=what))
     if len(f"{one} {other}".split()) > BRIEF:
         short = min(one, other, key=lambda x: len(x.split())).partition(", ")[0]
         words, more = short.split()[: BRIEF - 3], short.split()[BRIEF - 3 :]

@@ -18,6 +18,7 @@ from .slips import (
     multiples,
     of_components,
     of_last_resort,
+    of_none,
     of_powers,
     rates_as_scalars,
 )
@@ -75,9 +76,7 @@ class Elsewhere:
 
 
 def _fits(part, x):
-    if part.kind.is_word:
-        return x == part.given
-    return Fit(part.given, part.key, part.kind.rtol)(x)
+    return x == part.given if part.kind.is_word else Fit(part.given, part.key, part.kind.rtol)(x)
 
 
 def diagnose(
@@ -101,23 +100,30 @@ def diagnose(
     singles : finds the slips of which two may have been made at once
     """
     elsewhere = elsewhere or Elsewhere()
-    if kind.is_word:  # of few words one is soon met by chance: listed mistakes only
-        models = (Hit(EXACT, *m) for m in wrong if m[0].group == "listed")
-        return _best([[hit for hit in models if hit.points == given]], elsewhere, ())
+    if kind.is_word:  # of few words one is soon met by chance: listed mistakes, and of counts
+        models = [m for m in wrong if m[1] == given and m[0].group in ("listed", "count")]
+        return _best([[Hit(EXACT, *m) for m in models[:MOST]]], elsewhere, ())
     fit = Fit(given, key, kind.rtol)
     single = [*_stages(fit, wrong, kind, factors or {})]
     general = _closest(single)
     computed: list[Hit] = []
-    if slips and all(_says_little(h.cause, kind) for h in general):  # what is listed costs less
+    doubtful = (_says_little(h.cause, kind) or elsewhere.contradicts(h.cause) for h in general)
+    if slips and all(doubtful):  # what is listed costs less
         computed = _simplest(fit, slips(fit, kind), elsewhere)
+        if any(elsewhere.contradicts(h.cause) for h in general):
+            computed = [h for h in computed if not elsewhere.contradicts(h.cause)]
     if general:  # either may have been done: they give the same numbers
         both_kinds = *_best(single, elsewhere, fit.sizes), *_best([computed], elsewhere, fit.sizes)
         found = _most_explaining(both_kinds, elsewhere)[:MOST]
+        found = tuple(sorted(found, key=elsewhere.contradicts))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
-    found = found or _of_components(fit) or (_in_the_whole(fit, kind) if slips else ())
+    # a factor of some components, met within the digits written: one slip goes before two
+    found = found or _first(of_components(fit), fit, CLOSE)
+    found = found or (_in_the_whole(fit, kind) if slips else ())
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
-    return found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
+    found = found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
+    return found or tuple(cause for cause, x in of_none(fit) if fit(x))
 
 
 def _says_little(cause, kind):
@@ -149,10 +155,9 @@ def _best(stages, elsewhere, sizes):
         [h._replace(cause=in_this_part(h.cause)) for h in hits if h.cause in contradicted]
         for hits in stages
     ]
-    best = _closest(possible) or _closest(here) or next(filter(None, possible), [])
-    if not best:  # numbers in a formula, written in five digits, are never as close
-        formulas = ([h for h in hits if len(h.points) > 1] for hits in here)
-        best = next(filter(None, formulas), [])
+    # numbers in a formula, written in five digits, are never as close
+    formulas = ([h for h in hits if len(h.points) > 1] for hits in here)
+    best = _closest(possible) or _closest(here) or next(filter(None, [*possible, *formulas]), [])
     twins = [
         h
         for hits in (*possible, *here)
@@ -168,6 +173,9 @@ def _simplest(fit, near, elsewhere):
     """
     if not near:
         return []
+    # a number in a wrong unit may be as good as zero, or as good as all there is
+    is_zero = any("not zero here" in cause.text for _, cause, _ in near)
+    near = [hit for hit in near if not (is_zero and hit[1].group == "unit")]
     hits = [(level, Hit(fit(x), cause, x)) for level, cause, x in near]
     best = max((hit.level for _, hit in hits), default=0)
     fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]
@@ -224,7 +232,9 @@ def _stages(
     def group(name, models=near):
         return [model for model in models if model[0].group == name]
 
-    rounded = [Hit(EXACT, ROUNDED, fit.given)] if _is_surely_rounded(fit) else []
+    # a single number, read as 2.5, may have lost a zero that was written in 2.50
+    surely_rounded = is_rounded(fit.given, fit.key) and sum(map(bool, fit.given[0])) > 1
+    rounded = [Hit(EXACT, ROUNDED, fit.given)] if surely_rounded else []
     single = NUMBER_RTOL if kind.is_met_by_chance else None
     yield [*of(group("listed"), single), *of(group("book"), single, apart=False), *rounded]
     yield of([*group("omitted"), *group("term")])
@@ -239,9 +249,9 @@ def _stages(
     yield of(group("exchanged"), single)
 
 
-def _of_components(fit):
-    """A factor of some components, met within the digits written: one slip goes before two."""
-    return tuple(cause for cause, x in of_components(fit) if fit(x) >= CLOSE)[:1]
+def _first(models, fit, least):
+    """The first cause that fits so closely."""
+    return tuple(cause for cause, x in models if fit(x) >= least)[:1]
 
 
 def _in_the_whole(fit, kind):
@@ -249,16 +259,8 @@ def _in_the_whole(fit, kind):
     chance.
     """
     alone = kind.is_met_by_chance or (not kind.is_formula and sum(map(bool, fit.given[0])) < 2)
-    near = LOOSE if kind.is_formula else CLOSE
     models = of_powers(fit) if alone else of_last_resort(fit)
-    return tuple(cause for cause, x in models if fit(x) >= near)[:1]
-
-
-def _is_surely_rounded(fit):
-    """True of several components in few digits; in a single one, read as 2.5, a zero may be lost
-    that was written in 2.50.
-    """
-    return is_rounded(fit.given, fit.key) and sum(map(bool, fit.given[0])) > 1
+    return _first(models, fit, LOOSE if kind.is_formula else CLOSE)
 
 
 def _of_unlike_axes(models, fit):

@@ -8,33 +8,12 @@ from ..algebra.language import Words
 from ..algebra.source import WITHIN
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, unit
+from . import edits_of_equations as equations
+from . import edits_of_givens as givens
+from . import edits_of_groups as groups
+from . import edits_of_operations as operations
+from . import edits_of_quantities as quantities
 from .causes import Cause, computed
-from .edits_of_equations import of_elimination, of_equations
-from .edits_of_givens import (
-    HALF,
-    LENGTH,
-    ONE,
-    TWICE,
-    of_exchanged,
-    of_given,
-    of_integrand,
-    of_one_unit,
-    of_shifted,
-    of_symbol,
-    of_unit,
-    of_vectors,
-)
-from .edits_of_groups import of_constants, of_factors, of_terms
-from .edits_of_operations import PRODUCT, of_angles, of_moment, of_operation, of_product
-from .edits_of_quantities import (
-    of_components,
-    of_densities,
-    of_distances,
-    of_other_entries,
-    of_quantities,
-    of_squares,
-    of_uncancelled,
-)
 from .formulas import (
     FIRST,
     LEAST,
@@ -99,14 +78,14 @@ def _edits(formulas):
     dimensions = dimensions_of(every, {n: unit(u) for n, u in formulas.units.items()})
     own = US if any(u.is_of_feet for u in read.values()) else SI
     number = partial(_number, dimensions, system, own)
-    yield from of_angles(steps)
-    yield from of_constants(steps, dimensions.get)
-    yield from of_one_unit(given, read, system)
-    yield from of_exchanged(given, read)
-    yield from of_shifted(anything, read, steps)
+    yield from operations.of_angles(steps)
+    yield from groups.of_constants(steps, dimensions.get)
+    yield from givens.of_one_unit(given, read, system)
+    yield from givens.of_exchanged(given, read)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
-    yield from of_vectors([a.parts for a in answers.values()])
+    yield from givens.of_lengths(given, read)
+    yield from givens.of_vectors({key: a.parts for key, a in answers.items()})
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
     yield from _of_differences(answers, numbers, formulas.stages, dimensions)
     yield from _of_stages(answers, formulas.stages, dimensions)
@@ -114,40 +93,47 @@ def _edits(formulas):
     leaves = {x for a in answers.values() for x in a.parts if isinstance(x, Step)}
     symbols, users_in = formulas.symbols, users_of(steps)
     unwritten = _unwritten(users_in)
-    written = _varying(steps) - unwritten - of_elimination(formulas.systems)
+    written = _varying(steps) - unwritten - equations.of_elimination(formulas.systems)
     products = {
         s: None for s, users in users_in.items()
-        if s.op in PRODUCT and s in written and (s in leaves or not _is_factor(users))
+        if s.op in operations.PRODUCT and s in written and (s in leaves or not _is_factor(users))
     }  # fmt: skip
     factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
-    yield from of_equations(formulas.systems)
-    yield from of_quantities(answers, formulas.stages, steps, dimensions.get)
-    yield from of_distances(given, products, dimensions.get)
+    yield from equations.of_equations(formulas.systems, number, dimensions.get)
+    yield from quantities.of_quantities(answers, formulas.stages, steps, dimensions.get)
+    named = [(s.means, s.parts) for s in formulas.stages if s.means]
+    named += [(key, a.parts) for key, a in answers.items()]
+    yield from quantities.of_cross_products(named)
+    yield from quantities.of_ratios(named, answers, given, dimensions.get)
+    yield from quantities.of_distances(given, products, dimensions.get)
     angles = {n: s for n, s in anything.items() if read[n].is_of_angle}
-    yield from of_components(given, angles, dimensions.get)
-    yield from of_uncancelled(anything, products, given, dimensions.get)
-    yield from of_densities(given, steps, dimensions.get)
-    yield from of_squares(products, number, dimensions.get)
-    yield from of_other_entries(answers)
-    yield from of_terms(steps, formulas.units)
-    yield from of_factors(products, number)
+    yield from quantities.of_components(given, angles, dimensions.get)
+    yield from quantities.of_densities(given, steps, dimensions.get)
+    yield from quantities.of_squares(products, number, dimensions.get)
+    yield from quantities.of_other_entries(answers)
+    yield from quantities.of_sums_squared(steps)
+    yield from groups.of_terms(steps, formulas.units)
+    yield from groups.of_factors(products, number)
     for s, users in users_in.items():
         if s not in written:
             continue
-        slips = [*of_operation(s), *of_moment(s, dimensions.get)]
+        slips = [*operations.of_operation(s), *operations.of_moment(s, dimensions.get)]
         if s.op == "argument":
             name, means = s.args[0], formulas.means.get(s.args[0], "")
-            found = of_given(s, anything, read, number, means, read[name].to_base(1.0, system))
+            found = givens.of_given(
+                s, anything, read, number, means, read[name].to_base(1.0, system)
+            )
             if name in symbols:
-                found = [*found, *of_symbol(s, formulas.given, formulas.units)]
+                found = [*found, *givens.of_symbol(s, formulas.given, formulas.units)]
             # what is alone in a term, as H in D^2 + H^2, is no factor of it
-            slips += [slip for slip in found if slip[1] != ONE or s in factors]
+            is_factor = s in factors or any(user.op in WITHIN for user in users)
+            slips += [slip for slip in found if slip[1] != givens.ONE or is_factor]
             # nobody converts the symbols of a formula
-            slips += of_unit(s, read[name], system) if name not in symbols else ()
+            slips += givens.of_unit(s, read[name], system) if name not in symbols else ()
         if s in products:
-            slips += of_product(s, number, dimensions.get)
-        if s.op == "argument" and any(user.op == "integral" for user in users):
-            slips += of_integrand(s)
+            slips += operations.of_product(s, number, dimensions.get)
+        if s.op == "item" and s.args[0].op == "integral":
+            slips += givens.of_integral(s)
         for n, slip in enumerate(slips):
             yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in unwritten])
 
@@ -156,7 +142,7 @@ def _unwritten(users_in):
     """The sums that repeat a given, and what is used in them alone: nobody writes them."""
     found = {s for s in users_in if repeats(s)}
     for s, users in reversed(users_in.items()):
-        if s.op in (*PRODUCT, "+", "-") and users and found.issuperset(users):
+        if s.op in (*operations.PRODUCT, "+", "-") and users and found.issuperset(users):
             found.add(s)
     return found
 
@@ -172,7 +158,7 @@ def _varying(steps):
 
 def _is_factor(users):
     """True of what is a factor of one product."""
-    return len(users) == 1 and users[0].op in PRODUCT
+    return len(users) == 1 and users[0].op in operations.PRODUCT
 
 
 def _number(dimensions, system, own, s):
@@ -190,7 +176,7 @@ def _everywhere_and_once(s, place, slip, users):
     rank, kind, words, expression = slip
     cause = words if isinstance(words, Cause) else computed(f"{kind} {s.number} {place}", words)
     yield Edit(rank, cause, {s.number: expression})
-    if kind in (TWICE, HALF):
+    if kind in (givens.TWICE, givens.HALF):
         return  # of one quantity, or a factor of one term
     users = [user for user in users if user.op not in WITHIN] if len(users) > 1 else []
     for user in users if len(users) <= MANY and rank <= LESS else ():
@@ -204,7 +190,7 @@ def _in_one_place(cause, kind, user):
     """By how much less simple a slip is in one use than in all, and its words: a given that is zero
     or of the other sign in one product makes the product so.
     """
-    term = described(user, "the term") if user.op in PRODUCT else ""
+    term = described(user, "the term") if user.op in operations.PRODUCT else ""
     if term and kind == "zero":
         return 1, Words("leaves out {term}: it is not zero here", term=term)
     if term and kind == "sign":
@@ -249,7 +235,7 @@ def _of_unchanged(answers, given, read):
                     "gives {name} unchanged, as if nothing else counted: {key} is asked for",
                     name=name, key=key,
                 )  # fmt: skip
-                if isinstance(x, Step) and x is not step and (alone or own == LENGTH):
+                if isinstance(x, Step) and x is not step and (alone or own == givens.LENGTH):
                     rank = FIRST if alone else LEAST
                     yield Edit(rank, computed(f"{name} for {x.number}", words), {x.number: step})
                     half = Words(words.template, name=f"{name}/2", key=key)
@@ -293,10 +279,7 @@ def _of_angles(answers):
     angles = [a.parts[0] for a in answers.values() if unit(a.unit).is_of_angle]
     angles = [x for x in angles if isinstance(x, Step)]
     others = (
-        (
-            pi,
-            Words("gives the supplement of the angle: the other one between the lines is meant"),
-        ),
+        (pi, Words("gives the supplement of the angle: the other one between the lines is meant")),
         (pi / 2, Words("gives the angle to the normal: that to the line itself is meant")),
     )
     for whole, words in others if angles else ():
@@ -307,7 +290,9 @@ def _of_angles(answers):
 def _of_stages(answers, stages, dimensions):
     """Answers that stop on the way: a quantity of the same dimension, its size, a component."""
     vectors = [Stage(key, "", a.parts, key) for key, a in answers.items() if len(a.parts) == 3]
-    known = {s.number for s, of in dimensions.items() if of is not None or s.op not in PRODUCT}
+    known = {
+        s.number for s, of in dimensions.items() if of is not None or s.op not in operations.PRODUCT
+    }
     for key, answer in answers.items():
         named = [s for s in stages if s.means]  # of the others there is nothing to read
         for stage in (*named, *(vectors if len(answer.parts) == 1 else ())):

@@ -3,20 +3,32 @@ sign, or left out, in one of them.
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from typing import Any
 
 from ..algebra.language import Words
+from ..algebra.late import np
 from ..algebra.linear import Solved
 from ..algebra.trace import Step
+from ..algebra.units import Dimension
 from .causes import computed
-from .formulas import SIMPLE, Edit, needed
-from .typed import described
+from .edits_of_givens import LENGTH
+from .formulas import LESS, SIMPLE, Edit, needed
+from .typed import Product, described
 
 SLIPS = {
     -1.0: Words("has {term} with the opposite sign in one equation: check which way it points"),
     0.0: Words("leaves out {term} in one equation: it acts there, too"),
+}
+ARMS = {
+    1.0: Words("leaves out {arm} beside {term} in one equation: a moment has an arm").template,
+    2.0: Words(
+        "takes twice {arm} beside {term} in one equation: look for it in the figure"
+    ).template,
+    0.5: Words(
+        "takes half of {arm} beside {term} in one equation: look for it in the figure"
+    ).template,
 }
 NAMELESS = re.compile(r"u_\d+")  # unknowns without a name of their own
 
@@ -54,7 +66,9 @@ def to_float(x: Any) -> Any:
     return x if isinstance(x, Step) else float(x)
 
 
-def of_equations(systems: Sequence[Solved]) -> Iterator[Edit]:
+def of_equations(
+    systems: Sequence[Solved], number: Callable[[Step], Any], of: Callable[[Step], Dimension | None]
+) -> Iterator[Edit]:
     """The slips in the entries of each system."""
     for system in square(systems):
         width, inside = len(system.names) + 1, entries(system)
@@ -63,15 +77,22 @@ def of_equations(systems: Sequence[Solved]) -> Iterator[Edit]:
             name = _name(place % width, x, system.names)
             if not name or (not isinstance(x, Step) and x == 0):
                 continue
-            for factor, words in SLIPS.items():
+            slips: list[tuple[int, Any, Words]] = [
+                (SIMPLE, factor, Words(words.template, term=name))
+                for factor, words in SLIPS.items()
+            ]
+            arms = [a for a, n in Product(x).powers.items() if n > 0 and of(a) == LENGTH]
+            for arm, said in ((a, described(a)) for a in arms):
+                for factor, text in ARMS.items() if said else ():
+                    times = ("/", 1.0, number(arm)) if factor == 1 else factor
+                    slips.append((LESS, times, Words(text, arm=said, term=name)))
+            for n, (rank, factor, words) in enumerate(slips):
                 instead = {
                     s.number: ("equations", float(width), float(k), float(place), factor, *inside)
                     for k, s in unknowns
                     if isinstance(s, Step)
                 }
-                words = Words(words.template, term=name)
-                cause = computed(f"equations {[*instead]} {place} {factor}", words)
-                yield Edit(SIMPLE, cause, instead)
+                yield Edit(rank, computed(f"equations {[*instead]} {place} {n}", words), instead)
 
 
 def _name(column, x, names):
@@ -95,8 +116,6 @@ def solution(width: float, unknown: float, place: float, factor: float, *inside:
 @lru_cache(maxsize=16)
 def _solved(width, inside):
     """(solution, inverse matrix), (None, None) of equations without."""
-    import numpy as np
-
     rows = np.array(inside).reshape(-1, width)
     try:
         inverse = np.linalg.inv(rows[:, :-1])

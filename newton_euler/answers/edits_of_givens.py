@@ -2,16 +2,16 @@
 mass.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, permutations
 from math import pi
 from typing import Any
 
 from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, System, Unit, unit
-from .causes import computed, unconverted
+from .causes import Cause, computed, unconverted
 from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
@@ -20,7 +20,7 @@ TWICE, HALF, ONE = "doubled", "halved", "one"
 G, G_OF_FEET = 9.81, 32.2  # the number of g, where the text gives none
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
-SEVERAL = 6  # givens of one unit, of which more are not shifted
+SEVERAL = 6  # lengths, of which no sums are tried if there are more
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
@@ -49,13 +49,17 @@ def of_given(
             rank = RARER if read[other].text == own.text else LESS
             words = Words("takes {other} for {name}: {why}", other=other, name=name, why=is_it)
             yield rank, f"given {other}", words, step
+            if own.is_of_angle:
+                words = Words("takes {name} - {other} for {name}: {why}",
+                              name=name, other=other, why=is_it)  # fmt: skip
+                yield LEAST, f"less {other}", words, ("-", s, step)
     if own.dimension != MASS:
         words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
         yield RARER, "sign", words, ("neg", s)
     rank = RARER if own.dimension == LENGTH else LESS
-    twice = Words("takes twice {name}, or errs by a factor of 2: {why}", name=name, why=is_it)
+    twice = Words("takes twice {name}, or has a 2 too many beside it: {why}", name=name, why=is_it)
     yield rank, TWICE, twice, ("*", s, 2.0)
-    half = Words("takes half of {name}, or errs by a factor of 2: {why}", name=name, why=is_it)
+    half = Words("takes half of {name}, or lacks a factor 2 beside it: {why}", name=name, why=is_it)
     yield rank, HALF, half, ("*", s, 0.5)
     yield LESS, "zero", Words("leaves out {name}: it is not zero here", name=name), ("*", s, 0.0)
     yield (
@@ -91,28 +95,32 @@ def of_given(
 
 
 def of_symbol(s: Step, given: Mapping[str, Step], units: Mapping[str, str]) -> Iterator[Slip]:
-    """A symbol for one in another unit, and the sum of two for one of them."""
+    """A symbol for one in another unit."""
     name = s.args[0]
     for other, step in given.items():
         if units[other] != units[name]:
             words = Words("takes {other} for {name}: {why}", other=other, name=name, why=NO_FIT)
             yield LEAST, f"symbol {other}", words, step
-        elif other != name:
-            words = Words(
-                "takes {name} + {other} for {name}: {name} counts alone there",
-                name=name, other=other,
-            )  # fmt: skip
-            yield LEAST, f"sum {other}", words, ("+", s, step)
 
 
-def of_integrand(s: Step) -> Iterator[Slip]:
-    """A given within an integral, with a factor of t^3/3 or t^4/12 lost or confused."""
-    words = Words(
-        "has another factor with {name}: each integral divides by its power", name=s.args[0]
-    )
-    for factor in (3, 4, Fraction(3, 2), Fraction(4, 3)):
-        for f in (factor, 1 / Fraction(factor)):
-            yield LESS, f"integral {f}", words, ("*", s, float(f))
+def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+    """A length to another point: more or less by another one, or by half of it."""
+    lengths = [n for n in given if read[n].dimension == LENGTH]
+    for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
+        for part, x in ((other, given[other]), (f"{other}/2", ("*", given[other], 0.5))):
+            for op in ("+", "-"):
+                words = Words("takes {name} {op} {part} for {name}: it leads to another point",
+                              name=name, op=op, part=part)  # fmt: skip
+                cause = computed(f"{name} {op} {part}", words)
+                yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
+
+
+def of_integral(s: Step) -> Iterator[Slip]:
+    """An integral with a factor of t^3/3 or t^4/12 lost or confused."""
+    words = Words("has another factor in an integral: each power is divided by its own")
+    for f in (3, 4, Fraction(3, 2), Fraction(4, 3)):
+        for factor in (f, 1 / Fraction(f)):
+            yield LESS + 1, f"integral {factor}", words, ("*", s, float(factor))
 
 
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
@@ -124,7 +132,7 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
             "converts {name} from {unit} the wrong way: its factor is inverted",
             name=name, unit=own.text,
         )  # fmt: skip
-        yield LESS, "wrong way", words, ("*", s, ratio * ratio)
+        yield LESS, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
     if _is_of_turns(own):
         yield SIMPLE, "2 pi", Words(TWO_PI, name=name), ("*", s, 0.5 / pi)
     for part in own.parts:
@@ -172,32 +180,17 @@ def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterato
             yield Edit(LESS, computed(f"exchanged {a} {b}", words), {s.number: t, t.number: s})
 
 
-def of_shifted(
-    given: Mapping[str, Step], read: Mapping[str, Unit], steps: Sequence[Step]
-) -> Iterator[Edit]:
-    """Each of several numbered givens, as m1, m2, m3, in the place of its neighbour."""
-    needed = {s.number for s in steps}
-    for stem in dict.fromkeys(n.rstrip("0123456789") for n in given):
-        names = [n for n in given if n != stem == n.rstrip("0123456789")]
-        around = names[1:] + names[:1]
-        rows = (names, names[1:]), (names[1:], names), (names, around), (around, names)
-        for own, others in rows if 2 < len(names) <= SEVERAL else ():
-            pairs = [(a, b) for a, b in zip(own, others, strict=False) if given[a].number in needed]
-            if len(pairs) > 1:
-                (a, b), *_ = pairs
-                words = Words("takes {b} for {a}, and so on: each has its own place", a=a, b=b)
-                instead = {given[a].number: given[b] for a, b in pairs}
-                yield Edit(LESS, computed(f"shifted {pairs}", words), instead)
-
-
-def of_vectors(answers: Iterable[Sequence[Any]]) -> Iterator[Edit]:
+def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
     """The givens that are the components of one vector, with the opposite sign or left out: those
-    in the same place in all components of an answer.
+    in the same place in all components of an answer; they themselves, or added to it.
     """
     found = dict[tuple[Step, ...], None]()
-    for parts in answers:
+    for key, parts in answers.items():
         if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
-            found |= dict.fromkeys(_alike(parts))
+            own = dict.fromkeys(_alike(parts))
+            found |= own
+            yield from _of_whole_vectors(key, parts, own)
+            yield from _of_factors(parts)
     for steps in found:
         names = joined(s.args[0] for s in steps)
         turned = Words("takes {names} with the opposite sign: they are one vector", names=names)
@@ -206,6 +199,31 @@ def of_vectors(answers: Iterable[Sequence[Any]]) -> Iterator[Edit]:
             SIMPLE, computed(f"turned {names}", turned), {s.number: ("neg", s) for s in steps}
         )
         yield Edit(SIMPLE, computed(f"no {names}", zero), {s.number: 0.0 for s in steps})
+
+
+def _of_factors(steps):
+    """The same where they are factors: left out of the products in one place of each component."""
+    ops = {s.op for s in steps}
+    for k, own in enumerate(zip(*(s.args for s in steps), strict=False) if len(ops) == 1 else ()):
+        if not all(isinstance(x, Step) for x in own):
+            continue
+        if ops == {"*"} and len(set(own)) == len(own) and {x.op for x in own} == {"argument"}:
+            names = joined(x.args[0] for x in own)
+            words = Words("leaves out the factors {names}: they are one vector", names=names)
+            instead = {s.number: s.args[1 - k] for s in steps}
+            yield Edit(LESS, computed(f"without {names} {[*instead]}", words), instead)
+        yield from _of_factors(own)
+
+
+def _of_whole_vectors(key, parts, vectors):
+    for steps in vectors if len(parts) == 3 else ():
+        names = joined(s.args[0] for s in steps)
+        alone = Words("gives {names} unchanged: {key} is asked for", names=names, key=key)
+        more = Words("adds {names} to {key}: it alone is asked for", names=names, key=key)
+        pairs = [*zip(parts, steps, strict=True)]
+        yield Edit(LESS, computed(f"{names} for {key}", alone), {x.number: s for x, s in pairs})
+        added = {x.number: ("+", x, s) for x, s in pairs}
+        yield Edit(LESS, computed(f"{names} and {key}", more), added)
 
 
 def _alike(steps):

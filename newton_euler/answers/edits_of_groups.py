@@ -10,7 +10,7 @@ from ..algebra.language import Words
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
 from .causes import computed
-from .formulas import LEAST, LESS, Edit, users_of
+from .formulas import LEAST, LESS, Edit, needed, users_of
 from .typed import Product, described, typed
 
 PRODUCT, SUM = ("*", "/"), ("+", "-")
@@ -91,6 +91,22 @@ def of_factors(products: Iterable[Step], number: Callable[[Step], Any]) -> Itera
             if max(powers) < 0:
                 words = Words("does not divide by {factor}: the formula does", factor=named)
             yield Edit(LESS, computed(f"no {x.number}", words), {x.number: ("/", x, number(x))})
+    yield from _of_chain_rule([*products], number)
+
+
+def _of_chain_rule(products, number):
+    """A given that each differentiation of sin(n*t) brings in as a factor, left out of all."""
+    turning = [x for s in products for x in Product(s).powers if x.op in ("sin", "cos")]
+    inside = dict.fromkeys(needed(turning))
+    for x in (x for x in inside if x.op == "argument"):
+        lost = {
+            s.number: ("/", s, ("**", number(x), float(n)))
+            for s in products if s not in inside and (n := Product(s).powers.get(x, 0)) > 0
+        }  # fmt: skip
+        if len(lost) > 1:
+            words = Words("leaves out the inner derivative {name}: each chain rule brings it in",
+                          name=x.args[0])  # fmt: skip
+            yield Edit(LESS, computed(f"chain rule {x.number}", words), lost)
 
 
 def neighbours(c: Fraction) -> list[Fraction]:

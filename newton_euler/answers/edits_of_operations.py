@@ -19,13 +19,14 @@ from .formulas import LEAST, LESS, RARER, SIMPLE, Edit, needed
 from .typed import Product, described, is_given, typed
 
 Slip = tuple[int, str, str | Cause, Any]
+UNNAMED = Words("one term of a sum")
 AREA, INERTIA, ENERGY = Dimension(0, 2), Dimension(1, 2), Dimension(1, 2, -2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 TWICE_ITS_ANGLE = Words("takes {own}(2*{angle}) for {own}({angle})^2: these differ").template
 TANGENT = Words("takes tan({angle}) for 1/cos({angle}): that is another side of its triangle")
 DOUBLED = {("sin", 2): TWICE_ITS_ANGLE, ("cos", 2): TWICE_ITS_ANGLE, ("cos", -1): TANGENT.template}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
-INVERSE = ("asin", "acos", "atan", "atan2")
+SINES = {"asin": Words("sine"), "acos": Words("cosine")}
 PRODUCT = ("*", "/")
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
 RATIOS = {
@@ -68,9 +69,6 @@ def _of_sum(s):
         else Words("both terms there are added")
     )
     turned_first = ("neg", ("+", a, b)) if minus else ("-", b, a)
-    if (whole := typed(s)) and _is_half(a, b, minus):
-        words = Words("takes half of {sum}: it counts in full", sum=whole)
-        yield SIMPLE, "half", words, ("*", s, 0.5)
     yield from _of_legs(s)
     for term, left, turned in (
         (a, ("neg", b) if minus else b, turned_first),
@@ -85,11 +83,19 @@ def _of_sum(s):
             yield turning, "sign", words, turned
         yield rank, "term", Words("leaves out {term}: it is not zero here", term=what), left
         doubles = Words("doubles {term}: it counts once", term=what)
-        halves = Words("halves {term}: it counts once", term=what)
+        halves = Words("halves {term}: it counts in full", term=what)
         kinds = (2.0, "doubles", doubles), (0.5, "halves", halves)
         for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
             yield LESS, kind, words, (s.op, *scaled)
+        for factor in (4, 2, 0.5, 0.25) if not isinstance(term, Step) and term else ():
+            words = Words(
+                "takes {other} for {term}: its own number counts",
+                other=f"{factor * term:g}",
+                term=what,
+            )
+            scaled = (("*", x, factor) if x is term else x for x in (a, b))
+            yield LEAST, f"{factor} times", words, (s.op, *scaled)
 
 
 def _of_legs(s):
@@ -103,22 +109,13 @@ def _of_legs(s):
             yield LESS, "legs", words, (s.op, ("*", a, power), ("/", b, power))
 
 
-def _is_half(a, b, minus):
-    """True of like terms of which one with the opposite sign leaves the half of their sum."""
-    x, y = Product(a), Product(b)
-    if x.powers != y.powers or not (x.powers and x.is_exact and y.is_exact):
-        return False
-    p, q = x.coefficient, -y.coefficient if minus else y.coefficient
-    return 2 * abs(p - q) == abs(p + q)
-
-
 def _term(term, whole):
     if not isinstance(term, Step):
         around = typed(whole)
         if around:
             return Words("the {number} of {sum}", number=f"{term:g}", sum=around)
         return Words("the constant term of a sum")
-    return described(term, "the term") or Words("one term of a sum")
+    return described(term, "the term") or UNNAMED
 
 
 def of_product(
@@ -135,12 +132,17 @@ def of_product(
     for factor, power in product.powers.items():
         if described(factor):
             yield from _of_factor(s, factor, power, number(factor), of, why(factor))
-    for part, op in parts_of(s, "/"):
-        if (inner := Product(part)).coefficient == 1 and len(inner.powers) == 1:
+    parts = [(part, op, 1) for part, op in parts_of(s, "/")]
+    if s.args[0] is s.args[1]:
+        parts += [(part, op, 2) for part, op in parts_of(s.args[0], "/")]
+    for part, op, times in parts:
+        inner = Product(part)
+        if inner.is_exact and inner.coefficient == 1 and len(inner.powers) == 1:
             continue  # one factor, as above
         named = described(part, "the factor") or Words("a factor")
         words = Words(LEAVES_OUT, factor=named, of=of if whole else "", why=why(part))
-        yield LESS, "factor", words, (op, s, number(part))
+        cause = computed(f"part {part.number} {times} {s.number}", words, f"part {part.number}")
+        yield LESS, "factor", cause, (op, s, ("**", number(part), float(times)))
     yield from _of_ratios(s, product, dimension, of)
     powers = product.powers.values()
     if min(powers, default=0) < 0 < max(powers):
@@ -156,10 +158,6 @@ def of_product(
                 other=other, own=c, of=of,
             )  # fmt: skip
             yield rank, f"constant for {other}", words, ("*", s, float(other / c))
-        turn = next((x for x, power in product.powers.items() if (x.op, power) == ("pi", 2)), None)
-        if turn is not None and c.numerator % 4 == 0:
-            words = Words("does not square 2*pi{of}: the formula has its square", of=of)
-            yield LESS, "2 pi", words, ("/", s, ("*", turn, 2.0))
         for lost in {Fraction(c.numerator), Fraction(1, c.denominator), c} - {Fraction(1)}:
             words = Words(
                 "leaves out the factor {factor}{of}: the formula has it", factor=lost, of=of
@@ -212,8 +210,6 @@ def _of_factor(s, x, power, factor, of, why):
         of = "" if of == f" of {named}^2" else of
         words = Words("does not square {factor}{of}: {why}", factor=named, of=of, why=why)
         yield SIMPLE, "square", words, ("/", s, factor)
-        words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
-        yield LEAST, "half", words, ("*", s, 0.25)
     elif power == -2:
         words = Words("divides by {factor}, not by its square: {why}", factor=named, why=why)
         yield SIMPLE, "square", words, ("*", s, factor)
@@ -254,16 +250,39 @@ def _of_root(s):
         words = Words("does not square the numbers in {sum}: the whole term is squared", sum=inside)
         sums = [roots.get(getattr(y, "number", -1), y) for y in squares]
         yield SIMPLE, "numbers", words, ("sqrt", reduce(lambda a, b: ("+", a, b), sums))
-    if len(squares) > 1 and all(Product(a).is_square for a in squares):
-        words = Words("adds components as numbers: they are at right angles")
-        sizes = [("sqrt", a) for a in squares]
-        yield SIMPLE, "components", words, reduce(lambda a, b: ("+", a, b), sizes)
+    if len(squares) > 1 and all(Product(a).is_square and Product(a).powers for a in squares):
+        yield from _of_components([Product(a) for a in squares])
         return
     sums = [y for y, n in Product(x).powers.items() if n == 1 and y.op in ("+", "-")]
     for y in [x] if x.op in ("+", "-") else sums:
         roots: Any = (y.op, *(("sqrt", ("abs", a)) for a in y.args))
         words = Words("takes the root of each term of a sum: it is the root of the whole")
         yield LESS, "roots", words, ("*", s, ("/", roots, ("sqrt", y)))
+
+
+def _of_components(squares):
+    """The size of a vector by its components as numbers, or by no squares, or by squares of sums in
+    which each term is squared by itself.
+    """
+
+    def total(parts):
+        return reduce(lambda a, b: ("+", a, b), parts)
+
+    sides = [
+        reduce(lambda a, b: ("*", a, b), [("**", x, p / 2) for x, p in square.powers.items()])
+        for square in squares
+    ]
+    words = Words("adds components as numbers: they are at right angles")
+    yield SIMPLE, "components", words, total([("abs", side) for side in sides])
+    yield LESS, "signed components", words, ("abs", total(sides))
+    words = Words("does not square the components: the squares are added, and then the root taken")
+    yield LESS, "no squares", words, ("sqrt", ("abs", total(sides)))
+    sums = [next(iter(square.powers)) for square in squares]
+    if all(x.op in ("+", "-") for x in sums):
+        words = Words("squares each term of a sum by itself: twice their product belongs to it")
+        for op in ("+", "-"):
+            each = [(op, *(("*", a, a) for a in x.args)) for x in sums]
+            yield LESS, f"each squared {op}", words, ("sqrt", ("abs", total(each)))
 
 
 def _number_in(x):
@@ -290,22 +309,10 @@ def _of_function(s):
             other=f"{twin}({inside})", own=f"{s.op}({inside})",
         )  # fmt: skip
         yield rank, f"cofunction {twin}", words, (twin, x)
-    if s.op in _SUPPLEMENT:
-        words, turned = _SUPPLEMENT[s.op]
-        if x.op == "argument" and s.op == "cos":  # given, as a latitude: no other angle is meant
-            words = Words("has {cosine} with the opposite sign: look at the sign of its term")
-        words = Words(words.template, cosine=f"{s.op}({inside})")
-        yield LESS, "supplement", words, turned(s)
-
-
-_SUPPLEMENT = {
-    "cos": (Words("has {cosine} with the opposite sign: that is of the supplement"),
-            lambda s: ("neg", s)),
-    "acos": (Words("gives the supplement of {cosine}: a cosine has the opposite sign"),
-             lambda s: ("acos", ("neg", s.args[0]))),
-    "asin": (Words("takes the supplement of {cosine}: it has the same sine, but does not fit here"),
-             lambda s: ("-", pi, s)),
-}  # fmt: skip
+    if s.op in SINES:
+        words = Words("gives the {f} of the angle: the angle itself is asked for", f=SINES[s.op])
+        yield LESS, "no inverse", words, x
+        yield LESS, "no inverse, degrees", words, ("*", x, pi / 180)
 
 
 def _of_tangent(s):
@@ -331,7 +338,7 @@ _OF = {
 
 
 def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
-    """Angles from the other axis, and the other way round."""
+    """Angles from the other axis."""
     sines = {s.args[0]: s for s in steps if s.op == "sin"}
     cosines = {s.args[0]: s for s in steps if s.op == "cos"}
     for x, s in sines.items():
@@ -345,16 +352,6 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
             c = cosines[x]
             exchanged = {s.number: ("cos", x), c.number: ("sin", x)}
             yield Edit(SIMPLE, computed(f"axis {s.number}", words), exchanged)
-        if any(inner.op in INVERSE for inner in needed([x])):
-            continue  # computed, and no angle of the text
-        words = Words(
-            "takes {angle} the other way round: its positive sense is the opposite one", angle=named
-        )
-        yield Edit(
-            SIMPLE if typed(x) else LESS,
-            computed(f"turned {s.number}", words),
-            {s.number: ("neg", s)},
-        )
 
 
 def of_moment(s: Step, dimension: Callable[[Step], Dimension | None]) -> Iterator[Slip]:

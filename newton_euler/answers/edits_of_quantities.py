@@ -3,6 +3,7 @@ for a distance, a component for the whole, a density for a mass, rates that turn
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import reduce
 from itertools import product
 from typing import Any
 
@@ -12,16 +13,17 @@ from ..algebra.units import Dimension
 from .causes import computed
 from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS
 from .edits_of_operations import parts_of
-from .formulas import LEAST, LESS, Edit, Stage, Traced, steps_in, users_of
-from .typed import Product, described, terms_of
+from .formulas import LEAST, LESS, RARER, Edit, Stage, Traced, needed, steps_in, users_of
+from .typed import Product, described, repeats, terms_of, typed
 
 DimensionOf = Callable[[Step], Dimension | None]
+Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
 SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
 SCALED = {
     -1.0: Words("takes {quantity} with the opposite sign: its sense is the other one").template,
-    2.0: Words("doubles {quantity}: it counts once").template,
-    0.5: Words("halves {quantity}: it counts in full").template,
+    2.0: Words("doubles {quantity}, or has a 2 too many beside it: it counts once").template,
+    0.5: Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full").template,
     0.0: Words("leaves out {quantity}: it is not zero here").template,
 }
 
@@ -41,15 +43,84 @@ def of_quantities(
             continue
         for factor, text in SCALED.items():
             cause = computed(f"{factor} times {[*own]}", Words(text, quantity=words))
-            yield Edit(LESS, cause, {n: ("*", x, factor) for n, x in own.items()})
+            rank = LESS if factor or words in answers else RARER
+            yield Edit(rank, cause, {n: ("*", x, factor) for n, x in own.items()})
         for other, instead in named if len(own) == len(parts) else ():
             pairs = [*zip(parts, instead, strict=False)]
             if len(instead) != len(parts) or not all(_are_alike(x, y, of) for x, y in pairs):
                 continue
+            if {s.number for s in needed(y for y, _ in instead)} & own.keys():
+                continue  # computed from what it would stand for
             text = Words("takes {other} for {own}: each has its own place", other=other, own=words)
             cause = computed(f"{other} for {[*own]}", text)
             signed = {x.number: y if s == t else ("neg", y) for (x, s), (y, t) in pairs}
             yield Edit(LESS, cause, signed)
+
+
+def of_ratios(
+    named: Sequence[Named],
+    answers: Mapping[str, Traced],
+    given: Mapping[str, Step],
+    of: DimensionOf,
+) -> Iterator[Edit]:
+    """Answers that are one quantity times another, or over it, where the dimension allows it."""
+    own = [(n, [s]) for n, s in given.items()]
+    known = [(words, parts) for words, parts in (*named, *own) if all(map(_has(of), parts))]
+    scalars = [(words, parts[0]) for words, parts in known if len(parts) == 1]
+    for key, a in answers.items():
+        pairs = (
+            (x, y) for x in known for y in scalars if len(x[1]) == len(a.parts) and x[0] != y[0]
+        )
+        for ((first, parts), (second, factor)), (op, sign) in product(pairs, (("*", 1), ("/", -1))):
+            moved = [(x, y) for x, y in zip(a.parts, parts, strict=True) if isinstance(x, Step)]
+            by = of(factor)
+            if by == Dimension() or (op == "*" and len(parts) == 1 and str(second) < str(first)):
+                continue
+            if all(x is not y and of(x) == _times(of(y), by, sign) for x, y in moved):
+                words = Words("gives {a} {op} {b} here: {key} is asked for",
+                              a=first, op=op, b=second, key=key)  # fmt: skip
+                instead = {x.number: (op, y, factor) for x, y in moved}
+                yield Edit(LEAST + 1, computed(f"{first} {op} {second} for {key}", words), instead)
+
+
+def _has(of):
+    return lambda x: isinstance(x, Step) and of(x) is not None
+
+
+def _times(a, b, sign):
+    return a * b if sign > 0 else a / b
+
+
+def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
+    """Vectors each of whose components is a difference of two products: added, or that of the
+    middle one the other way round.
+    """
+    for words, parts in named:
+        if len(parts) != 3 or not all(isinstance(x, Step) and x.op == "-" for x in parts):
+            continue
+        added = Words("adds the two products in each component of {quantity}: they are subtracted",
+                      quantity=words)  # fmt: skip
+        middle = Words("has the second component of {quantity} with the opposite sign: "
+                       "a determinant alternates", quantity=words)  # fmt: skip
+        name, y = [x.number for x in parts], parts[1]
+        yield Edit(
+            LESS, computed(f"added {name}", added), {x.number: ("+", *x.args) for x in parts}
+        )
+        yield Edit(LESS, computed(f"middle {name}", middle), {y.number: ("neg", y)})
+
+
+def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
+    """The square of a sum term by term."""
+    squared = {s: s.args[0] for s in steps if s.op == "*" and s.args[0] is s.args[1]}
+    for s, x in squared.items():
+        named = typed(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
+        if named:
+            squares = [("*", term, term) for _, term in terms_of(x)]
+            words = Words(
+                "squares each term of {sum} by itself: twice their product belongs to it", sum=named
+            )
+            instead = {s.number: reduce(lambda a, b: ("+", a, b), squares)}
+            yield Edit(LESS, computed(f"squares in {s.number}", words), instead)
 
 
 def _plain(x):
@@ -91,18 +162,6 @@ def of_components(
                 )  # fmt: skip
                 cause = computed(f"{f} {angle} of {name}", words)
                 yield Edit(LEAST, cause, {s.number: ("*", s, (f, x))})
-
-
-def of_uncancelled(
-    given: Mapping[str, Step], products: Iterable[Step], needed: Mapping[str, Step], of: DimensionOf
-) -> Iterator[Edit]:
-    """A mass, of which no answer depends, in a product or under it."""
-    masses = {n: s for n, s in given.items() if of(s) == MASS and n not in needed}
-    for (name, m), s in product(masses.items(), products):
-        whole = described(s, "the term")
-        words = Words("has {mass} in {product}: it cancels", mass=name, product=whole)
-        for op in "*/" if whole else "":
-            yield Edit(LEAST, computed(f"{op} {name} in {s.number}", words), {s.number: (op, s, m)})
 
 
 def of_densities(

@@ -37,11 +37,9 @@ class Form:
         kind = kind_named(name)
         if kind.has_options:
             raise AnswerError(
-                _(
-                    "a {kind} lists its words: '{kind}: one | another', not {text}",
-                    kind=kind,
-                    text=repr(text),
-                )
+                "a {kind} lists its words: '{kind}: one | another', not {text}",
+                kind=kind,
+                text=repr(text),
             )
         return cls(kind, unit or "1")
 
@@ -63,11 +61,12 @@ class Form:
         return words if self.unit == "1" else _("{words}, in {unit}", words=words, unit=self.unit)
 
     @checked
-    def error(self, fault: str) -> AnswerError:
-        """An :class:`AnswerError` with what was expected, and then the fault."""
-        return AnswerError(
-            _("expected {words}; {fault}", words=self.words, fault=" ".join(fault.split()))
-        )
+    def error(self, fault: str, /, **values: object) -> AnswerError:
+        """An :class:`AnswerError` with what was expected, and then the fault, a sentence with its
+        values as for :func:`~..algebra.language._`.
+        """
+        line = " ".join(_(fault, **values).split())
+        return AnswerError("expected {words}; {fault}", words=self.words, fault=line)
 
 
 NAMES = (
@@ -81,10 +80,8 @@ def kind_named(name: str) -> Kind:
     """The kind of this name. Raises :class:`AnswerError` where there is none."""
     if name not in KINDS:
         raise AnswerError(
-            _(
-                "no such kind of answer: {name}; there are {kinds}",
-                name=repr(name),
-                kinds=", ".join(KINDS),
-            )
+            "no such kind of answer: {name}; there are {kinds}",
+            name=repr(name),
+            kinds=", ".join(KINDS),
         )
     return KINDS[name]

@@ -15,7 +15,7 @@ from .tolerance import Points
 GROUND = 1  # its place among the readings of a vector: in its own frame, in the ground, between
 
 
-class Asked(Protocol):
+class Toleranced(Protocol):
     """The kind of an answer, and its tolerances, as for :meth:`~.kinds.Kind.is_right`."""
 
     @property
@@ -27,7 +27,7 @@ class Asked(Protocol):
 
 
 def counted(
-    readings: Sequence[Points], key: Points, asked: Asked, axes: Iterable[tuple[int, Points]]
+    readings: Sequence[Points], key: Points, asked: Toleranced, axes: Iterable[tuple[int, Points]]
 ) -> Points | None:
     """The right one of the readings of an answer, or None.
 

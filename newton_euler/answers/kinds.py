@@ -9,20 +9,12 @@ from itertools import chain
 from typing import Any, ClassVar
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.language import Words, _, plural
+from ..algebra.language import Words, plural
 from ..algebra.scalars import clipped, sqrt
 from ..algebra.units import unit as unit_of
 from ..algebra.vectors import Vector
 from . import slips, tolerance
-from .causes import (
-    DIRECTION,
-    FIRST_DIGITS,
-    NEAR,
-    NEAR_IN_FEW_DIGITS,
-    NUMBERS,
-    Cause,
-    right_but,
-)
+from .causes import DIRECTION, FIRST_DIGITS, NEAR, NEAR_IN_FEW_DIGITS, NUMBERS, Cause, right_but
 from .fit import Fit, most_digits
 from .messages import Stated
 from .notation import list_symbol, matrix_symbol
@@ -103,12 +95,12 @@ class Kind:
         """
         trees = self.parts(tree)
         if not isinstance(trees, list) or len(trees) != self.length:
-            raise TreeError(_("expected {words}", words=form.words))
+            raise TreeError("expected {words}", words=form.words)
         return [self._points(trees, form, symbols, budget)]
 
     def _points(self, trees, form, symbols, budget):
         if not all(type(t) in (int, float) for t in trees):
-            raise TreeError(_("expected {words}", words=form.words))
+            raise TreeError("expected {words}", words=form.words)
         return numbers(trees)
 
     # -- comparing
@@ -249,11 +241,10 @@ class VectorKind(Kind):
             for points in super(VectorKind, self).readings(part, form, symbols, budget)
         ]
         if not are_one_vector(*found):
-            raise TreeError(_("its components in two frames are those of two vectors"))
+            raise TreeError("its components in two frames are those of two vectors")
         return found
 
     def slips(self, fit):
-        """Components turned, left out or exchanged."""
         return slips.of_vector(fit)
 
     def observed(self, given, key):
@@ -293,13 +284,13 @@ class Direction(VectorKind):
     def _read(self, parts, value, form, symbols, budget):
         found = super()._read(parts, value, form, symbols, budget)
         if not any(found):
-            raise form.error(_("got a vector of length zero, which has no direction"))
+            raise form.error("got a vector of length zero, which has no direction")
         return found
 
     def _points(self, trees, form, symbols, budget):
         points = super()._points(trees, form, symbols, budget)
         if not any(points[0]):
-            raise TreeError(_("a vector of length zero has no direction"))
+            raise TreeError("a vector of length zero has no direction")
         return points
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
@@ -316,17 +307,14 @@ class Direction(VectorKind):
         return [unit, tuple(-x for x in unit)]
 
     def factors(self, unit):
-        """None: its length says nothing."""
         return {}  # its length says nothing
 
     def slips(self, fit):
-        """As for a vector, of either sense."""
         yield from slips.of_vector(fit)
         other_sense = tuple(tuple(-x for x in point) for point in fit.key)
         yield from slips.exchanged(Fit(fit.given, other_sense, fit.rtol))
 
     def observed(self, given, key):
-        """As for a kind: its size says nothing."""
         return Kind.observed(self, given, key)
 
 
@@ -347,19 +335,15 @@ class Matrix(Kind):
     length = 9
 
     def slips(self, fit):
-        """Transposed, entries left out, reversed or exchanged."""
         return slips.of_matrix(fit)
 
     def observed(self, given, key):
-        """As for a kind, or that some entries are right."""
         return super().observed(given, key) or self._in_part(given, key)
 
     def nested(self, parts):
-        """Three rows."""
         return [list(parts[n : n + 3]) for n in (0, 3, 6)]
 
     def typeset(self, parts):
-        """The rows in brackets."""
         return matrix_symbol(self.nested(parts))
 
 
@@ -373,11 +357,9 @@ class Interval(Kind):
     length = 2
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
-        """True if each bound is near by itself."""
         return all(is_near((x,), (k,), atol, rtol) for x, k in zip(given[0], key[0], strict=True))
 
     def slips(self, fit):
-        """The bounds exchanged."""
         return slips.of_interval(fit)
 
 
@@ -400,8 +382,7 @@ class _Formula(Kind):
 
     def factors(self, unit):
         """The pure ones, and those of an angle: a formula is in no other unit."""
-        of_angle = unit_of(unit).is_of_angle  # a formula is in no other unit
-        return slips.PURE | slips.ANGLES if of_angle else slips.PURE
+        return slips.PURE | (slips.ANGLES if unit_of(unit).is_of_angle else {})
 
     def observed(self, given, key):
         """That its symbols are right and a number is not, or that some components are right."""
@@ -414,14 +395,10 @@ class _Formula(Kind):
     def unfit(self, points):
         """Why it is a bad key: no number at most points."""
         real = sum(math.isfinite(math.hypot(*x)) for x in points)
-        return (
-            None
-            if real >= tolerance.MAJORITY * len(points)
-            else "= nan at most points of its symbols"
-        )
+        few = real < tolerance.MAJORITY * len(points)
+        return "= nan at most points of its symbols" if few else None
 
     def change(self, moved, points):
-        """0: it is the same for all."""
         return 0.0
 
 
@@ -457,27 +434,21 @@ class _Word(Kind):
     python_type: ClassVar[type]
 
     def readings(self, tree, form, symbols, budget):
-        """The word itself, if it is of this type."""
         return [((tree,),)] if type(tree) is self.python_type else []
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
-        """True of the same word."""
         return given == key
 
     def is_zero(self, points, atol):
-        """False."""
         return False
 
     def observed(self, given, key):
-        """None: of a word nothing is nearly right."""
         return
 
     def unfit(self, points):
-        """None: each is a good one."""
         return
 
     def change(self, moved, points):
-        """inf where it changes."""
         return 0.0 if moved == points else math.inf
 
 
@@ -493,7 +464,7 @@ class Count(_Word):
         with contextlib.suppress(ArithmeticError, TypeError, ValueError):
             if not isinstance(value, (bool, str)) and int(value) == value:
                 return int(value)
-        raise form.error(_("got {value}", value=clipped(value)))
+        raise form.error("got {value}", value=clipped(value))
 
 
 class Choice(_Word):
@@ -509,7 +480,7 @@ class Choice(_Word):
         found = {_plain(word): word for word in form.of} | {word: word for word in form.of}
         given = str(value) if isinstance(value, str) else ""
         if not (word := found.get(given) or found.get(_plain(given))):
-            raise form.error(_("got {value}", value=repr(str(value)[:80])))
+            raise form.error("got {value}", value=repr(str(value)[:80]))
         return word
 
 

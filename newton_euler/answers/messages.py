@@ -5,9 +5,17 @@ import textwrap
 from typing import Any, Protocol
 
 from ..algebra.errors import NewtonEulerError
+from ..algebra.language import _
 
 
-class AnswerError(NewtonEulerError, ValueError):
+class SpokenError(NewtonEulerError, ValueError):
+    """An error with its sentence in the reader's language, as :func:`~..algebra.language._`."""
+
+    def __init__(self, sentence: str, /, **values: object):
+        super().__init__(_(sentence, **values))
+
+
+class AnswerError(SpokenError):
     """An answer that cannot be read. The message has what was expected, what came, what to do."""
 
     def _render_traceback_(self) -> list[str]:
@@ -31,7 +39,7 @@ class Stated(Protocol):
     def of(self) -> tuple[str, ...]: ...
     @property
     def words(self) -> str: ...
-    def error(self, fault: str) -> AnswerError: ...
+    def error(self, fault: str, /, **values: object) -> AnswerError: ...
 
 
 _bounded = reprlib.Repr()

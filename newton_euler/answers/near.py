@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
+from ..algebra.late import np
 from .causes import Cause, in_components
 from .fit import Fit, rounding, written
 from .kinds import Kind
@@ -22,6 +23,7 @@ ROUNDED = 1e-5  # of a number in a formula that was written in five digits
 CHANCE = 0.01  # by which a random answer may meet a slip that is named, where slips are many
 CHANCE_ROUNDED = 0.0005  # the same where it differs by more than the digits written
 CHANCE_MET = 0.05  # the same where few digits are all that the slip's own number has
+CHANCE_ZEROS = 0.0004  # the same where it is met in more digits than were written: 2.81 is 2.8100
 CHANCE_IN_ONE = 0.1  # the share of it where a slip is looked for in the wrong components alone
 CHANCE_BESIDE = 0.05  # the same where some of its components are right
 
@@ -210,7 +212,9 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
         share = (rounding(given) if is_met else max(gaps[n], nearest)) / (AROUND * size)
         limit = CHANCE_MET if is_met else CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
         few_are = beside * (1 if gaps[n] <= nearest else loosely)
-        if count * share**there <= limit and count * share**wrong <= few_are:
+        is_few = count * share**there <= limit and count * share**wrong <= few_are
+        met = max(gaps[n], ROUND_OFF * size) / (AROUND * size)
+        if is_few or (n not in few and count * met**wrong <= allowed * CHANCE_ZEROS):
             found.append(n)
     return found
 
@@ -231,8 +235,6 @@ def _within(most, rows, given):
     if isinstance(rows, list):
         gaps = [math.dist(row, given) for row in rows]
         return [n for n, gap in enumerate(gaps) if gap <= most], gaps
-    import numpy as np
-
     with np.errstate(all="ignore"):  # a student may write 1e300
         if not (abs(rows[:, 0] - given[0]) <= most).nonzero()[0].size:  # faster than any()
             return [], []

@@ -13,7 +13,18 @@ from functools import cached_property
 from itertools import chain
 from typing import Any
 
-from .causes import INVERTED, OPPOSITE_NUMBER, Cause, both, left_out, multiple_of, multiplied
+from ..algebra.language import spoken
+from ..algebra.late import is_here, np
+from .causes import (
+    INVERTED,
+    OPPOSITE_NUMBER,
+    Cause,
+    both,
+    left_out,
+    multiple_of,
+    multiplied,
+)
+from .edits_of_operations import UNNAMED
 from .fit import Fit
 from .formulas import FIRST
 from .kinds import Kind
@@ -22,6 +33,7 @@ from .slips import PURE
 from .tolerance import NOISE, ROUND_OFF, Points
 
 (TWO, *_) = PURE
+MANY = 800  # slips, of which two are not looked for
 CHANCE = 0.005  # by which a random answer may meet a pair that is named
 
 
@@ -40,9 +52,7 @@ def of_two(
     """
     if fit.index is None or not (kind.has_size or kind.is_formula):
         return ()
-    try:
-        import numpy  # noqa: F401
-    except ImportError:  # on a page of the site
+    if not is_here("numpy"):  # on a page of the site
         return ()
     found: dict[int, dict[tuple[Cause, Cause], None]] = {}
     pairs = _Pairs(fit, kind, own, slips())
@@ -63,6 +73,8 @@ class _Pairs:
         self.fit, self.kind, self.own, self.models, self.slips = fit, kind, len(own) + 2, own, slips
         self.of_symbols = kind.is_formula and slips.of_symbols
         self.exactly = fit.rtol if kind.is_formula and not self.of_symbols else ROUND_OFF
+        few = self.of_symbols and len(slips.causes) <= MANY and len({*fit.given}) > 1
+        self.firsts = self.own + few * len(slips.causes)
 
     @cached_property
     def causes(self) -> list[tuple[int, Cause]]:
@@ -76,8 +88,6 @@ class _Pairs:
 
     def at(self, point: int) -> tuple[Any, Any]:
         """(key, rows) at a point."""
-        import numpy as np
-
         key = np.array(self.fit.key[point], float)
         parts = [x[point] for _, x in self.models], self.slips.at(point)
         own, slips = (np.array(x, float).reshape(-1, len(key)) for x in parts)
@@ -85,8 +95,6 @@ class _Pairs:
 
     def fitting(self) -> Iterator[tuple[int, tuple[Cause, Cause]]]:
         """(how simple, the two causes) of each pair that is met."""
-        import numpy as np
-
         with np.errstate(all="ignore"):
             for i, j in [*self._near()]:
                 (n, first), (m, second) = self.causes[i], self.causes[j]
@@ -95,8 +103,6 @@ class _Pairs:
                 yield 1, (self.causes[i][1], INVERTED)
 
     def _near(self):
-        import numpy as np
-
         given, size = np.array(self.fit.first[0], float), math.hypot(*self.fit.first[0])
         key, rows = self.at(self.fit.index)
         near = max(self.exactly * size, self.fit.rounding)
@@ -109,13 +115,15 @@ class _Pairs:
         usable = np.isfinite(rows).all(axis=1) & rows.any(axis=1) & ~undoes
         usable &= (abs(rows - key) > NOISE * size).any(axis=1)
         last = len(rows) - 1
+        # of what is not named a second mistake says nothing
+        usable &= [spoken(UNNAMED) not in c.what for _, c in self.causes]
         usable[last] = len(key) == off.sum() or not key[~off].any()
         ratio = given[off] / key[off]
         alike = ratio.all() and np.ptp(ratio) <= 0.01 * abs(ratio).max()
         share, wrong = near / (AROUND * size), int(off.sum())
         levels = np.array([n for n, _ in self.causes])
         usable[self.own : last] &= levels[self.own : last] > FIRST // 2 + 2  # handed back alone
-        firsts, seconds = np.flatnonzero(usable[: self.own]), np.flatnonzero(usable)
+        firsts, seconds = np.flatnonzero(usable[: self.firsts]), np.flatnonzero(usable)
         tried = [(op, firsts) for op in self._operations()]
         tried += [(_multiplied, np.flatnonzero(usable[last:]) + last)]
         for op, places in tried:
@@ -137,14 +145,25 @@ class _Pairs:
                 by_chance = len(tried) * (there <= sums[i, j]).sum() * shares > CHANCE
                 met = self.of_symbols or not by_chance
                 differ = (abs(rows[one] - rows[two]) > NOISE * size).any()
-                if met and differ and self._is_named(one, two, op):
+                one = self._of_one_term(one, two, rows - key) if op is _added else one
+                if met and differ and one is not None and self._is_named(one, two, op):
                     yield one, two
+
+    def _of_one_term(self, one, two, changes):
+        """The first of two mistakes; of one that leaves out the term of which the other is a half,
+        the one that reverses it; None if there is none.
+        """
+        near = NOISE * abs(changes[one]).max()
+        if (abs(changes[one] - 2 * changes[two]) > near).any():
+            return one
+        reverses = (abs(changes[: self.own] - 2 * changes[one]) <= near).all(axis=1)
+        return int(reverses.argmax()) if reverses.any() else None
 
     def _is_met_in_one(self, rows, key, given, near):
         """False where no pair gives the largest component of the key, as of most answers."""
         at = abs(key).argmax()
         x, k, y = rows[:, at], float(key[at]), float(given[at])
-        own = x[[*range(self.own), -1]][:, None]
+        own = x[[*range(self.firsts), -1]][:, None]
         close = abs(own + x - (k + y)) <= 2 * near
         close |= abs(own * x - k * y) <= 2 * near * abs(k)
         if self.kind.length == 1:
@@ -157,6 +176,10 @@ class _Pairs:
     def _is_named(self, i, j, op):
         """True of what is not met by two mere factors, and of a formula at all points."""
         by_sign, of_formula = j == len(self.causes) - 1, self.kind.is_formula
+        if op is _added:
+            key, rows = self.at(self.fit.index)
+            if _are_of_one_term(*(rows[[i, j]] - key)):
+                return False
         if op is _multiplied and not by_sign:
             key, rows = self.at(self.fit.index)
             if _are_powers(*(rows[[i, j]][:, key != 0] / key[key != 0])):
@@ -166,16 +189,17 @@ class _Pairs:
         )
 
     def _is_met_everywhere(self, i, j, op):
-        import numpy as np
-
         ratios = []
         for n, given in enumerate(self.fit.given):
             key, rows = self.at(n)
             if np.isfinite(key).all() and np.isfinite(rows[[i, j]]).all():
                 if math.dist(op(rows[i], rows[j], key), given) > self.exactly * math.hypot(*given):
                     return False
-                ratios.append(rows[[i, j]][:, key != 0] / key[key != 0])
-        first, second = (np.array(x) for x in zip(*ratios, strict=True))
+                with np.errstate(all="ignore"):
+                    ratios.append(rows[[i, j]] / key)
+        found = np.array(ratios)
+        there = np.isfinite(found).all(axis=(0, 1))  # a component may be zero at some points
+        first, second = found[:, 0, there], found[:, 1, there]
         factors = [(np.ptp(x, axis=0) < NOISE) & (abs(x[0] - 1) > NOISE) for x in (first, second)]
         if op is _added:  # factors of one component are not added
             changed = [(abs(x - 1) > NOISE).any(axis=0) for x in (first, second)]
@@ -187,8 +211,6 @@ class _Pairs:
         """A term of which the answer has another multiple, where the rest is right; the simplest.
         It must show in two components or points, by the digits that were written.
         """
-        import numpy as np
-
         points, size = range(len(self.fit.key)), math.hypot(*self.fit.first[0])
         pairs = zip(chain(*self.fit.given[:2]), chain(*self.fit.key[:2]), strict=True)
         first, *ratios = [x / k for x, k in pairs if k] or [0.0]
@@ -216,8 +238,6 @@ class _Pairs:
         return (multiple_of(terms[largest][-1]),) if is_met.any() else ()
 
     def _upside_down(self):
-        import numpy as np
-
         if self.of_symbols and self.kind.length == 1:
             met = np.ones(self.own, bool)
             for n, (x,) in enumerate(self.fit.given):
@@ -228,12 +248,17 @@ class _Pairs:
 
 def _are_powers(x, y):
     """True of changes of which one is a power of the other: a third power is met by them."""
-    import numpy as np
-
     with np.errstate(all="ignore"):
         power = (np.log(abs(x)) / np.log(abs(y))).ravel()
     whole = 12 * power  # of halves, thirds and fourths
     return bool(whole[0]) and bool((abs(whole - np.round(whole[0])) < NOISE).all())
+
+
+def _are_of_one_term(x, y):
+    """True of changes of which one is the other, its half or its double, or opposite to that: what
+    is left out is not reversed as well.
+    """
+    return any((abs(x - n * y) <= NOISE * abs(x).max()).all() for n in (-2, -1, -0.5, 0.5, 1, 2))
 
 
 def _off_line(x, lines):
@@ -247,8 +272,6 @@ def _added(x, y, key):
 
 
 def _multiplied(x, y, key):
-    import numpy as np
-
     return np.where(key == 0, x + y, x * y / np.where(key == 0, 1.0, key))
 
 

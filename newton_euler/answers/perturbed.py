@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..algebra.compile import Compiled
+from ..algebra.late import np
 from ..algebra.scalars import to_plain
 from ..algebra.source import WITHIN, operations
 from ..algebra.trace import Inner, Step
@@ -35,7 +36,7 @@ class Computation:
         system = formulas.system
         self.factors = {k: unit(a.unit).from_base(1.0, system) for k, a in self.answers.items()}
         self.to_base = {n: unit(formulas.units[n]).to_base(1.0, system) for n in self.arguments}
-        self.names: dict[str, Any] = _functions()
+        self.names: dict[str, Any] = operations(np)
         self.names |= {"answer": self._answer, "within": self._within, "equations": solution}
         exec(compile(_Text(self).text, "the slips", "exec"), self.names)
         self._run = self.names["slips"]
@@ -51,26 +52,20 @@ class Computation:
         """{answer: array (slips, components)} for one value of each argument, in the unit of the
         text.
         """
-        import numpy as np
-
         base = (np.float64(values[n] * factor) for n, factor in self.to_base.items())
         with np.errstate(all="ignore"):
             return dict(zip(self.answers, self._run(*base), strict=True))
 
     def _answer(self, key, *components):
-        import numpy as np
-
         found = np.empty((len(components), len(self.edits)))
-        for row, x in zip(found, components, strict=True):
-            row[:] = x
+        for n, x in enumerate(components):
+            found[n] = x
         return (self.factors[key] * found).T
 
     def _within(self, op, base, before, args):
         """The values of integrals and roots, computed where an edit reaches them, as the arguments
         ``before`` it show; nan where there are none.
         """
-        import numpy as np
-
         count = len(self.edits)
         moved = np.zeros(count, bool)
         for a, b in zip(args, before, strict=True):
@@ -99,17 +94,9 @@ class Computation:
 
 def _has_value(op, formula, low, high, *outer):
     """True where an integrand has values, or a function opposite signs at both ends."""
-    import numpy as np
-
     if op == "root":
         return formula(low, *outer)[0] * formula(high, *outer)[0] <= 0
     return np.isfinite(sum(formula((low + high) / 2, *outer)))
-
-
-def _functions():
-    import numpy as np
-
-    return operations(np)
 
 
 class _Text:
@@ -134,20 +121,20 @@ class _Text:
                 own.setdefault(number, []).append(n)
         instead = [(number, n) for number, lanes in own.items() for n in lanes]
         expressions = (self._expression(self.edits[n].instead[number]) for number, n in instead)
-        self.names |= {"full": _full, "array": _array, "count": len(self.edits)}
-        self.lines.append(f"instead = array(({''.join(f'{x}, ' for x in expressions)}))")
+        self.names |= {"full": _full, "array": np.array, "count": len(self.edits)}
+        self.lines.append(f"instead = array(({''.join(f'{x}, ' for x in expressions)}), float)")
         start = {number: sum(map(len, list(own.values())[:n])) for n, number in enumerate(own)}
         for s in computation.steps:
             lanes = own.get(s.number)
             row = self._row(s) if lanes or self._is_reached(s) else None
             if row is None:
                 continue
-            self.lines.append(f"r{s.number} = {row}")
-            self.rows[s.number] = f"r{s.number}"
+            name = self.rows[s.number] = f"r{s.number}"
+            self.lines.append(f"{name} = {row}")
             if lanes:
-                self.names[f"i{s.number}"] = _places(lanes)
+                self.names[f"i{s.number}"] = np.array(lanes)
                 ends = f"{start[s.number]}:{start[s.number] + len(lanes)}"
-                self.lines.append(f"r{s.number}[i{s.number}] = instead[{ends}]")
+                self.lines.append(f"{name}[i{s.number}] = instead[{ends}]")
 
     def _is_reached(self, s):
         return any(self.rows[a.number][0] == "r" for a in steps_in(s))
@@ -167,15 +154,11 @@ class _Text:
         """A step as its value, or else its row if it has one; a number as it is."""
         if isinstance(a, Step):
             return f"b{a.number}" if letter else self.rows[a.number]
-        a = (
-            Compiled("inside", a.parameters, a.trace, a.leaves)
-            if isinstance(a, Inner)
-            else to_plain(a)
-        )
+        is_formula = isinstance(a, Inner)
+        a = Compiled("inside", a.parameters, a.trace, a.leaves) if is_formula else to_plain(a)
         if type(a) in (int, float) and abs(a) < math.inf:
             return f"({a!r})"
-        name = f"c{len(self.names)}"
-        self.names[name] = a
+        self.names[name := f"c{len(self.names)}"] = a
         return name
 
     def _expression(self, x):
@@ -194,23 +177,9 @@ def _written(op, args):
 
 
 def _full(count, x):
-    import numpy as np
-
     found = np.empty(count)
     found.fill(x)  # np.full takes three times as long
     return found
-
-
-def _array(numbers):
-    import numpy as np
-
-    return np.array(numbers, float)
-
-
-def _places(lanes):
-    import numpy as np
-
-    return np.array(lanes)
 
 
 class Perturbed(Slips):
@@ -223,20 +192,16 @@ class Perturbed(Slips):
         self._found: dict[int, dict[str, Any]] = {}
 
     def ranked(self, key: str) -> Ranked | None:
-        """As for :class:`.near.Slips`."""
         has_slips = key in self.computation.answers and self.computation.edits
         return self.computation.ranked if has_slips else None
 
     def points(self, key: str) -> int:
-        """As for :class:`.near.Slips`."""
         return self.computation.answers[key].points
 
     def is_of_symbols(self, key: str) -> bool:
-        """As for :class:`.near.Slips`."""
         return all(getattr(self.values[n], "shape", ()) for n in self.computation.arguments_of(key))
 
     def at(self, key: str, point: int) -> Any:
-        """As for :class:`.near.Slips`."""
         if point not in self._found:
             values = {n: _at(x, point) for n, x in self.values.items()}
             self._found[point] = self.computation.rows(values)

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..algebra.language import _
+from ..algebra.late import np
 from .tolerance import ONE_VECTOR, Points
 from .trees import TreeError, check_size, evaluate
 
@@ -22,16 +22,14 @@ def numbers(trees: Sequence[Any]) -> Points:
 
 def _finite(x):
     if isinstance(x, int) and x.bit_length() > 1000:
-        raise TreeError(_("a number is too large"))
+        raise TreeError("a number is too large")
     if not math.isfinite(x):
-        raise TreeError(_("got {x}, which is no number", x=x))
+        raise TreeError("got {x}, which is no number", x=x)
     return float(x)
 
 
 def formulas(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -> Points:
     """The values of formula trees at each of the points, ``symbols``: {name: array}."""
-    import numpy as np
-
     for part in trees:
         check_size(part, budget)
     count = max((len(v) for v in symbols.values()), default=1)
@@ -43,7 +41,7 @@ def formulas(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -
     # numbers, arrays and complex ones meet in every operation here, and each library refuses some
     # of them with errors of its own: the fault is always the formula's
     except Exception as error:
-        raise TreeError(_("the formula has no value: {error}", error=error)) from error
+        raise TreeError("the formula has no value: {error}", error=error) from error
     return tuple(zip(*rows, strict=True))
 
 
@@ -51,8 +49,6 @@ def _values(tree, symbols, count):
     """The values of a formula. Where it is not real, it is computed with complex numbers: the
     logarithm of a negative number may stand inside a square.
     """
-    import numpy as np
-
     found = _real(evaluate(tree, symbols), count)
     if not any(map(math.isnan, found)):
         return found
@@ -63,12 +59,10 @@ def _values(tree, symbols, count):
 
 
 def _real(x, count):
-    import numpy as np
-
     x = np.broadcast_to(np.asarray(x), (count,))
     if x.dtype.kind == "c":  # NumPy would drop the imaginary part with a warning
         if not (np.abs(x.imag) <= _NOISE * np.abs(x).max()).all():
-            raise TreeError(_("it gives complex numbers: a root of a negative number"))
+            raise TreeError("it gives complex numbers: a root of a negative number")
         x = x.real
     return x.astype(float).tolist()
 

@@ -81,18 +81,14 @@ def _asked(problem, answers):
     """What is known of a problem; refuses answers that it does not ask for."""
     if problem not in _expected:
         raise AnswerError(
-            _(
-                "nothing is known of problem {problem}; run the cells of the notebook from the top",
-                problem=repr(problem),
-            )
+            "nothing is known of problem {problem}; run the cells of the notebook from the top",
+            problem=repr(problem),
         )
     forms = _expected[problem][0]
     for key in (key for key in answers if key not in forms):
         raise AnswerError(
-            _(
-                "problem {problem} does not ask for {key}; it asks for {asked}",
-                problem=problem, key=repr(key), asked=", ".join(forms),
-            )
+            "problem {problem} does not ask for {key}; it asks for {asked}",
+                problem=problem, key=repr(key), asked=", ".join(forms)
         )  # fmt: skip
     return _expected[problem]
 
@@ -101,18 +97,14 @@ def _refuse_in(execution, problem, blank):
     """Refuses what is open where nbgrader validates, and its own grading."""
     if execution == "validate" and blank:
         raise OpenAnswer(
-            _(
-                "{problem}: no answer yet for {blank}; what stays open costs its points",
-                problem=problem, blank=blank,
-            )
+            "{problem}: no answer yet for {blank}; what stays open costs its points",
+                problem=problem, blank=blank
         )  # fmt: skip
     if execution == "autograde":
         raise AnswerError(
-            _(
-                "{problem} is not graded here, since nbgrader runs without this course's "
-                "configuration; use its nbgrader_config.py, or python -m grader grade",
-                problem=problem,
-            )
+            "{problem} is not graded here, since nbgrader runs without this course's "
+            "configuration; use its nbgrader_config.py, or python -m grader grade",
+            problem=problem,
         )
 
 
@@ -256,11 +248,9 @@ def record(
         # objects of any library may fail in any way: that answer is refused, the others are read
         except Exception as error:
             fault = form.error(
-                _(
-                    "the value given cannot be read: {name}: {error}",
-                    name=type(error).__name__,
-                    error=error,
-                )
+                "the value given cannot be read: {name}: {error}",
+                name=type(error).__name__,
+                error=error,
             )
             faults[key], budget[0] = str(fault)[:500], left
     return read, faults

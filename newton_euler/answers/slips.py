@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from itertools import combinations
+from itertools import combinations, permutations
 
 from ..algebra.language import Words
 from ..algebra.units import Dimension, unit
@@ -22,9 +22,6 @@ PURE: dict[str, float] = {
     Words("a factor of 2"): 2.0,
     Words("revolutions against radians"): 2 * math.pi,
 }
-WHOLE = {
-    Words("a factor of 3"): 3.0, Words("a factor of 4"): 4.0, Words("a factor of pi"): math.pi,
-}  # fmt: skip
 TENS = {Words("one decimal place"): 10.0, Words("two decimal places"): 100.0}
 ANGLES: dict[str, float] = {
     Words("degrees against radians"): 180 / math.pi,
@@ -65,7 +62,6 @@ def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
 def of_last_resort(fit: Fit) -> Models:
     """Factors that say little, and the inverse: named where nothing else explains an answer."""
     if fit.index is not None:
-        yield from _factors(fit, _ratio(fit), WHOLE)
         yield from of_components(fit)
         yield from _of_other_axes(fit) if len(fit.first[1]) == 9 else ()
         yield from of_powers(fit)
@@ -83,11 +79,11 @@ def of_powers(fit: Fit) -> Models:
     if fit.index is None:
         return
     yield from _factors(fit, _ratio(fit), TENS)
-    if len(fit.first[1]) != 1:
+    if len(fit.first[1]) > 2:
         yield from left_out(fit) if len(fit.first[1]) == 3 else ()
         return
     for cause, power in (causes.SQUARED, 2.0), (causes.ROOT, 0.5), (causes.INVERTED, -1.0):
-        yield cause, tuple((_power(x, power),) for (x,) in fit.key)
+        yield cause, tuple(tuple(_power(x, power) for x in point) for point in fit.key)
 
 
 def _power(x, power):
@@ -111,12 +107,23 @@ def of_components(fit: Fit) -> Models:
     off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
     if len(key) != 3 or not 0 < len(off) < sum(map(bool, key)) or not all(key[n] for n in off):
         return
-    for words, factor in (PURE | WHOLE).items():
+    for words, factor in PURE.items():
         for large, f in ((True, factor), (False, 1 / factor)):
             if all(0.99 < given[n] / (f * key[n]) < 1.01 for n in off):
                 scales = [f if m in off else 1.0 for m in range(3)]
                 cause = causes.component_multiplied(off, words, factor, large)
                 yield cause, _signed(scales, fit.key)
+
+
+def of_none(fit: Fit) -> Models:
+    """Components where there are none, of a vector of which all others are right."""
+    if fit.index is None:
+        return
+    given, key, size = fit.first
+    near = fit.rtol * size
+    off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
+    if len(key) == 3 and 0 < len(off) < 3 and all(abs(key[n]) <= NOISE * size for n in off):
+        yield causes.added_components(off), fit.given
 
 
 def _factors(fit, ratio, found):
@@ -137,14 +144,14 @@ def of_matrix(fit: Fit) -> Models:
 
 def _of_one_entry(fit):
     """A matrix with a product of inertia, and its mirror image, left out or of the other sign; two
-    moments or two products exchanged, or one moment the sum of the others.
+    moments or two products exchanged.
     """
     if fit.index is None:
         return
     for n in range(3):
         yield causes.entry_left_out(n, n), _signed([x != 4 * n for x in range(9)], fit.key)
     for n, m in combinations(range(3), 2):
-        pair, (a, b) = (3 * n + m, 3 * m + n), (4 * n, 4 * m)
+        pair = 3 * n + m, 3 * m + n
         for cause, factor in ((causes.entry_left_out(n, m), 0), (causes.entry_reversed(n, m), -1)):
             if fit.first[1][pair[0]]:
                 yield cause, _signed([factor if x in pair else 1 for x in range(9)], fit.key)
@@ -153,10 +160,12 @@ def _of_one_entry(fit):
             (a1, a2), (b1, b2) = ((3 * i + j, 3 * j + i) for i, j in (one, other))
             order = {a1: b1, a2: b2, b1: a1, b2: a2}
             moved = [order.get(x, x) for x in range(9)]
-            yield causes.exchanged_entries(one, other), _ordered(moved, fit.key)
-        last = 4 * k
-        sums = (tuple(p[a] + p[b] if x == last else p[x] for x in range(9)) for p in fit.key)
-        yield causes.sum_on_diagonal(k), tuple(sums)
+            points = _ordered(moved, fit.key)
+            cause = causes.exchanged_entries(one, other)
+            yield cause, points
+            if one != (n, n):
+                signs = [-1 if x in order else 1 for x in range(9)]
+                yield causes.both(cause, causes.OFF_DIAGONAL), _signed(signs, points)
 
 
 def of_interval(fit: Fit) -> Models:
@@ -184,6 +193,20 @@ def _signs(fit):
         yield causes.reversed_components(off), _signed(signs, fit.key)
     if len(off) == 1:
         yield from left_out(fit)
+    yield from _moved(fit, near)
+
+
+def _moved(fit, near):
+    """One component added to another one, in its place nothing."""
+    given, key, size = fit.first
+    for n, m in permutations(range(len(key)), 2):
+        rest = all(abs(given[k] - key[k]) <= near for k in {0, 1, 2} - {n, m})
+        for sign in (1, -1) if rest and abs(given[n]) <= NOISE * size < abs(key[n]) else ():
+            if abs(given[m] - key[m] - sign * key[n]) <= near and abs(key[m]) > NOISE * size:
+                moved = [[*point] for point in fit.key]
+                for point in moved:
+                    point[n], point[m] = 0.0, point[m] + sign * point[n]
+                yield causes.moved_component(n, m), tuple(map(tuple, moved))
 
 
 def left_out(fit: Fit) -> Models:
@@ -251,9 +274,5 @@ def is_rounded(given: Points, key: Points) -> bool:
     ]
     if any(k and not x for k, x in components):
         return False  # left out, more likely
-    ways = (
-        lambda k: float(f"{k:.1g}"),
-        lambda k: float(f"{k:.2g}"),
-        lambda k: round(k, -least),
-    )
+    ways = (lambda k: float(f"{k:.1g}"), lambda k: float(f"{k:.2g}"), lambda k: round(k, -least))
     return any(all(math.isclose(way(k), x, rel_tol=NOISE) for k, x in components) for way in ways)

@@ -68,7 +68,7 @@ def read_formula(x: Any, form: Any, symbols: Mapping[str, str], budget: list[int
     try:
         check_size(tree, budget)
     except TreeError as error:
-        raise form.error(_("got too much: {error}", error=error)) from None
+        raise form.error("got too much: {error}", error=error) from None
     return tree
 
 
@@ -116,11 +116,9 @@ class _Reader:
         if x.name not in self.symbols:
             known = ", ".join(self.symbols)
             raise self.form.error(
-                _(
-                    "it contains {name}, but the symbols of the problem are {known}",
-                    name=repr(x.name),
-                    known=known,
-                )
+                "it contains {name}, but the symbols of the problem are {known}",
+                name=repr(x.name),
+                known=known,
             )
         return x.name
 
@@ -142,7 +140,7 @@ class _Reader:
         refuse_equation(x, self.form)
         known = ", ".join((*_SAME, *_WRITTEN_OUT))
         raise self.form.error(
-            _("{name} is not among the functions that are read: {known}", name=name, known=known)
+            "{name} is not among the functions that are read: {known}", name=name, known=known
         )
 
     def _piecewise(self, cases):
@@ -158,7 +156,7 @@ class _Reader:
             return int(name == "BooleanTrue")
         if name not in _COMPARISONS:
             raise self.form.error(
-                _("the condition {x} is not read; use <, <=, > and >=", x=clipped(x))
+                "the condition {x} is not read; use <, <=, > and >=", x=clipped(x)
             )
         parts = self.read if x.is_Relational else self._condition
         return _COMPARISONS[name](*map(parts, x.args))

@@ -7,10 +7,10 @@ from functools import reduce
 from operator import add, mul
 from typing import Any, TypeAlias
 
-from ..algebra.errors import NewtonEulerError
 from ..algebra.language import _
 from ..algebra.scalars import FUNCTIONS, ScalarError, function, is_numeric, pi, where
 from ..algebra.units import Dimension, DimensionError, UnitError, unit
+from .messages import SpokenError
 
 Tree: TypeAlias = Any  # a number, the name of a symbol, or [operator, tree, ...], as JSON has it
 NAMED = (*FUNCTIONS, "atan2", "Abs", "Max", "Min", "Mod", "where")
@@ -18,7 +18,7 @@ NODES = 5000  # the largest receipt that is read, in operations of all its formu
 DEPTH = 200  # the deepest formula
 
 
-class TreeError(NewtonEulerError, ValueError):
+class TreeError(SpokenError):
     """Data that are not a formula: an unknown operator or symbol, or nested too deep."""
 
 
@@ -33,14 +33,12 @@ def check_size(tree: Tree, budget: list[int]) -> None:
         budget[0] -= 1
         if budget[0] < 0:
             raise TreeError(
-                _(
-                    "the formulas have more than {NODES} operations. Simplify them, or insert "
-                    "fewer results",
-                    NODES=NODES,
-                )
+                "the formulas have more than {NODES} operations. Simplify them, or insert "
+                "fewer results",
+                NODES=NODES,
             )
         if depth > DEPTH:
-            raise TreeError(_("the formula is nested more than {DEPTH} deep", DEPTH=DEPTH))
+            raise TreeError("the formula is nested more than {DEPTH} deep", DEPTH=DEPTH)
         if isinstance(part, list):
             # of a long list only as much as shows that it is too long
             inner = part[isinstance(part[0], str) if part else 0 : budget[0] + 2]
@@ -55,19 +53,19 @@ def evaluate(tree: Tree, values: Mapping[str, Any], depth: int = 0) -> Any:
     8.0
     """
     if depth > DEPTH:
-        raise TreeError(_("the formula is nested more than {DEPTH} deep", DEPTH=DEPTH))
+        raise TreeError("the formula is nested more than {DEPTH} deep", DEPTH=DEPTH)
     if isinstance(tree, bool) or tree is None:
-        raise TreeError(_("not a formula: {tree}", tree=repr(tree)))
+        raise TreeError("not a formula: {tree}", tree=repr(tree))
     if isinstance(tree, (int, float)):
         return float(tree)  # never a Python integer: 9^9^9 would not end
     if isinstance(tree, str):
         if tree == "pi":
             return pi()
         if tree not in values:
-            raise TreeError(_("unknown symbol {tree}", tree=repr(tree[:40])))
+            raise TreeError("unknown symbol {tree}", tree=repr(tree[:40]))
         return values[tree]
     if not isinstance(tree, list) or not tree or not isinstance(tree[0], str):
-        raise TreeError(_("a formula is a number, a symbol or a list that begins with an operator"))
+        raise TreeError("a formula is a number, a symbol or a list that begins with an operator")
     name, args = tree[0], [evaluate(a, values, depth + 1) for a in tree[1:]]
     if args and name in ("+", "*"):
         return reduce(add if name == "+" else mul, args)
@@ -83,7 +81,7 @@ def evaluate(tree: Tree, values: Mapping[str, Any], depth: int = 0) -> Any:
     if len(args) == 1 and (name == "Abs" or name in FUNCTIONS):
         return abs(*args) if name == "Abs" else function(name, *args)
     raise TreeError(
-        _("unknown operator {name} with {args} arguments", name=repr(name[:40]), args=len(args))
+        "unknown operator {name} with {args} arguments", name=repr(name[:40]), args=len(args)
     )
 
 
@@ -107,7 +105,7 @@ def _chosen(condition, a, b):
 def _alike(a, b):
     """The dimension of both, or an error; a zero has every dimension."""
     if not isinstance(a, Dimension) and not isinstance(b, Dimension):
-        raise TreeError(_("cases are chosen for numbers, not for symbols"))
+        raise TreeError("cases are chosen for numbers, not for symbols")
     zeros = [isinstance(x, (int, float)) and x == 0 for x in (a, b)]
     return b if zeros[0] else a if zeros[1] else a + b
 

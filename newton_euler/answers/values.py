@@ -8,7 +8,6 @@ from collections.abc import Mapping, Set
 from importlib import import_module
 from typing import Any
 
-from ..algebra.language import _
 from ..algebra.scalars import clipped, without_rates
 from ..algebra.units import pint_name
 from ..algebra.vectors import Vector
@@ -31,7 +30,7 @@ def _library(value):
 
 def _gather(value, form, found):
     if len(found) > LONGEST:
-        raise form.error(_("got more than {LONGEST} numbers", LONGEST=LONGEST))
+        raise form.error("got more than {LONGEST} numbers", LONGEST=LONGEST)
     value = _plain(value, form)
     inner = _parts(value, form)
     if inner is None:
@@ -39,7 +38,7 @@ def _gather(value, form, found):
         return
     for part in inner:
         if part is value:  # as the only character of a text
-            raise form.error(_("got {value}", value=clipped(value)))
+            raise form.error("got {value}", value=clipped(value))
         _gather(part, form, found)
 
 
@@ -50,7 +49,7 @@ def _plain(value, form):
             return value.to(pint_name(form.unit)).magnitude
         except Exception as error:
             raise form.error(
-                _("the quantity {value} cannot be converted: {error}", value=value, error=error)
+                "the quantity {value} cannot be converted: {error}", value=value, error=error
             ) from None
     for method in ("to_numpy", "toarray"):  # of pandas and polars, of sparse matrices
         if hasattr(value, method) and not isinstance(value, type):
@@ -72,7 +71,7 @@ def _parts(value, form):
         return value.components()
     if _library(value) == "numpy":
         if hasattr(value, "mask") and value.mask.any():
-            raise form.error(_("some of its numbers are masked"))
+            raise form.error("some of its numbers are masked")
         if getattr(value, "shape", ()):
             return value.ravel().tolist()
         return [value.item()] if value.dtype == object else None
@@ -86,31 +85,27 @@ def _refuse(value, form):
     kind, module = type(value).__name__, str(type(value).__module__)
     if isinstance(value, str | bytes):
         raise form.error(
-            _("got the text {value}; write it without quotation marks", value=clipped(value))
+            "got the text {value}; write it without quotation marks", value=clipped(value)
         )
     if isinstance(value, Mapping | Set) or kind == "FiniteSet":
-        raise form.error(_("got a {kind}, which has no order; write it as in [x, y, z]", kind=kind))
+        raise form.error("got a {kind}, which has no order; write it as in [x, y, z]", kind=kind)
     if module.startswith(("sympy.physics.vector", "sympy.vector")) and hasattr(value, "to_matrix"):
         raise form.error(
-            _(
-                "got a vector of SymPy, {value}; write v.to_matrix(N), with the frame N in "
-                "whose axes it is asked for",
-                value=str(value)[:80],
-            )
+            "got a vector of SymPy, {value}; write v.to_matrix(N), with the frame N in "
+            "whose axes it is asked for",
+            value=str(value)[:80],
         )
     if hasattr(value, "to_value") and hasattr(value, "unit"):
         raise form.error(
-            _(
-                "got a quantity, {value}; write the number alone, q.to_value('{unit}')",
-                value=clipped(value),
-                unit=form.unit,
-            )
+            "got a quantity, {value}; write the number alone, q.to_value('{unit}')",
+            value=clipped(value),
+            unit=form.unit,
         )
     if isinstance(value, range) and len(value) > LONGEST:
-        raise form.error(_("got {value} numbers", value=len(value)))
+        raise form.error("got {value} numbers", value=len(value))
     if callable(value) and not hasattr(value, "free_symbols"):
         raise form.error(
-            _("cannot make a number of {value}, which is a function: call it", value=clipped(value))
+            "cannot make a number of {value}, which is a function: call it", value=clipped(value)
         )
 
 
@@ -118,22 +113,19 @@ def read_number(x: Any, form: Any) -> float:
     """A number of any library as a finite float."""
     x = without_rates(x)
     if x is None or type(x).__name__ in ("bool", "bool_", "BooleanTrue", "BooleanFalse"):
-        raise form.error(_("got {x}", x=repr(x)))
+        raise form.error("got {x}", x=repr(x))
     refuse_equation(x, form)
     free = getattr(x, "free_symbols", None)
     if free:
         names = ", ".join(sorted(map(str, free)))
         raise form.error(
-            _("{x} still contains {names}; put in the numbers", x=clipped(x), names=names)
+            "{x} still contains {names}; put in the numbers", x=clipped(x), names=names
         )
     number = _real(x, form)
     if not math.isfinite(number):
         raise form.error(
-            _(
-                "got {number}, which comes from a division by zero or the root of a "
-                "negative number",
-                number=number,
-            )
+            "got {number}, which comes from a division by zero or the root of a negative number",
+            number=number,
         )
     return number
 
@@ -141,9 +133,9 @@ def read_number(x: Any, form: Any) -> float:
 def _real(x, form):
     number = _complex(x)
     if number is None:
-        raise form.error(_("cannot make a number of {x}", x=clipped(x)))
+        raise form.error("cannot make a number of {x}", x=clipped(x))
     if abs(number.imag) > 1e-12 * abs(number):  # above round-off
-        raise form.error(_("got {x}, a complex number", x=repr(x)))
+        raise form.error("got {x}, a complex number", x=repr(x))
     return number.real
 
 
@@ -162,13 +154,11 @@ def _complex(x):
 def refuse_equation(x: Any, form: Any) -> None:
     """Raise what to write in place of an equation or inequality of SymPy, or a unit of it."""
     if getattr(x, "is_Relational", False):
-        raise form.error(_("got {x}, an equation; give the side that is asked for", x=clipped(x)))
+        raise form.error("got {x}, an equation; give the side that is asked for", x=clipped(x))
     quantities = sys.modules.get("sympy.physics.units.quantities")
     if quantities and _library(x) == "sympy" and (units := x.atoms(quantities.Quantity)):
         raise form.error(
-            _(
-                "it contains the unit {units}; give the number alone, which is in {unit}",
-                units=units.pop(),
-                unit=form.unit,
-            )
+            "it contains the unit {units}; give the number alone, which is in {unit}",
+            units=units.pop(),
+            unit=form.unit,
         )

@@ -12,8 +12,7 @@ from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
 from .diagnosis import Answered, Elsewhere, Model, diagnose
 from .forms import Form
 from .formulas import LESS, RARER
-from .frames import counted
-from .kinds import Kind
+from .frames import Toleranced, counted
 from .messages import one_line
 from .near import Slips
 from .reading import Budget
@@ -29,19 +28,13 @@ OTHER_NUMBERS = {
 }
 
 
-class Asked(Protocol):
-    """One answer that is asked for, with its tolerances, as for :meth:`~.kinds.Kind.is_right`."""
+class Asked(Toleranced, Protocol):
+    """One answer that is asked for."""
 
     @property
     def key(self) -> str: ...
     @property
-    def kind(self) -> Kind: ...
-    @property
     def unit(self) -> str: ...
-    @property
-    def atol(self) -> float: ...
-    @property
-    def rtol(self) -> float: ...
 
 
 # the names of earlier answers, and what follows from {earlier answer: points}
@@ -187,10 +180,9 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
         causes = (seen,)
     if causes and causes[0].is_observation:
         return Explained(_("not right; {remark}", remark=causes[0].text), causes)
-    message, why = _("not right"), sentence(causes)
-    if why:
-        message = _("not right; it fits a solution that {cause}", cause=why)
-    return Explained(message, causes)
+    why = sentence(causes)
+    fits = _("not right; it fits a solution that {cause}", cause=why) if why else _("not right")
+    return Explained(fits, causes)
 
 
 def _causes(asked, given, found, numbers, *slips):

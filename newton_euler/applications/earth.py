@@ -92,8 +92,7 @@ def _check_latitude(latitude):
     # 1.5708 is pi/2 rounded up
     if is_numeric(latitude) and max_abs(latitude) > 1.5708:
         raise EarthError(
-            f"a latitude is in radians, between -pi/2 and pi/2; got {to_plain(latitude)!r}: write "
-            "radians(45) for 45 degrees north"
+            f"a latitude is from -pi/2 to pi/2 rad, as radians(45); got {to_plain(latitude)!r}"
         )
 
 
@@ -491,7 +490,5 @@ def _turning(latitude, rate):
     """|2 omega sin(latitude)|"""
     f = coriolis_parameter(latitude, rate)
     if is_numeric(f) and min_abs(f) == 0:
-        raise EarthError(
-            "on the equator (or on an Earth at rest) nothing turns a horizontal wind aside"
-        )
+        raise EarthError("on the equator, or an Earth at rest, nothing turns a wind aside")
     return sqrt(f * f)

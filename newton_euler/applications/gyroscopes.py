@@ -72,8 +72,7 @@ def instantaneous_axis(body: Frame, observer: Frame) -> InstantaneousAxis:
     rate = scalar(w.norm())
     if is_zero(rate):
         raise GyroError(
-            f"{body.name} does not turn in {observer.name} at this instant: it has no "
-            "instantaneous axis"
+            f"{body.name} does not turn in {observer.name}: it has no instantaneous axis"
         )
     B = body.point("B", 0, 0, 0)
     v = B.velocity(observer).expressed_in(body)
@@ -128,10 +127,7 @@ def gyro_moment(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
 
 def _inertia(body, I0, I):
     if body.parent is None or body.axis != 2:
-        raise FrameError(
-            f"{body.name} is not spun about the z axis of a frame above it; make it with "
-            f"euler_frame(ground, {body.name!r}, psi, theta, phi)"
-        )
+        raise FrameError(f"make {body.name} by euler_frame(ground, {body.name!r}, psi, theta, phi)")
     _check_moments(I0, I)
     return Inertia(body.parent.origin, (I0, I0, I), frame=body.parent, tolerance=None)
 
@@ -146,8 +142,7 @@ def _check_moments(I0, I):
     # a disk has I = 2 I0, up to round-off
     if is_numeric(I) and anywhere((to_plain(I) < 0) | (to_plain(I - 2 * I0) > 1e-9 * to_plain(I0))):
         raise GyroError(
-            f"no body of revolution has I = {to_plain(I)!r} with I0 = {to_plain(I0)!r}: I lies "
-            "between 0 and 2 I0; are they exchanged?"
+            f"no body of revolution has I = {to_plain(I)!r} and I0 = {to_plain(I0)!r}: 0 < I < 2 I0"
         )
 
 
@@ -155,10 +150,7 @@ def check_top(I0: Scalar, I: Scalar, spin: Scalar | None, omega_z: Scalar | None
     """Raises :class:`GyroError` unless I0 and I are possible and one rate is given."""
     _check_moments(I0, I)
     if (spin is None) == (omega_z is None):
-        raise GyroError(
-            "give either spin, phi' relative to the precessing plane, or omega_z = phi' + psi' "
-            "cos(theta)"
-        )
+        raise GyroError("give either spin = phi' or omega_z = phi' + psi' cos(theta)")
 
 
 @checked
@@ -176,8 +168,7 @@ def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
     numbers = is_numeric(along) and is_numeric(product)
     if numbers and anywhere(abs(to_plain(along)) > 1e-9 * to_plain(product)):
         raise GyroError(
-            f"precession {precession} and spin {spin} are not at right angles; use gyro_moment or "
-            "steady_moment(I0, I, theta, ...)"
+            f"precession {precession} and spin {spin} are not at right angles; use steady_moment"
         )
     not_negative(I, "the moment of inertia")
     return precession.cross(spin) * I
@@ -265,7 +256,7 @@ def steady_precession(
     q = (h + _sense(h) * sqrt(D)) / 2
     if is_numeric(q) and is_numeric(c) and anywhere((to_plain(q) == 0) & (to_plain(c) != 0)):
         raise GyroError(
-            "no steady precession is possible: without spin a body at this angle can hold no moment"
+            "no steady precession is possible: without spin the body can hold no moment"
         )
     slow, fast = _quotient(c, q, 0), _quotient(q, a, math.inf)
     stiffness = tuple(_stiffness(I0, I, theta, psi, spin, omega_z) for psi in (slow, fast))
@@ -291,8 +282,7 @@ def _over_sine(theta, mgr, moment):
     # sin(pi) in floats is 1.2e-16, half an epsilon
     if is_numeric(s) and min_abs(s) <= 4 * epsilon(s):
         raise GyroError(
-            f"at theta = {to_plain(theta)!r} rad there is no line of nodes to have a moment about; "
-            "give gravity as mgr"
+            f"no line of nodes at theta = {to_plain(theta)!r} to have a moment about: give mgr"
         )
     return scalar(moment) / s
 
@@ -414,8 +404,7 @@ def fast_spin(
     a, h, c = _quadratic(I0, I, theta, spin, None, _over_sine(theta, mgr, moment))
     if is_numeric(h) and min_abs(h) == 0:
         raise GyroError(
-            "these are approximations for a fast spin, but the spin or I is zero; use "
-            "steady_precession"
+            "approximations for a fast spin, but spin or I is zero: use steady_precession"
         )
     eps = c / h * (a / h)
     # the errors by 1 + s: 1 - s would cancel for a fast spin, where s is nearly 1
@@ -457,8 +446,7 @@ def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreeP
         raise GyroError("with I = I0 there is no precession: the body turns about a fixed axis")
     if is_numeric(c) and min_abs(c) <= 4 * epsilon(c) and not is_zero(spin):
         raise GyroError(
-            f"theta = {to_plain(theta)!r} rad is pi/2: H has no component along the axis, and the "
-            "spin must be zero"
+            f"theta = {to_plain(theta)!r} is pi/2: H has no axial component, the spin must be zero"
         )
     sense = where(to_plain(apart) > 0, "direct", "retrograde") if is_numeric(apart) else None
     tilt = atan(I * tan(theta) / I0)

@@ -74,10 +74,7 @@ def nutation(
     b = I * (omega_z if spin is None else spin + precession * cos(theta)) / I0
     given = promote(*map(scalar, (b, mgr / I0, theta, theta_rate, precession)))
     if not all(map(is_numeric, given)):
-        raise GyroError(
-            "the limits of nutation need numbers: the roots of a cubic with expressions have no "
-            "order; put in values first"
-        )
+        raise GyroError("the limits of nutation need numbers: put in values first")
     # below, all momenta and the pull of gravity are divided by I0
     b, pull, theta, q, n = given
     S, C = sin(theta / 2), cos(theta / 2)

@@ -147,8 +147,7 @@ def _on_axis(body, A, e, length, about):
     off = e.cross(about - A).norm()
     if is_numeric(off) and is_numeric(length) and max_abs(off) > 1e-9 * max_abs(length):
         raise RotorError(
-            f"{about.name} lies {max_abs(off):.3g} off the axis of the bearings; take a point of "
-            "the axis, or leave about= out"
+            f"{about.name} lies {max_abs(off):.3g} off the axis of the bearings; leave about= out"
         )
     return about
 
@@ -265,8 +264,7 @@ def balance(
     floor = body.mass * (shaft_axis(A, B)[1] / 1000) ** 2
     if not all(map(is_numeric, (e, product, total, floor))):
         raise RotorError(
-            f"whether {body.name} is balanced depends on the values of its expressions; put in "
-            "numbers, or look at imbalance(...)"
+            f"the balance of {body.name} depends on expressions; put numbers in, or see imbalance"
         )
     total = where(to_plain(total) < to_plain(floor), floor, total)
     eccentricity = e / body.mass
@@ -295,8 +293,7 @@ def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tup
     apart = z2 - z1
     if _small(apart, 1e-13 * max(max_abs(z) if is_numeric(z) else 0.0 for z in (z1, z2))):
         raise RotorError(
-            f"the two planes coincide, at {to_plain(z1)!r} and {to_plain(z2)!r} from {A.name}; a "
-            "couple needs two different planes"
+            f"two different planes are needed; got {to_plain(z1)!r} and {to_plain(z2)!r}"
         )
     found = imbalance(body, A, B, about=A)
     U, P = found.static, found.dynamic
@@ -329,10 +326,7 @@ def balancing_masses(
     [(4.0, (-0.5, 0, 2.0)), (2.0, (0.5, 0, 3.0))]
     """
     if (radius is None) == (mass is None):
-        raise RotorError(
-            "give either the radius at which the weights go, or their mass: radius=0.1 or "
-            "mass=(0.02, 0.03)"
-        )
+        raise RotorError("give either radius=0.1, where the weights go, or mass=(0.02, 0.03)")
     what, given = ("radius", radius) if mass is None else ("mass", mass)
     given = given if isinstance(given, (tuple, list)) else (given, given)
     for x in map(scalar, given):

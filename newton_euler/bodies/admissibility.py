@@ -32,8 +32,7 @@ def positive(x: Scalar, what: str) -> None:
         return
     if not is_positive(x) or not is_finite(x):
         raise MassError(
-            f"{what} must be positive, got {to_plain(x)}; to cut something out give it to "
-            "composite(..., removed=[...])"
+            f"{what} must be positive, got {to_plain(x)}; cut out by composite(..., removed=[...])"
         )
 
 
@@ -75,8 +74,7 @@ def check(I: Any, tolerance: float, slack: float) -> None:
     """Raises :class:`MassError` if no body can have ``I``, see :meth:`.inertia.Inertia.check`."""
     if I.mass is not None and is_numeric(I.mass) and not is_positive(I.mass):
         raise MassError(
-            f"the mass is {to_plain(I.mass)}; it must be positive (a removed part is subtracted: "
-            "composite(..., removed=[hole]))"
+            f"the mass must be positive, got {to_plain(I.mass)}; cut out by removed=[hole]"
         )
     if all(map(is_numeric, I.moments + I.products)):
         _check_integrals(I, tolerance, slack)

@@ -144,9 +144,7 @@ def centre_of_mass(
     """
     bodies = [p if isinstance(p, Body) else _pair(p) for p in parts]
     if not bodies:
-        raise MassError(
-            "the centre of mass of nothing: give at least one body or pair (mass, Point)"
-        )
+        raise MassError("the centre of mass of nothing: give a body or a pair (mass, Point)")
     return together(bodies, frame or bodies[0].frame, name)[1]
 
 

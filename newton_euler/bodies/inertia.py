@@ -16,6 +16,7 @@ from typing import Any
 
 from ..algebra.errors import Tolerance, checked
 from ..algebra.jets import Moving
+from ..algebra.late import np
 from ..algebra.ledger import NamedTerms, Terms, latex_number
 from ..algebra.names import guided
 from ..algebra.scalars import (
@@ -107,8 +108,6 @@ class Inertia(Scaled, NamedTerms):
 
     def to_array(self) -> Any:
         """The matrix as a NumPy array of shape (3, 3); (3, 3, N) if its entries are arrays of N."""
-
-        import numpy as np
 
         numbers = (np.asarray(x, dtype=float) for row in self.matrix for x in row)
         entries = np.broadcast_arrays(*numbers)
@@ -336,8 +335,7 @@ def together(parts: Iterable, frame: Frame, name: str = "G") -> tuple[Scalar, Po
             first = add3(first, scale3(part.mass, _coordinates(part.centre, frame)))
     if is_numeric(mass) and not is_positive(mass):
         raise MassError(
-            f"the total mass is {short(mass)}; it must be positive: the removed parts weigh "
-            "more than what they are cut from"
+            f"the total mass {short(mass)} must be positive: the removed parts weigh too much"
         )
     return mass, frame.point(name, *(x / mass for x in first))
 

@@ -109,8 +109,7 @@ def integrated(
 def _check_given(limits, mass, density, name):
     if len(limits) not in (1, 2, 3):
         raise MassError(
-            f"a curve has one parameter, a surface two, a volume three; {name} has limits for "
-            f"{len(limits)}"
+            f"{name} has {len(limits)} parameters; a curve has one, a surface two, a volume three"
         )
     if mass is None and density is None:
         raise MassError(f"{name} needs mass=... or density=... (per length, area or volume)")
@@ -121,8 +120,7 @@ def _check_given(limits, mass, density, name):
 def _check_mass(found, name):
     if is_numeric(found) and not is_positive(found):
         raise MassError(
-            f"the mass of {name} comes out as {to_plain(found)}; it must be positive: look at the "
-            "limits and the density"
+            f"the mass of {name} is {to_plain(found)}, not positive: look at limits and density"
         )
 
 
@@ -160,14 +158,10 @@ def _middle(position, limits, weigh, name):
         middle = _moments(position, limits, weigh, (ZERO,) * 3, half)
     except SingularError as error:
         raise MassError(
-            f"the formula of {name} has no finite value at some of its points: {error}; look at "
-            "the limits, and at divisions and roots"
+            f"{name} has points without a finite value: {error}; look at its limits"
         ) from None
     if any(isinstance(x, Moving) for x in (*(x for pair in limits for x in pair), *place)):
-        raise MassError(
-            f"the points of {name} move: their rates and the derivatives by the parameters cannot "
-            "be distinguished. Put in the values at the instant"
-        )
+        raise MassError(f"the points of {name} move: put in the values at the instant")
     return middle
 
 
@@ -244,15 +238,11 @@ def _scales(sample, name):
 
     if not np.isfinite(sample).all():
         raise MassError(
-            f"the formula of {name} has no finite value at some of its points; look at the "
-            "limits, and at divisions and roots"
+            f"{name} has points without a finite value; look at limits, divisions and roots"
         )
     content, mass, second = (np.abs(sample[:, columns]).mean() for columns in ([0], [1], [5, 6, 7]))
     if not content > 0 or not mass > 0:
-        raise MassError(
-            f"{name} has no extent: its parameters do not move its points, or the limits "
-            "coincide, or its density is zero"
-        )
+        raise MassError(f"{name} has no extent: look at its parameters, limits and density")
     length = (second / mass) ** 0.5
     return np.array([content, mass] + [mass * length] * 3 + [mass * length**2] * 6)
 
@@ -276,8 +266,7 @@ def _exact(position, limits, weigh, name):
             f = sympy.integrate(f, (u, *pair))
         if f.has(sympy.Integral):
             raise MassError(
-                f"SymPy finds no formula for an integral over {name}; choose other "
-                "coordinates, or put numbers in without exact=True"
+                f"SymPy finds no formula for an integral over {name}: leave exact=True out"
             )
         return f
 
@@ -315,7 +304,6 @@ def _sense(dV, symbols, bounds, name):
             signs.add(value > 0)
     if len(signs) != 1:
         raise MassError(
-            f"the points of {name} fold back on themselves, or do not move: divide the body "
-            "where they do, or integrate numerically"
+            f"the points of {name} fold back on themselves, or do not move: divide the body there"
         )
     return 1 if signs.pop() else -1

@@ -329,9 +329,7 @@ def simplex(*corners: Point, **matter: Unpack[Matter]) -> Body:
     """
     n = len(corners) - 1
     if n not in (1, 2, 3) or not all(isinstance(P, Point) for P in corners):
-        raise MassError(
-            f"a simplex has two, three or four corners, all Points; got {len(corners)}: {corners!r}"
-        )
+        raise MassError(f"a simplex has two to four corners, all Points; got {corners!r}")
     frame = corners[0].frame
     first, *others = (P.position(frame).c for P in corners)
     edges = [sub3(c, first) for c in others]
@@ -364,7 +362,7 @@ def _mass(shape, matter, content, **lengths):
     if (mass is None) == (density is None):
         got = "and got none" if mass is None else "not both"
         raise MassError(
-            f"{name} needs either mass=... or density=... (per length, area or volume), {got}"
+            f"{name} needs either mass= or density= (per length, area or volume), {got}"
         )
     m = scalar(density) * content if mass is None else real_scalar(mass)
     positive(m, f"the mass of {name}")
@@ -408,8 +406,7 @@ def _fan(name, middle, axis, toward, m, distance, polar, flatness=ZERO):
     t, sign = axis_index(toward or AXES[(n + 1) % 3])
     if t == n:
         raise MassError(
-            f"{name} lies in the plane normal to {axis!r} and cannot be directed toward "
-            f"{toward!r}; give another axis as toward="
+            f"{name}, normal to {axis!r}, cannot be directed toward {toward!r}: take another axis"
         )
     transfer = m * distance**2
     moments = [polar * (1 + flatness) / 2 - transfer] * 3

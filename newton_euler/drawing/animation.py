@@ -160,11 +160,10 @@ def animate(
     count = len(instants)
     size, dpi = _checked_size(size, dpi)
     _check_amount(count, size, dpi)
-    kind, blank, drawn = (
-        ("image/png", _figure, _pictures)
-        if is_here("matplotlib")
-        else ("image/svg+xml", _page, _svgs)
-    )
+    kind, blank, drawn = "image/png", _figure, _pictures
+    if not is_here("matplotlib"):
+        kind, blank = "image/svg+xml", lambda size, dpi: Page(size)
+        drawn = lambda pages: (svg(page).encode() for page in pages)  # noqa: E731
     figures, pictures = [], []
     for n, t in enumerate(instants, 1):
         figures.append(blank(size, dpi))
@@ -187,14 +186,6 @@ def _figure(size, dpi):
     return figure
 
 
-def _page(size, _):
-    return Page(size)
-
-
-def _svgs(pages):
-    return (svg(page).encode() for page in pages)
-
-
 def _draw(draw, t, ax):
     """The scene at time t, recorded."""
     try:
@@ -203,10 +194,7 @@ def _draw(draw, t, ax):
         error.add_note(f"This came up while the picture at t = {t:g} s was drawn.")
         raise
     if not sketches_on(ax):
-        raise AnimationError(
-            "draw(t, ax) draws with Sketch(ax, ...) on the axes it is given, and did not at t = "
-            f"{t:g} s"
-        )
+        raise AnimationError(f"draw(t, ax) draws with Sketch(ax, ...), and did not at t = {t:g} s")
 
 
 def _pictures(figures):
@@ -248,9 +236,7 @@ def _checked_speed(speed, span):
     if speed is None:
         return 1.0 if 1 <= span <= 30 else span / 8
     if not (isinstance(speed, (int, float)) and 0 < speed < 1e300):
-        raise AnimationError(
-            f"speed, seconds of the motion shown in one second, is a positive number; got {speed!r}"
-        )
+        raise AnimationError(f"speed, seconds of motion in one second, is positive; got {speed!r}")
     return float(speed)
 
 
@@ -261,8 +247,7 @@ def _checked_size(size, dpi):
         sides = []
     if len(sides) != 3 or not all(0 < x < 1e6 and 10 <= x * sides[2] < 1e9 for x in sides[:2]):
         raise AnimationError(
-            "size is the width and the height in inches, as (5, 4), and dpi a number of dots; got "
-            f"{clipped(size)} and {clipped(dpi)}"
+            f"size is in inches, as (5, 4), dpi a number; got {clipped(size)} and {clipped(dpi)}"
         )
     return (sides[0], sides[1]), sides[2]
 

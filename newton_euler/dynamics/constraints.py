@@ -35,6 +35,7 @@ class Freedom:
 
     redundant : names of constraints that follow from those before, and how many of their equations
     configuration : the coordinates by body at which the rank was computed
+    bodies : name -> kind, as they were given
     singular : True if at the configuration passed as ``at`` the rank is lower than in its
         neighbourhood, as for a linkage at its dead point
     """
@@ -44,6 +45,7 @@ class Freedom:
     rank: int
     redundant: dict
     configuration: dict
+    bodies: dict
     singular: bool = False
 
     def __index__(self):
@@ -87,7 +89,8 @@ def degrees_of_freedom(
     q = system.settled() if at is None else system.given(at)
     rank, redundant = system.rank(q, tolerance)
     singular = at is not None and rank < system.rank(system.settled(q, 0.05), tolerance)[0]
-    return Freedom(system.size - rank, system.size, rank, redundant, system.by_name(q), singular)
+    found = system.size - rank, system.size, rank, redundant, system.by_name(q)
+    return Freedom(*found, bodies, singular)
 
 
 class _System:
@@ -99,15 +102,14 @@ class _System:
             count = KINDS.get(kind, kind)
             if type(count) is not int or count < 1:
                 raise ConstraintError(
-                    f"the kind of {name} is one of {', '.join(map(repr, KINDS))}, or a number of "
-                    f"coordinates; got {kind!r}"
+                    f"the kind of {name} is a number, or of {', '.join(KINDS)}; got {kind!r}"
                 )
             self.places[name] = slice(self.size, self.size + count)
             self.size += count
         for name, f in constraints.items():
             if not callable(f) or isinstance(f, type):
                 raise ConstraintError(
-                    f"the constraint {name!r} is a function of bodies, as lambda P: P[0]; got {f!r}"
+                    f"the constraint {name!r} is a function, as lambda P: P[0]; got {f!r}"
                 )
             parameters = inspect.signature(f).parameters
             # lambda P, L=2: ... has one body
@@ -115,8 +117,7 @@ class _System:
             unknown = [n for n in names if n not in self.places]
             if unknown or not names:
                 raise ConstraintError(
-                    f"the constraint {name!r} takes {names or 'nothing'}; its parameters are "
-                    f"bodies: {', '.join(self.places)}"
+                    f"the constraint {name!r} takes {names or '[]'}, not {', '.join(self.places)}"
                 )
             self.constraints.append((name, names, f))
 
@@ -168,9 +169,8 @@ class _System:
             names = ", ".join(name for name, _, _ in self.constraints)
             places = ", ".join(f"{name!r}: ..." for name in self.places)
             raise ConstraintError(
-                f"no configuration was found in which all constraints hold ({names}): do they "
-                f"contradict each other? If not, pass one as at={{{places}}}, the coordinates of "
-                "every body"
+                f"no configuration was found for all constraints ({names}): do they contradict "
+                f"each other? If not, pass one as at={{{places}}}"
             )
         self._check_gradients(start, q)
         return q
@@ -181,8 +181,7 @@ class _System:
         for (name, _), a, b in zip(self.values(q), before, after, strict=True):
             if b < 1e-5 * a:  # at a double zero it falls as the square root of the residual, 1e-13
                 raise ConstraintError(
-                    f"the gradient of the constraint {name!r} vanishes where it holds; split it, "
-                    "as x**2 + y**2 = 0 into x = 0 and y = 0"
+                    f"the gradient of the constraint {name!r} vanishes: split it in two"
                 )
 
     def given(self, at):
@@ -191,8 +190,7 @@ class _System:
         """
         if set(at) != set(self.places):
             raise ConstraintError(
-                f"at= gives the coordinates of every body ({', '.join(self.places)}); it has "
-                f"{', '.join(at)}"
+                f"at= gives the coordinates of {', '.join(self.places)}; it has {', '.join(at)}"
             )
         given = (x if hasattr(x, "__len__") else [x] for x in (at[n] for n in self.places))
         q = [float(x) for coordinates in given for x in coordinates]
@@ -203,8 +201,7 @@ class _System:
         for name, x in self.values(q):
             if abs(x) > 1e-6 * max(1.0, *map(abs, q)):  # as exact as coordinates are typed in
                 raise ConstraintError(
-                    f"the configuration at= does not meet the constraint {name!r}: it is {x:.3g} "
-                    "instead of 0"
+                    f"at= does not meet the constraint {name!r}: it is {x:.3g} instead of 0"
                 )
         return q
 
@@ -242,12 +239,9 @@ def _independent(rows, values, tolerance):
 
 def _number(name, x):
     if not is_numeric(x):
-        raise ConstraintError(
-            f"the constraint {name!r} gives {x!r}; put numbers in for its symbols"
-        )
+        raise ConstraintError(f"the constraint {name!r} gives {x!r}; put numbers in")
     if not is_finite(x):
         raise ConstraintError(
-            f"the constraint {name!r} is {x} at some place; write it so that it has a value "
-            "everywhere"
+            f"the constraint {name!r} is {x} at some place; write it with a value everywhere"
         )
     return float(x)

@@ -211,8 +211,7 @@ class Audit:
         unknown = [n for n in names if n not in self.works]
         if unknown:
             raise EnergyError(
-                f"no work of {unknown[0]!r} is in this audit; there are "
-                f"{', '.join(self.works) or 'none'}"
+                f"no work of {unknown[0]!r} is in this audit; it has {', '.join(self.works)}"
             )
         return -summed({n: self.works[n] for n in names or self.works})
 
@@ -294,7 +293,6 @@ def _magnitude(x):
     value = probe(scalar(x))
     if value is None:
         raise EnergyError(
-            f"an energy is {to_plain(x)!r}; an audit needs numbers, or SymPy expressions and "
-            "exact=True"
+            f"an audit needs numbers, or SymPy expressions and exact=True; got {to_plain(x)!r}"
         )
     return max_abs(scalar(value))

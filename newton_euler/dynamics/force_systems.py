@@ -236,7 +236,7 @@ def _parts(name, part):
             vector, point = part
         except (TypeError, ValueError):
             raise ForceError(
-                f"a force is a pair (Vector, Point), a couple is Couple(Vector); got {part!r}"
+                f"a force is a pair (Vector, Point), a couple Couple(Vector); got {part!r}"
             ) from None
         return [Force(vector, point, name or "force")]
     return [Force(part.vector, part.point, name or part.name)]
@@ -244,9 +244,7 @@ def _parts(name, part):
 
 def _vector(v, what, name):
     if not isinstance(v, Vector):
-        raise ForceError(
-            f"the vector of a {what} is a Vector, as ground.vector(0, 0, -9.81); got {v!r}"
-        )
+        raise ForceError(f"the vector of a {what} is a Vector; got {v!r}")
     if not isinstance(name, str):
         raise ForceError(f"the name of a {what} is a text; got {clipped(name)}")
     return v
@@ -261,8 +259,5 @@ def _vanishes(v, noise):
     """True if the Vector is round-off; of arrays at every instant, and an error if at some only."""
     x = scalar(v.norm())
     if is_numeric(x) and min_abs(x) <= noise < max_abs(x):
-        raise ForceError(
-            "the forces have a resultant at some instants and at others none; treat the two "
-            "groups of instants separately"
-        )
+        raise ForceError("there is a resultant at some instants only; treat these apart")
     return is_numeric(x) and max_abs(x) <= noise

@@ -140,8 +140,7 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     missing = (total - P.acceleration(P.ground)).expressed_in(P.local).c
     if any(is_numeric(h) and min_abs(h) == 0 for h in P.scale_factors):
         raise SingularError(
-            f"{P.name} is where one of its coordinates moves nothing: its scale factors are "
-            f"{P.scale_factors}; turn the axes, or use rectangular components"
+            f"a coordinate moves nothing at {P.name}: its scale factors are {P.scale_factors}"
         )
     changes = zip(P.coordinates, missing, P.scale_factors, strict=False)  # two in the plane
     return tuple(to_plain(q.acceleration + a / h) for q, a, h in changes)

@@ -154,16 +154,13 @@ def _checked(force):
             F = tuple(real_scalar(f) for f in force(*place))
         except (ArithmeticError, NewtonEulerError) as problem:
             raise WorkError(
-                f"the force has no value at {where}: {problem}; keep base, box and loops where it "
-                "exists"
+                f"the force has no value at {where}: {problem}; keep base, box and loops away"
             ) from problem
         if len(F) != 3:
-            raise WorkError(
-                f"a force field returns (F_x, F_y, F_z); got {len(F)} components at {where}"
-            )
+            raise WorkError(f"a force field returns (F_x, F_y, F_z); got {len(F)} components")
         if not all(map(is_finite, F)):
             raise WorkError(
-                f"the force is {F} at {where}, not finite; keep base, box and loops where it exists"
+                f"the force is {F} at {where}, not finite; keep base, box and loops away"
             )
         return F
 
@@ -260,8 +257,7 @@ def _magnitude(x):
     value = probe(scalar(x))
     if value is None:
         raise WorkError(
-            f"the derivative {to_plain(x)!r} of the force cannot be compared with zero; put "
-            "numbers or SymPy symbols in"
+            f"the derivative {to_plain(x)!r} cannot be compared with zero; put numbers in"
         )
     return max_abs(value)
 

@@ -154,8 +154,7 @@ def power(
         seen = getattr(velocity, "angular_velocity", getattr(velocity, "velocity", None))
         if seen is None:
             raise FrameError(
-                "with an observer, power needs the Point at which the force acts or the Frame on "
-                f"which the couple acts; got {velocity!r}"
+                f"power(F, P, ground) takes a Point, or the Frame of a couple; got {velocity!r}"
             )
         velocity = seen(observer)
     if isinstance(force, Vector) and isinstance(velocity, Vector):
@@ -165,8 +164,7 @@ def power(
             sum((scalar(a) * scalar(b) for a, b in zip(force, velocity, strict=True)), ZERO)
         )
     raise FrameError(
-        "power needs two Vectors, two triples along the same axes, or power(F, P, ground); got "
-        f"{force!r} and {velocity!r}"
+        f"power needs two Vectors, two triples, or power(F, P, ground); got {force!r}, {velocity!r}"
     )
 
 

@@ -251,8 +251,7 @@ def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = Non
         c = (0,) * 3 if vector is None else vector.components(r.frame)
         if numeric3(c) and max_abs(c[2]) > 0:
             raise SingularError(
-                f"polar components are for motion in the x, y plane, but {vector} has a third "
-                "one; use cylindrical_coordinates"
+                f"polar components are for the x, y plane: use cylindrical_coordinates for {vector}"
             )
     return cylindrical_coordinates(r, v, a)[:2]
 

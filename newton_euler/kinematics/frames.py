@@ -103,8 +103,7 @@ class Frame:
             raise FrameError(f"the origin of {name} is a Point; got {clipped(origin)}")
         if angle is not None and not isinstance(angle, Moving):
             raise FrameError(
-                f"the angle of {name} is a moving number: make frames by rotate, as "
-                f"ground.rotate('arm', 'z', 0.5); got {clipped(angle)}"
+                f"ground.rotate(…) takes the angle of {name}, a moving number; got {clipped(angle)}"
             )
         self.name, self.parent, self.axis, self._origin = name, parent, axis, origin
         self.angle: Any = _REST if angle is None else angle
@@ -233,7 +232,7 @@ class Frame:
             return None
         if not isinstance(origin, Point):
             raise FrameError(
-                f"an origin is a Point, as in {self.name}.point('C', 0, 1, 0); got {origin!r}"
+                f"an origin is a Point, as {self.name}.point('C', 0, 1, 0); got {origin!r}"
             )
         if origin.frame is not self:
             raise FrameError(
@@ -533,8 +532,7 @@ class Point:
     def _checked(self, observer, via, what):
         if not isinstance(observer, Frame):
             raise FrameError(
-                f"a point has no {what} as such, only one seen from a frame: say which, as in "
-                f"{self.name}.{what}(ground)"
+                f"{what} as seen from which frame? Say it, as in {self.name}.{what}(ground)"
             )
         if via is None:
             via = self.frame
@@ -611,8 +609,7 @@ def _same_shape(numbers, what):
     shapes = {x.shape for x in parts if type(x) is not float and getattr(x, "shape", ())}
     if len(shapes) > 1:
         raise FrameError(
-            f"{what} have the shapes {sorted(shapes)}; all arrays must have one shape (N,), "
-            "one entry for each instant"
+            f"{what} have the shapes {sorted(shapes)}; all arrays must have one shape (N,)"
         )
     return numbers
 
@@ -622,10 +619,7 @@ def place(where: PointLike, what: str) -> Point:
     if isinstance(where, Frame):
         return where.point(f"origin of {where.name}", 0, 0, 0)
     if not isinstance(where, Point):
-        raise FrameError(
-            f"the place of {what} is a Point or a Frame, as in body.point('C', 0, 0, 0.2); got "
-            f"{where!r}"
-        )
+        raise FrameError(f"the place of {what} is a Point or a Frame; got {where!r}")
     return where
 
 

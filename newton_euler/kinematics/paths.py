@@ -66,8 +66,7 @@ def at_speed(path: Callable, q: Scalar, speed: Scalar, speed_rate: Scalar = 0) -
     stretch = norm3(first)
     if is_numeric(stretch) and below_roundoff(stretch, _noise(path, q)[0]):
         raise SingularError(
-            f"the path stands still at q = {q!r}: dr/dq is zero there, and no rate of q gives "
-            "it a speed; use another parameter"
+            f"dr/dq is zero at q = {q!r}: the path stands still; use another parameter"
         )
     rate = scalar(speed) / stretch
     second_rate = (scalar(speed_rate) - rate * rate * (dot3(first, second) / stretch)) / stretch
@@ -89,7 +88,7 @@ def _three(c):
         x, y, z = c
     except (TypeError, ValueError):
         raise FrameError(
-            f"a path returns three coordinates (x, y, z), with 0 for z in the plane; got {c!r}"
+            f"a path returns three coordinates (x, y, z), 0 for z in the plane; got {c!r}"
         ) from None
     return x, y, z
 
@@ -123,8 +122,7 @@ class Frenet:
         """tau in 1/length, with the book's sign (3.9), (3.10)."""
         if self._torsion is None:
             raise SingularError(
-                "the torsion needs the rate of the acceleration: pass jerk= to frenet, or the "
-                "path itself to frenet_along"
+                "the torsion needs the rate of the acceleration: pass jerk=, or use frenet_along"
             )
         return to_plain(self._torsion)
 

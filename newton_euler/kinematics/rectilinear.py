@@ -50,8 +50,7 @@ def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = ZERO) -> tuple[S
     for n in range(65) if is_numeric(ahead) and is_numeric(v) else ():
         if _falls_below(a(v0 + (v - v0) * n / 64) * ahead, True) and max_abs(v - v0) > 0:
             raise SingularError(
-                f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes or "
-                "points the other way in between"
+                f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes before"
             )
     return integral(lambda u: 1 / a(u), v0, v), x0 + integral(lambda u: u / a(u), v0, v)
 
@@ -77,15 +76,13 @@ def from_place(
         square = v0 * v0 + 2 * s * integral(lambda p: a(x0 + s * p), 0, integer_like(1, s))
         if _falls_below(square):
             raise SingularError(
-                f"the point does not reach x = {x!r}: v^2 becomes negative on the way, so it "
-                "turns back before"
+                f"the point does not reach x = {x!r}: v^2 becomes negative on the way"
             )
         return sqrt(square)
 
     if _falls_below(v0 * forward):
         raise SingularError(
-            f"the point starts away from x = {x!r} (v0 = {v0!r}); follow it to its turning "
-            "point first"
+            f"the point starts away from x = {x!r} (v0 = {v0!r}); follow it to its turn first"
         )
     return integral(lambda s: forward / speed(s), 0, distance), forward * speed(distance)
 

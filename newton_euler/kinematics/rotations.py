@@ -112,8 +112,7 @@ def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
     """
     if axes not in ("fixed", "moving"):
         raise RotationError(
-            "axes are 'fixed' (given in the ground) or 'moving' (turned by the earlier "
-            f"rotations), got {axes!r}"
+            f"axes are 'fixed' in the ground or 'moving' with earlier rotations, got {axes!r}"
         )
     return product(*(reversed(rotations) if axes == "fixed" else rotations))
 
@@ -235,10 +234,7 @@ def checked_rotation(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
             "entries are rounded, say how far with tolerance="
         )
     if not mirrored < 1:
-        raise RotationError(
-            "not a rotation but a reflection: determinant -1, columns left-handed; reverse one "
-            "axis, or mind their order"
-        )
+        raise RotationError("not a rotation but a reflection, determinant -1: reverse one axis")
     return R
 
 
@@ -348,9 +344,7 @@ def quaternion_rate(q: Sequence[Scalar], omega: Triple) -> tuple:
 def _four(q):
     q = tuple(real_scalar(x) for x in q)
     if len(q) != 4:
-        raise RotationError(
-            f"a quaternion has four components, the scalar part first; got {len(q)}: {q!r}"
-        )
+        raise RotationError(f"a quaternion has four components, the scalar part first; got {q!r}")
     return q
 
 
@@ -358,8 +352,7 @@ def _norm2(q):
     total = dot3(q, q) + q[3] * q[3]
     if vanishes(total) or not is_finite(total):
         raise RotationError(
-            f"{tuple(map(to_plain, q))} is the quaternion of no rotation: its length must be "
-            "finite and not zero, at every instant"
+            f"{tuple(map(to_plain, q))} is no rotation: its length must be finite and not zero"
         )
     return total
 

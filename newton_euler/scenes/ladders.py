@@ -53,9 +53,7 @@ class Rung(Portable):
         """The bound of the error until ``t`` by what the model neglects; inf where unknown."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
-            raise ModelError(
-                f"the bounds of {self.name!r} have no values: give numbers for parameters, start, t"
-            )
+            raise ModelError(f"the bounds of {self.name!r} have no values: put numbers in")
         return float(sum(map(max_abs, bounds))) if bounds else math.inf
 
 
@@ -92,15 +90,11 @@ class Ladder:
     def __post_init__(self):
         names = [rung.name for rung in self.rungs]
         if len(set(names)) < len(names) or not names:
-            raise ModelError(
-                f"the rungs of {self.name!r} need names of their own, got "
-                f"{', '.join(names) or 'none'}"
-            )
+            raise ModelError(f"the rungs of {self.name!r} need names of their own, got {names}")
         other = [n.of for rung in self.rungs for n in rung.model.neglects if n.of != self.of]
         if other:
             raise ModelError(
-                f"the bounds of {self.name!r} are of different quantities and cannot be "
-                f"compared: {self.of}; {'; '.join(other)}"
+                f"the bounds of {self.name!r} are of different quantities: {self.of}; {other[0]}"
             )
 
     def __getstate__(self):
@@ -260,6 +254,4 @@ def smallest(ladder: Ladder, tolerance: float) -> Choice:
         if min(bound, math.inf if error is None else error + left) <= tolerance:
             return Choice(rung, MappingProxyType(evidence), tolerance, ladder.of)
     bounds = ", ".join(f"{name}: {e.bound:.3g}" for name, e in evidence.items())
-    raise ModelError(
-        f"no model of this ladder is as accurate as {tolerance:.3g}; the errors may reach {bounds}"
-    )
+    raise ModelError(f"no model is as accurate as {tolerance:.3g}; the errors may reach {bounds}")

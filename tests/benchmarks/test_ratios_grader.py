@@ -89,8 +89,7 @@ def theirs(course, values, tmp_path_factory):
     wall, cpu, _ = timed(lambda: [api.autograde("ch04", s, force=True) for s in STUDENTS[:THEIRS]])
     given = {s: plain_points(folder, s) for s in STUDENTS[:THEIRS]}
     for result in grade(course, "ch04", STUDENTS[:THEIRS], force=True):
-        ours = {p.name: result.scores[p.id].points for p in CH04}
-        assert ours == given[result.student]
+        assert {p.name: result.scores[p.id].points for p in CH04} == given[result.student]
     found["nbgrader, s a notebook"] = round(wall / THEIRS, 3)
     return wall / THEIRS, cpu / THEIRS
 

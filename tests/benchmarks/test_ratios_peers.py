@@ -179,8 +179,7 @@ on_each_scene = pytest.mark.parametrize("scene", ["top", "free body"])
 def test_every_competitor_is_as_accurate_as_wanted(scene, wanted):
     rows = measured(scene, wanted)
     table(f"{scene}, true error within {wanted:g}", rows)
-    late = [name for name, (_, error, _, _) in rows.items() if not error <= wanted]
-    assert not late
+    assert not [name for name, (_, error, _, _) in rows.items() if not error <= wanted]
     never = [name for name in rivals(scene) if name not in rows]
     assert not never, "no setting of theirs is accurate enough"
 
@@ -270,9 +269,7 @@ def test_samples_for_an_animation_cost_little_more_than_heyokas_own_grid(wanted)
         ta.time, ta.state[:] = 0.0, TOP
         return ta.propagate_grid(grid)[-1]
 
-    def sampled():
-        return integrate(model, t, start, wanted, "taylor", samples=grid).states
-
+    sampled = lambda: integrate(model, t, start, wanted, "taylor", samples=grid).states
     make = lambda tolerance: hy.taylor_adaptive(peers.heyoka_top(), TOP, tol=tolerance)
     fine = peers.axis(own_grid(make(1e-15)).T)
     own_error = _off(peers.axis(list(sampled().values())), fine)
@@ -305,9 +302,7 @@ def swept(wanted):
     def made(tolerance):
         return hy.taylor_adaptive_batch(peers.heyoka_top(), np.zeros((7, width)), tol=tolerance)
 
-    def ours():
-        return integrate(tops, TOP_TIME, start, wanted)
-
+    ours = lambda: integrate(tops, TOP_TIME, start, wanted)
     fine = peers.axis(batches(made(1e-15)))
     error = _off(peers.axis([x[:, -1] for x in ours().states.values()]), fine)
     ta, their_error = as_accurate(made, lambda ta: _off(peers.axis(batches(ta)), fine), error)

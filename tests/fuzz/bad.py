@@ -87,5 +87,4 @@ def bad_values():
         "bool array": lambda: np.array([True, False, True]), "matrix": lambda: np.ones((2, 2)).view(np.matrix),
         "np.int64": lambda: np.int64(3), "np.float32": lambda: np.float32(0.1),
     }  # fmt: skip
-    constant = {name: lambda x=x: x for name, x in {**here, **quantities()}.items()}
-    return constant | made
+    return {name: lambda x=x: x for name, x in {**here, **quantities()}.items()} | made

@@ -11,7 +11,6 @@ import tempfile
 from importlib import import_module
 from pkgutil import walk_packages
 
-import matplotlib
 from matplotlib.figure import Figure
 
 import newton_euler
@@ -185,7 +184,6 @@ def forces_and_motions(ground, C, D):
 
 
 def drawings(ground, body, C, D):
-    matplotlib.use("Agg")
     s = drawing.Sketch(Figure().add_subplot(), ground, plane="xz")
     s.axes(C, body)
     s.turn(C, body.k, "omega")

@@ -21,7 +21,7 @@ from tests.grader.courses import command
     (("stats",), "--png"),
     (("export",), "gradescope"),
     (("diagnose",), "misnamed"),
-    (("personal",), "hand out COURSE/personal/ASSIGNMENT/STUDENT"),
+    (("personal",), "give COURSE/personal/ASSIGNMENT/STUDENT"),
     (("grade",), "--force"),
     (("demo",), "six students"),
 ])  # fmt: skip
@@ -209,5 +209,7 @@ def drawing():
 
 
 def test_a_ctrl_c_that_python_ignores_comes_again():
-    with pytest.raises(shared.Stopped, match=r"drawing: 1 of 2\. The same command begins anew"):
+    with pytest.raises(
+        shared.Stopped, match=r"drawing: 1 of 2\. Running the command again starts over"
+    ):
         drawing()

@@ -118,8 +118,7 @@ def test_a_year_in_the_browser(course, tmp_path):
         page = seen.lists(student, "Fetch Feedback", home, "hw1/feedback/*/hw1.html")
         driver.get(page.as_uri())
         seen.reads("3.5 / 4", "✓ right", "Since the path is curved.", "Well seen")
-    out = ran(command("next-year", course.path, "--course", tmp_path / "mechanics27"))
-    assert "has hw1" in out
+    assert "has hw1" in ran(command("next-year", course.path, "--course", tmp_path / "mechanics27"))
     assert "essay" in str(read(Course(tmp_path / "mechanics27").source("hw1")))
 
 

@@ -9,14 +9,12 @@ from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
-import matplotlib
 import pytest
 
 from newton_euler.accuracy.measurements.honesty import FAILED, REFUSED, tallies
 from tests.honesty import report
 from tests.honesty.judge import Run
 
-matplotlib.use("Agg")
 MET = Run(
     *("pendulum/0/0", ("smooth",), "auto", "", 1e-6, "dop853", (), "met"),
     error=1e-7,

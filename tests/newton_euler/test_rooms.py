@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 import tomllib
-from collections import Counter, defaultdict
+from collections import defaultdict
 from functools import cache
 from pathlib import Path
 
@@ -24,7 +24,6 @@ BELOW = {room: set(MECHANICS[:n]) for n, room in enumerate(MECHANICS)} | {
     "classroom": {"algebra", "answers", "drawing"},
     "scenes": {*MECHANICS, "motion"},
     "accuracy": {*MECHANICS, "motion", "scenes", "classroom"},
-    "browser": {"", "algebra", "answers", "drawing", "classroom"},  # "": where the version stands
 }
 FILES = modules(ENGINE)
 
@@ -220,31 +219,35 @@ def test_public_functions_classes_and_methods_have_docstrings():
 
 def defined(body):
     """The names that the statements of one block define as functions or classes."""
-    return [
-        node.name
-        for node in body
-        if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not overloaded(node)
-    ]
+    return [n.name for n in body if isinstance(n, (ast.FunctionDef, ast.ClassDef))]
 
 
-def overloaded(node):
-    """True for setters and the like, which share a name on purpose."""
-    return any(
-        isinstance(d, ast.Attribute) and d.attr in ("setter", "deleter", "register")
-        for d in getattr(node, "decorator_list", [])
+HEAVY = "sympy scipy matplotlib.pyplot matplotlib heyoka mpmath numpy symengine numba IPython PIL"
+A_FIGURE = """import io
+from matplotlib.figure import Figure; from newton_euler import Frame, drawing
+s = drawing.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1, 2, 3)); s.label((0, 0, 0), 'O')
+s.ax.figure.savefig(io.BytesIO())"""
+
+
+@pytest.mark.parametrize(
+    ("program", "needed"),
+    [
+        ("import newton_euler, newton_euler.drawing.animation, newton_euler.drawing.sketch", ""),
+        ("from newton_euler.motion import integrate; from tests.models import oscillator; "
+         "assert integrate(oscillator(), 1.0, (1.0, 0.0)).error < 1e-9", ""),
+        ("import numpy as np; from newton_euler import *; f = compiled(lambda w: "
+         "Frame('g').rotate('a', 'z', rate=w).i.norm()); f(1.0); f(np.zeros(5))", "numpy"),
+        (A_FIGURE, "matplotlib numpy PIL"),
+    ],
+    ids=["importing the engine", "a motion", "floats, arrays and tracing", "a figure"],
+)  # fmt: skip
+def test_none_of_the_heavy_libraries_is_loaded_before_it_is_needed(program, needed):
+    """What a student waits for is import time."""
+    program = f"import sys\n{program}\nprint(*(m for m in {HEAVY.split()} if m in sys.modules))"
+    out = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
-
-
-def twice(module):
-    """The names that a block of a module defines again."""
-    tree = tree_of(module)
-    blocks = [tree, *(n for n in ast.walk(tree) if isinstance(n, ast.ClassDef))]
-    names = [(n, name) for n, block in enumerate(blocks) for name in defined(block.body)]
-    return [name for (_, name), count in Counter(names).items() if count > 1]
-
-
-def test_nothing_is_defined_twice():
-    assert faulty(twice) == {}
+    assert out.stdout.strip() == needed
 
 
 def test_notebooks_released_before_the_rooms_still_find_expect_and_receipt():

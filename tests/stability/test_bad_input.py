@@ -68,7 +68,6 @@ from newton_euler.dynamics import (
     reaction,
     weight,
     weight_potential,
-    work_integral,
 )
 from newton_euler.motion import ModelError, Neglected
 from tests.fuzz.bad import OfAstropy, OfPint
@@ -173,22 +172,6 @@ def test_functions_say_where_they_have_no_value():
         exp(1e6)
     with pytest.raises(ScalarError, match="not known to hold"):
         where(sympy.Symbol("x") > 1, 1.0, 2.0)
-
-
-@pytest.mark.parametrize("bad", [-1.0, 0.0, "fine", float("nan")])
-def test_a_relative_error_of_an_integral_is_between_0_and_1(bad):
-    with pytest.raises(NewtonEulerError):
-        work_integral(lambda x: x, 0.0, 1.0, rtol=bad)
-
-
-def test_a_bug_of_a_formula_is_not_dressed_as_a_mistake_of_its_user():
-    @checked
-    def forgetful(x: Scalar) -> Scalar:
-        return {}["nothing"] if x else undefined  # noqa: F821
-
-    for x, bug in ((1.0, KeyError), (0.0, NameError)):
-        with pytest.raises(bug):
-            forgetful(x)
 
 
 def energy(s, p, t):

@@ -28,9 +28,7 @@ def test_a_nearly_singular_solve_returns_1e16_and_the_engine_reports_what_is_ope
 
 @pytest.mark.parametrize("gap", [1e-3, 1e-6, 1e-9])
 def test_a_mass_matrix_near_singular_is_solved_to_round_off_over_the_gap(gap):
-    def laws(a, b):
-        return {"one": a + b - 2.0, "two": a + (1 + gap) * b - (2.0 + gap)}
-
+    laws = lambda a, b: {"one": a + b - 2.0, "two": a + (1 + gap) * b - (2.0 + gap)}
     s = solve_linear(laws)
     with mpmath.workdps(40):  # the data as the floats hold them
         exact = (mpmath.mpf(2.0 + gap) - 2) / (mpmath.mpf(1 + gap) - 1)

@@ -13,7 +13,6 @@ import pytest
 
 from newton_euler import Model, prepare, sin, sqrt, where
 from newton_euler.motion import AccuracyError, ModelError, integrate, second_order
-from newton_euler.motion.analytic import hazards, kinks
 from newton_euler.motion.prepared import prepared_model
 from tests.honesty import closed_forms
 
@@ -54,8 +53,7 @@ def drag():
 
 def tank():
     """It is empty after 2 s; the formula goes on to a parabola that fills it again."""
-    model = Model("tank", {"c": 1.0}, ("h",), lambda s, p, t: (-p.c * sqrt(s.h),))
-    return model, 3.0, (1.0,), 0.0
+    return Model("tank", {"c": 1.0}, ("h",), lambda s, p, t: (-p.c * sqrt(s.h),)), 3.0, (1.0,), 0.0
 
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "scipy DOP853"])
@@ -140,26 +138,3 @@ def test_each_motion_of_a_large_batch_has_its_error_also_beside_a_separatrix():
             true, _ = closed_forms.pendulum(mpmath, mpmath.mpf(1), start, mpmath.mpf(0), 20)
         error = abs(motions.states["a"][n, -1] - float(true)) / a[n]
         assert error <= (1 if motions.error[n] <= 1e-11 else 10) * motions.error[n]
-
-
-@pytest.mark.parametrize(
-    ("rate", "kinked", "branched"),
-    [
-        (lambda s, p, t: -s.x, [], []),
-        (lambda s, p, t: -abs(s.x), ["abs"], []),
-        (lambda s, p, t: where(s.x > 0, 1.0, -1.0), ["where"], []),
-        (lambda s, p, t: sqrt(s.x * s.x) * s.x, [], ["sqrt"]),
-        (lambda s, p, t: -s.x / sqrt(s.x * s.x + s.y * s.y), [], []),  # a pole
-        (lambda s, p, t: (sqrt(s.x * s.x + s.y * s.y) - p.k) / sqrt(s.x * s.x + s.y * s.y), [], []),
-        (lambda s, p, t: sqrt(1 + s.x * s.x), [], []),  # never zero
-        (lambda s, p, t: sqrt(p.k) * s.x, [], []),  # a constant
-        (lambda s, p, t: s.x**1.5, [], ["**"]),
-        (lambda s, p, t: s.x**3 + s.x**-1.5, [], []),
-        (lambda s, p, t: sqrt(1 - s.x * s.x), [], ["sqrt"]),
-    ],
-)
-def test_what_a_series_may_pass_is_read_from_the_rates(rate, kinked, branched):
-    model = Model("any", {"k": 2.0}, ("x", "y"), lambda s, p, t: (rate(s, p, t), 0.0 * s.y))
-    traced = prepared_model(model).traced
-    assert kinks(traced) == kinked
-    assert hazards(traced) == branched

@@ -91,9 +91,7 @@ def test_of_the_63_short_visits_to_a_crest_solve_ivp_loses_most_and_the_engine_n
 
 
 def test_roots_of_a_function_that_is_no_polynomial_of_the_states_are_found_as_well():
-    def beats(s, p, t):
-        return sin(40 * t) * cos(3 * t + 0.1)
-
+    beats = lambda s, p, t: sin(40 * t) * cos(3 * t + 0.1)
     found = [e.t for e in integrate(THROW, 3.0, (0.0, V0), events=Event(beats)).events]
     exact = [math.pi * n / 40 for n in range(1, 39)]
     exact += [(math.pi * (n + 0.5) - 0.1) / 3 for n in range(3)]

@@ -59,10 +59,7 @@ PENDULUM = {"g": 9.81, "l": lambda s, p, t: 1.0 + 0 * t}
 
 def by_lambdas(G=0.25):
     """A model of functions that no other process can find by name."""
-
-    def exact(s, p, t):
-        return s.x + s.v * t - (G + p.k) * t * t / 2, s.v - (G + p.k) * t
-
+    exact = lambda s, p, t: (s.x + s.v * t - (G + p.k) * t * t / 2, s.v - (G + p.k) * t)
     return Model(
         "of lambdas",
         {"k": 2.0, "law": lambda s, p, t: p.k + 0 * s.x},

@@ -61,10 +61,7 @@ def test_whole_integrations_in_four_threads(method, busy):
 def test_one_motion_is_read_by_four_threads(method, busy):
     """The dense output between the steps is made when it is first asked for."""
     model = physical_pendulum(2.0, 0.5, 0.5, 10.0) if method == "exact" else pendulum()
-
-    def made():
-        return integrate(model, 20.0, (1.0, 0.0), 1e-9, method)
-
+    made = lambda: integrate(model, 20.0, (1.0, 0.0), 1e-9, method)
     times = [(t,) for t in np.random.default_rng(1).uniform(0, 20, 400).tolist()]
     alone = [made().at(*t) for t in times[:40]]
     for _ in range(2):
@@ -91,8 +88,5 @@ def test_models_with_other_parameters_share_their_compiled_code_but_no_numbers(b
     assert alone == pytest.approx(
         [0.01 * math.cos(3 * math.sqrt(1 + n)) for n in range(4)], abs=2e-6
     )
-
-    def many(run, expected):
-        return sum(run(3.0, (0.01, 0.0))[0] != expected for _ in range(2000))
-
+    many = lambda run, expected: sum(run(3.0, (0.01, 0.0))[0] != expected for _ in range(2000))
     assert in_threads(many, zip(runs, alone, strict=True)) == [0] * 4

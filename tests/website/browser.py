@@ -1,7 +1,6 @@
 """A browser without a screen, a server of files, and what the browser says."""
 
 import json
-import shutil
 import threading
 import time
 from contextlib import contextmanager
@@ -43,30 +42,6 @@ def served(folder):
         server.shutdown()
         server.server_close()
         thread.join()
-
-
-@contextmanager
-def chromium(folder):
-    """A browser without a screen, its profile in the folder."""
-    webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
-    if not (shutil.which("chromium") and shutil.which("chromedriver")):
-        pytest.skip("no browser: apt-get install chromium chromium-driver")
-    options = webdriver.ChromeOptions()
-    options.binary_location = shutil.which("chromium")
-    for flag in (
-        "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
-        "--disable-component-update", "--disable-dev-shm-usage", "--disable-sync", "--no-first-run",
-        "--window-size=1300,900", f"--user-data-dir={folder}",
-    ):  # fmt: skip
-        options.add_argument(flag)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    service = webdriver.ChromeService(executable_path=shutil.which("chromedriver"))
-    driver = webdriver.Chrome(options=options, service=service)
-    driver.set_script_timeout(LONG)
-    try:
-        yield driver
-    finally:
-        driver.quit()
 
 
 def emulated(driver, theme="", media="", reduced=""):

@@ -6,9 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from tests.grader.practice.conftest import practice_file  # noqa: F401
+from tests.jupyterlab import chromium
 from tests.once import once
 from tests.website import sample
-from tests.website.browser import chromium, served
+from tests.website.browser import LONG, served
 
 # it measures for minutes: its page is built without outputs
 NOT_RUN = {"speed_and_accuracy"}
@@ -49,5 +51,6 @@ def address(site):
 @pytest.fixture(scope="module")
 def driver(tmp_path_factory):
     """A browser without a screen."""
-    with chromium(tmp_path_factory.mktemp("browser")) as found:
+    with chromium(tmp_path_factory.mktemp("browser"), "1300,900") as found:
+        found.set_script_timeout(LONG)
         yield found

@@ -47,7 +47,7 @@ def _with_engine(site):
 
 
 def called(driver, name, **arguments):
-    """What a function of newton_euler/browser gives to the page: {"value": …} or {"error": words}."""
+    """What a function of website/browser gives to the page: {"value": …} or {"error": words}."""
     return driver.execute_async_script(CALL, name, arguments)
 
 

@@ -19,7 +19,6 @@ from newton_euler.algebra.names import did_you_mean
 from newton_euler.answers.forms import AnswerError
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.receipts import expect, receipt
-from newton_euler.browser import practice as page
 from newton_euler.classroom.practising.collection import Practice
 from newton_euler.classroom.practising.files import PracticeFile, PracticeFileError
 from newton_euler.classroom.practising.progress import Progress
@@ -27,6 +26,7 @@ from newton_euler.classroom.predicting import predict, predict_again, tally
 from tests.website import feedback
 from tests.website.pseudo import bare, catalogue, wide
 from website import contents, problem_index, problem_pages, translations
+from website.browser import practice as page
 
 PROBLEMS = "4/16", "9/4", "2/4", "5/19"  # a sum of terms, a word, an interval, a count
 NAMES = {  # what is code, a file or a unit wherever it stands

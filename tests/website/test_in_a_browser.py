@@ -61,7 +61,8 @@ def test_a_search_finds_a_word(site, address, driver, kind):
 def test_the_address_of_a_section_leads_to_it(address, driver):
     driver.get(f"{address}/chapters/ch04_relative_motion.html#section-4-10")
     place = "document.getElementById('section-4-10').getBoundingClientRect().top"
-    wait(driver, f"Math.abs({place}) < innerHeight / 2", "section 4.10")
+    assert wait(driver, f"Math.abs({place}) < innerHeight / 2", "section 4.10")
+    assert driver.execute_script("return scrollY > innerHeight")
 
 
 def sample(driver, address):

@@ -7,6 +7,7 @@ import tarfile
 import zipfile
 from dataclasses import replace
 
+from website.engine import ON_PAGES
 from website.engine import packed as for_pages
 from website.kept import ROOT
 from website.npm import Package
@@ -32,9 +33,10 @@ def test_what_is_kept_needs_no_npm_and_is_not_used_once_it_was_changed(tmp_path,
 
 
 def test_the_engine_for_pages_is_the_package_without_notebooks_the_same_each_time():
-    contents = for_pages(ROOT / "newton_euler")
+    contents = for_pages(ROOT / "newton_euler", *ON_PAGES)
     names = zipfile.ZipFile(io.BytesIO(contents)).namelist()
-    assert {"newton_euler/browser/calls.py", "newton_euler/chapters/figures/ch04.py"} <= {*names}
-    assert {name.partition("/")[0] for name in names} == {"newton_euler"}
+    assert {"website/browser/calls.py", "newton_euler/chapters/figures/ch04.py"} <= {*names}
+    outside = [name for name in names if not name.startswith(("newton_euler/", "website/browser/"))]
+    assert outside == ["website/__init__.py"]
     assert not [name for name in names if name.endswith((".ipynb", ".pyc"))]
-    assert for_pages(ROOT / "newton_euler") == contents
+    assert for_pages(ROOT / "newton_euler", *ON_PAGES) == contents

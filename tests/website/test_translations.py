@@ -74,8 +74,7 @@ def test_a_catalogue_that_is_written_again_stays_as_it_is(tmp_path, monkeypatch)
     monkeypatch.setattr(translations, "FOLDER", tmp_path)
     before = list(messages((tmp_path / "de.po").read_text("utf-8")))
     monkeypatch.setattr(translations, "notebooks", list)
-    after = list(messages(translations.write_catalogues("de")[0].read_text("utf-8")))
-    assert after == before
+    assert list(messages(translations.write_catalogues("de")[0].read_text("utf-8"))) == before
 
 
 # -- problems

@@ -1,6 +1,6 @@
-"""Sphinx's configuration of the site: Markdown and notebooks by MyST, nothing from a network. The
-MathJax that the package sphinx-mathjax-offline carries is for formulas that come into a page, and
-for pages whose formulas website/formulas.py could not draw.
+"""Sphinx's configuration of the site: Markdown and notebooks by MyST, nothing from a network.
+MathJax, from the package sphinx-mathjax-offline, is for formulas that scripts add to a page, and
+for pages whose formulas website/formulas.py could not typeset.
 """
 
 import importlib.util
@@ -42,10 +42,10 @@ pygments_style = "friendly"
 
 OFFLINE: Any = importlib.util.find_spec("sphinx-mathjax-offline")
 MATHJAX = Path(OFFLINE.origin).parent / "static/mathjax"
-mathjax_path = "tex-svg-full.js"  # draws outlines: no fonts to load, also from a file
+mathjax_path = "tex-svg-full.js"  # draws outlines, so that no fonts are loaded
 mathjax3_config = {
     "options": {"enableMenu": False},
-    "svg": {"scale": 0.93},  # to match this typeface
+    "svg": {"scale": 0.93},  # to match the typeface
     "tex": {"tags": "none"},
 }
 
@@ -72,7 +72,7 @@ SKETCHES = """\
 
 
 def sketches(app: Any) -> None:
-    """Write the style sheet of pictures in a dark page."""
+    """Write the style sheet for sketches on a dark page."""
     chosen, system = 'body[data-theme="dark"]', 'body:not([data-theme="light"])'
     rules = (dark_css(f"{theme} svg.sketch") for theme in (chosen, system))
     folder = Path(app.outdir, "_static")
@@ -81,30 +81,30 @@ def sketches(app: Any) -> None:
 
 
 def in_languages(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
-    """Mark what is in English in a site of another language, and link the other languages."""
+    """Mark English pages in a site of another language, and link the other languages."""
     if "body" in context:
         is_foreign = app.config.language != "en" and page not in app.config.own_pages
         body = f'<div lang="en">{context["body"]}</div>' if is_foreign else context["body"]
         context["body"] = links(page, app.config.beside) + body
 
 
-# names and signs, which have no colour of their own: a tenth of what a chapter's page is made of
+# spans of names and signs, which have no colour of their own: a tenth of a chapter's page
 PLAIN = re.compile(r'<span class="[np]">([^<]*)</span>')
 
 
 def lighter(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
-    """Code without marks on what looks the same without them."""
+    """Remove spans without an effect from code."""
     if "body" in context:
         context["body"] = PLAIN.sub(r"\1", context["body"])
 
 
-# whatever comes into a page, nothing is loaded from elsewhere; "file:" is for pages on a disk, eval
-# for the plurals of Sphinx's own script
+# nothing is loaded from elsewhere; "file:" is for pages on a disk, eval for the plurals of Sphinx's
+# own script
 RULE = "default-src 'self' file: data: blob: 'unsafe-inline' 'unsafe-eval'"
 
 
 def from_here_alone(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
-    """Let browsers refuse what another site would send."""
+    """Have browsers refuse content from other sites."""
     rule = f'<meta http-equiv="Content-Security-Policy" content="{RULE}">'
     context["metatags"] = rule + context.get("metatags", "")
 
@@ -113,8 +113,8 @@ CELLS = re.compile(r"mystnb|pygments")
 
 
 def of_the_first_page(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
-    """The first page has a script of its own, after those of all pages, and no styles of cells and
-    code, of which it has none: they are a quarter of its weight.
+    """Give the first page its own script, and drop the styles of cells and code, which it does not
+    use and which are a quarter of its size.
     """
     if page == app.config.root_doc:
         app.add_js_file("landing.js", defer="defer")
@@ -123,7 +123,7 @@ def of_the_first_page(app: Any, page: str, template: str, context: dict, doctree
 
 
 def setup(app: Any) -> None:
-    """Connect our own steps."""
+    """Connect the functions of the site."""
     app.connect("html-page-context", of_the_first_page)
     app.connect("html-page-context", lighter)
     app.connect("html-page-context", from_here_alone)
@@ -131,7 +131,7 @@ def setup(app: Any) -> None:
     app.add_config_value("beside", {}, "html")
     app.connect("html-page-context", in_languages)
     app.connect("builder-inited", sketches)
-    if app.tags.has("engine"):  # it lies beside the pages
+    if app.tags.has("engine"):  # the engine is part of the site
         for name in ("engine.js", "moving.js", "cells.js"):
             app.add_js_file(name, defer="defer")
     app.connect("autodoc-process-docstring", docstring)

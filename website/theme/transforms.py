@@ -1,4 +1,4 @@
-"""Transforms of our pages in Sphinx: docstrings, formulas, links of problem numbers."""
+"""Transforms of pages in Sphinx: docstrings, formulas, links from problem numbers."""
 
 import re
 from typing import Any
@@ -12,12 +12,12 @@ UNTOUCHED = (nodes.reference, nodes.literal, nodes.literal_block, nodes.math, no
 
 
 def slug(heading: str) -> str:
-    """The name of a heading as JupyterLab has it, so that a link works in both."""
+    """JupyterLab's anchor of a heading, so that links work in both."""
     return heading.strip().replace(" ", "-")
 
 
 def docstring(app: Any, what: str, name: str, obj: object, options: Any, lines: list[str]) -> None:
-    """Lines "name : what it is" as a list of definitions; no | and ** as markup."""
+    """Turn lines "name : text" into a definition list, and escape | and **."""
     made, inside, example, last = [], False, False, ""
     for line in lines:
         example = line.startswith(">>>") or (example and line != "")
@@ -31,7 +31,7 @@ def docstring(app: Any, what: str, name: str, obj: object, options: Any, lines: 
         elif inside and line.startswith(" "):
             made.append(f"    {text}")
         elif line.startswith("    ") and last and not last.startswith(("-", "..")):
-            made.append(text)  # goes on where the line before it ended
+            made.append(text)  # a continuation line
         else:
             made += ["", text] if inside and line else [_escaped(line)]
             inside = False
@@ -50,8 +50,8 @@ def _escaped(line):
 
 
 def formulas(app: Any, doctree: nodes.document) -> None:
-    """Leave displayed formulas to MathJax as JupyterLab does: Sphinx would put them into "split",
-    in which there are no \\tag.
+    """Leave displayed formulas to MathJax like JupyterLab: Sphinx would use "split", which does not
+    allow \\tag.
     """
     for node in doctree.findall(nodes.math_block):
         if not node.get("no-wrap") and not node.get("nowrap"):
@@ -62,8 +62,8 @@ def formulas(app: Any, doctree: nodes.document) -> None:
 
 
 def problem_links(app: Any, doctree: nodes.document) -> None:
-    """Link the numbers of problems in a chapter, "4/16", to their statements: those of its own
-    chapter, and others behind the word problem.
+    """Link problem numbers in a chapter, "4/16", to their statements: those of the same chapter,
+    and others after the word problem.
     """
     folder, _, stem = app.env.docname.partition("/")
     if folder != "chapters":
@@ -82,7 +82,7 @@ def _above(node):
 
 
 def _own(stem):
-    """How the problems of a chapter begin: "4" for ch04_relative_motion, "A" for appA_..."""
+    """The chapter in problem numbers: "4" for ch04_relative_motion, "A" for appA_..."""
     name = stem.partition("_")[0]
     return name[3:] if name.startswith("app") else name[2:].lstrip("0")
 
@@ -100,7 +100,7 @@ def _pieces(text, own, app):
 
 
 def _target(chapter, number, app):
-    """The address of a problem, None where the site has no such problem."""
+    """The address of a problem, or None if the site does not have it."""
     name = f"app{chapter}" if chapter.isalpha() else f"ch{int(chapter):02d}"
     file = app.srcdir / "problems" / f"{name}.md"
     mark = f"p{chapter}-{number}".lower()

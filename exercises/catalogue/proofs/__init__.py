@@ -1,11 +1,10 @@
 """Tools for ``prove``: explicit motions differentiated, integrals, roots and sums over mass points,
 at 50 digits.
 
-Nothing here comes from the engine. A proof writes the position of a point as a function of time,
-with rotation matrices multiplied out, and differentiates that; or it adds up a body from its mass
-points. It knows of no Coriolis term, no law of composition and no table of inertia, so it can only
-agree with ``solve`` if both are right. Vectors are lists of three mpmath numbers, matrices lists of
-rows.
+Nothing here comes from the engine. A proof differentiates the position of a point as a function of
+time, with rotation matrices multiplied out, or sums over the mass points of a body. It uses no
+Coriolis term, no law of composition and no table of inertia, so it agrees with ``solve`` only if
+both are right. Vectors are lists of three mpmath numbers, matrices lists of rows.
 """
 
 from .digits import DIGITS, ProofError

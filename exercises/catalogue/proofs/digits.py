@@ -1,10 +1,10 @@
-"""What all proofs share: their digits, and sums of numbers, vectors or matrices."""
+"""The precision of proofs, and weighted sums of numbers, vectors or matrices."""
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, TypeAlias
 
 DIGITS = 50
-Number: TypeAlias = Any  # an mpf, or what mpmath takes for one
+Number: TypeAlias = Any  # an mpf or anything that mpmath converts
 Triple: TypeAlias = list[Number]
 Matrix: TypeAlias = list[Triple]  # rows
 Points: TypeAlias = list[tuple[Number, Triple]]  # (share of the mass, place)
@@ -12,7 +12,7 @@ Motion: TypeAlias = Callable[[Number], Points]
 
 
 class ProofError(ValueError):
-    """A tool of a proof finds no result: an integral does not settle, a root is not there."""
+    """No result: an integral that does not converge, a root that is not bracketed."""
 
 
 def weighted(weights: Iterable[Number], values: Sequence[Any]) -> Any:
@@ -23,7 +23,7 @@ def weighted(weights: Iterable[Number], values: Sequence[Any]) -> Any:
 
 
 def entries(value: Any) -> list[Number]:
-    """The numbers of a number, vector or matrix, as a flat list."""
+    """The entries of a number, vector or matrix, as a flat list."""
     if isinstance(value, (list, tuple)):
         return [x for part in value for x in entries(part)]
     return [value]

@@ -1,7 +1,7 @@
-"""The motion that forces cause, integrated in time to 25 digits, as far as to an event.
+"""Equations of motion, integrated to 25 digits up to an event or a time.
 
-The extrapolated midpoint rule of W. Gragg, R. Bulirsch and J. Stoer (Numer. Math. 8 (1966) 1): it
-takes any rates, made of numbers of mpmath or of floats.
+The extrapolated midpoint rule of W. Gragg, R. Bulirsch and J. Stoer (Numer. Math. 8 (1966) 1): the
+rates may be in numbers of mpmath or in floats.
 """
 
 from collections.abc import Callable
@@ -11,8 +11,7 @@ from mpmath import mp, mpf
 
 from .digits import DIGITS, Number, ProofError, Triple
 
-# midpoint rules of 2, 4, 6 ... steps: of numbers of mpmath, the error goes with the step to the
-# 27th, and of floats
+# midpoint rules of 2, 4, 6 ... steps: with mpmath (error of order 27 in the step), with floats
 COLUMNS = 13, 7
 Rates: TypeAlias = Callable[[Triple], Triple]
 ENOUGH = 10 ** -(DIGITS // 2)  # error of a step, of the change in it and of the state
@@ -24,12 +23,11 @@ def until(
     rates: Rates, state: Triple, event: Callable[[Triple], Number], step: Number
 ) -> tuple[Number, Triple]:
     """(time, state) at which ``event(state)`` first changes its sign in the motion from ``state``;
-    where it is zero at first it may go to either side.
+    it may start at zero.
 
     rates : the time derivatives of the state, a list, as a list
-    step : a time in which the motion changes little; the steps are fitted to the error. A float
-        makes a motion in floats, with 12 digits
-    Raises :class:`ProofError` if the sign does not change in 400 steps.
+    step : first step, a time in which the motion changes little. A float gives a motion in floats,
+    with 12 digits Raises :class:`ProofError` if the sign does not change in 400 steps.
 
     >>> from mpmath import mp
     >>> t, (q, u) = until(lambda s: [s[1], -s[0]], [mpf(1), mpf(0)], lambda s: s[0], mpf(1))
@@ -45,7 +43,7 @@ def until(
                 part, new = _crossing(rates, state, event, done)
                 return t + part, new
             state, t, before = new, t + done, now or before
-    raise ProofError(f"there is no event within {STEPS} steps, as far as to the time {t}")
+    raise ProofError(f"no event within {STEPS} steps, up to the time {t}")
 
 
 def after(rates: Rates, state: Triple, time: Number) -> Triple:
@@ -66,7 +64,7 @@ def after(rates: Rates, state: Triple, time: Number) -> Triple:
 
 
 def _fitted(rates, state, step):
-    """The next state, the step that led to it, and one for the step after it."""
+    """The next state, the step that led to it, and the step to try next."""
     enough = 1e-13 if isinstance(step, float) else ENOUGH
     for _ in range(HALVINGS):
         new, error = _step(rates, state, step)
@@ -101,14 +99,14 @@ def _step(rates, state, step):
             last, now = now, _along(last, 2 * h, rates(now))
         row = [[(x + y) / 2 for x, y in zip(last, _along(now, h, rates(now)), strict=True)]]
         for k, coarse in enumerate(table):
-            m = 2 * (len(table) - k)  # the steps of the rule that the rows differ by
+            m = 2 * (len(table) - k)  # the number of steps of the coarser rule
             row.append(
                 [x + (x - y) * m * m / (n * n - m * m) for x, y in zip(row[k], coarse, strict=True)]
             )
         table = row
     best, second = table[-1], table[-2]
     sizes = [max(abs(x), abs(step * r)) for x, r in zip(best, slope, strict=True)]
-    least = max(sizes) / 1000  # so that what is zero but for round-off does not count
+    least = max(sizes) / 1000  # components that are zero up to round-off do not count
     errors = (abs(x - y) for x, y in zip(best, second, strict=True))
     return best, max(e / max(s, least) for e, s in zip(errors, sizes, strict=True)) if least else 0
 

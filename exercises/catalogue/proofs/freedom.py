@@ -1,4 +1,4 @@
-"""Degrees of freedom: the rank of a motion that is written in coordinates."""
+"""Degrees of freedom: the rank of a position as a function of coordinates."""
 
 from collections.abc import Callable, Sequence
 
@@ -7,12 +7,12 @@ from mpmath import mp, mpf
 from .digits import DIGITS, Number
 from .motions import rate
 
-SMALL = mpf(10) ** -10  # a pivot below this, of rates of about 1, is zero
+SMALL = mpf(10) ** -10  # pivots below this are zero, for rates of about 1
 
 
 def freedom(position: Callable[..., Sequence[Number]], *coordinates: Number) -> int:
     """The number of independent ways in which ``position(*coordinates)``, a list of numbers, can
-    change: coordinates that move nothing, or only what others move, count for nothing.
+    change.
 
     >>> freedom(lambda a, b: [mp.cos(a + b), mp.sin(a + b)], mpf(1), mpf(2))
     1
@@ -29,7 +29,7 @@ def freedom(position: Callable[..., Sequence[Number]], *coordinates: Number) -> 
 
 
 def _rank(rows):
-    """By elimination with the largest entry of each column."""
+    """The rank, by elimination with column pivots."""
     rank = 0
     for column in range(len(rows[0])):
         pivot = max(rows[rank:], key=lambda row: abs(row[column]), default=None)

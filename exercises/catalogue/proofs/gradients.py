@@ -11,8 +11,8 @@ LINES = ((1, 2, 2), (2, 1, -2), (-1, 3, 1))  # none along an axis, not all in on
 
 
 def gradient(f: Callable[..., Number], place: Sequence[Number]) -> Triple:
-    """The vector whose component along any line is the slope there of ``f(x, y, z)`` at ``place``,
-    found from three lines that are no axes: no partial derivative is taken.
+    """The gradient of ``f(x, y, z)`` at ``place``, from its slopes along three slanted lines,
+    without partial derivatives.
 
     >>> [mp.nstr(x, 6) for x in gradient(lambda x, y, z: x**2 * y * z, [3, 2, 5])]
     ['60.0', '45.0', '18.0']

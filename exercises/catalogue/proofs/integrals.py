@@ -9,7 +9,9 @@ from mpmath import mp, mpf
 from .digits import DIGITS, Number, ProofError, entries, weighted
 
 LEVELS = 9  # of the rule; each halves the step
-ENOUGH = 10 ** (-DIGITS * 3 // 5)  # of the integral of abs(f): what an integral must settle to
+ENOUGH = 10 ** (
+    -DIGITS * 3 // 5
+)  # relative to the integral of abs(f): when an integral has converged
 
 
 def integral(
@@ -17,8 +19,8 @@ def integral(
 ) -> Any:
     """The integral of ``f`` (a number, vector or matrix) from ``start`` to ``end``.
 
-    f may have roots and infinite slopes at the ends; ``breaks``, in order, are the places between
-    where it has corners or jumps. Raises :class:`ProofError` if it does not settle to 30 digits.
+    f may have infinite slopes at the ends; ``breaks``, in order, are its corners and jumps between
+    them. Raises :class:`ProofError` if the integral does not converge to 30 digits.
 
     The tanh-sinh rule: with x = tanh(pi/2 sinh t) the integrand falls off so fast at both ends that
     equal steps of t are as good as any.
@@ -34,7 +36,7 @@ def integral(
 
 
 def _piece(f, a, b):
-    with mp.workdps(2 * DIGITS):  # so that places next to an end differ from it
+    with mp.workdps(2 * DIGITS):  # so that abscissas close to an end differ from it
         a, b = +a, +b
         step, before = mpf(1), None
         weights, values = _samples(f, a, b, 0, step)
@@ -47,7 +49,7 @@ def _piece(f, a, b):
                 return found
             before = found
     raise ProofError(
-        f"the integral from {mp.nstr(a, 6)} to {mp.nstr(b, 6)} does not settle: give the places "
+        f"the integral from {mp.nstr(a, 6)} to {mp.nstr(b, 6)} does not converge: give the places "
         "of corners and jumps as breaks=(...)"
     )
 
@@ -60,7 +62,7 @@ def _samples(f, a, b, first, step):
         near, weight = 1 / (1 + far), mp.pi * mp.cosh(t) * far / (1 + far) ** 2
         if near < mpf(10) ** (-1.5 * DIGITS):
             return weights, values
-        for place in {a + 2 * half * near, b - 2 * half * near}:  # one where both are the middle
+        for place in {a + 2 * half * near, b - 2 * half * near}:  # one abscissa at the middle
             weights.append(2 * half * weight)
             values.append(f(place))
         t += step
@@ -70,5 +72,5 @@ def _settled(found, before, weights, values, step):
     change = [abs(x - y) for x, y in zip(entries(found), entries(before), strict=True)]
     sizes = [[abs(x) for x in entries(v)] for v in values]
     scale = entries(weighted([abs(w) * step for w in weights], sizes))
-    # the change at a halving is about the root of the error that is left
+    # the error is about the square of the change at a halving
     return max(change) <= ENOUGH * max(scale) if max(scale) else True

@@ -9,7 +9,7 @@ from .vectors import cross, scaled, size
 
 
 def elevation(r: Sequence[Number]) -> Number:
-    """The angle of the place r above the x, y plane."""
+    """The angle of r above the x, y plane."""
     return mp.atan2(r[2], mp.hypot(r[0], r[1]))
 
 

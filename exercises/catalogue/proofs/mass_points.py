@@ -1,9 +1,9 @@
 """Homogeneous bodies as mass points: sums over them are the integrals over the bodies.
 
-Each function returns a list of pairs (share of the mass, place), the place a list of three numbers
-from the centre of the body. The sum of share times f(place) is the mean of f over the body, exact
-for polynomials of x, y, z up to the degree 2 ``order`` - 1; an f that is no polynomial, as the
-attraction of a ball, needs a larger order. Places can be turned and moved like any vector.
+Each function returns pairs (share of the mass, place), places being lists of three numbers from the
+centre of the body. The sum of share times f(place) is the mean of f over the body, exact for
+polynomials of x, y, z up to the degree 2 ``order`` - 1; other functions, like the attraction of a
+ball, need a larger order.
 
     moment = m * mean(lambda r: r[0] ** 2 + r[1] ** 2, ball(R))     2 m R^2/5
 """
@@ -26,7 +26,7 @@ def mean(f: Callable[[Triple], Any], points: Points) -> Any:
 
 
 def box(a: Number, b: Number, c: Number, order: int = ORDER) -> Points:
-    """A box with the edges a, b, c along x, y, z; with an edge 0 a plate, with two a rod."""
+    """A box with edges a, b, c along x, y, z: a plate if one is 0, a rod if two are."""
     with mp.workdps(DIGITS):
         along = [
             _between(-mpf(edge) / 2, mpf(edge) / 2, order if edge else 1) for edge in (a, b, c)
@@ -45,7 +45,7 @@ def ring(radius: Number, order: int = ORDER) -> Points:
 
 
 def disk(radius: Number, order: int = ORDER) -> Points:
-    """A thin disk about z: rings, whose mass grows with the radius."""
+    """A thin disk about z: rings with mass proportional to their radius."""
     with mp.workdps(DIGITS):
         return [
             (2 * share * u * w, place)
@@ -65,7 +65,7 @@ def shell(radius: Number, order: int = ORDER) -> Points:
 
 
 def ball(radius: Number, order: int = ORDER) -> Points:
-    """A solid sphere: shells, whose mass grows with the square of the radius."""
+    """A solid sphere: shells with mass proportional to the square of their radius."""
     with mp.workdps(DIGITS):
         return [
             (3 * share * u * u * w, place)
@@ -75,13 +75,13 @@ def ball(radius: Number, order: int = ORDER) -> Points:
 
 
 def _between(low, high, n):
-    """Pairs (share, place) of the Gauss rule of ``n`` places; the shares sum to 1."""
+    """Pairs (share, abscissa) of the Gauss rule with ``n`` points; the shares sum to 1."""
     return [(w / 2, low + (high - low) * (1 + x) / 2) for w, x in _gauss(n)]
 
 
 @cache
 def _gauss(n):
-    """Weights and places of the Gauss-Legendre rule on (-1, 1), by Newton's method."""
+    """Pairs (weight, abscissa) of the Gauss-Legendre rule on (-1, 1), by Newton's method."""
     with mp.workdps(DIGITS + 10):
         pairs = []
         for k in range(n):

@@ -1,4 +1,4 @@
-"""Explicit motions in time and their derivatives, by differences."""
+"""Derivatives of explicit motions, by central differences."""
 
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -16,8 +16,8 @@ def spun(axis: Sequence[Number], across: Sequence[Number], angle: Number) -> Mat
     """The orientation of a body that has turned on its ``axis`` by ``angle``, right-handed,
     starting from the direction ``across``.
 
-    Both are unit vectors, square to each other. The columns are the axis and two directions that
-    turn about it with the body: for :func:`angular_velocity` it does not matter which.
+    Both are unit vectors, at right angles. The columns are the axis and two body-fixed directions
+    across it: :func:`angular_velocity` does not depend on which.
     """
     turned = plus(scaled(mp.cos(angle), across), scaled(mp.sin(angle), cross(axis, across)))
     return transposed([axis, turned, cross(axis, turned)])

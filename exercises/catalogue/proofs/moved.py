@@ -1,9 +1,9 @@
-"""A body of mass points in an explicit motion: its energy and angular momentum, and the
-force and moment that it needs.
+"""Energy and angular momentum of a body of mass points in an explicit motion, and the force and
+moment that the motion needs.
 
-A motion is a function of time whose value is such a list of pairs (share of the mass, place) as
-``mass_points`` makes, the places moved in the inertial axes. Nothing is known of moments of
-inertia, of the centre of mass or of angular velocity.
+A motion is a function of time that returns a list of pairs (share of the mass, place), as in
+``mass_points``, with places in inertial axes. Moments of inertia, centre of mass and angular
+velocity are not used.
 """
 
 from collections.abc import Callable, Sequence
@@ -71,12 +71,12 @@ def moment_needed(
 
 
 def let_go(energy: Callable[[Callable, Number], Number], size: Number = 1) -> Number:
-    """The second rate a of a coordinate q at rest, at the instant when a system is let go: with
-    q = a t^2/2 its energy does not change in the first instants.
+    """The second rate a of a coordinate q when a system is released from rest: with q = a t^2/2 its
+    energy stays constant to leading order.
 
-    energy : of a path q(t) and a time, the energy of the system; it is conserved
-    size : any second rate; what the energy gains with it and with its double gives a, because the
-        gain is a sum of a multiple of a^2 (kinetic) and one of a
+    energy : the conserved energy of the system, as a function of a path q(t) and a time
+    size : any trial value of a; the gain of energy with it and with its double gives a, because the
+    gain is a multiple of a^2 (kinetic) plus one of a
 
     >>> def dropped(q, t):  # 4 kg in free fall, q downward, g = 10
     ...     return 4 * rate(q, t) ** 2 / 2 - 4 * 10 * q(t)
@@ -92,7 +92,7 @@ def let_go(energy: Callable[[Callable, Number], Number], size: Number = 1) -> Nu
 
 
 def vanishing(f: Callable[[Number], Number], first: Number, second: Number) -> Number:
-    """The place at which a linear ``f`` vanishes, from its values at two others.
+    """The zero of a linear ``f``, from its values at two points.
 
     >>> print(vanishing(lambda x: 3 * x - 12, 1, 2))
     4.0

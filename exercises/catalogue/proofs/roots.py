@@ -1,4 +1,4 @@
-"""The root of an equation in one unknown, between two places, at 50 digits."""
+"""The bracketed root of an equation in one unknown, at 50 digits."""
 
 from collections.abc import Callable
 
@@ -8,10 +8,10 @@ from .digits import DIGITS, Number, ProofError
 
 
 def root(f: Callable[[Number], Number], low: Number, high: Number) -> Number:
-    """The place between ``low`` and ``high`` at which ``f`` vanishes; f has different signs there.
+    """The root of ``f`` between ``low`` and ``high``, where f has different signs.
 
-    By bisection and, where it is faster, regula falsi: it never leaves the bracket. Raises
-    :class:`ProofError` if the signs are the same.
+    By regula falsi and every third time bisection. Raises :class:`ProofError` if the signs are
+    equal.
 
     >>> print(mp.nstr(root(lambda x: mp.cos(x) - x, 0, 1), 10))
     0.7390851332
@@ -31,7 +31,7 @@ def root(f: Callable[[Number], Number], low: Number, high: Number) -> Number:
             ft, n = f(t), n + 1
             if ft * fb < 0:
                 a, fa = b, fb
-            else:  # the end that stays counts half, so that it is left sooner (Illinois)
+            else:  # the value at the end that stays is halved (Illinois rule)
                 fa = fa / 2
             b, fb = t, ft
         return a if not fa else b

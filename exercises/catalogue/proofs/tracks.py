@@ -8,7 +8,7 @@ from .digits import DIGITS, Number, ProofError
 from .integrals import integral
 from .motions import rate
 
-PIECES = 32  # of the way, at whose ends the particle must still move
+PIECES = 32  # of the track, at whose ends the particle must still move
 
 
 def speed_along(
@@ -19,10 +19,10 @@ def speed_along(
     end: Number,
     speed: Number = 0,
 ) -> Number:
-    """The speed at ``path(end)`` of a particle that leaves ``path(start)`` with ``speed``: what the
-    force along the path adds up to, m v dv = F.dr; the track without friction pushes across it.
+    """The speed at ``path(end)`` of a particle that leaves ``path(start)`` with ``speed`` on a
+    smooth track: m v dv = F.dr, integrated.
 
-    force : function of the place, a list of three; nothing is known of potentials
+    force : function of the place, both lists of three
     path : the place as a function of any parameter
     Raises :class:`ProofError` if the particle comes to rest before.
 
@@ -45,7 +45,7 @@ def speed_along(
 
 
 def _moves_on(gain, start, end, square):
-    """By Simpson's rule, piece by piece."""
+    """Raise ProofError if the particle stops, by Simpson's rule on each piece."""
     step = (end - start) / PIECES
     for n in range(PIECES):
         q = start + n * step

@@ -8,6 +8,7 @@ nothing of ``grader`` or ``exercises``: what is in here may be read by student c
     memory     limits the memory of all processes of a job together
     watch      finds, freezes and kills descendants
     libraries  what student code may import without waiting
+    rehearsal  runs a sheet once, so that each submission finds warm what it needs
     cells      runs the cells of a notebook in order, and reads the answers
     shell      what a notebook has besides Python: magics, ``display``, ``_``, top-level ``await``
 """

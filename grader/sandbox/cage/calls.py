@@ -1,5 +1,5 @@
-"""Forbids system calls that no answer needs, by libseccomp, which systemd brings to most Linux
-machines. Without the library the namespaces stand alone.
+"""Forbids system calls that no answer needs, by libseccomp, which most Linux machines have through
+systemd. Without the library only the namespaces isolate.
 
 It is called through ctypes: its own Python binding is not on PyPI, and the one that is
 (pyseccomp) has had no release since 2021.
@@ -8,6 +8,7 @@ It is called through ctypes: its own Python binding is not on PyPI, and the one 
 import ctypes
 import errno
 import functools
+import tempfile
 from typing import Any
 
 FORBIDDEN = (
@@ -26,6 +27,7 @@ NEW_USER_NAMESPACE = 0x10000000
 LAST_FAMILY = 10  # AF_INET6; socket families beyond are netlink, AF_ALG, AF_VSOCK to the host
 _ALLOW, _ERRNO = 0x7FFF0000, 0x00050000
 _GREATER, _MASKED_EQUAL = 6, 7
+_PR_SET_SECCOMP, _FILTER, _INSTRUCTION = 22, 2, 8  # the last in bytes
 
 
 class _Comparison(ctypes.Structure):
@@ -35,6 +37,10 @@ class _Comparison(ctypes.Structure):
         ("a", ctypes.c_uint64),
         ("b", ctypes.c_uint64),
     )
+
+
+class _Program(ctypes.Structure):
+    _fields_ = (("length", ctypes.c_ushort), ("instructions", ctypes.c_char_p))
 
 
 @functools.cache
@@ -48,10 +54,11 @@ def library() -> Any:
     return found
 
 
-def forbid() -> bool:
-    """Make the calls fail in this process and its children; False without the library."""
+@functools.cache
+def program() -> bytes:
+    """The filter as the kernel takes it, b"" without the library; made once, by the worker."""
     if library() is None:
-        return False
+        return b""
     context = ctypes.c_void_p(library().seccomp_init(ctypes.c_uint32(_ALLOW)))
     for name in FORBIDDEN:
         _add(context, name, errno.EPERM)
@@ -60,10 +67,26 @@ def forbid() -> bool:
     # its flags are in memory, which a filter cannot read; the C library falls back to clone
     _add(context, "clone3", errno.ENOSYS)
     _add(context, "socket", errno.EPERM, _Comparison(0, _GREATER, LAST_FAMILY, 0))
-    failed = library().seccomp_load(context)
-    library().seccomp_release(context)
-    if failed:
-        raise OSError(-failed, "the kernel refuses a filter of system calls")
+    with tempfile.TemporaryFile() as f:
+        failed = library().seccomp_export_bpf(context, f.fileno())
+        library().seccomp_release(context)
+        f.seek(0)
+        made = f.read()
+    if failed or not made:
+        raise OSError(-failed, "libseccomp makes no filter of system calls")
+    return made
+
+
+def forbid() -> bool:
+    """Make the calls fail in this process, which has given up new privileges, and its children;
+    False without the library.
+    """
+    if not program():
+        return False
+    filled = _Program(len(program()) // _INSTRUCTION, program())
+    libc = ctypes.CDLL(None, use_errno=True)
+    if libc.prctl(_PR_SET_SECCOMP, _FILTER, ctypes.byref(filled), 0, 0):
+        raise OSError(ctypes.get_errno(), "the kernel refuses a filter of system calls")
     return True
 
 

@@ -1,4 +1,4 @@
-"""Runs the cells in one namespace, reads the answers, leaves a paused copy at each test."""
+"""Runs the cells in one namespace, reads the answers, and forks a paused copy at each test."""
 
 import _signal  # the C part of signal: the Python part makes enums at each call, for every cell
 import contextlib
@@ -26,7 +26,7 @@ class TimeLimit(Exception):
 
 @contextlib.contextmanager
 def time_limit(seconds: float) -> Iterator[None]:
-    """Raise :class:`TimeLimit` in what runs longer."""
+    """Raise :class:`TimeLimit` in a block that runs longer."""
 
     def too_long(*_):
         raise TimeLimit(
@@ -96,7 +96,7 @@ class Notebook:
         try:
             pid = os.fork()
         except OSError:
-            pid = -1  # a submission that has used up its processes: its test is not reached
+            pid = -1  # the submission has used up its processes; its test is not reached
         if pid == 0:
             self._answer_test(socket)
         os.close(socket)

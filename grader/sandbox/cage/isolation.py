@@ -95,7 +95,7 @@ def claim_namespaces(uid: int, gid: int) -> None:
 
 
 def join_keyring() -> None:
-    """A session keyring of its own: any process that has the instructor's can read it."""
+    """Join a new session keyring: the instructor's is readable by every process that has it."""
     number = SYSCALLS.get(platform.machine(), {}).get("keyctl")
     if sys.platform != "linux" or number is None:
         return  # no keyrings; or no namespaces either, and then entering them is refused
@@ -228,7 +228,7 @@ def _show(libc, place, target, flags=0):
 
 
 def _mount_point(places):
-    """An existing folder to mount the new root on, which holds none of the places."""
+    """An existing folder outside all places, to mount the new root on."""
     for folder in ("/mnt", "/srv", "/media", "/opt", "/var/tmp", "/tmp"):
         if os.path.isdir(folder) and not any((p + "/").startswith(folder + "/") for p in places):
             return folder
@@ -303,7 +303,7 @@ def drop_capabilities() -> None:
 
 
 def close_all_but(*kept: int) -> None:
-    """Close all descriptors of this process but the standard ones and those given."""
+    """Close all descriptors except the standard ones and the given ones."""
     low = 3
     for fd in sorted(kept):
         os.closerange(low, fd)

@@ -3,13 +3,18 @@
 import gc
 import importlib
 import sys
+from collections.abc import Iterable
 
 PRELOAD = (
-    "numpy", "sympy", "mpmath", "scipy.linalg", "scipy.optimize", "scipy.integrate",
-    "numpy.testing", "newton_euler", "newton_euler.answers.receipts",
+    "numpy", "sympy", "mpmath", "numpy.testing", "newton_euler", "newton_euler.answers.receipts",
     # from which the first cell of every notebook imports names
     "newton_euler.kinematics", "newton_euler.classroom",
 )  # fmt: skip
+# those that few notebooks need: each fork of a process that holds them takes twice as long
+LATER = {
+    "IPython": ("IPython.core.inputtransformer2", "IPython.display"),
+    "scipy": ("scipy.linalg", "scipy.optimize", "scipy.integrate"),
+}
 # packages that an instructor's tests use, and that run them; all of scipy would double the cost
 TRUSTED = (
     "cage", "os", "posix", "json", "struct", "signal", "ast", "builtins", "math", "cmath",
@@ -20,10 +25,13 @@ _as_imported: list = []
 
 
 def load() -> None:
-    """Import the libraries and remember the contents of their modules."""
+    """Import the libraries."""
     for name in PRELOAD:
         importlib.import_module(name)
-    _warm_up()
+
+
+def remember() -> None:
+    """Remember the contents of the modules, to restore them."""
     _as_imported[:] = [
         (module, dict(vars(module)))
         for name, module in list(sys.modules.items())
@@ -31,12 +39,13 @@ def load() -> None:
     ]
 
 
-def load_ipython() -> None:
-    """Import IPython when the first notebook needs it: that takes as long as a notebook."""
-    if "IPython" not in sys.modules:
-        importlib.import_module("IPython.core.inputtransformer2")
-        importlib.import_module("IPython.display")
-        gc.freeze()
+def load_more(names: Iterable[str]) -> None:
+    """Import libraries when the first notebook needs them: that takes as long as a notebook."""
+    for name in names:
+        if LATER[name][-1] not in sys.modules:
+            for module in LATER[name]:
+                importlib.import_module(module)
+            gc.freeze()
 
 
 def restore() -> None:
@@ -54,15 +63,3 @@ def restore() -> None:
         for name, value in held.items():
             if now.get(name) is not value:
                 now[name] = value
-
-
-def _warm_up():
-    """Do once what every submission would have to repeat: the first sum imports sympy.tensor, which
-    takes as long as all cells of a notebook together.
-    """
-    sympy = sys.modules["sympy"]
-    x, y = sympy.symbols("x y", real=True)
-    str(
-        sympy.sqrt(sympy.sin(x) ** 2 / 3 + y * sympy.tan(x) - sympy.Abs(y))
-        + sympy.Matrix([x + y, x, sympy.atan2(y, x)]).dot([y, x, 1]) * sympy.cos(x + y)
-    )

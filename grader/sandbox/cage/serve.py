@@ -20,7 +20,7 @@ import signal
 import socket
 import time
 
-from . import calls, isolation, libraries, watch
+from . import calls, isolation, libraries, rehearsal, watch
 from .cells import Notebook
 from .memory import TOTAL, Group, Watch
 
@@ -33,10 +33,12 @@ MOST_TESTS = 200  # in one notebook; the kernel passes at most 253 descriptors a
 def main(fd: int) -> None:
     """Serve jobs over the socket ``fd`` until the grader closes it."""
     libraries.load()
+    rehearsal.rehearse()
+    libraries.remember()
     watch.adopt_orphans()
     gc.collect()
     gc.freeze()
-    calls.library()  # both are cached: looked up once, not after each fork
+    calls.program()  # both are cached: made once, not after each fork
     isolation.readable_places()
     control, group = socket.socket(fileno=fd), Group.make()
     try:
@@ -65,8 +67,7 @@ def _receive(control):
 
 def _serve(control, group, job, fds):
     """Run one job and reply how it ended; returns False if the grader is gone."""
-    if job["ipython"]:
-        libraries.load_ipython()
+    libraries.load_more(job["libraries"])
     worker = os.getpid()
     # a user of its own for each worker: limits that count by user do not affect other workers
     job = {**job, "uid": 2**20 + worker, "ids": (os.geteuid(), os.getegid())}

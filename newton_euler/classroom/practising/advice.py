@@ -48,7 +48,11 @@ def advise(
     latest = sorted(done, key=lambda d: d.day, reverse=True)
     for d in latest:
         if d.open and d.day == today:
-            return Advice(d.problem, _unfinished(d))
+            names = joined(d.open[:3])
+            unfinished = _(
+                "{problem} is unfinished: {names} is not right yet.", problem=d.problem, names=names
+            )
+            return Advice(d.problem, unfinished)
     for d in sorted(done, key=lambda d: d.due):
         if d.due <= today and d.problem != now:
             return Advice(d.problem, _again(d, today))
@@ -67,12 +71,6 @@ def advise(
             "All is done for now. {problem} comes again in {n} days.", days, problem=first.problem,
         ))  # fmt: skip
     return Advice("", _("There is no problem to do."))
-
-
-def _unfinished(d):
-    return _(
-        "{problem} is unfinished: {names} is not right yet.", problem=d.problem, names=_and(d.open)
-    )
 
 
 def _again(d, today):
@@ -103,19 +101,11 @@ def _why(d, today):
                 when=when, key=key, problem=d.problem, cause=cause[2],
             )  # fmt: skip
     if d.missed:
-        names = _and(_names(d.missed))
+        names = joined(list(dict.fromkeys(key for key, _cause in d.missed))[:3])
         return _(
             "{when} you needed help, or more than one try, for {names}", when=when, names=names
         )
     return _("{when} all of it was right", when=when)
-
-
-def _names(missed):
-    return list(dict.fromkeys(key for key, cause in missed))[:3]
-
-
-def _and(names):
-    return joined(names[:3])
 
 
 def _alike(d, fresh, sections, may_err):

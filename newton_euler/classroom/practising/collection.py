@@ -35,7 +35,7 @@ def practice(path: str | Path = "", progress: str | Path | None = "") -> "Practi
     kept = (KEPT if comes_along else f"{path}.progress.json") if progress == "" else progress
     paths = [own] if path and comes_along else public() if comes_along else [Path(path)]
     if not paths:
-        raise PracticeFileError(_("no practice comes with this engine: {how}", how=WRITTEN))
+        raise PracticeFileError("no practice comes with this engine: {how}", how=WRITTEN)
     return Practice([PracticeFile(p) for p in paths], Progress(kept))
 
 

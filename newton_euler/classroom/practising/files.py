@@ -13,7 +13,7 @@ from ...algebra.errors import NewtonEulerError
 from ...algebra.language import _, are_words
 from ...algebra.units import unit
 from ...answers.forms import kind_named
-from ...answers.messages import one_line
+from ...answers.messages import SpokenError, one_line
 from .programs import OPERATIONS
 
 FORMAT, READ = 5, (4, 5)  # a cause is words in 5, a text in 4
@@ -21,10 +21,12 @@ FORMAT, READ = 5, (4, 5)  # a cause is words in 5, a text in 4
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
 MOST = 8 * 2**20  # bytes of one member; a problem with ten sets of numbers has 0.1 MB
+# the others' decompressors do not stop at what is asked for: 600 bytes may become a gigabyte
+METHODS = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 DEEPEST = 32  # lists within lists; a file has less than ten
 
 
-class PracticeFileError(NewtonEulerError, ValueError):
+class PracticeFileError(SpokenError):
     """A practice file that cannot be read, or a problem that is not in it."""
 
 
@@ -39,26 +41,22 @@ class PracticeFile:
         self.called = called or str(path)
         if not self.path.exists():
             raise PracticeFileError(
-                _(
-                    "there is no practice file {path}; it comes from your instructor, who writes "
-                    "it by: python -m grader practice ch04 -o ch04.practice",
-                    path=self.path,
-                )
+                "there is no practice file {path}; it comes from your instructor, who writes "
+                "it by: python -m grader practice ch04 -o ch04.practice",
+                path=self.path,
             )
         head = self._json("practice.json")
         if not isinstance(head, dict) or head.get("format") not in READ:
             found = head.get("format") if isinstance(head, dict) else head
             raise PracticeFileError(
-                _(
-                    "{path} has format {found}; this version of newton_euler reads format "
+                "{path} has format {found}; this version of newton_euler reads format "
                     "{format}: install the version that your instructor used",
-                    path=self.called, found=one_line(found), format=FORMAT,
-                )
+                    path=self.called, found=one_line(found), format=FORMAT
             )  # fmt: skip
         sound = _fits(head, HEAD) and head["help"] in HELP and head["problems"]
         if not sound or not set(head["problems"]) <= set(head["titles"]):
             raise PracticeFileError(
-                _("{path} is damaged: its list of problems cannot be read", path=self.called)
+                "{path} is damaged: its list of problems cannot be read", path=self.called
             )
         self.help: str = head["help"]
         self.problems: list[str] = head["problems"]
@@ -68,18 +66,18 @@ class PracticeFile:
         """One member of the archive."""
         try:
             with zipfile.ZipFile(self.path) as archive, archive.open(name) as member:
+                if archive.getinfo(name).compress_type not in METHODS:
+                    raise ValueError(f"{name} is compressed by a method that is not used here")
                 content = member.read(MOST + 1)  # the size stated in an archive may be wrong
         # zipfile and its decompressors have a dozen errors for what is damaged
         except Exception as error:
             raise self._other_file(error) from error
         if len(content) > MOST:
             raise PracticeFileError(
-                _(
-                    "{path}: {name} has more than {most} MB",
-                    path=self.called,
-                    name=name,
-                    most=MOST >> 20,
-                )
+                "{path}: {name} has more than {most} MB",
+                path=self.called,
+                name=name,
+                most=MOST >> 20,
             )
         return content
 
@@ -93,7 +91,7 @@ class PracticeFile:
             raise self._other_file(error) from error
         if not printable:
             raise PracticeFileError(
-                _("{path}: {name} holds control characters", path=self.called, name=name)
+                "{path}: {name} holds control characters", path=self.called, name=name
             )
         return found
 
@@ -107,25 +105,19 @@ class PracticeFile:
         """What the file has of a problem, "4/16"."""
         if problem not in self.problems:
             raise PracticeFileError(
-                _(
-                    "{file} has no problem {problem}; it has {all}",
-                    file=Path(self.called).name,
-                    problem=repr(problem),
-                    all=", ".join(self.problems),
-                )
+                "{file} has no problem {problem}; it has {all}",
+                file=Path(self.called).name,
+                problem=repr(problem),
+                all=", ".join(self.problems),
             )
         page: dict[str, Any] = self._json(f"{problem.replace('/', '-')}.json")
         if _fits(page, EARLIER):
             page |= {name: [[*row, ""] for row in page[name]] for name in ("labels", "slips")}
-        fits = (
-            _fits(page, PAGE)
-            and page.get("help", HELP[0]) in HELP
-            and _fits(page.get("language", ""), str)
-        )
-        if not fits or not _is_whole(page):
+        fits = _fits(page, PAGE) and page.get("help", HELP[0]) in HELP
+        if not fits or not _fits(page.get("language", ""), str) or not _is_whole(page):
             raise PracticeFileError(
-                _("{path} is damaged: problem {problem} cannot be read",
-                  path=self.called, problem=problem)
+                "{path} is damaged: problem {problem} cannot be read",
+                  path=self.called, problem=problem
             )  # fmt: skip
         return page
 
@@ -168,11 +160,9 @@ def _fits(x, shape):
         return isinstance(x, list) and all(_fits(part, shape[0]) for part in x)
     if isinstance(shape, tuple):
         return isinstance(x, list) and len(x) == len(shape) and all(map(_fits, x, shape))
-    return isinstance(x, shape) and (not isinstance(x, int | float) or _is_finite(x))
-
-
-def _is_finite(x):
-    return abs(x) < math.inf if isinstance(x, float) else x.bit_length() < 1000
+    if isinstance(x, float):
+        return isinstance(x, shape) and abs(x) < math.inf
+    return isinstance(x, shape) and (not isinstance(x, int) or x.bit_length() < 1000)
 
 
 def _is_printable(x, levels=DEEPEST):

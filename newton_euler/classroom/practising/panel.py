@@ -42,8 +42,8 @@ class _Panel:
         self.step = self._field(_("its value"), _("a number or a list"))
         buttons = self._row(
             (_("Check"), self._check_answers, _("Check the answers")),
-            (_("Next step"), self._next_step, _("Where to go on; again: more")),
-            (_("Solution"), self._solution, _("The solution in these numbers")),
+            (_("Next step"), lambda: self._show(p.next_step()), _("Where to go on; again: more")),
+            (_("Solution"), lambda: self._show(p.solution()), _("The solution in these numbers")),
             (_("New numbers"), self._new_numbers, _("The same problem with other numbers")),
         )
         steps = [self.chosen, self.means, self.step,
@@ -100,12 +100,6 @@ class _Panel:
         form = dict(self._forms({**self.p.answers, **self.p.steps})).get(key)
         x = typed(text, self.p.givens, form.of if form else ())
         return int(x) if form and form.kind.is_word and type(x) is float else x
-
-    def _next_step(self):
-        self._show(self.p.next_step())
-
-    def _solution(self):
-        self._show(self.p.solution())
 
     def _new_numbers(self):
         self.p.new()

@@ -243,9 +243,9 @@ class PracticeProblem:
 
     def _check(self, given, names, what, other):
         if not names:
-            raise AnswerError(_(_NONE[what], problem=self.id))
+            raise AnswerError(_NONE[what], problem=self.id)
         if not given:
-            raise AnswerError(_(_WRITE[what], names=", ".join(names)))
+            raise AnswerError(_WRITE[what], names=", ".join(names))
         for key in given:
             if key not in names:
                 unknown = _(_UNKNOWN[what], problem=self.id, key=repr(key), names=", ".join(names))

@@ -37,7 +37,7 @@ def typed(text: str, names: Mapping[str, float], words: tuple[str, ...] = ()) ->
         return _value(tree, names)
     except (ArithmeticError, ValueError, TypeError, RecursionError) as error:
         why = next((words for kind, words in _WHY.items() if isinstance(error, kind)), _NOT_REAL)
-        raise AnswerError(_("{text} has no value: {why}", text=repr(text[:60]), why=why)) from error
+        raise AnswerError("{text} has no value: {why}", text=repr(text[:60]), why=why) from error
 
 
 def typed_tree(text: str, names: Mapping[str, float]) -> Tree:
@@ -48,7 +48,7 @@ def typed_tree(text: str, names: Mapping[str, float]) -> Tree:
     """
     if len(text) > LONGEST:
         raise AnswerError(
-            _("{text} … has more than {most} letters", text=repr(text[:30]), most=LONGEST)
+            "{text} … has more than {most} letters", text=repr(text[:30]), most=LONGEST
         )
     try:
         return _tree(ast.parse(text.strip().translate(_WRITTEN), mode="eval").body, names)
@@ -56,7 +56,7 @@ def typed_tree(text: str, names: Mapping[str, float]) -> Tree:
         if isinstance(error, AnswerError):
             raise
         raise AnswerError(
-            _("{text} is no number, and no list as [1.0, 0, -2.5]", text=repr(text[:60]))
+            "{text} is no number, and no list as [1.0, 0, -2.5]", text=repr(text[:60])
         ) from None
 
 
@@ -84,7 +84,7 @@ def _tree(node, names):
             return ["*", *arguments, ["/", "pi", 180.0]]
         if len(arguments) == (2 if name == "atan2" else 1) and name in (*FUNCTIONS, "atan2"):
             return [name, *arguments]
-    raise AnswerError(_(_SIGNS))
+    raise AnswerError(_SIGNS)
 
 
 def _negative(x):
@@ -110,7 +110,7 @@ def _value(tree, names):
     try:
         x = evaluate(tree, names)
     except TreeError:  # a list within a formula
-        raise AnswerError(_(_SIGNS)) from None
+        raise AnswerError(_SIGNS) from None
     if isinstance(x, complex):
         raise ValueError
     if not math.isfinite(x):

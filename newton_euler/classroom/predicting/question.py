@@ -60,9 +60,9 @@ class Question:
         bare = given.strip().removesuffix(self.unit).replace("\N{MINUS SIGN}", "-")
         try:
             x = typed(bare, {})
-            if not isinstance(x, float) or not math.isfinite(x):
-                raise AnswerError("one number is asked for")
         except AnswerError:
+            x = None
+        if not isinstance(x, float) or not math.isfinite(x):
             return Judged(None, "")
         if abs(x - self.number) <= self.within:
             return Judged(True, "")
@@ -85,19 +85,18 @@ def question(
 ) -> Question:
     """The question that :func:`~.asking.predict` asks, in the reader's language."""
     text, why, answer = _translated(text), _translated(why), _translated(answer)
-    choices = {_translated(c): _translated(means) for c, means in (choices or {}).items()}
-    if answer is None and not choices:
+    given = {_translated(c): _translated(means) for c, means in (choices or {}).items()}
+    if answer is None and not given:
         return Question(text, why)
     if within is not None:
-        return _of_number(text, choices or {}, answer, unit, within, why)
-    words = {_in_words(c, unit): means for c, means in (choices or {}).items()}
-    if len(words) < len(choices or {}):
-        raise ArgumentError(f"two choices read alike; got {', '.join(map(str, choices or ()))}")
-    right = _right(choices or {}, answer, unit)
+        return _of_number(text, given, answer, unit, within, why)
+    words = {_in_words(c, unit): means for c, means in given.items()}
+    if len(words) < len(given):
+        raise ArgumentError(f"two choices read alike; got {', '.join(map(str, given))}")
+    right = _right(given, answer, unit)
     if right not in words or not all(map(str.strip, words.values())):
         raise ArgumentError(
-            f"the answer is one of the choices, and each has its meaning; got {answer!r} of "
-            f"{', '.join(words) or 'none'}"
+            f"the answer is one of the choices, {', '.join(words) or 'none'}; got {answer!r}"
         )
     return Question(text, why, words, right)
 

@@ -35,13 +35,11 @@ class Slider:
         numbers = self.start, self.lowest, self.highest, self.step
         if not all(isinstance(x, (int, float)) and abs(x) < 1e300 for x in numbers):
             raise ArgumentError(
-                f"the slider {self.name} has a start, a lowest and a highest value and a step, all "
-                f"numbers; got {numbers!r}"
+                f"start, lowest, highest, step of slider {self.name} are numbers; got {numbers!r}"
             )
         if not (self.lowest <= self.start <= self.highest and 0 < self.step <= self.span):
             raise ArgumentError(
-                f"the slider {self.name} starts between its lowest and its highest value, and a "
-                f"step is positive and no longer than from one to the other; got {numbers!r}"
+                f"slider {self.name}: lowest <= start <= highest, 0 < step <= span; got {numbers!r}"
             )
 
     @property

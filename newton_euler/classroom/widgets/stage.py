@@ -92,7 +92,7 @@ class Stage:
         returned = self.draw(axes, **values)
         if returned is not None:
             raise ArgumentError(
-                f"draw(ax, …) draws on the axes that it gets and returns nothing; got {returned!r}"
+                f"draw(ax, …) draws on its axes and returns nothing; got {returned!r}"
             )
 
 

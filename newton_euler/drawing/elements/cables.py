@@ -27,13 +27,11 @@ def route(stops, turns=None):
     listed = isinstance(turns, (list, tuple)) and len(turns) == len(free)
     if turns is not None and not (listed and all(n in (1, -1) for n in turns)):
         raise FrameError(
-            f"turns is for each of the {len(free)} pulleys on the way 1 or -1, right-handed about "
-            f"its normal or left-handed; got {turns!r}"
+            f"turns is 1 or -1 for each of {len(free)} pulleys, about its normal; got {turns!r}"
         )
     if len(free) > 10 and turns is None:  # at most 2**10 routes are compared
         raise FrameError(
-            f"the shortest route over {len(free)} pulleys is not searched for: say how it goes "
-            "round each, as in turns=[1, -1, ...]"
+            f"say how the cable goes round each of {len(free)} pulleys, as in turns=[1, -1, ...]"
         )
     routes, failure = [], None
     for signs in product((1, -1), repeat=len(free)) if turns is None else [turns]:
@@ -85,7 +83,7 @@ def _tangent_point(pulley, P, turn):
     distance = norm3(v)
     if distance <= r:
         raise FrameError(
-            f"no cable runs from {P} to a pulley about {C}: it lies within the radius {r:g}"
+            f"no cable runs from {P} to a pulley about {C}: it is within the radius {r:g}"
         )
     e1 = scale3(1 / distance, v)
     return on_circle(C, e1, cross3(n, e1), r, turn * math.acos(r / distance))

@@ -106,9 +106,7 @@ class Lines(Recorder):
         except (TypeError, ValueError, OverflowError):
             angle = math.nan
         if not abs(angle) <= MAX_TURNS * 2 * math.pi:  # nan too
-            raise FrameError(
-                f"an angle is a number of radians, at most {MAX_TURNS} turns; got {x!r}"
-            )
+            raise FrameError(f"an angle is in radians, at most {MAX_TURNS} turns; got {x!r}")
         return angle
 
 

@@ -78,7 +78,7 @@ class Machines(Recorder):
         stops = tuple(P if isinstance(P, Pulley) else self._place(P) for P in stops)
         if len(stops) < 2:
             raise FrameError(
-                f"a cable runs between two stops or more, places or pulleys; got {len(stops)}"
+                f"a cable runs between two places or pulleys at least; got {len(stops)}"
             )
         spans, arcs = route(stops, turns)
         for line in [*spans, *arcs]:

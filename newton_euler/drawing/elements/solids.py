@@ -94,8 +94,7 @@ class Solids(Recorder):
             return [self._several(holes[n], "the places of a hole") for n in range(len(holes))]
         except (TypeError, KeyError, IndexError, FrameError) as error:
             raise FrameError(
-                "holes are a sequence of outlines, each of places, as in holes=[s.around(...)]; "
-                f"got {str(holes)[:60]}"
+                f"holes are outlines of places, as holes=[s.around(...)]; got {str(holes)[:60]}"
             ) from error
 
     def cylinder(self, A: Place, B: Place, radius: float, bore: float = 0) -> None:

@@ -32,13 +32,10 @@ class Springs(Recorder):
         near = perpendicular_towards(axis, self.view.eye)
         side = cross3(axis, near)
         count = STEPS * coils
-        helix = [
-            on_circle(
-                between(A, B, n / count), near, side, r, 2 * math.pi * n / STEPS - math.pi / 2
-            )
-            for n in range(count + 1)
-        ]
-        self._extend(helix)
+        angles = [2 * math.pi * n / STEPS - math.pi / 2 for n in range(count + 1)]
+        centres = [between(A, B, n / count) for n in range(count + 1)]
+        pairs = zip(centres, angles, strict=True)
+        helix = self._extend([on_circle(C, near, side, r, angle) for C, angle in pairs])
 
         def plane(height):
             corners = ((A, 1), (A, -1), (B, -1), (B, 1))
@@ -58,12 +55,8 @@ class Springs(Recorder):
     def damper(self, A: Place, B: Place) -> None:
         """Draw a damper from A, where its piston rod ends, to B, where its cylinder does."""
         A, B = self._places(A, B)
-        parts = (
-            ((0, 0), (0.5, 0)),
-            ((0.5, 5), (0.5, -5)),
-            ((0.35, 7), (0.65, 7), (0.65, -7), (0.35, -7)),
-            ((0.65, 0), (1, 0)),
-        )
+        cylinder = (0.35, 7), (0.65, 7), (0.65, -7), (0.35, -7)
+        parts = ((0, 0), (0.5, 0)), ((0.5, 5), (0.5, -5)), cylinder, ((0.65, 0), (1, 0))
 
         @self._record
         def command(canvas):

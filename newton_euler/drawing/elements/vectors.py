@@ -79,8 +79,7 @@ class Vectors(Recorder):
         _known(kind)
         if not isinstance(amount, Vector) or not amount.terms:
             raise FrameError(
-                "the sum that is drawn is a Vector with terms, as P.acceleration(ground); got "
-                f"{clipped(amount)}"
+                f"a Vector with terms is drawn, as P.acceleration(ground); got {clipped(amount)}"
             )
         P, total = self._place(P), self._triple(amount, "direction")
         terms = [(n, self._triple(term, "direction")) for n, term in amount.terms.items()]

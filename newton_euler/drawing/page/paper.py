@@ -48,9 +48,7 @@ class Panel(Plots):
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        raise NeedsMatplotlib(
-            f"a panel of a page has no {name}; draw on the axes of matplotlib for that"
-        )
+        raise NeedsMatplotlib(f"a panel of a page has no {name}; take the axes of matplotlib")
 
 
 class Page:
@@ -135,6 +133,6 @@ class Panels(list):
 
     def __getitem__(self, place):
         if isinstance(place, tuple):
-            row, column = place
-            return list.__getitem__(self, row)[column]
+            row, place = place
+            return list.__getitem__(self, row)[place]
         return list.__getitem__(self, place)

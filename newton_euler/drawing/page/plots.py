@@ -117,8 +117,7 @@ class Plots:
         colour = named.pop("color", named.pop("c", colour))
         if "ls" in named or "linestyle" in named:
             dashes = DASHES[named.pop("ls", None) or named.pop("linestyle")]
-        marker = named.pop("marker", marker)
-        size = named.pop("ms", named.pop("markersize", 6))
+        marker, size = named.pop("marker", marker), named.pop("ms", named.pop("markersize", 6))
         width = named.pop("lw", named.pop("linewidth", 1.5))
         filled = named.pop("mfc", None) != "none"
         label, opacity = named.pop("label", ""), named.pop("alpha", 1)
@@ -138,16 +137,6 @@ class Plots:
         """The same as :meth:`plot` with logarithmic scales."""
         self.plot(*args, **named)
         self.set(xscale="log", yscale="log")
-
-    def semilogx(self, *args: Any, **named: Any) -> None:
-        """The same as :meth:`plot` with a logarithmic scale of x."""
-        self.plot(*args, **named)
-        self.set(xscale="log")
-
-    def semilogy(self, *args: Any, **named: Any) -> None:
-        """The same as :meth:`plot` with a logarithmic scale of y."""
-        self.plot(*args, **named)
-        self.set(yscale="log")
 
     @_recorded
     def axhline(self, y: float = 0, **named: Any) -> None:
@@ -226,13 +215,10 @@ class Plots:
         bold = given.pop("weight", "") == "bold"
         size = given.pop("fontsize", 10)
         _refuse(given)
-        x, y = xy
-        shift = (
-            offset[0] + {"left": 0.25, "center": 0, "right": -0.25}[side] * size,
-            offset[1] + up,
-        )
-        mark = Mark("text", [float(x)], [float(y)], BLACK, 1 + bold, (), "", str(text), size)
-        self.plotted.marks.append(mark._replace(shift=shift))
+        x, y = map(float, xy)
+        over = {"left": 0.25, "center": 0, "right": -0.25}[side] * size
+        mark = Mark("text", [x], [y], BLACK, 1 + bold, (), "", str(text), size)
+        self.plotted.marks.append(mark._replace(shift=(offset[0] + over, offset[1] + up)))
 
     def _arrow(self, tail, tip, arrowstyle, color="k"):
         if arrowstyle != "->":

@@ -56,13 +56,9 @@ class Recorder:
         if ax is None:
             ax = Page().panel
         elif not isinstance(ax, Panel) and not hasattr(ax, "add_patch"):
-            raise FrameError(
-                f"a sketch is on a Panel or on a matplotlib Axes, as of plt.subplots(); got {ax!r}"
-            )
+            raise FrameError(f"a sketch is on a Panel or the Axes of plt.subplots(); got {ax!r}")
         if not isinstance(ground, Frame):
-            raise FrameError(
-                f"Sketch(ax, ground) shows a scene from its ground, a Frame; got {ground!r}"
-            )
+            raise FrameError(f"the ground of Sketch(ax, ground) is a Frame; got {ground!r}")
         self.ax, self.frame = ax, ground
         self._surface = ax if isinstance(ax, Panel) else OnAxes(ax)
         self.arrows = self._length(arrows)
@@ -89,8 +85,7 @@ class Recorder:
     def _triple(self, v, what):
         if isinstance(v, Point):
             raise FrameError(
-                f"a {what} is a Vector or a triple, got the point {v.name}; write B - A for a "
-                "vector from A to B"
+                f"a {what} is a Vector or a triple, got the point {v.name}; write B - A"
             )
         try:
             v = v.components(self.frame) if isinstance(v, Vector) else v
@@ -105,9 +100,7 @@ class Recorder:
         try:
             v = tuple(map(self._float, v))
         except (TypeError, ValueError, OverflowError):
-            raise FrameError(
-                f"a sketch needs numbers, but the {what} is {v!r}; give every symbol a value"
-            ) from None
+            raise FrameError(f"a sketch needs numbers, but the {what} is {v!r}") from None
         if not all(map(math.isfinite, v)):
             raise FrameError(f"the {what} {v!r} is not finite and cannot be drawn")
         return v

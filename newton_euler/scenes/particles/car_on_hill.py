@@ -64,8 +64,7 @@ def ladder(
     full = car(m, wheel_mass, gyration, radius, air, g, force, slope)
     if start[1] < 0 or _stops(Named("parameter", full.parameters), start[1]) < t:
         raise ModelError(
-            f"the ladder is for a car that goes uphill until t = {t!r}; with {force!r} N and v "
-            f"= {start[1]!r} it does not"
+            f"the car goes uphill until t = {t!r} only with more than {force!r} N at {start[1]!r}"
         )
     particle, wheels = (
         constant_rate(name, full.parameters, of, *STATES, neglects=neglects)

@@ -70,9 +70,7 @@ def ladder(
     ['uniform gravity in a turning station', 'free body in a turning station']
     """
     if omega == 0:
-        raise ModelError(
-            "a station that does not turn has no weight to model: omega must not be zero"
-        )
+        raise ModelError("a station that does not turn has no weight: omega must not be zero")
     full = body_in_air(omega, air)
     parameters = {**full.parameters, "radius": radius}
     name, neglects = "uniform gravity in a turning station", (CORIOLIS, CHANGE, AIR)

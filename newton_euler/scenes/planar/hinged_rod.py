@@ -138,8 +138,7 @@ def ladder(
     stiff = stiffness(at, **data)
     if not stiff > 0:
         raise ModelError(
-            f"omega = {omega!r} is the least rate at which the rod swings out, where small "
-            "swings have no rate of their own"
+            f"omega = {omega!r} is the least rate of swinging out: small swings have no rate there"
         )
     parameters = {**hinged(**data).parameters, "shaft": shaft, "rest": at, "stiffness": stiff}
     name, energy = "small swings on a turning shaft", {"energy": _small_energy}

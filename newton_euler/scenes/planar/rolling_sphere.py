@@ -64,7 +64,7 @@ def ladder(
     """
     if start[1] < 0:
         raise ModelError(
-            f"the ladder is for a sphere that comes down, v not below zero; got v = {start[1]!r}"
+            f"the ladder is for a sphere that comes down, v >= 0; got v = {start[1]!r}"
         )
     full = rolling_in_air(slope, g, air, k)
     about = {"invariants": {"energy over mass": _block_energy}, "neglects": (ROTATION, AIR)}

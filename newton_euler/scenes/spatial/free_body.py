@@ -83,8 +83,7 @@ def _exact(s, p, t):
 def _check(moments, w, t):
     if not all(map(is_finite, (*moments, *w, t))):
         raise ModelError(
-            f"the free body cannot start with {w} at moments {moments} and go to t = {t}: all "
-            "must be finite"
+            f"the free body cannot start with {w}, {moments} and go to t = {t}: all must be finite"
         )
     if any(is_numeric(I) and max_abs(where(I > 0, 0, 1)) for I in moments):
         raise ModelError(f"the principal moments are three positive numbers, got {moments}")

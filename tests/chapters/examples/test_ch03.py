@@ -54,13 +54,8 @@ def test_example_3_2_spring_drawn_out_keeps_a_finite_torsion(kind):
 def test_example_3_3_cable_at_rest_in_a_horizontal_plane(kind):
     """The load found balances -d(T e_t)/ds, differentiated in rectangular components."""
     q = numbers(kind, "0.6")
-
-    def path(q):
-        return q, q * q / 2, 0
-
-    def tension(q):
-        return 5 + q**3
-
+    path = lambda q: (q, q * q / 2, 0)
+    tension = lambda q: 5 + q**3
     load = cable_load(path, tension, q, ground)
     pull = [at(lambda s, n=n: tension(s) * (1, s)[n] / sqrt(1 + s * s), q).rate for n in (0, 1)]
     ds = sqrt(1 + q * q)

@@ -75,8 +75,7 @@ def test_section_10_10_the_rotor_turns_against_the_wheels():
     wheels, turning = f.vector(-1.0, 0, 0), f.vector(0, 0, 0.2)
     on_car = -normal_moment(turning, -50.0 * wheels, 2.0)
     # at the road, a height 1 below G, towards the centre
-    friction = f.vector(0, 0, -1.0).cross(f.vector(-300.0, 0, 0))
-    assert on_car.y * friction.y < 0
+    assert on_car.y * f.vector(0, 0, -1.0).cross(f.vector(-300.0, 0, 0)).y < 0
 
 
 def test_section_10_11_instruments():

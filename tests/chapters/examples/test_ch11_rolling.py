@@ -52,8 +52,7 @@ def test_example_11_15_the_motion_down_the_plane():
     model = rolling_down(0.5, 9.81)
     x, v = model.solution(1.5, (0.0, 0.0))
     assert v == pytest.approx(rolling_speed(x * math.sin(0.5), 9.81), rel=1e-14)
-    run = integrated(model, (0.0, 0.0), 1.5)(1.5)
-    assert run["v"] == pytest.approx(v, rel=1e-11)
+    assert integrated(model, (0.0, 0.0), 1.5)(1.5)["v"] == pytest.approx(v, rel=1e-11)
     assert model.invariant("energy over mass", (x, v)) == pytest.approx(0, abs=1e-13)
 
 

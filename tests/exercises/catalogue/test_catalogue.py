@@ -201,7 +201,7 @@ def test_an_answer_weighs_one_unless_the_file_says_more(write):
 
 BROKEN_YAML = (
     "ch77/p01.yaml is not YAML: while scanning a quoted scalar in line 4, column 10 .*"
-    "; a text with a colon, a # or quotation marks in it wants quotes around it"
+    "; a text with a colon, a # or quotation marks must be quoted"
 )
 
 
@@ -210,7 +210,7 @@ BROKEN_YAML = (
     [
         (changed('"4.8"', '"4.8'), BROKEN_YAML),
         (changed("doubles it", "doubles it, once: does it, twice: doubles it too"),
-         "ch77/p01.yaml is not YAML: the key twice is there twice in line 11, column 12;.*"),
+         "ch77/p01.yaml is not YAML: the key twice occurs twice in line 11, column 12;.*"),
         (changed("title: A wheel", "title: Une roue qui s'arrête").encode("latin-1"),
          "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"),
     ],
@@ -225,7 +225,7 @@ def test_the_same_problem_twice_is_reported(write):
     write("p01.yaml", ENTRY)
     write("p02.yaml", ENTRY)
     assert refused(problems, "ch77") == (
-        "ch77/p02.yaml: the id 77/1 is that of ch77/p01.yaml, too; give one of them the id that "
+        "ch77/p02.yaml: the id 77/1 is also that of ch77/p01.yaml; give one of them the id that "
         "its name says, or delete it"
     )
     assert problem("77/1").id == "77/1"
@@ -261,8 +261,8 @@ def test_a_chapter_without_its_file_or_its_title_is_reported(write):
     )
     write("chapter.yaml", "titel: Wheels")
     assert refused(chapter, "ch77") == (
-        "ch77/chapter.yaml: a chapter has the unknown key 'titel'; its keys are title and, "
-"where wanted, preamble; did you mean title?"
+        "ch77/chapter.yaml: a chapter has the unknown key 'titel'; its keys are title and optionally "
+"preamble; did you mean title?"
     )  # fmt: skip
 
 

@@ -67,15 +67,13 @@ def with_steps(monkeypatch, *found):
 def test_a_step_with_the_name_of_an_answer_or_a_given_is_refused(monkeypatch):
     for key in ("a_D", "omega", "not a name"):
         p = with_steps(monkeypatch, lambda g, key=key: Step(key, g.omega, "rad/s", "the rate"))
-        with pytest.raises(CatalogueError, match=f"4/16: the step {key!r} must have a name"):
+        with pytest.raises(CatalogueError, match=f"4/16: the step {key!r} needs a name"):
             steps(p, p.book_values)
 
 
 def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
     p = with_steps(monkeypatch, lambda g: Step("rate", g.omega * g.b, "rad/s", "the rate"))
-    assert faults(p, p.book_values) == [
-        "the step rate is stated in rad/s, that is 1/s, and has m/s"
-    ]
+    assert faults(p, p.book_values) == ["the step rate is stated in rad/s (1/s), but has m/s"]
 
 
 def test_a_step_says_its_kind_and_has_its_form(monkeypatch):
@@ -85,9 +83,7 @@ def test_a_step_says_its_kind_and_has_its_form(monkeypatch):
     assert set(kinds("7/3")) == {"number", "vector", "matrix"}
     rows = lambda g: ((g.b, 0, 0), (0, g.b, 0), (0, 0, g.b))
     p = with_steps(monkeypatch, lambda g: Step("rows", rows(g), "mm", "a matrix"))
-    assert faults(p, p.book_values) == [
-        "the step rows has another form than a number: say its kind"
-    ]
+    assert faults(p, p.book_values) == ["the step rows is not a number: name its kind"]
     p = with_steps(monkeypatch, lambda g: Step("rows", rows(g), "mm", "a matrix", kind="matrix"))
     assert faults(p, p.book_values) == []
 
@@ -140,8 +136,7 @@ def proving(monkeypatch, **found):
 
 
 def test_a_step_that_the_proof_finds_too_is_compared(monkeypatch):
-    right = proving(monkeypatch, omega_CD=lambda g: [-g.b_dot, 0, g.omega])
-    assert check(right, 2) == []
+    assert check(proving(monkeypatch, omega_CD=lambda g: [-g.b_dot, 0, g.omega]), 2) == []
     wrong = proving(monkeypatch, omega_CD=lambda g: [g.b_dot, 0, g.omega])
     assert "omega_CD: the step in floats and prove differ by 1.2e+00 of its size" in check(wrong)[0]
 

@@ -42,9 +42,7 @@ def test_a_formula_in_feet_and_seconds_has_no_factors_of_metres(problem_with):
 
 
 def test_inches_and_ounces_keep_their_factors_of_feet_and_pounds(problem_with):
-    def solve(g):
-        return {"F": g.W * g.r / g.e, "alpha": g.W * g.r / (g.m * g.r**2)}
-
+    solve = lambda g: {"F": g.W * g.r / g.e, "alpha": g.W * g.r / (g.m * g.r**2)}
     answers = [Answer("F", "expression", "lb", ""), Answer("alpha", "expression", "rad/s^2", "")]
     p = problem_with(solve, {"W": "oz", "r": "in", "e": "ft", "m": "slug"}, answers)
     s = p.sympy_symbols()

@@ -63,7 +63,7 @@ def test_nothing_is_overwritten(spec):
     code.write_text("mine")
     assert len(written(spec)) == 2
     assert code.read_text() == "mine"
-    with pytest.raises(CatalogueError, match="none is overwritten: delete those that are to be"):
+    with pytest.raises(CatalogueError, match="none is overwritten: delete those to be"):
         written(spec)
 
 
@@ -78,7 +78,7 @@ def test_what_is_not_in_the_spec_is_refused(spec, chapter, only, message):
 
 def test_a_problem_that_does_not_fit_the_format_is_reported_and_nothing_is_written(spec):
     spec.write_text(SPEC.replace("kind: number", "kind: nmber"))
-    with pytest.raises(CatalogueError, match=r"problem 2/1: a: kind 'nmber' is none of"):
+    with pytest.raises(CatalogueError, match=r"problem 2/1: a: kind 'nmber' is not one of"):
         written(spec)
     assert not (spec.parent / "to").exists()
 

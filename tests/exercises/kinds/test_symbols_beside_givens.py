@@ -95,7 +95,7 @@ def replace_mistakes(p):
 def test_a_key_that_is_nowhere_real_is_reported(falling):
     p = replace_mistakes(falling(lambda g: {"h": g.a * g.t * sqrt(-(g.t**2))}, lambda g: {}))
     (fault,) = check(p)
-    assert fault.startswith("solve and prove are both real at no point: tried a = 2, t = ")
+    assert fault.startswith("solve and prove are nowhere both real; tried a = 2, t = ")
 
 
 def test_answers_are_apart_if_half_of_their_real_points_are():

@@ -57,18 +57,16 @@ def test_a_word_that_the_proof_denies_is_caught(made):
 
 def test_a_word_that_is_not_among_those_to_choose_from_is_caught(made):
     (fault,) = check(ball(made, solve=lambda g: {**solve(g), "sense": "up"}, prove=solve))
-    assert fault.startswith("sense: solve says 'up', which is none of rises, falls, rests")
+    assert fault.startswith("sense: solve says 'up', which is not one of rises, falls, rests")
 
 
 def test_a_count_that_is_no_whole_number_is_caught(made):
     faults = check(made(lambda g: {"dof": 1.5}, answers=(DOF,)))
-    assert faults == ["dof: solve gives 1.5, which is no whole number (seed 0)"]
+    assert faults == ["dof: solve gives 1.5, which is not a whole number (seed 0)"]
 
 
 def test_a_mistake_that_gives_the_right_word_of_the_book_is_caught(made):
-    def same(g):
-        return {**mistakes(g), "no_gravity": {"sense": "rises"}}
-
+    same = lambda g: {**mistakes(g), "no_gravity": {"sense": "rises"}}
     (fault,) = check(ball(made, wrong=same))
     assert fault.startswith("the mistake no_gravity gives nearly the right sense: (rises)")
 

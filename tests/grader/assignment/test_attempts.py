@@ -31,8 +31,7 @@ def test_a_new_attempt_has_fresh_numbers_and_the_earlier_grade_stands_until_it_i
     grade(fresh, "ch04")
     assert rows_of(fresh, "ben") == before
     submit(fresh, "ben", answered(fresh, "ben"))
-    result = next(r for r in grade(fresh, "ch04") if r.student == "ben")
-    assert result.points == 11
+    assert next(r for r in grade(fresh, "ch04") if r.student == "ben").points == 11
 
 
 def answered(course, student):

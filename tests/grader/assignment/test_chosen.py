@@ -43,8 +43,7 @@ def test_what_a_course_has_comes_first_and_as_the_instructor_changed_it(tmp_path
     cells.insert(4, {"cell_type": "markdown", "id": "x", "metadata": {}, "source": "No friction."})
     write_json(path, notebook)
     items = chosen("hw3", course=Course(tmp_path / "c")).items
-    texts = [i.text for i in items if not i.problem]
-    assert texts == ["No friction."]
+    assert [i.text for i in items if not i.problem] == ["No friction."]
     first = next(i for i in items if i.problem)
     assert "crane" in first.text
     assert "attachment" not in first.text

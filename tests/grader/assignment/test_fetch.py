@@ -59,6 +59,5 @@ def test_fetching_brings_the_own_copy_and_never_overwrites_work(ungraded, tmp_pa
     plain.mkdir()
     given = f"--Exchange.root={exchange}", "--course=mechanics"
     ran(nbgrader("fetch_assignment", "ch04", *given, cwd=plain, USER="ada"))
-    text = (plain / "ch04/ch04.ipynb").read_text()
-    assert "This copy has the numbers of the book" in text
+    assert "This copy has the numbers of the book" in (plain / "ch04/ch04.ipynb").read_text()
     assert not list((plain / "ch04").glob(".personal*"))

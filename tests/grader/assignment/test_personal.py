@@ -20,8 +20,7 @@ STUDENTS = ("ada", "ben", "cleo", "dan", "eve", "mallory")
 
 @pytest.mark.parametrize("student", STUDENTS)
 def test_what_a_student_fetches_holds_no_key_and_nobody_elses_numbers(course, student):
-    text = course.personal_path("ch04", student).read_text()
-    assert secrets_in(text, course, student) == []
+    assert secrets_in(course.personal_path("ch04", student).read_text(), course, student) == []
     own = {c["source"] for c in read(course.personal_path("ch04", student))["cells"]}
     for other in STUDENTS:
         others = {

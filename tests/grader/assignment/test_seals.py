@@ -57,5 +57,4 @@ def test_an_answer_that_the_sheet_asks_for_in_another_form_has_no_seal(copy):
 
 
 def test_nothing_is_sealed_unless_it_is_asked_for():
-    released = build_notebook([problem("4/16")], "a title", 10, 100)
-    assert "sealed" not in str(released)
+    assert "sealed" not in str(build_notebook([problem("4/16")], "a title", 10, 100))

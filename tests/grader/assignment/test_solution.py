@@ -3,6 +3,7 @@
 import math
 import re
 from functools import cache
+from itertools import islice
 
 import pytest
 
@@ -97,6 +98,70 @@ def test_the_sum_of_the_terms_that_are_shown_is_shown_too(p):
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_no_fraction_stands_in_a_fraction_and_no_formula_in_its_description_too(p):
+    """But in a root, a function or a power."""
+    text = worked_solution(p, numbers(p, b"one"), text=False)
+    for formula in re.findall(r"\$([^$]*)\$", text):
+        for part in re.findall(r"\\frac(.*)", without_arguments(formula)):
+            fraction = "".join(islice(groups(part), 2))
+            assert r"\frac" not in fraction, formula
+    for means, formula in re.findall(
+        r", (\$[^$=]*\$)(?:, section [^:]*)?: \$[^$]* = ([^$]*)\$", text
+    ):
+        assert letters(means) != letters(formula.partition(r"\ \text")[0]), means
+
+
+def groups(text):
+    """The groups in braces at the beginning of a text, one after the other."""
+    depth, begin = 0, 0
+    for n, character in enumerate(text):
+        depth += (character == "{") - (character == "}")
+        if depth == 0:
+            yield text[begin : n + 1]
+            begin = n + 1
+
+
+def without_arguments(latex):
+    """A formula without fractions of numbers, and without what is in its functions, roots and
+    powers.
+    """
+    latex = re.sub(r"\\frac\{\d+\}\{\d+\}", "", latex)
+    while found := re.search(r"(?:\^|\\sqrt|\\(?:arc)?(?:sin|cos|tan)) ?(?=\{)", latex):
+        latex = (
+            latex[: found.start()] + latex[found.end() + len(next(groups(latex[found.end() :]))) :]
+        )
+    return latex
+
+
+def letters(latex):
+    """The names and numbers of a formula in their order, without what lays it out."""
+    words = re.findall(r"\\[A-Za-z]+|[A-Za-z]+|\d+", latex)
+    return sorted({*words} - {r"\frac", r"\left", r"\right", r"\cdot", r"\mathbf"})
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_term_has_no_name_of_what_is_equal_to_it_by_chance(p):
+    """As a component of another sum whose other terms are zero, or of a vector that is another term
+    of its sum.
+    """
+    found = derivations(p, numbers(p, b"one"))
+    shown = [line.step for line in as_python(p, b"one")]
+    sums = {s.of for s in shown if s.of}
+    vectors = {s.key for s in shown if s.is_vector}
+    scalars = {*p.units, *(s.key for s in shown if not s.is_vector)}  # as omega_x
+    whole = set()
+    for s in (s for s in shown if s.of and s.key in found):
+        formulas = [f for f in found[s.key].formulas if f is not None]
+        names = {x.name for f in formulas for x in f.free_symbols} - scalars
+        # the components of its own sum may be unknowns of equations
+        used = {name.rpartition("_")[0] for name in names} & vectors - {s.of}
+        assert not used & sums, s.key
+        if formulas and all(f.is_Symbol or f == 0 for f in formulas):
+            assert not {(s.of, v) for v in used} & whole, s.key
+            whole |= {(s.of, v) for v in used}
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_step_is_no_given_under_another_name(p):
     """As the mass of a part that the text gives."""
     found = derivations(p, numbers(p, b"one"))
@@ -182,7 +247,7 @@ def what_a_reader_misses(line, known, named):
     vectors = {x[:-2] for x in known if x[-2:] in ("_x", "_1")}
     texts = [QUANTITY.sub("", x) for x in line.equal[:-1]]
     with_names = [x for x in texts if {*NAME.findall(x)} - functions]
-    variables = {*re.findall(r"\((\w), ", " ".join(with_names))}  # of integrals
+    variables = {*re.findall(r"\((\w+), ", " ".join(with_names))}  # of integrals
     unknowns = {*NAME.findall(" ".join(line.together))} - known
     known |= own_names(line) | unknowns
     return [

@@ -38,7 +38,7 @@ def archive(path, files):
 WORK = {
     "ada": "submissions/lovelaceada_LATE_4711_98765_ch04-1.ipynb",
     "ben": "Ben Müller-Lüdenscheidt_123_assignsubmission_file_/ch04.ipynb",
-    "dan": "daniel.g@uni.edu/ch04.ipynb",
+    "dan": "daniel.g@uni.edu/CH04.IPYNB",
 }
 
 
@@ -88,12 +88,25 @@ def test_what_leads_elsewhere_or_fits_nobody_is_left_out_and_said(named, tmp_pat
     assert [p for p in after if p not in before and "gradebook" not in p.name] == []
 
 
+@pytest.mark.parametrize("method", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+def test_a_bomb_of_a_method_that_cannot_be_read_in_part_is_left_out(named, tmp_path, method):
+    path = archive(tmp_path / "w.zip", {"ada.ipynb": "{}"})
+    with zipfile.ZipFile(path, "a", method) as z:
+        z.writestr("ben.ipynb", b"[" * 2**20)
+    raw = bytearray(path.read_bytes())
+    place = raw.rfind(b"PK\1\2") + 24  # the size that the directory tells: a lie
+    raw[place : place + 4] = (5).to_bytes(4, "little")
+    path.write_bytes(raw)
+    found = take_in(named, "ch04", path)
+    ((name, why),) = found.refused
+    assert (name, "unusual method" in why, {*found.taken}) == ("ben.ipynb", True, {"ada"})
+
+
 def test_a_link_in_an_archive_is_left_out(named, tmp_path):
     info = zipfile.ZipInfo("ada.ipynb")
     info.external_attr = (stat.S_IFLNK | 0o777) << 16
     path = archive(tmp_path / "w.zip", {info: "../../../.course_secret"})
-    found = take_in(named, "ch04", path)
-    assert found.refused == [("ada.ipynb", "a link or a special file")]
+    assert take_in(named, "ch04", path).refused == [("ada.ipynb", "a link or a special file")]
     assert not named.submissions("ch04")
 
 
@@ -162,6 +175,13 @@ def test_a_bomb_costs_only_itself(named, tmp_path, monkeypatch):
         return  # zipfile itself noticed
     assert set(found.taken) <= {"ben", "ada"}
     assert all(p.stat().st_size <= 1000 for p in named.submissions("ch04").values())
+
+
+def test_a_name_of_thousands_of_letters_is_shown_by_its_ends(named, tmp_path):
+    path = archive(tmp_path / "w.zip", {f"start{'x' * 60_000}end.ipynb": "{}", "ada.ipynb": "{}"})
+    code, out = command("take-in", "ch04", path, "--course", named.path)
+    assert (code, "start" in out, len(out) < 3000) == (1, True, True)
+    assert "end.ipynb" in "".join(out.split())
 
 
 @pytest.mark.parametrize("content", [b"", b"not a zip", b"PK\3\4 damaged"])

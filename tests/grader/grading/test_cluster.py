@@ -5,8 +5,10 @@ is killed; what is not fit is refused, and nothing is left running.
 import contextlib
 import os
 import signal
+import socket
 import subprocess
 import sys
+import threading
 import time
 
 import pytest
@@ -26,7 +28,10 @@ pytestmark = [
 ]
 
 
-def dask(*arguments, **more):
+PLAIN = {"DASK_DISTRIBUTED__COMM__COMPRESSION": "null"}
+
+
+def dask_process(*arguments, **more):
     return subprocess.Popen(
         [sys.executable, "-m", "dask", *map(str, arguments), "--no-dashboard"],
         env=environment(DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT="20", **more),
@@ -37,8 +42,15 @@ def dask(*arguments, **more):
 class Cluster:
     def __init__(self, folder):
         self.file, self.workers = folder / "scheduler.json", []
-        self.scheduler = dask(
-            "scheduler", "--host", "127.0.0.1", "--port", 0, "--scheduler-file", self.file
+        self.scheduler = dask_process(
+            "scheduler",
+            "--host",
+            "127.0.0.1",
+            "--port",
+            0,
+            "--scheduler-file",
+            self.file,
+            **PLAIN,
         )
         self.wait(self.file.exists)
         self.address = self.client(lambda c: c.scheduler.address)
@@ -62,7 +74,7 @@ class Cluster:
     def at_least(self, count):
         """Set the number of workers."""
         self.workers += [
-            dask("worker", "--scheduler-file", self.file, "--nthreads", 1, "--no-nanny")
+            dask_process("worker", "--scheduler-file", self.file, "--nthreads", 1, "--no-nanny")
             for _ in range(count - len(self.living()))
         ]
         self.client(lambda c: c.wait_for_workers(count, timeout=60))
@@ -135,30 +147,51 @@ def test_the_command_names_the_workers(fresh, two_workers):
     assert out.count("1 at a time, namespaces") == 2
 
 
-def test_no_secret_and_no_work_passes_the_scheduler(fresh, two_workers):
-    """What is sent for a submission is its student's name and where the course is."""
-    import pickle
+class Wire:
+    """Passes on what comes for the scheduler, and what it answers, and keeps both."""
 
-    from grader.grading import cluster
+    def __init__(self, address):
+        host, port = address.removeprefix("tcp://").split(":")
+        self.there, self.seen = (host, int(port)), bytearray()
+        self.socket = socket.create_server(("127.0.0.1", 0))
+        self.address = "tcp://127.0.0.1:{1}".format(*self.socket.getsockname())
+        threading.Thread(target=self.accept, daemon=True).start()
 
-    sent = []
-    original = cluster._graded
+    def accept(self):
+        with contextlib.suppress(OSError):  # it is closed at the end
+            while True:
+                ends = self.socket.accept()[0], socket.create_connection(self.there)
+                for ours, theirs in (ends, ends[::-1]):
+                    threading.Thread(target=self.pass_on, args=(ours, theirs), daemon=True).start()
 
-    def spy(client, *rest):
-        submit = client.submit
-        client.submit = lambda *a, **k: sent.append(pickle.dumps(a[1:])) or submit(*a, **k)
-        return original(client, *rest)
+    def pass_on(self, ours, theirs):
+        with contextlib.suppress(OSError), ours, theirs:
+            while data := ours.recv(2**16):
+                self.seen += data
+                theirs.sendall(data)
 
-    cluster._graded = spy
-    try:
-        grade(fresh, "ch04", scheduler=two_workers.address, force=True)
-    finally:
-        cluster._graded = original
-    assert len(sent) == len(fresh.roster())
-    for data in sent:
-        assert len(data) < 1000
-        assert fresh.secret not in data
-        assert fresh.secret.hex().encode() not in data
+
+def test_nothing_of_a_student_and_no_secret_passes_the_scheduler(fresh, cluster):
+    import dask.config
+
+    wire = Wire(cluster.address)
+    worker = dask_process("worker", wire.address, "--nthreads", 1, "--no-nanny", **PLAIN)
+    cluster.workers.append(worker)
+    cluster.client(lambda c: c.wait_for_workers(len(cluster.living()), timeout=60))
+    submit(fresh, "zoe", DAMAGED["empty"][0])
+    with wire.socket, dask.config.set({"distributed.comm.compression": None}):
+        results = grade(fresh, "ch04", scheduler=wire.address, force=True)
+    read = {p.read.encode() for r in results for s in r.scores.values() for p in s.parts}
+    said = {p.message.encode()[:30] for r in results for s in r.scores.values() for p in s.parts}
+    ids = [r.student.encode() for r in results]
+    assert len(ids) == 7
+    assert len(read) > 10
+    assert b"_grade" in wire.seen
+    assert str(fresh.path).encode() in wire.seen
+    private = {fresh.secret, fresh.secret.hex().encode(), b"SyntaxError", b"not on the roster"}
+    private |= {b"\x8c%c%b" % (len(i), i) for i in ids} | {b"mallory", b"cleo"} | said
+    private |= {x for x in read if len(x) > 5}
+    assert not [x for x in private if x in wire.seen]
 
 
 def test_a_worker_that_sees_another_course_is_refused(fresh, two_workers, monkeypatch):

@@ -89,7 +89,7 @@ def test_ctrl_c_says_how_far_the_grading_came_and_the_next_run_goes_on(fresh, co
     wait_for(fresh, "scores/ch04/*.json", 2)
     output = stopped(process)
     far = re.search(
-        r"Stopped by Ctrl-C. grading: (\d) of 6. These are kept; the next run goes", output
+        r"Stopped by Ctrl-C. grading: (\d) of 6. These are kept; the next run continues", output
     )
     assert far, output
     assert gradebook_rows(fresh) == before
@@ -137,7 +137,7 @@ def test_ctrl_c_in_a_release_releases_nothing_and_the_next_one_all(ungraded):
         if "personal copies" in line:
             time.sleep(0.2)
             break
-    assert "Stopped by Ctrl-C: nothing is released; the same command" in stopped(process)
+    assert "Stopped by Ctrl-C: nothing is released; running the command again" in stopped(process)
     assert not list(ungraded.path.glob(f"{outbound}/ch04"))
     ran(nbgrader("release_assignment", "ch04", cwd=ungraded.path))
     assert list(ungraded.path.glob(f"{outbound}/ch04/ch04.ipynb"))

@@ -191,8 +191,7 @@ def test_tolerance_points_and_weights_are_those_of_the_sheet(form, tmp_path):
     p, (values,) = numbers_of("4/16", 1)
     right = [as_read(a, p.solve(values)[a.key]) for a in p.answers]
     assert judge([*right[:2], [1e6] * 3])[0] == pytest.approx(2 / 6)
-    off = [[1.03 * x for x in part] for part in right]
-    assert judge(off)[0] == pytest.approx(1)
+    assert judge([[1.03 * x for x in part] for part in right])[0] == pytest.approx(1)
     assert judge([[1.05 * x for x in part] for part in right])[0] < 0.9
 
 

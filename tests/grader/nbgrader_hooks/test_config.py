@@ -90,8 +90,7 @@ def test_a_course_of_an_earlier_version_is_graded(before, route):
 def test_the_numbers_and_ids_of_a_course_of_an_earlier_version_are_those_of_today(written):
     own = read(BEFORE / "personal.ipynb")
     problems = problems_of(own)
-    values = written.values("ch04", "ada", problems)
-    assert values == NUMBERS
+    assert written.values("ch04", "ada", problems) == NUMBERS
     today, then = nb.build_notebook(problems, "", 10, 60), read(BEFORE / "source.ipynb")
 
     def ids(notebook):

@@ -72,8 +72,7 @@ def test_what_a_person_gave_for_a_cell_is_there_again_when_the_cell_comes_back(g
         grade_ = book.find_grade("essay", "ch04", "ch04", "dan")
         assert (grade_.manual_score, grade_.extra_credit) == (1.5, 0.25)
         assert not grade_.needs_manual_grade
-        comment = book.find_comment("essay", "ch04", "ch04", "dan")
-        assert comment.manual_comment == "Well put."
+        assert book.find_comment("essay", "ch04", "ch04", "dan").manual_comment == "Well put."
     assert total(graded) == (12.75, 14)
 
 

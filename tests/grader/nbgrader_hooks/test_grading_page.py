@@ -19,7 +19,7 @@ from grader.nbgrader_hooks.grading_page import (
     html_with_mathml,
     student_html,
 )
-from grader.submission.recognition import places_of
+from grader.submission.recognition import places_by_name, places_of
 from newton_euler.algebra.language import language, speaking
 from tests.grader.courses import read
 
@@ -162,6 +162,7 @@ def test_a_course_made_in_a_language_speaks_it_wherever_it_is_opened(tmp_path):
         assert "Schräge Platte" in texts["statement-9-4"]
         assert texts["setup"].endswith('choose_language("de")')
         bare = [{"cell_type": c["cell_type"], "source": c["source"]} for c in own["cells"]]
-    assert places_of(bare, own)[1:] == [1, 2, 3, 4, 5]  # by their first lines, in any language
+    found = places_of(bare, own, places_by_name(own))
+    assert found[1:] == [1, 2, 3, 4, 5]  # by their first lines, in any language
     cell = from_dict({"source": texts["introduction"], "metadata": own["cells"][0]["metadata"]})
     assert "ada" not in WithoutName().preprocess_cell(cell, {}, 0)[0].source

@@ -123,8 +123,7 @@ def test_the_numbers_of_all_students_of_a_course_are_read(course):
     found = graded_numbers(course.path)
     assert set(found) == {"4/1", "4/2", "4/10", "4/16", "4/31"}
     for student in course.roster():
-        own = course.values("ch04", student, [problem("4/16")])["4/16"]
-        assert own in found["4/16"]
+        assert course.values("ch04", student, [problem("4/16")])["4/16"] in found["4/16"]
 
 
 def test_the_command_writes_a_file_and_says_how_it_is_opened(tmp_path, course):
@@ -150,8 +149,7 @@ def test_a_problem_that_lists_no_steps_has_the_terms_of_its_answers(monkeypatch)
     p = problem("4/16")
     monkeypatch.delattr(p.code, "steps")
     page, _ = page_of("4/16", 2, "solution", draw=lambda p, v: None)
-    steps = {q["key"] for q in page["quantities"] if q["step"]}
-    assert {"a_D_coriolis", "v_D_rotation"} <= steps
+    assert {"a_D_coriolis", "v_D_rotation"} <= {q["key"] for q in page["quantities"] if q["step"]}
     assert "a_D_coriolis" in page["variants"][0]["program"]["earlier"]["a_D"]
     assert any(page["labels"][n][0] == "a_D_coriolis" for n, _ in page["variants"][0]["wrong"])
 

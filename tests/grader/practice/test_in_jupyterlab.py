@@ -116,6 +116,4 @@ def test_a_matrix_by_keyboard(page):
 
 
 def test_the_console_has_no_error_of_ours(page):
-    log = page.driver.get_log("browser")
-    errors = [x for x in log if x["level"] == "SEVERE" and x["source"] != "network"]
-    assert errors == []
+    assert page.errors() == []

@@ -90,10 +90,8 @@ def test_help_begins_anew_with_each_problem_and_the_table_keeps_that_there_was_s
         assert "It is" not in p.next_step().text, again
     table = practice(practice_file, progress=tmp_path / "kept.json").table.text.splitlines()
     assert table[0].split("  ")[0] == "problem"
-    row = next(line for line in table if line.startswith("4/16"))
-    assert row.split()[-1] == "2"
-    heads = [h for h in table[0].split("  ") if h.strip()]
-    assert len(heads) == 7
+    assert next(line for line in table if line.startswith("4/16")).split()[-1] == "2"
+    assert len([h for h in table[0].split("  ") if h.strip()]) == 7
 
 
 def test_a_step_that_there_is_not_is_reported_with_those_that_there_are(form, capsys):
@@ -101,8 +99,7 @@ def test_a_step_that_there_is_not_is_reported_with_those_that_there_are(form, ca
     field(form, "step").value = "omega"
     field(form, "its value").value = "1"
     press(form, "Check step")
-    output = unescape(capsys.readouterr().out)
-    assert "4/16 has no step 'omega'; it has omega_CD, v_r" in output
+    assert "4/16 has no step 'omega'; it has omega_CD, v_r" in unescape(capsys.readouterr().out)
 
 
 def test_a_word_is_typed_and_the_words_are_offered(practice_file):

@@ -43,8 +43,7 @@ def test_right_answers_are_right(elbow):
 def test_answers_by_the_engine_are_right_for_other_numbers(practice_file):
     for name in ("4/16", "2/18"):
         p = practice(practice_file, progress=None)[name].new()
-        right = problem(name).solve(p.givens)
-        assert set(p.check(**right).verdicts.values()) == {"right"}
+        assert set(p.check(**problem(name).solve(p.givens)).verdicts.values()) == {"right"}
 
 
 @pytest.mark.parametrize(("given", "words"), [
@@ -93,8 +92,7 @@ def test_a_step_that_follows_rightly_from_a_wrong_one_is_reported_as_such(elbow)
 
 def test_it_follows_through_steps_that_nobody_asked_about(elbow):
     elbow.check_step(v_r=[0, -6.235383, 3.6])
-    v_D = [-9.6, -6.235383, 3.6]
-    assert "it follows rightly from your v_r" in elbow.check(v_D=v_D).text
+    assert "it follows rightly from your v_r" in elbow.check(v_D=[-9.6, -6.235383, 3.6]).text
 
 
 def test_hints_say_where_then_how_then_the_value(elbow):
@@ -150,8 +148,7 @@ def test_a_problem_in_symbols_is_asked_with_numbers(practice_file):
     p = practice(practice_file, progress=None)["4/2"]
     assert set(p.givens) == set(problem("4/2").units)
     d, w, nu, tilt = (p.givens[n] for n in ("d", "omega", "nu", "tilt"))
-    speed = math.hypot(nu, d * w * math.sin(tilt))
-    assert p.check(speed=speed).text == "speed: right"
+    assert p.check(speed=math.hypot(nu, d * w * math.sin(tilt))).text == "speed: right"
     assert "sqrt" not in p.solution().text
 
 

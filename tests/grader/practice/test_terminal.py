@@ -29,5 +29,4 @@ def test_all_is_readable_in_a_terminal(practice_file):
     for sign in ("$", "{", "\\", "**", ", 1)"):
         assert sign not in done.stdout
     assert "a_D: not right; it fits a solution that leaves out the Coriolis term" in done.stdout
-    text = done.stdout.partition("Numbers 1 of ")[0]
-    assert max(map(len, text.splitlines())) <= 80
+    assert max(map(len, done.stdout.partition("Numbers 1 of ")[0].splitlines())) <= 80

@@ -14,8 +14,7 @@ from tests.grader.submissions import work
 
 @pytest.fixture(scope="module")
 def all43():
-    out = ran(command("solve", "ch04", "--json"))
-    return json.loads(out)
+    return json.loads(ran(command("solve", "ch04", "--json")))
 
 
 def flat(x):

@@ -15,6 +15,7 @@ from grader.sandbox import HarvestError
 from tests.grader.courses import REPOSITORY, environment
 
 FORMS = {"x": "number, 1"}
+REFUSED = "this machine refuses the cage for student code"
 
 
 def problem(number, text, givens=""):
@@ -42,6 +43,8 @@ def run_caged(harvester, cells, seconds=10, cell_seconds=5):
     try:
         return harvester.run(cells, seconds, cell_seconds)
     except HarvestError as error:
+        if not str(error).startswith(REFUSED):
+            raise
         pytest.skip(str(error))
 
 

@@ -2,7 +2,6 @@
 without privileges, and without a cage.
 """
 
-import json
 import os
 import sys
 import time
@@ -12,6 +11,7 @@ import pytest
 
 from tests.grader.courses import REPOSITORY
 from tests.grader.sandbox.jobs import (
+    REFUSED,
     answer,
     caged,
     descendants,
@@ -30,8 +30,7 @@ REACH = {
     "the repository": f"x = os.path.exists({str(REPOSITORY / 'grader')!r}) or "
     f"os.path.exists({str(REPOSITORY / 'exercises')!r})",
     "the exercises": "import exercises; x = 1",
-    "the catalogue of files": "x = sum('p16.yaml' in f for _, _, f in os.walk('/')) + "
-    f"('exercises' in os.listdir({str(REPOSITORY)!r}))",
+    "the folder of the repository": f"x = 'exercises' in os.listdir({str(REPOSITORY)!r})",
     "the home of the instructor": f"x = len(set(os.listdir({str(Path.home())!r})) - "
     "{'.pyenv', '.local', 'miniconda3', '.venv'})",
     "proc": "x = os.path.exists('/proc/1') or os.path.exists('/proc/self')",
@@ -126,6 +125,7 @@ ENDINGS = {
     "recursion": "def f(n): return f(n + 1)\nx = f(0)",
     "recursion without end": "import sys\nsys.setrecursionlimit(10**9)\ndef f(n): return f(n + 1)\nx = f(0)",
     "memory in pieces": "x = []\nwhile True: x.append(bytearray(2**26))",
+    "open files": "x = []\nwhile True: x.append(open('/dev/null'))",
     "fork bomb": "import os\nwhile True:\n    try: os.fork()\n    except OSError: pass",
     "daemon": "import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        "
     "time.sleep(1000)\n    os._exit(0)\nx = 1",
@@ -190,21 +190,7 @@ def test_a_deadline_of_the_notebook_keeps_what_was_read_before(harvester):
 
 
 def test_answers_given_before_the_process_ended_are_kept(harvester):
-    reply = caged(harvester, "x = 1", "import os; os._exit(0)", "x = 3")
-    assert set(reply["receipts"]) == {"0/1"}
-
-
-def test_a_forged_receipt_is_only_data_for_the_problem_it_names(harvester):
-    lines = (
-        {"id": "0/2", "answers": {"x": 1}, "points": 100, "sandbox": "x"},
-        {"id": "9/9", "answers": {}},
-    )
-    forged = "".join(json.dumps(line) + "\n" for line in lines).encode()
-    forge = f"for fd in range(3, 64): works(os.write, fd, {forged!r})\nx = 5"
-    reply = caged(harvester, forge, "x = 7", setup=SETUP)
-    assert set(reply["receipts"]) == {"0/1", "0/2"}
-    assert reply["receipts"]["0/1"]["answers"] == {"x": 5.0}
-    assert set(reply["receipts"]["0/2"]) == {"id", "answers", "faults", "error"}
+    assert set(caged(harvester, "x = 1", "import os; os._exit(0)", "x = 3")["receipts"]) == {"0/1"}
 
 
 # -- without privileges, and without a cage
@@ -213,7 +199,7 @@ def test_a_forged_receipt_is_only_data_for_the_problem_it_names(harvester):
 def test_without_privileges_the_cage_is_as_tight():
     jobs = [job(c, setup=SETUP) for c in REACH.values()]
     for what, reply in zip(REACH, elsewhere(jobs, ordinary=True), strict=True):
-        if isinstance(reply, str):
+        if str(reply).startswith(REFUSED):
             pytest.skip(reply)
         given = reply["receipts"]["0/1"]
         assert given["answers"].get("x") in (0.0, None), (what, given)
@@ -230,25 +216,22 @@ def test_without_privileges_the_worker_survives_too():
         "no death with its parent", "daemon", "stops itself", "endless in C", "floods the receipts",
         "memory in pieces",
     ]  # fmt: skip
-    survives(names, ordinary=True)
+    assert after_each(names, ordinary=True) == ([{"x": 42.0}] * len(names), set())
 
 
-def survives(names, **options):
-    """After each of these cells the worker, elsewhere, serves on; nothing stays behind."""
+def after_each(names, **options):
+    """What the worker, elsewhere, answers after each of these cells, and what stays behind."""
     before = descendants()
     jobs = [job(x, setup="import os") for n in names for x in (ENDINGS[n], "x = 42")]
     replies = elsewhere(jobs, **options)
-    assert [r["receipts"]["0/1"]["answers"] for r in replies[1::2]] == [{"x": 42.0}] * len(names)
-    assert wait_until(lambda: descendants() <= before)
+    wait_until(lambda: descendants() <= before)
+    return [r["receipts"]["0/1"]["answers"] for r in replies[1::2]], descendants() - before
 
 
 def test_without_a_cage_the_reply_says_so_and_why():
     (reply,) = elsewhere([job("x = 42")], sandbox=False)
     assert reply["sandbox"] == "unsandboxed: asked for"
     assert reply["receipts"]["0/1"]["answers"] == {"x": 42.0}
-
-
-REFUSED = "this machine refuses the cage for student code ([Errno "
 
 
 def test_where_the_kernel_refuses_nothing_is_run_and_the_error_names_its_reason():
@@ -258,7 +241,7 @@ def test_where_the_kernel_refuses_nothing_is_run_and_the_error_names_its_reason(
     drop = "import ctypes; ctypes.CDLL(None).prctl(24, 21, 0, 0, 0); "
     drop += "d = (ctypes.c_uint32 * 6)(); ctypes.CDLL(None).capset((ctypes.c_uint32 * 2)(0x20080522, 0), d)"
     (error,) = elsewhere([job("open('/tmp/ran', 'w')")], before=drop)
-    assert error.startswith(REFUSED + "1] Operation not permitted), so nothing was run.")
+    assert error.startswith(REFUSED + " ([Errno 1] Operation not permitted), so nothing was run.")
     assert not Path("/tmp/ran").exists()
 
 
@@ -275,7 +258,7 @@ for name, text in (("setgroups", "deny"), ("uid_map", f"12345 {ids[0]} 1"), ("gi
     between = "open('/proc/sys/user/max_user_namespaces', 'w').write('0')"
     first, second = elsewhere([job("x = 1"), job("x = 2")], before=before, between=between)
     assert first["receipts"]["0/1"]["answers"] == {"x": 1.0}
-    assert second.startswith(REFUSED + "28] No space left on device), so nothing was run.")
+    assert second.startswith(REFUSED + " ([Errno 28] No space left on device), so nothing was run.")
 
 
 @pytest.mark.slow
@@ -288,7 +271,7 @@ def test_without_a_cage_the_worker_survives_and_nothing_is_left_running():
         "daemon", "fork bomb", "no death with its parent", "kills everybody", "stops itself",
         "floods the receipts", "endless loop that catches everything",
     ]  # fmt: skip
-    survives(names, sandbox=False)
+    assert after_each(names, sandbox=False) == ([{"x": 42.0}] * len(names), set())
     time.sleep(0.1)
     found = [p.read_text(errors="replace") for p in Path("/proc").glob("[0-9]*/status")]
     assert not [text for text in found if "Uid:\t10" in text and "python" in text[:40]]

@@ -32,8 +32,7 @@ def test_cells_of_the_student_run_in_their_place(harvester):
 
 def test_a_cell_between_answer_and_harvest_may_change_the_answer(harvester):
     givens, answer, harvest = problem("0/1", "x = 1")
-    cells = [givens, answer, own("x = x + 1"), harvest]
-    assert receipts(harvester, cells) == {"0/1": {"x": 2.0}}
+    assert receipts(harvester, [givens, answer, own("x = x + 1"), harvest]) == {"0/1": {"x": 2.0}}
 
 
 def test_the_givens_remove_the_answers_of_an_earlier_problem(harvester):
@@ -132,21 +131,6 @@ def test_the_text_of_a_test_is_nowhere_while_the_cells_run(harvester):
         reply = run_caged(harvester, cells)
         assert reply["tests"]["test-0"] == {"error": None, "value": "other"}
         assert reply["receipts"]["0/2"]["answers"] == {"x": 0.0}, reply
-
-
-FORGED = """
-import os
-for fd in range(3, 200):
-    try: os.write(fd, b'\\n{"token": "", "error": null, "value": 5}\\n')
-    except OSError: pass
-"""
-
-
-def test_an_outcome_that_is_written_ahead_earns_nothing(harvester):
-    cells = a_notebook_with(["assert f(2) == 5", "assert f(2) == 4"])
-    reply = run_caged(harvester, [own(FORGED), *cells])
-    assert reply["tests"]["test-0"]["error"] == "AssertionError, line 1: "
-    assert reply["tests"]["test-1"] == {"error": None, "value": None}
 
 
 def test_a_token_that_an_earlier_test_has_shown_is_worth_nothing():

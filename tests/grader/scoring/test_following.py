@@ -124,8 +124,7 @@ def test_in_every_problem_a_later_answer_follows_from_a_wrong_one(p, key):
     given = {name: list(x) if len(x) > 1 else x[0] for name, x in given.items()}
     part = judged(p, values, given, follow_through=0.5)[key]
     assert part.points == pytest.approx(part.out_of / 2), part
-    earned = f"it follows from your {first}, which earns {part.points:.3g} of"
-    assert earned in part.message
+    assert f"it follows from your {first}, which earns {part.points:.3g} of" in part.message
 
 
 # what follows is not written down, but the computation goes through the earlier answer

@@ -99,10 +99,7 @@ def test_a_wrong_formula_without_symbols_has_all_points(monkeypatch):
     p = problem("9/1")
     listed, name = p.code.mistakes, next(iter(p.mistakes))
     key = next(a.key for a in p.answers if a.kind.name == "vector_expression")
-
-    def nothing(g):
-        return {**listed(g), name: {key: p.code.solve(g)[key].frame.vector(0, 0, 0)}}
-
+    nothing = lambda g: {**listed(g), name: {key: p.code.solve(g)[key].frame.vector(0, 0, 0)}}
     monkeypatch.setattr(p.code, "mistakes", nothing)
     found = Numbers(p, p.book_values).wrong(key)
     assert {len(x) for _, x in found} == {POINTS}

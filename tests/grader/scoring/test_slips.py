@@ -157,8 +157,7 @@ def test_random_wrong_answers_are_hardly_ever_named(problems, share):
                     found[kind, "seen" if seen else "named"] += bool(part.causes)
     print(f"\nof {dict(tried)} random wrong answers {dict(found)}")
     assert sum(tried.values()) >= 40 * len(problems)
-    named = sum(n for (_, what), n in found.items() if what == "named")
-    assert named < share * sum(tried.values())
+    assert sum(n for (_, what), n in found.items() if what == "named") < share * sum(tried.values())
 
 
 def formulas_of(right):
@@ -234,10 +233,7 @@ def test_what_no_mistake_explains_is_described_and_the_key_is_not_told():
     values = draw(p, b"described")
     (right,) = numbers_of(p, values).key["v_D"]
     size = math.hypot(*right)
-
-    def part(x):
-        return score_receipt(p, values, {"answers": {"v_D": x}}).parts[1]
-
+    part = lambda x: score_receipt(p, values, {"answers": {"v_D": x}}).parts[1]
     assert part([0.36 * size, 0.48 * size, 0.8 * size]).message == f"not right; {DIRECTION.text}"
     assert part([1.015 * x for x in right]).message == f"not right; {NEAR.text}"
     assert part([1.5 * x for x in right]).message == "not right"

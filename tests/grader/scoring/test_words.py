@@ -52,6 +52,27 @@ def test_a_listed_wrong_count_is_named_with_all_mistakes_that_give_it(made):
     assert scored(p, dof=True)["dof"].diagnosis is None
 
 
+MISCOUNTS = [
+    ("5/22", 4, "forgets several constraints"),
+    ("5/22", 3, "gives the number of constraints"),
+    ("5/22", 8, "counts coordinates in space, and forgets several constraints"),
+    ("5/27", 0, "takes each constraint off twice"),
+    ("5/27", 1, "takes off a constraint too many"),
+    ("5/27", 6, "counts coordinates in space, and takes no constraint off"),
+    ("5/26", 6, "takes particles for bodies"),
+    ("5/25", 5, "forgets a constraint"),
+    ("5/25", 40, None),
+]
+
+
+@pytest.mark.parametrize(("name", "given", "says"), MISCOUNTS)
+def test_degrees_of_freedom_counted_wrongly_are_named_in_any_problem(name, given, says):
+    p = variants.problem(name)
+    (key, *_) = (a.key for a in p.answers)
+    found = score_receipt(p, {}, {"answers": {key: given}}).parts[0].diagnosis
+    assert found is None if says is None else says in found
+
+
 def test_every_listed_mistake_in_a_word_is_named_in_the_report(made):
     p = ball(made)
     assert diagnosis_shares([p], 1)[p.id] == {"named": 4}

@@ -6,7 +6,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import matplotlib
 import pytest
 
 from newton_euler.accuracy.catalogue import charts
@@ -17,7 +16,6 @@ from newton_euler.accuracy.measurements.honesty import COLUMNS
 from newton_euler.accuracy.measurements.regime_maps import MAPS
 from newton_euler.scenes import LADDERS, SCENES
 
-matplotlib.use("Agg")
 ROOT = Path(__file__).parents[3]
 
 
@@ -97,8 +95,7 @@ def test_without_click_or_rich_it_says_what_to_install(package):
 
 def test_a_map_is_drawn_by_the_command(tmp_path, capsys):
     assert run("map of steady precession", "--quick", "--out", str(tmp_path)) == 0
-    output = capsys.readouterr().out
-    assert "none: it nutates" in output
+    assert "none: it nutates" in capsys.readouterr().out
     assert (tmp_path / "map-of-steady-precession.png").stat().st_size > 10_000
 
 
@@ -114,8 +111,7 @@ def test_the_command_measures_prints_and_writes_picture_and_runs(tmp_path, capsy
     assert f"written: {path} and {path.with_suffix('.csv')}" in output.out
     assert {line.split()[0] for line in output.out.splitlines()[1:3]} == {"exact", "auto"}
     assert not output.err  # progress is for terminals
-    picture = path.read_text(encoding="utf-8")
-    assert picture.lstrip().startswith("<?xml")
+    assert path.read_text(encoding="utf-8").lstrip().startswith("<?xml")
     with open(path.with_suffix(".csv"), newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert tuple(rows[0]) == COLUMNS

@@ -5,7 +5,6 @@ import math
 from itertools import pairwise
 from types import SimpleNamespace
 
-import matplotlib
 import pytest
 from matplotlib.figure import Figure
 
@@ -26,7 +25,6 @@ from newton_euler.accuracy.measurements.honesty import (
 )
 from newton_euler.motion.solution import MotionError
 
-matplotlib.use("Agg")
 SCENE = "sphere on an incline"
 
 

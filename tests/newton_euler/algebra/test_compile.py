@@ -349,7 +349,7 @@ def test_parameters_fixed_at_compile_time():
     f = compiled(lambda x, n, scale: scale * x**n, n=3, scale=np.float64(0.5))
     assert f.parameters == ["x"]
     assert f(2.0) == 4.0
-    with pytest.raises(TypeError, match="unexpected keyword argument 'm'"):
+    with pytest.raises(TypeError, match="has no argument 'm'"):
         compiled(lambda x: x, m=3)
 
 
@@ -369,9 +369,7 @@ def test_names_of_arguments_do_not_collide_with_names_inside(names):
 
 
 def test_defaults_and_keyword_arguments():
-    def f(x, /, y=2.0, *, z=3.0):
-        return x + 10 * y + 100 * z
-
+    f = lambda x, /, y=2.0, *, z=3.0: x + 10 * y + 100 * z
     g = compiled(f)
     assert g(1.0) == f(1.0)
     assert g(1.0, z=4.0) == f(1.0, z=4.0)
@@ -461,11 +459,11 @@ def test_pi_of_math_and_numpy_in_a_formula_is_a_number():
             lambda x: None, lambda x: "text", lambda x: (x, None), lambda x: Frame("g"),
             lambda x: Frame("g").point("P", x, 0, 0),
         )),
-        (lambda x: x / ZERO, ZeroDivisionError, "zero by the structure of the formula"),
+        (lambda x: x / ZERO, ZeroDivisionError, "is divided by a structural zero"),
         (lambda x: x + "1", ScalarError, "expected a number"),
-        (lambda x: x * np.array([1.0, 2.0]), ScalarError, "make the array an argument"),
+        (lambda x: x * np.array([1.0, 2.0]), ScalarError, "pass it as an argument"),
         (lambda x: compiled(lambda y: x * y)(2.0), ScalarError,
-         "is used inside another that is being compiled"),
+         "a value of another formula is used here"),
         (lambda *x: x[0], TypeError, "names all its arguments"),
         (lambda **x: 1.0, TypeError, "names all its arguments"),
     ],
@@ -476,7 +474,7 @@ def test_what_cannot_be_compiled_is_refused_while_tracing(f, error, message):
 
 
 def test_constants_and_backends_that_do_not_exist_are_refused():
-    with pytest.raises(ScalarError, match="make the array an argument"):
+    with pytest.raises(ScalarError, match="pass it as an argument"):
         compiled(lambda x, m: m * x, m=np.array([1.0, 2.0]))
     with pytest.raises(ValueError, match="backend must be 'auto', 'numpy' or 'heyoka', got 'cuda'"):
         compiled(lambda x: x, backend="cuda")
@@ -486,8 +484,7 @@ def test_without_heyoka_the_backend_says_how_to_get_it_and_auto_goes_on(monkeypa
     monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None)
     monkeypatch.setattr("newton_euler.algebra.compile.HEYOKA_BREAK_EVEN", {True: 0, False: 0})
     x = np.array([1.0, 2.0])
-    advice = "pip install heyoka, or use backend='auto'"
-    with pytest.raises(ImportError, match=rf"backend='heyoka' needs heyoka: {advice}"):
+    with pytest.raises(ImportError, match="backend='heyoka' needs heyoka: pip install heyoka"):
         compiled(lambda x: x + 1, backend="heyoka")(x)
     assert compiled(lambda x: x + 1, backend="auto")(x).tolist() == [2.0, 3.0]
 
@@ -565,27 +562,7 @@ def test_a_call_leaves_the_globals_of_the_text_as_they_were(kind):
 
 def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
     inner = compiled(lambda x: pi(x) * x)
-    outer = compiled(lambda y: inner(moving(y, 1.0)).value)
-    assert abs(outer(mpmath.mpf(1)) - mpmath.pi) < 1e-28
-
-
-def _complains(x):
-    raise ValueError(f"no such place as {x}")
-
-
-@pytest.mark.parametrize(
-    ("f", "error"),
-    [
-        (lambda x: x + {"a": 1}["Step"], KeyError),  # reads as the name of a class of ours
-        (lambda x: x + int("ufunc"), ValueError),
-        (lambda x: {}.real_part, AttributeError),
-        (_complains, ValueError),
-    ],
-)
-def test_an_error_of_the_function_itself_is_raised_as_it_is(f, error):
-    with pytest.raises(error) as found:
-        compiled(f)
-    assert type(found.value) is error
+    assert abs(compiled(lambda y: inner(moving(y, 1.0)).value)(mpmath.mpf(1)) - mpmath.pi) < 1e-28
 
 
 @pytest.mark.parametrize("f", [lambda x: x.real_part, lambda x: {1: 2}[x], lambda x: x @ x])

@@ -126,17 +126,13 @@ def test_traced_integrals_in_integrals():
 
 
 def test_an_inner_integral_that_needs_the_outer_variable_only_on_its_way_compiles():
-    def nested(a):
-        return integral(lambda s: s * integral(lambda p: (s * p, a)[1], 0, 1), 0, a)
-
+    nested = lambda a: integral(lambda s: s * integral(lambda p: (s * p, a)[1], 0, 1), 0, a)
     assert nested(2.0) == pytest.approx(4, rel=1e-14)  # a^3/2
     assert compiled(nested)(2.0) == pytest.approx(4, rel=1e-14)
 
 
 def test_a_motion_from_an_acceleration_of_the_place_compiles():
-    def time(a, s, v):
-        return from_place(lambda x: a, s, v0=v)[1]
-
+    time = lambda a, s, v: from_place(lambda x: a, s, v0=v)[1]
     assert compiled(time)(1.0, 2.0, 3.0) == pytest.approx(time(1.0, 2.0, 3.0), rel=1e-12)
 
 

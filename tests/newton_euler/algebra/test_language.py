@@ -76,8 +76,7 @@ def test_what_a_file_has_in_place_of_words_is_not_read(data):
 
 
 def test_a_template_reaches_its_values_and_nothing_of_them():
-    hostile = words(["{x.__class__} {x.what} {0} {y}", {"x": "a: b"}])
-    assert hostile == "{x.__class__} a {0} {y}"
+    assert words(["{x.__class__} {x.what} {0} {y}", {"x": "a: b"}]) == "{x.__class__} a {0} {y}"
 
 
 def test_values_with_braces_are_not_filled_in_again():

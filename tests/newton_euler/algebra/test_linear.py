@@ -160,9 +160,7 @@ def test_functions_of_time_and_symengine_are_seen_by_value_too():
 
 
 def test_traced_formulas_run_on_floats_and_arrays():
-    def slide(m, g, t):
-        return tuple(solve_linear(laws(m, g, 0.1, t)))
-
+    slide = lambda m, g, t: tuple(solve_linear(laws(m, g, 0.1, t)))
     fast = compiled(slide)
     assert close(fast(2.0, 9.81, 0.3), slide(2.0, 9.81, 0.3), 1e-14)
     angles = np.array([0.3, 0.4])
@@ -275,9 +273,7 @@ def test_small_units_are_no_rounding():
 
 
 def test_arrays_without_a_common_pivot_are_solved_instant_by_instant():
-    def mixed(x):
-        return lambda a, b: {"p": x * a + (1 - x) * b - 1.0, "q": (1 - x) * a + x * b - 2.0}
-
+    mixed = lambda x: lambda a, b: {"p": x * a + (1 - x) * b - 1.0, "q": (1 - x) * a + x * b - 2.0}
     x = np.array([1.0, 0.0, 2.0])
     s = solve_linear(mixed(x))
     for n, value in enumerate(map(float, x)):

@@ -142,7 +142,7 @@ def test_what_has_no_root_is_refused_in_words():
         root(lambda x: x * x + 1, 0.0, 1.0)
     with pytest.raises(SingularError, match="no root is enclosed"):
         root(lambda x: 1e-200 * (x + 1), 0.0, 1.0)
-    with pytest.raises(ScalarError, match="has no formula in general: put numbers in"):
+    with pytest.raises(ScalarError, match=r"put numbers in: .* has no formula in general"):
         root(lambda x: cos(x) - sympy.Symbol("k"), 0, 1)
     with pytest.raises(ScalarError, match="no root that can be found"):
         root(lambda x: x - LinearForm(1.0, (1.0,)), 0.0, 1.0)

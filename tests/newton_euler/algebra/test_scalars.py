@@ -5,8 +5,6 @@ derivatives, dimensions.
 import copy
 import math
 import pickle
-import subprocess
-import sys
 from fractions import Fraction
 
 import mpmath
@@ -85,7 +83,7 @@ def test_zero_swallows_products_and_quotients(x):
 def test_dividing_by_zero_is_refused_in_words(x):
     with pytest.raises(
         ZeroDivisionError,
-        match="is divided by a quantity that is zero by the structure of the formula",
+        match="is divided by a structural zero",
     ):
         x / ZERO
 
@@ -303,9 +301,7 @@ def test_moving_numbers_against_mpmath_in_composites(name, t):
 @pytest.mark.parametrize("name", FUNCTIONS)
 @pytest.mark.parametrize("t", ["0.05", "0.3", "0.8"])
 def test_moving_numbers_against_mpmath_for_each_function(name, t):
-    def f(t):
-        return function(name, t * t / 3 + t / 2)
-
+    f = lambda t: function(name, t * t / 3 + t / 2)
     assert is_differentiated(f, mpmath.mpf(t), 1e-24)
     assert is_differentiated(f, float(t), 1e-13)
 
@@ -361,7 +357,7 @@ def test_the_size_of_a_moving_number_has_the_rates_of_its_sign():
 
 def test_the_size_of_a_moving_number_has_no_rate_at_zero():
     assert abs(Moving(0.0)).value == 0
-    with pytest.raises(ZeroDivisionError, match=r"rate of abs\(x\) does not exist where x = 0"):
+    with pytest.raises(ZeroDivisionError, match=r"abs\(x\) has no rate where x = 0"):
         abs(Moving(0.0, 1.0))
 
 
@@ -448,9 +444,7 @@ def test_unlike_dimensions_do_not_add():
         lambda: MASS + LENGTH * MASS, lambda: LENGTH + np.zeros(3),
         lambda: scalars.atan2(LENGTH, TIME),
     ):  # fmt: skip
-        with pytest.raises(
-            DimensionError, match=r"cannot add .*: look at the units of the two terms"
-        ):
+        with pytest.raises(DimensionError, match=r"cannot add .*: look at the units"):
             wrong()
 
 
@@ -458,7 +452,7 @@ def test_unlike_dimensions_do_not_add():
 def test_functions_take_pure_numbers_only(name):
     with pytest.raises(
         DimensionError,
-        match=rf"{name} of a quantity in m: its argument must be a pure number",
+        match=rf"{name} of a quantity in m: it must be a pure number",
     ):
         function(name, LENGTH)
     assert function(name, Dimension()) == Dimension()
@@ -510,32 +504,8 @@ def test_a_choice_between_unlike_quantities_is_refused():
 
 
 def test_a_branch_on_dimensions_is_referred_to_where():
-    with pytest.raises(DimensionError, match=r"choose by where\(x < y, a, b\), or in a function"):
+    with pytest.raises(DimensionError, match=r"choose by where\(x < y, a, b\)"):
         max(LENGTH, 2 * LENGTH)
-
-
-# -- weight
-
-
-HEAVY = "sympy scipy matplotlib heyoka mpmath numpy symengine numba IPython"
-
-
-@pytest.mark.parametrize(
-    ("program", "needed"),
-    [
-        ("import newton_euler", ""),
-        ("import numpy as np; from newton_euler import *; f = compiled(lambda w: "
-         "Frame('g').rotate('a', 'z', rate=w).i.norm()); f(1.0); f(np.zeros(5))", "numpy"),
-    ],
-    ids=["importing the engine", "floats, arrays and tracing"],
-)  # fmt: skip
-def test_none_of_the_heavy_libraries_is_loaded_before_it_is_needed(program, needed):
-    """What a student waits for is import time."""
-    program = f"import sys; {program}; print(*(m for m in {HEAVY.split()} if m in sys.modules))"
-    out = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, check=True
-    )
-    assert out.stdout.strip() == needed
 
 
 def test_at_of_an_mpf_keeps_its_digits_where_constants_are_floats():

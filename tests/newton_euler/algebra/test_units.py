@@ -108,8 +108,7 @@ def test_dimensions_follow_the_text():
 
 
 def test_arrays_of_whole_numbers_do_not_overflow():
-    newtons = Unit("lb").to_base(np.array([10**7]))
-    assert newtons[0] == pytest.approx(4.4482216152605e7)
+    assert Unit("lb").to_base(np.array([10**7]))[0] == pytest.approx(4.4482216152605e7)
 
 
 @pytest.mark.parametrize(

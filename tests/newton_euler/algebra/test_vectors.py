@@ -53,13 +53,6 @@ def test_vectors_of_two_frames_combine_in_the_frame_of_the_left_one():
     assert close(a.cross(b), -(b.cross(a)).expressed_in(ground))
 
 
-def test_direction_and_angle():
-    assert close(ground.vector(3.0, 0, 4.0).direction(), (0.6, 0, 0.8))
-    assert ground.i.angle_to(ground.j) == pytest.approx(math.pi / 2)
-    assert ground.i.angle_to(-ground.i) == math.pi
-    assert ground.i.angle_to(2.0 * ground.i) == 0
-
-
 @given(triples, triples)
 def test_the_angle_between_vectors_lies_in_0_to_pi_and_does_not_depend_on_order(a, b):
     a, b = ground.vector(*a), ground.vector(*b)
@@ -194,8 +187,7 @@ def test_explain_prints_the_equation_its_number_and_every_term():
 
 def test_explain_shows_latex_in_jupyter():
     arm, a = moving_arm()
-    shown = a.explain("m/s^2")._repr_mimebundle_()
-    assert set(shown) == {"text/plain", "text/latex"}
+    assert set(a.explain("m/s^2")._repr_mimebundle_()) == {"text/plain", "text/latex"}
     latex = a.explain().latex
     assert latex.count("{") == latex.count("}")
     assert r"\tag{4.18}" in latex
@@ -377,10 +369,7 @@ def test_eqn_A_17_to_A_21_rates_and_product_rules(kind):
     P, Q, u, t = functions(kind)
     p, q, v = vector_at(P, t), vector_at(Q, t), at(u, t)
     dp, dq = p.rate(ground), q.rate(ground)
-
-    def written_out(component):
-        return tuple(at(component(n), t).rate for n in range(3))
-
+    written_out = lambda component: tuple(at(component(n), t).rate for n in range(3))
     tiny = small(kind)
     assert close((p + q).rate(ground), written_out(lambda n: lambda s: P[n](s) + Q[n](s)), tiny)
     assert close((v * p).rate(ground), written_out(lambda n: lambda s: u(s) * P[n](s)), tiny)

@@ -52,8 +52,7 @@ def test_an_answer_given_again_costs_nothing_and_a_right_one_never_does(clock):
 
 def test_components_in_several_frames_are_several_guesses(clock):
     sealed = seal(VECTOR, [1.0, 2.0, 2.0])
-    four = {str(n): [1.0, 2.0, -n] for n in range(1, 5)}
-    assert check(sealed, VECTOR, four).wrong == 4
+    assert check(sealed, VECTOR, {str(n): [1.0, 2.0, -n] for n in range(1, 5)}).wrong == 4
 
 
 @pytest.mark.parametrize("between", [

@@ -78,8 +78,6 @@ def named(key, wrong, slips=None):
     [
         ("lever", F * L / 2, "takes L/2 for L + d"),
         ("rods", rho * d * d + rho * L * L, "takes rho for a mass"),
-        ("masses", m1 * L + 2 * m1 * d + 3 * m2 * d, "takes m1 for m2, and so on"),
-        ("masses", m3 * L + 2 * m1 * d + 3 * m2 * d, "takes m1 for m2, and so on"),
         ("disk", m * d**2 / 4, "takes the factor 1 for 1/2 in a moment of inertia"),
         ("energy", m * L**2 * omega**2 / 6, "takes the factor 1/3 for 1 in a moment of inertia"),
         ("cone", F * L * 2 / 3, "that is the centre of a triangle"),
@@ -90,7 +88,6 @@ def named(key, wrong, slips=None):
         ("double", F * math.cos(2 * theta), "takes cos(2*theta) for cos(theta)^2"),
         ("plain", F * L * math.sin(theta), "takes the component F*sin(theta) for F"),
         ("axes", L * COS**2 + d * SIN**2 + L * COS, "exchanges sin(theta) and cos(theta) in a sum"),
-        ("root", theta + math.pi - math.asin(d / L), "takes the supplement of asin(d/L)"),
         ("legs", F * (2 * L - d) / (L + d), "inverts the ratio of L + d to 2*L - d"),
     ],
 )

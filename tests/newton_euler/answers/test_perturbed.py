@@ -12,7 +12,7 @@ from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI, unit
 from newton_euler.answers.diagnosis import diagnose
 from newton_euler.answers.edits_of_equations import SLIPS, solution
-from newton_euler.answers.edits_of_givens import of_integrand
+from newton_euler.answers.edits_of_givens import of_integral
 from newton_euler.answers.formulas import Formulas, Stage, Traced
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.near import NO_SLIPS
@@ -196,7 +196,7 @@ def test_ratios_roots_and_differences(parts, wrong, words):
 
 
 def test_the_factor_of_a_power_that_an_integral_divides_by_may_be_another():
-    slips = of_integrand(Trace().new("argument", "b"))
+    slips = of_integral(Trace().new("argument", "b"))
     factors = {expression[-1] for *_, expression in slips}
     assert {3.0, 1 / 3, 4.0, 1.5, 4 / 3} < factors  # t^3/3, t^4/12 as t^4/4 and t^4/8, t^5/15
 
@@ -259,7 +259,7 @@ def test_a_given_may_be_handed_back_and_a_vector_turned():
     assert "takes p and q with the opposite sign" in found
 
 
-def test_a_symbol_stands_for_any_other_and_for_the_sum_with_one_of_its_unit():
+def test_a_symbol_stands_for_any_other():
     units = {"r": "m", "e": "m", "k": "s"}
     trace = Trace()
     given = {n: trace.new("argument", n) for n in units}
@@ -268,9 +268,7 @@ def test_a_symbol_stands_for_any_other_and_for_the_sum_with_one_of_its_unit():
         slips = Computation(Formulas(answers, units, SI, symbols=symbols, given=given))
         found = [e.cause.what for e in slips.edits]
         assert ("takes k for r" in found) == there
-        assert ("takes r + e for r" in found) == there
-    rows = Perturbed(slips, {"r": 1.3, "e": 2.3, "k": 3.3}).at("x", 0)
-    assert len(rows) == len(found)
+    assert len(Perturbed(slips, {"r": 1.3, "e": 2.3, "k": 3.3}).at("x", 0)) == len(found)
 
 
 @pytest.mark.parametrize("name", ["v", "u_1"])

@@ -82,8 +82,7 @@ def values_of(tree, *x):
 def test_the_logarithm_of_a_negative_number_may_stand_where_the_formula_is_real():
     square = ["exp", ["*", 2, ["log", "x"]]]  # x^2
     assert values_of(square, -3.0, 2.0) == pytest.approx([9.0, 4.0])
-    root = ["^", ["^", "x", 0.5], 2]
-    assert values_of(root, -3.0, 2.0) == pytest.approx([-3.0, 2.0])
+    assert values_of(["^", ["^", "x", 0.5], 2], -3.0, 2.0) == pytest.approx([-3.0, 2.0])
 
 
 def test_a_formula_that_is_not_real_has_no_number_there():

@@ -87,8 +87,7 @@ def test_an_answer_that_follows_from_a_wrong_one_is_recognised():
     assert why.earlier == ("v",)
     assert why.message == "not right; it follows from your v"
     assert why.diagnosis == "follows from a wrong v"
-    word = explained(Fall(), "sense", {"v": -6.0, "sense": "rises"})
-    assert word.earlier == ("v",)
+    assert explained(Fall(), "sense", {"v": -6.0, "sense": "rises"}).earlier == ("v",)
 
 
 class There(Fall):

@@ -84,8 +84,7 @@ def test_section_10_1_without_a_point_at_rest_the_axis_is_that_of_the_screw(kind
 def test_eqn_10_1_and_10_2_the_precessing_frame_turns_about_vertical_and_line_of_nodes(kind):
     ground, body, angles, _, _ = top_of(kind)
     (_, dpsi, _), (theta, dtheta, _), nodal = angles["psi"], angles["theta"], body.parent
-    omega = nodal.angular_velocity(ground)
-    assert close(omega, dpsi * ground.k + dtheta * nodal.i, small(kind))
+    assert close(nodal.angular_velocity(ground), dpsi * ground.k + dtheta * nodal.i, small(kind))
     assert close(ground.k.expressed_in(nodal), (0, sin(theta), cos(theta)), small(kind))
 
 
@@ -172,7 +171,7 @@ def test_eqn_10_25_against_lagranges_equations():
 
 def test_a_frame_not_made_of_euler_angles_is_refused():
     ground = Frame("ground")
-    with pytest.raises(FrameError, match="wheel is not spun about the z axis of a frame above it"):
+    with pytest.raises(FrameError, match="make wheel by euler_frame"):
         gyro_moment(ground.rotate("wheel", "x", rate=1.0), ground, 1.0, 1.0)
 
 
@@ -248,9 +247,7 @@ def test_eqn_10_33_has_the_units_of_a_rate():
 
 
 def test_steady_precession_can_be_compiled():
-    def slow(I0, spin):
-        return steady_precession(I0, 0.25, 0.9, spin=spin, mgr=1.5).slow
-
+    slow = lambda I0, spin: steady_precession(I0, 0.25, 0.9, spin=spin, mgr=1.5).slow
     assert compiled(slow)(0.6, -12.0) == pytest.approx(slow(0.6, -12.0), rel=1e-15)
 
 
@@ -327,8 +324,7 @@ def test_below_the_least_spin_there_is_no_steady_precession_and_above_there_is(o
     assert at_rate(1).discriminant >= 0
     for rate in map(mp.mpf, (above.slow, above.fast)):
         spin = (1 + off) * least - (rate * mp.cos(0.9) if of == "omega_z" else 0)
-        moment = steady_moment(*top, rate, spin)
-        assert abs(moment / (1.5 * mp.sin(0.9)) - 1) < 1e-14
+        assert abs(steady_moment(*top, rate, spin) / (1.5 * mp.sin(0.9)) - 1) < 1e-14
     words = rf"negative; {of} must be at least {least:.6g} rad/s in size"
     with pytest.raises(GyroError, match=words):
         at_rate(1 - off)
@@ -362,23 +358,23 @@ def leaning_rates():
 
 
 @pytest.mark.parametrize(("ask", "words"), [
-    (lambda: instantaneous_axis(*resting_box()), "box does not turn in ground at this instant"),
+    (lambda: instantaneous_axis(*resting_box()), "box does not turn in ground"),
     (lambda: normal_moment(*leaning_rates()), "are not at right angles"),
     (lambda: steady_precession(1.0, 2.1, 1.0, spin=1.0, mgr=0.1), "no body of revolution has I = 2.1"),
     (lambda: steady_precession(0.0, 1.0, 1.0, spin=1.0, mgr=0.1), "I0 must be positive"),
     (lambda: steady_precession(1.0, -0.1, 1.0, spin=1.0, mgr=0.1), "no body of revolution"),
     (lambda: steady_precession(0.6, 0.25, 0.9, spin=np.array([12.0, 0.1]), mgr=1.5), "no steady precession is possible"),
-    (lambda: steady_precession(1.0, 1.0, 1.0, spin=0.0, mgr=1.0), "without spin a body at this angle can hold no moment"),
+    (lambda: steady_precession(1.0, 1.0, 1.0, spin=0.0, mgr=1.0), "without spin the body can hold no moment"),
     (lambda: steady_precession(1.0, 0, 0.5, spin=100.0, mgr=1.0), "without I no spin helps"),
     (lambda: steady_precession(1.0, 1.0, 1.0, spin=1.0), "give one of mgr"),
     (lambda: steady_precession(1.0, 1.0, 1.0, mgr=1.0), "give either spin"),
-    (lambda: steady_precession(1.0, 1.0, 0.0, spin=1.0, moment=1.0), "there is no line of nodes to have a moment about"),
+    (lambda: steady_precession(1.0, 1.0, 0.0, spin=1.0, moment=1.0), "no line of nodes at theta = .* to have a moment about"),
     (lambda: steady_spin(1.0, 1.0, 1.0, 0.0, mgr=1.0), "the precession is zero"),
     (lambda: least_spin(1.0, 1.0, 1.0, mgr=1.0, of="omega"), "of= is 'spin'"),
     (lambda: fast_spin(0.6, 0.25, 0.9, 0.0, mgr=1.5), "approximations for a fast spin"),
     (lambda: free_precession(1.0, 1.0, 0.4, 10.0), "with I = I0 there is no precession"),
-    (lambda: free_precession(1.0, 0.3, math.pi / 2, 10.0), "is pi/2: H has no component along the axis"),
-    (lambda: nutation(0.6, 0.25, 1.5, sympy.Symbol("theta"), 0.0, 0.0, spin=20.0), "roots of a cubic with expressions"),
+    (lambda: free_precession(1.0, 0.3, math.pi / 2, 10.0), "is pi/2: H has no axial component"),
+    (lambda: nutation(0.6, 0.25, 1.5, sympy.Symbol("theta"), 0.0, 0.0, spin=20.0), "the limits of nutation need numbers"),
     (lambda: nutation(0.6, 0.25, 1.5, 0.9, 0.0, 0.0), "give either spin"),
 ])  # fmt: skip
 def test_what_does_not_exist_or_is_not_given_is_refused_in_words(ask, words):
@@ -459,10 +455,7 @@ def test_the_stiffness_is_the_curvature_of_the_effective_potential(theta, which)
     dpsi = getattr(found, which)
     h = I * wz
     p = I0 * dpsi * mp.sin(theta) ** 2 + h * mp.cos(theta)
-
-    def U(x):
-        return (p - h * mp.cos(x)) ** 2 / (2 * I0 * mp.sin(x) ** 2) + mgr * mp.cos(x)
-
+    U = lambda x: (p - h * mp.cos(x)) ** 2 / (2 * I0 * mp.sin(x) ** 2) + mgr * mp.cos(x)
     with mp.workdps(50):
         curvature = mp.diff(U, theta, 2) / I0
     true = found.stiffness[0 if which == "slow" else 1]

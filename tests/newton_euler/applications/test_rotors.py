@@ -193,12 +193,12 @@ def test_corrections_as_formulas():
 
 @pytest.mark.parametrize(("ask", "words"), [
     (lambda s, A, B, W: shaft_axis(A, s.point("C", -0.2, 0, 0)), "bearings A and C coincide, and one point is no axis"),
-    (lambda s, A, B, W: corrections(W, A, B, (0.1, 0.1)), r"planes coincide, at 0\.1 and 0\.1 from A"),
+    (lambda s, A, B, W: corrections(W, A, B, (0.1, 0.1)), r"two different planes are needed; got 0\.1 and 0\.1"),
     (lambda s, A, B, W: balancing_masses(W, A, B, (0.1, 0.2), radius=0),
      r"radius of the balancing weights must be positive, got 0: on the axis"),
     (lambda s, A, B, W: balancing_masses(W, A, B, (0.1, 0.2), mass=(0.1, -0.1)),
      r"mass of the balancing weights must be positive, got -0\.1"),
-    (lambda s, A, B, W: balancing_masses(W, A, B, (0.1, 0.2), radius=0.1, mass=0.1), "give either the radius"),
+    (lambda s, A, B, W: balancing_masses(W, A, B, (0.1, 0.2), radius=0.1, mass=0.1), "give either radius="),
     (lambda s, A, B, W: reactions(W, A, B, s.parent, about=s.point("Q", 0, 0.1, 0)), r"Q lies 0\.1 off the axis"),
     (lambda s, A, B, W: reactions(W, s.point("A", -0.2, 0.1, 0), s.point("B", 0.3, 0.1, 0), s.parent), "the velocity of A"),
 ])  # fmt: skip
@@ -223,6 +223,6 @@ def test_balance_of_expressions_is_refused_and_imbalance_is_not():
     shaft, d = Frame("shaft"), sympy.Symbol("d")
     wheel = Body("wheel", 1, shaft.point("G", 0, d, 0), (1, 1, 1))
     A, B = shaft.point("A", -1.0, 0, 0), shaft.point("B", 1.0, 0, 0)
-    with pytest.raises(RotorError, match="depends on the values of its expressions"):
+    with pytest.raises(RotorError, match="depends on expressions"):
         balance(wheel, A, B)
     assert sympy.simplify(imbalance(wheel, A, B).static.y - d) == 0

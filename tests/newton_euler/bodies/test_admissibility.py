@@ -49,8 +49,7 @@ def test_the_slack_is_added_to_the_tolerance():
     for miss, fits in ((0.99, True), (1.01, False)):
         assert (not refused((1.0, 1.0, 2.0 + 2 * miss * SLACK), slack=SLACK)) == fits
         both = miss * (SLACK + 2 * TOLERANCE / (1 - 2 * TOLERANCE))
-        found = refused((1.0, 1.0, 2.0 + 2 * both), tolerance=TOLERANCE, slack=SLACK)
-        assert (not found) == fits
+        assert (not refused((1.0, 1.0, 2.0 + 2 * both), tolerance=TOLERANCE, slack=SLACK)) == fits
 
 
 @pytest.mark.parametrize("place", range(3))
@@ -156,7 +155,7 @@ def test_what_must_be_positive_is_positive_and_finite(x):
 @pytest.mark.parametrize("mass", [0.0, -2.0])
 def test_the_mass_of_an_inertia_is_positive_and_its_moments_are_finite(mass):
     body = Frame("body")
-    with pytest.raises(MassError, match=r"the mass is .*; it must be positive"):
+    with pytest.raises(MassError, match=r"the mass must be positive"):
         Inertia(body, (1.0, 1.0, 1.0), mass=mass)
     for place in range(3):
         moments = [1.0, 1.0, 1.0]
@@ -183,8 +182,7 @@ def test_a_body_of_which_nearly_all_is_cut_out_has_the_slack_of_what_was_subtrac
     whole, hole = (
         disk(r, O, "z", mass=r * r, name=f"disk {n}") for n, r in enumerate((1.0, 1.0 - 1e-9))
     )
-    ring = composite("ring", [whole], removed=[hole])
-    assert ring.mass == pytest.approx(2e-9, rel=1e-6)
+    assert composite("ring", [whole], removed=[hole]).mass == pytest.approx(2e-9, rel=1e-6)
 
 
 def test_a_hole_that_is_a_little_too_large_is_no_round_off():

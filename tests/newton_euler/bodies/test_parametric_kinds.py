@@ -104,14 +104,6 @@ def test_dimensions(case):
     assert {c for c in inertia if c != 0} == {MASS * LENGTH**2}
 
 
-def test_thirty_digits_of_a_dome_all_round():
-    with mpmath.mp.workdps(30):
-        R = mpmath.mpf(2)
-        dome = lambda t, p: (R * sin(t) * cos(p), R * sin(t) * sin(p), R * cos(t))
-        _, _, _, z, *_ = summary(dome, (0, pi(R) / 2), (0, 2 * pi(R)), density=1)
-        assert abs(z - 1) < mpmath.mpf(10) ** -27
-
-
 def test_unlike_dimensions_do_not_make_a_body():
     with pytest.raises(DimensionError, match="cannot add"):
         cone(LENGTH, MASS, MASS)
@@ -123,13 +115,6 @@ def test_symbols_give_formulas_without_being_asked(case):
     symbols = sympy.symbols(f"a:{len(given)}", positive=True)
     found, expected = body(*symbols), by_hand(*symbols)
     assert [sympy.simplify(x - y) for x, y in zip(found, expected, strict=True)] == [0] * 10
-
-
-def test_a_wire_of_every_kind():
-    expected = np.pi, 4 / np.pi, 4 / np.pi, 0, 2 * np.pi, 2 * np.pi, 4 * np.pi, 4, 0, 0
-    assert close(wire(2.0), expected, 1e-13)
-    assert close(compiled(wire)(2.0), expected, 1e-13)
-    assert close([np.broadcast_to(x, 2)[1] for x in wire(np.array([1.0, 2.0]))], expected, 1e-13)
 
 
 def test_a_body_that_does_not_settle_or_moves_is_refused():

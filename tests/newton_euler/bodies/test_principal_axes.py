@@ -43,8 +43,7 @@ def test_eqn_7_15_to_7_19_about_a_principal_axis_H_is_parallel_to_omega(kind):
         assert close(axis.norm(), 1, small)
     (e, f, g) = p.axes
     assert close(e.cross(f), g, small)  # right-handed and at right angles
-    q = I.expressed_in(I.frame)
-    assert q is I
+    assert I.expressed_in(I.frame) is I
 
 
 @every_kind
@@ -251,5 +250,5 @@ def test_symmetry_in_symbols_is_seen_by_form():
 
 
 def test_symmetry_of_many_matrices_is_refused():
-    with pytest.raises(MassError, match="not one symmetry; ask for each instant"):
+    with pytest.raises(MassError, match="a symmetry at each instant: ask for one"):
         Inertia(Frame("body"), (np.array([8.0, 9.0]), 11.0, 11.0)).symmetry()

@@ -233,19 +233,19 @@ def test_simplex_between_points_anywhere(kind, corners):
 
 
 @pytest.mark.parametrize(("make", "error", "words"), [
-    (lambda F: B.disk(-1.0, F, mass=1.0), MassError, "the radius of disk must be positive, got -1.0; to cut something out"),
+    (lambda F: B.disk(-1.0, F, mass=1.0), MassError, "the radius of disk must be positive, got -1.0; cut out by"),
     (lambda F: B.tube(1.0, 0.5, 1.0, F, mass=1.0), MassError, "the wall of tube must be positive"),
-    (lambda F: B.disk(1.0, F), MassError, "disk needs either mass=... or density=... .* got none"),
-    (lambda F: B.disk(1.0, F, mass=1.0, density=1.0), MassError, "disk needs either mass=... or density=... .* not both"),
+    (lambda F: B.disk(1.0, F), MassError, "disk needs either mass= or density= .* got none"),
+    (lambda F: B.disk(1.0, F, mass=1.0, density=1.0), MassError, "disk needs either mass= or density= .* not both"),
     (lambda F: B.disk(1.0, F, mass=0), MassError, "the mass of disk must be positive, got 0"),
     (lambda F: B.rod(math.nan, F, mass=1.0), MassError, "the length of rod must be positive, got nan"),
     (lambda F: B.disk(1.0, F, "q", mass=1.0), MassError, "an axis is 'x', 'y', 'z' or one of them with a minus sign, got 'q'"),
     (lambda F: B.half_disk(1.0, F, "x", "-x", mass=1.0), MassError,
-     "half disk lies in the plane normal to 'x' and cannot be directed toward '-x'"),
-    (lambda F: B.simplex(F.origin, mass=1.0), MassError, "a simplex has two, three or four corners, all Points; got 1"),
+     "half disk, normal to 'x', cannot be directed toward '-x'"),
+    (lambda F: B.simplex(F.origin, mass=1.0), MassError, "a simplex has two to four corners, all Points; got "),
     (lambda F: B.simplex(*(F.point("P", x, 0, 0) for x in (0.0, 1.0, 2.0)), density=1.0), MassError,
      "the mass of triangle must be positive, got 0"),
-    (lambda F: B.disk(1.0, (0, 0, 0), mass=1.0), FrameError, r"place of disk is a Point or a Frame, .* got \(0, 0, 0\)"),
+    (lambda F: B.disk(1.0, (0, 0, 0), mass=1.0), FrameError, r"place of disk is a Point or a Frame; got \(0, 0, 0\)"),
 ])  # fmt: skip
 def test_solids_that_do_not_exist_are_refused(make, error, words):
     with pytest.raises(error, match=words):

@@ -107,8 +107,8 @@ def test_progress_is_reported_up_to_the_last_step():
         ({"times": [0, 2, 1]}, "increase; got 2.0 and then 1.0"),
         ({"times": [0, math.nan]}, "finite and increase; got 0.0 and then nan"),
         ({"times": 3}, "numbers of seconds; got 3"),
-        ({"times": [0, 1], "speed": 0}, "positive number; got 0"),
-        ({"times": [0, 1], "draw": lambda t, ax: None}, r"with Sketch\(ax, ...\) on the axes it is given, and did not at t = 0 s"),
+        ({"times": [0, 1], "speed": 0}, "positive; got 0"),
+        ({"times": [0, 1], "draw": lambda t, ax: None}, r"with Sketch\(ax, ...\), and did not at t = 0 s"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_shown_is_an_error_before_anything_is_drawn(arguments, words):

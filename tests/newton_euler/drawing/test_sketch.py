@@ -2,8 +2,6 @@
 
 import io
 import math
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -225,21 +223,6 @@ def test_a_scene_of_one_place_and_an_empty_scene_are_drawn(place):
     assert png(sketch())
 
 
-def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
-    program = (
-        "import sys, newton_euler.drawing.animation, newton_euler.drawing.sketch as d; "
-        "from newton_euler import Frame\n"
-        "assert not {'matplotlib', 'numpy', 'PIL'} & set(sys.modules), sorted(sys.modules)\n"
-        "from matplotlib.figure import Figure; import io\n"
-        "s = d.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1, 2, "
-        "3)); s.label((0, 0, 0), 'O')\n"
-        "s.ax.figure.savefig(io.BytesIO())\n"
-        "assert 'matplotlib.pyplot' not in sys.modules\n"
-    )
-    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
-    assert run.returncode == 0, run.stderr
-
-
 @pytest.mark.parametrize(
     ("draw", "words"),
     [
@@ -259,12 +242,12 @@ def test_nothing_heavy_is_imported_before_a_figure_is_drawn_and_pyplot_never():
         (lambda s: s.axes(O, ground, labels="xy"), "three labels"),
         (lambda s: s.axes(O, ground.k), "axes of a Frame, got"),
         (lambda s: s.path([O, O], on=-1), "a place is a Point, a Vector or three numbers"),
-        (lambda s: s.cable(O), "between two stops or more, places or pulleys; got 1"),
-        (lambda s: s.cable((0.1, 0, 0), s.pulley(O, ground.k, 0.5), (2, 0, 0)), "lies within the radius 0.5"),
-        (lambda s: s.cable(O, (1, 0, 0), turns=[1]), "for each of the 0 pulleys on the way 1 or -1"),
-        (lambda s: s.cable(*[s.pulley((3 * n, 0, 0), ground.k, 1) for n in range(11)]), "say how it goes round each, as in turns="),
-        (lambda s: Sketch(s.ax, s.ax), "from its ground, a Frame"),
-        (lambda s: Sketch(ground, ground), "on a matplotlib Axes"),
+        (lambda s: s.cable(O), "between two places or pulleys at least; got 1"),
+        (lambda s: s.cable((0.1, 0, 0), s.pulley(O, ground.k, 0.5), (2, 0, 0)), "is within the radius 0.5"),
+        (lambda s: s.cable(O, (1, 0, 0), turns=[1]), "1 or -1 for each of 0 pulleys"),
+        (lambda s: s.cable(*[s.pulley((3 * n, 0, 0), ground.k, 1) for n in range(11)]), "say how the cable goes round each of 11 pulleys, as in turns="),
+        (lambda s: Sketch(s.ax, s.ax), "ground) is a Frame"),
+        (lambda s: Sketch(ground, ground), "the Axes of plt.subplots()"),
         (lambda s: Sketch(s.ax, ground, plane="xx"), "two axes, as in plane='xz'"),
         (lambda s: Sketch(s.ax, ground, up="-z"), "up is 'x', 'y' or 'z'"),
     ],

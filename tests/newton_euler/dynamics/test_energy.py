@@ -440,7 +440,7 @@ def test_eqn_11_33_friction_becomes_internal_energy(kind):
     balance = audit(T, 0 * stop, stop, powers=drag, exact=kind == "sympy")
     assert close(balance.heat("friction"), m * v0 * v0 / 2, 10 * small(kind))
     assert close(balance.energy + balance.heat(), 0, 10 * small(kind))
-    with pytest.raises(EnergyError, match="no work of 'drag' is in this audit; there are friction"):
+    with pytest.raises(EnergyError, match="no work of 'drag' is in this audit; it has friction"):
         balance.heat("drag")
 
 
@@ -513,7 +513,7 @@ def test_the_energy_balance_of_any_damped_oscillator_closes(m, n, zeta, x0, v0):
 @pytest.mark.parametrize(("arguments", "message"), [
     ({"kinetic": 3.0}, "the kinetic energy must be a function of time, as in lambda t"),
     ({"powers": {"drag": 3.0}}, "the power of drag must be a function of time"),
-    ({"kinetic": lambda t: ENERGY}, r"an energy is Dimension\(.*\); an audit needs numbers, or SymPy expressions"),
+    ({"kinetic": lambda t: ENERGY}, r"an audit needs numbers, or SymPy expressions .* got Dimension"),
 ])  # fmt: skip
 def test_an_audit_that_cannot_be_kept_is_refused_in_words(arguments, message):
     with pytest.raises(EnergyError, match=message):

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import Couple, Force, ForceSystem, Frame, composite, kinetic_energy, moving
+from newton_euler import Couple, Force, ForceSystem, Frame, kinetic_energy, moving
 from newton_euler.algebra.linear import solve_linear
 from newton_euler.bodies import particle
 from newton_euler.dynamics import (
@@ -98,14 +98,6 @@ def test_kinetic_energy_and_angular_momentum_are_sums_over_all_bodies(bodies):
     about = ground.point("O", 0, 0, 0)
     total = sum(value(angular_momentum(p, ground, about)) for p in parts)
     assert np.allclose(total, spin, atol=1e-12)
-
-
-def test_the_angular_momentum_of_a_composite_has_all_parts_of_one_name():
-    ground = Frame("ground")
-    body = ground.rotate("body", "z", rate=2.0)
-    whole = composite("whole", [particle(3.0, body.point("P", x, 0, 0)) for x in (1.0, 2.0)])
-    assert angular_momentum(whole, ground, body).z == pytest.approx(2 * 3 * (1 + 4))
-    assert kinetic_energy(whole, ground).value == pytest.approx(3 * (1 + 4) * 4 / 2)
 
 
 @pytest.mark.parametrize("name", ["inertia", "origin", "coriolis", "euler", "centrifugal"])

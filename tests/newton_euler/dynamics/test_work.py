@@ -238,8 +238,7 @@ def test_the_true_error_is_within_the_estimate():
         U = work_integral(f, 0.0, 1.0, rtol=1e-8)
         assert abs(U.value - true) <= U.error < 1e-6
         force = lambda x, y, z, f=f: (f(x), f(y), 0)
-        both = work_along(force, lambda q: (q, q, 0), 0.0, 1.0, rtol=1e-8)
-        assert both.error == 2 * U.error
+        assert work_along(force, lambda q: (q, q, 0), 0.0, 1.0, rtol=1e-8).error == 2 * U.error
 
 
 @every_kind
@@ -306,7 +305,7 @@ def test_power_asks_for_what_belongs_together():
     ground = Frame("ground")
     with pytest.raises(FrameError, match="two Vectors, two triples"):
         power(ground.i, (1.0, 0, 0))
-    with pytest.raises(FrameError, match="needs the Point at which the force acts or the Frame"):
+    with pytest.raises(FrameError, match="takes a Point, or the Frame of a couple"):
         power(ground.i, (1.0, 0, 0), ground)
     with pytest.raises(FrameError, match="share no frame"):
         power(ground.i, Frame("elsewhere").i)
@@ -347,10 +346,7 @@ def test_a_path_that_moves_is_refused():
 def test_the_work_along_a_path_of_dimensions_is_an_energy():
     force, length = Dimension(1, 1, -2), Dimension(0, 1, 0)
     assert spring_work(force / length, length) == force * length
-
-    def twist(x, y, z):
-        return force / length * y, -force / length * x, 0
-
+    twist = lambda x, y, z: (force / length * y, -force / length * x, 0)
     side = work_along(twist, lambda s: (length * s, 0, 0), 0.0, 1.0)  # along which y is 0
     other = work_along(twist, lambda s: (length, length * s, 0), 0.0, 1.0)
     assert side.value == 0

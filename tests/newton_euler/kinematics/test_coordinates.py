@@ -36,7 +36,7 @@ SYSTEMS = {
 
 every_system = pytest.mark.parametrize("system", SYSTEMS)
 EPS = 2.0**-52
-moderate = st.floats(-3, 3)
+moderate = st.floats(-3, 3).map(lambda x: x if abs(x) > 1e-300 else 0.0)  # below, digits are lost
 small = within(2e-14, 26)
 
 
@@ -145,8 +145,7 @@ def test_units_follow_and_a_traced_formula_is_short():
 
     def acceleration(R, theta, phi, *rates):
         ground = Frame("ground")
-        P = spherical(ground, "P", *map(moving, (R, theta, phi), rates))
-        return P.acceleration(ground)
+        return spherical(ground, "P", *map(moving, (R, theta, phi), rates)).acceleration(ground)
 
     assert compiled(lambda R, a, b, dR, da, db: acceleration(R, a, b, dR, da, db)).operations <= 20
 
@@ -162,7 +161,7 @@ def test_on_the_axis_the_way_back_is_refused_in_words(back):
             back(ground.vector(x, 0 * x, 1 + 0 * x), v=ground.vector(1.0, 0, 0))
     with pytest.raises(SingularError):
         back(ground.vector(np.array([1.0, 0.0]), np.array([0.5, 0.0]), 1.0))
-    with pytest.raises(SingularError, match="polar components are for motion in the x, y plane"):
+    with pytest.raises(SingularError, match="polar components are for the x, y plane"):
         polar_coordinates(ground.vector(1.0, 1.0, 0.5))
     with pytest.raises(SingularError):
         polar_coordinates(ground.vector(0.0, 0.0, 0))

@@ -118,8 +118,7 @@ def test_symbols_units_and_tracing():
     ground = Frame("ground")
     P = lambda u, v, w, du=1: curvilinear(ground, "P", parabolic, moving(u, du), v, w)
     u, v = sympy.symbols("u v", positive=True)
-    a = P(u, v, 0).acceleration(ground)
-    assert sympy.simplify(a.x - u / sympy.sqrt(u**2 + v**2)) == 0
+    assert sympy.simplify(P(u, v, 0).acceleration(ground).x - u / sympy.sqrt(u**2 + v**2)) == 0
     root, length = Dimension(0, 0.5, 0), Dimension(0, 1, 0)
     assert P(root, root, length, root).acceleration(ground).x == length
     size = lambda u, v, du: P(u, v, 0, du).acceleration(ground).norm()

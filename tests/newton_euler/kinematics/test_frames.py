@@ -70,10 +70,7 @@ def chain(seed, count):
 
 def in_engine(tree, kind, faster=1):
     """The frames of a tree, ground first; ``faster``: a factor of all angles."""
-
-    def coordinate(v):
-        return moving(*numbers(kind, *v))
-
+    coordinate = lambda v: moving(*numbers(kind, *v))
     frames = [Frame("f0")]
     for n, s in enumerate(tree, start=1):
         parent = frames[s["parent"]]
@@ -588,14 +585,14 @@ def test_the_error_names_two_trees_with_the_same_names(ask):
 
 NOT_AN_AXIS = "an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant components"
 SHAPES = r"have the shapes \[\(3,\), \(4,\)\]; all arrays must have one shape"
-NO_ORIGIN = r"an origin is a Point, as in (ground|arm).point\('C', 0, 1, 0\); got "
+NO_ORIGIN = r"an origin is a Point, as (ground|arm).point\('C', 0, 1, 0\); got "
 THREE, FOUR = np.zeros(3), np.zeros(4)
 
 
 @pytest.mark.parametrize(("ask", "words"), [
-    (lambda f: f.point("P", 1, 2, 3).velocity(), r"a point has no velocity as such.*P.velocity\(ground\)"),
-    (lambda f: f.point("P", 1, 2, 3).acceleration(), r"a point has no acceleration as such.*P.acceleration\(ground\)"),
-    (lambda f: f.i.rate(), r"changes differently in different frames.*Q.rate\(ground\)"),
+    (lambda f: f.point("P", 1, 2, 3).velocity(), r"velocity as seen from which frame.*P.velocity\(ground\)"),
+    (lambda f: f.point("P", 1, 2, 3).acceleration(), r"acceleration as seen from which frame.*P.acceleration\(ground\)"),
+    (lambda f: f.i.rate(), r"is seen from a frame.*Q.rate\(ground\)"),
     (lambda f: f.i.rate("ground"), "expected a frame"),
     (lambda f: f.i.expressed_in(3), "expected a frame"),
     (lambda f: f.point("P", THREE, FOUR, 0), SHAPES),
@@ -645,9 +642,7 @@ def test_the_rate_of_what_was_computed_for_an_instant_is_refused_with_advice():
         arm.angular_acceleration(ground),
         Vector((1.0, 2.0, 3.0), ground),
     ):
-        with pytest.raises(
-            FrameError, match=r"was computed for one instant. Build it from moving quantities"
-        ):
+        with pytest.raises(FrameError, match=r"is not known; build it from moving"):
             known_at_the_instant.rate(ground)
 
 
@@ -763,6 +758,7 @@ def test_a_whole_number_beyond_a_turn_asks_whether_degrees_are_meant(angle):
      sympy.Integer(30), np.array([30.0, 60.0])],
 )  # fmt: skip
 def test_an_angle_that_is_computed_or_may_be_in_radians_is_not_asked_about(angle):
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
         Frame("ground").rotate("boom", "z", angle)
+    assert found == []

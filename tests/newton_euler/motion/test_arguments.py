@@ -178,22 +178,3 @@ def test_the_rows_of_an_array_are_many_values_of_a_state():
     x, v = start_state(SPRING, np.array([[1.0, 2.0], [3.0, 4.0]]))
     assert x.tolist() == [1.0, 2.0]
     assert v.tolist() == [3.0, 4.0]
-
-
-class Quantity:
-    """A number with a unit, that NumPy and float() would drop."""
-
-    unit = "m"
-
-    def __float__(self):
-        return 1.0
-
-
-class Quantities(np.ndarray):
-    unit = "m"
-
-
-@pytest.mark.parametrize("start", [(1.0, Quantity()), np.ones(2).view(Quantities)])
-def test_no_unit_of_a_start_is_dropped(start):
-    with pytest.raises(ModelError, match="unit"):
-        start_state(SPRING, start)

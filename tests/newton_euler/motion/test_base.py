@@ -43,8 +43,7 @@ def test_a_step_ends_at_the_next_stop_at_the_latest():
 
 @pytest.mark.parametrize(("count", "numbers"), [(0, []), (4, []), (5, [3, 4]), (10, [6, 8])])
 def test_two_runs_are_compared_at_two_steps_of_the_second_half(count, numbers):
-    one = stepper(*range(count + 1))
-    assert one.checkpoints == [(n, (n, n)) for n in numbers]
+    assert stepper(*range(count + 1)).checkpoints == [(n, (n, n)) for n in numbers]
 
 
 def test_a_time_between_two_steps_is_in_the_later_one_and_those_outside_in_the_next():

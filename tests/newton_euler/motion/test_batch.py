@@ -162,8 +162,7 @@ def test_each_motion_of_a_batch_is_that_of_integrate_at_its_samples(count, sampl
     for n in {0, count // 2, count - 1}:
         one = integrate(PENDULUM, 5.0, (a[n], 0.0), 1e-11)
         for name in ("a", "da"):
-            apart = abs(motions.states[name][n] - one.at(motions.times)[name])
-            assert apart.max() <= 2e-9
+            assert abs(motions.states[name][n] - one.at(motions.times)[name]).max() <= 2e-9
 
 
 @needs_heyoka
@@ -201,8 +200,7 @@ def test_the_errors_of_a_batch_of_closed_forms_are_those_asked_for(count):
     motions = integrate(SPRING.changed(k=w * w), (1.0, 5.0), (np.ones(count), 0.0), samples=5)
     assert motions.method.name == "exact"
     assert motions.times.tolist() == [1.0, 2.0, 3.0, 4.0, 5.0]
-    exact = np.cos(w[:, None] * (motions.times - 1.0))
-    assert abs(motions.states["x"] - exact).max() < 1e-13
+    assert abs(motions.states["x"] - np.cos(w[:, None] * (motions.times - 1.0))).max() < 1e-13
     assert (motions.error == motions.rtol).all()  # no more is known
     assert motions.cost.calls == 5  # none of them was made by itself
 
@@ -368,10 +366,7 @@ def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypat
 @pytest.mark.parametrize("names", ["", "p", "pq"])
 def test_a_batch_takes_any_number_of_parameters(names):
     """x' = -(p + q) x, of the parameters that there are."""
-
-    def rates(s, p, t):
-        return (-(1.0 + sum(getattr(p, n) for n in names)) * s.x,)
-
+    rates = lambda s, p, t: (-(1.0 + sum(getattr(p, n) for n in names)) * s.x,)
     values = {n: np.array([0.25, 0.5, 0.75]) for n in names}
     model = Model("fading", dict.fromkeys(names, 1.0), ("x",), rates)
     x = np.array([1.0, 2.0, 3.0])
@@ -394,8 +389,7 @@ def test_a_batch_is_compared_with_one_of_higher_order_beside_its_start(monkeypat
     assert (first, second) == (level, level_of(taylor.other(level)))
     assert (t0, times, last) == (0.0, [0.0, 2.0, 5.0], [5.0])
     part = ROUND_OFF_OF_RATES / SERIES_SAFETY
-    shift = (beside / begun - 1)[:, 0]
-    assert shift == pytest.approx([part, -part], abs=3e-16)
+    assert (beside / begun - 1)[:, 0] == pytest.approx([part, -part], abs=3e-16)
     assert p[0].tolist() == [1.0, 2.0]
     assert found.shape == (2, 2, 3)
     assert errors == pytest.approx(3 * error_of(np.array([1e-11, 0.5e-11])), rel=1e-3)

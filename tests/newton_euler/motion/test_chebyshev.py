@@ -56,8 +56,7 @@ def all_extrema(*polynomials):
 def test_the_extrema_of_many_polynomials_are_found_in_order():
     line, fifth, parabola = [3.0, -2.0], [0, 0, 0, 0, 0, 1.0], [0.5, 0.8, 1.0]
     exact = [[], [math.cos(k * math.pi / 5) for k in (4, 3, 2, 1)], [-0.2]]
-    found = all_extrema(line, fifth, parabola)
-    assert found == [pytest.approx(x) for x in exact]
+    assert all_extrema(line, fifth, parabola) == [pytest.approx(x) for x in exact]
     assert all_extrema(parabola, line) == [pytest.approx([-0.2]), []]
 
 

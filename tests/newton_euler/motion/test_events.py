@@ -81,9 +81,7 @@ PARTS = st.tuples(st.floats(0.1, 60.0), st.floats(0.0, 6.3), st.floats(0.2, 1.0)
 @settings(max_examples=25)
 @given(st.lists(PARTS, min_size=1, max_size=4))
 def test_sums_of_oscillations_change_sign_as_often_as_a_fine_grid_shows(parts):
-    def g(s, p, t):
-        return sum(a * (s.x * cos(w * t + f) + s.dx / 3) for w, f, a in parts)
-
+    g = lambda s, p, t: sum(a * (s.x * cos(w * t + f) + s.dx / 3) for w, f, a in parts)
     t = np.linspace(0.0, 10.0, 400_001)
     x = sum(a * (np.cos(t) * np.cos(w * t + f) - np.sin(t) / 3) for w, f, a in parts)
     change = np.flatnonzero(np.sign(x[1:]) * np.sign(x[:-1]) < 0)
@@ -142,10 +140,7 @@ def test_a_step_without_length_has_no_events_and_the_start_is_that_of_the_next()
 
 def test_what_comes_after_the_end_is_not_looked_for():
     """There the other function has thousands of millions of zeros."""
-
-    def wild(t, x):
-        return np.where(x < 2, 1.0, np.sin(1e9 * x))
-
+    wild = lambda t, x: np.where(x < 2, 1.0, np.sin(1e9 * x))
     events = [Event(lambda t, x: x - 1, terminal=True), Event(wild)]
     locators = [EventLocator(event, _Steps(), False) for event in events]
     assert next(events_in_step(locators, 0)) == [(pytest.approx(1.0), 0)]
@@ -202,8 +197,7 @@ def test_a_jump_is_where_the_more_accurate_states_have_it(ahead, size):
 @pytest.mark.parametrize("function", [lambda t, x: x - 5, lambda t, x: np.where(x < 5, -1.0, 2.0)])
 def test_states_that_are_far_from_the_interpolation_move_no_event(function, ahead):
     """More than a thousandth of the step: it is not for Newton's method."""
-    found = found_in_step(function, steps=_Rough(ahead))
-    assert found == pytest.approx([5.0 - ahead], abs=1e-12)
+    assert found_in_step(function, steps=_Rough(ahead)) == pytest.approx([5.0 - ahead], abs=1e-12)
 
 
 def test_an_event_beside_the_end_of_a_step_stays_in_it():
@@ -237,10 +231,7 @@ def test_what_a_function_refuses_on_the_way_is_raised_as_it_is(closed):
 @pytest.mark.parametrize("method", ["exact", "dop853", TAYLOR])
 def test_a_ball_in_a_corner_bounces_off_both_walls(method):
     """Two events at one time: each has its then."""
-
-    def exact(s, p, t):
-        return s.x + s.u * t, s.y + s.v * t, s.u, s.v
-
+    exact = lambda s, p, t: (s.x + s.u * t, s.y + s.v * t, s.u, s.v)
     ball = Model(
         "ball", {}, ("x", "y", "u", "v"), lambda s, p, t: (s.u, s.v, 0.0, 0.0), exact=exact
     )

@@ -1,14 +1,12 @@
 """Integration of models: orders of convergence, dense output, prepared runs, and refusals."""
 
 import math
-import subprocess
-import sys
 
 import numpy as np
 import pytest
 
-from newton_euler import Model, exp, sqrt
-from newton_euler.motion import ModelError, second_order
+from newton_euler import Model, sqrt
+from newton_euler.motion import ModelError
 from newton_euler.motion.integration import integrate, prepare
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.solution import MotionError
@@ -42,23 +40,6 @@ def test_dense_output_is_nearly_as_accurate_as_the_steps(method):
     assert max(abs(found["x"] - exact[0])) < 1e-7
     assert max(abs(found["dx"] - exact[1])) < 2e-7
     assert motion.at(10.0) == motion.end
-
-
-def test_where_heyoka_fails_because_rates_are_not_analytic_auto_goes_on():
-    """A fall in air, from rest, against the closed form; |v| has a corner at rest."""
-    model = second_order(
-        "fall in air",
-        {"g": 10.0, "c": 0.1},
-        ("y",),
-        lambda s, p, t: (-p.g - p.c * sqrt(s.dy * s.dy) * s.dy,),
-    )
-    if METHODS["taylor"].unusable_because(None) is None:
-        with pytest.raises(MotionError):
-            # and now it is compiled, and preferred
-            integrate(model, 2.0, (0.0, 0.0), 1e-9, "taylor")
-    motion = integrate(model, 2.0, (0.0, 0.0))
-    assert motion.method.name == "dop853"
-    assert motion.end["dy"] == pytest.approx(-10 * math.tanh(2.0), abs=1e-7)
 
 
 # -- refusals
@@ -104,17 +85,6 @@ def test_parameters_with_which_the_rates_have_no_value_end_it_in_words(method):
         integrate(model, 1.0, (1.0,), 1e-6, method)
 
 
-def test_nothing_heavy_is_imported():
-    code = (
-        "import sys; from newton_euler.motion import integrate; from tests.models import oscillator;"
-        "assert integrate(oscillator(), 1.0, (1.0, 0.0)).error < 1e-9;"
-        "print([m for m in ('numpy', 'scipy', 'sympy', 'heyoka', 'mpmath', 'matplotlib') "
-        "if m in sys.modules])"
-    )
-    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert ran.stdout.strip() == "[]"
-
-
 # -- runs that are prepared
 
 
@@ -147,14 +117,6 @@ def test_a_prepared_run_is_no_integration_if_it_need_not_be(method, monkeypatch)
         assert run(3.0, (start, 0.0))[0] == pytest.approx(start * math.cos(6.0), abs=1e-7)
 
 
-@needs_heyoka
-def test_a_prepared_series_does_not_pass_over_a_pulse():
-    pulse = lambda s, p, t: (exp(-(((t - 0.5) / 0.01) ** 2)),)
-    run = prepare(Model("struck", {}, ("x",), pulse), 1e-9)
-    for _ in range(2):
-        assert run(4.0, (0.0,))[0] == pytest.approx(0.01 * math.sqrt(math.pi), rel=1e-9)
-
-
 @pytest.mark.parametrize("method", [TAYLOR, "dop853"])
 def test_a_prepared_run_into_a_singular_place_says_so(method):
     run = prepare(FALL, 1e-6, method)
@@ -182,9 +144,3 @@ def test_only_one_model_is_prepared_at_a_time():
     words = "prepare takes a model with numbers, but parameters of 'oscillator' are arrays"
     with pytest.raises(ModelError, match=words):
         prepare(oscillator().changed(k=np.ones(3)))
-
-
-def test_an_array_in_the_start_is_many_motions():
-    x = np.linspace(-1.0, 1.0, 7)
-    found = integrate(oscillator(), 2.0, (x, 0.0), samples=[0.0, 1.0, 2.0]).states["x"]
-    assert found == pytest.approx(np.outer(x, np.cos([0.0, 2.0, 4.0])), abs=1e-14)

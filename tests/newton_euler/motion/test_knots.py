@@ -112,10 +112,7 @@ def test_a_pulse_that_lasts_to_the_end_has_no_end_and_one_from_the_start_no_begi
 def test_a_quiet_of_few_intervals_does_not_count(gap, count):
     """Two pulses of one interval each, with this many quiet ones between them."""
     first, second = (5000.5 * WIDTH, (5000.5 + 1 + gap) * WIDTH)
-
-    def force(s, p, t):
-        return where(t * t > first**2, 1.0, 0.0) + where(t * t > second**2, 1.0, 0.0)
-
+    force = lambda s, p, t: where(t * t > first**2, 1.0, 0.0) + where(t * t > second**2, 1.0, 0.0)
     assert len(at(force)) == count
 
 
@@ -207,8 +204,7 @@ def test_a_push_from_rest_is_as_accurate_as_requested(t0, rtol, sign):
                          lambda s, p, t: (force(s, p, t) - s.x,))  # fmt: skip
     motion = integrate(model, (t0, t0 + 10.0), (0.0, 0.0), rtol=rtol)
     a, b = 10.0 - 1.7, 10.0 - 2.9
-    off = abs(motion.end["x"] - (math.cos(b) - math.cos(a)))
-    assert off < (rtol if t0 == 0.0 else rtol + 1e-9)
+    assert abs(motion.end["x"] - (math.cos(b) - math.cos(a))) < (rtol if t0 == 0.0 else rtol + 1e-9)
 
 
 @pytest.mark.parametrize("method", ["dop853", "scipy DOP853"])

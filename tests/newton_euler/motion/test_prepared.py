@@ -57,8 +57,7 @@ def test_what_only_an_invariant_reads_is_looked_at_too(monkeypatch):
     assert prepared_model(model) is before
     monkeypatch.setitem(globals(), "SHIFT", 2.0)
     after = prepared_model(model)
-    values = [one.function(shifted["shifted"])(0.0, 5.0) for one in (before, after)]
-    assert values == [6.0, 7.0]
+    assert [one.function(shifted["shifted"])(0.0, 5.0) for one in (before, after)] == [6.0, 7.0]
 
 
 @pytest.mark.parametrize(("rate", "found"), [(lambda t: t, False), (lambda t: 1.0, True)])

@@ -118,6 +118,7 @@ def test_steps_are_equal_and_no_longer_than_asked_for(t1, step, count):
     one = run(t0=-1.0, t1=t1 - 1.0, step=step)
     one.step()
     assert len(one.step_times) == len(one.steps) == count + 1
+    assert one.calls == 3 * len(COMPOSITIONS[4]) * count
     assert np.diff(one.step_times) == pytest.approx(t1 / count, rel=1e-12)
     assert one.t == one.step_times[-1] == t1 - 1.0
 
@@ -153,15 +154,6 @@ def test_a_state_that_starts_at_zero_has_no_size_for_a_step():
         assert one.h == pytest.approx(times * 1e-4**0.5, rel=1e-3)
 
 
-def test_no_more_steps_are_taken_than_are_asked_for():
-    one = run(t1=1.0, step=0.1)
-    for limit, done in ((3, 3), (2, 5), (100, 10)):
-        one.step(limit)
-        assert len(one.step_times) == done + 1
-        assert one.t == one.step_times[-1] == pytest.approx(0.1 * done)
-        assert one.calls == 3 * len(COMPOSITIONS[4]) * done
-
-
 # -- the states
 
 
@@ -174,13 +166,6 @@ def test_states_between_steps_are_those_of_a_shorter_step(order):
     assert abs(one.states(times) - exact).max() < {4: 2e-4, 8: 2e-7}[order]
     assert one.state_at(1.234) == tuple(one.states([1.234])[:, 0].tolist())
     assert one.scales == pytest.approx((1.0, 2.0), rel=1e-3)
-
-
-def test_the_scales_are_the_largest_sizes_of_all_steps():
-    one = run(t1=2.0)
-    one.step(7)
-    one.step()
-    assert one.scales == tuple(np.abs(one.steps).max(axis=0).tolist())
 
 
 @pytest.mark.parametrize("order", COMPOSITIONS)

@@ -140,8 +140,7 @@ def test_events_that_accumulate_end_the_motion_in_words():
 def test_two_events_at_once_are_no_accumulation():
     """The first segment may be as short as it likes."""
     tap = Event(lambda s, p, t: s.x - 1e-12, then=lambda s, p, t: (DRIFT, (s.x, s.v)), name="tap")
-    motion = integrate(DRIFT, 3.0, (0.0, 1.0), events=tap)
-    assert motion.ended == "reached t = 3"
+    assert integrate(DRIFT, 3.0, (0.0, 1.0), events=tap).ended == "reached t = 3"
 
 
 @pytest.mark.parametrize("t0", [0.0, -4.0, 100.0])
@@ -224,10 +223,7 @@ def test_the_natural_sizes_of_the_start_count_unless_a_state_was_nearly_zero():
     w = 300.0
     found = trajectory(run(spring(w)))
     largest = found.sizes()[0]
-
-    def times(part):
-        return tuple([part * s for s in largest])
-
+    times = lambda part: tuple([part * s for s in largest])
     found.natural = times(50.0), times(60.0)
     assert found.sizes() == (largest, times(50.0), times(60.0))
     found.natural = times(200.0), times(60.0)
@@ -236,8 +232,7 @@ def test_the_natural_sizes_of_the_start_count_unless_a_state_was_nearly_zero():
 
 @pytest.mark.parametrize("t1", [0.01, 100.0])
 def test_the_natural_size_of_a_place_is_as_far_as_its_velocity_brings_it(t1):
-    found = trajectory(run(DRIFT, (0.0, 1.0), t1=t1))
-    assert found.sizes()[1] == pytest.approx((t1, 0.0))
+    assert trajectory(run(DRIFT, (0.0, 1.0), t1=t1)).sizes()[1] == pytest.approx((t1, 0.0))
 
 
 def test_of_a_motion_that_has_not_begun_no_natural_sizes_are_known():
@@ -271,8 +266,7 @@ def test_series_have_units_only_if_they_are_scaled():
 def test_a_fixed_step_does_not_stop_at_pulses():
     model = second_order("struck", {}, ("x",), lambda s, p, t: (exp(-(((t - 5.0) / 0.01) ** 2)),))
     assert len(trajectory(run(model)).segments[0].stepper.stops) == 2
-    fixed = trajectory(run(model, step=0.1))
-    assert fixed.segments[0].stepper.stops == ()
+    assert trajectory(run(model, step=0.1)).segments[0].stepper.stops == ()
 
 
 @pytest.mark.parametrize(

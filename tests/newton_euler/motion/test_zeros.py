@@ -181,8 +181,7 @@ def test_a_zero_beside_a_kink_is_found_on_each_side():
 
 
 def test_a_pole_is_no_zero_but_those_between_poles_are():
-    found = times(np.tan, 0.1, 9.0)
-    assert found == pytest.approx([math.pi, 2 * math.pi])
+    assert times(np.tan, 0.1, 9.0) == pytest.approx([math.pi, 2 * math.pi])
     assert times(lambda t: 1 / (t - 3.0), 0.0, 5.0) == []
 
 

@@ -123,5 +123,4 @@ def test_what_parameters_alone_give_is_computed_once(scene):
     assert max(abs(a - b) for a, b in zip(whole, rates, strict=True)) <= 4e-15 * scale
     count = lambda source: sum(source.count(f" {op} ") for op in "*/+-")
     assert count(rest.source) <= count(system.traced.rhs.source)
-    arguments = rest.source.split("(", 1)[1].split(")")[0].split(", ")
-    assert not set(arguments) & set(model.parameters)
+    assert not set(rest.source.split("(", 1)[1].split(")")[0].split(", ")) & set(model.parameters)

@@ -49,7 +49,7 @@ async function load(folder) {
     const come = await python.loadPackage(name, { messageCallback: () => {}, errorCallback: (words) => said.push(words) });
     if (!come.some((one) => one.name === name)) throw new Error(said.at(-1));
   };
-  return { get, packages, call: python.runPython("from newton_euler.browser import answer; answer") };
+  return { get, packages, call: python.runPython("from website.browser import answer; answer") };
 }
 
 // every fetch from now on tells how much of all has come

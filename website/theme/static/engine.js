@@ -1,4 +1,4 @@
-// engine.call("module.function", {arguments}) asks newton_euler/browser/module.py, in a worker that
+// engine.call("module.function", {arguments}) asks website/browser/module.py, in a worker that
 // is started by the first call, or by a touch of anything within [data-engine]; pages that were
 // opened as files have no window.engine
 (() => {

@@ -1,4 +1,4 @@
-// The form of a problem page: it asks newton_euler/browser/practice.py by the engine. Where there is
+// The form of a problem page: it asks website/browser/practice.py by the engine. Where there is
 // no engine (without JavaScript or WebAssembly, from a file) the page stays as it was built.
 const practiceFiles = new URL("../practice/", document.currentScript.src);
 addEventListener("DOMContentLoaded", () => {

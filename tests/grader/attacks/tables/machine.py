@@ -14,47 +14,12 @@ PROCESSES = {
     "kills everyone": code(EVERYONE.format(signal="SIGKILL")),
     "stops everyone": code(EVERYONE.format(signal="SIGSTOP")),
     "interrupts everyone": code(EVERYONE.format(signal="SIGINT")),
-    "ends Python": code("import os; os._exit(0)"),
-    "crashes": code("import ctypes; ctypes.string_at(0)"),
-    "ignores every signal": code("""
-        import signal
-        for n in range(1, 65):
-            try: signal.signal(n, signal.SIG_IGN)
-            except (OSError, ValueError): pass
-        while True:
-            try:
-                while True: pass
-            except BaseException: pass
-    """),
-    "leaves a daemon": code("""
-        import os, time, ctypes
-        if os.fork() == 0:
-            os.setsid()
-            if os.fork() == 0:
-                ctypes.CDLL(None).prctl(1, 0, 0, 0, 0)
-                for fd in range(3): os.close(fd)
-                time.sleep(1000)
-            os._exit(0)
-        speed = acc_mag = 1
-    """),
     "leaves threads": code("""
         import threading, time
         for _ in range(8): threading.Thread(target=time.sleep, args=(1000,)).start()
         speed = acc_mag = 1
     """),
-    "holds the pipes": code("""
-        import os, time
-        if os.fork() == 0:
-            time.sleep(1000)
-        os._exit(0)
-    """),
     "closes all files": code("import os; os.closerange(0, 1000)"),
-    "forks without end": code("""
-        import os
-        while True:
-            try: os.fork()
-            except OSError: pass
-    """),
     "replaces itself": code("""
         import os, sys
         os.execv(sys.executable, [sys.executable, "-c", "import time; time.sleep(1000)"])
@@ -68,31 +33,13 @@ PROCESSES = {
 }
 
 RESOURCES = {
-    "memory": code("x = []\nwhile True: x.append(bytearray(2**26))"),
-    "memory of children": code("""
-        import os, time
-        for _ in range(12):
-            if os.fork() == 0:
-                hold = bytearray(2**28)
-                for i in range(0, len(hold), 4096): hold[i] = 1
-                time.sleep(1000)
-        time.sleep(1000)
-    """),
     # without a cage its files stay, within the limit of each
     "the disk": code("""
         n = 0
         while True:
             open(f'/tmp/$MARK-{n}', 'wb').write(bytes(2**22)); n += 1
     """, caged=True),
-    "open files": code("x = []\nwhile True: x.append(open('/dev/null'))"),
     "output": code("while True: print('x' * 10**6)"),
-    "the pipe of receipts": code("""
-        import os
-        while True:
-            for fd in range(3, 20):
-                try: os.write(fd, b"x" * 65536)
-                except OSError: pass
-    """),
     "its limits": code("""
         import resource
         for what in range(16):
@@ -123,24 +70,6 @@ RESOURCES = {
             call(248, b"user", b"$MARK", b"x", 1, ring)  # add_key
         call(250, 3, -3)  # KEYCTL_REVOKE of the session's
     """),
-    "namespaces in namespaces": code("""
-        import ctypes, os
-        libc = ctypes.CDLL(None)
-        for kind in (0x10000000, 0x20000, 0x40000000, 0x20000000, 0x8000000):
-            if libc.unshare(kind) == 0:
-                libc.mount(b"none", b"/tmp", b"tmpfs", ctypes.c_ulong(0), None)
-                os.execv("/bin/true", ["true"])
-        for _ in range(100): libc.clone(None, None, 0x10000000, None)
-    """),
-    "mounts": code("""
-        import ctypes
-        libc = ctypes.CDLL(None)
-        for place in (b"/", b"/tmp", b"/usr/lib"):
-            libc.mount(None, place, None, ctypes.c_ulong(32 | 4096), None)
-            libc.umount2(place, 2)
-        libc.chroot(b"/tmp"), libc.pivot_root(b"/tmp", b"/tmp")
-        open("/usr/lib/$MARK", "w")
-    """),
 }  # fmt: skip
 
 ELSEWHERE = {
@@ -158,14 +87,6 @@ ELSEWHERE = {
         s.bind("\\0$MARK")
         s.listen()
         if os.fork() == 0: time.sleep(1000)
-    """),
-    "sockets of the host": code("""
-        import socket
-        for family in range(50):
-            for kind in (1, 2, 3, 5):
-                try: socket.socket(family, kind)
-                except OSError: pass
-        socket.socket(socket.AF_UNIX).connect("/var/run/docker.sock")
     """),
     "the solutions": code("""
         import sys
@@ -196,10 +117,6 @@ ELSEWHERE = {
             if isinstance(x, dict) and "acc_mag" in x and "speed" in x and x is not globals():
                 if x["speed"]: speed, acc_mag = x["speed"], x["acc_mag"]
     """),
-    "the environment": code("""
-        import os
-        raise ValueError(sorted(v for k, v in os.environ.items() if "SECRET" in k or "TOKEN" in k))
-    """, said=": []"),
     "what others left": code("""
         import os
         found = [os.path.join(f, n) for f in ("/tmp", "/var/tmp", "/dev/shm", "/dev/mqueue")

@@ -35,9 +35,7 @@ def in_a_fork(function):
 
 def test_a_key_of_the_instructors_session_is_not_found_after_joining_another():
     libc = ctypes.CDLL(None)
-
-    def finds_key():
-        return libc.syscall(KEYCTL, SEARCH, SESSION, b"user", b"newton-euler", 0) > 0
+    finds_key = lambda: libc.syscall(KEYCTL, SEARCH, SESSION, b"user", b"newton-euler", 0) > 0
 
     def search():
         isolation.join_keyring()  # this test's own, so that nothing is left in the user's

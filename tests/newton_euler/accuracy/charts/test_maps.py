@@ -1,6 +1,5 @@
 """charts/maps.py, islands.py: regions are named, islands explained or smoothed as noise."""
 
-import matplotlib
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
@@ -9,7 +8,6 @@ from newton_euler.accuracy.charts.islands import explained, islands, settled
 from newton_euler.accuracy.charts.maps import draw_choices, map_caption
 from newton_euler.accuracy.measurements.regime_maps import MAPS, Axis, Map
 
-matplotlib.use("Agg")
 SEA, LAND = "sea", "land"
 
 
@@ -90,8 +88,7 @@ def test_every_large_region_has_its_name_inside_it(name):
     found = chart.measure((20, 20))
     written = regions(chart, found)
     assert all(written.values())
-    large = {choice for choice in chart.choices if (found == choice).mean() > 0.1}
-    assert large <= set(written)
+    assert {choice for choice in chart.choices if (found == choice).mean() > 0.1} <= set(written)
 
 
 def test_a_region_of_few_cells_is_in_the_legend_only():

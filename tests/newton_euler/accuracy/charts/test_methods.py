@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import matplotlib
 import pytest
 from matplotlib.figure import Figure
 
@@ -18,7 +17,6 @@ from newton_euler.accuracy.measurements.work_precision import (
 )
 from newton_euler.scenes.catalogue import Scene
 
-matplotlib.use("Agg")
 FAKE = Scene("fake", "1.1", "nothing", lambda: None)
 
 
@@ -55,8 +53,7 @@ def test_a_scene_without_invariants_says_so_on_its_chart():
 
 
 def test_all_methods_have_a_look_of_their_own():
-    looks = [tuple(marker_style(n).values()) for n in range(len(NAMES))]
-    assert len(set(looks)) == len(NAMES)
+    assert len({tuple(marker_style(n).values()) for n in range(len(NAMES))}) == len(NAMES)
 
 
 def measured(closed=(1e-6, 1e-15), prepared=0.0, **stepping):

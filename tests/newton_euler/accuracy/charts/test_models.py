@@ -2,7 +2,6 @@
 
 from types import SimpleNamespace
 
-import matplotlib
 import pytest
 from matplotlib.figure import Figure
 
@@ -18,8 +17,6 @@ from newton_euler.accuracy.charts.models import (
 from newton_euler.scenes import LADDERS, ladder, smallest
 from newton_euler.scenes.ladders import Ladder, Rung
 from newton_euler.scenes.particles import projectile
-
-matplotlib.use("Agg")
 
 
 @pytest.fixture(scope="module")

@@ -2,7 +2,6 @@
 
 from itertools import cycle, pairwise
 
-import matplotlib
 import mpmath as mp
 import pytest
 from hypothesis import given
@@ -18,7 +17,6 @@ from newton_euler.accuracy.measurements.measure import (
     timed,
 )
 
-matplotlib.use("Agg")
 positive = st.floats(1e-9, 1.0)
 point_lists = st.lists(
     st.builds(Measured, st.sampled_from("abc"), positive, positive | st.just(0.0)),
@@ -89,17 +87,7 @@ def test_errors_are_measured_in_the_digits_of_the_reference():
         assert relative_error((third + mp.mpf(10) ** -30, 0, 0), (third, 0, 0)) == pytest.approx(
             3e-30
         )
-    ground = Frame("ground")
-    assert relative_error(ground.vector(0.0, 1.5, 0.0), (0.0, 1.0, 0.0)) == 0.5
-
-
-@pytest.fixture
-def ax():
-    import matplotlib.pyplot as plt
-
-    figure, ax = plt.subplots()
-    yield ax
-    plt.close(figure)
+    assert relative_error(Frame("ground").vector(0.0, 1.5, 0.0), (0.0, 1.0, 0.0)) == 0.5
 
 
 def test_the_chart_names_every_method_once_and_returns_the_front(ax):

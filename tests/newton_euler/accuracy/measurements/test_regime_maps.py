@@ -15,17 +15,6 @@ from newton_euler.accuracy.measurements import regime_maps as maps
 from newton_euler.accuracy.measurements.regime_maps import MAPS
 from newton_euler.motion.integration import integrate
 
-matplotlib.use("Agg")
-
-
-@pytest.fixture
-def ax():
-    import matplotlib.pyplot as plt
-
-    figure, ax = plt.subplots()
-    yield ax
-    plt.close(figure)
-
 
 def border(chart, x, below, precision=0.02):
     """The lowest y at which the choice is another one than ``below``, by halving."""
@@ -147,8 +136,7 @@ def test_a_top_let_go_nods_and_only_a_model_that_nods_is_within_less(omega_z):
 def test_a_top_that_is_too_slow_has_no_rung_of_steady_precession():
     assert "top, steady precession" not in maps.rung_names(maps.released_top(17.0))
     assert "top, steady precession" in maps.rung_names(maps.released_top(19.0))
-    least = next(curve.x for curve in MAPS["top"].curves if curve.x)
-    assert 17.0 < least < 19.0
+    assert 17.0 < next(curve.x for curve in MAPS["top"].curves if curve.x) < 19.0
 
 
 @pytest.mark.parametrize("ratio", [0.8, 0.95, 0.99])

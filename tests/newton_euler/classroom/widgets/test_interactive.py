@@ -42,8 +42,7 @@ def test_a_slider_draws_the_picture_anew_in_its_place(shown):
     first.value, second.value = 1.5, 3
     assert beside.value == "a = 1.5\N{NO-BREAK SPACE}m"
     assert shown.updates[-1][0]["text/plain"].endswith("a = 1.5, b = 3")
-    pictures = {data["text/html"] for data, _ in [shown.outputs[0], *shown.updates]}
-    assert len(pictures) == 3
+    assert len({data["text/html"] for data, _ in [shown.outputs[0], *shown.updates]}) == 3
 
 
 def test_an_alternative_text_says_where_the_sliders_are(shown):

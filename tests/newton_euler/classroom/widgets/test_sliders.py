@@ -24,9 +24,9 @@ def test_a_value_is_shown_with_label_unit_and_the_decimals_of_the_step():
 
 
 @pytest.mark.parametrize(("numbers", "message"), [
-    ((5, 0, 4, 1), "starts between"), ((1, 0, 4, 0), "a step is positive"),
-    ((1, 0, 4, 5), "no longer"), ((1, 0, "4", 1), "all numbers"),
-    ((1, 0, float("inf"), 1), "all numbers"),
+    ((5, 0, 4, 1), "lowest <= start <= highest"), ((1, 0, 4, 0), "0 < step"),
+    ((1, 0, 4, 5), "step <= span"), ((1, 0, "4", 1), "are numbers"),
+    ((1, 0, float("inf"), 1), "are numbers"),
 ])  # fmt: skip
 def test_a_slider_that_cannot_be_is_refused_in_words(numbers, message):
     with pytest.raises(NewtonEulerError, match=message):

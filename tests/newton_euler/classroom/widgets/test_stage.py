@@ -66,8 +66,7 @@ def test_an_extreme_between_the_samples_is_not_cut_off_and_the_window_stays_wide
         assert (line.max(axis=0) <= (360, 288)).all()
     after = lines(moving.picture({"a": 0}, None), DARK)[0]
     assert np.ptp(after[:, 0]) < np.ptp(before[:, 0])
-    again = lines(moving.picture({"a": 1}, None), DARK)[0]
-    assert (again == after).all()
+    assert (lines(moving.picture({"a": 1}, None), DARK)[0] == after).all()
 
 
 def test_all_panels_have_one_scale():
@@ -99,8 +98,7 @@ def test_a_title_stands_for_its_values_only():
             ax.set_title("moves")
 
     moving = stage(titled, [{"a": 0}, {"a": 1}])
-    count = [moving.picture({"a": a}).count(b"moves</text>") for a in (1, 0, 1)]
-    assert count == [1, 0, 1]
+    assert [moving.picture({"a": a}).count(b"moves</text>") for a in (1, 0, 1)] == [1, 0, 1]
     (first, second) = (lines(moving.picture({"a": a}), DARK)[0] for a in (0, 1))
     assert (first == second).all()
 
@@ -118,8 +116,7 @@ def test_what_only_some_values_need_of_matplotlib_is_drawn_with_one_window():
         if a > 1:
             ax.text(0.5, 0.5, "far", transform=ax.transAxes)
 
-    moving = stage(sometimes, [{"a": a} for a in (1, 2, 3)])
-    assert b"matplotlib" in moving.picture({"a": 1})
+    assert b"matplotlib" in stage(sometimes, [{"a": a} for a in (1, 2, 3)]).picture({"a": 1})
 
 
 def test_a_plot_beside_a_sketch_keeps_room_for_its_labels():

@@ -97,9 +97,9 @@ def test_pulleys_in_two_planes_are_each_left_in_its_own_tangent():
 
 def test_a_cable_does_not_begin_inside_a_pulley_and_pulleys_do_not_overlap_for_a_crossed_belt():
     wheel = Pulley((0.0, 0.0, 0.0), Z, 1.0)
-    with pytest.raises(FrameError, match="lies within the radius 1"):
+    with pytest.raises(FrameError, match="is within the radius 1"):
         route([(0.5, 0.0, 0.0), wheel])
-    with pytest.raises(FrameError, match="lies within the radius"):
+    with pytest.raises(FrameError, match="is within the radius"):
         route([wheel, Pulley((0.1, 0.0, 0.0), Z, 1.0)], (1, -1))
 
 

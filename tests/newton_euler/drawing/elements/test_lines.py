@@ -74,7 +74,7 @@ def test_only_the_near_side_of_a_curve_on_a_sphere_is_drawn():
     ("draw", "words"),
     [
         (lambda s: s.around(O, (0, 0, 1), ground.k), "off its axis"),
-        (lambda s: s.around(O, (1, 0, 0), ground.k, "pi"), "an angle is a number of radians, at most 1000 turns; got 'pi'"),
+        (lambda s: s.around(O, (1, 0, 0), ground.k, "pi"), "an angle is in radians, at most 1000 turns; got 'pi'"),
         (lambda s: s.around(O, (1, 0, 0), ground.k, 1e308), "at most 1000 turns; got 1e"),
         (lambda s: s.path([O, (1, 0, 0)], style="bold"), "a line is solid, dashed, dotted, centre"),
     ],

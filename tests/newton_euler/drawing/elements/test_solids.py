@@ -109,8 +109,7 @@ def test_the_equator_of_a_sphere_is_its_front_alone_from_all_sides(azimuth):
     """There is no chord between its ends."""
     s = sketch(azimuth=azimuth, elevation=50)
     s.sphere(O, 1)
-    colours = {colour_at(s, 0, 0, z / 200) for z in range(-20, 21)}
-    assert len(colours) == 1
+    assert len({colour_at(s, 0, 0, z / 200) for z in range(-20, 21)}) == 1
 
 
 def test_one_sees_into_an_open_cone():
@@ -125,9 +124,9 @@ def test_one_sees_into_an_open_cone():
     (lambda s: s.plate(CORNERS, thickness=math.nan), "a positive number of metres; got nan"),
     (lambda s: s.plate(CORNERS, shade="red"), "the shade of a plate is light, medium, dark"),
     (lambda s: s.plate([O, (1, 0, 0), (2, 0, 0)], thickness=1), "has an area"),
-    (lambda s: s.plate(CORNERS, holes=[3]), r"as in holes=\[s.around\(...\)\]; got \[3\]"),
-    (lambda s: s.plate(CORNERS, holes=3), "holes are a sequence of outlines"),
-    (lambda s: s.plate(CORNERS, s.around(O, CORNERS[1], ground.k)), "holes are a sequence"),
+    (lambda s: s.plate(CORNERS, holes=[3]), r"as holes=\[s.around\(...\)\]; got \[3\]"),
+    (lambda s: s.plate(CORNERS, holes=3), "holes are outlines"),
+    (lambda s: s.plate(CORNERS, s.around(O, CORNERS[1], ground.k)), "holes are outlines"),
 ])  # fmt: skip
 def test_a_mistake_is_an_error_at_once(draw, words):
     with pytest.raises(FrameError, match=words):

@@ -10,8 +10,8 @@ import pytest
 
 from exercises.catalogue import problem
 from grader.practice.build import page_of, svg
-from newton_euler.browser import answer
 from tests.grader.courses import environment
+from website.browser import answer
 
 SECRETS = (
     "__import__('os').system('x')",
@@ -30,8 +30,7 @@ def call(function, **arguments):
 @pytest.fixture(scope="module")
 def opened(practice_file):
     """The problems of a file that a page has handed over."""
-    data = b64encode(practice_file.read_bytes()).decode()
-    return call("load", name="some", data=data)["value"]
+    return call("load", name="some", data=b64encode(practice_file.read_bytes()).decode())["value"]
 
 
 def shown(number, **more):
@@ -77,9 +76,7 @@ def test_wrong_answers_are_named_and_progress_is_handed_back(opened):
 
 
 def test_what_is_typed_is_shown_as_it_is_read(opened):
-    def read(*texts):
-        return call("read", problem="4/16", key="a_D", texts=texts)["value"]
-
+    read = lambda *texts: call("read", problem="4/16", key="a_D", texts=texts)["value"]
     number = shown("4/16")["names"]["omega"]
     assert read("-2*omega*b", "0", "1/2")["latex"].startswith(
         r"\left[{-2 \omega b},\ 0,\ \frac{1}{2}\right] = "
@@ -118,7 +115,7 @@ import json, sys
 from base64 import b64encode
 for name in ("numpy", "scipy", "matplotlib", "sympy", "mpmath", "click", "IPython", "ipywidgets"):
     sys.modules[name] = None
-from newton_euler.browser import answer
+from website.browser import answer
 def call(function, **arguments):
     found = json.loads(answer(f"practice.{function}", json.dumps(arguments)))
     assert "error" not in found, (function, arguments, found)

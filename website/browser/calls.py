@@ -4,12 +4,13 @@ import json
 from importlib import import_module
 from types import FunctionType
 
-from ..algebra.errors import NewtonEulerError
+from newton_euler.algebra.errors import NewtonEulerError
+
 from .late import missing, words
 
 
 def answer(name: str, arguments: str = "{}") -> str:
-    """What the function ``name`` of this room, "module.function", returns for these arguments by
+    """What the function ``name`` of this folder, "module.function", returns for these arguments by
     name: a JSON object {"value": …}, or {"error": words} where it fails, with {"needs": package}
     where one is not here.
 
@@ -29,7 +30,7 @@ def answer(name: str, arguments: str = "{}") -> str:
 
 
 def _function(name):
-    """A public function that a module of this room defines."""
+    """A public function that a module of this folder defines."""
     module, _, function = name.rpartition(".")
     if module.isidentifier() and not function.startswith("_"):
         full = f"{__package__}.{module}"

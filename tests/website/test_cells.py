@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from newton_euler.browser import cells
+from website.browser import cells
 
 FRAME = "from newton_euler import Frame\nfrom newton_euler.drawing import Sketch"
 MOVING = """
@@ -61,8 +61,7 @@ def test_an_error_is_reported_with_its_line_after_what_was_shown_before(page, so
 def test_where_no_ipython_is_a_cell_is_not_in_a_notebook(page, monkeypatch):
     monkeypatch.setitem(sys.modules, "IPython", None)
     monkeypatch.setitem(sys.modules, "IPython.display", None)
-    source = "import IPython\nIPython.get_ipython()"
-    assert cells.run(page, [source], 0) == {"shown": []}
+    assert cells.run(page, ["import IPython\nIPython.get_ipython()"], 0) == {"shown": []}
 
 
 def test_a_cell_runs_after_what_it_needs_and_keeps_what_the_reader_ran(page):
@@ -95,7 +94,7 @@ def test_a_figure_moves_with_what_its_cell_needs_though_nobody_ran_it(page):
 WITHOUT = """
 import sys
 sys.modules["numpy"] = sys.modules["matplotlib"] = None
-from newton_euler.browser import answer, cells, late
+from website.browser import answer, cells, late
 late.find_spec = lambda name: None
 del sys.modules["numpy"], sys.modules["matplotlib"]
 late.install()

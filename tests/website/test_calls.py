@@ -5,7 +5,7 @@ import json
 import pytest
 
 import newton_euler
-from newton_euler.browser import answer
+from website.browser import answer
 
 
 def test_a_function_of_the_room_answers_as_json():

@@ -5,9 +5,10 @@ from collections import defaultdict
 from contextlib import contextmanager
 from typing import Any
 
-from ..algebra.errors import NewtonEulerError
-from ..classroom.widgets import interactive
-from ..classroom.widgets.on_pages import described
+from newton_euler.algebra.errors import NewtonEulerError
+from newton_euler.classroom.widgets import interactive
+from newton_euler.classroom.widgets.on_pages import described
+
 from . import late
 from .notebook import Notebook, name_of
 from .shown import Shown, showing

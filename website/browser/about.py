@@ -2,7 +2,7 @@
 
 import sys
 
-from .. import __version__
+from newton_euler import __version__
 
 
 def version() -> dict[str, str]:

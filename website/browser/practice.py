@@ -11,18 +11,24 @@ from pathlib import Path
 from tempfile import mkdtemp
 from typing import Any
 
-from ..algebra.errors import NewtonEulerError
-from ..algebra.language import Words, _, choose_language, languages
-from ..answers.forms import AnswerError
-from ..answers.notation import formula, list_symbol, matrix_symbol, number_symbol, unit_symbol
-from ..classroom.practising.advice import advise, causes_of
-from ..classroom.practising.collection import Practice
-from ..classroom.practising.files import HELP, PracticeFile
-from ..classroom.practising.numbers import Quantity
-from ..classroom.practising.problems import Message, PracticeProblem
-from ..classroom.practising.progress import Progress
-from ..classroom.practising.typed import typed, typed_tree
-from ..classroom.practising.ways import Ways
+from newton_euler.algebra.errors import NewtonEulerError
+from newton_euler.algebra.language import Words, _, choose_language, languages
+from newton_euler.answers.forms import AnswerError
+from newton_euler.answers.notation import (
+    formula,
+    list_symbol,
+    matrix_symbol,
+    number_symbol,
+    unit_symbol,
+)
+from newton_euler.classroom.practising.advice import advise, causes_of
+from newton_euler.classroom.practising.collection import Practice
+from newton_euler.classroom.practising.files import HELP, PracticeFile
+from newton_euler.classroom.practising.numbers import Quantity
+from newton_euler.classroom.practising.problems import Message, PracticeProblem
+from newton_euler.classroom.practising.progress import Progress
+from newton_euler.classroom.practising.typed import typed, typed_tree
+from newton_euler.classroom.practising.ways import Ways
 
 ON_A_PAGE = Ways(
     Words("in its fields, by Check"),
@@ -167,14 +173,12 @@ def _value(p, q, texts):
     lists = [t for t, x in zip(texts, found, strict=True) if isinstance(x, list)]
     if lists and (parts is found or q.kind.length == 1):
         raise AnswerError(
-            _(
-                "{text} has a comma: write a decimal point, as -2.5, and nothing between thousands",
-                text=repr(lists[0][:60]),
-            )
+            "{text} has a comma: write a decimal point, as -2.5, and nothing between thousands",
+            text=repr(lists[0][:60]),
         )
     if None in parts:
         missing = _parts(q.kind)[parts.index(None)]
-        raise AnswerError(_("write the {missing}, too; 0 where there is none", missing=missing))
+        raise AnswerError("write the {missing}, too; 0 where there is none", missing=missing)
     parts = _flat(parts)
     return q.kind.nested(parts) if len(parts) == q.kind.length else parts
 

@@ -6,7 +6,7 @@ import ast
 
 import pytest
 
-from newton_euler.browser.needed import needed
+from website.browser.needed import needed
 
 # cells above, the cell, and the statements that it needs
 CASES = {

@@ -1,0 +1,118 @@
+"""The last form of a formula before it is printed: in which order names stand in its products and
+sums, and where its signs and the fractions of its sums stand.
+"""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from newton_euler.algebra.late import sympy
+from newton_euler.algebra.units import unit
+
+
+def in_reading_order(units: Mapping[str, str]) -> list[str]:
+    """Names as a book has them in a product, as in k x^2/2, m g h, m r omega^2 and v_0 t: what has
+    no unit, then what has a mass, g, lengths, rates, velocities, accelerations, times, angles;
+    those of a kind as they are in ``units``, {name: its unit}.
+
+    >>> in_reading_order({"h": "m", "g": "m/s^2", "t": "s", "omega": "rpm", "m": "g", "mu": "1"})
+    ['mu', 'm', 'g', 'h', 'omega', 't']
+    """
+    return sorted(units, key=lambda name: _place(name, units[name]))
+
+
+def _place(name, stated):
+    mass, length, time = unit(stated).dimension.powers
+    if mass:
+        return 1, -length, time
+    if (length, time) == (0, 0):
+        return (0 if stated == "1" else 9), 0, 0
+    if name == "g":
+        return 2, 0, 0
+    kinds = {(1, 0): 3, (0, -1): 4, (0, -2): 4, (1, -1): 5, (1, -2): 6, (0, 1): 7}
+    return kinds.get((length, time), 3), 0, 0
+
+
+def laid_out(formula: Any, names: Iterable[str]) -> tuple[Any, dict[Any, str]]:
+    """A formula with symbols that SymPy prints in the order of ``names``, those of others behind
+    them, and {such a symbol: its name}; its signs and fractions are where a reader expects them.
+
+    >>> from sympy import sin, sqrt, symbols
+    >>> a, b, c, d = symbols("a b c d")
+    >>> [laid_out(x, "abcd")[0] for x in (-c * (b - a) / d, a / (b / 2 + c / 2), (-a - b) ** 2 * c)]
+    [002*(000 - 001)/003, 2*000/(001 + 002), 002*(000 + 001)**2]
+    """
+    places = {name: n for n, name in enumerate(names)}
+    called = {
+        x: sympy.Symbol(f"{places[x.name]:03}", **x.assumptions0)
+        for x in formula.free_symbols
+        if x.name in places
+    }
+    formula = _tidy(formula.xreplace(called))
+    if all(x.as_coeff_Mul()[1].is_Symbol for x in sympy.Add.make_args(formula)):
+        formula = _over_one_number(formula)
+    return formula, {placed.name: x.name for x, placed in called.items()}
+
+
+def _tidy(x, is_term=False):
+    """``is_term``: of a sum, before which a minus sign may stay."""
+    args = [_tidy(a, x.is_Add) for a in x.args]
+    if x.is_Function:
+        args = [_over_one_number(a) for a in args]
+    if args != [*x.args]:
+        x = x.func(*args, evaluate=False) if x.is_Function else x.func(*args)
+    return _turned(x, is_term) if x.is_Mul or x.is_Pow else x
+
+
+def _turned(x, is_term):
+    """A product or power with its sums as :func:`laid_out` says."""
+    number, factors, changed = sympy.Integer(1), [], False
+    negative = x.as_coeff_Mul()[0].could_extract_minus_sign()
+    for a in sympy.Mul.make_args(x):
+        base, power = a.as_base_exp()
+        if base.is_Add and power.is_Rational and (power < 0 or sympy.fraction(x)[1] != 1):
+            above, below = _without_fractions(base, power)
+            base, changed = above, changed or below != 1
+            factors.append(below**-power)
+        if not base.is_Add or not power.is_Integer:
+            factors.append(base**power)
+            continue
+        divided = power < 0 or sympy.fraction(x)[1].free_symbols
+        part, whole = base.primitive() if divided else _one_fraction(base)
+        if _is_other_way_round(whole, negative and power % 2 and not is_term):
+            part, whole, negative = -part, -whole, negative != bool(power % 2)
+        number *= part**power
+        factors.append(whole**power)
+        changed = changed or part != 1
+    return sympy.Mul(number, *factors) if changed else x
+
+
+def _without_fractions(x, power):
+    """A sum as a fraction without fractions in it, where the root of what is below it is none."""
+    above, below = sympy.fraction(sympy.together(x))
+    is_plain = all(y.exp.is_Integer for y in (below**power).atoms(sympy.Pow))
+    return (above, below) if below != 1 and is_plain else (x, sympy.Integer(1))
+
+
+def _is_other_way_round(whole, has_minus):
+    """True if a sum is written with the other signs, and the minus sign before it goes or comes."""
+    minus = sum(term.could_extract_minus_sign() for term in whole.args)
+    return minus == len(whole.args) or (has_minus and 2 * minus >= len(whole.args))
+
+
+def _over_one_number(x):
+    """A sum whose terms are all divided by the same, as (a + b)/2."""
+    below = {sympy.fraction(term)[1].as_coeff_Mul()[1] for term in sympy.Add.make_args(x)}
+    if len(below) == 1 and below != {1}:
+        return sympy.together(x)
+    number, whole = _one_fraction(x)
+    return x if number == 1 else sympy.Mul(number, whole, evaluate=False)
+
+
+def _one_fraction(x):
+    """The fraction 1/n by which all terms of a sum are multiplied, or 1, and the sum without it."""
+    numbers = [term.as_coeff_Mul()[0] for term in sympy.Add.make_args(x)]
+    below = {n.q for n in numbers if n.is_Rational}
+    if not x.is_Add or len(below) != 1 or not all(n.is_Rational for n in numbers):
+        return sympy.Integer(1), x
+    n = below.pop()
+    return sympy.Rational(1, n), sympy.Add(*(n * term for term in x.args))
