@@ -221,6 +221,13 @@ def left_out_components(places: Sequence[int]) -> Cause:
     return slip(f"without {_ordinals(places)}", _of_places(places, one, several))
 
 
+def added_components(places: Sequence[int]) -> Cause:
+    """Components where there are none."""
+    one = Words("has a {which} component, where there is none: look at what points along it")
+    several = Words("has {which} components, where there are none: look at what points along them")
+    return slip(f"more {_ordinals(places)}", _of_places(places, one, several))
+
+
 def is_left_out(cause: Cause) -> bool:
     """True of one that says only that a component is zero."""
     return cause in [left_out_components([n]) for n in range(len(ORDINALS))]
@@ -281,16 +288,6 @@ def exchanged_entries(one: Sequence[int], other: Sequence[int]) -> Cause:
     )
 
 
-def sum_on_diagonal(n: int) -> Cause:
-    """A moment of inertia is the sum of the two others."""
-    text = Words(
-        "takes {entry} as the sum of the two others: that is right for a flat body in its plane "
-        "only",
-        entry=_entry(n, n),
-    )
-    return slip(f"sum {n}", text)
-
-
 def _ordinals(places: Sequence[int]) -> str:
     return joined(ORDINALS[n] for n in places)
 
@@ -336,7 +333,7 @@ def both(first: Cause, second: Cause) -> Cause:
     """
     name, one, other = f"{first.name} + {second.name}", first.what, second.what
     text = Words("{first}, and also {second}: both change the answer", first=one, second=other)
-    if second == OPPOSITE_NUMBER and " with the opposite sign" in one:
+    if second == OPPOSITE_NUMBER and re.fullmatch("has .* with the opposite sign", one):
         what = one.removeprefix("has ").removesuffix(" with the opposite sign")
         return Cause("both", name, Words("has all but {term} with the opposite sign", term=what))
     if len(f"{one} {other}".split()) > BRIEF:

@@ -21,6 +21,8 @@ FORMAT, READ = 5, (4, 5)  # a cause is words in 5, a text in 4
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
 MOST = 8 * 2**20  # bytes of one member; a problem with ten sets of numbers has 0.1 MB
+# the others' decompressors do not stop at what is asked for: 600 bytes may become a gigabyte
+METHODS = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 DEEPEST = 32  # lists within lists; a file has less than ten
 
 
@@ -64,6 +66,8 @@ class PracticeFile:
         """One member of the archive."""
         try:
             with zipfile.ZipFile(self.path) as archive, archive.open(name) as member:
+                if archive.getinfo(name).compress_type not in METHODS:
+                    raise ValueError(f"{name} is compressed by a method that is not used here")
                 content = member.read(MOST + 1)  # the size stated in an archive may be wrong
         # zipfile and its decompressors have a dozen errors for what is damaged
         except Exception as error:

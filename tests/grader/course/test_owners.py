@@ -98,6 +98,12 @@ def test_a_student_whose_name_is_a_common_word_is_found_where_a_platform_names_w
     assert owners([name], "ch04", {"late": student}) == {name: ["late"]}
 
 
+@pytest.mark.parametrize("name", ["ch04.ipynb", "week 3/ch04.ipynb", "submissions/ch04/work.ipynb"])
+def test_what_is_called_as_the_assignment_is_not_of_a_student_whose_id_that_is(name):
+    assert owned([name], "ch04") == [""]
+    assert owned([name.replace("ch04", "eve")], "ch04") == ["eve"]
+
+
 def test_a_number_behind_an_id_may_be_of_the_id():
     assert owned(["ada-2.ipynb", "ada (2).ipynb", "eve 2.ipynb"], "ada2") == ["", "ada", "eve"]
     assert owned(["s 7654321.ipynb", "s_7654321/ch04.ipynb"], "s7654321") == ["s7654321"] * 2

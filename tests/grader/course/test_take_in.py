@@ -88,6 +88,20 @@ def test_what_leads_elsewhere_or_fits_nobody_is_left_out_and_said(named, tmp_pat
     assert [p for p in after if p not in before and "gradebook" not in p.name] == []
 
 
+@pytest.mark.parametrize("method", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+def test_a_bomb_of_a_method_that_cannot_be_read_in_part_is_left_out(named, tmp_path, method):
+    path = archive(tmp_path / "w.zip", {"ada.ipynb": "{}"})
+    with zipfile.ZipFile(path, "a", method) as z:
+        z.writestr("ben.ipynb", b"[" * 2**20)
+    raw = bytearray(path.read_bytes())
+    place = raw.rfind(b"PK\1\2") + 24  # the size that the directory tells: a lie
+    raw[place : place + 4] = (5).to_bytes(4, "little")
+    path.write_bytes(raw)
+    found = take_in(named, "ch04", path)
+    ((name, why),) = found.refused
+    assert (name, "unusual method" in why, {*found.taken}) == ("ben.ipynb", True, {"ada"})
+
+
 def test_a_link_in_an_archive_is_left_out(named, tmp_path):
     info = zipfile.ZipInfo("ada.ipynb")
     info.external_attr = (stat.S_IFLNK | 0o777) << 16

@@ -49,15 +49,34 @@ def test_the_opposite_sign_and_a_fraction_upside_down_are_seen_beside_a_listed_m
     assert in_symbols(1 / A, A * B, A) == (both(LISTED, INVERTED),)
 
 
-def test_two_slips_and_two_numbers_as_factors_are_no_pair():
+def test_two_slips_in_symbols_are_a_pair_and_what_is_done_to_one_term_twice_is_none():
+    given, key, slip = A, A + A * B + B**2, A + A * B
+    assert in_symbols(given, key, B, slip=slip, other=A + B**2) == (both(SLIP, OTHER),)
+    assert in_symbols(1.001 * given, key, B, slip=slip, other=A + B**2) == ()
+    reversed_ = A + A * B - B**2
+    assert in_symbols(key - 3 * B**2, key, A, slip=slip, other=reversed_) == ()
+
+
+def test_two_numbers_as_factors_are_no_pair():
     """A guess of the right form is met by these as well."""
-    assert in_symbols(A, A + A * B + B**2, B, slip=A + A * B, other=A + B**2) == ()
     assert in_symbols(A * B * 3 / 2, A * B, A * B * 3, slip=A * B / 2) == ()
 
 
 def test_factors_of_one_component_are_not_added_and_nothing_is_added_to_nothing():
     assert in_symbols(-3 * A * B, A * B, 0 * A, slip=-2 * A * B) == ()
     assert in_symbols(A * B + B, A * B, B, slip=2 * A * B) == ()
+
+
+def test_a_component_may_be_zero_at_some_points():
+    """As one that changes its sign on the way: nothing is divided by it there."""
+    kind, zero = KINDS["vector_expression"], np.where(A < 1.2, 0.0, B)
+    key, given = points(A + B, zero, A * B), points(A, zero, A)
+    own, slip = points(A, zero, A * B), points(A + B, zero, A)
+    singles = Singles([(1, SLIP)], lambda n: [slip[n]], of_symbols=True)
+    found = of_two(
+        Fit(given, key, kind.rtol), kind, [(LISTED, own)], lambda: singles, lambda cause: False
+    )
+    assert found == (both(LISTED, SLIP),)
 
 
 KEY = (3.127, -4.216, 1.871)
