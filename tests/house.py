@@ -10,6 +10,8 @@ from tests.imports import circle, imports, modules
 ROOT = Path(__file__).parent.parent
 PACKAGES = ("newton_euler", "exercises", "grader", "website")
 AIMS = {"newton_euler": 25_000, "exercises": 25_000, "grader": 10_000, "tests": 48_000}
+BEGINS = (tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT)  # after these a statement begins
+BLANK = (tokenize.NL, tokenize.COMMENT, tokenize.ENDMARKER)  # NL also ends lines within brackets
 
 
 def room_of(module: str, path: Path) -> str:
@@ -25,9 +27,9 @@ def sizes(path: Path) -> Counter:
     code: set[int] = set()
     statement = True  # a string that begins a line of its own is a docstring
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        if token.type in (tokenize.NEWLINE, tokenize.NL, tokenize.INDENT, tokenize.DEDENT):
+        if token.type in BEGINS:
             statement = True
-        elif token.type not in (tokenize.COMMENT, tokenize.ENDMARKER):
+        elif token.type not in BLANK:
             if not (token.type == tokenize.STRING and statement):
                 code |= set(range(token.start[0], token.end[0] + 1))
             statement = False

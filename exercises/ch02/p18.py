@@ -44,6 +44,7 @@ def mistakes(g):
         "rho_is_r": {"rho": g.r},
         "no_r": {"rho": g.r_dot**2 / abs(g.theta_ddot)},
         "negative": {"rho": -rho},
+        "toward": {"heading": "toward"},
         "across": {"heading": "across"},
     }
 

@@ -75,6 +75,8 @@ def mistakes(g):
         "squares_for_moments": {"gap": gap(g.Jx, g.Jy, g.Jz), "gap_sym": gap_sym(g.Jx, g.Jy, g.Jz)},
         "no_symmetry": {"gap_sym": gap_sym(*moments(g.Jx, g.Jy, g.Jz))},
         "line_for_plane": {"when_zero": LINE},
+        "no_sum_vanishes": {"when_zero": "never"},
+        "all_distances": {"when_zero": "only a single particle"},
     }
 
 

@@ -30,7 +30,7 @@ def solve(g):
 def steps(g):
     _, _, body = rotor(g)
     I = body.inertia.moment("x")
-    return {"I": I, "H_spin": g.P * I, "M_spin": on_the_rotor(g)}
+    return {"I": I, "H_spin": g.P * I}
 
 
 def prove(g):

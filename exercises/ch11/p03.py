@@ -1,7 +1,7 @@
 """11/3: a car driving up one slope and coasting up a steeper one."""
 
 from exercises.tools import Sketch, minus, mp, proofs, rate, root, scaled, size, vanishing
-from newton_euler import Frame, sin, solve_linear
+from newton_euler import Frame, cos, sin, solve_linear
 from newton_euler.algebra.ledger import summed
 from newton_euler.dynamics import constant_force_work
 
@@ -11,7 +11,8 @@ def scene(g):
     ground = Frame("ground")
     first = ground.rotate("first slope", "z", angle=g.theta_1)
     B = first.point("B", g.s_AB, 0, 0)
-    second = first.rotate("second slope", "z", angle=g.theta_2 - g.theta_1, origin=B)
+    start = ground.point("B", g.s_AB * cos(g.theta_1), g.s_AB * sin(g.theta_1), 0)
+    second = ground.rotate("second slope", "z", angle=g.theta_2, origin=start)
     return ground, first, second, ground.origin, B
 
 
@@ -23,9 +24,9 @@ def work_to_B(g):
 
 def distance(g, U):
     """The distance on the second slope, where the weight does the work -U."""
-    ground, _, second, _, B = scene(g)
-    energy = lambda s: U + constant_force_work(-g.W * ground.j, B, second.point("P", s, 0, 0)).value
-    return solve_linear(energy, "s").s
+    ground, _, second, _, _ = scene(g)
+    work = lambda P: constant_force_work(-g.W * ground.j, second.origin, P).value
+    return solve_linear(lambda s: U + work(second.point("P", s, 0, 0)), "s").s
 
 
 def solve(g):

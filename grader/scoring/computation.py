@@ -198,8 +198,9 @@ def _means(p):
 
 def _brief(means):
     """The first words of a meaning, as "mass" of "mass, W/g"; "" if they are long."""
-    first = re.split("[,;:(=]", means)[0].strip()
-    return first if len(first.split()) <= FEW and not re.search(r"[$\\{]", first) else ""
+    first = re.split("[,;:=]", re.sub(r"(?<!\bof )\(.*", "", means))[0].strip()
+    is_whole = not re.search(r"[$\\{]|[-+*/]$", first)
+    return first if len(first.split()) <= FEW and is_whole else ""
 
 
 def _where(p, step):

@@ -1,10 +1,11 @@
-"""Wrong counts of degrees of freedom that can be made in any problem: what is counted in other
-coordinates, of bodies of another kind, with a constraint too many or too few.
+"""Wrong counts and words that can be given in any problem: degrees of freedom counted in other
+coordinates, of bodies of another kind, with a constraint too many or too few; one of two conditions
+misjudged, as of static and dynamic balance.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from newton_euler.algebra.language import Words
+from newton_euler.algebra.language import Words, joined
 from newton_euler.answers.causes import Cause
 from newton_euler.dynamics.constraints import KINDS, Freedom
 
@@ -33,6 +34,22 @@ def miscounts(right: Freedom) -> list[tuple[Cause, int]]:
             text = Words("{what}: {why}", what=what, why=why)
             causes.append(Cause("count", str(what), text))
     return [(cause, n) for n, (_, causes) in found.items() for cause in causes]
+
+
+def misjudged(key: str, options: Sequence[str], right: str) -> list[tuple[Cause, str]]:
+    """[(cause, word)] of the wrong words, where the options are neither, one, the other, both."""
+    if len(options) != 4 or {options[0], options[-1]} != {"neither", "both"}:
+        return []
+    met = {w: {*options[1:3]} if w == "both" else {w} - {"neither"} for w in options}
+    found = []
+    for word in met.keys() - {right}:
+        text = Words("takes the condition of {names} {key} as met: look at each by itself")
+        if wrong := met[right] - met[word]:
+            text = Words("takes the condition of {names} {key} as not met: look at each by itself")
+        names = joined(sorted(wrong or met[word] - met[right]))
+        text = Words(text.template, names=names, key=key)
+        found.append((Cause("count", f"{key} {word}", text), word))
+    return found
 
 
 def _all(right: Freedom) -> Iterator[tuple[int, int, str, str]]:

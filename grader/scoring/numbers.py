@@ -27,7 +27,7 @@ from .computation import (
     section,
     sequel_of,
 )
-from .miscounts import miscounts
+from .miscounts import miscounts, misjudged
 from .sheet import ScoreError
 from .wrong_models import wrong_models
 
@@ -93,6 +93,8 @@ class Numbers:
         right = self.problem.code.solve(self.problem.base(self.sample))[answer.key]
         if isinstance(right, Freedom):
             found += [(cause, ((n,),)) for cause, n in miscounts(right)]
+        right = self.key[answer.key][0][0]
+        found += [(cause, ((w,),)) for cause, w in misjudged(answer.key, answer.of, right)]
         return found
 
     @cached_property

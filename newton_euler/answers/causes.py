@@ -220,6 +220,13 @@ def left_out_components(places: Sequence[int]) -> Cause:
     return slip(f"without {_ordinals(places)}", _of_places(places, one, several))
 
 
+def added_components(places: Sequence[int]) -> Cause:
+    """Components where there are none."""
+    one = Words("has a {which} component, where there is none: look at what points along it")
+    several = Words("has {which} components, where there are none: look at what points along them")
+    return slip(f"more {_ordinals(places)}", _of_places(places, one, several))
+
+
 def is_left_out(cause: Cause) -> bool:
     """True of one that says only that a component is zero."""
     return cause in [left_out_components([n]) for n in range(len(ORDINALS))]
@@ -278,16 +285,6 @@ def exchanged_entries(one: Sequence[int], other: Sequence[int]) -> Cause:
     return slip(
         f"exchanged {a} {b}", Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
     )
-
-
-def sum_on_diagonal(n: int) -> Cause:
-    """A moment of inertia is the sum of the two others."""
-    text = Words(
-        "takes {entry} as the sum of the two others: that is right for a flat body in its plane "
-        "only",
-        entry=_entry(n, n),
-    )
-    return slip(f"sum {n}", text)
 
 
 def _ordinals(places: Sequence[int]) -> str:

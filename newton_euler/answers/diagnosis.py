@@ -13,7 +13,15 @@ from .fit import CLOSE, EXACT, LOOSE, Fit
 from .kinds import KINDS, Kind
 from .near import NO_SINGLES, Singles
 from .pairs import of_two
-from .slips import is_rounded, multiples, of_components, of_last_resort, of_powers, rates_as_scalars
+from .slips import (
+    is_rounded,
+    multiples,
+    of_components,
+    of_last_resort,
+    of_none,
+    of_powers,
+    rates_as_scalars,
+)
 from .tolerance import NOISE, NUMBER_RTOL, Points, is_apart
 
 MOST = 3  # causes that are named together: more would explain nothing
@@ -114,7 +122,8 @@ def diagnose(
     found = found or _first(of_components(fit), fit, CLOSE)
     found = found or (_in_the_whole(fit, kind) if slips else ())
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
-    return found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
+    found = found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
+    return found or tuple(cause for cause, x in of_none(fit) if fit(x))
 
 
 def _says_little(cause, kind):

@@ -111,6 +111,7 @@ def _edits(formulas):
     yield from quantities.of_densities(given, steps, dimensions.get)
     yield from quantities.of_squares(products, number, dimensions.get)
     yield from quantities.of_other_entries(answers)
+    yield from quantities.of_sums_squared(steps)
     yield from groups.of_terms(steps, formulas.units)
     yield from groups.of_factors(products, number)
     for s, users in users_in.items():
@@ -125,13 +126,14 @@ def _edits(formulas):
             if name in symbols:
                 found = [*found, *givens.of_symbol(s, formulas.given, formulas.units)]
             # what is alone in a term, as H in D^2 + H^2, is no factor of it
-            slips += [slip for slip in found if slip[1] != givens.ONE or s in factors]
+            is_factor = s in factors or any(user.op in WITHIN for user in users)
+            slips += [slip for slip in found if slip[1] != givens.ONE or is_factor]
             # nobody converts the symbols of a formula
             slips += givens.of_unit(s, read[name], system) if name not in symbols else ()
         if s in products:
             slips += operations.of_product(s, number, dimensions.get)
-        if s.op == "argument" and any(user.op == "integral" for user in users):
-            slips += givens.of_integrand(s)
+        if s.op == "item" and s.args[0].op == "integral":
+            slips += givens.of_integral(s)
         for n, slip in enumerate(slips):
             yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in unwritten])
 

@@ -20,7 +20,7 @@ TWICE, HALF, ONE = "doubled", "halved", "one"
 G, G_OF_FEET = 9.81, 32.2  # the number of g, where the text gives none
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
-SEVERAL = 6  # givens of one unit, of which more are not shifted
+SEVERAL = 6  # lengths, of which no sums are tried if there are more
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
@@ -49,6 +49,10 @@ def of_given(
             rank = RARER if read[other].text == own.text else LESS
             words = Words("takes {other} for {name}: {why}", other=other, name=name, why=is_it)
             yield rank, f"given {other}", words, step
+            if own.is_of_angle:
+                words = Words("takes {name} - {other} for {name}: {why}",
+                              name=name, other=other, why=is_it)  # fmt: skip
+                yield LEAST, f"less {other}", words, ("-", s, step)
     if own.dimension != MASS:
         words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
         yield RARER, "sign", words, ("neg", s)
@@ -111,14 +115,12 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
 
-def of_integrand(s: Step) -> Iterator[Slip]:
-    """A given within an integral, with a factor of t^3/3 or t^4/12 lost or confused."""
-    words = Words(
-        "has another factor with {name}: each integral divides by its power", name=s.args[0]
-    )
-    for factor in (3, 4, Fraction(3, 2), Fraction(4, 3)):
-        for f in (factor, 1 / Fraction(factor)):
-            yield LESS, f"integral {f}", words, ("*", s, float(f))
+def of_integral(s: Step) -> Iterator[Slip]:
+    """An integral with a factor of t^3/3 or t^4/12 lost or confused."""
+    words = Words("has another factor in an integral: each power is divided by its own")
+    for f in (3, 4, Fraction(3, 2), Fraction(4, 3)):
+        for factor in (f, 1 / Fraction(f)):
+            yield LESS + 1, f"integral {factor}", words, ("*", s, float(factor))
 
 
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
@@ -188,6 +190,7 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
             own = dict.fromkeys(_alike(parts))
             found |= own
             yield from _of_whole_vectors(key, parts, own)
+            yield from _of_factors(parts)
     for steps in found:
         names = joined(s.args[0] for s in steps)
         turned = Words("takes {names} with the opposite sign: they are one vector", names=names)
@@ -196,6 +199,20 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
             SIMPLE, computed(f"turned {names}", turned), {s.number: ("neg", s) for s in steps}
         )
         yield Edit(SIMPLE, computed(f"no {names}", zero), {s.number: 0.0 for s in steps})
+
+
+def _of_factors(steps):
+    """The same where they are factors: left out of the products in one place of each component."""
+    ops = {s.op for s in steps}
+    for k, own in enumerate(zip(*(s.args for s in steps), strict=False) if len(ops) == 1 else ()):
+        if not all(isinstance(x, Step) for x in own):
+            continue
+        if ops == {"*"} and len(set(own)) == len(own) and {x.op for x in own} == {"argument"}:
+            names = joined(x.args[0] for x in own)
+            words = Words("leaves out the factors {names}: they are one vector", names=names)
+            instead = {s.number: s.args[1 - k] for s in steps}
+            yield Edit(LESS, computed(f"without {names} {[*instead]}", words), instead)
+        yield from _of_factors(own)
 
 
 def _of_whole_vectors(key, parts, vectors):

@@ -19,6 +19,7 @@ from .formulas import LEAST, LESS, RARER, SIMPLE, Edit, needed
 from .typed import Product, described, is_given, typed
 
 Slip = tuple[int, str, str | Cause, Any]
+UNNAMED = Words("one term of a sum")
 AREA, INERTIA, ENERGY = Dimension(0, 2), Dimension(1, 2), Dimension(1, 2, -2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 TWICE_ITS_ANGLE = Words("takes {own}(2*{angle}) for {own}({angle})^2: these differ").template
@@ -87,6 +88,14 @@ def _of_sum(s):
         for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
             yield LESS, kind, words, (s.op, *scaled)
+        for factor in (4, 2, 0.5, 0.25) if not isinstance(term, Step) and term else ():
+            words = Words(
+                "takes {other} for {term}: its own number counts",
+                other=f"{factor * term:g}",
+                term=what,
+            )
+            scaled = (("*", x, factor) if x is term else x for x in (a, b))
+            yield LEAST, f"{factor} times", words, (s.op, *scaled)
 
 
 def _of_legs(s):
@@ -106,7 +115,7 @@ def _term(term, whole):
         if around:
             return Words("the {number} of {sum}", number=f"{term:g}", sum=around)
         return Words("the constant term of a sum")
-    return described(term, "the term") or Words("one term of a sum")
+    return described(term, "the term") or UNNAMED
 
 
 def of_product(
@@ -123,12 +132,17 @@ def of_product(
     for factor, power in product.powers.items():
         if described(factor):
             yield from _of_factor(s, factor, power, number(factor), of, why(factor))
-    for part, op in parts_of(s, "/"):
-        if (inner := Product(part)).coefficient == 1 and len(inner.powers) == 1:
+    parts = [(part, op, 1) for part, op in parts_of(s, "/")]
+    if s.args[0] is s.args[1]:
+        parts += [(part, op, 2) for part, op in parts_of(s.args[0], "/")]
+    for part, op, times in parts:
+        inner = Product(part)
+        if inner.is_exact and inner.coefficient == 1 and len(inner.powers) == 1:
             continue  # one factor, as above
         named = described(part, "the factor") or Words("a factor")
         words = Words(LEAVES_OUT, factor=named, of=of if whole else "", why=why(part))
-        yield LESS, "factor", words, (op, s, number(part))
+        cause = computed(f"part {part.number} {times} {s.number}", words, f"part {part.number}")
+        yield LESS, "factor", cause, (op, s, ("**", number(part), float(times)))
     yield from _of_ratios(s, product, dimension, of)
     powers = product.powers.values()
     if min(powers, default=0) < 0 < max(powers):
@@ -144,10 +158,6 @@ def of_product(
                 other=other, own=c, of=of,
             )  # fmt: skip
             yield rank, f"constant for {other}", words, ("*", s, float(other / c))
-        turn = next((x for x, power in product.powers.items() if (x.op, power) == ("pi", 2)), None)
-        if turn is not None and c.numerator % 4 == 0:
-            words = Words("does not square 2*pi{of}: the formula has its square", of=of)
-            yield LESS, "2 pi", words, ("/", s, ("*", turn, 2.0))
         for lost in {Fraction(c.numerator), Fraction(1, c.denominator), c} - {Fraction(1)}:
             words = Words(
                 "leaves out the factor {factor}{of}: the formula has it", factor=lost, of=of

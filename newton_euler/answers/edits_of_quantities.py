@@ -3,6 +3,7 @@ for a distance, a component for the whole, a density for a mass, rates that turn
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import reduce
 from itertools import product
 from typing import Any
 
@@ -13,7 +14,7 @@ from .causes import computed
 from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS
 from .edits_of_operations import parts_of
 from .formulas import LEAST, LESS, RARER, Edit, Stage, Traced, needed, steps_in, users_of
-from .typed import Product, described, terms_of
+from .typed import Product, described, repeats, terms_of, typed
 
 DimensionOf = Callable[[Step], Dimension | None]
 Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
@@ -106,6 +107,20 @@ def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
             LESS, computed(f"added {name}", added), {x.number: ("+", *x.args) for x in parts}
         )
         yield Edit(LESS, computed(f"middle {name}", middle), {y.number: ("neg", y)})
+
+
+def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
+    """The square of a sum term by term."""
+    squared = {s: s.args[0] for s in steps if s.op == "*" and s.args[0] is s.args[1]}
+    for s, x in squared.items():
+        named = typed(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
+        if named:
+            squares = [("*", term, term) for _, term in terms_of(x)]
+            words = Words(
+                "squares each term of {sum} by itself: twice their product belongs to it", sum=named
+            )
+            instead = {s.number: reduce(lambda a, b: ("+", a, b), squares)}
+            yield Edit(LESS, computed(f"squares in {s.number}", words), instead)
 
 
 def _plain(x):

@@ -13,8 +13,18 @@ from functools import cached_property
 from itertools import chain
 from typing import Any
 
+from ..algebra.language import spoken
 from ..algebra.late import is_here, np
-from .causes import INVERTED, OPPOSITE_NUMBER, Cause, both, left_out, multiple_of, multiplied
+from .causes import (
+    INVERTED,
+    OPPOSITE_NUMBER,
+    Cause,
+    both,
+    left_out,
+    multiple_of,
+    multiplied,
+)
+from .edits_of_operations import UNNAMED
 from .fit import Fit
 from .formulas import FIRST
 from .kinds import Kind
@@ -23,6 +33,7 @@ from .slips import PURE
 from .tolerance import NOISE, ROUND_OFF, Points
 
 (TWO, *_) = PURE
+MANY = 800  # slips, of which two are not looked for
 CHANCE = 0.005  # by which a random answer may meet a pair that is named
 
 
@@ -62,6 +73,8 @@ class _Pairs:
         self.fit, self.kind, self.own, self.models, self.slips = fit, kind, len(own) + 2, own, slips
         self.of_symbols = kind.is_formula and slips.of_symbols
         self.exactly = fit.rtol if kind.is_formula and not self.of_symbols else ROUND_OFF
+        few = self.of_symbols and len(slips.causes) <= MANY and len({*fit.given}) > 1
+        self.firsts = self.own + few * len(slips.causes)
 
     @cached_property
     def causes(self) -> list[tuple[int, Cause]]:
@@ -102,13 +115,15 @@ class _Pairs:
         usable = np.isfinite(rows).all(axis=1) & rows.any(axis=1) & ~undoes
         usable &= (abs(rows - key) > NOISE * size).any(axis=1)
         last = len(rows) - 1
+        # of what is not named a second mistake says nothing
+        usable &= [spoken(UNNAMED) not in c.what for _, c in self.causes]
         usable[last] = len(key) == off.sum() or not key[~off].any()
         ratio = given[off] / key[off]
         alike = ratio.all() and np.ptp(ratio) <= 0.01 * abs(ratio).max()
         share, wrong = near / (AROUND * size), int(off.sum())
         levels = np.array([n for n, _ in self.causes])
         usable[self.own : last] &= levels[self.own : last] > FIRST // 2 + 2  # handed back alone
-        firsts, seconds = np.flatnonzero(usable[: self.own]), np.flatnonzero(usable)
+        firsts, seconds = np.flatnonzero(usable[: self.firsts]), np.flatnonzero(usable)
         tried = [(op, firsts) for op in self._operations()]
         tried += [(_multiplied, np.flatnonzero(usable[last:]) + last)]
         for op, places in tried:
@@ -148,7 +163,7 @@ class _Pairs:
         """False where no pair gives the largest component of the key, as of most answers."""
         at = abs(key).argmax()
         x, k, y = rows[:, at], float(key[at]), float(given[at])
-        own = x[[*range(self.own), -1]][:, None]
+        own = x[[*range(self.firsts), -1]][:, None]
         close = abs(own + x - (k + y)) <= 2 * near
         close |= abs(own * x - k * y) <= 2 * near * abs(k)
         if self.kind.length == 1:
@@ -161,6 +176,10 @@ class _Pairs:
     def _is_named(self, i, j, op):
         """True of what is not met by two mere factors, and of a formula at all points."""
         by_sign, of_formula = j == len(self.causes) - 1, self.kind.is_formula
+        if op is _added:
+            key, rows = self.at(self.fit.index)
+            if _are_of_one_term(*(rows[[i, j]] - key)):
+                return False
         if op is _multiplied and not by_sign:
             key, rows = self.at(self.fit.index)
             if _are_powers(*(rows[[i, j]][:, key != 0] / key[key != 0])):
@@ -233,6 +252,13 @@ def _are_powers(x, y):
         power = (np.log(abs(x)) / np.log(abs(y))).ravel()
     whole = 12 * power  # of halves, thirds and fourths
     return bool(whole[0]) and bool((abs(whole - np.round(whole[0])) < NOISE).all())
+
+
+def _are_of_one_term(x, y):
+    """True of changes of which one is the other, its half or its double, or opposite to that: what
+    is left out is not reversed as well.
+    """
+    return any((abs(x - n * y) <= NOISE * abs(x).max()).all() for n in (-2, -1, -0.5, 0.5, 1, 2))
 
 
 def _off_line(x, lines):

@@ -115,6 +115,17 @@ def of_components(fit: Fit) -> Models:
                 yield cause, _signed(scales, fit.key)
 
 
+def of_none(fit: Fit) -> Models:
+    """Components where there are none, of a vector of which all others are right."""
+    if fit.index is None:
+        return
+    given, key, size = fit.first
+    near = fit.rtol * size
+    off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
+    if len(key) == 3 and 0 < len(off) < 3 and all(abs(key[n]) <= NOISE * size for n in off):
+        yield causes.added_components(off), fit.given
+
+
 def _factors(fit, ratio, found):
     for words, factor in found.items():
         if 0.9 * factor < ratio < 1.1 * factor:
@@ -133,14 +144,14 @@ def of_matrix(fit: Fit) -> Models:
 
 def _of_one_entry(fit):
     """A matrix with a product of inertia, and its mirror image, left out or of the other sign; two
-    moments or two products exchanged, or one moment the sum of the others.
+    moments or two products exchanged.
     """
     if fit.index is None:
         return
     for n in range(3):
         yield causes.entry_left_out(n, n), _signed([x != 4 * n for x in range(9)], fit.key)
     for n, m in combinations(range(3), 2):
-        pair, (a, b) = (3 * n + m, 3 * m + n), (4 * n, 4 * m)
+        pair = 3 * n + m, 3 * m + n
         for cause, factor in ((causes.entry_left_out(n, m), 0), (causes.entry_reversed(n, m), -1)):
             if fit.first[1][pair[0]]:
                 yield cause, _signed([factor if x in pair else 1 for x in range(9)], fit.key)
@@ -149,10 +160,12 @@ def _of_one_entry(fit):
             (a1, a2), (b1, b2) = ((3 * i + j, 3 * j + i) for i, j in (one, other))
             order = {a1: b1, a2: b2, b1: a1, b2: a2}
             moved = [order.get(x, x) for x in range(9)]
-            yield causes.exchanged_entries(one, other), _ordered(moved, fit.key)
-        last = 4 * k
-        sums = (tuple(p[a] + p[b] if x == last else p[x] for x in range(9)) for p in fit.key)
-        yield causes.sum_on_diagonal(k), tuple(sums)
+            points = _ordered(moved, fit.key)
+            cause = causes.exchanged_entries(one, other)
+            yield cause, points
+            if one != (n, n):
+                signs = [-1 if x in order else 1 for x in range(9)]
+                yield causes.both(cause, causes.OFF_DIAGONAL), _signed(signs, points)
 
 
 def of_interval(fit: Fit) -> Models:

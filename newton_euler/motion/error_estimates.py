@@ -33,11 +33,12 @@ def reported_error(error, rtol):
     return max(error, min(rtol, REPORTED_SAFETY * error))
 
 
-def relative_shift(ratio):
-    """The relative shift of the states with which a run for comparison starts; see
+def relative_shift(ratio, traced):
+    """The relative shift of the states with which a run for comparison starts, of these rates; see
     :func:`error_by_difference` for the ratio.
     """
-    safety = SERIES_SAFETY if ratio > 1 else SAFETY * ratio**REGULAR
+    power = IRREGULAR if traced.hazards or traced.surprises else REGULAR
+    safety = SERIES_SAFETY if ratio > 1 else SAFETY * ratio**power
     return ROUND_OFF_OF_RATES / safety
 
 
@@ -59,7 +60,9 @@ def error_by_comparison(before, trajectory, method):
     more = _clock_error(trajectory)
     if method.series and traced.hazards:
         more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
-    return error_by_difference(difference, ratio, tolerance, regular, fine) + more
+    # a difference to shifted steps shows how their round-off adds up
+    steps = 0 if before.shift else fine
+    return error_by_difference(difference, ratio, tolerance, regular, steps) + more
 
 
 def _clock_error(trajectory):

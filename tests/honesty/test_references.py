@@ -50,6 +50,11 @@ def test_series_and_extrapolation_end_where_the_closed_form_does(name):
     assert other.sizes == pytest.approx(exact.sizes, rel=0.1)
 
 
+def test_the_condition_shows_that_place_and_speed_decide_when_a_wall_is_met(cache):
+    """Not where both are changed by the same part: a speed turns within 1e-4 of the whole time."""
+    assert reference(draw("ball_on_a_hertz_contact", 0, 5), cache).condition > 1e3
+
+
 def test_the_extrapolation_of_the_accuracy_charts_agrees(known):
     case, truth = known("duffing")
     end = by_extrapolation(case.model, case.t_end, case.start, digits=18)

@@ -38,6 +38,13 @@ class LengthError(StepError):
     """Raised where a method would need more steps than are feasible."""
 
 
+def beside(x, shift, number=0):
+    """The state ``x``, each part changed by this fraction of its own, up or down by the number."""
+    signs = ((n + number) & (n + number) >> 1 for n in range(len(x)))
+    signs = (1 - 2 * ((bits.bit_count() + n) % 2) for n, bits in enumerate(signs))
+    return tuple([v * (1 + shift * sign) for v, sign in zip(x, signs, strict=True)])
+
+
 class Stepper:
     """One run of a method from the state ``x`` at ``t`` to the ``goal`` of a trajectory, which has
     the ``tolerance``, the fixed ``step`` or None, and the ``samples``.

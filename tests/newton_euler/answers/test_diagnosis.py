@@ -32,7 +32,6 @@ from newton_euler.answers.causes import (
     other_axes,
     right_but,
     sentence,
-    sum_on_diagonal,
     term_left_out,
     term_reversed,
 )
@@ -154,7 +153,6 @@ TURN = ((0.8, -0.6, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0),)
         ),
         ("matrix", ((4, 0, 0, 0, 5, 0, 0, 0, 6),), INERTIA, DIAGONAL_ONLY),
         ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 0),), INERTIA, entry_left_out(2, 2)),
-        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 9),), INERTIA, sum_on_diagonal(2)),
         ("number", ((79.13,),), ((7.913,),), multiplied("one decimal place", 10.0, True)),
         ("interval", ((3.0, 1.0),), ((1.0, 3.0),), BOUNDS),
         ("number", ((62.41,),), ((7.9,),), SQUARED),

@@ -49,9 +49,16 @@ def test_the_opposite_sign_and_a_fraction_upside_down_are_seen_beside_a_listed_m
     assert in_symbols(1 / A, A * B, A) == (both(LISTED, INVERTED),)
 
 
-def test_two_slips_and_two_numbers_as_factors_are_no_pair():
+def test_two_slips_in_symbols_are_a_pair_and_what_is_done_to_one_term_twice_is_none():
+    given, key, slip = A, A + A * B + B**2, A + A * B
+    assert in_symbols(given, key, B, slip=slip, other=A + B**2) == (both(SLIP, OTHER),)
+    assert in_symbols(1.001 * given, key, B, slip=slip, other=A + B**2) == ()
+    reversed_ = A + A * B - B**2
+    assert in_symbols(key - 3 * B**2, key, A, slip=slip, other=reversed_) == ()
+
+
+def test_two_numbers_as_factors_are_no_pair():
     """A guess of the right form is met by these as well."""
-    assert in_symbols(A, A + A * B + B**2, B, slip=A + A * B, other=A + B**2) == ()
     assert in_symbols(A * B * 3 / 2, A * B, A * B * 3, slip=A * B / 2) == ()
 
 
