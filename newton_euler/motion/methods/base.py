@@ -39,9 +39,11 @@ class LengthError(StepError):
 
 
 def beside(x, shift, number=0):
-    """The state ``x``, each part changed by this fraction of its own, up or down by the number."""
-    signs = ((n + number) & (n + number) >> 1 for n in range(len(x)))
-    signs = (1 - 2 * ((bits.bit_count() + n) % 2) for n, bits in enumerate(signs))
+    """The state ``x``, each part changed by this fraction of its own: up and down in turn, and for
+    a number above 0 in an irregular order.
+    """
+    turned = [(n & n >> 1).bit_count() if number else 0 for n in range(number, number + len(x))]
+    signs = [1 - 2 * ((n + turns) % 2) for n, turns in enumerate(turned)]
     return tuple([v * (1 + shift * sign) for v, sign in zip(x, signs, strict=True)])
 
 
