@@ -30,6 +30,9 @@ SAMPLES, NEWTON_STEPS = 32, 3  # of a step, for the times at which it passes the
 ROUNDS, PARTS = 12, 16  # of the search for the least of an argument
 HALVINGS = 44  # of a step towards it
 LIMIT, ROUND_OFF = 10.0, 1e-13  # tolerances by which a step may differ; and its round-off
+# part of a part by which parts end off even places: where two meet, as in the middle of a motion,
+# an argument turns back in neither
+ASIDE = 0.0618
 SHORT = 0.1  # time between two jumps, over the longest step, that may be passed over
 UNEQUAL = 2  # distances at which what turns may have two signs
 SLIGHT, HIT = 0.01, 40.0  # changes of an argument that matter, and of exp up to which it does
@@ -199,6 +202,7 @@ class _Path:
         else:
             count = len(ends) - 1
             places = np.linspace(0, count, 2 * max(count, stepper.taken) + 1)
+            places[1:-1] -= ASIDE * places[1]
             self.ends = np.interp(places, np.arange(count + 1), ends)
             self.x = stepper.states(self.ends)
         self.lengths = np.diff(self.ends)

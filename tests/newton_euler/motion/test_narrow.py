@@ -134,6 +134,22 @@ def test_a_blow_beside_a_sine_and_a_clock_that_is_a_state():
     assert found == pytest.approx(1 - math.cos(20.0) + 0.5 * math.sqrt(math.pi), rel=1e-8)
 
 
+@needs_heyoka
+@pytest.mark.parametrize("kind", ["gauss", "quotient", "slope of tanh"])
+def test_what_is_met_in_the_middle_of_the_motion_is_seen_by_a_series(kind):
+    """A loss about one energy, which decays to it in half of the time."""
+    shape, c, w = BRAKES[kind][0], 0.04, 1e-5
+    parameters = {"c": c, "A": 0.2, "w": w}
+
+    def rates(s, p, t):
+        loss = p.c + p.A * shape(((s.v * s.v + s.x * s.x) / 2 - 0.25) / p.w)
+        return s.v - loss * s.x, -s.x - loss * s.v
+
+    model = Model("loss at an energy", parameters, ("x", "v"), rates)
+    with pytest.raises(AccuracyError, match=r"1e-0[45]|0\.00"):
+        integrate(model, math.log(2) / c, (1.0, 0.0), 1e-9, "taylor")
+
+
 def test_a_patch_in_the_plane_and_a_resistance_at_an_energy_are_seen():
     def patch(s, p, t):
         r2 = (s.x - 3.0) * (s.x - 3.0) + (s.y - 6.0) * (s.y - 6.0)
