@@ -222,7 +222,7 @@ def _taylor(many, run):
         return Sweep(states, errors, calls)  # batches do not stop on the way
     chosen, group = _representatives(np.concatenate([starts, p]), ends)
     sizes = _sizes(starts, ends, group)
-    shift = 1 + relative_shift(tolerance / other, system.traced) * (-1.0) ** np.arange(len(starts))
+    shift = 1 + relative_shift(tolerance / other) * (-1.0) ** np.arange(len(starts))
     shifted = starts * shift[:, None]
 
     def compare(n):

@@ -33,12 +33,11 @@ def reported_error(error, rtol):
     return max(error, min(rtol, REPORTED_SAFETY * error))
 
 
-def relative_shift(ratio, traced):
-    """The relative shift of the states with which a run for comparison starts, of these rates; see
+def relative_shift(ratio):
+    """The relative shift of the states with which a run for comparison starts; see
     :func:`error_by_difference` for the ratio.
     """
-    power = IRREGULAR if traced.hazards or traced.surprises else REGULAR
-    safety = SERIES_SAFETY if ratio > 1 else SAFETY * ratio**power
+    safety = SERIES_SAFETY if ratio > 1 else SAFETY * ratio**REGULAR
     return ROUND_OFF_OF_RATES / safety
 
 
@@ -60,9 +59,7 @@ def error_by_comparison(before, trajectory, method):
     more = _clock_error(trajectory)
     if method.series and traced.hazards:
         more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
-    # a difference to shifted steps shows how their round-off adds up
-    steps = 0 if before.shift else fine
-    return error_by_difference(difference, ratio, tolerance, regular, steps) + more
+    return error_by_difference(difference, ratio, tolerance, regular, fine) + more
 
 
 def _clock_error(trajectory):

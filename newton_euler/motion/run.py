@@ -9,10 +9,15 @@ from dataclasses import dataclass, field, replace
 from time import perf_counter
 from typing import Any
 
-from .error_estimates import ROUND_OFF_OF_RATES, error_by_comparison, relative_shift, reported_error
+from .error_estimates import (
+    ROUND_OFF_OF_RATES,
+    error_by_comparison,
+    relative_shift,
+    reported_error,
+)
 from .events import EventError
 from .knots import knots
-from .methods.base import LengthError, beside
+from .methods.base import LengthError
 from .methods.exact import estimated_error, within
 from .methods.table import METHODS, Method
 from .model import ModelError
@@ -112,7 +117,6 @@ class Run:
     calls: int = 0
     last: int = 0  # calls of the last trajectory
     narrow: bool = False  # True if steps of a trajectory had to be repeated
-    shift: float = 0.0  # relative, of the states on the way, see :meth:`compared`
     started: float = field(default_factory=perf_counter)
 
     def by_name(self, name):
@@ -264,12 +268,8 @@ class Run:
         if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
                 return self.by(METHODS["taylor"])
-        trajectory = None
         for _ in range(MAX_REFINEMENTS):
-            last, trajectory = trajectory, self.trajectory(method, tolerance, known, scaled)
-            if trajectory.failed and last:
-                trajectory = last  # the round-off of the rates stalls the finer one
-                break
+            trajectory = self.trajectory(method, tolerance, known, scaled)
             if trajectory.repeated and not before.watched:
                 before = self.compared(method, before.tolerance, tolerance, known, scaled)
             forced = forced_error(*known[:2], trajectory.calls) if known else 0.0
@@ -277,8 +277,6 @@ class Run:
             if error <= self.rtol or trajectory.failed:
                 break
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
-            if finer > tolerance / 2 and before.tolerance <= 10 * tolerance:
-                break
             if finer > tolerance / 2:
                 # the least tolerance: a run closer to it may give a smaller bound, if it sees all
                 self.narrow = True
@@ -288,9 +286,6 @@ class Run:
             before, tolerance = trajectory, finer
             if not method.adaptive:  # the one before has the same start
                 before = self.compared(method, method.other(finer), finer, known, scaled)
-            elif finer <= 10 * least:  # so that round-off, too, makes a difference
-                self.narrow = True
-                before = self.compared(method, 10 * finer, finer, known, scaled)
         if not error <= self.rtol or trajectory.failed:
             trajectory, error = self.stopping(trajectory, known, max(forced, error), forced)
         self.system.traced.seconds += perf_counter() - begun
@@ -305,8 +300,7 @@ class Run:
         """The trajectory ``last`` and its error; or those of one whose steps end where the rates
         change their formula, if there are such places and it is more accurate.
         """
-        method, self.narrow = last.method, True
-        tolerance = max(last.tolerance / 10, method.min_tolerance)
+        method, tolerance, self.narrow = last.method, last.tolerance, True
         ended = last.failed and issubclass(last.refusal, (StickingError, LongError))
         if ended or not (method.adaptive and self.system.traced.choices):
             return last, error
@@ -375,13 +369,14 @@ class Run:
 
     def compared(self, method, tolerance, fine, known=None, scaled=False, stopping=False):
         """The trajectory at a tolerance, for comparison with one at the tolerance ``fine``, from a
-        slightly shifted start; on the way, too, its states are shifted again and again.
+        slightly shifted start.
         """
         # not with events: the start may lie on the surface of one
-        shift = 0.0 if self.events else relative_shift(fine / tolerance, self.system.traced)
+        shift = 0.0 if self.events else relative_shift(fine / tolerance)
         if known and small(*known[:2]):  # of which round-off is the larger part of the error
             shift *= min(round_off_over(self.last) / ROUND_OFF_OF_RATES, 1.0)
-        shifted = replace(self, state=beside(self.state, shift), shift=shift)
+        state = [x * (1 + (-shift if n % 2 else shift)) for n, x in enumerate(self.state)]
+        shifted = replace(self, state=tuple(state))
         samples = SIZE_SAMPLES if method.series else None
         more = known, scaled, samples, self.narrow, stopping
         trajectory = Trajectory(shifted, method, tolerance, *more)

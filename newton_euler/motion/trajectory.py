@@ -2,7 +2,6 @@
 which the state jumps or the model changes.
 """
 
-from functools import partial
 from math import inf
 from typing import NamedTuple
 
@@ -11,7 +10,7 @@ from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
 from .events import EventLocator, Occurrence, events_in_step
 from .knots import knots
-from .methods.base import SMALLEST_SCALE, StepError, Stepper, beside
+from .methods.base import SMALLEST_SCALE, StepError, Stepper
 from .methods.table import METHODS
 from .model import ModelError
 from .narrow import passage, within_reach
@@ -43,9 +42,6 @@ INNER_PART = 0.05
 SMALL_PART = 1e-2
 # steps that a motion which sticks makes in this fraction of the whole time
 STICKING, STICKING_PART = 100, 1e-2
-# steps after which a run for comparison is shifted again, and the part of the shift of its start;
-# with it the round-off that it brings is some times that of its own steps
-SHIFTED, SHIFTED_PART = 8, 0.4
 CRAWLING = 100_000  # steps between two looks whether it sticks
 ACCUMULATION = "events follow each other without end"
 
@@ -90,7 +86,6 @@ class Trajectory:
         # what its steps did not see, relative to the scales
         self.watched, self.missed = watched and not (self.step or method.closed), 0.0
         self.stopping = stopping
-        self.shift = run.shift * SHIFTED_PART if method.adaptive else 0.0
         self.repeated = False  # True if steps were repeated since they had not seen something
         self.longest_part = LONGEST_PARTS[known is not None]
         start = run.system, run.t0, run.state, run.events, ()
@@ -188,7 +183,6 @@ class Trajectory:
         limit, done = FIRST_STEPS if events or self.progress else patience, 0
         stopping = self.stopping and stepper.system.traced.choices
         step = Crossings(stepper).step if stopping else stepper.step
-        step = partial(self._step_beside, stepper, step) if self.shift else step
         while stepper.t < self.goal:
             step(limit)
             if len(stepper.step_times) > patience:
@@ -213,17 +207,6 @@ class Trajectory:
             if self.progress:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
         return None
-
-    def _step_beside(self, stepper, step, limit):
-        """At most ``limit`` steps, between some of which the states are shifted; not just behind a
-        border, to which that might lead back.
-        """
-        most = len(stepper.steps) + limit
-        while stepper.t < self.goal and len(stepper.steps) < most:
-            step(min(most - len(stepper.steps), SHIFTED))
-            if stepper.t <= stepper.step_end(len(stepper.steps) - 1):
-                stepper.x = beside(stepper.x, self.shift, len(stepper.steps) // SHIFTED)
-                stepper.resume()
 
     def _see(self, stepper, step, first, limit):
         """Repeat the steps from number ``first`` on that passed over something narrow."""

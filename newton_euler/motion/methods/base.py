@@ -38,15 +38,6 @@ class LengthError(StepError):
     """Raised where a method would need more steps than are feasible."""
 
 
-def beside(x, shift, number=0):
-    """The state ``x``, each part changed by this fraction of its own: up and down in turn, and for
-    a number above 0 in an irregular order.
-    """
-    turned = [(n & n >> 1).bit_count() if number else 0 for n in range(number, number + len(x))]
-    signs = [1 - 2 * ((n + turns) % 2) for n, turns in enumerate(turned)]
-    return tuple([v * (1 + shift * sign) for v, sign in zip(x, signs, strict=True)])
-
-
 class Stepper:
     """One run of a method from the state ``x`` at ``t`` to the ``goal`` of a trajectory, which has
     the ``tolerance``, the fixed ``step`` or None, and the ``samples``.

@@ -122,7 +122,7 @@ def _table():
     series |= {"coarsening": 1 / 54.0, "series": True, "rounded": level_of}
     yield Method("taylor", "Taylor series of heyoka", Taylor, _no_heyoka, None, 1e-15, **series)
     runge_kutta = "Runge-Kutta of order 8 in straight-line Python"
-    yield Method("dop853", runge_kutta, Dop853, order=8, min_tolerance=1e-15, adaptive=True)
+    yield Method("dop853", runge_kutta, Dop853, order=8, adaptive=True)
     # min_rtol is measured; the errors of Radau are smaller than its tolerance
     for name, *options in (
         ("DOP853", 8, 1e-11),

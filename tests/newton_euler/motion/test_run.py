@@ -139,17 +139,6 @@ def test_the_tolerance_is_refined_until_the_error_is_small_enough(method, rtol, 
     assert max(abs(x - y) for x, y in zip(motion.end.values(), PERIAPSIS, strict=True)) < rtol
 
 
-@pytest.mark.parametrize("method", ["dop853", "scipy DOP853"])
-def test_a_state_that_starts_at_zero_is_shifted_on_the_way_unless_it_stays_there(method):
-    """The steps that SciPy chooses would change, which tells more of them than of round-off."""
-    moving = Model("moving", {}, ("x", "y"), lambda s, p, t: (cos(t), 0.0 * s.x))
-    one, method = run(moving, 30.0, (0.0, 0.0)), METHODS[method]
-    x, y = one.compared(method, 1e-9, 1e-12).segments[-1].x1
-    apart = abs(x - one.trajectory(method, 1e-9).segments[-1].x1[0])
-    assert 1e-15 < apart < 1e-11 if method.adaptive else apart == 0.0
-    assert y == 0.0
-
-
 @pytest.mark.parametrize(
     ("rtol", "t1", "least", "most"),
     [(1e-6, 6 * math.pi, 0.0, 0.1), (1e-3, 400 * math.pi, 1e-3, 1e-3)],
