@@ -202,6 +202,7 @@ class Perturbed(Slips):
         return all(getattr(self.values[n], "shape", ()) for n in self.computation.arguments_of(key))
 
     def at(self, key: str, point: int) -> Any:
+        """An answer with each slip at a point; every answer at a point is computed at once."""
         if point not in self._found:
             values = {n: _at(x, point) for n, x in self.values.items()}
             self._found[point] = self.computation.rows(values)

@@ -100,12 +100,11 @@ def _of_other_axes(fit):
 
 def of_components(fit: Fit) -> Models:
     """A factor of some components, where the others are right."""
-    if fit.index is None:
+    off = _off(fit)
+    if not off:
         return
-    given, key, size = fit.first
-    near = fit.rtol * size
-    off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
-    if len(key) != 3 or not 0 < len(off) < sum(map(bool, key)) or not all(key[n] for n in off):
+    given, key, _ = fit.first
+    if not len(off) < sum(map(bool, key)) or not all(key[n] for n in off):
         return
     for words, factor in PURE.items():
         for large, f in ((True, factor), (False, 1 / factor)):
@@ -117,13 +116,17 @@ def of_components(fit: Fit) -> Models:
 
 def of_none(fit: Fit) -> Models:
     """Components where there are none, of a vector of which all others are right."""
-    if fit.index is None:
-        return
-    given, key, size = fit.first
-    near = fit.rtol * size
-    off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > near]
-    if len(key) == 3 and 0 < len(off) < 3 and all(abs(key[n]) <= NOISE * size for n in off):
+    off = _off(fit)
+    if 0 < len(off) < 3 and all(abs(fit.first[1][n]) <= NOISE * fit.first[2] for n in off):
         yield causes.added_components(off), fit.given
+
+
+def _off(fit):
+    """The components of a vector that are not those of the key, at the first point."""
+    if fit.index is None or len(fit.first[1]) != 3:
+        return []
+    given, key, size = fit.first
+    return [n for n in range(3) if abs(given[n] - key[n]) > fit.rtol * size]
 
 
 def _factors(fit, ratio, found):
