@@ -80,7 +80,7 @@ class Slips:
         """What such an answer is with each slip at a point: an array (slips, components), or of
         numbers a list of rows.
         """
-        raise NotImplementedError
+        return []
 
     def of(self, key: str, cause: Cause) -> list[Points]:
         """What the slips of this cause make of an answer; none if it is no slip of this kind."""
