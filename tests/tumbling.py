@@ -5,8 +5,7 @@ dynamics/ and scenes/.
 import mpmath as mp
 import sympy
 
-from newton_euler import Frame, at, cos, moving, sin
-from newton_euler.bodies.body import composite, particle
+from newton_euler import Frame, at, composite, cos, moving, particle, sin
 from tests import kinds
 from tests.kinds import numbers
 

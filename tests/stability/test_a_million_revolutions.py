@@ -14,8 +14,7 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from newton_euler.motion.integration import integrate
-from newton_euler.motion.solution import AccuracyError
+from newton_euler.motion import AccuracyError, integrate
 from newton_euler.scenes.spatial.free_body import free_body
 from tests.stability.naive import solved
 

@@ -35,7 +35,7 @@ from newton_euler import (
     work_along,
 )
 from newton_euler.accuracy import timed
-from newton_euler.algebra import ScalarError, SingularError
+from newton_euler.algebra import FrameError, ScalarError, SingularError
 from newton_euler.algebra.errors import ArgumentError, checked
 from newton_euler.algebra.scalars import (
     LONGEST,
@@ -46,7 +46,6 @@ from newton_euler.algebra.scalars import (
     scalar,
     shown,
 )
-from newton_euler.algebra.vectors import FrameError
 from newton_euler.applications import (
     buoyancy,
     earth_frame,

@@ -8,8 +8,7 @@ import mpmath
 import pytest
 import sympy
 
-from newton_euler.motion.integration import integrate
-from newton_euler.motion.model import ModelError
+from newton_euler.motion import ModelError, integrate
 from newton_euler.scenes.particles.orbit import orbit
 from tests.models import from_farthest
 from tests.stability.naive import solved

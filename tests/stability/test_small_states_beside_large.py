@@ -7,9 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler import Model, cos, sin, sqrt
-from newton_euler.motion import AccuracyError, Event, integrate, prepare, second_order
-from newton_euler.motion.solution import FarError
+from newton_euler import Event, Model, cos, integrate, prepare, sin, sqrt
+from newton_euler.motion import AccuracyError, FarError, second_order
 
 EARTH = 3.986004418e14
 

@@ -7,22 +7,20 @@ from base64 import b64encode
 
 import pytest
 
-from exercises.catalogue import chapter, problem, sections, sources
+from exercises import problem
+from exercises.catalogue import chapter, sections, sources
 from exercises.catalogue import translations as texts
-from grader.assignment.notebook import build_notebook, personal_notebook
+from grader.assignment import build_notebook, personal_notebook
 from grader.assignment.solution import worked_solution
 from grader.practice import write_practice
 from grader.scoring import score_receipt
-from grader.submission.pipeline import feedback_comment
+from grader.submission import feedback_comment
 from newton_euler.algebra import language
 from newton_euler.algebra.names import did_you_mean
-from newton_euler.answers.forms import AnswerError
-from newton_euler.answers.kinds import KINDS
-from newton_euler.answers.receipts import expect, receipt
-from newton_euler.classroom.practising.collection import Practice
-from newton_euler.classroom.practising.files import PracticeFile, PracticeFileError
+from newton_euler.answers import KINDS, AnswerError, expect, receipt
+from newton_euler.classroom import Practice, PracticeFileError, predict, predict_again, tally
+from newton_euler.classroom.practising.files import PracticeFile
 from newton_euler.classroom.practising.progress import Progress
-from newton_euler.classroom.predicting import predict, predict_again, tally
 from tests.website import feedback
 from tests.website.pseudo import bare, catalogue, wide
 from website import contents, problem_index, problem_pages, translations

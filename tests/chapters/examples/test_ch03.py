@@ -13,8 +13,7 @@ from newton_euler.chapters.examples.ch03 import (
     screw_jack_time,
     three_systems,
 )
-from newton_euler.kinematics import T_theta, frenet_along
-from newton_euler.kinematics.rotations import apply, transpose
+from newton_euler.kinematics import T_theta, apply, frenet_along, transpose
 from tests.kinds import close, every_kind, numbers, small
 
 ground = Frame("ground")

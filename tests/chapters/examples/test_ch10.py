@@ -5,12 +5,7 @@ import math
 import pytest
 
 from newton_euler import Frame
-from newton_euler.applications.gyroscopes import (
-    free_precession,
-    normal_moment,
-    steady_precession,
-    steady_spin,
-)
+from newton_euler.applications import free_precession, normal_moment, steady_precession, steady_spin
 from newton_euler.chapters.examples.ch10 import (
     football,
     platform_drift,

@@ -6,16 +6,8 @@ import stat
 
 import pytest
 
-from grader.course import files
-from grader.course.files import (
-    NotTaken,
-    copy_regular,
-    load_json,
-    read_json,
-    read_regular,
-    write_notebook,
-    write_text,
-)
+from grader.course import files, load_json, read_json, write_notebook
+from grader.course.files import NotTaken, copy_regular, read_regular, write_text
 
 LIMITS = (1000, 10_000)
 

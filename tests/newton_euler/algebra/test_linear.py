@@ -12,11 +12,9 @@ import sympy
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Dimension, Frame, compiled, cos, sin
-from newton_euler.algebra.linear import LinearError, solve_linear, solve_rates
-from newton_euler.algebra.scalars import ScalarError, probe, unit_roundoff
-from newton_euler.algebra.units import DimensionError
-from newton_euler.algebra.vectors import FrameError
+from newton_euler import Dimension, Frame, compiled, cos, sin, solve_linear, solve_rates
+from newton_euler.algebra import DimensionError, FrameError, LinearError, ScalarError
+from newton_euler.algebra.scalars import probe, unit_roundoff
 from tests.kinds import close, every_kind, first, numbers
 
 NAMES = tuple(f"u{n}" for n in range(12))

@@ -14,30 +14,28 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import Frame, compiled
-from newton_euler.algebra import scalars
-from newton_euler.algebra.jets import Moving, at, moving
-from newton_euler.algebra.linear import LinearForm
+from newton_euler import Dimension, Frame, at, atan2, compiled, moving, pi, radians, where
+from newton_euler.algebra import (
+    ZERO,
+    DimensionError,
+    LinearForm,
+    Moving,
+    ScalarError,
+    is_numeric,
+    is_zero,
+    scalars,
+)
 from newton_euler.algebra.scalars import (
     FUNCTIONS,
-    ZERO,
-    ScalarError,
     allowed,
-    atan2,
     function,
     integer_like,
     is_finite,
-    is_numeric,
-    is_zero,
     max_abs,
     min_abs,
-    pi,
-    radians,
     scalar,
     to_plain,
-    where,
 )
-from newton_euler.algebra.units import Dimension, DimensionError
 from tests.kinds import KINDS, close, numbers
 
 

@@ -10,9 +10,7 @@ import sympy
 from scipy.interpolate import CubicSpline, interp1d
 
 from newton_euler import compiled, moving, sin, table
-from newton_euler.algebra.scalars import ScalarError, SingularError
-from newton_euler.algebra.tables import TableError
-from newton_euler.algebra.units import DimensionError
+from newton_euler.algebra import DimensionError, ScalarError, SingularError, TableError
 from tests.kinds import LENGTH, MASS, TIME, close, every_kind, numbers
 
 KINDS = "linear", "cubic", "natural", "previous"

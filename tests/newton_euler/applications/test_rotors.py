@@ -8,8 +8,8 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Frame
-from newton_euler.applications.rotors import (
+from newton_euler import Body, Frame, composite, particle
+from newton_euler.applications import (
     RotorError,
     balance,
     balancing_masses,
@@ -18,8 +18,7 @@ from newton_euler.applications.rotors import (
     reactions,
     shaft_axis,
 )
-from newton_euler.bodies.body import Body, composite, particle
-from newton_euler.bodies.solids import disk, plate, rod
+from newton_euler.bodies import disk, plate, rod
 from tests.kinds import close, every_kind, numbers, within
 from tests.turning import cross, rot, second_rate
 

@@ -10,10 +10,9 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Frame, Inertia, compiled, composite, particle
-from newton_euler.bodies import MassError
-from newton_euler.bodies.solids import box, cylinder, disk, sphere
-from newton_euler.kinematics.rotations import determinant, rotation_matrix
+from newton_euler import Frame, Inertia, compiled, composite, particle, rotation_matrix
+from newton_euler.bodies import MassError, box, cylinder, disk, sphere
+from newton_euler.kinematics import determinant
 from tests.kinds import close, every_kind, numbers
 
 laws = settings(max_examples=80)

@@ -2,20 +2,19 @@
 
 import pytest
 
-from newton_euler import Frame, at, moving
-from newton_euler.bodies.admissibility import MassError
-from newton_euler.bodies.inertia import Inertia
-from newton_euler.bodies.solids import box, cylinder, rod
-from newton_euler.dynamics.euler import (
+from newton_euler import Frame, Inertia, at, moving
+from newton_euler.bodies import MassError, box, cylinder, rod
+from newton_euler.dynamics import (
     angular_acceleration,
+    angular_momentum,
     euler_moment,
     euler_moments,
     fixed_line_moment,
     fixed_line_momentum,
     planar_moment,
+    resultant_force,
+    resultant_moment,
 )
-from newton_euler.dynamics.momentum import angular_momentum, resultant_moment
-from newton_euler.dynamics.newton import resultant_force
 from tests.kinds import every_kind, numbers, within
 from tests.tumbling import close, free_body, turns
 

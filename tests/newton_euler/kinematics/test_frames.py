@@ -21,18 +21,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    Vector,
-    at,
-    compiled,
-    cos,
-    cross,
-    moving,
-    pi,
-    sin,
-)
+from newton_euler import Dimension, Frame, Vector, at, compiled, cos, cross, moving, pi, sin
 from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import AngleWarning, along
 from tests.explicit import curve

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from newton_euler.motion import ModelError
-from newton_euler.motion.integration import integrate
+from newton_euler.motion import ModelError, integrate
 from newton_euler.scenes import SCENES, scene
 
 ROOT = Path(__file__).parents[3]

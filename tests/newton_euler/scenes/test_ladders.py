@@ -18,16 +18,10 @@ import pytest
 import sympy
 from scipy.integrate import solve_ivp
 
-from newton_euler import Model, at, moving
-from newton_euler.kinematics.rotations import (
-    euler_matrix,
-    matrix_from_quaternion,
-    quaternion_from_euler,
-)
+from newton_euler import Model, at, integrate, moving, prepare, smallest
+from newton_euler.kinematics import euler_matrix, matrix_from_quaternion, quaternion_from_euler
 from newton_euler.motion import ModelError, Neglected, second_order
-from newton_euler.motion.integration import integrate, prepare
-from newton_euler.scenes import LADDERS, ladder, ladders
-from newton_euler.scenes.ladders import Ladder, Rung, smallest
+from newton_euler.scenes import LADDERS, Ladder, Rung, ladder, ladders
 from newton_euler.scenes.particles import orbit
 from newton_euler.scenes.spatial import free_body, spherical_pendulum, top_ladder
 from tests.newton_euler.scenes.draws import DRAWS, FREEDOM

@@ -14,9 +14,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from newton_euler import Dimension
+from newton_euler import Dimension, integrate
 from newton_euler.chapters.examples.ch11 import Car
-from newton_euler.motion.integration import integrate
 from newton_euler.motion.model import ModelError, Named, is_law
 from newton_euler.scenes import ladder
 from newton_euler.scenes.particles import space_station

@@ -8,14 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import Frame
-from newton_euler.accuracy import chart
-from newton_euler.accuracy.measurements.measure import (
-    EQUAL_WITHIN,
-    Measured,
-    front,
-    relative_error,
-    timed,
-)
+from newton_euler.accuracy import Measured, chart, front, relative_error, timed
+from newton_euler.accuracy.measurements.measure import EQUAL_WITHIN
 
 positive = st.floats(1e-9, 1.0)
 point_lists = st.lists(

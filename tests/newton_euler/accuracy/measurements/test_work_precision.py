@@ -7,11 +7,10 @@ from itertools import pairwise
 import mpmath as mp
 import pytest
 
+from newton_euler.accuracy import Measured, timed
 from newton_euler.accuracy.measurements import work_precision as precision
-from newton_euler.accuracy.measurements.measure import Measured, timed
 from newton_euler.accuracy.measurements.work_precision import work_precision
-from newton_euler.motion.integration import integrate
-from newton_euler.motion.methods.table import METHODS
+from newton_euler.motion import METHODS, integrate
 from newton_euler.scenes import SCENES
 from tests.honesty import closed_forms
 

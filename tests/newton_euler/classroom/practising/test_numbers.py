@@ -4,8 +4,7 @@ import itertools
 
 import pytest
 
-from newton_euler.answers.causes import Cause
-from newton_euler.answers.kinds import KINDS
+from newton_euler.answers import KINDS, Cause
 from newton_euler.classroom.practising.numbers import KeptNumbers, Quantity
 from newton_euler.classroom.practising.programs import operate
 
