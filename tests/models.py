@@ -89,17 +89,9 @@ def begun(stepper, system, start, t1=5.0, t0=0.0, **options):
     options : what a trajectory has, and the ``floors``, ``noise`` and ``stops`` of its limits
     """
     nothing = (0.0,) * len(start)
-    limits = [
-        options.pop(n, usual)
-        for n, usual in (("floors", nothing), ("noise", nothing), ("stops", ()))
-    ]
-    usual = {
-        "tolerance": 1e-8,
-        "max_steps": 5e6,
-        "step": None,
-        "longest_part": 0.4,
-        "samples": None,
-        "units": (),
-    }
+    usual = {"floors": nothing, "noise": nothing, "stops": ()}
+    limits = [options.pop(name, x) for name, x in usual.items()]
+    usual = {"tolerance": 1e-8, "max_steps": 5e6, "longest_part": 0.4, "units": ()}
+    usual |= dict.fromkeys(("step", "samples"))
     trajectory = SimpleNamespace(goal=t1, limits=lambda *_: limits, **usual | options)
     return stepper(system, t0, start, trajectory)

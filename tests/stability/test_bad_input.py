@@ -239,11 +239,8 @@ def test_no_motion_drops_a_unit(door):
 def test_a_prepared_motion_of_taylor_drops_no_unit():
     pytest.importorskip("heyoka")
     run = prepare(DECAY, method="taylor")
-    for t, start in (
-        (OfPint(2.0), (1.0,)),
-        (1.0, (OfPint(2.0),)),
-        (1.0, np.ones(1).view(OfAstropy)),
-    ):
+    q = OfPint(2.0)
+    for t, start in ((q, (1.0,)), (1.0, (q,)), (1.0, np.ones(1).view(OfAstropy))):
         with pytest.raises(ModelError, match="it has a unit"):
             run(t, start)
     assert run(1, [1]) == run(np.float64(1), np.ones(1)) == run(1.0, (1.0,))

@@ -279,11 +279,8 @@ def refused(sound, folder):
         "deep-within": ({"4-16.json": deep}, "is not a practice file"),
     }
     found = {rewritten(sound, folder / n, **members): words for n, (members, words) in made.items()}
-    programs = {
-        "of-itself": ("+", [0], 1.0),
-        "of-later": ("neg", [5]),
-        "call": ("__import__", "os"),
-    }
+    programs = {"of-itself": ("+", [0], 1.0), "of-later": ("neg", [5])}
+    programs["call"] = "__import__", "os"
     for name, words in programs.items():
         found[rewritten(sound, folder / name, operation(*words))] = "problem 4/16 cannot be read"
     found |= dict.fromkeys((folder / n for n in other), "is not a practice file")

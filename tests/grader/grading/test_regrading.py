@@ -19,9 +19,8 @@ def answer_cell(cells):
 
 
 def other_weights(course, _):
-    change_source(
-        course, lambda cells: answer_cell(cells)["newton_euler"].update(weights={"v_D": 5})
-    )
+    weights = {"v_D": 5}
+    change_source(course, lambda cells: answer_cell(cells)["newton_euler"].update(weights=weights))
 
 
 def other_points(course, _):

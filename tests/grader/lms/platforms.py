@@ -103,13 +103,8 @@ def qti(content):
 
 def _qti_item(item):
     # the order that the schema wants
-    order = [
-        "responseDeclaration",
-        "outcomeDeclaration",
-        "itemBody",
-        "responseProcessing",
-        "modalFeedback",
-    ]
+    order = ["responseDeclaration", "outcomeDeclaration", "itemBody"]
+    order += ["responseProcessing", "modalFeedback"]
     places = [order.index(child.tag.removeprefix(Q)) for child in item]
     assert places == sorted(places)
     kinds = {

@@ -207,13 +207,9 @@ def test_a_statically_indeterminate_beam_reports_what_it_knows():
 @every_kind
 def test_a_third_moment_equation_says_nothing_new(kind):
     one, two, five = numbers(kind, 1, 2, 5)
-    s = solve_linear(
-        lambda A, B: {
-            "force": A + B - five,
-            "about A": two * B - one * five,
-            "about B": two * A - one * five,
-        }
-    )
+    moment = lambda force: two * force - one * five
+    laws = lambda A, B: {"force": A + B - five, "about A": moment(B), "about B": moment(A)}
+    s = solve_linear(laws)
     assert close((s.A, s.B), (five / 2, five / 2), 1e-12)
     assert dict(s.redundant) == {"about B": ("force", "about A")}
     assert (
@@ -227,12 +223,10 @@ def test_contradictions_are_named(kind):
     message = "contradict each other: 'about B' .* if 'force' and 'about A' hold"
     with pytest.raises(LinearError, match=message) as caught:
         solve_linear(
-            lambda A, B, C: {
-                "other": C - one,
-                "force": A + B - five,
-                "about A": two * B - one * five,
-                "about B": two * A - one,
-            }
+            lambda A, B, C: (
+                {"other": C - one, "force": A + B - five}
+                | {"about A": two * B - one * five, "about B": two * A - one}
+            )
         )
     assert caught.value.equations == ("force", "about A", "about B")
     with pytest.raises(LinearError, match=r"'late' (is off by 2|does not hold)"):
@@ -249,12 +243,8 @@ def test_symbols_contradict_each_other_too_and_no_made_up_number_is_reported():
 def test_rounding_is_neither_a_pivot_nor_a_contradiction():
     noise = 6e-17
     ground = Frame("ground")
-    s = solve_linear(
-        lambda F, N: {
-            "force": ground.vector(noise * F + noise, F - 2.0, noise * N),
-            "level": N + F - 5.0,
-        }
-    )
+    force = lambda F, N: ground.vector(noise * F + noise, F - 2.0, noise * N)
+    s = solve_linear(lambda F, N: {"force": force(F, N), "level": N + F - 5.0})
     assert close((s.F, s.N), (2, 3), 1e-12)
     left = solve_linear(lambda F, N: {"force": F - 2.0 + noise * N})
     assert left.undetermined == ("N",)

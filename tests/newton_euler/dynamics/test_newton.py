@@ -48,13 +48,8 @@ small = within(1e-13, 26)
 def coordinates(kind):
     """Mass, instant, and three functions of time that never vanish together with their rates."""
     m, t, a, b, c = numbers(kind, "2.5", "0.5", "1.5", "-0.4", "0.7")
-    return (
-        m,
-        t,
-        (lambda t: a + b * t + t * t),
-        (lambda t: c + a * t - b * t * t),
-        (lambda t: b + c * t + c * t * t * t),
-    )
+    x, y = (lambda t: a + b * t + t * t), (lambda t: c + a * t - b * t * t)
+    return m, t, x, y, (lambda t: b + c * t + c * t * t * t)
 
 
 def by_rectangular(m, t, xyz):
@@ -226,11 +221,8 @@ def test_units_of_forces_and_accelerations():
     length = moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2)
     P = spherical(ground, "P", length, angle, angle)
     assert list(resultant_force(MASS, P.acceleration(ground))) == [FORCE] * 3
-    assert coordinate_accelerations(MASS, P, push=(FORCE, FORCE, FORCE)) == (
-        LENGTH / TIME**2,
-        1 / TIME**2,
-        1 / TIME**2,
-    )
+    found = coordinate_accelerations(MASS, P, push=(FORCE, FORCE, FORCE))
+    assert found == (LENGTH / TIME**2, 1 / TIME**2, 1 / TIME**2)
     assert path_rates(MASS, FORCE, FORCE, LENGTH / TIME) == (LENGTH / TIME**2, 1 / TIME)
 
 

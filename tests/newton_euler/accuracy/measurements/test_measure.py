@@ -85,17 +85,11 @@ def test_errors_are_measured_in_the_digits_of_the_reference():
 
 
 def test_the_chart_names_every_method_once_and_returns_the_front(ax):
-    points = [Measured("coarse", 1e-6, e) for e in (1e-2, 1e-4)] + [
-        Measured("fine", 1e-3, 1e-9),
-        Measured("beaten", 1e-2, 1e-9),
-    ]
+    points = [Measured("coarse", 1e-6, e) for e in (1e-2, 1e-4)]
+    points += Measured("fine", 1e-3, 1e-9), Measured("beaten", 1e-2, 1e-9)
     assert chart(points, ax) == [points[1], points[2]]
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == [
-        "coarse",
-        "fine",
-        "beaten",
-        "front",
-    ]
+    names = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert names == ["coarse", "fine", "beaten", "front"]
     assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
     ax.figure.canvas.draw()
 
