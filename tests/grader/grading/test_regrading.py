@@ -87,9 +87,8 @@ def test_only_the_changed_problem_is_scored_again(fresh, monkeypatch):
 
     grade(fresh, "ch04", STUDENTS)
     scored, original = [], pipeline.score_receipt
-    monkeypatch.setattr(
-        pipeline, "score_receipt", lambda p, *rest: scored.append(p.id) or original(p, *rest)
-    )
+    noted = lambda p, *rest: scored.append(p.id) or original(p, *rest)
+    monkeypatch.setattr(pipeline, "score_receipt", noted)
     other_range(fresh, monkeypatch)
     grade(fresh, "ch04", STUDENTS)
     assert set(scored) == {"4/16"}
