@@ -26,11 +26,8 @@ def free_body(A=1.0, B=2.0, C=3.0):
     """Euler's equations without moments."""
 
     def rates(s, p, t):
-        return (
-            (p.B - p.C) / p.A * (s.y * s.z),
-            (p.C - p.A) / p.B * (s.z * s.x),
-            (p.A - p.B) / p.C * (s.x * s.y),
-        )
+        x, y = (p.B - p.C) / p.A * (s.y * s.z), (p.C - p.A) / p.B * (s.z * s.x)
+        return x, y, (p.A - p.B) / p.C * (s.x * s.y)
 
     invariants = {
         "energy": lambda s, p, t: (p.A * s.x**2 + p.B * s.y**2 + p.C * s.z**2) / 2,
@@ -75,12 +72,8 @@ def oscillator(exact=True):
 
 def forced():
     """Driven, damped: its rates depend on time."""
-    return second_order(
-        "forced",
-        {"c": 0.2, "k": 1.0},
-        ("x",),
-        lambda s, p, t: (cos(1.3 * t) - p.c * s.dx - p.k * s.x - 0.3 * s.x**3,),
-    )
+    acceleration = lambda s, p, t: (cos(1.3 * t) - p.c * s.dx - p.k * s.x - 0.3 * s.x**3,)
+    return second_order("forced", {"c": 0.2, "k": 1.0}, ("x",), acceleration)
 
 
 def begun(stepper, system, start, t1=5.0, t0=0.0, **options):

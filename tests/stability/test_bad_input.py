@@ -183,11 +183,9 @@ START = (1.0, 0.0)
 
 
 def test_what_a_function_of_a_model_returns_is_reported_where_it_does_not_fit():
-    for exact, error in (
-        (lambda s, p, t: None, ModelError),
-        (lambda s, p, t: (1.0, 2.0), ModelError),
-        (lambda s, p, t: (1 / t,), ZeroDivisionError),
-    ):
+    none, pole = lambda s, p, t: None, lambda s, p, t: (1 / t,)
+    wrong = (none, ModelError), (lambda s, p, t: (1.0, 2.0), ModelError)
+    for exact, error in (*wrong, (pole, ZeroDivisionError)):
         model = Model("m", {}, ("x",), lambda s, p, t: (1.0,), exact=exact)
         with pytest.raises(NewtonEulerError, match="exact solution") as raised:
             model.solution(0.0, (1.0,))

@@ -108,11 +108,8 @@ def test_practice_of_a_problem(file, number):
     book = Practice([PracticeFile(file)], Progress(None))
     p = book[number]
     found = [repr(p), p._repr_markdown_(), *p.meanings.values()]
-    found += [
-        output_of(p.check),
-        output_of(p.check, q_9=1),
-        output_of(p.check, **{next(iter(p.answers)): "x"}),
-    ]
+    wrong = {}, {"q_9": 1}, {next(iter(p.answers)): "x"}
+    found += [output_of(p.check, **given) for given in wrong]
     found += [output_of(p.check_step, **{next(iter(p.answers)): 1}), output_of(p.check_step, q_9=1)]
     for label, x in _wrong(p):
         found.append(str(_checked(p, label[0], x)))
@@ -188,10 +185,8 @@ def test_feedback_on_right_wrong_unreadable_and_missing_answers():
         score = score_receipt(p, p.book_values, r)
         found += [feedback_comment(score), feedback_comment(score.without_reasons)]
         found += feedback.verdicts(score).values()
-    found += [
-        worked_solution(p, p.book_values),
-        feedback.page(p.id, {**right, "H_O": [1, 2, 3], "F_A": [1]}),
-    ]
+    found.append(worked_solution(p, p.book_values))
+    found.append(feedback.page(p.id, {**right, "H_O": [1, 2, 3], "F_A": [1]}))
     assert_nothing_is_english(found, names_of(p.id))
 
 
@@ -205,12 +200,8 @@ def test_a_sheet_as_it_is_handed_out(exam):
     made = build_notebook(ps, "hw1", 10, 60, exam=exam)
     own = personal_notebook(made, "ada", {p.id: p.book_values for p in ps}, {})
     found = [c["source"] for n in (made, own) for c in n["cells"] if c["cell_type"] == "markdown"]
-    found += [
-        line.partition("#")[2]
-        for c in own["cells"]
-        if c["cell_type"] == "code"
-        for line in c["source"].splitlines()
-    ]
+    sources = [c["source"] for c in own["cells"] if c["cell_type"] == "code"]
+    found += [line.partition("#")[2] for text in sources for line in text.splitlines()]
     names = names_of(*PROBLEMS) | {"SOLUTION", "BEGIN", "END", *KINDS, "ada"}
     assert_nothing_is_english(found, names)
 

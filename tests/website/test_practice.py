@@ -207,12 +207,8 @@ def test_new_numbers_hints_and_solution_are_shown_typeset(address, phone):
         phone.execute_script("arguments[0].click()", button)
     solved = "document.querySelectorAll('.practice .said')[1]"
     wait(phone, f"{solved}.querySelectorAll('mjx-container').length > 20", "the solution")
-    assert (
-        phone.execute_script(
-            f"return {solved}.querySelectorAll('mjx-merror, [data-mml-node=merror]').length"
-        )
-        == 0
-    )
+    faults = f"return {solved}.querySelectorAll('mjx-merror, [data-mml-node=merror]').length"
+    assert phone.execute_script(faults) == 0
     assert phone.execute_script("return document.documentElement.scrollWidth") <= PHONE["width"]
     shown = "engine.call('practice.show', {problem: '4/16'}).then(p => arguments[0](p.number))"
     assert phone.execute_async_script(shown) == 2  # the engine that was started again goes on there

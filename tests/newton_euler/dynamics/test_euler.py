@@ -152,10 +152,9 @@ def test_bodies_without_a_moment_about_an_axis_are_refused_by_the_inverse():
 
 def test_the_planar_equation_is_refused_where_products_are_left():
     I = Inertia(Frame("body"), (3.0, 3.0, 4.0), (0, 0.5, 1.0))
-    with pytest.raises(
-        MassError,
-        match=r"\(8\.19\) needs a principal axis along z, but .* I_yz = 0\.5, I_zx = 1\.0; take "
-        r"fixed_line_moment",
-    ):
+    words = (
+        r"\(8\.19\) needs a principal axis along z, but .* I_yz = 0\.5, .*; take fixed_line_moment"
+    )
+    with pytest.raises(MassError, match=words):
         planar_moment(I, 2.0)
     assert planar_moment(Inertia(Frame("body"), (3.0, 3.0, 4.0), (1.0, 0, 1e-15)), 2.0) == 8.0

@@ -89,20 +89,15 @@ def test_a_single_force_a_couple_and_balance_are_described():
     F, P, O = ground.vector(0, 0, 2.0), ground.point("P", 1.0, 0, 0), ground.point("O", 0, 0, 0)
     single = ForceSystem([(F, P)]).wrench(O)
     assert (single.kind, single.pitch) == ("force", 0.0)
-    assert (
-        str(single) == "a single force [0, 0, 2] in ground on the line through (1, 0, 0) of ground"
-    )
+    words = "a single force [0, 0, 2] in ground on the line through (1, 0, 0) of ground"
+    assert str(single) == words
     couple = ForceSystem([(F, P), (-F, O)]).wrench()
     assert (couple.kind, couple.point, couple.pitch) == ("couple", None, None)
-    assert (
-        "a couple [0, -2, 0] in ground, the same about every point: there is no resultant "
-        "force, and so no axis"
-    ) in str(couple)
+    words = "a couple [0, -2, 0] in ground, the same about every point: there is no resultant force"
+    assert str(couple).startswith(words)
     balance = ForceSystem([(F, P), (-F, P)]).wrench()
-    assert (balance.kind, str(balance)) == (
-        "nothing",
-        "in balance: neither a force nor a couple is left",
-    )
+    assert balance.kind == "nothing"
+    assert str(balance) == "in balance: neither a force nor a couple is left"
 
 
 def test_rounding_does_not_make_an_axis_far_away():

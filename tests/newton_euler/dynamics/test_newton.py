@@ -184,13 +184,10 @@ def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
 )
 def test_a_mass_must_be_positive(m):
     ground = Frame("ground")
-    for call in (
-        lambda: resultant_force(m, ground.i),
-        lambda: acceleration_by(m, F=ground.i),
-        lambda: path_rates(m, 1.0, 1.0, 1.0),
-    ):
+    by = lambda m: acceleration_by(m, F=ground.i)
+    for f, *given in ((resultant_force, ground.i), (by,), (path_rates, 1.0, 1.0, 1.0)):
         with pytest.raises(MassError, match="the mass must be positive and finite, got m = "):
-            call()
+            f(m, *given)
 
 
 def test_a_symbolic_mass_is_taken_as_it_is():

@@ -12,11 +12,8 @@ from newton_euler.accuracy import Measured, chart, front, relative_error, timed
 from newton_euler.accuracy.measurements.measure import EQUAL_WITHIN
 
 positive = st.floats(1e-9, 1.0)
-point_lists = st.lists(
-    st.builds(Measured, st.sampled_from("abc"), positive, positive | st.just(0.0)),
-    min_size=1,
-    max_size=12,
-)
+measured = st.builds(Measured, st.sampled_from("abc"), positive, positive | st.just(0.0))
+point_lists = st.lists(measured, min_size=1, max_size=12)
 
 
 class Clock:
@@ -101,11 +98,9 @@ def test_the_chart_names_every_method_once_and_returns_the_front(ax):
 )
 def test_only_what_every_repeat_says_is_ringed(ax, repeats, ringed):
     """Two ways of equal errors: which one is cheaper must not hang on a single repeat."""
-    points = [
-        Measured("surely", 1e-9, 1e-2, repeats=(1e-9, 1e-9, 1e-9)),
-        Measured("cheap", 4e-6, 1e-9, repeats=repeats),
-        Measured("dear", 3e-5, 1e-9, repeats=(3e-5, 3e-5, 3e-5)),
-    ]
+    points = [Measured("surely", 1e-9, 1e-2, repeats=(1e-9,) * 3)]
+    points += [Measured("cheap", 4e-6, 1e-9, repeats=repeats)]
+    points += [Measured("dear", 3e-5, 1e-9, repeats=(3e-5,) * 3)]
     assert [p.method for p in chart(points, ax)] == ringed
     (rings,) = (line for line in ax.lines if line.get_label() == "front")
     assert list(rings.get_xdata()) == [p.cost for p in points if p.method in ringed]
