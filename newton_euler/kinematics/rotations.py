@@ -98,22 +98,17 @@ def determinant(R: Matrix) -> Scalar:
 
 
 @checked
-def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
-    """The one rotation that equals these, carried out in the order given (4.2, 4.3).
-
-    axes : "fixed" if the axis of each is given in the fixed frame, "moving" if in the frame turned
-        by the earlier ones. The reverse order exchanges the two meanings.
+def in_sequence(*rotations: Matrix) -> tuple:
+    """The one rotation that equals these, carried out in the order given, the axis of each in the
+    fixed frame (4.2, 4.3): their product in the reverse order. With each axis in the frame turned
+    by the earlier ones it is :func:`product` itself.
 
     >>> import math
     >>> X, Y = (rotation_matrix(axis, math.pi/2) for axis in ((1, 0, 0), (0, 1, 0)))
     >>> [[round(x) for x in row] for row in in_sequence(X, Y)]  # columns: i = -K, j = I, k = -J
     [[0, 1, 0], [0, 0, -1], [-1, 0, 0]]
     """
-    if axes not in ("fixed", "moving"):
-        raise RotationError(
-            f"axes are 'fixed' in the ground or 'moving' with earlier rotations, got {axes!r}"
-        )
-    return product(*(reversed(rotations) if axes == "fixed" else rotations))
+    return product(*reversed(rotations))
 
 
 @checked
