@@ -26,7 +26,6 @@ from .force_systems import Couple, Force, ForceError, ForceSystem, Wrench
 from .gravity import (
     attraction,
     gravitation,
-    gravitational_field,
     gravity_at_height,
     gravity_at_surface,
     mass_from_weight,

@@ -14,10 +14,10 @@ unknowns of :func:`newton_euler.solve_linear`.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from ..algebra.errors import Tolerance, checked
+from ..algebra.errors import Tolerance, checked, checked_but
 from ..algebra.ledger import distinct
 from ..algebra.names import guided
-from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, min_abs, scalar, short, to_plain
+from ..algebra.scalars import Scalar, is_numeric, max_abs, min_abs, scalar, short, to_plain
 from ..algebra.vectors import FrameError, Vector, add3, named_sum
 from ..kinematics.frames import Frame, Point, place
 
@@ -28,6 +28,7 @@ class ForceError(FrameError):
     """Not a force or couple, or a system that does not have the requested result."""
 
 
+@checked_but("point")
 @dataclass(frozen=True)
 class Force:
     """A force, ``vector`` in N, at the Point ``point`` of its line of action."""
@@ -37,7 +38,6 @@ class Force:
     name: str = "force"
 
     def __post_init__(self):
-        object.__setattr__(self, "vector", _vector(self.vector, "force", self.name))
         object.__setattr__(self, "point", place(self.point, self.name))
 
     @checked
@@ -64,15 +64,13 @@ class Force:
         return f"{self.name}: {self.vector} at {self.point.name}"
 
 
+@checked
 @dataclass(frozen=True)
 class Couple:
     """A couple: ``vector``, its moment in N m, the same about every point."""
 
     vector: Vector
     name: str = "couple"
-
-    def __post_init__(self):
-        object.__setattr__(self, "vector", _vector(self.vector, "couple", self.name))
 
     @checked
     def moment(self, about: object = None) -> Vector:
@@ -240,14 +238,6 @@ def _parts(name, part):
             ) from None
         return [Force(vector, point, name or "force")]
     return [Force(part.vector, part.point, name or part.name)]
-
-
-def _vector(v, what, name):
-    if not isinstance(v, Vector):
-        raise ForceError(f"the vector of a {what} is a Vector; got {v!r}")
-    if not isinstance(name, str):
-        raise ForceError(f"the name of a {what} is a text; got {clipped(name)}")
-    return v
 
 
 def _size(v):

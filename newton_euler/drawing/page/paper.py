@@ -7,7 +7,7 @@ from typing import Any
 
 from ...algebra.errors import ArgumentError, checked
 from ...algebra.scalars import clipped
-from .plots import NeedsMatplotlib, Plot, Plots
+from .plots import SETTINGS, NeedsMatplotlib, Plot, Plots
 
 TITLE = 12  # points, of a title whose size is not given
 GAP = 0.02  # share of the page between panels and around them
@@ -50,6 +50,8 @@ class Panel(Plots):
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
+        if name[:4] == "set_" and name[4:] in SETTINGS:
+            return lambda value, **_: self.set(**{name[4:]: value})
         raise NeedsMatplotlib(f"a panel of a page has no {name}; take the axes of matplotlib")
 
 

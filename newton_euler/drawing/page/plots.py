@@ -16,6 +16,8 @@ COLOURS = {"k": BLACK, "black": BLACK, "r": CYCLE[1], "b": CYCLE[0], "g": CYCLE[
 DASHES = {"-": (), "--": (4, 2), ":": (1, 1.6), "-.": (6, 1.8, 1, 1.8), "": None, "none": None}
 MARKERS = "os+x.D^"
 GREY = "#555555"
+# the other names that matplotlib has for a keyword
+_SHORT = {"c": "color", "linestyle": "ls", "linewidth": "lw", "markersize": "ms"}
 
 
 class NeedsMatplotlib(NewtonEulerError, AttributeError):
@@ -92,7 +94,7 @@ def _recorded(method):
     @wraps(method)
     def call(self, *args, **named):
         try:
-            method(self, *args, **named)
+            method(self, *args, **{_SHORT.get(name, name): x for name, x in named.items()})
         except (TypeError, ValueError, LookupError) as error:
             raise NeedsMatplotlib(f"a panel does not draw this {method.__name__}") from error
         self.plotted.calls.append((method.__name__, args, named))
@@ -114,11 +116,10 @@ class Plots:
         ys = _numbers(data[-1])
         xs = _numbers(data[0]) if len(data) == 2 else [float(n) for n in range(len(ys))]
         dashes, marker, colour = _style(style)
-        colour = named.pop("color", named.pop("c", colour))
-        if "ls" in named or "linestyle" in named:
-            dashes = DASHES[named.pop("ls", None) or named.pop("linestyle")]
-        marker, size = named.pop("marker", marker), named.pop("ms", named.pop("markersize", 6))
-        width = named.pop("lw", named.pop("linewidth", 1.5))
+        colour = named.pop("color", colour)
+        dashes = DASHES[named.pop("ls")] if "ls" in named else dashes
+        marker, size = named.pop("marker", marker), named.pop("ms", 6)
+        width = named.pop("lw", 1.5)
         filled = named.pop("mfc", None) != "none"
         label, opacity = named.pop("label", ""), named.pop("alpha", 1)
         _refuse(named)
@@ -149,9 +150,8 @@ class Plots:
         self._edge_to_edge([float(x)] * 2, [None, None], named)
 
     def _edge_to_edge(self, xs, ys, named):
-        colour = _colour(self.plotted, named.pop("color", named.pop("c", None)))
-        width = named.pop("lw", named.pop("linewidth", 1.5))
-        dashes = DASHES[named.pop("ls", named.pop("linestyle", "-"))]
+        colour = _colour(self.plotted, named.pop("color", None))
+        width, dashes = named.pop("lw", 1.5), DASHES[named.pop("ls", "-")]
         label = named.pop("label", "")
         _refuse(named)
         self.plotted.marks.append(Mark("line", xs, ys, colour, width, dashes, label))
@@ -260,7 +260,7 @@ class Plots:
         for name, value in named.items():
             if name == "title":
                 self.set_title(value)  # type: ignore[attr-defined]
-            elif name in _SETTINGS:
+            elif name in SETTINGS:
                 self.plotted.calls.append((f"set_{name}", (value,), {}))
                 self.plotted.settings[name] = value
             else:
@@ -280,24 +280,8 @@ class Plots:
         """The first and the last x."""
         self.set(xlim=low if high is None else (low, high))
 
-    def set_xlabel(self, text: str) -> None:
-        """The name of the axis of x."""
-        self.set(xlabel=text)
 
-    def set_ylabel(self, text: str) -> None:
-        """The name of the axis of y."""
-        self.set(ylabel=text)
-
-    def set_xticklabels(self, texts: Any) -> None:
-        """What is written at the ticks."""
-        self.set(xticklabels=list(texts))
-
-    def set_aspect(self, aspect: Any, **_: Any) -> None:
-        """ "equal": a unit is as long across as it is upwards."""
-        self.set(aspect=aspect)
-
-
-_SETTINGS = {
+SETTINGS = {
     "xlabel", "ylabel", "xlim", "ylim", "xticks", "yticks", "xticklabels", "aspect", "xscale",
     "yscale",
 }  # fmt: skip

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, compiled
 from newton_euler.algebra import FrameError
+from newton_euler.algebra.errors import ArgumentError
 from newton_euler.algebra.linear import solve_linear
 from newton_euler.dynamics.force_systems import Couple, Force, ForceError, ForceSystem
 from tests.kinds import close, every_kind, numbers, within
@@ -188,10 +189,10 @@ def test_moments_can_be_compiled_and_have_the_unit_of_force_times_length():
 
 @pytest.mark.parametrize(("ask", "error", "words"), [
     (lambda: ForceSystem([3]), ForceError, r"a force is a pair \(Vector, Point\), a couple Couple\(Vector\); got 3"),
-    (lambda: ForceSystem([(2.0, ground.origin)]), ForceError, "the vector of a force is a Vector"),
+    (lambda: ForceSystem([(2.0, ground.origin)]), FrameError, "Force: vector is a Vector"),
     (lambda: ForceSystem({"wind": (ground.i, "there")}), FrameError, "the place of wind is a Point or a Frame"),
-    (lambda: Force(ground.i, ground.origin, 1j), ForceError, "the name of a force is a text; got 1j"),
-    (lambda: Couple(ground.i, ()), ForceError, "the name of a couple is a text"),
+    (lambda: Force(ground.i, ground.origin, 1j), ArgumentError, "Force: name is a text; got 1j"),
+    (lambda: Couple(ground.i, ()), ArgumentError, "Couple: name is a text"),
     (lambda: ForceSystem([]), ForceError, "a system without forces needs a frame"),
     (lambda: ForceSystem([(ground.i, ground)]).moment("A"), FrameError,
      "the place of the point that the moment is about is a Point or a Frame"),
