@@ -5,9 +5,10 @@ from itertools import groupby
 from operator import attrgetter
 
 from ...algebra.late import EngFormatter
+from ...algebra.names import listed
 from ..measurements.measure import ALIKE, EQUAL_WITHIN, ROUND_OFF, cheapest, of_equal_cost, repeated
 from .axes import COLOURS, MARKERS, chart, log_log
-from .words import about_times, agreed, listed, number, seconds
+from .words import about_times, agreed, number, seconds
 
 WRONG = 1e-2  # a relative error
 NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic
