@@ -94,7 +94,7 @@ class GradesAndFigures(OfCourse, GetGrades):
         found = released(course, names["assignment"])[names["notebook"]]
         self._tasks = found.tasks
         self._numbers = sheet_numbers(course, names["assignment"], names["student"])
-        self._seen = {
+        self._released_texts = {
             nbgrader_metadata(c).get("grade_id"): c["source"]
             for c in found.notebook["cells"]
             if kind(c) in ("test", "task", "locked")
@@ -110,9 +110,9 @@ class GradesAndFigures(OfCourse, GetGrades):
     def preprocess_cell(
         self, cell: NotebookNode, resources: dict[str, Any], index: int
     ) -> Processed:
-        seen = self._seen.get(nbgrader_metadata(cell).get("grade_id"))
-        if seen is not None:
-            cell.source = seen
+        text = self._released_texts.get(nbgrader_metadata(cell).get("grade_id"))
+        if text is not None:
+            cell.source = text
         cell.pop("attachments", None)  # not shown, and could fill memory
         number = own_metadata(cell).get("problem")
         if kind(cell) == "statement" and number in self._tasks:

@@ -22,7 +22,7 @@ class Outcome(TypedDict):
 
 
 OUTPUT_LIMIT = 2**20  # bytes of the receipts of one submission
-LINE_LIMIT = 2**16  # bytes of one line; the cage sends no longer ones
+LINE_LIMIT = 2**16  # bytes of one line; the cage sends none longer
 MOST_LINES = 10_000  # lines that are read; a notebook has one for each problem and each error
 OUTCOME_LIMIT = 2**13  # bytes of the outcome of one test
 ERROR_LIMIT = 500  # characters of an error
@@ -38,7 +38,7 @@ def read_lines(
     data: bytes, problems: Collection[str], names: Collection[str]
 ) -> tuple[dict[str, Receipt], dict[str, str]]:
     """({problem id: receipt}, {name: error}): the lines of ``data`` that are receipts of these
-    problems or errors of these cells, of each the first.
+    problems or errors of these cells; the first of each.
     """
     receipts: dict[str, Receipt] = {}
     errors: dict[str, str] = {}
@@ -83,7 +83,7 @@ def _entry(line):
         return {}
     try:
         entry = json.loads(line)
-        if b"\\ud" in line.lower():  # halves of characters, which no file and no database takes
+        if b"\\ud" in line.lower():  # lone surrogates, which no file or database takes
             entry = json.loads(json.dumps(entry, ensure_ascii=False).encode("utf-8", "replace"))
     except (ValueError, RecursionError):
         return {}

@@ -18,7 +18,7 @@ from .sheet import Sheet
 RUN = ("setup", "locked", "plain", "solution", OWN)
 
 
-ENDINGS = (  # as the cage says them
+ENDINGS = (  # the sentences of the cage
     Words("stopped after {n} s"), Words("stopped at {n} GB of memory"),
     Words("stopped from outside"), Words("stopped after {n} bytes of output"),
 )  # fmt: skip
@@ -76,8 +76,8 @@ def _master(sheet, cell):
 
 
 def _worked_at(sheet, notebook):
-    """The problems at which the student worked; all of them if there is work in other cells, since
-    it may be for any, or an instructor's test.
+    """The problems on which the student worked; all of them if there is a test of the instructor's,
+    or work in other cells, since it may be for any problem.
     """
     worked = set()
     for cell in notebook["cells"]:
@@ -106,11 +106,11 @@ def _harvest(task: Task) -> Job:
     return {"role": "harvest", "problem": problem, "forms": forms, "symbols": symbols}
 
 
-def _test(sheet: Sheet, cell: Cell, seen: str) -> Job:
+def _test(sheet: Sheet, cell: Cell, visible: str) -> Job:
     """A test with the text that students see, and the full one from the gradebook."""
     name = nbgrader_metadata(cell)["grade_id"]
-    full, _ = sheet.sources.get(name, (seen, ""))
-    return {"role": "test", "name": name, "text": seen, "hidden": full}
+    full, _ = sheet.sources.get(name, (visible, ""))
+    return {"role": "test", "name": name, "text": visible, "hidden": full}
 
 
 def _forms(task: Task) -> dict[str, str]:

@@ -101,7 +101,7 @@ def _serve(control, group, job, fds):
 
 
 def _wait(control, memory, deadline):
-    """Why a job is to be ended: "" if the grader asks for it, or is gone."""
+    """Why a job has to be ended: "" if the grader asks for it, or is gone."""
     while (now := time.monotonic()) < deadline:
         if select.select([control], [], [], max(min(memory.next, deadline) - now, 0))[0]:
             return ""
@@ -148,7 +148,7 @@ def _isolate(job, group, files):
         isolation.claim_namespaces(*job["ids"])
     if group:
         group.enter()
-    os.setsid()  # a signal to the group of a student's process stays among that student's
+    os.setsid()  # a signal to the student's process group reaches no other process
     isolation.join_keyring()
     _drop_files(*files)
     job["used"] = isolation.memory_in_use()
@@ -187,7 +187,7 @@ def _child_or(seconds):
 
 
 def _give_up_rights(job, tests, first):
-    """Leave this process no right but to run the cells."""
+    """Take every right from this process except to run the cells."""
     os.setsid()
     isolation.limit(job["seconds"], job["used"], tests)
     isolation.become(job["uid"])
