@@ -60,8 +60,8 @@ def practice(
     for x in left:
         console.print(f"[yellow]{x.problem}[/] left out: {x.why}")
     click.echo(
-        f"{path}: {len(problems) - len(left)} problems, {variants} sets of numbers each at the "
-        f"most, {path.stat().st_size / 1000:.0f} kB"
+        f"{path}: {len(problems) - len(left)} problems, at most {variants} sets of numbers each, "
+        f"{path.stat().st_size / 1000:.0f} kB"
     )
     if not course:
         click.echo("Some of its answers may be graded ones; with --course COURSE none is near one.")
