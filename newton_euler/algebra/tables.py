@@ -3,6 +3,7 @@
 from bisect import bisect_right
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import Literal
 
 from .errors import checked
 from .late import np, sympy
@@ -23,7 +24,6 @@ from .scalars import (
     to_plain,
 )
 
-KINDS = "linear", "cubic", "natural", "previous"
 # the round-off of a time, as a fraction of the largest, by which it may lie outside of a table
 SLACK = 1e-14
 
@@ -33,7 +33,12 @@ class TableError(NewtonEulerError, ValueError):
 
 
 @checked
-def table(ts: Sequence, values: Sequence, kind: str = "linear", outside: str = "refuse") -> "Table":
+def table(
+    ts: Sequence,
+    values: Sequence,
+    kind: Literal["linear", "cubic", "natural", "previous"] = "linear",
+    outside: Literal["refuse", "hold"] = "refuse",
+) -> "Table":
     """The function of one number that passes through data: ``values`` at the places ``ts``, as a
     force measured at some times or a torque at some speeds.
 
@@ -56,11 +61,6 @@ def table(ts: Sequence, values: Sequence, kind: str = "linear", outside: str = "
     >>> table([0, 1, 2, 3], [0, 1, 4, 9], "cubic")(1.5)
     2.25
     """
-    for what, known, given in (("kind", KINDS, kind), ("outside", ("refuse", "hold"), outside)):
-        if given not in known:
-            raise TableError(
-                f"{what} of a table is one of {', '.join(known)}; got {clipped(given)}"
-            )
     xs, ys = _numbers("places", ts), _numbers("values", values)
     if len(xs) != len(ys) or len(xs) < 2:
         raise TableError(

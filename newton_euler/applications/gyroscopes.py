@@ -11,6 +11,7 @@ lies on the side of k; any other is given as ``moment``. Angles in rad, rates in
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.scalars import (
@@ -337,7 +338,7 @@ def least_spin(
     theta: Scalar,
     mgr: Scalar = None,
     moment: Scalar = None,
-    of: str = "spin",
+    of: Literal["spin", "omega_z"] = "spin",
 ) -> Scalar:
     """The least spin phi' (of="spin") or whole rate (of="omega_z"), in size, for steady precession
     at theta: 2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I, where the discriminant of
@@ -346,8 +347,6 @@ def least_spin(
     >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5), 4), least_spin(0.02, 0.01, 2.0, mgr=0.5)
     (14.1421, 0.0)
     """
-    if of not in ("spin", "omega_z"):
-        raise GyroError(f"of= is 'spin' (phi') or 'omega_z' (phi' + psi' cos theta), got {of!r}")
     rates = {"spin": None, "omega_z": None, of: 1}
     a, _, c = _quadratic(I0, I, theta, **rates, c=_over_sine(theta, mgr, moment))
     return to_plain(_least_rate(a, c, I))

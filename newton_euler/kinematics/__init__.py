@@ -41,7 +41,6 @@ from .rotations import (
     quaternion_rate,
     rotation_matrix,
     transpose,
-    unwound,
 )
 from .triads import Triad
 

@@ -18,7 +18,6 @@ values: they take numbers of all kinds and arrays of shape (N,) as entries, and 
 from collections.abc import Sequence
 
 from ..algebra.errors import NewtonEulerError, Tolerance, checked, checked_but
-from ..algebra.late import np
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -99,22 +98,17 @@ def determinant(R: Matrix) -> Scalar:
 
 
 @checked
-def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
-    """The one rotation that equals these, carried out in the order given (4.2, 4.3).
-
-    axes : "fixed" if the axis of each is given in the fixed frame, "moving" if in the frame turned
-        by the earlier ones. The reverse order exchanges the two meanings.
+def in_sequence(*rotations: Matrix) -> tuple:
+    """The one rotation that equals these, carried out in the order given, the axis of each in the
+    fixed frame (4.2, 4.3): their product in the reverse order. With each axis in the frame turned
+    by the earlier ones it is :func:`product` itself.
 
     >>> import math
     >>> X, Y = (rotation_matrix(axis, math.pi/2) for axis in ((1, 0, 0), (0, 1, 0)))
     >>> [[round(x) for x in row] for row in in_sequence(X, Y)]  # columns: i = -K, j = I, k = -J
     [[0, 1, 0], [0, 0, -1], [-1, 0, 0]]
     """
-    if axes not in ("fixed", "moving"):
-        raise RotationError(
-            f"axes are 'fixed' in the ground or 'moving' with earlier rotations, got {axes!r}"
-        )
-    return product(*(reversed(rotations) if axes == "fixed" else rotations))
+    return product(*reversed(rotations))
 
 
 @checked
@@ -461,31 +455,6 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
         )
     dpsi = (x * sin(phi) + y * cos(phi)) / s
     return to_plain(dpsi), to_plain(x * cos(phi) - y * sin(phi)), to_plain(z - dpsi * cos(theta))
-
-
-@checked
-def unwound(
-    angles: Sequence[float], rates: Sequence[float], times: Sequence[float]
-) -> "np.ndarray":
-    """Angles (rad) known modulo a turn, made continuous by their rates (rad/s) at times (s), all of
-    shape (N,): whole turns are added to fit the mean of the two rates of each step, and may be
-    many. Raises :class:`RotationError` where more than a quarter of a turn is left over.
-
-    >>> [round(float(x), 6) for x in unwound([0.0, 1.0, 2.0], [7.0, 7.4, 7.2], [0.0, 1.0, 2.0])]
-    [0.0, 7.283185, 14.566371]
-    """
-    q, w, t = (np.asarray(x, dtype=float) for x in (angles, rates, times))
-    missing = np.diff(t) * (w[1:] + w[:-1]) / 2 - np.diff(q)
-    turns = np.round(missing / (2 * np.pi))
-    left = np.abs(missing - 2 * np.pi * turns)
-    if not (left <= np.pi / 2).all():
-        n = int(np.argmax(left))
-        raise RotationError(
-            f"between t = {t[n]:.6g} and {t[n + 1]:.6g} s the rates {w[n]:.6g} "
-            f"and {w[n + 1]:.6g} rad/s leave {left[n]:.3g} rad: how many turns there were is "
-            "not known; give more instants, or take the angle itself as a state of the motion"
-        )
-    return q + 2 * np.pi * np.concatenate(([0.0], np.cumsum(turns)))
 
 
 @checked

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked
-from ..measurements.measure import Measured, check_cost, fronts
+from ..measurements.measure import Cost, Measured, fronts
 
 # colours that colour-blind readers tell apart (Okabe and Ito, without their yellow), and shapes for
 # those who see no colours
@@ -53,7 +53,7 @@ def chart(
     points: Sequence[Measured],
     ax: Any,
     floor: float = FLOOR,
-    cost: str = "cost",
+    cost: Cost = "cost",
     order: Sequence[str] = (),
     legend: bool = True,
 ) -> list[Measured]:
@@ -72,7 +72,6 @@ def chart(
     >>> chart(points, Figure().subplots()) == points
     True
     """
-    check_cost(cost)
     if not 0 < float(floor) < float("inf"):
         raise ArgumentError(f"the floor is a positive error, as 1e-16; got {floor!r}")
     if not hasattr(ax, "add_patch"):

@@ -8,7 +8,7 @@ import copy
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 from ...algebra.errors import checked_but
 from ...algebra.scalars import real_scalar, to_plain
@@ -49,7 +49,7 @@ class Recorder:
         ground: Frame,
         azimuth: float = 35,
         elevation: float = 20,
-        up: str = "z",
+        up: Literal["x", "y", "z"] = "z",
         plane: str | None = None,
         arrows: float = 62,
     ):
