@@ -94,7 +94,7 @@ def questions(course: Course, assignment: str, parts: Iterable[PartScore]) -> It
 
 
 @dataclass(frozen=True)
-class Line:
+class StudentRow:
     """A student on the roster, with the points of the gradebook, None if nothing was handed in."""
 
     id: str
@@ -107,9 +107,11 @@ class Line:
     penalty: float = 0.0
 
 
-def lines(course: Course, assignment: str, penalties: bool = True) -> tuple[list[Line], float]:
-    """(a :class:`Line` for every student by last name, maximum points): points with manual grades
-    and extra credit, minus the penalty for lateness, as in ``nbgrader export``.
+def student_rows(
+    course: Course, assignment: str, penalties: bool = True
+) -> tuple[list[StudentRow], float]:
+    """(rows of all students by last name, maximum points): points with manual grades and extra
+    credit, minus the penalty for lateness, as in ``nbgrader export``.
 
     penalties : False to ignore that penalty
     """
@@ -135,5 +137,5 @@ def lines(course: Course, assignment: str, penalties: bool = True) -> tuple[list
             first, last, email, lms = (
                 x or "" for x in (s.first_name, s.last_name, s.email, s.lms_user_id)
             )
-            found.append(Line(s.id, first, last, email, lms, points, waiting, penalty))
+            found.append(StudentRow(s.id, first, last, email, lms, points, waiting, penalty))
     return sorted(found, key=lambda x: (x.last_name.casefold(), x.id)), maximum
