@@ -65,7 +65,7 @@ def chart(
 
     floor : smaller errors are drawn there, with an arrow down and their value
     cost : "cost", the time, or "calls"
-    order : names of methods, which so have the same colours on several charts
+    order : names of methods, to give them the same colours on several charts
 
     >>> from matplotlib.figure import Figure
     >>> points = [Measured("coarse", 1e-3, 1e-3), Measured("fine", 2e-3, 1e-9)]
