@@ -120,6 +120,13 @@ class Terms(Guided, dict[str, T], Generic[T]):
         more = other if isinstance(other, Terms) else Terms(other)
         return Terms([*self.named(), *more.named()])
 
+    def __ror__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
+        return Terms(other) | self
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """The term, or the ``default`` where there is none of this name."""
+        return self[name] if name in self or name in self.shared.values() else default
+
     def named(self) -> Iterator[tuple[str, T]]:
         """Pairs (name as given, term)."""
         return ((self.shared.get(name, name), term) for name, term in self.items())
@@ -239,13 +246,13 @@ def _dimension(text):
         return None
 
 
-def _other_unit(ledger, text):
-    """A sentence where the text is a unit that the sum cannot have, else ""."""
-    here, asked = _dimension(ledger.unit), _dimension(text)
-    if here is None or asked is None or here == asked:
-        return ""
-    what = f"{ledger.equation.kind} {ledger.subject}"
-    return f"this is the {what}, in {ledger.unit}: it cannot be explained in {text!r}"
+def _check_unit(text, what, own):
+    """Raises :class:`TermError` for a unit that a sum in its ``own`` unit cannot have."""
+    if not isinstance(text, str):
+        raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(text)}")
+    here, asked = _dimension(own), _dimension(text)
+    if None not in (here, asked) and here != asked:
+        raise TermError(f"this is the {what}, in {own}: it cannot be explained in {text!r}")
 
 
 class Explanation:
@@ -261,10 +268,7 @@ class Explanation:
     """
 
     def __init__(self, vector, ledger, unit=""):
-        if not isinstance(unit, str):
-            raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(unit)}")
-        if words := _other_unit(ledger, unit):
-            raise TermError(words)
+        _check_unit(unit, f"{ledger.equation.kind} {ledger.subject}", ledger.unit)
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
         sizes = (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x))
@@ -344,6 +348,9 @@ def latex_number(x, digits):
     return body if body.replace("\\", "").isalnum() else rf"\left({body}\right)"
 
 
+_UNITS = {"work": "J", "kinetic energy": "J", "power": "W", "rate of kinetic energy": "W"}
+
+
 def _operation(f):
     return lambda self, other: to_plain(f(scalar(self.value), value_of(other)))
 
@@ -402,8 +409,13 @@ class Amount(NamedTerms):
         _comparison, (operator.eq, operator.lt, operator.le, operator.gt, operator.ge)
     )
 
-    def explain(self, unit: str = "J") -> str:
-        """The sum as a text: the number of its equation, each term, and the sum."""
+    def explain(self, unit: str = "") -> str:
+        """The sum as a text: the number of its equation, each term, and the sum, in this ``unit``
+        (default: J, and W of a power).
+        """
+        own = _UNITS.get(self.what, "")
+        _check_unit(unit, self.what, own)
+        unit = unit or own or "J"
         rows = [*self.terms.items(), ("sum", self.value)]
         width = max(len(name) for name, _ in rows)
         lines = (f"  {name:<{width}}  {short(x)} {unit}" for name, x in rows)
