@@ -264,7 +264,7 @@ def _by_arrays(f, n, order, sample):
 def _one_by_one(f, n, order, sample):
     """The sums place by place, with all the digits of mpmath, or of floats."""
     found, sizes = [ZERO] * len(sample), [ZERO] * len(sample)
-    for pairs in product(_gauss(order, epsilon(sum(sample))), repeat=n):
+    for pairs in product(gauss(order, epsilon(sum(sample))), repeat=n):
         share = 1
         for _, weight in pairs:
             share = share * weight
@@ -275,7 +275,7 @@ def _one_by_one(f, n, order, sample):
 
 
 @cache
-def _gauss(order, small):
+def gauss(order, small):
     """Gauss places and weights on (0, 1), to this round-off, by Newton's method."""
     one = scalar(1.0)
     if small < 2.0**-53:

@@ -7,7 +7,7 @@ the number of its equation, and ``without("coriolis")`` is the sum of a model wi
 import itertools
 import operator
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from types import MappingProxyType
@@ -280,19 +280,12 @@ class Explanation:
         unit = f" {self.unit}" if self.unit else ""
         known, other = self.equation.terms, self.equation.other
         names = [f"{self._label(n)}  {known.get(n, other)[0]}".rstrip() for n in self.terms]
-        names.append("sum")
-        width = max(map(len, names))
-        vectors = [*self.terms.values(), self.vector]
-        return "\n".join(
-            [
-                f"{self.equation.kind} {self.ledger.subject}, equation ({self.equation.number}), "
-                f"components in {self.vector.frame.name}",
-                *(
-                    f"  {name:<{width}}  [{', '.join(map(short, v))}]{unit}"
-                    for name, v in zip(names, vectors, strict=True)
-                ),
-            ]
+        rows = zip([*names, "sum"], [*self.terms.values(), self.vector], strict=True)
+        heading = (
+            f"{self.equation.kind} {self.ledger.subject}, equation ({self.equation.number}), "
+            f"components in {self.vector.frame.name}"
         )
+        return in_columns(heading, [(n, f"[{', '.join(map(short, v))}]{unit}") for n, v in rows])
 
     __repr__ = __str__
 
@@ -318,6 +311,12 @@ class Explanation:
 
     def _repr_mimebundle_(self, **_):
         return {"text/plain": str(self), "text/latex": self.latex}
+
+
+def in_columns(heading: str, rows: Sequence[tuple[str, str]]) -> str:
+    """A heading, and below it names and texts in two columns."""
+    width = max(len(name) for name, _ in rows)
+    return "\n".join([heading, *(f"  {name:<{width}}  {text}" for name, text in rows)])
 
 
 def _product(name, symbol):
@@ -416,10 +415,8 @@ class Amount(NamedTerms):
         own = _UNITS.get(self.what, "")
         _check_unit(unit, self.what, own)
         unit = unit or own or "J"
-        rows = [*self.terms.items(), ("sum", self.value)]
-        width = max(len(name) for name, _ in rows)
-        lines = (f"  {name:<{width}}  {short(x)} {unit}" for name, x in rows)
-        return "\n".join([f"{self.what}, equation ({self.number})", *lines])
+        rows = [(n, f"{short(x)} {unit}") for n, x in (*self.terms.items(), ("sum", self.value))]
+        return in_columns(f"{self.what}, equation ({self.number})", rows)
 
     def reweighted(self, /, **factors: Scalar) -> Scalar:
         """The sum of its terms, each times the factor named for it (others once).

@@ -20,6 +20,7 @@ from types import MappingProxyType
 from .errors import checked
 from .late import np
 from .ledger import distinct
+from .names import listed
 from .scalars import (
     ZERO,
     Scalar,
@@ -364,7 +365,7 @@ class Solution:
                 "needed, or fewer unknowns"
             )
         sentences += [
-            f"The equation {name!r} is redundant: it follows from {_quoted(others)}"
+            f"The equation {name!r} is redundant: it follows from {listed(map(repr, others))}"
             for name, others in self.redundant.items()
         ]
         nothing = "The equations determine every unknown, and each of them is needed"
@@ -614,7 +615,7 @@ class _Elimination:
         if not others:
             raise LinearError(f"the equation {name!r} {off}: no unknown occurs in it", names)
         raise LinearError(
-            f"the equations contradict each other: {name!r} {off} if {_quoted(others)} "
+            f"the equations contradict each other: {name!r} {off} if {listed(map(repr, others))} "
             f"hold{'s' * (len(others) == 1)}",
             names,
         )
@@ -728,8 +729,3 @@ def solve_regular(rows):
         rest.append((c, b))
     values = solve_regular(rest)
     return {**values, k: (right - sum((c * values[j] for j, c in others.items()), ZERO)) / p}
-
-
-def _quoted(names):
-    *first, last = map(repr, names)
-    return f"{', '.join(first)} and {last}" if first else last

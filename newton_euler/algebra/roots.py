@@ -15,10 +15,10 @@ from .scalars import (
     highest,
     is_finite,
     is_numeric,
-    min_abs,
     promote,
     scalar,
     to_plain,
+    vanishes,
     where,
 )
 
@@ -79,7 +79,7 @@ def _moving_root(f, low, high):
         per_time = resting.rate / resting.value
         return Moving(u, u * per_time, u * per_time * per_time)
     slope = at(u, 1).rate - resting.rate
-    if is_numeric(slope) and min_abs(slope) == 0:
+    if vanishes(slope):
         raise SingularError(
             f"the root {to_plain(u)!r} has no rate: the function touches zero there, with slope 0"
         )

@@ -599,6 +599,11 @@ def is_zero(x: Scalar) -> bool:
     return bool(equal.all() if hasattr(equal, "all") else equal)
 
 
+def vanishes(x: Scalar, small: float = 0) -> bool:
+    """True if the number ``x``, or an element of it, is at most ``small`` in size."""
+    return is_numeric(x) and min_abs(x) <= small
+
+
 def is_positive(x):
     """True if the number ``x`` (all of an array) is positive; True of an expression."""
     x = without_rates(x)

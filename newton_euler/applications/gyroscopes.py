@@ -24,13 +24,13 @@ from ..algebra.scalars import (
     is_comparable,
     is_numeric,
     is_zero,
-    min_abs,
     scalar,
     short,
     sin,
     sqrt,
     tan,
     to_plain,
+    vanishes,
     where,
 )
 from ..algebra.vectors import FrameError, Vector, named_sum
@@ -209,7 +209,7 @@ def steady_spin(
     _check_moments(I0, I)
     c = _over_sine(theta, mgr, moment)
     for name, x in (("precession", precession), ("I", I)):
-        if is_numeric(x) and min_abs(x) == 0:
+        if vanishes(x):
             raise GyroError(f"the {name} is zero, and then the moment does not depend on the spin")
     return to_plain((c / precession + (I0 - I) * precession * cos(theta)) / I)
 
@@ -283,7 +283,7 @@ def _over_sine(theta, mgr, moment):
         return scalar(mgr)
     s = sin(theta)
     # sin(pi) in floats is 1.2e-16, half an epsilon
-    if is_numeric(s) and min_abs(s) <= 4 * epsilon(s):
+    if vanishes(s, 4 * epsilon(s)):
         raise GyroError(
             f"no line of nodes at theta = {to_plain(theta)!r} to have a moment about: give mgr"
         )
@@ -403,7 +403,7 @@ def fast_spin(
     (0.5, -0.002709)
     """
     a, h, c = _quadratic(I0, I, theta, spin, None, _over_sine(theta, mgr, moment))
-    if is_numeric(h) and min_abs(h) == 0:
+    if vanishes(h):
         raise GyroError(
             "approximations for a fast spin, but spin or I is zero: use steady_precession"
         )
@@ -445,7 +445,7 @@ def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreeP
     apart, c = scalar(I0) - I, cos(theta)
     if is_numeric(apart) and is_zero(apart):
         raise GyroError("with I = I0 there is no precession: the body turns about a fixed axis")
-    if is_numeric(c) and min_abs(c) <= 4 * epsilon(c) and not is_zero(spin):
+    if vanishes(c, 4 * epsilon(c)) and not is_zero(spin):
         raise GyroError(
             f"theta = {to_plain(theta)!r} is pi/2: H has no axial component, the spin must be zero"
         )

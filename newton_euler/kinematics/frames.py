@@ -26,12 +26,10 @@ from ..algebra.scalars import (
     hypot,
     integer_like,
     is_finite,
-    is_numeric,
-    min_abs,
     scalar,
     sin,
     to_plain,
-    without_rates,
+    vanishes,
 )
 from ..algebra.vectors import (
     NO_THIRD_RATE,
@@ -633,14 +631,6 @@ def axes_at(point: Point) -> Frame:
             f"point; for {point.frame.name} say frame=..., or make another point there"
         )
     return point.frame
-
-
-# -- shared with rotations
-
-
-def vanishes(x: Scalar, small: float = 0) -> bool:
-    """Whether a number is at most ``small`` in size at any instant; False for expressions."""
-    return is_numeric(x) and min_abs(without_rates(x)) <= small
 
 
 def divided_by_length(axis: tuple, length: Scalar, error: type[Exception]) -> tuple:

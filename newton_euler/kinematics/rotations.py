@@ -33,11 +33,12 @@ from ..algebra.scalars import (
     sin,
     sqrt,
     to_plain,
+    vanishes,
     where,
     without_rates,
 )
 from ..algebra.vectors import Vector, cross3, dot3, scale3, three
-from .frames import Frame, Point, divided_by_length, vanishes
+from .frames import Frame, Point, divided_by_length
 
 Matrix = Sequence[Sequence[Scalar]]  # three rows of three
 Triple = Sequence[Scalar] | Vector
