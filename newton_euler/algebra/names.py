@@ -176,7 +176,7 @@ def misfit(f: Callable, args: tuple, named: dict) -> str:
     needed = [n for n in known if n not in more and parameters[n].default is Parameter.empty]
     missing = [n for n in needed if n not in named and n not in by_place[: len(args)]]
     if missing:
-        return _with_a_row_opened(name, args, missing) or f"{name} lacks {_and(missing)}. {write}"
+        return _with_a_row_opened(name, args, missing) or f"{name} lacks {listed(missing)}. {write}"
     if len(args) > len(by_place) and not several:
         return f"{name} takes {len(by_place)} arguments by place, got {len(args)}. {write}"
     return ""
@@ -192,8 +192,14 @@ def _with_a_row_opened(name, args, missing):
     return ""
 
 
-def _and(names):
-    return " and ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
+def listed(names: Iterable[str]) -> str:
+    """The names as a list in a sentence.
+
+    >>> listed(["a"]), listed(["a", "b", "c"])
+    ('a', 'a, b and c')
+    """
+    *first, last = names
+    return f"{', '.join(first)} and {last}" if first else last
 
 
 def _keys(annotation):

@@ -175,10 +175,10 @@ class Table:
         first, last = self.places[0], self.places[-1]
         slack = SLACK * max(abs(first), abs(last))
         if low != low or not (self.hold or (first - low <= slack and high - last <= slack)):
+            hold = "; outside='hold' continues it with the values at its ends" if low == low else ""
             raise SingularError(
                 f"a table from {clipped(first)} to {clipped(last)} has no value at "
-                f"{clipped(low if first > low else high)}; outside='hold' continues it with the "
-                "values at its ends"
+                f"{clipped(low if low != low or first > low else high)}{hold}"
             )
 
     def _of_array(self, x):
