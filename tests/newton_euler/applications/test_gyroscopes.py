@@ -239,6 +239,16 @@ def test_eqn_10_33_has_the_units_of_a_rate():
 def test_steady_precession_can_be_compiled():
     slow = lambda I0, spin: steady_precession(I0, 0.25, 0.9, spin=spin, mgr=1.5).slow
     assert compiled(slow)(0.6, -12.0) == pytest.approx(slow(0.6, -12.0), rel=1e-15)
+    least = compiled(lambda theta: least_spin(0.6, 0.25, theta, mgr=1.5))
+    assert [least(x) for x in (0.5, 2.0)] == [least_spin(0.6, 0.25, x, mgr=1.5) for x in (0.5, 2.0)]
+
+
+def test_steady_precession_takes_numbers_of_symengine():
+    number = pytest.importorskip("symengine").RealDouble
+    slow = [
+        steady_precession(kind(0.6), 0.25, 0.6, spin=12.0, mgr=1.5).slow for kind in (float, number)
+    ]
+    assert float(slow[1]) == pytest.approx(slow[0], rel=1e-15)
 
 
 def slow_root_to_60_digits(I0, I, theta, spin, mgr):
