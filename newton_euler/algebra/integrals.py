@@ -51,7 +51,7 @@ def integral(f: Callable, start: Scalar, end: Scalar, breaks: Sequence[Scalar] =
     step of a formula that is compiled, and of expressions a formula of SymPy.
 
     f : function of one number that returns a scalar, a Vector, or a tuple of them, smooth between
-        the limits and ``breaks``. Only at ``start`` = 0 it may be infinite, as x**-0.5
+        the limits and ``breaks``. It may be infinite only at ``start`` = 0, as x**-0.5
     breaks : in order, where f has corners or jumps
     Raises :class:`SingularError` where it does not settle, :class:`WorkError` without a formula.
 

@@ -184,8 +184,8 @@ class Ledger:
 
     kind : of the equation, see :func:`equation`
     subject : the things it is about, as "P/ground"
-    make : a function that returns the terms, a dict or pairs (name, Vector); None of a vector that
-        is no sum, of which only the kind is known: such a ledger is false
+    make : a function that returns the terms, a dict or pairs (name, Vector); None for a vector that
+        is not a sum, whose kind alone is known: its ledger is false
     scaled : whether the sum was multiplied, so that its unit is not that of the equation
     """
 
@@ -236,7 +236,7 @@ def unlike(kind: str, other: str) -> bool:
 
 
 def _dimension(text):
-    """The dimension of a unit, None where the text is no unit that is known."""
+    """The dimension of a unit, None if the unit is unknown."""
     from .units import UnitError
     from .units import unit as unit_of
 

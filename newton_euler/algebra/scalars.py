@@ -1,7 +1,7 @@
 """Functions of numbers of every kind: sin, sqrt, where …, and the structural zero.
 
 Every formula of the engine is written once over *scalars*: a Python float, a NumPy array (many
-instants at once), an ``mpmath.mpf``, a expression of SymPy, SymEngine or heyoka, or one of these:
+instants at once), an ``mpmath.mpf``, an expression of SymPy, SymEngine or heyoka, or one of these:
 
 ``ZERO``        a zero known from the structure of a formula; it vanishes from sums and products
 ``Moving``      a value with its first and second rate in time (:mod:`newton_euler.algebra.jets`)

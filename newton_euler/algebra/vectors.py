@@ -552,7 +552,7 @@ def same(a: Vector, b: Vector, tolerance: float = 1e-12) -> bool:
     d, *lengths = (_size(v) for v in (_checked(a) - _checked(b), a, b))
     if any(x is None for x in (d, *lengths)):
         raise ScalarError(f"{a} and {b} have components without values, which cannot be compared")
-    # instant by instant; so written that nan and infinity are not the same as anything
+    # instant by instant; written so that nan and infinity are not the same as anything
     largest = where(lengths[0] > lengths[1], *lengths)
     return max_abs(where(d <= allowed(tolerance) * largest, d - d, 1)) == 0
 

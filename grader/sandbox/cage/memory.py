@@ -15,7 +15,7 @@ PROCESSES = 400  # in a group; far above the limit for each user
 FIRST_LOOK, PAUSE = 0.1, 0.05  # seconds; most notebooks have ended before the first look
 
 
-class Watch:
+class MemoryWatch:
     """Checks at intervals the memory of all descendants of this process together."""
 
     def __init__(self, tests: int = 0) -> None:

@@ -21,8 +21,8 @@ import socket
 import time
 
 from . import calls, isolation, libraries, rehearsal, watch
-from .cells import Notebook
-from .memory import TOTAL, Group, Watch
+from .cells import Submission
+from .memory import TOTAL, Group, MemoryWatch
 
 GRACE = 5.0  # seconds beyond its limits after which a job is ended from outside
 TOO_MUCH = f"stopped at {TOTAL / 2**30:g} GB of memory"
@@ -87,7 +87,7 @@ def _serve(control, group, job, fds):
             os._exit(1)
     for fd in fds:
         os.close(fd)
-    why = _wait(control, Watch(job["tests"]), time.monotonic() + 2 * job["seconds"] + GRACE)
+    why = _wait(control, MemoryWatch(job["tests"]), time.monotonic() + 2 * job["seconds"] + GRACE)
     if group:
         group.kill()
         if group.kills() > kills:
@@ -221,7 +221,7 @@ def _student(job, work, receipts, state, tests, first):
     os.close(state)
     with open(work, "rb") as f:
         cells = json.loads(f.read())
-    Notebook(job["cell_seconds"], lambda line: _write(receipts, line), tests).run(cells)
+    Submission(job["cell_seconds"], lambda line: _write(receipts, line), tests).run(cells)
 
 
 def _write(fd, data):

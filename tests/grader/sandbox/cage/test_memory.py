@@ -8,15 +8,10 @@ from pathlib import Path
 import pytest
 
 from grader.sandbox.cage import memory
-from grader.sandbox.cage.memory import PER_TEST, TOTAL, Group, Watch
+from grader.sandbox.cage.memory import PER_TEST, TOTAL, Group, MemoryWatch
 
-WRITTEN = {
-    "memory.max": str(TOTAL + 2 * PER_TEST),
-    "memory.swap.max": "0",
-    "memory.oom.group": "1",
-    "pids.max": "400",
-    "cgroup.procs": "0",
-}
+WRITTEN = {"memory.swap.max": "0", "memory.oom.group": "1", "pids.max": "400", "cgroup.procs": "0"}
+WRITTEN["memory.max"] = str(TOTAL + 2 * PER_TEST)
 
 
 @pytest.fixture
@@ -83,6 +78,6 @@ def test_kills_are_read_from_the_events(tmp_path):
 def test_each_test_of_a_submission_may_hold_some_memory_of_its_own(monkeypatch, tests):
     held = TOTAL + tests * PER_TEST
     monkeypatch.setattr(memory, "used_by", lambda pids, enough: held)
-    assert not Watch(tests).exceeded()
+    assert not MemoryWatch(tests).exceeded()
     held += 1
-    assert Watch(tests).exceeded()
+    assert MemoryWatch(tests).exceeded()
