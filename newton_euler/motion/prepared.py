@@ -30,8 +30,9 @@ class Traced:
         content
     integrators : those of heyoka
     seconds : time spent on integrating it, which decides whether heyoka's compilation pays off
-    inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the functions of
-        these names in :mod:`.analytic`, :mod:`.crossings` and :mod:`.narrow_arguments` find
+    inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the
+        functions of these names in :mod:`.analytic`, :mod:`.crossings` and
+        :mod:`.narrow_arguments` find
     """
 
     def __init__(self, rhs, arguments):
