@@ -266,7 +266,7 @@ def _exact(position, limits, weigh, name):
             f = sympy.integrate(f, (u, *pair))
         if f.has(sympy.Integral):
             raise MassError(
-                f"no formula for an integral over {name}: take other coordinates, or numbers"
+                f"SymPy finds no formula for {name}: take other coordinates, or exact=False"
             )
         return f
 

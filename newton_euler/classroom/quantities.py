@@ -48,7 +48,7 @@ def _quantities(what):
     while rest:
         if len(rest) < 2 or not isinstance(rest[0], str) or isinstance(rest[1], str):
             raise ArgumentError(
-                f"show takes 'v', 3.0, 'm/s' in a row; got {', '.join(map(clipped, rest[:3]))}"
+                f"show takes a name, a value and a unit; got {', '.join(map(clipped, rest[:3]))}"
             )
         name, value, *rest = rest
         texts = next((n for n, x in enumerate(rest) if not isinstance(x, str)), len(rest))
