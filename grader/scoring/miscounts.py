@@ -26,7 +26,7 @@ OTHERWISE = (
 
 
 def miscounts(right: Freedom) -> list[tuple[Cause, int]]:
-    """[(cause, count)] of the wrong counts; of each count the simplest causes only."""
+    """[(cause, count)] of the wrong counts, each with its simplest causes only."""
     found: dict[int, tuple[int, list[Cause]]] = {}
     for rank, n, what, why in _all(right):
         simplest, causes = found.setdefault(n, (rank, []))
@@ -53,7 +53,7 @@ def misjudged(key: str, options: Sequence[str], right: str) -> list[tuple[Cause,
 
 
 def _all(right: Freedom) -> Iterator[tuple[int, int, str, str]]:
-    """(rank, count, what is done, why it is wrong) of each, simplest first."""
+    """(rank, count, what is done, why it is wrong) of each wrong count, simplest first."""
     every, off, own = right.unknowns, right.rank, right.count
     once, taken = Words("each independent equation counts once"), Words("they are to be taken off")
     if off:
