@@ -13,13 +13,8 @@ import pytest
 from grader.sandbox.cage import memory
 from grader.sandbox.cage.memory import PER_TEST, TOTAL, Group, MemoryWatch
 
-WRITTEN = {
-    "memory.max": str(TOTAL + 2 * PER_TEST),
-    "memory.swap.max": "0",
-    "memory.oom.group": "1",
-    "pids.max": "400",
-    "cgroup.procs": "0",
-}
+WRITTEN = {"memory.swap.max": "0", "memory.oom.group": "1", "pids.max": "400", "cgroup.procs": "0"}
+WRITTEN["memory.max"] = str(TOTAL + 2 * PER_TEST)
 
 
 @pytest.fixture
