@@ -60,7 +60,7 @@ class Motions:
         """
         what = "many motions are known at their times alone, see samples= of integrate"
         place = real_numbers(t, what)
-        found = () if place.ndim else (self.times == place).nonzero()[0]
+        found: Any = [] if place.ndim else (self.times == place).nonzero()[0]
         expect(len(found), what, t)
         return {name: x[:, found[-1]] for name, x in self.states.items()}
 
