@@ -66,6 +66,13 @@ class Elsewhere:
             for part in self._parts
         )
 
+    def refutes(self, cause: Cause) -> bool:
+        """True if this listed mistake would show in other parts, and is in none of them."""
+        shown = cause.group == "listed" and any(
+            is_apart(x, part.key) for part in self._parts for x in part.models(cause)
+        )
+        return shown and not self.explains(cause)
+
     def explains(self, cause: Cause) -> int:
         """In how many other wrong parts this mistake fits."""
         return sum(
@@ -102,7 +109,10 @@ def diagnose(
     elsewhere = elsewhere or Elsewhere()
     if kind.is_word:  # of few words one is soon met by chance: listed mistakes, and of counts
         models = [m for m in wrong if m[1] == given and m[0].group in ("listed", "count")]
-        return _best([[Hit(EXACT, *m) for m in models[:MOST]]], elsewhere, ())
+        hits = [Hit(EXACT, *m) for m in models if not elsewhere.refutes(m[0])]
+        # beside one mistake of the list stands what any such count has in common
+        hits[1:] = sorted(hits[1:], key=lambda hit: hit.cause.group == "listed")
+        return _best([hits[:MOST]], elsewhere, ())
     fit = Fit(given, key, kind.rtol)
     single = [*_stages(fit, wrong, kind, factors or {})]
     general = _closest(single)
