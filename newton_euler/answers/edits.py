@@ -132,8 +132,6 @@ def _edits(formulas):
             slips += givens.of_unit(s, read[name], system) if name not in symbols else ()
         if s in products:
             slips += operations.of_product(s, number, dimensions.get)
-        if s.op == "item" and s.args[0].op == "integral":
-            slips += givens.of_integral(s)
         for n, slip in enumerate(slips):
             yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in unwritten])
 

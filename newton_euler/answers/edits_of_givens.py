@@ -3,7 +3,6 @@ mass.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from fractions import Fraction
 from itertools import combinations, permutations
 from math import pi
 from typing import Any
@@ -53,7 +52,12 @@ def of_given(
                 words = Words("takes {name} - {other} for {name}: {why}",
                               name=name, other=other, why=is_it)  # fmt: skip
                 yield LEAST, f"less {other}", words, ("-", s, step)
-    if own.dimension != MASS:
+    if own.dimension == LENGTH:
+        words = Words(
+            "has what is measured by {name} on the other side: look at the figure", name=name
+        )
+        yield LESS + 1, "sign", words, ("neg", s)
+    elif own.dimension != MASS:
         words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
         yield RARER, "sign", words, ("neg", s)
     rank = RARER if own.dimension == LENGTH else LESS
@@ -115,14 +119,6 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
 
-def of_integral(s: Step) -> Iterator[Slip]:
-    """An integral with a factor of t^3/3 or t^4/12 lost or confused."""
-    words = Words("has another factor in an integral: each power is divided by its own")
-    for f in (3, 4, Fraction(3, 2), Fraction(4, 3)):
-        for factor in (f, 1 / Fraction(f)):
-            yield LESS + 1, f"integral {factor}", words, ("*", s, float(factor))
-
-
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
     """A given used with its number in another unit."""
     name = s.args[0]
@@ -132,7 +128,7 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
             "converts {name} from {unit} the wrong way: its factor is inverted",
             name=name, unit=own.text,
         )  # fmt: skip
-        yield LESS, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
+        yield LESS + 1, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
     if _is_of_turns(own):
         yield SIMPLE, "2 pi", Words(TWO_PI, name=name), ("*", s, 0.5 / pi)
     for part in own.parts:
