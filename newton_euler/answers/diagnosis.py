@@ -219,14 +219,15 @@ def _chosen(best, twins, elsewhere):
 
 
 def _most_explaining(causes, elsewhere):
-    """Those causes that explain the most other wrong parts; no other cause hides the factor 2 of
-    the Coriolis term, which is only seen in vectors.
+    """Those causes that explain the most other wrong parts; no other cause hides a mere factor, or
+    the factor 2 of the Coriolis term, which is only seen in vectors.
     """
     if len(causes) < 2:
         return tuple(causes)
     counts = {c: elsewhere.explains(c) for c in causes}
     most = max(counts.values())
-    return tuple(c for c in causes if counts[c] == most or c == CORIOLIS_HALVED)
+    always = (c for c in causes if c == CORIOLIS_HALVED or c.group == "factor")
+    return tuple(dict.fromkeys([*always, *(c for c in causes if counts[c] == most)]))
 
 
 def _stages(
