@@ -14,6 +14,7 @@ from .kinds import KINDS, Kind
 from .near import NO_SINGLES, Singles
 from .pairs import of_two
 from .slips import (
+    bare,
     is_rounded,
     multiples,
     of_components,
@@ -128,6 +129,8 @@ def diagnose(
         found = tuple(sorted(found, key=elsewhere.contradicts))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
+    if found and all(c.group == "computed" for c in found):  # of a mere factor there are many
+        found = *_first(bare(fit), fit, CLOSE), *found
     # a factor of some components, met within the digits written: one slip goes before two
     found = found or _first(of_components(fit), fit, CLOSE)
     found = found or (_in_the_whole(fit, kind) if slips else ())
@@ -226,8 +229,9 @@ def _most_explaining(causes, elsewhere):
         return tuple(causes)
     counts = {c: elsewhere.explains(c) for c in causes}
     most = max(counts.values())
-    always = (c for c in causes if c == CORIOLIS_HALVED or c.group == "factor")
-    return tuple(dict.fromkeys([*always, *(c for c in causes if counts[c] == most)]))
+    return tuple(
+        c for c in causes if counts[c] == most or c == CORIOLIS_HALVED or c.group == "factor"
+    )
 
 
 def _stages(

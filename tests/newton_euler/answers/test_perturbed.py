@@ -12,7 +12,6 @@ from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI, unit
 from newton_euler.answers.diagnosis import diagnose
 from newton_euler.answers.edits_of_equations import SLIPS, solution
-from newton_euler.answers.edits_of_givens import of_integral
 from newton_euler.answers.formulas import Formulas, Stage, Traced
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.near import NO_SLIPS
@@ -193,12 +192,6 @@ def test_ratios_roots_and_differences(parts, wrong, words):
         slips=lambda fit, kind: slips.near("x", fit, kind),
     )  # fmt: skip
     assert words in " | ".join(c.text for c in causes)
-
-
-def test_the_factor_of_a_power_that_an_integral_divides_by_may_be_another():
-    slips = of_integral(Trace().new("argument", "b"))
-    factors = {expression[-1] for *_, expression in slips}
-    assert {3.0, 1 / 3, 4.0, 1.5, 4 / 3} < factors  # t^3/3, t^4/12 as t^4/4 and t^4/8, t^5/15
 
 
 def test_random_numbers_are_hardly_ever_named(perturbed):
