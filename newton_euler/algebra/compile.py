@@ -15,10 +15,10 @@ from functools import cached_property
 from importlib import import_module, util
 from operator import itemgetter
 from traceback import walk_tb
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from . import scalars
-from .errors import callers_line
+from .errors import callers_line, checked
 from .jets import Moving
 from .scalars import (
     FUNCTIONS,
@@ -318,7 +318,10 @@ def _float(constant):
         return constant
 
 
-def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compiled:
+@checked
+def compiled(
+    f: Callable, backend: Literal["auto", "numpy", "heyoka"] = "auto", **constants: Scalar
+) -> Compiled:
     """The formula ``f``, traced once into straight-line text, for many fast evaluations. The result
     takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name,
     and returns what ``f`` returns, a Vector as a triple of components.
@@ -334,13 +337,6 @@ def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compile
     >>> round(height(20.0, 0.5, 9.81), 3), height.operations
     (4.686, 5)
     """
-    if not callable(f) or isinstance(f, type):
-        raise ScalarError(f"compiled: f is a function of scalars; got {clipped(f)}")
-    what = "backend must be 'auto', 'numpy' or 'heyoka', got"
-    if not isinstance(backend, str):
-        raise ScalarError(f"{what} {clipped(backend)}")
-    if backend not in ("auto", "numpy", "heyoka"):
-        raise ValueError(f"{what} {backend!r}")
     return Compiled(*recorded(f, **constants)._replace(backend=backend))
 
 
@@ -353,7 +349,7 @@ _OF_STEPS = {
 
 
 def _lacked_values(error):
-    """True if this error arose since a traced value has no number: as the value itself says, or
+    """True if this error arose because a traced value has no number: as the value itself says, or
     Python, or a function of NumPy or SciPy that had one.
     """
     if isinstance(error, NewtonEulerError):

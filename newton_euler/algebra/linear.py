@@ -20,6 +20,7 @@ from types import MappingProxyType
 from .errors import checked
 from .late import np
 from .ledger import distinct
+from .names import listed
 from .scalars import (
     ZERO,
     Scalar,
@@ -71,6 +72,10 @@ class LinearError(FrameError):
     def __init__(self, message, equations=()):
         super().__init__(message)
         self.equations = tuple(equations)
+
+
+class _NoUnknown(LinearError, AttributeError):
+    """There is no unknown of this name; an AttributeError too, so that ``hasattr`` is False."""
 
 
 class LinearForm(_Own):
@@ -336,7 +341,7 @@ class Solution:
         if isinstance(name, str) and name in self.values:
             return self.values[name]
         if not isinstance(name, str) or name not in self.names:
-            raise LinearError(f"there is no unknown {name!r}; there are {', '.join(self.names)}")
+            raise _NoUnknown(f"there is no unknown {name!r}; there are {', '.join(self.names)}")
         raise LinearError(f"{name} is not determined by the equations. {self.report()}")
 
     def __getattr__(self, name):
@@ -360,7 +365,7 @@ class Solution:
                 "needed, or fewer unknowns"
             )
         sentences += [
-            f"The equation {name!r} is redundant: it follows from {_quoted(others)}"
+            f"The equation {name!r} is redundant: it follows from {listed(map(repr, others))}"
             for name, others in self.redundant.items()
         ]
         nothing = "The equations determine every unknown, and each of them is needed"
@@ -610,7 +615,7 @@ class _Elimination:
         if not others:
             raise LinearError(f"the equation {name!r} {off}: no unknown occurs in it", names)
         raise LinearError(
-            f"the equations contradict each other: {name!r} {off} if {_quoted(others)} "
+            f"the equations contradict each other: {name!r} {off} if {listed(map(repr, others))} "
             f"hold{'s' * (len(others) == 1)}",
             names,
         )
@@ -724,8 +729,3 @@ def solve_regular(rows):
         rest.append((c, b))
     values = solve_regular(rest)
     return {**values, k: (right - sum((c * values[j] for j, c in others.items()), ZERO)) / p}
-
-
-def _quoted(names):
-    *first, last = map(repr, names)
-    return f"{', '.join(first)} and {last}" if first else last

@@ -36,7 +36,7 @@ from ..algebra.scalars import (
 from ..algebra.vectors import ZERO3, FrameError, Vector, add3, dot3, scale3, sum3, three
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import AXES, MassError, check
-from .principal_axes import Principal, Symmetry, principal, symmetry
+from .principal_axes import principal, symmetry
 
 
 @guided
@@ -214,15 +214,8 @@ class Inertia(Scaled, NamedTerms):
         moments = tuple(common + turned[n][n] for n in range(3))
         return self._like(moments, (-turned[1][0], -turned[2][1], -turned[2][0]), frame=frame)
 
-    @checked
-    def principal(self, noise: float | None = None) -> Principal:
-        """Principal moments and axes (7.18)-(7.20), and how well they are determined."""
-        return principal(self, noise)
-
-    @checked
-    def symmetry(self, tolerance: Tolerance = 1e-9) -> Symmetry:
-        """The symmetries that the matrix shows."""
-        return symmetry(self, tolerance)
+    principal = checked(principal)
+    symmetry = checked(symmetry)
 
     # -- sums
 

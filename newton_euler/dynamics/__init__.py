@@ -22,11 +22,10 @@ from .euler import (
     fixed_line_momentum,
     planar_moment,
 )
-from .force_systems import Couple, Force, ForceError, ForceSystem, Wrench
+from .force_systems import Couple, Force, ForceError, ForceSystem
 from .gravity import (
     attraction,
     gravitation,
-    gravitational_field,
     gravity_at_height,
     gravity_at_surface,
     mass_from_weight,

@@ -23,15 +23,13 @@ from ..algebra.scalars import (
     ScalarError,
     clipped,
     cos,
+    hypot,
     integer_like,
     is_finite,
-    is_numeric,
-    min_abs,
     scalar,
     sin,
-    sqrt,
     to_plain,
-    without_rates,
+    vanishes,
 )
 from ..algebra.vectors import (
     NO_THIRD_RATE,
@@ -225,7 +223,7 @@ class Frame:
         parts = (angle.value, angle.rate, angle.acceleration)
         exact = next((v for v in parts if v is not ZERO), ZERO)
         axis = tuple(integer_like(v, exact) for v in axis)
-        return divided_by_length(axis, sqrt(dot3(axis, axis)), FrameError)
+        return divided_by_length(axis, hypot(*axis), FrameError)
 
     def _place(self, origin):
         if origin is None:
@@ -633,14 +631,6 @@ def axes_at(point: Point) -> Frame:
             f"point; for {point.frame.name} say frame=..., or make another point there"
         )
     return point.frame
-
-
-# -- shared with rotations
-
-
-def vanishes(x: Scalar, small: float = 0) -> bool:
-    """Whether a number is at most ``small`` in size at any instant; False for expressions."""
-    return is_numeric(x) and min_abs(without_rates(x)) <= small
 
 
 def divided_by_length(axis: tuple, length: Scalar, error: type[Exception]) -> tuple:

@@ -11,11 +11,11 @@ from . import watch
 
 TOTAL = 3 * 2**30  # bytes, of all processes of a submission
 PER_TEST = 2**25  # bytes more for each test, whose process shares the rest with the student's
-PROCESSES = 400  # processes of a group; far above the limit by user
+PROCESSES = 400  # in a group; far above the limit for each user
 FIRST_LOOK, PAUSE = 0.1, 0.05  # seconds; most notebooks have ended before the first look
 
 
-class Watch:
+class MemoryWatch:
     """Checks at intervals the memory of all descendants of this process together."""
 
     def __init__(self, tests: int = 0) -> None:

@@ -39,7 +39,7 @@ class WorkPrecision:
     ratios : {tolerance: (time of "auto" / time of the cheapest other method that reached it, its
         name)}, measured in turns; not where "auto" takes the exact solution, whose time says
         nothing about methods that step
-    preparing : {method: seconds that its first run took more than the next, to compile code}
+    preparing : {method: seconds by which its first run, which compiles, took longer than the next}
     too_slow, unable : {method: after which run it was left out}, or why it failed
     """
 
@@ -124,7 +124,7 @@ _PREPARATIONS: dict = {}
 
 
 def _preparation(name, method, first, cost):
-    """The seconds that the first run took more; 0 if less than the run itself, maybe noise."""
+    """The seconds by which the first run took longer; 0 if less than a run, which may be noise."""
     return _PREPARATIONS.setdefault((name, method), first - cost if first > 2 * cost else 0.0)
 
 

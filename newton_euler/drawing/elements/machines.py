@@ -3,14 +3,14 @@
 import math
 from collections.abc import Sequence
 
-from ...algebra.errors import checked_methods
+from ...algebra.errors import checked_words
 from ...algebra.vectors import FrameError, scale3, sub3
 from ..page.projection import between, circle, moved, norm3, on_circle, perpendiculars, silhouette
 from ..page.recorder import Direction, Place, Recorder
 from .cables import Pulley, route
 
 
-@checked_methods(str, bool)
+@checked_words
 class Machines(Recorder):
     """The methods of a sketch that draw gears, pulleys and cables."""
 

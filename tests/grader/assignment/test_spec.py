@@ -63,7 +63,7 @@ def test_a_file_is_the_assignment_and_is_written_as_it_was_read(tmp_path):
     ("text", "words"),
     [
         ("- 4/3", "expected title, due and a list of problems"),
-        ("problems: [4/3, 4/3]", "4/3 is there twice"),
+        ("problems: [4/3, 4/3]", "4/3 occurs twice"),
         ("problems: [4/3]\npoints: 3", "'points' is not one of"),
         (
             "problems: [{4/3: {point: 3}}]",

@@ -78,7 +78,7 @@ def test_a_hard_link_to_a_file_of_somebody_else_is_not_read(tmp_path):
     os.chown(tmp_path / "neighbours", 4711, 4711)
     os.link(tmp_path / "neighbours", own / "ch04.ipynb")
     left_out = copy_regular(own, tmp_path / "copy", *LIMITS)
-    assert left_out == {"ch04.ipynb": "it belongs to somebody else than its folder"}
+    assert left_out == {"ch04.ipynb": "its owner is not that of its folder"}
 
 
 def test_a_folder_a_missing_file_and_a_device_are_not_read(tmp_path):

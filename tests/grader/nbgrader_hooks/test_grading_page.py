@@ -110,7 +110,7 @@ def test_feedback_does_not_copy_a_picture_into_what_it_does_not_show(monkeypatch
 
     monkeypatch.setattr(p.GetGrades, "preprocess_cell", lambda _, cell, resources, index: cell)
     step = p.GradesAndFigures()
-    step._seen = step._tasks = {}
+    step._released_texts = step._tasks = {}
     cells = [
         {"cell_type": "markdown", "source": "![](attachment:a.png)" * 3,
          "metadata": {"newton_euler": {"role": role}},

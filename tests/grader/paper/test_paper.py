@@ -15,7 +15,7 @@ from exercises.catalogue.variants import draw
 from grader.assignment.spec import spec_of
 from grader.paper import PaperError, markup, write, write_papers
 from grader.paper.markup import formula, typst
-from grader.paper.sheet import Entry, Student, key, overview, sheet, variant_code
+from grader.paper.sheet import PaperItem, Student, key, overview, sheet, variant_code
 from grader.paper.write import NEEDED, pdf
 from tests.grader.courses import command, ran
 from tests.grader.instructors_cells import OWN, cell
@@ -30,7 +30,7 @@ def of(*numbers, seed="ada"):
     """(entries, student) of a sheet of these problems."""
     values = {n: draw(problem(n), f"{seed} {n}".encode()) for n in numbers}
     student = Student("ada", "Ada *#$_\\", "ABCD-1234", values)
-    return [Entry(n, "", 2) for n in numbers], student
+    return [PaperItem(n, "", 2) for n in numbers], student
 
 
 def raw(files):
@@ -92,7 +92,7 @@ def test_figures_are_vectors_of_the_students_own_numbers():
 def test_a_changed_text_has_the_students_numbers():
     _, student = of("4/16")
     text = "## Mine\n\nOurs turns at $\\omega = 0.6$ always."
-    shown = sheet("Homework", [Entry("4/16", text, 2)], student)["main.typ"].decode()
+    shown = sheet("Homework", [PaperItem("4/16", text, 2)], student)["main.typ"].decode()
     assert f"$omega = {student.values['4/16']['omega']:g}$" in shown
 
 
@@ -105,7 +105,7 @@ def test_what_is_the_same_for_everybody_stands_once_in_the_overview():
 
 def test_what_a_user_types_is_shown_and_never_run():
     evil = 'A #read("/etc/passwd") $x_1$ \\ // */ ] "quoted" `code` <a> @b = \x00'
-    entries = [Entry(text=evil), *of("4/3")[0]]
+    entries = [PaperItem(text=evil), *of("4/3")[0]]
     student = replace(of("4/3")[1], name=evil, login="a.b")
     files = sheet(evil, entries, student)
     assert pdf(files).startswith(b"%PDF")
@@ -118,7 +118,7 @@ def test_a_formula_that_cannot_be_set_is_named():
     with pytest.raises(PaperError, match=r"\\frac\{1\$ is no formula of LaTeX \(Unmatched"):
         typst(r"so $x = \frac{1$")
     with pytest.raises(PaperError, match=r"cannot be set: it has no command \\foo"):
-        pdf(sheet("Homework", [Entry(text=r"so $\foo x$")], student))
+        pdf(sheet("Homework", [PaperItem(text=r"so $\foo x$")], student))
 
 
 def test_markdown_of_an_instructor_is_typeset():

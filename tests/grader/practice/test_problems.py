@@ -84,7 +84,7 @@ def test_a_step_that_follows_rightly_from_a_wrong_one_is_reported_as_such(elbow)
     """v_r = omega_rel x r with the wrong way of turning, and 2 omega x v_r with that."""
     elbow.check_step(v_r=[0, -6.235383, 3.6])
     output = elbow.check_step(a_D_coriolis=[7.482459, 0, 0])
-    assert "it follows rightly from your v_r: mend that first" in output.text
+    assert "it follows rightly from your v_r: correct that first" in output.text
     assert output.verdicts == {"a_D_coriolis": "wrong"}
     elbow.check_step(v_r=[0, 6.235383, -3.6])
     assert "follows" not in elbow.check_step(a_D_coriolis=[7.482459, 0, 0]).text

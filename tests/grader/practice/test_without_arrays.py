@@ -31,7 +31,7 @@ def modules():
 ARRAYS = (
     "Vector.to_array", "charts.axes.chart", "integration.integrate", "ladder", "ladders.smallest",
     "legibility.faults", "measurements.honesty", "particles.projectile", "reference_solution",
-    "regime_maps", "scalars.with_extra_digits", "show.compare", "solution.Motion", "unwound",
+    "regime_maps", "scalars.with_extra_digits", "show.compare", "solution.Motion",
     "work_precision",
 )  # fmt: skip
 DOCTESTS = """

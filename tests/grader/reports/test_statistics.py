@@ -6,7 +6,7 @@ import pytest
 from rich.console import Console
 
 from grader.reports import part_statistics
-from grader.reports.records import Entry
+from grader.reports.records import PartScore
 from grader.reports.statistics import _of_part, mistake_counts, statistics_table
 from newton_euler.answers import Cause
 from tests.grader.courses import command, ran
@@ -32,7 +32,7 @@ def test_a_part_that_the_strong_can_do_discriminates_and_one_that_nobody_can_do_
 def test_a_mistake_whose_words_or_order_changed_is_counted_as_one_and_two_of_one_text_as_two():
     def entry(diagnosis, *causes):
         causes = tuple(Cause("listed", *c) for c in causes)
-        return Entry("ann", "4/1", "v", 0.0, 1.0, "wrong", "", diagnosis, causes)
+        return PartScore("ann", "4/1", "v", 0.0, 1.0, "wrong", "", diagnosis, causes)
 
     old, new = ("sign", "old words"), ("sign", "new words")
     other, twin = ("axis", "the axis"), ("frame", "the axis")
@@ -71,7 +71,7 @@ def test_the_correlation_leaves_the_part_itself_out(tmp_path):
 
 
 def entry(points, out_of, verdict="", waits=False):
-    return Entry("ann", "4/1", "", points, out_of, verdict, waits=waits)
+    return PartScore("ann", "4/1", "", points, out_of, verdict, waits=waits)
 
 
 @pytest.mark.parametrize(("found", "difficulty", "waiting"), [

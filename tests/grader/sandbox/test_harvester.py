@@ -104,7 +104,7 @@ def test_a_notebook_with_millions_of_characters_is_not_run(harvester):
     reply = harvester.run(cells)
     assert reply["receipts"] == {}
     assert reply["ended"] == (
-        "not run: its 4 cells hold 1.2 million characters, and 1.0 million are run at most"
+        "not run: its 4 cells hold 1.2 million characters; the limit is 1.0 million"
     )
 
 
@@ -150,7 +150,7 @@ def test_a_refusal_names_the_setting_that_forbids_the_cage(
         harvester.run(job("x = 1"))
     assert str(error.value) == (
         "this machine refuses the cage for student code (no), so nothing was run. Grade on a machine "
-        f"that allows user namespaces (here after: sudo sysctl {setting}={allowed}), or run the code "
+        f"that allows user namespaces (to allow them here: sudo sysctl {setting}={allowed}), or run the code "
         "without a cage, at your own risk: python -m grader grade --unsandboxed"
     )
 

@@ -39,6 +39,7 @@ from newton_euler import (
 )
 from newton_euler.algebra import ZERO, DimensionError, ScalarError
 from newton_euler.algebra.compile import BLOCK
+from newton_euler.algebra.errors import ArgumentError
 from newton_euler.algebra.jets import Moving
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
@@ -476,7 +477,7 @@ def test_what_cannot_be_compiled_is_refused_while_tracing(f, error, message):
 def test_constants_and_backends_that_do_not_exist_are_refused():
     with pytest.raises(ScalarError, match="pass it as an argument"):
         compiled(lambda x, m: m * x, m=np.array([1.0, 2.0]))
-    with pytest.raises(ValueError, match="backend must be 'auto', 'numpy' or 'heyoka', got 'cuda'"):
+    with pytest.raises(ArgumentError, match="backend is one of 'auto', 'numpy', 'heyoka'; got 'c"):
         compiled(lambda x: x, backend="cuda")
 
 

@@ -12,7 +12,6 @@ from newton_euler.algebra import DimensionError, LinearForm, SingularError, Work
 from newton_euler.algebra.jets import Moving
 from newton_euler.algebra.partial_evaluation import folded
 from newton_euler.algebra.scalars import ZERO
-from newton_euler.kinematics import from_place
 from tests.kinds import LENGTH, MASS, TIME
 
 
@@ -129,11 +128,6 @@ def test_an_inner_integral_that_needs_the_outer_variable_only_on_its_way_compile
     nested = lambda a: integral(lambda s: s * integral(lambda p: (s * p, a)[1], 0, 1), 0, a)
     assert nested(2.0) == pytest.approx(4, rel=1e-14)  # a^3/2
     assert compiled(nested)(2.0) == pytest.approx(4, rel=1e-14)
-
-
-def test_a_motion_from_an_acceleration_of_the_place_compiles():
-    time = lambda a, s, v: from_place(lambda x: a, s, v0=v)[1]
-    assert compiled(time)(1.0, 2.0, 3.0) == pytest.approx(time(1.0, 2.0, 3.0), rel=1e-12)
 
 
 def test_a_traced_integral_computes_outer_steps_once_and_equal_ones_once():

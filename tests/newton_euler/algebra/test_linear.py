@@ -157,6 +157,15 @@ def test_functions_of_time_and_symengine_are_seen_by_value_too():
     assert probe((x + 1) ** 2 - x**2 - 2 * x - 1) == 0
     s = solve_linear(lambda A, B: {"p": x * A + B - 1, "q": A - B})
     assert close(float(s.A.subs(x, 2)), 1 / 3)
+    assert probe(1 / ((x + 1) ** 2 - x**2 - 2 * x - 1)) is None
+
+
+def test_symbols_that_share_a_name_are_two_and_small_numbers_are_not_zero():
+    x, positive = sympy.Symbol("x"), sympy.Symbol("x", positive=True)
+    s = solve_linear(lambda A, B: {"p": x * A + positive * B - 1, "q": positive * A + x * B})
+    assert sympy.simplify(s.A - x / (x**2 - positive**2)) == 0
+    a, b, c, d = (sympy.Rational(n, 10**30) for n in (1, 2, 3, 5))
+    assert solve_linear(lambda A, B: (a * A + b * B - a, c * A + d * B - c)).B == 0
 
 
 def test_traced_formulas_run_on_floats_and_arrays():

@@ -136,6 +136,22 @@ def test_same_compares_relative_to_the_larger():
     assert not same(a, a + ground.vector(0, 1e-3, 0))
     assert same(a, a.expressed_in(turned))
     assert same(ground.vector(0, 0, 0), turned.vector(0, 0, 0))
+    assert not same(ground.vector(math.inf, 0, 0), a)
+
+
+def test_symbols_that_share_a_name_are_not_the_same():
+    x, positive = sympy.Symbol("x"), sympy.Symbol("x", positive=True)
+    for one, other in ((x, positive), (sympy.Dummy("x"), x)):
+        assert not same(ground.vector(one, 0, 0), ground.vector(other, 0, 0))
+        assert ground.vector(one - other, 0, 0).cleared().x != 0
+
+
+@pytest.mark.parametrize("size", [5e-324, 1e-300, 1e-160, 1e160, 8e307])
+def test_directions_and_angles_of_the_smallest_and_largest_vectors(size):
+    a, b = ground.vector(size, 2 * size, 0), ground.vector(2 * size, -size, 0)
+    assert close(a.direction(), ground.vector(1.0, 2.0, 0).direction(), 1e-15)
+    assert close(a.angle_to(b), math.pi / 2, 1e-15)
+    assert close(a.angle_to(ground.i), math.atan(2.0), 1e-15)
 
 
 def moving_arm():

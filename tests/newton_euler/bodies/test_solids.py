@@ -58,12 +58,6 @@ def solid_cone():
     return x, s * r * np.cos(b), s * r * np.sin(b), w * s * r * r
 
 
-def open_cone():
-    (x, b), w = gauss((0, L), TURN)
-    r = R * x / L
-    return x, r * np.cos(b), r * np.sin(b), w * r * math.hypot(1, R / L)
-
-
 def egg():
     x, y, z, w = ball((0, 1))
     return A * x, R * y, L * z, A * R * L * w
@@ -91,13 +85,10 @@ TABLE = {
     "half disk": ((R,), lambda: fan((0, R), (-HALF, HALF))),
     "tube": ((A, R, L), lambda: fan((A, R), TURN, L)),
     "wedge": ((R, C, L), lambda: fan((0, R), (-C, C), L)),
-    "hollow sphere": ((A, R), lambda: ball((A, R))),
     "hemisphere": ((R,), lambda: ball((0, R), (0, HALF))),
     "ellipsoid": ((A, R, L), egg),
     "cylindrical shell": ((R, L), lambda: fan(R, TURN, L)),
-    "conical shell": ((R, L), open_cone),
     "spherical shell": ((R,), lambda: ball(R)),
-    "hemispherical shell": ((R,), lambda: ball(R, (0, HALF))),
 }
 
 
@@ -157,7 +148,7 @@ def test_appendix_B_on_every_kind_of_number(name, kind):
         assert close(body.inertia.moments, exact.inertia.moments, 1e-27)
 
 
-ROUND = ("sphere", "hollow sphere", "spherical shell")  # have no axis
+ROUND = ("sphere", "spherical shell")  # have no axis
 FANS = ("arc", "sector", "half ring", "half disk", "wedge")  # point along another one
 
 
@@ -192,11 +183,8 @@ def test_a_fan_may_be_directed_anywhere_in_its_plane():
 
 def test_thin_walls_keep_their_digits():
     F = Frame("F")
-    for thin, limit in (
-        (B.tube(1 - 1e-9, 1.0, L, F, mass=1.0), B.cylindrical_shell(1.0, L, F, mass=1.0)),
-        (B.hollow_sphere(R * (1 - 1e-12), R, F, mass=1.0), B.spherical_shell(R, F, mass=1.0)),
-    ):
-        assert close(thin.inertia.moments, limit.inertia.moments, 2e-9)
+    thin, limit = B.tube(1 - 1e-9, 1.0, L, F, mass=1.0), B.cylindrical_shell(1.0, L, F, mass=1.0)
+    assert close(thin.inertia.moments, limit.inertia.moments, 2e-9)
 
 
 @every_kind

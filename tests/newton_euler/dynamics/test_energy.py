@@ -28,6 +28,7 @@ from newton_euler import (
     sin,
     sqrt,
 )
+from newton_euler.algebra import WorkError
 from newton_euler.algebra.ledger import Amount
 from newton_euler.bodies.body import Body
 from newton_euler.bodies.inertia import Inertia
@@ -513,10 +514,10 @@ def test_the_energy_balance_of_any_damped_oscillator_closes(m, n, zeta, x0, v0):
 @pytest.mark.parametrize(("arguments", "message"), [
     ({"kinetic": 3.0}, "the kinetic energy must be a function of time, as in lambda t"),
     ({"powers": {"drag": 3.0}}, "the power of drag must be a function of time"),
-    ({"kinetic": lambda t: ENERGY}, r"an audit needs numbers, or SymPy expressions .* got Dimension"),
+    ({"kinetic": lambda t: ENERGY}, r"Dimension\(.*\) has no size to be compared; put numbers in"),
 ])  # fmt: skip
 def test_an_audit_that_cannot_be_kept_is_refused_in_words(arguments, message):
-    with pytest.raises(EnergyError, match=message):
+    with pytest.raises((EnergyError, WorkError), match=message):
         audit(**{"kinetic": lambda t: t, "start": 0.0, "end": 1.0, **arguments})
 
 

@@ -10,7 +10,7 @@ from newton_euler.bodies.solids import rod, sphere
 from newton_euler.dynamics.force_systems import ForceSystem
 from newton_euler.dynamics.momentum import angular_momentum, equations_of_motion, resultant_moment
 from newton_euler.kinematics import along
-from newton_euler.kinematics.rotations import apply, in_sequence, rotation_matrix
+from newton_euler.kinematics.rotations import apply, product, rotation_matrix
 from tests.kinds import every_kind, number, numbers, within
 from tests.tumbling import MASSES, close, free_body, path, turns
 
@@ -30,7 +30,7 @@ def expected(kind, q, about, part, differences):
 
         def where(s):
             matrices = (rotation_matrix(axis, angle(s)) for axis, angle in angles[:count])
-            turned = apply(in_sequence(*matrices, axes="moving"), r(s))
+            turned = apply(product(*matrices), r(s))
             return [x + p(s) for x, p in zip(turned, path(a, b, c), strict=True)]
 
         return where

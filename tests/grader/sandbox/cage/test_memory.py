@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from grader.sandbox.cage import memory
-from grader.sandbox.cage.memory import PER_TEST, TOTAL, Group, Watch
+from grader.sandbox.cage.memory import PER_TEST, TOTAL, Group, MemoryWatch
 
 WRITTEN = {
     "memory.max": str(TOTAL + 2 * PER_TEST),
@@ -83,6 +83,6 @@ def test_kills_are_read_from_the_events(tmp_path):
 def test_each_test_of_a_submission_may_hold_some_memory_of_its_own(monkeypatch, tests):
     held = TOTAL + tests * PER_TEST
     monkeypatch.setattr(memory, "used_by", lambda pids, enough: held)
-    assert not Watch(tests).exceeded()
+    assert not MemoryWatch(tests).exceeded()
     held += 1
-    assert Watch(tests).exceeded()
+    assert MemoryWatch(tests).exceeded()
