@@ -38,7 +38,7 @@ def miscounts(right: Freedom, met: Iterable[int] = ()) -> list[tuple[Cause, int]
     that are ``met`` by a listed mistake, what makes any count wrong; then what else gives it, the
     simplest only.
     """
-    own, found = right.count, list[tuple[int, str, str, str]]()
+    own, found = right.count, list[tuple[int, int, str, str]]()
     for rank, n, what, why in _otherwise(right):
         if all(rank == r for r, m, *_ in found if m == n):
             found.append((rank, n, what, why))
