@@ -204,7 +204,7 @@ class Table:
     def _formula(self, x):
         """The formula of SymPy with the expression ``x`` as place; it has no value outside."""
         if library_of((x,)).__name__ == "heyoka":
-            raise ScalarError("heyoka has no tables: take backend='numpy', or another method")
+            raise ScalarError("heyoka has no tables: take another method")
         x = sympy.sympify(x)
         places, pieces = self._of_kind(x)
         formulas = [_polynomial(c, x - base) for base, c in pieces]

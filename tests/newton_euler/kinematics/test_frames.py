@@ -26,7 +26,6 @@ from newton_euler import (
     Frame,
     Vector,
     at,
-    compiled,
     cos,
     cross,
     moving,
@@ -36,7 +35,7 @@ from newton_euler import (
 from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import AngleWarning, along
 from tests.explicit import curve
-from tests.kinds import KINDS, close, every_kind, number, numbers, within
+from tests.kinds import KINDS, close, compiled_by, every_kind, number, numbers, within
 from tests.turning import DIGITS, angular_acceleration, angular_velocity, rate, rot, second_rate
 from tests.turning import cross as cross50
 
@@ -309,7 +308,7 @@ def test_eqn_4_29_on_symengine_and_through_heyoka():
     w = symengine.Symbol("w")
     for got, wanted in zip(acceleration(w), direct, strict=True):
         assert abs(float(got.subs({w: 1.0})) - wanted) < 1e-11
-    f = compiled(lambda w: acceleration(w), backend="heyoka")
+    f = compiled_by("heyoka", acceleration)
     for got, wanted in zip(f(np.array([1.0, 2.0])), direct, strict=True):
         assert abs(got[0] - wanted) < 1e-11
     assert agrees(
