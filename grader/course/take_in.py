@@ -16,7 +16,7 @@ from .folder import Course
 from .identity import CourseError, same_student
 from .owners import Person, owners, words
 
-# the others' decompressors do not stop at what is asked for: 600 bytes may become a gigabyte
+# zipfile bounds what these methods unpack; with others 600 bytes may become a gigabyte
 METHODS = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 MAX_BYTES = 64 * 2**20  # the largest notebook that the grader reads
 MAX_TOTAL = 4 * 2**30  # bytes of all notebooks

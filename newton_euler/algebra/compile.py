@@ -338,7 +338,7 @@ _OF_STEPS = {
 
 
 def _lacked_values(error):
-    """True if this error arose since a traced value has no number: as the value itself says, or
+    """True if this error arose because a traced value has no number: as the value itself says, or
     Python, or a function of NumPy or SciPy that had one.
     """
     if isinstance(error, NewtonEulerError):

@@ -41,7 +41,7 @@ from .scalars import (
 from .vectors import FrameError, Vector
 
 F = TypeVar("F", bound=Callable)
-# by how much numbers may differ; and what an integral is to reach, which floats can
+# the difference that two numbers may have; and the relative error of an integral
 Tolerance = Annotated[float, "one real number that is not negative"]
 Accuracy = Annotated[float, "a relative error that floats can reach, from 1e-14 to below 1"]
 

@@ -74,6 +74,10 @@ class LinearError(FrameError):
         self.equations = tuple(equations)
 
 
+class _NoUnknown(LinearError, AttributeError):
+    """There is no unknown of this name; an AttributeError too, so that ``hasattr`` is False."""
+
+
 class LinearForm(_Own):
     """``value + c[0]*u[0] + c[1]*u[1] + …``: a scalar that is linear in unknowns. A product of
     unknowns, or a function of one, raises :class:`ScalarError`.
@@ -337,7 +341,7 @@ class Solution:
         if isinstance(name, str) and name in self.values:
             return self.values[name]
         if not isinstance(name, str) or name not in self.names:
-            raise LinearError(f"there is no unknown {name!r}; there are {', '.join(self.names)}")
+            raise _NoUnknown(f"there is no unknown {name!r}; there are {', '.join(self.names)}")
         raise LinearError(f"{name} is not determined by the equations. {self.report()}")
 
     def __getattr__(self, name):

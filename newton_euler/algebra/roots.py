@@ -13,6 +13,7 @@ from .scalars import (
     clipped,
     epsilon,
     highest,
+    is_finite,
     is_numeric,
     promote,
     scalar,
@@ -51,6 +52,8 @@ def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
         raise ScalarError(
             f"put numbers in: the root of {clipped(sample)} = 0 has no formula in general"
         )
+    if not (is_finite(low) and is_finite(high)):
+        raise SingularError(f"a root is enclosed by two finite places; got {low!r} and {high!r}")
     # exact numbers of SymPy have no exact root in general, and their fractions grow without end
     if any(map(_is_constant, present)):
         return _enclosed(lambda x: float(f(x)), float(low), float(high))
@@ -138,7 +141,10 @@ def _either(condition, a, b):
 
 
 def _value(f, x):
-    return to_plain(scalar(f(x))) + 0 * x
+    value = to_plain(scalar(f(x))) + 0 * x
+    if anywhere(value != value):
+        raise SingularError(f"the function has no value at {x!r}: it is {value!r}")
+    return value
 
 
 def _sign(x):

@@ -46,13 +46,13 @@ def table(
     kind : between them "linear"; "cubic", a spline with two continuous derivatives, not-a-knot at
         the ends as in SciPy; "natural", one whose second derivative vanishes at the ends; or
         "previous", the value at the place before (zero-order hold)
-    outside : what a place outside of the data has: "refuse", no value, or "hold", that of the
+    outside : the value at a place outside of the data: "refuse", none, or "hold", that of the
         nearest end
 
-    The function takes numbers of every kind; of data with digits beyond those of a float, as mpf,
-    it has these. A model may be written with it, of its time and of its states: the methods of
-    integration stop where the pieces of a table of time join. Raises :class:`TableError` for data
-    that make no table, and what is returned :class:`SingularError` outside of them.
+    The function takes numbers of every kind, and keeps all digits of data such as mpf. A model may
+    be written with it, of its time and of its states: the methods of integration stop where the
+    pieces of a table of time join. Raises :class:`TableError` for data that make no table; the
+    function raises :class:`SingularError` outside of them.
     C. de Boor, A Practical Guide to Splines (1978), chapter IV.
 
     >>> thrust = table([0.0, 0.5, 2.0], [0.0, 12.0, 6.0])
@@ -176,10 +176,10 @@ class Table:
         first, last = self.places[0], self.places[-1]
         slack = SLACK * max(abs(first), abs(last))
         if low != low or not (self.hold or (first - low <= slack and high - last <= slack)):
+            hold = "; outside='hold' continues it with the values at its ends" if low == low else ""
             raise SingularError(
                 f"a table from {clipped(first)} to {clipped(last)} has no value at "
-                f"{clipped(low if first > low else high)}; outside='hold' continues it with the "
-                "values at its ends"
+                f"{clipped(low if low != low or first > low else high)}{hold}"
             )
 
     def _of_array(self, x):

@@ -227,8 +227,8 @@ class Trace:
 
 class Inner:
     """The formula that is integrated, or whose root is taken, as a constant of the formula around
-    it. What it reads of the outer steps, computed once, it is handed as arguments. ``variable`` is
-    what its code calls the variable, "" where that does not show.
+    it. Outer steps that it reads are computed once and passed as arguments. ``variable`` is the
+    name of the variable in its code, "" if that is unknown.
     """
 
     def __init__(self, parameters, trace, leaves, variable=""):

@@ -205,7 +205,7 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
     loosely = CHANCE_ROUNDED / CHANCE  # by so much less, where it is not met as it was written
     found = []
     for n in filter(around.__contains__, close):
-        # what is met exactly in few digits, as 7.1, is one of few slips that have no more
+        # an answer met exactly in few digits, such as 7.1, is compared with slips of as few digits
         is_met = n in few and gaps[n] <= NOISE * size
         others = few if is_met else around
         count = len({around[m] for m in others if ranked.ranks[m] <= ranked.ranks[n]})

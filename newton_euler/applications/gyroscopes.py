@@ -21,6 +21,7 @@ from ..algebra.scalars import (
     atan,
     cos,
     epsilon,
+    is_comparable,
     is_numeric,
     is_zero,
     scalar,
@@ -141,7 +142,8 @@ def _check_moments(I0, I):
     if anywhere(to_plain(I0) <= 0):
         raise GyroError(f"the transverse moment I0 must be positive, got {to_plain(I0)!r}")
     # a disk has I = 2 I0, up to round-off
-    if is_numeric(I) and anywhere((to_plain(I) < 0) | (to_plain(I - 2 * I0) > 1e-9 * to_plain(I0))):
+    excess = to_plain(I - 2 * I0 - 1e-9 * I0)
+    if is_numeric(I) and (anywhere(to_plain(I) < 0) or anywhere(excess > 0)):
         raise GyroError(
             f"no body of revolution has I = {to_plain(I)!r} and I0 = {to_plain(I0)!r}: 0 < I < 2 I0"
         )
@@ -255,7 +257,7 @@ def steady_precession(
     D = _discriminant(a, h, c, I, "spin" if omega_z is None else "omega_z")
     # the root without cancellation, as in Numerical Recipes (Press et al.), section 5.6
     q = (h + _sense(h) * sqrt(D)) / 2
-    if is_numeric(q) and is_numeric(c) and anywhere((to_plain(q) == 0) & (to_plain(c) != 0)):
+    if is_numeric(q) and is_numeric(c) and anywhere(where(to_plain(q) == 0, abs(c), 0) > 0):
         raise GyroError(
             "no steady precession is possible: without spin the body can hold no moment"
         )
@@ -304,7 +306,7 @@ def _discriminant(a, h, c, I, what):
         return D
     # round-off of the two products: at the least spin the difference is nothing else
     slack = 8 * epsilon(D) * (abs(first) + abs(second))
-    D = where((to_plain(D) < 0) & (to_plain(D + slack) >= 0), 0 * D, D)
+    D = where(to_plain(D) < 0, where(to_plain(D + slack) >= 0, 0 * D, D), D)
     if anywhere(to_plain(D) < 0):
         needed = (
             "without I no spin helps"
@@ -354,7 +356,7 @@ def least_spin(
 
 def _least_rate(a, c, I):
     product = a * c
-    if is_numeric(product):
+    if is_comparable(product):
         product = where(to_plain(product) <= 0, abs(0 * product), product)
     return 2 * sqrt(product) / I
 

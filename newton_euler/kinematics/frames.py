@@ -23,11 +23,11 @@ from ..algebra.scalars import (
     ScalarError,
     clipped,
     cos,
+    hypot,
     integer_like,
     is_finite,
     scalar,
     sin,
-    sqrt,
     to_plain,
     vanishes,
 )
@@ -223,7 +223,7 @@ class Frame:
         parts = (angle.value, angle.rate, angle.acceleration)
         exact = next((v for v in parts if v is not ZERO), ZERO)
         axis = tuple(integer_like(v, exact) for v in axis)
-        return divided_by_length(axis, sqrt(dot3(axis, axis)), FrameError)
+        return divided_by_length(axis, hypot(*axis), FrameError)
 
     def _place(self, origin):
         if origin is None:

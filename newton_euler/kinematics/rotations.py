@@ -15,6 +15,7 @@ values: they take numbers of all kinds and arrays of shape (N,) as entries, and 
 :class:`ScalarError` for expressions.
 """
 
+import math
 from collections.abc import Sequence
 
 from ..algebra.errors import NewtonEulerError, Tolerance, checked, checked_but
@@ -25,6 +26,7 @@ from ..algebra.scalars import (
     atan2,
     cos,
     epsilon,
+    hypot,
     is_finite,
     max_abs,
     real_scalar,
@@ -171,8 +173,11 @@ def axis_angle(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple[tuple, Scalar]:
 
 def _unit(axis, angle):
     axis = three(axis, "an axis", RotationError)
+    angle = without_rates(angle)
+    if not is_finite(angle):
+        raise RotationError(f"an angle is finite; got {angle!r}")
     # a length of the kind of the angle: exact if that is
-    return divided_by_length(axis, sqrt(dot3(axis, axis) + 0 * without_rates(angle)), RotationError)
+    return divided_by_length(axis, hypot(*(x + 0 * angle for x in axis)), RotationError)
 
 
 def _length_and_direction(v):
@@ -217,8 +222,9 @@ def checked_rotation(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
             "first, or keep the angles that it was built from"
         ) from problem
     if not all(error <= tolerance for error in errors):
+        worst = max(errors, key=lambda error: error if error == error else math.inf)  # nan, too
         raise RotationError(
-            f"not a rotation: R^T R differs from the unit matrix by {max(errors):.3g}, and "
+            f"not a rotation: R^T R differs from the unit matrix by {worst:.3g}, and "
             f"{tolerance:.3g} is allowed; its columns must be unit vectors at right angles. If the "
             "entries are rounded, say how far with tolerance="
         )
@@ -266,7 +272,7 @@ def normalised(q: Sequence[Scalar]) -> tuple:
     (0.6, 0.0, 0.8, 0.0)
     """
     q = _four(q)
-    length = sqrt(_norm2(q))
+    length = _checked_size(q, hypot(*q))
     return tuple(to_plain(x / length) for x in q)
 
 
@@ -278,7 +284,9 @@ def matrix_from_quaternion(q: Sequence[Scalar]) -> tuple:
     ((0.0, -1.0, 0), (1.0, 0.0, 0), (0, 0, 1))
     """
     w, x, y, z = q = _four(q)
-    s = 2 / _norm2(q)  # not 2: the matrix is a rotation also if the length has drifted
+    s = 2 / _checked_size(
+        q, dot3(q, q) + z * z
+    )  # not 2: the matrix is a rotation also if the length has drifted
     return _rows((
         (1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)),
         (s * (x * y + w * z), 1 - s * (z * z + x * x), s * (y * z - w * x)),
@@ -337,13 +345,12 @@ def _four(q):
     return q
 
 
-def _norm2(q):
-    total = dot3(q, q) + q[3] * q[3]
-    if vanishes(total) or not is_finite(total):
+def _checked_size(q, size):
+    if vanishes(size) or not is_finite(size):
         raise RotationError(
             f"{tuple(map(to_plain, q))} is no rotation: its length must be finite and not zero"
         )
-    return total
+    return size
 
 
 # -- Euler angles 3-1-3

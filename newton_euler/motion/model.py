@@ -535,7 +535,7 @@ def real_numbers(x, what):
     import numpy as np
 
     try:
-        if has_unit(x):
+        if has_unit(x) or hasattr(x, "mask"):
             raise TypeError
         if isinstance(x, (list, tuple)):
             if not set(map(type, x)) <= {float, int}:

@@ -64,7 +64,7 @@ def chart(
     the first run.
 
     cost : "cost", the time, or "calls"
-    order : names of methods, which so have the same colours on several charts
+    order : names of methods, to give them the same colours on several charts
 
     >>> from matplotlib.figure import Figure
     >>> points = [Measured("coarse", 1e-3, 1e-3), Measured("fine", 2e-3, 1e-9)]

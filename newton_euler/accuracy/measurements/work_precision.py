@@ -40,7 +40,7 @@ class WorkPrecision:
     ratios : {tolerance: (time of "auto" / time of the cheapest other method that reached it, its
         name)}, measured in turns; not where "auto" takes the exact solution, whose time says
         nothing about methods that step
-    preparing : {method: seconds that its first run took more than the next, to compile code}
+    preparing : {method: seconds by which its first run, which compiles, took longer than the next}
     too_slow, unable : {method: after which run it was left out}, or why it failed
     """
 

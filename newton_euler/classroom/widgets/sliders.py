@@ -56,7 +56,7 @@ class Slider:
 
     @checked
     def samples(self, count: int) -> list[float]:
-        """So many values, evenly from the lowest to the highest, rounded to steps."""
+        """``count`` values, evenly from the lowest to the highest, rounded to steps."""
         if count < 2:
             raise ArgumentError(f"samples of a slider are 2 or more; got {count}")
         low, high = self.limits

@@ -86,7 +86,7 @@ WRONG = {
     "empty": ("", "got no rows"),
     "only a header": ("id,first_name\n", r"got no rows below the header \['id', 'first_name'\]"),
     "a blank id": ("id,first_name\nada,Ada\n,Ben\n", "line 3: no id in the column 'id'"),
-    "twice": ("id\nada\nada\n", "line 3: the id 'ada' is there twice"),
+    "twice": ("id\nada\nada\n", "line 3: the id 'ada' occurs twice"),
     "case only": ("id\nada\nben\nAda\n", "line 4: the id 'Ada' differs from 'ada' in line 2 by"),
     "a slash": ("id\na/b\n", r"line 2: 'a/b' cannot be a student id: folders are named by it"),
     "a plus": ("id\na+b\n", r"nbgrader splits names at '\+'"),

@@ -8,11 +8,8 @@ import pytest
 from exercises.catalogue import problem
 from newton_euler.classroom import AnswerError, PracticeFileError, practice
 
-BOOK = {
-    "alpha_CD": [0, -0.27, 0],
-    "v_D": [-9.6, 6.235383, -3.6],
-    "a_D": [-7.482459, -7.38, -2.805922],
-}
+BOOK = {"alpha_CD": [0, -0.27, 0], "v_D": [-9.6, 6.235383, -3.6]}
+BOOK["a_D"] = [-7.482459, -7.38, -2.805922]
 
 
 @pytest.fixture
@@ -84,7 +81,7 @@ def test_a_step_that_follows_rightly_from_a_wrong_one_is_reported_as_such(elbow)
     """v_r = omega_rel x r with the wrong way of turning, and 2 omega x v_r with that."""
     elbow.check_step(v_r=[0, -6.235383, 3.6])
     output = elbow.check_step(a_D_coriolis=[7.482459, 0, 0])
-    assert "it follows rightly from your v_r: mend that first" in output.text
+    assert "it follows rightly from your v_r: correct that first" in output.text
     assert output.verdicts == {"a_D_coriolis": "wrong"}
     elbow.check_step(v_r=[0, 6.235383, -3.6])
     assert "follows" not in elbow.check_step(a_D_coriolis=[7.482459, 0, 0]).text
