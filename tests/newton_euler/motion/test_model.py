@@ -124,7 +124,7 @@ def rhs(s, p, t):
         ({"g": 9.81}, "hv", lambda s, p, t: (setattr(s, "v", 0), s.v), "the states are only read, but 'v' was set"),
         ({"g": 9.81}, "hv", lambda s, p, t: (s.v, 1 / ZERO), "fails when it is tried"),
         ({"g": "9.81"}, "hv", rhs, r"the parameter g of 'fall' is a number or a function \(s, p, t\), not '9.81'"),
-        ({"g": 9.81}, "hg", rhs, "'g' names two things in 'fall'"),
+        ({"g": 9.81}, "hg", rhs, "'g' occurs twice in 'fall'"),
         ({"g": 9.81}, "ht", rhs, "'t' cannot name a state or parameter"),
         ({"g": 9.81}, ["h", "v max"], rhs, "'v max' cannot name a state or parameter"),
         ({"lambda": 9.81}, "hv", rhs, "'lambda' cannot name"),
