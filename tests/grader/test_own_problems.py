@@ -32,10 +32,8 @@ def course(tmp_path):
 def answered(path, numbers):
     """The copy at ``path``, with the right answers to these numbers."""
     notebook = read(path)
-    texts = {
-        p.id: sample.cell_text(p, sample.right_answers(p, numbers[p.id]))
-        for p in problems_of(notebook)
-    }
+    right = lambda p: sample.cell_text(p, sample.right_answers(p, numbers[p.id]))
+    texts = {p.id: right(p) for p in problems_of(notebook)}
     return sample.fill_in(notebook, texts)
 
 

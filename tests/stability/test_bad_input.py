@@ -35,7 +35,7 @@ from newton_euler import (
     work_along,
 )
 from newton_euler.accuracy import timed
-from newton_euler.algebra import ScalarError, SingularError
+from newton_euler.algebra import FrameError, ScalarError, SingularError
 from newton_euler.algebra.errors import ArgumentError, checked
 from newton_euler.algebra.scalars import (
     LONGEST,
@@ -46,7 +46,6 @@ from newton_euler.algebra.scalars import (
     scalar,
     shown,
 )
-from newton_euler.algebra.vectors import FrameError
 from newton_euler.applications import (
     buoyancy,
     earth_frame,
@@ -182,11 +181,9 @@ START = (1.0, 0.0)
 
 
 def test_what_a_function_of_a_model_returns_is_reported_where_it_does_not_fit():
-    for exact, error in (
-        (lambda s, p, t: None, ModelError),
-        (lambda s, p, t: (1.0, 2.0), ModelError),
-        (lambda s, p, t: (1 / t,), ZeroDivisionError),
-    ):
+    none, pole = lambda s, p, t: None, lambda s, p, t: (1 / t,)
+    wrong = (none, ModelError), (lambda s, p, t: (1.0, 2.0), ModelError)
+    for exact, error in (*wrong, (pole, ZeroDivisionError)):
         model = Model("m", {}, ("x",), lambda s, p, t: (1.0,), exact=exact)
         with pytest.raises(NewtonEulerError, match="exact solution") as raised:
             model.solution(0.0, (1.0,))
@@ -238,11 +235,8 @@ def test_no_motion_drops_a_unit(door):
 def test_a_prepared_motion_of_taylor_drops_no_unit():
     pytest.importorskip("heyoka")
     run = prepare(DECAY, method="taylor")
-    for t, start in (
-        (OfPint(2.0), (1.0,)),
-        (1.0, (OfPint(2.0),)),
-        (1.0, np.ones(1).view(OfAstropy)),
-    ):
+    q = OfPint(2.0)
+    for t, start in ((q, (1.0,)), (1.0, (q,)), (1.0, np.ones(1).view(OfAstropy))):
         with pytest.raises(ModelError, match="it has a unit"):
             run(t, start)
     assert run(1, [1]) == run(np.float64(1), np.ones(1)) == run(1.0, (1.0,))

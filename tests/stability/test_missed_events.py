@@ -7,9 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler import Model, cos, sin
-from newton_euler.motion.events import Event
-from newton_euler.motion.integration import integrate
+from newton_euler import Event, Model, cos, integrate, sin
 from tests.models import throw
 from tests.stability.naive import solved
 

@@ -6,9 +6,7 @@ import math
 
 import pytest
 
-from newton_euler import Model, exp
-from newton_euler.motion.events import Event
-from newton_euler.motion.integration import integrate
+from newton_euler import Event, Model, exp, integrate
 
 BEGINS, LASTS, FORCE = 5.0, 0.01, 100.0  # s, s, N on 1 kg: it changes the speed by 1 m/s
 

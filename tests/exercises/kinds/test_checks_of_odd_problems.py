@@ -72,12 +72,8 @@ def test_a_proof_that_stops_at_the_digits_of_its_numbers_has_fifty(made):
 
 def nothing(offset, made):
     """A problem whose key is zero up to round-off in ``solve``, and ``offset`` in ``prove``."""
-    return made(
-        lambda g: {"x": g.r * sin(pi(g.r))},
-        lambda g: {"x": mpf(offset)},
-        givens={"r": RADIUS},
-        answers=(LENGTH,),
-    )
+    solve, prove = lambda g: {"x": g.r * sin(pi(g.r))}, lambda g: {"x": mpf(offset)}
+    return made(solve, prove, givens={"r": RADIUS}, answers=(LENGTH,))
 
 
 @pytest.mark.parametrize("proved", ["1e-30", "0"])

@@ -123,8 +123,6 @@ def test_the_answer_for_an_earlier_sheet_is_named_as_that(fresh):
             c["source"] = cells[c["id"]]
     submit(fresh, "dan", own)
     (result,) = grade(fresh, "ch04", ["dan"])
-    output = [p.message for p in result.scores["4/16"].parts]
-    assert output == 3 * [
-        "not right: this is the answer for the numbers of an earlier sheet; yours are others"
-    ]
+    words = "not right: this is the answer for the numbers of an earlier sheet; yours are others"
+    assert {p.message for p in result.scores["4/16"].parts} == {words}
     assert {c.name for p in result.scores["4/31"].parts for c in p.causes} == {"earlier"}

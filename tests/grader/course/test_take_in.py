@@ -79,9 +79,8 @@ REFUSED = {
 @pytest.mark.parametrize("name", REFUSED)
 def test_what_leads_elsewhere_or_fits_nobody_is_left_out_and_said(named, tmp_path, name):
     before = sorted(p for p in tmp_path.rglob("*") if p.suffix != ".zip")
-    code, out = command(
-        "take-in", "ch04", archive(tmp_path / "w.zip", {name: "{}"}), "--course", named.path
-    )
+    path = archive(tmp_path / "w.zip", {name: "{}"})
+    code, out = command("take-in", "ch04", path, "--course", named.path)
     assert code == 1
     assert REFUSED[name] in " ".join(out.split())
     after = sorted(p for p in tmp_path.rglob("*") if p.suffix != ".zip")

@@ -70,7 +70,7 @@ def test_in_a_key_matrices_fit_the_line_and_a_heading_stands_with_its_answers():
 
 def test_a_sheet_has_the_students_numbers_and_nothing_of_the_key():
     entries, student = of("4/16")
-    (shown,) = (sheet("Homework", entries, student)["main.typ"].decode(),)
+    shown = sheet("Homework", entries, student)["main.typ"].decode()
     answers = key("Homework", entries, student)["main.typ"].decode()
     numbers = student.values["4/16"]
     assert all(f"{x:g}" in shown for x in numbers.values())
@@ -157,16 +157,13 @@ def test_a_class_without_a_course_has_a_secret_of_its_own(tmp_path):
 
 def test_without_typst_it_says_what_to_install(monkeypatch):
     monkeypatch.setattr(write, "NEEDED", ("typst", "no_such_wheel"))
-    with pytest.raises(
-        PaperError, match=r"no_such_wheel, not installed here: pip install -e '\.\[paper\]'"
-    ):
+    words = r"no_such_wheel, not installed here: pip install -e '\.\[paper\]'"
+    with pytest.raises(PaperError, match=words):
         write.require_typst()
 
 
 def test_a_code_is_of_the_numbers_and_the_secret():
-    codes = {
-        variant_code(s, v) for s in (b"1", b"2") for v in ({"4/3": {"a": 1}}, {"4/3": {"a": 2}})
-    }
+    codes = {variant_code(s, {"4/3": {"a": x}}) for s in (b"1", b"2") for x in (1, 2)}
     assert len(codes) == 4
     assert all(re.fullmatch(r"[A-Z2-7]{4}-[A-Z2-7]{4}", c) for c in codes)
 
@@ -176,11 +173,8 @@ def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path)
     roster, course = tmp_path / "roster.csv", tmp_path / "mechanics"
     with roster.open("w", newline="") as f:
         csv.writer(f).writerows([["login", "first name", "last name"], ["ada", "Ada", "Lovelace"]])
-    ran(
-        command(
-            "build", "hw3", "4/3", "--points", "4/3=7", "--course", course, "--students", roster
-        )
-    )
+    where = "--course", course, "--students", roster
+    ran(command("build", "hw3", "4/3", "--points", "4/3=7", *where))
     from grader.assignment.chosen import chosen
     from grader.course import Course
     from grader.course.files import read_json, write_json
@@ -188,9 +182,8 @@ def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path)
 
     path = Course(course).source("hw3")
     notebook = read_json(path)
-    text = next(
-        c for c in notebook["cells"] if c["metadata"]["newton_euler"]["role"] == "statement"
-    )
+    role = lambda c: c["metadata"]["newton_euler"]["role"]
+    text = next(c for c in notebook["cells"] if role(c) == "statement")
     text["source"] = text["source"].replace("The base of a robot", "The base of Marvin")
     rubric = cell("markdown", "Is $a$ constant?\n### BEGIN SOLUTION\nNever.\n### END SOLUTION",
                   "rubric", grade=True, solution=True, points=4)  # fmt: skip
@@ -205,9 +198,8 @@ def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path)
     assert [e.points for e in entries] == [7, 3, 2, 5, 4, 0]
     kept = Course(course).values("hw3", "ada", [items[0].problem])
     student = Student("ada", "Ada", "X", kept)
-    front, solved = (
-        made("Homework", entries, student)["main.typ"].decode() for made in (sheet, key)
-    )
+    papers = (made("Homework", entries, student) for made in (sheet, key))
+    front, solved = (files["main.typ"].decode() for files in papers)
     assert "Marvin" in front
     assert all(f"{x:g}" in front for x in kept["4/3"].values())
     for asked, graded_by in (("Measure it", "2 for a photo"), ("constant?", "Never"),

@@ -8,11 +8,8 @@ import pytest
 from exercises.catalogue import problem
 from newton_euler.classroom import AnswerError, PracticeFileError, practice
 
-BOOK = {
-    "alpha_CD": [0, -0.27, 0],
-    "v_D": [-9.6, 6.235383, -3.6],
-    "a_D": [-7.482459, -7.38, -2.805922],
-}
+BOOK = {"alpha_CD": [0, -0.27, 0], "v_D": [-9.6, 6.235383, -3.6]}
+BOOK["a_D"] = [-7.482459, -7.38, -2.805922]
 
 
 @pytest.fixture

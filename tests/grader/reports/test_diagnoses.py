@@ -2,6 +2,7 @@
 
 import re
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 
@@ -30,25 +31,20 @@ def test_a_mistake_told_as_another_is_misnamed_and_one_taken_for_right_fails(mon
     p = problem("4/16")
     original = module.score_receipt
 
-    def otherwise(*arguments):
-        score = original(*arguments)
-        for part in score.parts:
-            other = (Cause("listed", "another", ""),) if part.causes else ()
-            object.__setattr__(part, "causes", other)
-        return score
+    def scored(change):
+        def score(*arguments):
+            found = original(*arguments)
+            return replace(found, parts=tuple(map(change, found.parts)))
 
-    monkeypatch.setattr(module, "score_receipt", otherwise)
+        monkeypatch.setattr(module, "score_receipt", score)
+
+    another = (Cause("listed", "another", ""),)
+    scored(lambda part: replace(part, causes=another if part.causes else ()))
     counts = diagnosis_shares([p], 1)["4/16"]
     assert counts["misnamed"] > 0
     assert counts["named"] == 0
 
-    def generous(*arguments):
-        score = original(*arguments)
-        for part in score.parts:
-            object.__setattr__(part, "verdict", "right")
-        return score
-
-    monkeypatch.setattr(module, "score_receipt", generous)
+    scored(lambda part: replace(part, verdict="right"))
     code, out = command("diagnose", "4/16", "--draws", 1)
     assert code == 1
     assert re.search(r"4/16 .*100\.0", out)

@@ -64,9 +64,8 @@ def test_the_correlation_leaves_the_part_itself_out(tmp_path):
             {"key": k, "points": float(x), "out_of": 1.0, "verdict": "right", "message": ""}
             for k, x in (("a", n % 2), ("b", n // 2 % 2))
         ]
-        course.record_path("ch04", f"s{n:02}").write_text(
-            json.dumps({"scores": [{"problem": "4/1", "parts": parts}]})
-        )
+        record = json.dumps({"scores": [{"problem": "4/1", "parts": parts}]})
+        course.record_path("ch04", f"s{n:02}").write_text(record)
     assert [p.discrimination for p in part_statistics(course, "ch04")] == pytest.approx([0, 0])
 
 

@@ -37,10 +37,9 @@ from newton_euler import (
     tanh,
     where,
 )
-from newton_euler.algebra import ZERO, DimensionError, ScalarError
+from newton_euler.algebra import ZERO, DimensionError, Moving, ScalarError
 from newton_euler.algebra.compile import BLOCK
 from newton_euler.algebra.errors import ArgumentError
-from newton_euler.algebra.jets import Moving
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
 from tests.kinds import KINDS, close, numbers

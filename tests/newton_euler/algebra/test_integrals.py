@@ -7,11 +7,9 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Frame, compiled, cos, moving, sin, sqrt
-from newton_euler.algebra import DimensionError, LinearForm, SingularError, WorkError, integral
-from newton_euler.algebra.jets import Moving
+from newton_euler import Frame, compiled, cos, integral, moving, sin, sqrt
+from newton_euler.algebra import ZERO, DimensionError, LinearForm, Moving, SingularError, WorkError
 from newton_euler.algebra.partial_evaluation import folded
-from newton_euler.algebra.scalars import ZERO
 from tests.kinds import LENGTH, MASS, TIME
 
 

@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Dimension, asin, compiled, cos, exp, moving, sin
-from newton_euler.algebra import DimensionError, LinearForm, ScalarError, SingularError, root
-from newton_euler.algebra.jets import Moving
+from newton_euler import Dimension, asin, compiled, cos, exp, moving, root, sin
+from newton_euler.algebra import DimensionError, LinearForm, Moving, ScalarError, SingularError
 
 LENGTH, TIME = Dimension(0, 1, 0), Dimension(0, 0, 1)
 

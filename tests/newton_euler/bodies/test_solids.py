@@ -108,11 +108,8 @@ def integrals(points):
     content = w.sum()
     moments = [(w * s).sum() for s in (y * y + z * z, z * z + x * x, x * x + y * y)]
     xy, yz, zx = ((w * s).sum() for s in (x * y, y * z, z * x))
-    return (
-        content,
-        [(w * s).sum() / content for s in (x, y, z)],
-        ((moments[0], -xy, -zx), (-xy, moments[1], -yz), (-zx, -yz, moments[2])),
-    )
+    matrix = (moments[0], -xy, -zx), (-xy, moments[1], -yz), (-zx, -yz, moments[2])
+    return content, [(w * s).sum() / content for s in (x, y, z)], matrix
 
 
 @every_solid
@@ -205,16 +202,11 @@ def test_simplex_between_points_anywhere(kind, corners):
         shares.append(left * t)
         left = left * (1 - t)
     r = first[:, None] + sum(e[:, None] * s for e, s in zip(edges, shares, strict=True))
-    size = {
-        2: lambda: np.linalg.norm(edges[0]),
-        3: lambda: np.linalg.norm(np.cross(*edges)),
-        4: lambda: abs(np.linalg.det(edges)),
-    }[corners]()
+    size = math.sqrt(np.linalg.det(np.array(edges) @ np.transpose(edges)))  # by Gram
     content, centre, matrix = integrals((*r, 2 * size * w))
     if kind == "array":
-        body = B.simplex(
-            *(F.point("P", *(np.array([float(x)] * 2) for x in p)) for p in places), density=2.0
-        )
+        points = (F.point("P", *(np.array([float(x)] * 2) for x in p)) for p in places)
+        body = B.simplex(*points, density=2.0)
     assert close(body.mass, content, 1e-12)
     assert close(body.centre.position(F), centre, 1e-12)
     assert close(body.about(F).matrix, matrix, 1e-11)

@@ -5,11 +5,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Dimension, Frame, compiled
+from newton_euler import Couple, Dimension, Force, ForceSystem, Frame, compiled, solve_linear
 from newton_euler.algebra import FrameError
 from newton_euler.algebra.errors import ArgumentError
-from newton_euler.algebra.linear import solve_linear
-from newton_euler.dynamics.force_systems import Couple, Force, ForceError, ForceSystem
+from newton_euler.dynamics import ForceError
 from tests.kinds import close, every_kind, numbers, within
 
 triples = st.tuples(*[st.floats(-10, 10)] * 3)

@@ -309,11 +309,8 @@ def test_eqn_3_9_to_3_11_torsion_and_the_frenet_formulas(kind):
     f, tau = here.flexure, here.torsion
     rates = {"t": f * here.e_n, "b": tau * here.e_n, "n": -tau * here.e_b - f * here.e_t}
     for name, e in (("t", here.e_t), ("n", here.e_n), ("b", here.e_b)):
-        assert close(
-            by_arc_length(kind, axes_of(name), t, here.speed),
-            rates[name].components(ground),
-            10 * tight(kind),
-        )
+        slope = by_arc_length(kind, axes_of(name), t, here.speed)
+        assert close(slope, rates[name].components(ground), 10 * tight(kind))
         assert close(e.rate(ground) / here.speed, rates[name], tight(kind))
     slope = ground.vector(*by_arc_length(kind, axes_of("b"), t, here.speed))
     assert close(here.e_n.dot(slope), tau, tight(kind))  # 3.10

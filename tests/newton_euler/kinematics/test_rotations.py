@@ -85,13 +85,10 @@ def spinning(kind, origin=None):
 
 def with_rates(matrix, t):
     """The entries of the matrix at t, their rates, and their second rates, by the product rule."""
-    entries = [
-        [at(lambda time, n=n, m=m: matrix(time)[n][m], t) for m in range(3)] for n in range(3)
-    ]
-    return (
-        [[getattr(x, part) for x in row] for row in entries]
-        for part in ("value", "rate", "acceleration")
-    )
+    entry = lambda n, m: at(lambda time: matrix(time)[n][m], t)
+    entries = [[entry(n, m) for m in range(3)] for n in range(3)]
+    parts = "value", "rate", "acceleration"
+    return ([[getattr(x, part) for x in row] for row in entries] for part in parts)
 
 
 def axial(W):
@@ -275,10 +272,8 @@ def test_example_4_5_cone_rolling_as_a_formula():
 
 def test_axis_and_angle_of_exact_numbers_are_exact():
     third = sympy.pi / 3
-    assert axis_angle(rotation_matrix((1, 2, 3), third)) == (
-        tuple(n / sympy.sqrt(14) for n in (1, 2, 3)),
-        third,
-    )
+    axis = tuple(n / sympy.sqrt(14) for n in (1, 2, 3))
+    assert axis_angle(rotation_matrix((1, 2, 3), third)) == (axis, third)
 
 
 def true_matrix(axis, angle):
@@ -549,10 +544,8 @@ def test_euler_angles_come_back(kind):
     # an array holds an angle beyond pi, which comes back in (-pi, pi]
     whole = 2 * math.pi if kind == "array" else 2 * mp.pi
     turns = [(f - number(a)) / whole for f, a in zip(found, angles, strict=True)]
-    assert all(
-        np.max(abs(x - (np.round(x) if kind == "array" else mp.nint(x)))) <= small(kind)
-        for x in turns
-    )
+    nearest = np.round if kind == "array" else mp.nint
+    assert all(np.max(abs(x - nearest(x))) <= small(kind) for x in turns)
 
 
 @pytest.mark.parametrize(
@@ -623,9 +616,6 @@ def test_euler_rates_have_the_dimension_of_the_angular_velocity():
 
 def test_symbols_stay_exact():
     q = sympy.Symbol("q")
-    assert rotation_matrix((0, 0, 1), q) == (
-        (sympy.cos(q), -sympy.sin(q), 0),
-        (sympy.sin(q), sympy.cos(q), 0),
-        (0, 0, 1),
-    )
+    c, s = sympy.cos(q), sympy.sin(q)
+    assert rotation_matrix((0, 0, 1), q) == ((c, -s, 0), (s, c, 0), (0, 0, 1))
     assert not any(x.has(sympy.Float) for row in rotation_matrix((1, 2, 3), q) for x in row)

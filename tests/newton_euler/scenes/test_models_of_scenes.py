@@ -39,12 +39,8 @@ def test_the_state_form_follows_from_forces_in_polar_coordinates():
     assert sympy.simplify(found + g * sympy.sin(theta) / length) == 0
 
 
-MODELS = {
-    "flight": vertical_flight(2.0, 9.81),
-    "station": free_body(-0.3),
-    "low": air_near_low(0.8, 1e-2, rate=0.2),
-    "flat": flat(9.81),
-}
+MODELS = {"flight": vertical_flight(2.0, 9.81), "station": free_body(-0.3), "flat": flat(9.81)}
+MODELS["low"] = air_near_low(0.8, 1e-2, rate=0.2)
 
 each_model = pytest.mark.parametrize("name", MODELS)
 

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 from matplotlib.figure import Figure
 
-from newton_euler import integrate
+from newton_euler import integrate, smallest
 from newton_euler.accuracy.charts.models import (
     MeasuredModel,
     choice,
@@ -14,8 +14,7 @@ from newton_euler.accuracy.charts.models import (
     models_caption,
     usual_tolerance,
 )
-from newton_euler.scenes import LADDERS, ladder, smallest
-from newton_euler.scenes.ladders import Ladder, Rung
+from newton_euler.scenes import LADDERS, Ladder, Rung, ladder
 from newton_euler.scenes.particles import projectile
 
 

@@ -15,10 +15,8 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import compiled, sqrt
-from newton_euler.algebra.scalars import where
-from newton_euler.motion.integration import integrate
-from newton_euler.motion.model import ModelError
+from newton_euler import compiled, integrate, sqrt, where
+from newton_euler.motion import ModelError
 from newton_euler.motion.prepared import PreparedModel
 from newton_euler.scenes.closed_forms.double_double import doubled
 from newton_euler.scenes.closed_forms.elliptic import counted, coupled, jacobi

@@ -123,10 +123,8 @@ def test_the_models_solve_their_equations(kind):
     start, t = numbers(kind, 10, 20, 30, 100, -50, 70), numbers(kind, 15)
     for model in simpler(g, latitude, rate, radius):
         state = model.solution(t, start)
-        rates = [
-            at(lambda t, n=n, model=model: model.solution(t, start)[n] + 0 * t, t).rate
-            for n in range(6)
-        ]
+        part = lambda n, model=model: at(lambda t: model.solution(t, start)[n] + 0 * t, t)
+        rates = [part(n).rate for n in range(6)]
         assert close(rates, model.derivative(state, t), small(kind, 100))
         assert close(model.solution(0 * t, start), start, 0)
     parabola = [r + v * t for r, v in zip(start[:3], start[3:], strict=True)]

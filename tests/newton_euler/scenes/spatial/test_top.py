@@ -9,14 +9,10 @@ import pytest
 import sympy
 
 from newton_euler import at, cos, sin
-from newton_euler.applications.gyroscopes import sleeping_top
+from newton_euler.applications import sleeping_top
 from newton_euler.applications.nutation import nutation
-from newton_euler.kinematics.rotations import (
-    euler_from_quaternion,
-    quaternion_from_euler,
-    quaternion_product,
-)
-from newton_euler.motion.model import ModelError
+from newton_euler.kinematics import euler_from_quaternion, quaternion_from_euler, quaternion_product
+from newton_euler.motion import ModelError
 from newton_euler.scenes.planar.hinged_rod import hinged, rod
 from newton_euler.scenes.spatial import top
 from newton_euler.scenes.spatial.gyrocompass import gyrocompass
