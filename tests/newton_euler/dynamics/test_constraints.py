@@ -133,7 +133,7 @@ def test_an_index_out_of_range_arrives_as_raised_with_the_numbers_of_coordinates
 
 
 @pytest.mark.parametrize(("kind", "at", "match"), [
-    ("point", None, r"the kind of P is a number, or of particle, .* got 'point'"),
+    ("point", None, r"P is a number of coordinates, or particle, .* got 'point'"),
     (PLANAR, {"P": (2.0, 0.0)}, "does not meet the constraint 'rod': it is 3 instead of 0"),
     (PLANAR, {"Q": (1.0, 0.0)}, r"at= gives the coordinates of P; it has Q"),
     (PLANAR, {"P": (1.0, 0.0, 0.0)}, "at= holds 3 numbers; the bodies have 2 coordinates"),

@@ -334,7 +334,7 @@ ENERGY = oscillator(neglects=[by(lambda s, p, t: t, "energy")])
 @pytest.mark.parametrize(
     ("ask", "words"),
     [
-        (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' have no values: put numbers in"),
+        (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' need numbers"),
         (lambda: hand_made(ENERGY), "of different quantities: position, m; energy"),
         (lambda: hand_made(FIRST, FIRST), r"the rungs of 'oscillators' need names of their own, got \['a', 'a'\]"),
         (hand_made, r"got \[\]"),
