@@ -266,7 +266,9 @@ class Compiled:
                 return False
             if util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":
-                    raise ImportError("backend='heyoka' needs heyoka: pip install heyoka")
+                    raise ImportError(
+                        "backend='heyoka' needs heyoka: pip install heyoka, or take 'auto'"
+                    )
                 self.backend = "numpy"
                 return False
             hy = import_module("heyoka")

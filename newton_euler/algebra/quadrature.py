@@ -138,7 +138,9 @@ def cubature(f, n, rtol, name, error=WorkError):
     )
     off = float(np.max(found.error))
     if not np.isfinite(found.estimate).all():
-        raise error(f"the integrals over {name} are not finite: look at the limits")
+        raise error(
+            f"the integrals over {name} are not finite: look at limits, formula and density"
+        )
     if found.status != "converged":
         raise error(
             f"the integrals over {name} did not converge: after {found.subdivisions} "

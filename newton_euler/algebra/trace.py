@@ -219,7 +219,7 @@ class Trace:
             raise ScalarError(f"a formula that is compiled takes real numbers, got {a}")
         if getattr(scalar(a), "shape", ()):
             raise ScalarError(
-                f"an array {a.shape} meets a traced value: write its entries one by one, or pass "
+                f"an array {a.shape} meets a traced value: write [c*x for c in array], or pass "
                 "it as an argument"
             )
         return type(a), repr(a) if isinstance(a, float) else a

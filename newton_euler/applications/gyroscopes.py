@@ -145,7 +145,7 @@ def _check_moments(I0, I):
     excess = to_plain(I - 2 * I0 - 1e-9 * I0)
     if is_numeric(I) and (anywhere(to_plain(I) < 0) or anywhere(excess > 0)):
         raise GyroError(
-            f"no body of revolution has I = {to_plain(I)!r} and I0 = {to_plain(I0)!r}: 0 < I < 2 I0"
+            f"no body has I = {to_plain(I)!r} and I0 = {to_plain(I0)!r}: 0 < I < 2 I0; exchanged?"
         )
 
 
@@ -171,7 +171,7 @@ def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
     numbers = is_numeric(along) and is_numeric(product)
     if numbers and anywhere(abs(to_plain(along)) > 1e-9 * to_plain(product)):
         raise GyroError(
-            f"precession {precession} and spin {spin} are not at right angles; use steady_moment"
+            f"precession {precession} and spin {spin} are not at right angles; use gyro_moment"
         )
     not_negative(I, "the moment of inertia")
     return precession.cross(spin) * I

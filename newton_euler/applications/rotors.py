@@ -148,7 +148,7 @@ def _on_axis(body, A, e, length, about):
     off = e.cross(about - A).norm()
     if is_numeric(off) and is_numeric(length) and max_abs(off) > 1e-9 * max_abs(length):
         raise RotorError(
-            f"{about.name} lies {max_abs(off):.3g} off the axis of the bearings; leave about= out"
+            f"{about.name} is {max_abs(off):.3g} off the axis: take a point on it, or no about="
         )
     return about
 

@@ -158,7 +158,7 @@ def _middle(position, limits, weigh, name):
         middle = _moments(position, limits, weigh, (ZERO,) * 3, half)
     except SingularError as error:
         raise MassError(
-            f"{name} has points without a finite value: {error}; look at its limits"
+            f"{name} has points without a value: {error}; look at limits and divisions"
         ) from None
     if any(isinstance(x, Moving) for x in (*(x for pair in limits for x in pair), *place)):
         raise MassError(f"the points of {name} move: put in the values at the instant")
@@ -266,7 +266,7 @@ def _exact(position, limits, weigh, name):
             f = sympy.integrate(f, (u, *pair))
         if f.has(sympy.Integral):
             raise MassError(
-                f"SymPy finds no formula for an integral over {name}: leave exact=True out"
+                f"SymPy finds no formula for {name}: take other coordinates, or exact=False"
             )
         return f
 
@@ -304,6 +304,6 @@ def _sense(dV, symbols, bounds, name):
             signs.add(value > 0)
     if len(signs) != 1:
         raise MassError(
-            f"the points of {name} fold back on themselves, or do not move: divide the body there"
+            f"{name} folds back on itself, or its points rest: divide it, or leave exact=True out"
         )
     return 1 if signs.pop() else -1

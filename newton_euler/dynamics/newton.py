@@ -139,7 +139,7 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     missing = (total - P.acceleration(P.ground)).expressed_in(P.local).c
     if any(map(vanishes, P.scale_factors)):
         raise SingularError(
-            f"a coordinate moves nothing at {P.name}: its scale factors are {P.scale_factors}"
+            f"a coordinate moves nothing at {P.name}, by {P.scale_factors}: turn the axes"
         )
     changes = zip(P.coordinates, missing, P.scale_factors, strict=False)  # two in the plane
     return tuple(to_plain(q.acceleration + a / h) for q, a, h in changes)

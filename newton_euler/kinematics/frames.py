@@ -617,7 +617,9 @@ def place(where: PointLike, what: str) -> Point:
     if isinstance(where, Frame):
         return where.point(f"origin of {where.name}", 0, 0, 0)
     if not isinstance(where, Point):
-        raise FrameError(f"the place of {what} is a Point or a Frame; got {where!r}")
+        raise FrameError(
+            f"the place of {what} is a Point or a Frame, as body.point('C', 0, 1, 0); got {where!r}"
+        )
     return where
 
 

@@ -48,7 +48,7 @@ def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = ZERO) -> tuple[S
         there = without_rates(a(v0 + (v - v0) * n / 64) * ahead)
         if is_numeric(there) and anywhere(there <= 0) and max_abs(v - v0) > 0:
             raise SingularError(
-                f"the velocity {v!r} is not reached from {v0!r}: the acceleration vanishes before"
+                f"the velocity {v!r} is not reached from {v0!r}: before, a vanishes or turns"
             )
     return integral(lambda u: 1 / a(u), v0, v), x0 + integral(lambda u: u / a(u), v0, v)
 

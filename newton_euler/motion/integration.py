@@ -16,7 +16,7 @@ from .arguments import check_options, event_tuple, sample_request, start_state, 
 from .batch import Motions, integrate_many
 from .events import Event
 from .methods.table import METHODS
-from .model import Model, ModelError, State, has_unit
+from .model import Model, ModelError, State, expect, has_unit
 from .prepared import prepared_model
 from .run import Run, fast_run, usable
 from .solution import Motion
@@ -148,6 +148,10 @@ class Prepared:
             x = None  # the integration raises an error that says what is wrong
         if x is not None:
             return x
+        state = start_state(self.system.model, start)
+        for given in (t, *state):
+            one = not getattr(given, "shape", ()) and not isinstance(given, (tuple, list))
+            expect(one, "what is prepared takes one time and one start, integrate many", given)
         t0, t1 = time_span(t)
-        run = Run(self.system, t0, t1, start_state(self.system.model, start), self.rtol)
+        run = Run(self.system, t0, t1, state, self.rtol)
         return tuple(run.by_name(self.requested).end.values())

@@ -53,7 +53,7 @@ class Rung(Portable):
         """The bound of the error until ``t`` by what the model neglects; inf where unknown."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
-            raise ModelError(f"the bounds of {self.name!r} have no values: put numbers in")
+            raise ModelError(f"the bounds of {self.name!r} need numbers as parameters and start")
         return float(sum(map(max_abs, bounds))) if bounds else math.inf
 
 

@@ -78,7 +78,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("name", REFUSED)
-def test_what_leads_elsewhere_or_fits_nobody_is_left_out_and_said(named, tmp_path, name):
+def test_names_that_lead_elsewhere_or_fit_nobody_are_left_out_and_reported(named, tmp_path, name):
     before = sorted(p for p in tmp_path.rglob("*") if p.suffix != ".zip")
     path = archive(tmp_path / "w.zip", {name: "{}"})
     code, out = command("take-in", "ch04", path, "--course", named.path)

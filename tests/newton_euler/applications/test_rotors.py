@@ -191,7 +191,7 @@ def test_corrections_as_formulas():
      r"radius of the balancing weights must be positive, got 0: on the axis"),
     (lambda s, A, B, W: balancing_masses(W, A, B, (0.1, 0.2), radius=(0.1, -0.1)),
      r"radius of the balancing weights must be positive, got -0\.1"),
-    (lambda s, A, B, W: reactions(W, A, B, s.parent, about=s.point("Q", 0, 0.1, 0)), r"Q lies 0\.1 off the axis"),
+    (lambda s, A, B, W: reactions(W, A, B, s.parent, about=s.point("Q", 0, 0.1, 0)), r"Q is 0\.1 off the axis"),
     (lambda s, A, B, W: reactions(W, s.point("A", -0.2, 0.1, 0), s.point("B", 0.3, 0.1, 0), s.parent), "the velocity of A"),
 ])  # fmt: skip
 def test_errors_in_words(ask, words):

@@ -63,7 +63,7 @@ def test_the_count_does_not_depend_on_the_configuration(angle):
 
 
 @pytest.mark.parametrize(("L", "factor"), [(1.0, 1.0), (1e6, 1.0), (1.0, 1e6), (1e-3, 1e-6)])
-def test_it_does_not_depend_on_units(L, factor):
+def test_the_count_does_not_depend_on_units(L, factor):
     """In metres and micrometres, the constraint in square metres or times a million."""
     rod = lambda P: factor * (squared(P, (0, 0, 0)) - L * L)
     assert count({"P": "particle"}, {"rod": rod, "plane": lambda P: P[1]}) == 1
@@ -133,7 +133,7 @@ def test_an_index_out_of_range_arrives_as_raised_with_the_numbers_of_coordinates
 
 
 @pytest.mark.parametrize(("kind", "at", "match"), [
-    ("point", None, r"the kind of P is a number, or of particle, .* got 'point'"),
+    ("point", None, r"P is a number of coordinates, or particle, .* got 'point'"),
     (PLANAR, {"P": (2.0, 0.0)}, "does not meet the constraint 'rod': it is 3 instead of 0"),
     (PLANAR, {"Q": (1.0, 0.0)}, r"at= gives the coordinates of P; it has Q"),
     (PLANAR, {"P": (1.0, 0.0, 0.0)}, "at= holds 3 numbers; the bodies have 2 coordinates"),
