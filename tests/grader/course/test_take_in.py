@@ -70,6 +70,7 @@ REFUSED = {
     "C:/ada.ipynb": "leads out of the archive",
     "ada/solution.py": "not a notebook",
     "__MACOSX/ada/._ch04.ipynb": "not a notebook",
+    "ada/.ipynb_checkpoints/ch04-checkpoint.ipynb": "not a notebook",
     "nobody/ch04.ipynb": "fits nobody on the roster",
     "ada/ben/ch04.ipynb": "fits several students: ada, ben",
     "adaptive/ch04.ipynb": "fits nobody on the roster",
