@@ -240,7 +240,7 @@ def _kind(kind):
     if issubclass(kind, (float, int, Fraction, complex)):
         found = "number"  # np.float64 too
     elif root == "numpy" and hasattr(kind, "dtype"):
-        found = "numpy" if kind.__name__ not in ("matrix", "MaskedArray") else found
+        found = "none" if kind.__name__ == "matrix" or hasattr(kind, "mask") else "numpy"
     elif root == "sympy":
         found = "number" if issubclass(kind, import_module("sympy").Expr) else found
     elif root == "symengine":

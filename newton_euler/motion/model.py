@@ -82,6 +82,9 @@ class Named:
     def __getitem__(self, _):
         return iter(self)
 
+    def __array__(self, *_, **__):
+        return iter(self)
+
 
 @checked
 @dataclass(frozen=True)
