@@ -82,6 +82,9 @@ class Named:
     def __getitem__(self, _):
         return iter(self)
 
+    def __array__(self, *_, **__):
+        return iter(self)
+
 
 @checked
 @dataclass(frozen=True)
@@ -481,12 +484,12 @@ def is_law(x):
     return callable(x) and not _is_scalar(x)
 
 
-def is_absent(x):
+def is_absent(x: Scalar | Callable) -> bool:
     """True for a number that is 0, as a force that is neglected; False for a law."""
     return not is_law(x) and is_zero(scalar(x))
 
 
-def comparable(what, *values):
+def comparable(what: str, *values: Scalar) -> tuple:
     """The values, as :func:`~newton_euler.algebra.scalars.promote` returns them, of an exact
     solution that branches on them; ``what`` names the body in the message.
 
