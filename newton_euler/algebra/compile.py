@@ -266,9 +266,7 @@ class Compiled:
                 return False
             if util.find_spec("heyoka") is None:
                 if self.backend == "heyoka":
-                    raise ImportError(
-                        "backend='heyoka' needs heyoka: pip install heyoka, or take 'auto'"
-                    )
+                    raise ImportError("backend='heyoka' needs heyoka: pip install it, or 'auto'")
                 self.backend = "numpy"
                 return False
             hy = import_module("heyoka")

@@ -139,9 +139,7 @@ def cubature(f: Callable, n: int, rtol: float, name: str, error: type = WorkErro
     )
     off = float(np.max(found.error))
     if not np.isfinite(found.estimate).all():
-        raise error(
-            f"the integrals over {name} are not finite: look at limits, formula and density"
-        )
+        raise error(f"the integrals over {name} are not finite: look at limits and density")
     if found.status != "converged":
         raise error(
             f"the integrals over {name} did not converge: after {found.subdivisions} "

@@ -79,11 +79,10 @@ class Named:
         known = [f"{self._what[0]}.{n}" for n in vars(self) if n != "_what"]
         raise TypeError(f"the {self._what}s are read by name, as {', '.join(known) or 'none'}")
 
-    def __getitem__(self, _):
+    def __getitem__(self, *_, **__):
         return iter(self)
 
-    def __array__(self, *_, **__):
-        return iter(self)
+    __array__ = __getitem__
 
 
 @checked

@@ -484,7 +484,7 @@ def test_without_heyoka_the_backend_says_how_to_get_it_and_auto_goes_on(monkeypa
     monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None)
     monkeypatch.setattr("newton_euler.algebra.compile.HEYOKA_BREAK_EVEN", {True: 0, False: 0})
     x = np.array([1.0, 2.0])
-    with pytest.raises(ImportError, match="backend='heyoka' needs heyoka: pip install heyoka"):
+    with pytest.raises(ImportError, match="backend='heyoka' needs heyoka: pip install it"):
         compiled(lambda x: x + 1, backend="heyoka")(x)
     assert compiled(lambda x: x + 1, backend="auto")(x).tolist() == [2.0, 3.0]
 
