@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Dimension
+from newton_euler import Dimension, at
 from newton_euler.algebra.scalars import to_plain
 
 mpmath.mp.dps = 30  # every mpf of the tests has 30 digits
@@ -62,6 +62,12 @@ def number(x):
         x = x.evalf(30)
         return mpmath.mpf(x._mpf_) if x.is_Float else mpmath.mpf(str(x))
     return mpmath.mpf(x)
+
+
+def rates(f, t):
+    """The rate of each of the numbers that the function ``f`` of time gives at t, called once."""
+    time = at(lambda t: t, t)
+    return [(x + 0 * time).rate for x in f(time)]
 
 
 def within(floats, digits):

@@ -116,8 +116,8 @@ def _refusal(entry):
     path = PurePosixPath(entry.filename.replace("\\", "/"))
     if path.is_absolute() or ".." in path.parts or ":" in path.parts[0]:
         return "its name leads out of the archive"
-    if "__MACOSX" in path.parts or path.name.startswith("."):
-        return "not a notebook"  # companion files of macOS
+    if "__MACOSX" in path.parts or any(part.startswith(".") for part in path.parts):
+        return "not a notebook"  # companion files of macOS, checkpoints of Jupyter
     if entry.flag_bits & 1:
         return "it is encrypted"
     if entry.compress_type not in METHODS:

@@ -374,7 +374,7 @@ def recorded(f, **constants):
     """The :class:`Recording` of ``f``, see :func:`compiled`, without a text, in half the time."""
     try:
         signature = inspect.signature(f).parameters
-    except (TypeError, ValueError) as error:  # as of max
+    except (TypeError, ValueError) as error:  # max, for example
         raise ScalarError(f"a formula to compile names its arguments: {error}") from error
     if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
         raise ScalarError(f"a formula to compile names all its arguments, but {f!r} does not")

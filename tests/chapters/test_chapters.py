@@ -99,7 +99,7 @@ def test_every_numbered_equation_of_the_chapter_is_quoted(path):
 
 
 @each_chapter
-def test_the_opening_says_what_for_what_before_and_how_long(path):
+def test_the_opening_says_what_you_will_learn_what_you_need_and_how_long_it_takes(path):
     opening = prose(read(path)).partition("\n## ")[0]
     for words in ("you will be able to do", "need before", "How long"):
         assert words in opening, words

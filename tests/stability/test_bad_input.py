@@ -242,7 +242,7 @@ def test_a_prepared_motion_of_taylor_drops_no_unit():
     assert run(1, [1]) == run(np.float64(1), np.ones(1)) == run(1.0, (1.0,))
 
 
-def test_what_can_be_read_as_real_numbers_is_taken():
+def test_whatever_can_be_read_as_real_numbers_is_accepted():
     for times in ([0.5, 0.25], (0.5, mpmath.mpf(0.25)), np.array([0.5, 0.25], dtype=object)):
         assert MOTION.at(times)["h"].tolist() == MOTION.at(np.array([0.5, 0.25]))["h"].tolist()
         assert integrate(FALL, 1.0, START, samples=times).times.tolist() == [0.5, 0.25]
@@ -296,7 +296,7 @@ def texts(x):
     return repr(x), str(x), x.latex(), str(x.explain()), repr(x.terms)
 
 
-def test_the_text_of_a_long_expression_is_its_length():
+def test_a_long_expression_is_printed_as_its_length():
     """Written out it grows five times with every frame: of seven frames to 6 MB."""
     for text in texts(chain_of_frames(7)):
         assert len(text) < 2000

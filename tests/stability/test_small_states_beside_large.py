@@ -32,7 +32,7 @@ def test_a_vibration_far_away_is_as_accurate_as_asked(method, place, rtol):
 
 
 @pytest.mark.parametrize("method", ["auto", "taylor", "dop853"])
-def test_so_are_prepared_runs_and_batches(method):
+def test_prepared_runs_and_batches_are_as_accurate_too(method):
     model, start = spring_at(6.4e6)
     assert abs(prepare(model, 1e-9, method)(20.0, start)[1] / 1e-3 - math.cos(60.0)) <= 1e-9
     motions = integrate(model, 20.0, (start[0], np.full(70, 1e-3), 0.0), 1e-9, method)

@@ -77,7 +77,7 @@ def growth(n, t):
 
 
 def circular_or_hyperbolic(square, t):
-    """cos(n t) and sin(n t)/n with n^2 = ``square``of any sign; for numbers and traced values.
+    """cos(n t) and sin(n t)/n with n^2 = ``square`` of any sign; for numbers and traced values.
 
     >>> circular_or_hyperbolic(0.0, 3.0)
     (1.0, 3.0)

@@ -26,13 +26,13 @@ def by_search(g):
     return findroot(lambda x: 4 * mp.sin(x) ** 2 - mp.cos(x) ** 2, mpf("0.5"))
 
 
-def test_a_madeout_numbers_is_solved_in_fifty_digits_and_as_a_formula(made):
+def test_an_angle_in_pure_numbers_is_solved_in_fifty_digits_and_as_a_formula(made):
     p = cone(lambda g: atan(sqrt(g.one) / 2), by_search, made)
     assert check(p, seeds=3) == []
     assert p.formulas()["alpha"] == sympy.atan(sympy.Rational(1, 2)) * 180 / sympy.pi
 
 
-def test_a_float_in_a_madeout_numbers_is_caught(made):
+def test_a_float_among_pure_numbers_is_caught(made):
     (fault,) = check(cone(lambda g: atan(0.5), by_search, made))
     assert fault.startswith("alpha: solve in 50 digits and prove differ")
 

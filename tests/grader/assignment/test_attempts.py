@@ -75,7 +75,7 @@ def test_an_earlier_attempt_can_count_again(fresh):
     assert next(r for r in grade(fresh, "ch04") if r.student == "ada").points == 0
 
 
-def test_who_has_not_handed_in_has_nothing_to_try_again(ungraded):
+def test_a_student_who_has_not_handed_in_has_nothing_to_try_again(ungraded):
     with pytest.raises(CourseError, match="ada has not handed in ch04"):
         new_attempt(ungraded, "ch04", "ada")
     with pytest.raises(CourseError, match="zoe is not on the roster"):

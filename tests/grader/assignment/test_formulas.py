@@ -114,7 +114,7 @@ def test_a_formula_is_written_as_a_teacher_does(name, key, formulas):
     assert shown(name, key) == formulas
 
 
-def test_of_bodies_that_are_partly_equal_each_has_its_own_names():
+def test_bodies_that_are_partly_equal_have_names_of_their_own():
     assert shown("7/9", "I_O")[0] == "I_base_xx - I_hole_xx + I_wall_xx"
     assert shown("7/11", "I_BC")[0] == "I_G_BC_xx + a**2*m + d_BC_z**2*m"  # x and y of d are a
     assert shown("7/11", "I_AB")[8] == "I_G_AB_zz + d_AB_x**2*m + d_AB_y**2*m"  # not 5*a**2*m/4

@@ -73,7 +73,7 @@ def test_how_a_roster_was_read_is_reported(tmp_path):
         read_roster(path, "Login")
 
 
-def test_an_address_is_the_id_only_where_there_is_nothing_else(tmp_path):
+def test_an_address_is_the_id_only_if_there_is_no_other(tmp_path):
     path = tmp_path / "roster.csv"
     path.write_text("Name,Email\nAda Lovelace,ada@uni.edu\n")
     assert read_roster(path).students == [

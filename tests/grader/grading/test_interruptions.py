@@ -41,8 +41,9 @@ def started(course, *arguments, output=subprocess.DEVNULL):
 
 def wait_until(reached):
     """Until the process is in the midst of it, not in the imports."""
-    until = time.monotonic() + 60
-    while not reached() and time.monotonic() < until:
+    until = time.monotonic() + 600
+    while not reached():
+        assert time.monotonic() < until, "it has not begun"
         time.sleep(0.01)
 
 

@@ -36,6 +36,8 @@ EVIL = {
     "```mermaid\ngraph TD; A-->B\n```": "mermaid",
     "$\\href{javascript:alert(1)}{x}$": "\\href",
     "\\\\\\href{javascript:alert(1)}{x}": "\\href",
+    '$\\mmlToken{mi}[href="javascript:alert(1)"]{x}$': "\\mmlToken",
+    "$\\bbox[background-image: url(http://e.vil/x.png)]{x}$": "\\bbox",
     "$$<script>alert(1)</script>$$": "<script",
     "\\begin{<script>}x\\end{<script>}": "<script",
     "# essay-comment": "id=",

@@ -113,7 +113,7 @@ HOSTILE = {
 }  # fmt: skip
 
 
-def test_a_notebook_that_is_no_regular_file_is_its_students_trouble_alone(fresh, tmp_path):
+def test_a_notebook_that_is_no_regular_file_affects_its_student_alone(fresh, tmp_path):
     for student in ("ben", "cleo", "dan", "mallory"):
         shutil.rmtree(fresh.path / "submitted" / student)
     fresh.enrol(HOSTILE)
@@ -130,7 +130,7 @@ def test_a_notebook_that_is_no_regular_file_is_its_students_trouble_alone(fresh,
     assert (total(graded["ada"]), total(graded["eve"])) == (11, 9)
 
 
-def test_links_and_pipes_beside_a_notebook_are_not_followed_nor_waited_for(fresh):
+def test_links_and_pipes_beside_a_notebook_are_neither_followed_nor_waited_for(fresh):
     folder = fresh.path / "submitted/dan/ch04"
     (folder / "notes.html").symlink_to(fresh.path / ".course_secret")
     os.mkfifo(folder / "data.csv")

@@ -60,7 +60,7 @@ def test_what_is_wrong_with_an_answer_is_reported(elbow, given, words):
     assert "-0.27" not in checked.text
 
 
-def test_an_answer_that_was_rounded_on_the_way_is_right_and_told_so(elbow):
+def test_an_answer_that_was_rounded_on_the_way_is_right_and_is_reported_as_rounded(elbow):
     output = elbow.check(v_D=[-9.6, 6.255, -3.6])
     assert output.verdicts == {"v_D": "right"}
     assert "rounded too early" in output.text
@@ -149,7 +149,7 @@ def test_a_problem_in_symbols_is_asked_with_numbers(practice_file):
     assert "sqrt" not in p.solution().text
 
 
-def test_first_goes_and_help_are_counted_and_found_again(practice_file, tmp_path):
+def test_first_tries_and_help_are_counted_and_kept(practice_file, tmp_path):
     kept = tmp_path / "own.json"
     p = practice(practice_file, progress=kept)["4/16"]
     p.check(alpha_CD=[0, -0.27, 0])

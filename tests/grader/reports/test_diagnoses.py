@@ -50,7 +50,7 @@ def test_a_mistake_told_as_another_is_misnamed_and_one_taken_for_right_fails(mon
     assert re.search(r"4/16 .*100\.0", out)
 
 
-def test_of_unlisted_slips_most_are_named_and_hardly_one_wrongly():
+def test_most_unlisted_slips_are_named_and_hardly_any_wrongly():
     problems = [problem(name) for name in ("2/21", "3/26", "4/41", "7/23", "10/9", "11/2", "A/21")]
     found = slip_shares(problems, 2)
     assert not found.pop("random numbers")["named"]

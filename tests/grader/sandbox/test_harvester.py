@@ -104,7 +104,7 @@ def test_a_notebook_with_millions_of_characters_is_not_run(harvester):
     )
 
 
-def test_nor_one_with_many_small_cells(harvester):
+def test_a_notebook_with_many_small_cells_is_not_run(harvester):
     tests = [{"role": "test", "name": "t", "text": "", "hidden": "1"}]
     reply = harvester.run([*[own("[]")] * 20_000, *job("x = 1"), *tests])
     assert "not run: its 20004 cells" in reply["ended"]

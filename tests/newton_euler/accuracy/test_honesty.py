@@ -165,7 +165,7 @@ def test_methods_come_from_the_cheapest_to_the_dearest_and_those_without_an_answ
     assert math.isnan(found[-1].met)
 
 
-def test_hundred_per_cent_are_all():
+def test_only_all_are_a_hundred_per_cent():
     assert [percent(x) for x in (1.0, 1999 / 2000, 0.5, 0.0)] == ["100", "99.9", "50.0", "0.0"]
 
 
@@ -241,7 +241,7 @@ def test_counts_stand_beside_the_rows():
     assert several[0].get_xlabel() == "time over the cheapest that kept its word"
 
 
-def test_what_is_wrong_without_measure_is_drawn_at_the_edge():
+def test_an_infinite_error_is_drawn_at_the_edge():
     _, promise, estimate, _ = drawn([answer(error=math.inf), answer("ok", estimate=math.inf)])
     assert PROMISE[1] in [x for x, _ in marks(promise)]
     assert len(marks(estimate)) == 2

@@ -526,7 +526,7 @@ def in_two_threads(*calls):
         return [future.result() for future in [pool.submit(call) for call in calls]]
 
 
-def test_two_threads_have_each_their_own_pi():
+def test_two_threads_each_have_their_own_pi():
     f = compiled(lambda x: x * x + pi(x))
     precise, rounded = in_two_threads(
         lambda: f(Paused(mpmath.mpf(1))).value, lambda: f(Paused(1.0)).value
@@ -566,6 +566,6 @@ def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
 
 
 @pytest.mark.parametrize("f", [lambda x: x.real_part, lambda x: {1: 2}[x], lambda x: x @ x])
-def test_what_a_traced_value_has_not_is_refused_with_the_line(f):
+def test_what_a_traced_value_does_not_have_is_refused_with_the_line(f):
     with pytest.raises(ScalarError, match=r"in .*: a formula is traced without values"):
         compiled(f)

@@ -63,7 +63,7 @@ def test_the_count_does_not_depend_on_the_configuration(angle):
 
 
 @pytest.mark.parametrize(("L", "factor"), [(1.0, 1.0), (1e6, 1.0), (1.0, 1e6), (1e-3, 1e-6)])
-def test_it_does_not_depend_on_units(L, factor):
+def test_the_count_does_not_depend_on_units(L, factor):
     """In metres and micrometres, the constraint in square metres or times a million."""
     rod = lambda P: factor * (squared(P, (0, 0, 0)) - L * L)
     assert count({"P": "particle"}, {"rod": rod, "plane": lambda P: P[1]}) == 1

@@ -121,6 +121,6 @@ def test_dimensions_and_compiling():
     (lambda P: weight("heavy", P.frame.k), ScalarError, "weight: body is a Body.* or a number"),
     (lambda P: gravity_at_height(1.0, 0.0), MassError, "radius of the planet must be positive"),
 ])  # fmt: skip
-def test_what_is_refused(ask, error, words):
+def test_masses_distances_and_frames_that_make_no_sense_are_refused(ask, error, words):
     with pytest.raises(error, match=words):
         ask(particle(1.0, Frame("ground").origin, "P"))

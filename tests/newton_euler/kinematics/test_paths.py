@@ -24,7 +24,7 @@ from newton_euler.kinematics import (
 )
 from newton_euler.kinematics.paths import derivatives
 from tests.explicit import curve
-from tests.kinds import close, every_kind, numbers, within
+from tests.kinds import close, every_kind, numbers, rates, within
 
 EPS = 2.0**-52
 ground = Frame("ground")
@@ -266,7 +266,7 @@ def twisted_cubic(q):
 
 def by_arc_length(kind, f, t, speed):
     """The derivative by arc length of a triple of functions of the time."""
-    return tuple(at(lambda s, n=n: f(s)[n], t).rate / speed for n in range(3))
+    return tuple(rate / speed for rate in rates(f, t))
 
 
 def axes_of(name):

@@ -18,12 +18,13 @@ import pytest
 import sympy
 from scipy.integrate import solve_ivp
 
-from newton_euler import Model, at, integrate, moving, prepare, smallest
+from newton_euler import Model, integrate, moving, prepare, smallest
 from newton_euler.kinematics import euler_matrix, matrix_from_quaternion, quaternion_from_euler
 from newton_euler.motion import ModelError, Neglected, second_order
 from newton_euler.scenes import LADDERS, Ladder, Rung, ladder, ladders
 from newton_euler.scenes.particles import orbit
 from newton_euler.scenes.spatial import free_body, spherical_pendulum, top_ladder
+from tests.kinds import rates
 from tests.newton_euler.scenes.draws import DRAWS, FREEDOM
 
 BORDER = 1.001
@@ -127,10 +128,9 @@ def off(rung):
         numbers = {n: mpmath.mpf(x) for n, x in rung.model.parameters.items() if x}
         model = rung.model.changed(**numbers)
         state, first = model.solution(t, start), model.solution(0 * t, start)
-        part = lambda n: at(lambda t: model.solution(t, start)[n] + 0 * t, t)
-        rates = [part(n).rate for n in range(len(start))]
-        expected = zip((*rates, *first), (*model.derivative(state, t), *start), strict=True)
-        size = 1 + max(float(abs(x)) for x in (*state, *rates))
+        found = rates(lambda t: model.solution(t, start), t)
+        expected = zip((*found, *first), (*model.derivative(state, t), *start), strict=True)
+        size = 1 + max(float(abs(x)) for x in (*state, *found))
         return max(float(abs(a - b)) for a, b in expected) / size
 
 

@@ -47,7 +47,7 @@ def test_drift_is_that_of_the_invariant_at_the_steps(swing):
     assert p.calls == motion.cost.calls > 100
 
 
-def test_of_several_invariants_the_worst_drift_counts():
+def test_the_worst_drift_of_several_invariants_counts():
     motion = integrate(*SCENES["free body"].motion, 1e-6, "lie-poisson4")
     assert motion.drift["momentum"] < 1e-12 < 1e-10 < motion.drift["energy"]
     assert precision.worst_drift(motion) == pytest.approx(motion.drift["energy"], rel=0.1)

@@ -78,7 +78,7 @@ def test_progress_of_an_older_notebook_has_no_days_and_still_counts(progress):
     assert advise(SECTIONS, progress).problem == "1/1"
 
 
-def test_of_two_records_the_longer_one_counts(progress):
+def test_the_longer_of_two_records_counts(progress):
     longer, shorter = Progress(None), Progress(None)
     for right in (False, False, True):
         longer.tried("1/1", 0, "v", right, MISTAKE)

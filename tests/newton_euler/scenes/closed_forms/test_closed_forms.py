@@ -332,7 +332,7 @@ def test_a_sleeping_top_sleeps_and_at_the_start_every_top_is_where_it_starts():
         assert close(text(top.nutation(*parameters))(0.0, *start), start, 1e-15 * 6)
 
 
-def test_a_top_on_the_vertical_of_unequal_momenta_is_nowhere():
+def test_a_top_of_unequal_momenta_cannot_be_on_the_vertical():
     model = top.nutation(1.0, 1.5, 5.0, 8.0, 1.0)
     with pytest.raises(ZeroDivisionError):
         text(model)(1.0, 0.0, 0.0)
