@@ -160,7 +160,7 @@ class _Pairs:
         return int(reverses.argmax()) if reverses.any() else None
 
     def _is_met_in_one(self, rows, key, given, near):
-        """False where no pair gives the largest component of the key, as of most answers."""
+        """False if no pair gives the largest component of the key, as for most answers."""
         at = abs(key).argmax()
         x, k, y = rows[:, at], float(key[at]), float(given[at])
         own = x[[*range(self.firsts), -1]][:, None]

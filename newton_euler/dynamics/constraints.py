@@ -186,7 +186,7 @@ class _System:
 
     def given(self, at):
         """The configuration ``at``, {body: its coordinates}, as a list of floats; raises
-        :class:`ConstraintError` where bodies or numbers miss, or a constraint does not hold.
+        :class:`ConstraintError` if bodies or numbers are missing, or a constraint does not hold.
         """
         if set(at) != set(self.places):
             raise ConstraintError(

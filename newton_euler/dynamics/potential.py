@@ -223,8 +223,8 @@ def find_potential(
     box : the region in which the field is used, three pairs (low, high)
     loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region
     tolerance : of the curl, on a grid of 27 places of the box, relative to the derivatives of F;
-        and of the work round a loop, relative to size of F times length. A spot check: a curl that
-        is zero at these places alone passes.
+        and of the work round a loop, relative to the size of F times the length. A spot
+        check: a curl that is zero at these places alone passes.
 
     >>> V = find_potential(lambda x, y, z: (-2.0*x, -2.0*y, 0.0))
     >>> round(V(3.0, 4.0, 0.0), 9)

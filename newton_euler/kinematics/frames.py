@@ -400,8 +400,8 @@ def _how_to_join(one, other):
 
 def _alike(name):
     return (
-        f"These are two trees with the same names, each with its own {name}, as a function makes "
-        f"that builds its frames at every call: build once and pass the frame {name}"
+        f"These are two trees with the same names, each with its own {name}; a function that "
+        f"builds its frames at every call makes such: build once and pass the frame {name}"
     )
 
 

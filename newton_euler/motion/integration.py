@@ -54,9 +54,9 @@ def integrate(
     progress : a function of the fraction of the time that is done, called now and then
     step : a fixed step, for methods that have an order; the error is then not controlled
 
-    Every result was compared with the requested tolerance; its error is an estimate, no bound: of
-    random models of a hundred families more than 99 in 100 are within rtol, and the others off by
-    some times rtol, most of them at 1e-3 where the rates jump on the way. Raises
+    Every result was compared with the requested tolerance; its error is an estimate, not a bound:
+    of random models in a hundred families, more than 99 in 100 are within rtol; the others are off
+    by a few times rtol, most of them at 1e-3 where the rates jump on the way. Raises
     :class:`ModelError` for what cannot be integrated,
     :class:`~newton_euler.motion.solution.MotionError`, with what was ``reached``, if the motion
     comes to a singular place, and its subclasses

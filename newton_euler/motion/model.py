@@ -245,7 +245,7 @@ class Model(Portable):
         return found
 
     def _value_of(self, what, f, state, t):
-        """:meth:`_value`; where there is none, the error names what it is of."""
+        """:meth:`_value`; if there is none, the error says of ``what``."""
         try:
             return self._value(f, state, t)
         except (ZeroDivisionError, OverflowError) as error:
@@ -345,7 +345,8 @@ class Model(Portable):
                 )
             if names.count(name) > 1:
                 raise ModelError(
-                    f"{name!r} names two things in {self.name!r}; each needs a name of its own"
+                    f"{name!r} occurs twice in {self.name!r}; each state and parameter needs a "
+                    "name of its own"
                 )
         for name, x in self.parameters.items():
             wrong = isinstance(x, FunctionType) and misfit(x, (None,) * 3, {})

@@ -34,8 +34,8 @@ LIMIT, ROUND_OFF = 10.0, 1e-13  # tolerances by which a step may differ; and its
 # an argument turns back in neither
 ASIDE = 0.0618
 SHORT = 0.1  # time between two jumps, over the longest step, that may be passed over
-UNEQUAL = 2  # distances at which what turns may have two signs
-SLIGHT, HIT = 0.01, 40.0  # changes of an argument that matter, and of exp up to which it does
+UNEQUAL = 2  # the most distances at which a function that turns may have two signs
+SLIGHT, HIT = 0.01, 40.0  # the least change that matters of an argument; the largest one of exp
 NUDGE = 2.0**-51  # relative change of states and constants that changes rates by round-off only
 
 

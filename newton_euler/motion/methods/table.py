@@ -27,7 +27,7 @@ class Method:
     """One method of integration. All that other files ask about a method is an attribute of this
     record: none compares names.
 
-    name, description : its name in ``integrate(method=...)``, and what it is
+    name, description : its name in ``integrate(method=...)``, and a description
     stepper : the class of its runs
     unusable_because : a function of the prepared model and the start time that returns why the
         method cannot be used, or None
