@@ -525,16 +525,7 @@ class _Elimination:
         self.rows, self.dependent = {}, {}
         for n in range(len(equations)):
             self._eliminate(n)
-        self.free = {  # the unknowns of a row other than its pivot
-            pivot: [
-                k
-                for k, s in enumerate(self.scale)
-                if k != pivot
-                and s
-                and max_abs(row[k]) / s > ABSENT * self.round_off / self.scale[pivot]
-            ]
-            for pivot, row in self.rows.items()
-        }
+        self.free = {pivot: self._others(pivot, row) for pivot, row in self.rows.items()}
         self.values = {k: row[count] for k, row in self.rows.items() if not self.free[k]}
         for n, row in self.dependent.items() if faithful else ():
             self._check(n, row)
@@ -548,26 +539,23 @@ class _Elimination:
 
     def _scales(self):
         """The size of the coefficients of each unknown; 0 if they are rounding errors only."""
-        noise = [
-            CANCELLATION * self.round_off * x
-            for x in self._by_group([e.coefficients for e in self.equations])
-        ]
-        return [
-            max(
-                (
-                    s
-                    for e, small in zip(self.equations, noise, strict=True)
-                    if (s := max_abs(e.coefficients[k])) > small
-                ),
-                default=0.0,
-            )
-            for k in range(self.count)
-        ]
+        scale = [0.0] * self.count
+        usual = self._by_group([e.coefficients for e in self.equations])
+        for e, largest in zip(self.equations, usual, strict=True):
+            for k, size in enumerate(map(max_abs, e.coefficients)):
+                if size > CANCELLATION * self.round_off * largest:
+                    scale[k] = max(scale[k], size)
+        return scale
 
     def _relative(self, row, measure=max_abs):
         """The size of the coefficients of a row, each relative to what is usual for its unknown."""
         pairs = zip(row, self.scale, strict=False)
         return [measure(x) / s if s and x is not ZERO else 0.0 for x, s in pairs]
+
+    def _others(self, pivot, row):
+        """The unknowns of a row other than its pivot."""
+        noise = ABSENT * self.round_off / self.scale[pivot]
+        return [k for k, size in enumerate(self._relative(row)) if k != pivot and size > noise]
 
     def _eliminate(self, n):
         own = (int(n == m) or ZERO for m in range(len(self.equations)))

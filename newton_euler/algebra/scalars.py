@@ -236,19 +236,17 @@ _kinds: dict[type, str] = {}
 
 def _kind(kind):
     """Whether the objects of a type are numbers, or of NumPy, which has more than numbers."""
-    root, found = _root(kind), "none"
-    if issubclass(kind, (float, int, Fraction, complex)):
-        found = "number"  # np.float64 too
-    elif root == "numpy" and hasattr(kind, "dtype"):
-        found = "none" if kind.__name__ == "matrix" or hasattr(kind, "mask") else "numpy"
-    elif root == "sympy":
-        found = "number" if issubclass(kind, import_module("sympy").Expr) else found
-    elif root == "symengine":
-        found = "number" if "Matrix" not in kind.__name__ and hasattr(kind, "diff") else found
-    elif root == "mpmath":
-        found = "number" if kind.__name__ != "matrix" else found
-    elif root == "heyoka" and kind.__name__ == "expression":
+    root, name, found = _root(kind), kind.__name__, "none"
+    if (
+        issubclass(kind, (float, int, Fraction, complex))  # np.float64 too
+        or (root == "sympy" and issubclass(kind, import_module("sympy").Expr))
+        or (root == "symengine" and "Matrix" not in name and hasattr(kind, "diff"))
+        or (root == "mpmath" and name != "matrix")
+        or (root == "heyoka" and name == "expression")
+    ):
         found = "number"
+    elif root == "numpy" and hasattr(kind, "dtype") and not hasattr(kind, "mask"):
+        found = "numpy" if name != "matrix" else found
     _kinds[kind] = found
     return found
 

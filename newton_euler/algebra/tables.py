@@ -158,11 +158,12 @@ class Table:
         key = type(x) is float or (type(x), epsilon(x))
         if key not in self._kept:
             xs, ys = [[_like(v, x) for v in data] for data in (self.places, self.values)]
-            inner = _constants(ys) if self.kind == "previous" else _cubics(self.kind, xs, ys)
+            steps = self.kind == "previous"
+            inner = [(y,) for y in ys[:-1]] if steps else _cubics(self.kind, xs, ys)
             pieces = [(xs[0], inner[0]), *zip(xs, inner, strict=False), (xs[-2], inner[-1])]
             if self.hold:
                 pieces[0] = xs[0], (ys[0],)
-            if self.hold or self.kind == "previous":
+            if self.hold or steps:
                 pieces[-1] = xs[-1], (ys[-1],)
             for _ in range(self.order):
                 pieces = [(base, _derived(c)) for base, c in pieces]
@@ -204,7 +205,7 @@ class Table:
     def _formula(self, x):
         """The formula of SymPy with the expression ``x`` as place; it has no value outside."""
         if library_of((x,)).__name__ == "heyoka":
-            raise ScalarError("heyoka has no tables: take backend='numpy', or another method")
+            raise ScalarError("heyoka has no tables: take another method")
         x = sympy.sympify(x)
         places, pieces = self._of_kind(x)
         formulas = [_polynomial(c, x - base) for base, c in pieces]
@@ -231,10 +232,6 @@ def _derived(coefficients):
     """The coefficients of the derivative."""
     n = len(coefficients) - 1
     return tuple([(n - k) * c for k, c in enumerate(coefficients[:-1])]) or (0 * coefficients[0],)
-
-
-def _constants(ys):
-    return [(y,) for y in ys[:-1]]
 
 
 def _cubics(kind, xs, ys):

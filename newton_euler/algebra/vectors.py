@@ -8,6 +8,7 @@ the frame of the left one. A vector that theory writes as a sum keeps its terms 
 
 import math
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from functools import reduce
 from typing import Any, TypeAlias
 
@@ -99,12 +100,12 @@ def sub3(a, b):
     return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
-def three(values):
-    """The triple of three numbers, () for anything else."""
-    try:
-        return tuple(map(real_scalar, values)) if len(values) == 3 else ()
-    except TypeError:
-        return ()
+def three(values, what, error):
+    """The triple of three numbers; anything else is the ``error`` in place of ``what``."""
+    with suppress(TypeError):
+        if len(values) == 3:
+            return tuple(map(real_scalar, values))
+    raise error(f"{what}: three numbers are expected, as (0, 0.6, 0.8); got {clipped(values)}")
 
 
 def scale3(s, a):

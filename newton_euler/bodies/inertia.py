@@ -76,8 +76,8 @@ class Inertia(Scaled, NamedTerms):
     ):
         self.point = place(point, "an inertia matrix")
         self.frame = axes_at(self.point) if frame is None else frame
-        self.moments = _three(moments, "moments (I_xx, I_yy, I_zz)")
-        self.products = _three(products, "products (I_xy, I_yz, I_zx)")
+        self.moments = three(moments, "moments (I_xx, I_yy, I_zz)", MassError)
+        self.products = three(products, "products (I_xy, I_yz, I_zx)", MassError)
         self.mass, self.centre = None if mass is None else real_scalar(mass), centre
         if centre is not None and not isinstance(centre, Point):
             raise MassError(f"the centre of mass is a Point; got {clipped(centre)}")
@@ -278,12 +278,6 @@ class Inertia(Scaled, NamedTerms):
                 f"{purpose} needs {missing[what]}; make it Inertia({self.point.name}, moments, "
                 "products, mass=..., centre=G)"
             )
-
-
-def _three(values, what):
-    if given := three(values):
-        return given
-    raise MassError(f"{what} are three numbers, got {values!r}")
 
 
 def axis_index(name: str) -> tuple[int, int]:

@@ -94,7 +94,8 @@ def integrated(
     factor = 1 if mass is None else scalar(mass) / total
     m = total * factor
     d = [x / total for x in first]
-    G = frame.point(f"G of {name}", *(_tidy(r + x) for r, x in zip(reference, d, strict=True)))
+    place = [r + x for r, x in zip(reference, d, strict=True)]
+    G = frame.point(f"G of {name}", *(sympy.cancel(x) if is_expression(x) else x for x in place))
     about: PointLike = frame
     # numbers go to G at once: their reference is near G, so that the subtraction cancels little
     if not exact:
@@ -122,13 +123,6 @@ def _check_mass(found, name):
         raise MassError(
             f"the mass of {name} is {to_plain(found)}, not positive: look at limits and density"
         )
-
-
-def _tidy(x):
-    """An expression as a fraction of polynomials without common factors; numbers as they are."""
-    if not is_expression(x):
-        return x
-    return sympy.cancel(x)
 
 
 def _tangents(position, parameters):

@@ -26,6 +26,7 @@ from .force_systems import Couple, Force, ForceError, ForceSystem
 from .gravity import (
     attraction,
     gravitation,
+    gravitational_field,
     gravity_at_height,
     gravity_at_surface,
     mass_from_weight,

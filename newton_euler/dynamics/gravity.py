@@ -7,7 +7,7 @@ from ..algebra.scalars import Scalar, integer_like, scalar, sqrt, to_plain
 from ..algebra.vectors import Vector
 from ..bodies.admissibility import not_negative, positive
 from ..bodies.body import Body
-from ..kinematics.frames import Frame
+from ..kinematics.frames import Frame, Point, place
 
 K = 6.673e-11  # m^3/(kg s^2), as in the book; CODATA 2018 has 6.67430e-11
 G_STANDARD = 9.81  # m/s^2, the book's flat earth
@@ -99,3 +99,23 @@ def mass_from_weight(weight: Scalar, g: Scalar = G_STANDARD) -> Scalar:
     """
     positive(scalar(g), "the acceleration of gravity")
     return to_plain(scalar(weight) / g)
+
+
+@checked
+def gravitational_field(
+    position: Point | Frame, mass: Scalar, centre: Point | Frame, K: Scalar = K
+) -> Vector:
+    """The acceleration of gravity at a place, toward the ``centre`` of a radially symmetric body of
+    this mass: g = -K M/r^2 e_r (5.22), (5.23), in the frame of ``position``.
+
+    >>> from newton_euler import Frame
+    >>> space = Frame("space")
+    >>> gravitational_field(space.point("P", 2.0, 0, 0), 8.0, space, K=1.0)
+    Vector(-2.0, 0, 0 in space)
+    """
+    not_negative(mass, "the mass of the body")
+    position = place(position, "the field point")
+    r = position - place(centre, "the centre of attraction")
+    distance = scalar(r.norm())
+    positive(distance, f"the distance of {position.name} from the centre of attraction")
+    return r * -(K * mass / (distance * distance * distance))

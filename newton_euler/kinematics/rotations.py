@@ -86,7 +86,7 @@ def apply(R: Matrix, v: Triple) -> tuple:
     >>> apply(((0, -1, 0), (1, 0, 0), (0, 0, 1)), (1.0, 2.0, 3.0))
     (-2.0, 1.0, 3.0)
     """
-    v = _three(v, "a vector")
+    v = three(v, "a vector", RotationError)
     return tuple(to_plain(dot3(row, v)) for row in R)
 
 
@@ -172,18 +172,12 @@ def axis_angle(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple[tuple, Scalar]:
 
 
 def _unit(axis, angle):
-    axis = _three(axis, "an axis")
+    axis = three(axis, "an axis", RotationError)
     angle = without_rates(angle)
     if not is_finite(angle):
         raise RotationError(f"an angle is finite; got {angle!r}")
     # a length of the kind of the angle: exact if that is
     return divided_by_length(axis, hypot(*(x + 0 * angle for x in axis)), RotationError)
-
-
-def _three(v, what):
-    if given := three(v):
-        return given
-    raise RotationError(f"{what} has three components, numbers as in (0, 0.6, 0.8); got {v!r}")
 
 
 def _length_and_direction(v):
@@ -340,7 +334,7 @@ def quaternion_rate(q: Sequence[Scalar], omega: Triple) -> tuple:
     >>> quaternion_rate((0.8, 0, 0, 0.6), (0, 0, 1.0))
     (-0.3, 0, 0, 0.4)
     """
-    rate = quaternion_product(q, (ZERO, *_three(omega, "an angular velocity")))
+    rate = quaternion_product(q, (ZERO, *three(omega, "an angular velocity", RotationError)))
     return tuple(to_plain(x / 2) for x in rate)
 
 
@@ -435,7 +429,7 @@ def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Sc
     >>> euler_body_rates(0.0, 0.0, 0.0, (2.0, 0.5, 3.0))
     (0.5, 0.0, 5.0)
     """
-    dpsi, dtheta, dphi = _three(rates, "(psi', theta', phi')")
+    dpsi, dtheta, dphi = three(rates, "(psi', theta', phi')", RotationError)
     across = dpsi * sin(theta)
     return (
         to_plain(dtheta * cos(phi) + across * sin(phi)),
@@ -453,7 +447,7 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
     >>> [round(x, 12) for x in euler_rates(0.3, 0.2, 0.1, omega)]
     [2.0, 0.5, 3.0]
     """
-    x, y, z = _three(omega, "an angular velocity")
+    x, y, z = three(omega, "an angular velocity", RotationError)
     s = sin(theta)
     if vanishes(s, 4 * epsilon(without_rates(s))):
         raise RotationError(

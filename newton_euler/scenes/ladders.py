@@ -57,19 +57,9 @@ class Rung(Portable):
         return float(sum(map(max_abs, bounds))) if bounds else math.inf
 
 
-@dataclass(frozen=True)
-class Observed:
-    """A function that returns the states of these names; a class, since it can be pickled."""
-
-    names: tuple
-
-    def __call__(self, s, p, t):
-        return tuple(getattr(s, n) for n in self.names)
-
-
 def observed_states(*names):
     """The function for :class:`Rung` that returns the states of these names."""
-    return Observed(names)
+    return lambda s, p, t: tuple(getattr(s, n) for n in names)
 
 
 @checked

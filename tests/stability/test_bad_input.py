@@ -59,6 +59,7 @@ from newton_euler.applications import (
 from newton_euler.bodies import MassError, disk, integrated
 from newton_euler.dynamics import (
     attraction,
+    gravitational_field,
     gravitational_potential,
     gravity_at_surface,
     gyroscope_energy,
@@ -117,6 +118,7 @@ def test_quantities_of_real_libraries_are_refused(name):
 @pytest.mark.parametrize("f", [
     lambda m: attraction(m, 1.0, 1.0),
     lambda m: attraction(1.0, m, 1.0),
+    lambda m: gravitational_field(P, m, ground),
     lambda m: gravitational_potential(m, 1.0, 1.0),
     lambda m: gravity_at_surface(m, 1.0),
     lambda m: plane_kinetic_energy(m, 1.0, 1.0, 1.0),

@@ -10,7 +10,7 @@ import sympy
 from newton_euler import Frame, compiled, cos, integral, moving, sin, sqrt
 from newton_euler.algebra import ZERO, DimensionError, LinearForm, Moving, SingularError, WorkError
 from newton_euler.algebra.partial_evaluation import folded
-from tests.kinds import LENGTH, MASS, TIME
+from tests.kinds import LENGTH, MASS, TIME, compiled_by
 
 
 def wire(a, k):
@@ -159,7 +159,7 @@ def test_what_depends_on_parameters_alone_is_integrated_before_a_motion():
 
 def test_heyoka_refuses_an_integral_inside_a_formula_and_arrays_go_by_numpy():
     hy = pytest.importorskip("heyoka")
-    run = compiled(wire, backend="heyoka")
+    run = compiled_by("heyoka", wire)
     np.testing.assert_allclose(run(np.array([2.0]), 1.7), wire_by_hand(2.0, 1.7), rtol=1e-14)
     with pytest.raises(TypeError, match="heyoka has no integrals and roots inside a formula"):
         run(hy.expression("a"), hy.expression("k"))

@@ -13,7 +13,7 @@ from scipy.interpolate import CubicSpline, interp1d
 from newton_euler import compiled, moving, sin, table
 from newton_euler.algebra import DimensionError, ScalarError, SingularError, TableError
 from newton_euler.algebra.errors import ArgumentError
-from tests.kinds import LENGTH, MASS, TIME, close, every_kind, numbers
+from tests.kinds import LENGTH, MASS, TIME, close, compiled_by, every_kind, numbers
 
 KINDS = "linear", "cubic", "natural", "previous"
 XS = [-1.0, -0.25, 0.5, 0.75, 2.0, 3.5]
@@ -113,7 +113,7 @@ def test_a_compiled_formula_reads_it_as_a_plain_one_does(kind):
 
 def test_arrays_of_any_length_are_computed_without_heyoka():
     f = table(XS, YS)
-    formula = compiled(lambda x: f(x) + x, backend="heyoka")
+    formula = compiled_by("heyoka", lambda x: f(x) + x)
     x = np.linspace(-1.0, 3.5, 100_003)
     assert np.allclose(formula(x), np.interp(x, XS, YS) + x, rtol=1e-14)
     assert f(np.zeros((0, 2))).shape == (0, 2)

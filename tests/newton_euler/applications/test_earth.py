@@ -12,8 +12,7 @@ import sympy
 
 from newton_euler import Dimension, Frame, at, compiled, cos, moving, radians, sin, sqrt
 from newton_euler.applications import earth as e
-from newton_euler.bodies import particle
-from newton_euler.dynamics.gravity import K, gravitation
+from newton_euler.dynamics.gravity import K, gravitational_field
 from newton_euler.dynamics.newton import relative_acceleration
 from newton_euler.kinematics import along
 from tests.kinds import close, every_kind, first, numbers, within
@@ -288,8 +287,7 @@ def test_eqn_6_31_vanishes_at_60_degrees_and_changes_sign_there(kind):
 def test_the_attraction_is_that_of_chapter_5():
     ground = e.ground_frame(e.earth_frame(Frame("stars"), 0), 0.8, radius=6.4e6)
     P = ground.point("P", 1e5, -2e5, 3e5)
-    earth = particle(e.EARTH_GM / K, ground.tree[0].origin)
-    field = gravitation(particle(1.0, P), earth).components(ground)
+    field = gravitational_field(P, e.EARTH_GM / K, ground.tree[0].origin).components(ground)
     assert close(e.attraction3((1e5, -2e5, 3e5), e.EARTH_GM / 6.4e6**2, 6.4e6), field, 1e-14)
 
 

@@ -21,11 +21,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
-from newton_euler import Dimension, Frame, Vector, at, compiled, cos, cross, moving, pi, sin
+from newton_euler import Dimension, Frame, Vector, at, cos, cross, moving, pi, sin
 from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import AngleWarning, along
 from tests.explicit import curve
-from tests.kinds import KINDS, close, every_kind, number, numbers, within
+from tests.kinds import KINDS, close, compiled_by, every_kind, number, numbers, within
 from tests.turning import DIGITS, angular_acceleration, angular_velocity, rate, rot, second_rate
 from tests.turning import cross as cross50
 
@@ -288,7 +288,7 @@ def test_eqn_4_29_on_symengine_and_through_heyoka():
     w = symengine.Symbol("w")
     for got, wanted in zip(acceleration(w), direct, strict=True):
         assert abs(float(got.subs({w: 1.0})) - wanted) < 1e-11
-    f = compiled(lambda w: acceleration(w), backend="heyoka")
+    f = compiled_by("heyoka", acceleration)
     for got, wanted in zip(f(np.array([1.0, 2.0])), direct, strict=True):
         assert abs(got[0] - wanted) < 1e-11
     assert agrees(

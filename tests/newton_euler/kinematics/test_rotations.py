@@ -395,7 +395,7 @@ def test_an_axis_without_direction_is_refused():
         with pytest.raises(RotationError, match="no direction"):
             make((np.array([1.0, 0.0]), 0, 0), 1.0)
         for bad in ("z", (1j, 0, 1), np.array([1j, 0, 1])):
-            with pytest.raises(RotationError, match=r"three components.*got"):
+            with pytest.raises(RotationError, match=r"three numbers.*got"):
                 make(bad, 1.0)
 
 

@@ -13,7 +13,7 @@ from newton_euler.dynamics import coordinate_accelerations
 from newton_euler.motion.model import second_order
 from newton_euler.scenes.particles.aircraft import vertical_flight
 from newton_euler.scenes.particles.low_pressure import air_near_low
-from newton_euler.scenes.particles.projectile import flat
+from newton_euler.scenes.particles.projectile import shot
 from newton_euler.scenes.particles.space_station import free_body
 from tests.kinds import close, rates
 
@@ -39,8 +39,12 @@ def test_the_state_form_follows_from_forces_in_polar_coordinates():
     assert sympy.simplify(found + g * sympy.sin(theta) / length) == 0
 
 
-MODELS = {"flight": vertical_flight(2.0, 9.81), "station": free_body(-0.3), "flat": flat(9.81)}
-MODELS["low"] = air_near_low(0.8, 1e-2, rate=0.2)
+MODELS = {
+    "flight": vertical_flight(2.0, 9.81),
+    "station": free_body(-0.3),
+    "low": air_near_low(0.8, 1e-2, rate=0.2),
+    "flat": shot("flat", 9.81),
+}
 
 each_model = pytest.mark.parametrize("name", MODELS)
 

@@ -21,7 +21,7 @@ from newton_euler.scenes.particles import projectile
 @pytest.fixture(scope="module")
 def shots():
     start = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0)
-    models = projectile.coriolis(9.82, 0.8), projectile.full(9.82, 0.8)
+    models = (projectile.shot(rung, 9.82, 0.8) for rung in ("Coriolis to first order", "full"))
     rungs = tuple(Rung(model, start, lambda s, p, t: (s.x, s.y, s.z)) for model in models)
     return Ladder("shots", projectile.POSITION, 5.0, rungs)
 

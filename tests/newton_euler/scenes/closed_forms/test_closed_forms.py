@@ -25,7 +25,7 @@ from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial import top
 from newton_euler.scenes.spatial.free_body import free_body
 from tests.honesty.closed_forms import kepler
-from tests.kinds import close
+from tests.kinds import close, compiled_by
 from tests.models import from_farthest
 
 EPS = 2.0**-52
@@ -90,7 +90,7 @@ def test_it_chooses_instant_by_instant_of_arrays_and_through_heyoka():
     expected = np.array([chosen(a, b) for a, b in zip(x.tolist(), y.tolist(), strict=True)]).T
     assert close(compiled(chosen)(x, y), tuple(expected), 1e-15)
     pytest.importorskip("heyoka")
-    assert close(compiled(chosen, backend="heyoka")(x, y), tuple(expected), 1e-15)
+    assert close(compiled_by("heyoka", chosen)(x, y), tuple(expected), 1e-15)
 
 
 def test_the_side_that_is_not_chosen_is_not_computed_on_single_numbers():
@@ -385,7 +385,7 @@ def test_its_text_on_arrays_of_times_and_through_heyoka_gives_what_it_gives_one_
     one_by_one = np.array([f(t, *start) for t in times.tolist()]).T
     assert close(tuple(f(times, *start)), tuple(one_by_one), 1e-13)
     pytest.importorskip("heyoka")
-    fast = compiled(lambda t: f(t, *start), backend="heyoka")
+    fast = compiled_by("heyoka", lambda t: f(t, *start))
     assert close(tuple(fast(times)), tuple(one_by_one), 1e-13)
 
 
