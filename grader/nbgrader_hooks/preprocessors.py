@@ -17,12 +17,12 @@ from ..assignment.released import released, sheet_numbers
 from ..course.exam import judged
 from ..grading.gradebook import Entry, instructors_cells, save
 from ..grading.lock import alone
-from ..grading.one import Outcome, autograded_path, grade_one
+from ..grading.one import GradingResult, autograded_path, grade_one
 from ..sandbox import Harvester
 from ..submission import read_timestamp
 from .shared import WRITTEN, OfCourse, Processed
 
-_graded: dict[tuple[str, ...], Outcome] = {}  # passed from the first step to the second
+_graded: dict[tuple[str, ...], GradingResult] = {}  # passed from the first step to the second
 _harvester = None
 
 
@@ -117,6 +117,6 @@ class GradesAndFigures(OfCourse, GetGrades):
         number = own_metadata(cell).get("problem")
         if kind(cell) == "statement" and number in self._tasks:
             svg = figure_for_page(self._tasks[number].exercise, self._numbers[number]) or b""
-            shown = f"data:image/svg+xml;base64,{b64encode(svg).decode()}"
-            cell.source = cell.source.replace("attachment:figure.png", shown)
+            inline = f"data:image/svg+xml;base64,{b64encode(svg).decode()}"
+            cell.source = cell.source.replace("attachment:figure.png", inline)
         return super().preprocess_cell(cell, resources, index)

@@ -13,7 +13,7 @@ from pathlib import Path
 from queue import Queue
 from typing import Self, TypedDict
 
-from .receipts import NOT_REACHED, Outcome, Receipt, read_lines
+from .receipts import NOT_REACHED, Outcome, RawReceipt, read_lines
 from .worker import HarvestError, Job, Limits, Worker
 
 CAGED = "namespaces"  # the "sandbox" of a reply whose code ran in the cage
@@ -43,7 +43,7 @@ class Reply(TypedDict):
     name; ``sandbox``: CAGED or "unsandboxed: asked for"; ``ended``: "done", or why it was stopped.
     """
 
-    receipts: dict[str, Receipt]
+    receipts: dict[str, RawReceipt]
     tests: dict[str, Outcome]
     errors: dict[str, str]
     sandbox: str

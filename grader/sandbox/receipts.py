@@ -5,7 +5,7 @@ from collections.abc import Collection
 from typing import Any, TypedDict
 
 
-class Receipt(TypedDict):
+class RawReceipt(TypedDict):
     """The answers to one problem as the cage has read and sent them: they may be anything."""
 
     id: Any
@@ -36,11 +36,11 @@ NOT_REACHED: Outcome = {
 
 def read_lines(
     data: bytes, problems: Collection[str], names: Collection[str]
-) -> tuple[dict[str, Receipt], dict[str, str]]:
+) -> tuple[dict[str, RawReceipt], dict[str, str]]:
     """({problem id: receipt}, {name: error}): the lines of ``data`` that are receipts of these
     problems or errors of these cells; the first of each.
     """
-    receipts: dict[str, Receipt] = {}
+    receipts: dict[str, RawReceipt] = {}
     errors: dict[str, str] = {}
     for line in data.split(b"\n", MOST_LINES)[:MOST_LINES]:
         entry = _entry(line)
@@ -52,7 +52,7 @@ def read_lines(
     return receipts, errors
 
 
-def _receipt(number: str, entry: dict[str, Any]) -> Receipt:
+def _receipt(number: str, entry: dict[str, Any]) -> RawReceipt:
     answers, faults = entry.get("answers"), entry.get("faults")
     return {"id": number, "answers": answers, "faults": faults, "error": entry.get("error")}
 

@@ -92,7 +92,8 @@ class Numbers:
         ]
         right = self.problem.code.solve(self.problem.base(self.sample))[answer.key]
         if isinstance(right, Freedom):
-            found += [(cause, ((n,),)) for cause, n in miscounts(right)]
+            counts = {n for _, ((n,),) in found}
+            found += [(cause, ((n,),)) for cause, n in miscounts(right, counts)]
         right = self.key[answer.key][0][0]
         found += [(cause, ((w,),)) for cause, w in misjudged(answer.key, answer.of, right)]
         return found

@@ -9,7 +9,7 @@ from ..assignment import notebook as nb
 from ..assignment.cells import Cell, Notebook, kind, nbgrader_metadata, own_metadata
 from ..assignment.sheet import Task
 from ..sandbox import CAGED, Harvester
-from ..sandbox.receipts import Outcome, Receipt
+from ..sandbox.receipts import Outcome, RawReceipt
 from ..sandbox.worker import Job
 from .rebuild import is_untouched
 from .recognition import OWN, cell_names
@@ -33,7 +33,7 @@ class Executed:
     other cells by their id, how the code was isolated, a note if it ended early.
     """
 
-    receipts: dict[str, Receipt] = field(default_factory=dict)
+    receipts: dict[str, RawReceipt] = field(default_factory=dict)
     tests: dict[str, Outcome] = field(default_factory=dict)
     errors: dict[str, str] = field(default_factory=dict)
     sandbox: str = CAGED
@@ -137,7 +137,7 @@ def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:
             )
         )
         ended = _(PROCESS_ENDED)
-        lost: Receipt = {"id": unread[0], "answers": None, "faults": None, "error": ended}
+        lost: RawReceipt = {"id": unread[0], "answers": None, "faults": None, "error": ended}
         receipts[unread[0]] = lost
     note = "; ".join(notes)
     return Executed(receipts, result["tests"], result["errors"], result["sandbox"], note)

@@ -60,12 +60,12 @@ def _with_answers(cells, found, master):
     """The same with the answers that are still missing: an answer is the only code cell next to the
     statement, numbers or receipt of its problem that assigns to a name that is asked for.
     """
+    unmet = sorted({*range(len(master["cells"]))} - {*found})
+    marks = {n: own_metadata(master["cells"][n]) for n in unmet}
+    missing = {own["problem"]: n for n, own in marks.items() if own.get("role") == "answer"}
+    if not missing:
+        return found
     problems = [own_metadata(c).get("problem") for c in master["cells"]]
-    missing = {
-        own_metadata(c)["problem"]: n
-        for n, c in enumerate(master["cells"])
-        if own_metadata(c).get("role") == "answer" and n not in found
-    }
     above, below = _nearest(found), _nearest(found[::-1])[::-1]
     for problem, at in missing.items():
         asked = "|".join(map(re.escape, own_metadata(master["cells"][at])["asked"]))

@@ -41,7 +41,7 @@ from .scalars import (
 from .vectors import FrameError, Vector
 
 F = TypeVar("F", bound=Callable)
-# by how much numbers may differ; and what an integral is to reach, which floats can
+# the difference that two numbers may have; and the relative error of an integral
 Tolerance = Annotated[float, "one real number that is not negative"]
 Accuracy = Annotated[float, "a relative error that floats can reach, from 1e-14 to below 1"]
 
@@ -82,7 +82,7 @@ def checked(f: F, unchecked: tuple = ()) -> F:
                 raise
             if isinstance(error, TypeError) and (words := misfit(f, args, named)):
                 raise ArgumentError(words) from None
-            if _passed_through_a_callers_function(error):
+            if any(_callers_places(error)):  # what the caller passed raised it, or called what did
                 raise
             given = [*map(_brief, given), *(f"{n}={_brief(x)}" for n, x in named.items())]
             raise _in_words(f"{f.__name__}({', '.join(given)})", error) from error
@@ -119,11 +119,6 @@ def _callers_places(error):
     for frame, line in walk_tb(error.__traceback__.tb_next):
         if frame.f_globals.get("__name__", "").partition(".")[0] not in _NOT_A_CALLERS:
             yield frame, line
-
-
-def _passed_through_a_callers_function(error):
-    """True if a function that the caller passed raised the error, or called what raised it."""
-    return any(_callers_places(error))
 
 
 def callers_line(error: BaseException) -> str:

@@ -367,7 +367,7 @@ def _fan(name, middle, axis, toward, m, distance, polar, flatness=ZERO):
     t, sign = axis_index(toward or AXES[(n + 1) % 3])
     if t == n:
         raise MassError(
-            f"{name}, normal to {axis!r}, cannot be directed toward {toward!r}: take another axis"
+            f"{name}, normal to {axis!r}, cannot point toward {toward!r}: give another toward="
         )
     transfer = m * distance**2
     moments = [polar * (1 + flatness) / 2 - transfer] * 3

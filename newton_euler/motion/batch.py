@@ -10,18 +10,19 @@ from time import perf_counter
 from types import MappingProxyType, SimpleNamespace
 from typing import Any, NamedTuple
 
+from ..algebra.scalars import Scalar
 from .error_estimates import REPORTED_SAFETY, error_by_difference, relative_shift
 from .knots import knots
 from .methods.table import METHODS, Method
 from .methods.taylor import batches
-from .model import Model, ModelError, real_numbers
+from .model import Model, ModelError, expect, real_numbers
 from .prepared import PreparedModel, prepared_model
 from .run import known_accurate, usable
 from .sizes import ROUND_OFF, TIME_SAFETY, time_round_off
 from .solution import AccuracyError, Cost, MotionError
 from .verified import NEAR_END, NEAR_START, SPARE
 
-BLOCK = 64  # neighbours in a sweep of which the one in the middle may vouch for the others
+BLOCK = 64  # neighbours in a sweep; the one in the middle may vouch for the others
 INSIDE = 31  # instants on the way at which the sizes of the states are seen
 MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch integrator
 
@@ -51,7 +52,17 @@ class Motions:
     @property
     def end(self) -> dict:
         """The last states, arrays (motions,) by name."""
-        return {name: x[:, -1] for name, x in self.states.items()}
+        return self.at(self.t_end)
+
+    def at(self, t: Scalar) -> dict:
+        """The states at one of the ``times``, arrays (motions,) by name; between these
+        :class:`ModelError`: give ``integrate`` the times that are needed as ``samples``.
+        """
+        what = "many motions are known at their times alone, see samples= of integrate"
+        place = real_numbers(t, what)
+        found: Any = [] if place.ndim else (self.times == place).nonzero()[0]
+        expect(len(found), what, t)
+        return {name: x[:, found[-1]] for name, x in self.states.items()}
 
 
 class Sweep(NamedTuple):

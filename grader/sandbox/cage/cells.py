@@ -42,7 +42,7 @@ def time_limit(seconds: float) -> Iterator[None]:
         signal.setitimer(signal.ITIMER_REAL, 0)
 
 
-class Notebook:
+class Submission:
     """One submission. ``send`` is called with each line for the grader; ``tests`` are the sockets
     from which the copies receive the texts of the tests, in order.
     """

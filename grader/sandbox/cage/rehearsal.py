@@ -6,7 +6,7 @@ The formulas belong to no problem, since student code can find them in its memor
 
 import sys
 
-from .cells import Notebook
+from .cells import Submission
 
 _NAMES = "omega, Omega, theta, phi, beta, P, omega_dot, v, a, b, omega_1, r, R, L, m, g, t, T, d"
 _GIVENS = f"""\
@@ -49,6 +49,6 @@ SHEET = (
 def rehearse() -> list[bytes]:
     """Run the sheet; returns its receipts, for tests only."""
     before, path, receipts = sys.modules["__main__"], list(sys.path), list[bytes]()
-    Notebook(10.0, receipts.append, ()).run(SHEET)
+    Submission(10.0, receipts.append, ()).run(SHEET)
     sys.modules["__main__"], sys.path[:] = before, path
     return receipts

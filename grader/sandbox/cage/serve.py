@@ -13,6 +13,7 @@ the job, the receipts, the state, and a socket for each test. The grader reads t
 
 import contextlib
 import gc
+import itertools
 import json
 import os
 import select
@@ -21,12 +22,13 @@ import socket
 import time
 
 from . import calls, isolation, libraries, rehearsal, watch
-from .cells import Notebook
-from .memory import TOTAL, Group, Watch
+from .cells import Submission
+from .memory import TOTAL, Group, MemoryWatch, use_large_pages
 
 GRACE = 5.0  # seconds beyond its limits after which a job is ended from outside
 TOO_MUCH = f"stopped at {TOTAL / 2**30:g} GB of memory"
 END = b"end\n"  # sent by the grader at the end of each job
+SOME = 10  # jobs after which large pages are worth their copying
 MOST_TESTS = 200  # in one notebook; the kernel passes at most 253 descriptors at a time
 
 
@@ -42,9 +44,12 @@ def main(fd: int) -> None:
     isolation.readable_places()
     control, group = socket.socket(fileno=fd), Group.make()
     try:
-        while request := _receive(control):
-            if not _serve(control, group, *request):
+        for count in itertools.count(1):
+            request = _receive(control)
+            if not request or not _serve(control, group, *request):
                 break
+            if count == SOME:
+                use_large_pages()
     finally:
         if group:
             group.remove()
@@ -87,7 +92,7 @@ def _serve(control, group, job, fds):
             os._exit(1)
     for fd in fds:
         os.close(fd)
-    why = _wait(control, Watch(job["tests"]), time.monotonic() + 2 * job["seconds"] + GRACE)
+    why = _wait(control, MemoryWatch(job["tests"]), time.monotonic() + 2 * job["seconds"] + GRACE)
     if group:
         group.kill()
         if group.kills() > kills:
@@ -221,7 +226,7 @@ def _student(job, work, receipts, state, tests, first):
     os.close(state)
     with open(work, "rb") as f:
         cells = json.loads(f.read())
-    Notebook(job["cell_seconds"], lambda line: _write(receipts, line), tests).run(cells)
+    Submission(job["cell_seconds"], lambda line: _write(receipts, line), tests).run(cells)
 
 
 def _write(fd, data):

@@ -1,5 +1,5 @@
-"""The time of a call, the error of a result, and the front of error against time: for every other
-point one on the (Pareto) *front* is cheaper and no less accurate.
+"""The time of a call, the error of a result, and the (Pareto) *front* of error against time: every
+point off the front has one on it that is cheaper and no less accurate.
 """
 
 import math
@@ -32,7 +32,7 @@ class Measured:
     asked, calls, drift : of an integration, the tolerance, the calls of the right-hand side, and
         the largest drift of an invariant; else None
     family : points are compared with others of their family, which has a front of its own
-    prepared : seconds that the first run took more than the next
+    prepared : seconds by which the first run took longer than the next
 
     >>> Measured("dop853", cost=2e-4, error=1e-9).cost
     0.0002
@@ -64,7 +64,7 @@ def timed(
     clock: Callable[[], float] = perf_counter,
 ) -> Any:
     """The seconds that one call ``f()`` takes, a float; of several functions, which take turns, a
-    tuple: those of the fastest of ``runs`` runs, each of so many calls that it lasts ``shortest``
+    tuple: those of the fastest of ``runs`` runs, each with enough calls to last ``shortest``
     seconds of the ``clock``. A first call, which may import or compile, does not count.
 
     >>> seconds = timed(lambda: sum(range(10)), lambda: sum(range(1000)))

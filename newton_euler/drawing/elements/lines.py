@@ -101,10 +101,7 @@ class Lines(Recorder):
         return [on_circle(centre, e1, e2, radius, a) for a in angles]
 
     def _angle(self, x):
-        try:
-            angle = self._float(x)
-        except (TypeError, ValueError, OverflowError):
-            angle = math.nan
+        angle = self._number(x)
         if not abs(angle) <= MAX_TURNS * 2 * math.pi:  # nan too
             raise FrameError(f"an angle is in radians, at most {MAX_TURNS} turns; got {x!r}")
         return angle

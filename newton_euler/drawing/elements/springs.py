@@ -43,7 +43,7 @@ class Springs(Recorder):
 
         @self._record
         def command(canvas):
-            # what is in the spring lies between two planes, of which nothing shows
+            # what is in the spring lies between two invisible planes
             for height in (-0.1 * r, 0.1 * r):
                 canvas.face(plane(height), (), scale3(math.copysign(1, height), near))
             # cut where it passes from behind these planes to their front

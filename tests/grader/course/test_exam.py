@@ -149,7 +149,7 @@ def test_an_exam_from_the_file_to_the_feedback(tmp_path, inbound):
     assert course.values("midterm", "ada", problems) != course.values("hw1", "ada", problems)
     code, out = command("build", "late", "--problems", "4/1", "--exam", "--opens", PASSED[1],
                         "--closes", PASSED[0], "--course", place, "--update")  # fmt: skip
-    assert (code, "when it has closed" in out, course.source("late").exists()) == (2, True, False)
+    assert (code, "must open before" in out, course.source("late").exists()) == (2, True, False)
     code, out = command("due", "midterm", PASSED[0], "--course", place)
     assert (code, "after that date" in out) == (2, True)
     ran(nbgrader("generate_assignment", "midterm", cwd=place))

@@ -87,15 +87,11 @@ def test_a_worker_that_is_busy_delays_no_other():
 def test_no_submission_imports_what_the_worker_could_have_imported_for_all(harvester):
     known = "import sys\nknown = set(sys.modules)"
     new = "assert not set(sys.modules) - known, sorted(set(sys.modules) - known)"
-    formula = {"role": "harvest", "problem": "0/2", "forms": {"f": "expression, m"}}
-    cells = [
-        own(known),
-        own(SETUP, "setup"),
-        *problem("0/1", "x = sqrt(2.0)", 'given("0/1", y=2)'),
-        {"role": "answer", "problem": "0/2", "text": 'a = symbols("a", real=True)\nf = 2 * a'},
-        {**formula, "symbols": {"a": "m"}},
-        own(new, "new"),
-    ]
+    of, text = {"problem": "0/2"}, 'a = symbols("a", real=True)\nf = 2 * a'
+    answer, harvest = {"role": "answer", "text": text, **of}, {"role": "harvest", **of}
+    harvest |= {"forms": {"f": "expression, m"}, "symbols": {"a": "m"}}
+    cells = [own(known), own(SETUP, "setup"), *problem("0/1", "x = sqrt(2.0)", 'given("0/1", y=2)')]
+    cells += [answer, harvest, own(new, "new")]
     assert run_caged(harvester, cells)["errors"] == {}
 
 
@@ -108,7 +104,7 @@ def test_a_notebook_with_millions_of_characters_is_not_run(harvester):
     )
 
 
-def test_nor_one_with_many_small_cells(harvester):
+def test_a_notebook_with_many_small_cells_is_not_run(harvester):
     tests = [{"role": "test", "name": "t", "text": "", "hidden": "1"}]
     reply = harvester.run([*[own("[]")] * 20_000, *job("x = 1"), *tests])
     assert "not run: its 20004 cells" in reply["ended"]

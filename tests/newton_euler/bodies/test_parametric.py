@@ -148,13 +148,13 @@ line, unit = lambda u: (u, 0, 0), (0.0, 1.0)
 
 
 @pytest.mark.parametrize(("words", "position", "limits", "given"), [
-    ("are not finite: look at the limits", line, [unit], {"density": lambda x, y, z: 1 / x}),
+    ("are not finite: look at limits", line, [unit], {"density": lambda x, y, z: 1 / x}),
     (r"needs mass=... or density=...", line, [unit], {}),
     (r"has 0 parameters; a curve has one", lambda: (0, 0, 0), [], {"mass": 1.0}),
     (r"no extent", line, [(1.0, 1.0)], {"mass": 1.0}),
-    (r"has points without a finite value", lambda u: (sqrt(u), 0, 0), [(-1.0, 1.0)], {"mass": 1.0}),
+    (r"has points without a (finite )?value", lambda u: (sqrt(u), 0, 0), [(-1.0, 1.0)], {"mass": 1.0}),
     (r"the mass of body is -(1.0|0.99999)", line, [unit], {"density": -1.0}),
-    (r"fold back on themselves", lambda u: (u**2, 0, 0), [(-1, 1)], {"mass": 1, "exact": True}),
+    (r"folds back on itself", lambda u: (u**2, 0, 0), [(-1, 1)], {"mass": 1, "exact": True}),
     (r"SymPy finds no formula", line, [(0, h)], {"density": lambda x, y, z: sympy.sin(sympy.sin(x)) + 2, "exact": True}),
 ])  # fmt: skip
 def test_what_is_no_body_is_refused_in_words(words, position, limits, given):

@@ -35,6 +35,15 @@ def test_motions_close_to_each_other_have_one_representative():
     assert group.tolist() == [0, 1] * 20
 
 
+def test_many_motions_are_known_at_their_samples():
+    found = integrate(oscillator(), 2.0, (np.array([1.0, 2.0]), 0.0), samples=[0.5, 2.0])
+    assert found.at(0.5)["x"] == pytest.approx(math.cos(1.0) * np.array([1.0, 2.0]), rel=1e-8)
+    assert (found.at(2)["dx"] == found.end["dx"]).all()
+    for bad in (0.7, [0.5, 2.0], np.ma.array([0.5], mask=[1])):
+        with pytest.raises(ModelError, match="known at their times alone"):
+            found.at(bad)
+
+
 @pytest.mark.parametrize(("part", "which", "count"), [
     (0.99 * NEAR_START, "begins", 1),
     (1.01 * NEAR_START, "begins", 2),
@@ -127,13 +136,13 @@ def test_motions_that_all_begin_at_zero_are_judged_by_the_largest_end(ends, grou
 def test_heyoka_is_taken_if_asked_for_or_worth_it_and_if_a_series_sees_all(
     method, count, hazards, found
 ):
-    traced = SimpleNamespace(hazards=hazards, kinks=())
+    traced = SimpleNamespace(hazards=hazards, kinks=(), inner=())
     assert _by_series(SimpleNamespace(traced=traced), method, count) is found
 
 
 @needs_heyoka
 def test_auto_takes_no_batch_of_series_for_rates_with_kinks():
-    traced = SimpleNamespace(hazards=(), kinks=("where",))
+    traced = SimpleNamespace(hazards=(), kinks=("where",), inner=())
     kinked = SimpleNamespace(traced=traced, model=SimpleNamespace(name="any"))
     assert not _by_series(kinked, "auto", 100)
 
