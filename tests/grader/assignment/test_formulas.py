@@ -44,9 +44,9 @@ def test_a_right_angle_beside_degrees_is_written_in_degrees():
     assert written(sympy.pi / 2 - a, {}, latex=True, degrees=True) == r"90^\circ - a"
 
 
-def test_a_name_with_a_bar_stands_in_parentheses_under_a_power():
+def test_a_name_with_a_bar_stands_in_parentheses_under_a_power_and_a_sine_has_it():
     assert written(a**3, {"a": "l/r"}, latex=True) == r"\left(l/r\right)^{3}"
-    assert written(a**2, {"a": r"\sin \phi"}, latex=True) == r"\left(\sin \phi\right)^{2}"
+    assert written(a**2, {"a": r"\sin \phi"}, latex=True) == r"\sin^{2} \phi"
 
 
 def test_a_sine_of_a_product_of_numbers_has_brackets():
