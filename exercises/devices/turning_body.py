@@ -77,7 +77,7 @@ def inertia_steps(inertia, axis, system="SI", particles=False):
                "7.14" if parts else "7.10")  # fmt: skip
     for name, value in products(inertia, axis).items():
         u, v = name[2:]
-        means = f"sum of m {u} {v}" if particles else f"integral of {u} {v} over the mass"
+        means = f"sum of m*{u}*{v}" if particles else f"integral of {u} {v} over the mass"
         number = "7.9" if particles else "7.10"
         yield Step(name, value, unit, means, "7.2", number, of_givens=True)
 
