@@ -121,7 +121,7 @@ def two_sides(row: tuple[Any, Any], unknowns: Collection[str] = ()) -> tuple[Any
         return left, right
     factors = [
         x for x in sympy.Mul.make_args(difference)
-        if not (x.is_positive and (x.is_number or x.is_Symbol and x.name not in unknowns))
+        if not (x.is_positive and (x.is_number or (x.is_Symbol and x.name not in unknowns)))
     ]  # fmt: skip
     return row if row[1] != 0 else (sympy.Mul(*factors), row[1])
 
