@@ -98,6 +98,7 @@ def drawn_texts(problem_id):
     ("4/8", {"$v_A$", "$v_B$", "$a_A$", r"$\omega_x$"}),
     ("11/3", {"W", "F"}),
     ("11/20", {"f"}),
+    ("8/1", {"kL", "nL"}),
 ])  # fmt: skip
 def test_rates_and_forces_that_are_given_are_drawn(problem_id, rates):
     texts = drawn_texts(problem_id)
