@@ -75,8 +75,13 @@ def _tidy(x, is_term=False):
 
 def _with_common_factors(x):
     """A sum as a product with the factors that all its terms share, which are then two at least,
-    or one beside squares, or a sine or a sum: m (a^2 + b^2)/12, (n - p) tan b, but m g + m a.
+    or one beside squares, or a sine or a sum: m (a^2 + b^2)/12, (n - p) tan b, but m g + m a; of
+    many terms as a product of sums if that has half the names.
     """
+    product = sympy.factor(x) if len(x.args) > 3 else x
+    if 2 * _names_in(product) <= _names_in(x):
+        return product
+    x = _collected(x)
     terms = [term.as_coeff_Mul() for term in sympy.Add.make_args(x)]
     number = abs(terms[0][0])
     if len(terms) < 2 or any(abs(n) != number for n, _ in terms):
@@ -96,6 +101,23 @@ def _with_common_factors(x):
     if not shared or not enough or any(sympy.fraction(y)[1] != 1 for y in rest):
         return x
     return sympy.Mul(number, *shared, sympy.Add(*rest))
+
+
+def _collected(x):
+    """A sum with the terms that share a sum as a factor, but not all do, in one."""
+    for factor in sorted((y for term in x.args for y in term.args if y.is_Add), key=str):
+        those = [term for term in x.args if factor in term.args]
+        if 1 < len(those) < len(x.args):
+            shared = sympy.Add(*(term / factor for term in those))
+            sign = -1 if _is_other_way_round(shared, False) else 1
+            return sign * factor * (sign * shared) + sympy.Add(
+                *(y for y in x.args if y not in those)
+            )
+    return x
+
+
+def _names_in(x):
+    return sum(y.is_Symbol for y in sympy.preorder_traversal(x))
 
 
 def _turned(x, is_term):
@@ -125,7 +147,7 @@ def _without_fractions(x, power):
     """A sum as a fraction without fractions in it, where the root of what is below it is none."""
     above, below = sympy.fraction(sympy.together(x))
     is_plain = all(y.exp.is_Integer for y in (below**power).atoms(sympy.Pow))
-    return (above, below) if below != 1 and is_plain else (x, sympy.Integer(1))
+    return (_collected(above), below) if below != 1 and is_plain else (x, sympy.Integer(1))
 
 
 def _is_other_way_round(whole, has_minus):
