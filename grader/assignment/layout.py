@@ -110,9 +110,8 @@ def _collected(x):
         if 1 < len(those) < len(x.args):
             shared = sympy.Add(*(term / factor for term in those))
             sign = -1 if _is_other_way_round(shared, False) else 1
-            return sign * factor * (sign * shared) + sympy.Add(
-                *(y for y in x.args if y not in those)
-            )
+            collected = sympy.Mul(sign, factor, sign * shared)
+            return collected + sympy.Add(*(y for y in x.args if y not in those))
     return x
 
 
