@@ -48,7 +48,7 @@ def main(arguments=None):
         copied, kept = copy_chapters(folder)
     except OSError as error:
         command.error(_refused(folder, error))
-    print(_told(folder, copied, kept))
+    print(_summary(folder, copied, kept))
     print(_how_to_open(folder))
     return 0
 
@@ -72,7 +72,7 @@ def _refused(folder, error):
     return f"nothing can be written to {folder}: {error.strerror}"
 
 
-def _told(folder, copied, kept):
+def _summary(folder, copied, kept):
     lines = [f"copied to {folder}: {_count(copied)}", *(f"  {name}" for name in copied)]
     if kept:
         lines += [f"there already, left alone: {_count(kept)}", *(f"  {name}" for name in kept)]

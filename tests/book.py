@@ -75,15 +75,8 @@ def table():
             hits = {f for n, f in names.items() if pattern.match(n)}
             files |= hits
             missing += [] if hits else [f"example {section}"]
-        rows.append(
-            (
-                section,
-                rooms,
-                f"({chapter}.{numbers[0]})-({chapter}.{numbers[-1]})" if numbers else "",
-                sorted(files),
-                missing,
-            )
-        )
+        span = f"({chapter}.{numbers[0]})-({chapter}.{numbers[-1]})" if numbers else ""
+        rows.append((section, rooms, span, sorted(files), missing))
     return rows
 
 

@@ -40,11 +40,6 @@ def pytest_xdist_make_scheduler(config, log):
 
 def pytest_collection_modifyitems(items):
     folders = [HERE / name for name in FIRST]
-    rank = {
-        path: min(
-            (n for n, folder in enumerate(folders) if path.is_relative_to(folder)),
-            default=len(FIRST),
-        )
-        for path in {item.path for item in items}
-    }
+    place = lambda path: [n for n, folder in enumerate(folders) if path.is_relative_to(folder)]
+    rank = {path: min(place(path), default=len(FIRST)) for path in {item.path for item in items}}
     items.sort(key=lambda item: rank[item.path])

@@ -20,16 +20,10 @@ def _formulas(position, order):
     q, rates, second = (sympy.symbols(f"{letter}1:4") for letter in "qde")
     at_t = [x + d * t + e * t**2 / 2 for x, d, e in zip(q, rates, second, strict=True)]
     derivatives = [sympy.diff(sympy.sympify(x), t, order).subs(t, 0) for x in position(*at_t)]
-    formulas = {
-        kind: sympy.lambdify([q, rates, second], derivatives, module, cse=True)
-        for kind, module in _MODULES.items()
-    }
-    symbols = (*q, *rates, *second)
-    return formulas | {
-        "sympy": lambda *x: [
-            d.subs(dict(zip(symbols, (*x[0], *x[1], *x[2]), strict=True))) for d in derivatives
-        ]
-    }
+    made = lambda module: sympy.lambdify([q, rates, second], derivatives, module, cse=True)
+    values = lambda x: dict(zip((*q, *rates, *second), (*x[0], *x[1], *x[2]), strict=True))
+    formulas = {kind: made(module) for kind, module in _MODULES.items()}
+    return formulas | {"sympy": lambda *x: [d.subs(values(x)) for d in derivatives]}
 
 
 def explicit(position, order):
@@ -46,11 +40,8 @@ def polar_position(r, theta, z):
 
 
 def spherical_position(R, theta, phi):
-    return (
-        R * sympy.cos(phi) * sympy.cos(theta),
-        R * sympy.cos(phi) * sympy.sin(theta),
-        R * sympy.sin(phi),
-    )
+    r = R * sympy.cos(phi)
+    return r * sympy.cos(theta), r * sympy.sin(theta), R * sympy.sin(phi)
 
 
 def by_scipy(model, start, end, **options):

@@ -3,6 +3,7 @@
 import ast
 import re
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 
@@ -20,7 +21,7 @@ def imports(
     parts = [*module.split("."), *(["__init__"] if path.name == "__init__.py" else [])]
     tops = {name.split(".")[0] for name in files}
     found: list[tuple[str, str | None]] = []
-    for node in ast.walk(ast.parse(source or path.read_text(encoding="utf-8"))):
+    for node in _import_statements(source or path.read_text(encoding="utf-8")):
         if isinstance(node, ast.Import):
             found += [(a.name, None) for a in node.names]
         elif isinstance(node, ast.ImportFrom):
@@ -29,6 +30,11 @@ def imports(
             named = [(f"{target}.{a.name}", target, a.name) for a in node.names]
             found += [(full, None) if full in files else (of, name) for full, of, name in named]
     return [(target, name) for target, name in found if target.split(".")[0] in tops]
+
+
+@cache  # for the tests ask each module several times
+def _import_statements(source: str) -> list[ast.Import | ast.ImportFrom]:
+    return [n for n in ast.walk(ast.parse(source)) if isinstance(n, ast.Import | ast.ImportFrom)]
 
 
 def taken_privately(

@@ -11,6 +11,7 @@ A test that looks at values converts its results with :func:`number`; one that m
 them stays as it is.
 """
 
+import math
 from fractions import Fraction
 
 import mpmath
@@ -18,7 +19,7 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Dimension
+from newton_euler import Dimension, at, compiled
 from newton_euler.algebra.scalars import to_plain
 
 mpmath.mp.dps = 30  # every mpf of the tests has 30 digits
@@ -64,6 +65,12 @@ def number(x):
     return mpmath.mpf(x)
 
 
+def rates(f, t):
+    """The rate of each of the numbers that the function ``f`` of time gives at t, called once."""
+    time = at(lambda t: t, t)
+    return [(x + 0 * time).rate for x in f(time)]
+
+
 def within(floats, digits):
     """The tolerance of a kind, times a scale: ``floats``, or 10^-digits where digits are free."""
     return lambda kind, scale=1: (
@@ -92,3 +99,10 @@ def close(a, b, tolerance=1e-12):
 def first(x):
     """The value of a scalar, the first one of an array: to look at one instant of any kind."""
     return x[0] if isinstance(x, np.ndarray) and x.shape else x
+
+
+def compiled_by(backend, f):
+    """The formula ``f``, compiled: its arrays go by "numpy" or "heyoka" alone, or "auto"."""
+    run = compiled(f)
+    run.seen += {"numpy": -math.inf, "heyoka": math.inf, "auto": 0}[backend]
+    return run

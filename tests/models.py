@@ -26,11 +26,8 @@ def free_body(A=1.0, B=2.0, C=3.0):
     """Euler's equations without moments."""
 
     def rates(s, p, t):
-        return (
-            (p.B - p.C) / p.A * (s.y * s.z),
-            (p.C - p.A) / p.B * (s.z * s.x),
-            (p.A - p.B) / p.C * (s.x * s.y),
-        )
+        x, y = (p.B - p.C) / p.A * (s.y * s.z), (p.C - p.A) / p.B * (s.z * s.x)
+        return x, y, (p.A - p.B) / p.C * (s.x * s.y)
 
     invariants = {
         "energy": lambda s, p, t: (p.A * s.x**2 + p.B * s.y**2 + p.C * s.z**2) / 2,
@@ -75,12 +72,8 @@ def oscillator(exact=True):
 
 def forced():
     """Driven, damped: its rates depend on time."""
-    return second_order(
-        "forced",
-        {"c": 0.2, "k": 1.0},
-        ("x",),
-        lambda s, p, t: (cos(1.3 * t) - p.c * s.dx - p.k * s.x - 0.3 * s.x**3,),
-    )
+    acceleration = lambda s, p, t: (cos(1.3 * t) - p.c * s.dx - p.k * s.x - 0.3 * s.x**3,)
+    return second_order("forced", {"c": 0.2, "k": 1.0}, ("x",), acceleration)
 
 
 def begun(stepper, system, start, t1=5.0, t0=0.0, **options):
@@ -89,17 +82,9 @@ def begun(stepper, system, start, t1=5.0, t0=0.0, **options):
     options : what a trajectory has, and the ``floors``, ``noise`` and ``stops`` of its limits
     """
     nothing = (0.0,) * len(start)
-    limits = [
-        options.pop(n, usual)
-        for n, usual in (("floors", nothing), ("noise", nothing), ("stops", ()))
-    ]
-    usual = {
-        "tolerance": 1e-8,
-        "max_steps": 5e6,
-        "step": None,
-        "longest_part": 0.4,
-        "samples": None,
-        "units": (),
-    }
+    usual = {"floors": nothing, "noise": nothing, "stops": ()}
+    limits = [options.pop(name, x) for name, x in usual.items()]
+    usual = {"tolerance": 1e-8, "max_steps": 5e6, "longest_part": 0.4, "units": ()}
+    usual |= dict.fromkeys(("step", "samples"))
     trajectory = SimpleNamespace(goal=t1, limits=lambda *_: limits, **usual | options)
     return stepper(system, t0, start, trajectory)

@@ -5,18 +5,12 @@ dynamics/ and scenes/.
 import mpmath as mp
 import sympy
 
-from newton_euler import Frame, at, cos, moving, sin
-from newton_euler.bodies.body import composite, particle
+from newton_euler import Frame, at, composite, cos, moving, particle, sin
 from tests import kinds
 from tests.kinds import numbers
 
-MASSES = [
-    (2, (1, "1/2", 0)),
-    (1, (-1, 0, "1/3")),
-    (3, (0, "-2/3", 1)),
-    ("1/2", ("1/4", 1, -1)),
-    (1, ("1/5", "1/5", "1/7")),
-]
+MASSES = [(2, (1, "1/2", 0)), (1, (-1, 0, "1/3")), (3, (0, "-2/3", 1))]
+MASSES += [("1/2", ("1/4", 1, -1)), (1, ("1/5", "1/5", "1/7"))]
 
 
 def close(a, b, tolerance):
@@ -53,12 +47,8 @@ def free_body(kind):
     """ground, body, named points to take moments about, and the numbers (a, b, c, t)."""
     a, b, c, t = q = numbers(kind, "0.4", "-0.7", "1.1", "0.5")
     ground = Frame("ground")
-    frame = ground.rotate(
-        "1",
-        "z",
-        at(turns(a, b, c)[0], t),
-        origin=ground.point("O", *(at(f, t) for f in path(a, b, c))),
-    )
+    O = ground.point("O", *(at(f, t) for f in path(a, b, c)))
+    frame = ground.rotate("1", "z", at(turns(a, b, c)[0], t), origin=O)
     frame = frame.rotate("2", "x", at(turns(a, b, c)[1], t))
     carrier = frame
     frame = frame.rotate("body", (0, 3 + 0 * t, 4 + 0 * t), at(turns(a, b, c)[2], t))

@@ -29,7 +29,7 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
     multiple=True,
     metavar="NAME",
     show_default="all",
-    help="Only this chapter, as ch04; may be repeated.",
+    help="Only this chapter, e.g. ch04; may be repeated.",
 )
 @click.option(
     "--no-run",

@@ -21,7 +21,7 @@ FILES = (
 # notebooks are pages already, practice files are fetched by chapter
 LEFT_OUT = {".ipynb", ".pyc", ".md", ".pyi", ".practice"}
 OFFLINE = Path(__file__).with_name("theme") / "offline.js"
-# what pages call, beside the package: it imports nothing else of this one
+# what pages call, in a zip with the engine: nothing else of this repository is imported there
 ON_PAGES = [ROOT / "website" / "__init__.py", *(ROOT / "website" / "browser").glob("*.py")]
 
 

@@ -1,5 +1,5 @@
 """Worked examples of chapter 5, systems of particles: a hammer on a film, a projectile that bursts.
-(The bodies of 5.5 and 5.6 stand in ch07.)
+(The bodies of 5.5 and 5.6 are in ch07.)
 """
 
 from dataclasses import dataclass

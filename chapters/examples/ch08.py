@@ -1,6 +1,6 @@
 """Worked examples of chapter 8, Euler's equations: the three rods of ch07 turning about three axes,
-one after the other (8.4); a round body on a surface, rolling
-or slipping (6.4, 8.5, 8.6); a sphere that slides, then rolls (8.6).
+one after the other (8.4); a round body on a surface, rolling or slipping (6.4, 8.5, 8.6); a sphere
+that slides, then rolls (8.6).
 """
 
 from dataclasses import dataclass

@@ -45,8 +45,8 @@ def wobble_period(ellipticity: Scalar, day: Scalar) -> Scalar:
 
     ellipticity : (I - I0)/I0, 0.003285 for the Earth
 
-    The rate is (I - I0) omega_z/I0, and with theta small phi' = -(I - I0) omega_z/I0. Observed are
-    14 months, since the Earth is elastic.
+    The rate is (I - I0) omega_z/I0, and with theta small phi' = -(I - I0) omega_z/I0. The observed
+    period is 14 months, since the Earth is elastic.
 
     >>> round(wobble_period(0.003285, 1.0))  # days
     304

@@ -83,7 +83,7 @@ def three_observers(build):
 
 
 def _surroundings(s, own, n, t):
-    """What the observer sees at rest or turning: the horse, and but for the rider the platform."""
+    """Draw the horse and, except for the rider, the platform, as observer number ``n`` sees them."""
     if n == 2:
         _horse(s, own)
         return

@@ -33,7 +33,7 @@ def shifted(P, v, factor=1.0):
 
 
 STRAIGHT, INNER, LANE = 84.39, 36.50, 1.22  # m, of a standard track
-SPEEDS = 100 / 10.7, 100 / 9.8, 100 / 10.5, 100 / 12.03  # m/s, of the four hundreds of metres
+SPEEDS = 100 / 10.7, 100 / 9.8, 100 / 10.5, 100 / 12.03  # m/s, one for each hundred metres
 
 
 def _bend(centre, radius, start, angle=math.pi):

@@ -101,7 +101,7 @@ def two_orders(axes, a, b):
     """Figure 4.4: a brick turned about X and Y in both orders."""
     ground = Frame("ground")
     a, b = math.radians(a), math.radians(b)
-    # of turns about fixed axes, the later one stands nearer to the ground in the chain
+    # turns about fixed axes: the later one is nearer to the ground in the chain
     x_first = [
         ground,
         ground.rotate("1", "x", a),

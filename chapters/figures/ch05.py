@@ -20,7 +20,7 @@ EARTH = 6.371e6  # m
     Slider("pushed", 0.4, 0.0, 1.4, 0.1, label="path of the light one", unit="m"),
     Slider("ratio", 2, 1, 4, 1, label="heavy : light"),
     alt="Two skaters push off from each other with a pole. The forces on them are equal, opposite and "
-    "along the line that joins them. Of unequal ones the heavy one moves less; the centre of mass G stays.",
+    "along the line that joins them. If one is heavier, it moves less; the centre of mass G stays.",
     size=(7, 2.6),
 )
 def two_skaters(ax, pushed, ratio):

@@ -619,7 +619,7 @@ def range_errors(ax, v0):
     ax.legend(frameon=False, loc="upper center")
 
 
-PARCELS = 8  # of air on a ring round a low
+PARCELS = 8  # parcels of air on a ring round a low
 
 
 def _air(latitude, friction, days=2.0, gradient=1e-8):

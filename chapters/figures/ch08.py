@@ -135,7 +135,7 @@ def attitudes(times, rates):
 
 def flipping_handle(times, rates, bar=0.12, stem=0.08, every=15):
     """A film: a T-handle spins about its stem, flips over, flips back; ``rates``: its omega."""
-    shift = stem / 8  # of G from the bar, a quarter of the way to the middle of the stem
+    shift = stem / 8  # G is a quarter of the way from the bar to the middle of the stem
     turned = dict(zip(times, attitudes(times, rates), strict=True))
 
     def draw(t, ax):
@@ -161,7 +161,7 @@ def flipping_handle(times, rates, bar=0.12, stem=0.08, every=15):
 
 def turning_rods(build, words, azimuth=-60, acceleration=0.0):
     """Figures 8.5 to 8.7: the three rods with omega, H and M, from ``build(rate, acceleration)``:
-    ground, body, point; ``words`` says about which axis, ``azimuth`` whence it is seen,
+    ground, body, point; ``words`` names the axis, ``azimuth`` is the direction of view,
     ``acceleration`` the rate of omega at the start.
     """
 

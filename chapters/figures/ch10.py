@@ -171,7 +171,7 @@ def nutating(precession, time, pictures):
 
 
 def tip(psi, theta, radius=1.0):
-    """Of the axis of a top."""
+    """The tip of the axis of a top."""
     return (
         radius * math.sin(theta) * math.sin(psi),
         -radius * math.sin(theta) * math.cos(psi),

@@ -8,7 +8,7 @@ from newton_euler import Model, integrate
 
 
 def evenly(first: float, last: float, count: int) -> list[float]:
-    """So many numbers from ``first`` to ``last``, at equal distances.
+    """``count`` numbers from ``first`` to ``last``, at equal distances.
 
     >>> evenly(0, 1, 5)
     [0.0, 0.25, 0.5, 0.75, 1.0]
@@ -17,7 +17,7 @@ def evenly(first: float, last: float, count: int) -> list[float]:
 
 
 def states_over(model: Model, time: float, start: tuple[float, ...], count: int) -> list[tuple]:
-    """So many states of a motion without events, at equal intervals from its start to ``time``.
+    """``count`` states of a motion without events, at equal intervals from its start to ``time``.
 
     >>> fall = Model("fall", {"g": 10.0}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
     >>> [round(h, 6) for h, v in states_over(fall, 2.0, (100.0, 0.0), 3)]

@@ -30,7 +30,7 @@ def read_problem(entry: Any, path: Path) -> Problem:
     _check_keys(entry, "a problem", NEEDED, OPTIONAL)
     _check_place(entry["id"], path)
     answered = isinstance(entry["answers"], list) and entry["answers"]
-    _require(answered, f"answers must be a list, and is {short(entry['answers'])}")
+    _require(answered, f"answers must be a list, not {short(entry['answers'])}")
     answers = tuple(_answer(a) for a in entry["answers"])
     return Problem(
         id=entry["id"],
@@ -72,7 +72,7 @@ def _check_place(problem_id, path):
 def _given(name, g):
     _check_keys(g, name, ("value", "unit", "means"), ("vary", "figure", "symbol"))
     value = g["value"]
-    fault = f"{name}: value must be a number, as in 8 or 0.6, and is {short(value)}"
+    fault = f"{name}: value must be a number, as in 8 or 0.6, not {short(value)}"
     _require(_is_number(value), fault)
     read = _unit(name, g), _text(g, "means"), _range(name, g), g.get("figure", False)
     return Given(name, g["value"], *read, _latex(name, g))
@@ -91,7 +91,7 @@ def _answer(a):
     key, name, of, atol = _text(a, "key"), _text(a, "kind"), a.get("of", []), a.get("atol", 1e-6)
     _require(name in KINDS, f"{key}: kind {name!r} is not one of {', '.join(sorted(KINDS))}")
     kind = KINDS[name]
-    fault = f"{key}: of must be the list of words to choose from, and is {short(of)}"
+    fault = f"{key}: of must be the list of words to choose from, not {short(of)}"
     _require(isinstance(of, list), fault)
     _require(
         kind.has_options == bool(of),
@@ -99,16 +99,16 @@ def _answer(a):
     )
     _require(
         all(isinstance(w, str) and not set(w) & set("|\n") for w in of),
-        f"{key}: of must be a list of words without a |, and is {short(of)}; yes and no need "
+        f"{key}: of must be a list of words without a |, not {short(of)}; yes and no need "
         'quotation marks: ["yes", "no"]',
     )
-    fault = f"{key}: atol must be a number, as in 1e-6, and is {short(atol)}"
+    fault = f"{key}: atol must be a number, as in 1e-6, not {short(atol)}"
     _require(_is_number(atol), fault)
     weight = a.get("weight", 1.0)
-    fault = f"{key}: weight must be a positive number, as in 2, and is {short(weight)}"
+    fault = f"{key}: weight must be a positive number, as in 2, not {short(weight)}"
     _require(_is_number(weight) and 0 < weight < math.inf, fault)
     follow = a.get("follow_through", 0.0)
-    fault = f"{key}: follow_through must be a number from 0 to 1, as in 0.5, and is {short(follow)}"
+    fault = f"{key}: follow_through must be a number from 0 to 1, as in 0.5, not {short(follow)}"
     _require(_is_number(follow) and 0 <= follow <= 1, fault)
     numbers = float(atol), float(weight), float(follow)
     because = _text(a, "because") if "because" in a else ""
@@ -123,7 +123,7 @@ def _step(key, s):
     optional = ("unit", "section", "equation", "kind", "of_givens")
     _check_keys(s, f"the step {key}", ("means",), optional)
     of_givens = s.get("of_givens", False)
-    fault = f"{key}: of_givens must be true or false, and is {short(of_givens)}"
+    fault = f"{key}: of_givens must be true or false, not {short(of_givens)}"
     _require(type(of_givens) is bool, fault)
     texts = {name: _text(s, name) for name in s if name != "of_givens"}
     return texts | {"unit": _unit(key, s), "of_givens": of_givens}
@@ -135,7 +135,7 @@ def _mistakes(named):
         if isinstance(entry, dict):
             _check_keys(entry, f"the mistake {name}", ("text",), ("same_in_book",))
             same = entry.get("same_in_book", False)
-            fault = f"{name}: same_in_book must be true or false, and is {short(same)}"
+            fault = f"{name}: same_in_book must be true or false, not {short(same)}"
             _require(type(same) is bool, fault)
     return {
         n: _text(entry, "text") if isinstance(entry, dict) else _text(named, n)
@@ -149,7 +149,7 @@ def _checked(found, asked):
         _require(key in asked, f"checked has {key}, which is not asked for; {asks}")
         _require(
             value is not None and not isinstance(value, dict),
-            f"checked: {key} must be a number, a formula, or a list of them, and is {short(value)}",
+            f"checked: {key} must be a number, a formula, or a list of them, not {short(value)}",
         )
     return found
 
@@ -167,7 +167,7 @@ def _check_keys(entry, what, needed, optional):
     """Refuse all but a mapping with the ``needed`` and at most the ``optional`` keys."""
     keys = f"its keys are {', '.join(needed)} and optionally {', '.join(optional)}"
     if not isinstance(entry, dict):
-        raise CatalogueError(f"{what} must be written as key: value, and is {short(entry)}; {keys}")
+        raise CatalogueError(f"{what} must be written as key: value, not {short(entry)}; {keys}")
     if unknown := [key for key in entry if key not in (*needed, *optional)]:
         close = meant(unknown[0], (*needed, *optional))
         raise CatalogueError(f"{what} has the unknown key {unknown[0]!r}; {keys}{close}")
@@ -178,7 +178,7 @@ def _check_keys(entry, what, needed, optional):
 def _text(entry, key):
     """The text under a key, on one line; "" if it is missing."""
     text = entry.get(key, "")
-    fault = f"{key} must be a text, and is {short(text)}; put it in quotation marks"
+    fault = f"{key} must be a text, not {short(text)}; put it in quotation marks"
     _require(isinstance(text, str), fault)
     return " ".join(text.split())
 
@@ -186,7 +186,7 @@ def _text(entry, key):
 def _named(entry, key):
     """The mapping from names under a key, empty if it is missing."""
     named = entry.get(key) or {}
-    fault = f"{key} must be written as name: value, and is {short(named)}"
+    fault = f"{key} must be written as name: value, not {short(named)}"
     _require(isinstance(named, dict), fault)
     for name in named:
         _require(
@@ -204,7 +204,7 @@ def _texts(entry, key):
 
 def _unit(name, entry):
     text = entry.get("unit", "1")
-    fault = f'{name}: unit must be a text, as in mm/s or "1", and is {short(text)}'
+    fault = f'{name}: unit must be a text, as in mm/s or "1", not {short(text)}'
     _require(isinstance(text, str), fault)
     unit(text)
     return text
@@ -216,7 +216,7 @@ def _latex(name, entry):
     _require(
         not set("$=") & set(text) and text.count("{") == text.count("}"),
         rf"{name}: symbol must be the LaTeX of one symbol without dollar signs, as in "
-        rf"'\dot\beta', and is {short(text)}",
+        rf"'\dot\beta', not {short(text)}",
     )
     return text
 
@@ -233,7 +233,7 @@ def _range(name, entry):
     pair = isinstance(vary, list) and len(vary) == 2 and all(map(_is_number, vary))
     _require(
         pair and vary[0] < vary[1],
-        f"{name}: vary must be [low, high], two numbers with the lower one first, and is "
+        f"{name}: vary must be [low, high], two numbers with the lower one first, not "
         f"{short(vary)}",
     )
     return tuple(vary)

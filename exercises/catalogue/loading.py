@@ -8,7 +8,7 @@ import yaml
 
 # the C parser is 10 times faster
 class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # type: ignore[misc]
-    """The safe loader, which also refuses repeated keys, of which YAML drops the first."""
+    """The safe loader, which also refuses repeated keys: YAML would drop the first."""
 
     def construct_mapping(self, node, deep=False):
         keys = [key.value for key, _ in node.value]

@@ -22,7 +22,7 @@ FIFTHS = (5.0, 6.5, 8.0, 9.5)
 
 
 @dataclass(frozen=True)
-class Entry:
+class ProblemEntry:
     """A problem as it is searched for.
 
     kinds : of its answers. equations : cited by its steps. steps : without the terms of sums.
@@ -63,14 +63,14 @@ class Entry:
 
 
 @cache
-def entry(p: Problem) -> Entry:
+def entry(p: Problem) -> ProblemEntry:
     """The problem ``p`` as an entry."""
     found = traced_quantities(p)
     terms = [s for s in found.steps if s.term]
     needed = uses(found.trace, [x for numbers in found.components.values() for x in numbers])
     operations = sum(s.op != "argument" for s in found.trace.steps if s.number in needed)
     means = [*(a.means for a in p.answers), *(s.means for s in found.steps)]
-    return Entry(
+    return ProblemEntry(
         p.id, p.chapter, p.section, p.title,
         tuple(dict.fromkeys(a.kind.name for a in p.answers)),
         tuple(sorted({s.equation for s in found.steps if s.equation}, key=natural_order)),
@@ -94,7 +94,7 @@ class Wanted:
     words: tuple[str, ...] = ()
     spans: Mapping[str, Span] | None = None  # of the numbers of an entry, by name
 
-    def has(self, e: Entry) -> bool:
+    def has(self, e: ProblemEntry) -> bool:
         """True if the entry matches."""
         section = (e.section, e.section.partition(".")[0])
         return (
@@ -112,6 +112,6 @@ def _found(word, e):
     return word.lower() in exact or re.search(rf"\b{re.escape(word.lower())}", e.words) is not None
 
 
-def chosen(problems: Iterable[Problem], wanted: Wanted) -> list[Entry]:
+def chosen(problems: Iterable[Problem], wanted: Wanted) -> list[ProblemEntry]:
     """The entries that match."""
     return [e for e in map(entry, problems) if wanted.has(e)]

@@ -16,7 +16,7 @@ from .variants import flat
 
 
 @dataclass(frozen=True)
-class Traced:
+class TracedProblem:
     """The computation of a problem in base units.
 
     givens : {given or symbol: its traced argument}
@@ -34,7 +34,7 @@ class Traced:
     steps: Sequence[Step]
 
 
-def traced_quantities(p: Problem, to_be_read: bool = False) -> Traced:
+def traced_quantities(p: Problem, to_be_read: bool = False) -> TracedProblem:
     """The traced computation of ``p``. ``to_be_read`` adds the terms of the answers to the steps
     and, where nothing is given, the argument "one" for the number 1, so that constants show how
     they are found. Raises ScalarError if the code branches on values.
@@ -50,7 +50,7 @@ def traced_quantities(p: Problem, to_be_read: bool = False) -> Traced:
     found = [(s.key, s.value, s.unit) for s in steps]
     found += [(a.key, answers[a.key], a.unit) for a in p.answers if not a.kind.is_word]
     numbers = [x for x in found if not isinstance(x[1], (str, int)) and not callable(x[1])]
-    return Traced(
+    return TracedProblem(
         trace,
         givens,
         {key: flat(x) for key, x, _ in numbers},

@@ -11,7 +11,7 @@ from newton_euler.answers.kinds import Kind
 from newton_euler.kinematics import Frame
 
 
-class Asked(Protocol):
+class HasUnit(Protocol):
     """Anything with a kind and a unit."""
 
     @property
@@ -33,7 +33,7 @@ def system_of(symbols: Mapping[str, Any], units: Iterable[str]) -> System:
     return US if symbols and names & _US and not names & _METRIC else SI
 
 
-def in_unit(value: Any, answer: Asked, system: System = SI) -> Any:
+def in_unit(value: Any, answer: HasUnit, system: System = SI) -> Any:
     """A result in base units of the ``system``, in the unit of its ``answer``; a Vector keeps its
     terms. Words and counts, or functions that return them, are left as they are. An expression that
     vanishes identically is 0.

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 from newton_euler.algebra.scalars import Scalar, is_numeric
 
 
-class Stated(Protocol):
+class HasSymbols(Protocol):
     """The part of a problem used here: the ranges of its symbols, and givens for its code."""
 
     symbols: Mapping[str, Any]
@@ -35,7 +35,7 @@ def word(value: Any) -> Any:
 
 
 def words_at(
-    p: Stated, compute: Callable[[Any], Mapping], values: Mapping[str, Scalar], one: Scalar
+    p: HasSymbols, compute: Callable[[Any], Mapping], values: Mapping[str, Scalar], one: Scalar
 ) -> dict:
     """The words and counts of ``compute(g)``, {key: answer}, for ``values`` in the units of the
     text, computed on scalars, so that the code may branch.

@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 from exercises.catalogue import Givens, Problem
-from exercises.catalogue.tracing import Traced, before, numbers_of, traced_quantities
+from exercises.catalogue.tracing import TracedProblem, before, numbers_of, traced_quantities
 from exercises.catalogue.variants import draw, symbol_values
 from newton_euler.algebra.trace import Step
 
@@ -129,7 +129,7 @@ class _Deriver:
 
     def __init__(
         self,
-        traced: Traced,
+        traced: TracedProblem,
         cases: Mapping[Any, Any],
         positive: set[str],
         asked: Sequence[str],

@@ -150,8 +150,8 @@ class Known:
 
     def _without_multiples(self, formula, met):
         """The formula with names written out that equal a product of givens by chance: those with a
-        factor, as 4*I_1/3, and those beside a product that differs by a given of the same unit, as
-        m_1*d^2 and m_2*d^2.
+        factor, as 4*I_1/3, and those in a sum with a product that differs by a given of the same
+        unit, as m_1*d^2 and m_2*d^2.
         """
         import sympy
 

@@ -1,5 +1,5 @@
-"""The last form of a formula before it is printed: in which order names stand in its products and
-sums, and where its signs and the fractions of its sums stand.
+"""The last form of a formula before it is printed: the order of names in its products and sums, and
+the places of its signs and of the fractions of its sums.
 """
 
 from collections.abc import Iterable, Mapping
@@ -12,9 +12,9 @@ FUNCTIONS = "sin_", "cos_", "tan_"
 
 
 def in_reading_order(units: Mapping[str, str]) -> list[str]:
-    """Names as a book has them in a product, as in k x^2/2, m g h, m r omega^2 and v_0 t: what has
-    no unit, then what has a mass, g, lengths, rates, velocities, accelerations, times, angles;
-    those of a kind as they are in ``units``, {name: its unit}. A sine, as sin_phi, comes last.
+    """Names in the order of a product in a book, such as k x^2/2, m g h, m r omega^2 and v_0 t:
+    without a unit, then with a mass, g, lengths, rates, velocities, accelerations, times, angles;
+    within a kind in the order of ``units``, {name: its unit}. A sine, as sin_phi, comes last.
 
     >>> in_reading_order({"h": "m", "g": "m/s^2", "t": "s", "omega": "rpm", "m": "g", "mu": "1"})
     ['mu', 'm', 'g', 'h', 'omega', 't']
@@ -37,8 +37,8 @@ def _place(name, stated):
 
 
 def laid_out(formula: Any, names: Iterable[str]) -> tuple[Any, dict[Any, str]]:
-    """A formula with symbols that SymPy prints in the order of ``names``, those of others behind
-    them, and {such a symbol: its name}; its signs and fractions are where a reader expects them.
+    """A formula with symbols that SymPy prints in the order of ``names`` and then of other names,
+    and {such a symbol: its name}; its signs and fractions are where a reader expects them.
 
     >>> from sympy import sin, sqrt, symbols
     >>> a, b, c, d = symbols("a b c d")
@@ -143,7 +143,7 @@ def _turned(x, is_term):
 
 
 def _without_fractions(x, power):
-    """A sum as a fraction without fractions in it, where the root of what is below it is none."""
+    """A sum as a fraction without fractions in it, unless its denominator would be a root."""
     above, below = sympy.fraction(sympy.together(x))
     is_plain = all(y.exp.is_Integer for y in (below**power).atoms(sympy.Pow))
     return (_collected(above), below) if below != 1 and is_plain else (x, sympy.Integer(1))
@@ -156,7 +156,7 @@ def _is_other_way_round(whole, has_minus):
 
 
 def _over_one_number(x):
-    """A sum whose terms are all divided by the same, as (a + b)/2."""
+    """A sum whose terms all have the same denominator, as (a + b)/2."""
     below = {sympy.fraction(term)[1].as_coeff_Mul()[1] for term in sympy.Add.make_args(x)}
     if len(below) == 1 and below != {1}:
         return sympy.together(x)
@@ -165,7 +165,7 @@ def _over_one_number(x):
 
 
 def _one_fraction(x):
-    """The fraction 1/n by which all terms of a sum are multiplied, or 1, and the sum without it."""
+    """The factor 1/n of all terms of a sum, or 1, and the sum without it."""
     numbers = [term.as_coeff_Mul()[0] for term in sympy.Add.make_args(x)]
     below = {n.q for n in numbers if n.is_Rational}
     if not x.is_Add or len(below) != 1 or not all(n.is_Rational for n in numbers):

@@ -20,8 +20,8 @@ _VOLATILE = ("checksum", "schema_version", "cell_type")  # which nbgrader rewrit
 class Merged:
     """The merged notebook, and the names of cells that differ from the present exercises.
 
-    kept : cells changed by the instructor; conflicts : those of which the exercises changed the
-    same part. removed : cells of problems no longer selected
+    kept : cells changed by the instructor; conflicts : those whose changed part the exercises have
+    changed, too. removed : cells of problems no longer selected
     """
 
     notebook: Notebook

@@ -75,7 +75,7 @@ It does not know the right answer; that is
 compared after you hand in, part by part, with a hint where a common slip explains the difference.""")  # noqa: E501
 SEALED = Words("Where your copy lets it, it also says at once whether an answer is right.")
 EXAM = Words("""\
-**This is an exam**: it says nothing of whether an answer is right.
+**This is an exam**: it does not say whether an answer is right.
 Hand in once, within the window of the exam: the first work counts, and a later one does not replace it. Feedback comes when the exam has closed for
 everybody.
 """)  # noqa: E501  # a text that students have
@@ -237,10 +237,10 @@ def build_notebook(
     """
     listed = [x if isinstance(x, Item) else Item(x) for x in items]
     levels = {x.options.get("help") for x in listed if x.problem}
-    told = [EXAM if exam else COMPARED if levels == {"none"} else HINTED]
-    told += [SEALED] * bool(levels - {None, "none"})
+    notices = [EXAM if exam else COMPARED if levels == {"none"} else HINTED]
+    notices += [SEALED] * bool(levels - {None, "none"})
     limits = {"seconds": f"{seconds:g}", "total": f"{total:g}"}
-    text = _(INTRODUCTION, told="\n".join(_(x).strip() for x in told), **limits)
+    text = _(INTRODUCTION, told="\n".join(_(x).strip() for x in notices), **limits)
     text = f"# {title}\n\n{_(MASTER_COPY)}\n\n{text}"
     setup = SETUP if language() == ENGLISH else SETUP + SPEAKING.format(language=language())
     locked: NbgraderMetadata = {

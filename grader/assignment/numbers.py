@@ -40,8 +40,8 @@ def kept_numbers(
 
 
 def _drawn(course, assignment, student, problems):
-    """New numbers for a sheet; in an exam, as far as the ranges allow, other ones than the book's
-    and those of other sheets of the course and of practice files of the usual size.
+    """New numbers for a sheet; in an exam, if the ranges allow, different from those of the book,
+    of other sheets of the course and of practice files of the usual size.
     """
     drawn = course.values(assignment, student, problems)
     if not is_exam(course, assignment):

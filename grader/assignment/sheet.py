@@ -21,11 +21,12 @@ class Task:
     weights : {key: weight} if the instructor's differ from the exercise's
     asked : {key: form} of the answers; None on sheets of earlier versions
     follow_through : the share that a part earns if it follows from a wrong one; None for the
-    exercise's
+        exercise's
     tolerance : relative, of its numbers; None for the default (0.005)
-    help : the most that a student is shown, one of :data:`~.options.HELP`; None if unspecified The
-    last four are in the "newton_euler" metadata of the answer cell, where the instructor may change
-    them.
+    help : the most that a student is shown, one of :data:`~.options.HELP`; None if unspecified
+
+    The instructor may change weights, follow_through, tolerance and help in the "newton_euler"
+    metadata of the answer cell.
     """
 
     problem: str

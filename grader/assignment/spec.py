@@ -54,7 +54,9 @@ class Spec:
         if self.late and any(i.options.get("help", "none") != "none" for i in self.items):
             raise CourseError(f"{self.name} is an exam, in which there is no help: leave it out")
         if self.opens and self.due and due_date(self.opens) >= due_date(self.due):
-            raise CourseError(f"{self.name} opens at {self.opens}, when it has closed: {self.due}")
+            raise CourseError(
+                f"{self.name} closes at {self.due}, and must open before; it opens at {self.opens}"
+            )
 
     @property
     def problems(self) -> list[Problem]:
@@ -174,7 +176,7 @@ def _mapping(loader, node):
         if not isinstance(name, str | int | float):
             raise yaml.constructor.ConstructorError(None, None, "no name", key.start_mark)
         if name in found:
-            words = f"the key {name!r} is there twice"
+            words = f"the key {name!r} occurs twice"
             raise yaml.constructor.ConstructorError(None, None, words, key.start_mark)
         found[name] = loader.construct_object(value, deep=True)
         found.lines[name] = key.start_mark.line + 1
@@ -215,7 +217,7 @@ def read_spec(path: Path) -> Spec:
     ]
     numbers = [i.problem.id for i in items if i.problem]
     if twice := [n for n in numbers if numbers.count(n) > 1]:
-        raise CourseError(f"{path}: {twice[0]} is there twice")
+        raise CourseError(f"{path}: {twice[0]} occurs twice")
     if not numbers:
         raise _error(path, content.lines["problems"], "no problem is named")
     if not isinstance(title := content.get("title", ""), str | int | float):

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from exercises.catalogue.tracing import Traced, before
+from exercises.catalogue.tracing import TracedProblem, before
 from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
@@ -38,7 +38,7 @@ class Writer:
     nameless : {unknown that is not a quantity of the problem: its value}
     """
 
-    found: Traced
+    found: TracedProblem
     cases: Mapping[Any, Any]
     names: Names
     known: Known

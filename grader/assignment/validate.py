@@ -23,7 +23,7 @@ INTERNALS = {
     "_extract_error": "self cell",
 }  # fmt: skip
 HEADING = "#validation-message > div > p"  # the dialog's own "The following cell failed:"
-WORDS = {"read": "answered", "open": "open", "mend": "to mend, else without points"}
+WORDS = {"read": "answered", "open": "open", "wrong": "to correct, or without points"}
 READ = "Whether an answer is right is not checked here: that is graded once it is handed in."
 
 
@@ -107,8 +107,7 @@ def _report(validator, filename):
 
 NOTHING = (
     "Nothing was checked: this notebook has no cell that is graded. If it is a sheet, its cells "
-    "have lost their marks, as where they were copied: fetch it again, and paste your answers into "
-    "it."
+    "have lost their marks, as copied cells do: fetch it again, and paste your answers into it."
 )
 
 
@@ -126,7 +125,7 @@ def _own(cell: Any) -> dict[str, Any]:
 
 
 def _problems(notebook: Any) -> Iterator[tuple[str, str, str]]:
-    """(number, "read", "open" or "mend", words) of each problem of the catalogue."""
+    """(number, "read", "open" or "wrong", words) of each problem of the catalogue."""
     cells: dict[str, dict[str, Any]] = {}
     for cell in notebook.cells:
         number: str = _own(cell).get("problem", "")
@@ -140,21 +139,21 @@ def _problems(notebook: Any) -> Iterator[tuple[str, str, str]]:
 
 def _state(answer, receipt):
     if answer is None:
-        return "mend", (
+        return "wrong", (
             "the cell for its answer is gone, or pasted as a copy, so that the grader may not find "
             "it: fetch the sheet again, and paste your answer into its cell"
         )
     if error := _error(answer):
-        return "mend", f"your cell ends in an error, {error.ename}: {error.evalue}"
+        return "wrong", f"your cell ends in an error, {error.ename}: {error.evalue}"
     if (seconds := _seconds(answer)) > CELL_SECONDS:
         return (
-            "mend",
+            "wrong",
             f"your cell took {seconds:.0f} s; the grader stops it after {CELL_SECONDS:g} s",
         )
     if receipt is None:
         return "open", "not checked: the cell with its receipt is gone. It is graded all the same"
     if error := _error(receipt):
-        return "open" if error.ename == OPEN else "mend", error.evalue
+        return "open" if error.ename == OPEN else "wrong", error.evalue
     return "read", "\n".join(o.data.get("text/plain", "") for o in receipt.outputs if "data" in o)
 
 
@@ -171,7 +170,7 @@ def _questions(notebook: Any, validator: Any) -> Iterator[tuple[str, str, str]]:
         elif utils.is_solution(cell):
             yield name, "open", "no answer yet"
         elif score < most:
-            yield name, "mend", f"its test fails. {_line(validator._extract_error(cell))[-300:]}"
+            yield name, "wrong", f"its test fails. {_line(validator._extract_error(cell))[-300:]}"
         else:
             yield name, "read", "its test passes"
 

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     "A course: its present assignment; no answer in the bank is near one of its students', "
     "and the numbers come from its secret."
 )
-@click.option("--seed", type=int, help="Other numbers.")
+@click.option("--seed", type=int, help="Draw other numbers.")
 def bank(
     assignment: str,
     more: tuple[str, ...],

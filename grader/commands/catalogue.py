@@ -81,7 +81,7 @@ def problems(
     problems --equation 4.18 --kind vector --minutes -20
     problems --course ~/mechanics --right -50    those in which half of the points were lost
     """
-    from exercises.catalogue.survey import Entry, Wanted, chosen
+    from exercises.catalogue.survey import ProblemEntry, Wanted, chosen
     from newton_euler.answers.kinds import KINDS
 
     from ..assignment.chosen import named
@@ -98,7 +98,7 @@ def problems(
         sections, tuple(k.replace(" ", "_") for k in kinds), equations,
         tuple((words or "").split()), limits,
     )  # fmt: skip
-    found: list[Entry] = []
+    found: list[ProblemEntry] = []
     with counted("reading problems", len(asked)) as done:
         for p in asked:
             found += chosen([p], wanted)

@@ -17,7 +17,7 @@ FORGES = {
 
 @click.command()
 @click.argument("forge", type=click.Choice(list(FORGES)))
-@click.option("--problems", "folder", default="problems", help="The folder of the problems there.")
+@click.option("--problems", "folder", default="problems", help="The folder of problems in it.")
 @click.option("--to", default=Path("."), type=FOLDER, help="The repository; default: here.")
 def ci(forge: str, folder: str, to: Path) -> None:
     """Write the workflow that proves and diagnoses a course's own problems at each push.

@@ -97,8 +97,8 @@ and midterm.yaml:
 @click.option(
     "--language",
     type=click.Choice(languages()),
-    help="Of a new course: of its sheets, receipts and feedback. What is not given in it stays in "
-    "English. Default: en.",
+    help="The language of a new course's sheets, receipts and feedback. What is not translated "
+    "stays in English. Default: en.",
 )
 @click.option(
     "--chapters",
@@ -239,7 +239,7 @@ def share(group: str, course: "Course") -> None:
 
 @click.command()
 @click.argument("courses", nargs=-1, required=True, type=FOLDER, metavar="COURSE COURSE …")
-@click.option("--to", required=True, type=FOLDER, help="Folder to write to, as /etc/jupyter.")
+@click.option("--to", required=True, type=FOLDER, help="Folder to write to, e.g. /etc/jupyter.")
 def hub(courses: tuple[Path, ...], to: Path) -> None:
     """Write one configuration for the students of several courses on one machine.
 

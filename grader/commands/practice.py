@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("names", nargs=-1, required=True, metavar="ch04 | 4/16 | 11/1-11/6 | hw3 …")
 @click.option(
-    "-o", "--to", "path", required=True, type=FILE, help="The file to write, as ch04.practice."
+    "-o", "--to", "path", required=True, type=FILE, help="The file to write, e.g. ch04.practice."
 )
 @count_option("--variants", 10, "Sets of numbers for each problem, the book's first.")
 @click.option(
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 )
 @course_option(
     "A course that grades such problems: no answer in the file is near one of its students', and "
-    "no problem whose answers are formulas, or the same for everybody."
+    "problems whose answers are formulas, or the same for everybody, are left out."
 )
 def practice(
     names: tuple[str, ...], path: Path, variants: int, level: str, course: "Course | None"
@@ -60,8 +60,8 @@ def practice(
     for x in left:
         console.print(f"[yellow]{x.problem}[/] left out: {x.why}")
     click.echo(
-        f"{path}: {len(problems) - len(left)} problems, {variants} sets of numbers each at the "
-        f"most, {path.stat().st_size / 1000:.0f} kB"
+        f"{path}: {len(problems) - len(left)} problems, at most {variants} sets of numbers each, "
+        f"{path.stat().st_size / 1000:.0f} kB"
     )
     if not course:
         click.echo("Some of its answers may be graded ones; with --course COURSE none is near one.")

@@ -45,7 +45,9 @@ PROBLEMS = click.option(
 STUDENTS = click.option(
     "--student", "students", multiple=True, help="Only this student; may be repeated."
 )
-SEED = click.option("--seed", type=int, help="Draw a variant of the numbers, not the book's.")
+SEED = click.option(
+    "--seed", type=int, help="Draw a variant of the numbers in place of the book's."
+)
 
 # keys in the context of a command: chapters of own problems, and their folders
 OWN_PROBLEMS, FOLDERS = "own problems", "problems from"

@@ -32,11 +32,11 @@ GOES_ON = (
     is_flag=True,
     help="Let the receipts in these copies say whether an answer is right, from a salted slow hash "
     "of it: for practice and homework, where a student who is wrong should go on. From the seventh "
-    "wrong answer on the time until the next check doubles, up to ten minutes; how many there were "
-    "stands in the notebook, and in the note on the problem when it is graded. That stops guessing "
-    "by hand. It does not stop a program, which finds a number in 20 s and a vector in hours, nor "
-    "does a count of zero prove anything: for an exam leave it out. Copies written later need the "
-    "option again.",
+    "wrong answer on, the time until the next check doubles, up to ten minutes. Wrong answers "
+    "are counted in the notebook, and the note on the graded problem says how many they were. That "
+    "stops guessing by hand, but not a program, which finds a number in 20 s and a vector in "
+    "hours; and a count of zero proves nothing. Leave it out for an exam. Copies written later "
+    "need the option again.",
 )
 def personal(
     assignment: str,

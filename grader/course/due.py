@@ -55,7 +55,7 @@ def due_dates(course: Course) -> dict[str, datetime]:
 def set_own_due(
     course: Course, assignment: str, students: Iterable[str], when: datetime | None
 ) -> None:
-    """Set the own due date of these students; None: the general one applies."""
+    """Give these students a due date of their own; None: the general one applies."""
     course.require(assignment)
     students = list(students)
     if unknown := sorted(set(students) - set(course.roster())):

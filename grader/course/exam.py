@@ -132,8 +132,8 @@ def refuse_feedback(course: Course, assignment: str) -> None:
     """Raise :class:`CourseError` while an exam can still be handed in."""
     if is_exam(course, assignment) and not is_over(course, assignment):
         raise CourseError(
-            f"the exam {assignment} is not over for everybody, and feedback on it would say what "
-            "is right; write it when it has closed, also for those with a date of their own"
+            f"the exam {assignment} is not over for everybody, and feedback would give away the "
+            "answers; write it when the exam has closed, also for those with their own date"
         )
 
 

@@ -94,7 +94,7 @@ def read_regular(path: str | Path, limit: int, at: int | None = None) -> bytes:
         raise NotTaken("it is not a regular file")
     with open(descriptor, "rb") as f:
         if at is not None and found.st_uid != os.fstat(at).st_uid:  # a hard link to a neighbour's
-            raise NotTaken("it belongs to somebody else than its folder")
+            raise NotTaken("its owner is not that of its folder")
         # reserves the size of the file, which may grow, since reserving the limit costs more than
         # reading
         content = f.read(min(found.st_size, limit) + 1)

@@ -1,7 +1,7 @@
 """A course folder: its paths, its students, its secret, and from the secret each student's numbers.
 
 COURSE/nbgrader_config.py   nbgrader's configuration for this course, with the instructor's settings
-COURSE/nbgrader_config.json names the classes that must be there; nbgrader stops where they are not
+COURSE/nbgrader_config.json the classes without which nbgrader must stop
 COURSE/course.json          the id of the course, a hash of its secret, what commands have set
 COURSE/.course_secret       32 random bytes, from which every student's numbers are derived. Back it
                             up; never publish it
@@ -112,7 +112,7 @@ class Course:
         if made_with and made_with != hashlib.sha256(secret).hexdigest():
             raise CourseError(
                 f"{path} is not the secret that the course was made with: every student's numbers "
-                "would be others, and their right answers wrong. Restore it from a backup"
+                "would change, and right answers become wrong. Restore it from a backup"
             )
         return secret
 
@@ -127,7 +127,7 @@ class Course:
             where = f", line {line}" if line else ""
             raise CourseError(
                 f"{self.path / 'nbgrader_config.py'}{where} does not run "
-                f"({type(error).__name__}: {error}); mend it first: without the settings in it "
+                f"({type(error).__name__}: {error}); correct it first: without the settings in it "
                 "nothing is graded"
             ) from error
 

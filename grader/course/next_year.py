@@ -41,8 +41,8 @@ def next_year(
     with new_course(path, name, exchange or _exchange(last)) as course:
         if course.name == last.name:
             raise CourseError(
-                f"both courses have the id {course.name}, by which the exchange knows them: add "
-                "another --name"
+                f"both courses have the id {course.name}, by which the exchange tells courses "
+                "apart: add another --name"
             )
         for folder in WRITTEN:
             if (last.path / folder).exists():

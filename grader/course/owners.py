@@ -131,7 +131,7 @@ class Candidates:
         first, *inner = telling
         found = self.named_in(first) or self.named_in(first, common)
         if not self.tells(first):
-            # what is called as the assignment is nobody's, even if an id is that, too
+            # a name that is the assignment's identifies nobody, even if it is also an id
             parts = {w for part in (*folders, own) if not self.title.issuperset(w := words(part))}
             found = [s for s, p in self.people.items() if not parts.isdisjoint(p.ids)]
         others = [s for part in inner if found for s in self.named_in(part)]

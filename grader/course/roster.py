@@ -206,7 +206,7 @@ def _refuse_doubles(path, students):
         if earlier[0] == line:
             continue
         if earlier[1] == student["id"]:
-            raise CourseError(f"{path}, line {line}: the id {student['id']!r} is there twice")
+            raise CourseError(f"{path}, line {line}: the id {student['id']!r} occurs twice")
         raise CourseError(
             f"{path}, line {line}: the id {student['id']!r} differs from {earlier[1]!r} in line "
             f"{earlier[0]} by upper and lower case only; on some machines they would share a folder"

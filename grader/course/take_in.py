@@ -16,7 +16,7 @@ from .folder import Course
 from .identity import CourseError, same_student
 from .owners import Person, owners, words
 
-# the others' decompressors do not stop at what is asked for: 600 bytes may become a gigabyte
+# zipfile bounds what these methods unpack; with others 600 bytes may become a gigabyte
 METHODS = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 MAX_BYTES = 64 * 2**20  # the largest notebook that the grader reads
 MAX_TOTAL = 4 * 2**30  # bytes of all notebooks
@@ -116,8 +116,8 @@ def _refusal(entry):
     path = PurePosixPath(entry.filename.replace("\\", "/"))
     if path.is_absolute() or ".." in path.parts or ":" in path.parts[0]:
         return "its name leads out of the archive"
-    if "__MACOSX" in path.parts or path.name.startswith("."):
-        return "not a notebook"  # companion files of macOS
+    if "__MACOSX" in path.parts or any(part.startswith(".") for part in path.parts):
+        return "not a notebook"  # companion files of macOS, checkpoints of Jupyter
     if entry.flag_bits & 1:
         return "it is encrypted"
     if entry.compress_type not in METHODS:

@@ -83,7 +83,7 @@ def cluster(
                     client, shared, run.roster, students, AHEAD * threads, progress
                 )
             finally:
-                with contextlib.suppress(Exception):  # a worker that has died has stopped, too
+                with contextlib.suppress(Exception):  # a dead worker needs no stopping
                     client.run(_stop)
     finally:
         shutil.rmtree(folder)

@@ -16,7 +16,7 @@ from ..course import Course
 from ..course.due import extensions
 from ..submission import Graded
 
-FEW = 100  # students, up to which only their rows are read, not the whole class's
+FEW = 100  # up to this many students, only their rows are read, not those of the whole class
 
 
 @dataclass

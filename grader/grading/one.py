@@ -41,7 +41,7 @@ from .records import (
 
 
 @dataclass
-class Outcome:
+class GradingResult:
     """The grade of a notebook; whether the work is new, the record was reused unchanged, and this
     is the first grade of another attempt.
     """
@@ -61,7 +61,7 @@ def grade_one(
     harvester: Harvester,
     force: bool = False,
     remark: str = "",
-) -> Outcome:
+) -> GradingResult:
     """Grade one submitted notebook; writes the record and the annotated notebook, with a ``remark``
     in its note.
     """
@@ -82,7 +82,7 @@ def grade_one(
     annotated = autograded_path(course, assignment, student, name)
     as_built = entry.get("built") == state["built"] and annotated.exists()
     if as_built and entry["scored"] == state["scored"]:
-        return Outcome(graded_from_json(entry), changed, True)
+        return GradingResult(graded_from_json(entry), changed, True)
     ran = entry.get("ran") == state["ran"]
     notebook: Notebook | None = None
     if ran and as_built:
@@ -110,7 +110,7 @@ def grade_one(
     record["notebooks"][name] = {**state, **parts, **now}
     write_record(path, record)
     again = not before and bool(earlier_attempts(course, assignment, student))
-    return Outcome(graded, changed, False, again)
+    return GradingResult(graded, changed, False, again)
 
 
 def _state(sheet, content, sandbox, remark):

@@ -10,7 +10,7 @@ from html import escape
 
 from .package import packed, xml
 from .pages import asked, axis, html, number
-from .questions import Blank, Part, Question
+from .questions import Blank, Question, QuestionPart
 
 NAMESPACE = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
 FIGURE = '<p><img src="$IMS-CC-FILEBASE$/figures/{}.png" alt="{}"/></p>'
@@ -39,7 +39,7 @@ class _Item:
     """Number ``m``, or the choice, of part ``n`` of a question; texts are HTML."""
 
     question: Question
-    part: Part
+    part: QuestionPart
     n: int
     m: int
 

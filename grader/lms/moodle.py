@@ -74,5 +74,5 @@ def _escaped(text):
     """A text in a cloze field: HTML escaped twice, as Moodle resolves entities once more, without
     characters that end an alternative.
     """
-    shown = escape(escape(text, quote=False), quote=False)
-    return re.sub(r"[\\}#~]", lambda m: f"&#{ord(m[0])};", shown)
+    twice = escape(escape(text, quote=False), quote=False)
+    return re.sub(r"[\\}#~]", lambda m: f"&#{ord(m[0])};", twice)

@@ -3,7 +3,7 @@
 import re
 from functools import lru_cache
 
-from .questions import Part
+from .questions import QuestionPart
 
 DIGITS = 10
 
@@ -30,7 +30,7 @@ def inline(markdown: str) -> str:
     return re.sub(r"^<p>(.*)</p>$", r"\1", html(markdown), flags=re.S)
 
 
-def asked(part: Part, places: list[str] | None = None) -> str:
+def asked(part: QuestionPart, places: list[str] | None = None) -> str:
     """The request for an answer, as an HTML paragraph: its text, symbol, ``places`` for its
     numbers, and unit.
     """
@@ -52,7 +52,7 @@ def _formula(latex):
     return f"${latex}$" if latex else ""
 
 
-def axis(part: Part, n: int) -> str:
+def axis(part: QuestionPart, n: int) -> str:
     """The name of the n-th number, "" if it is the only one."""
     if part.kind.is_vector:
         return f"component {n + 1} of 3"

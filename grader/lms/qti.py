@@ -37,10 +37,10 @@ def _names(n, part):
 
 
 def _body(q):
-    shown = html(q.text)
+    body = html(q.text)
     if q.figure:
-        shown += f'<p><img src="{q.ident}.png" alt="{escape(q.words)}"/></p>'
-    return shown + "".join(_asked(n, part) for n, part in enumerate(q.parts))
+        body += f'<p><img src="{q.ident}.png" alt="{escape(q.words)}"/></p>'
+    return body + "".join(_asked(n, part) for n, part in enumerate(q.parts))
 
 
 def _asked(n, part):

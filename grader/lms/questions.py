@@ -30,7 +30,7 @@ class Wrong:
 
 
 @dataclass(frozen=True)
-class Part:
+class QuestionPart:
     """An answer of a question: meaning and unit, in Markdown and LaTeX; the right numbers with
     their margins, or the right word.
     """
@@ -96,10 +96,10 @@ class Question:
     text: str
     figure: bytes | None
     words: str
-    parts: tuple[Part, ...]
+    parts: tuple[QuestionPart, ...]
     points: float
 
-    def points_of(self, part: Part) -> float:
+    def points_of(self, part: QuestionPart) -> float:
         """The points of one of its parts."""
         return self.points * part.weight / sum(p.weight for p in self.parts)
 
@@ -142,7 +142,7 @@ def _part(p, a, right, wrong):
         for key, cause, x in wrong
         if key == a.key and (not a.of or x in a.of)
     )
-    part = Part(a, means[:1].upper() + means[1:], symbol, unit, right, (), found)
+    part = QuestionPart(a, means[:1].upper() + means[1:], symbol, unit, right, (), found)
     if a.of:
         return part
     if a.kind.is_word:  # a count

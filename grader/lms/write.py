@@ -52,7 +52,8 @@ def write_bank(
     ``form``, one of :data:`FORMATS`. The file holds the right answers and is readable by its owner
     only.
 
-    graded : {problem id: [numbers of a student's sheet]}, whose answers these must not come near
+    graded : {problem id: [numbers of a student's sheet]}: answers of the bank must not be near
+        those of these sheets
     done : called after each problem
     """
     write, _ = FORMATS[form]

@@ -42,7 +42,7 @@ class CollectRegularFiles(ExchangeCollect):
         super().init_src()
 
     def _sort_by_timestamp(self, records: list[dict[str, Any]]) -> list[dict[str, Any]]:
-        """A student's records, the one that counts first: in an exam not the last one."""
+        """A student's records, beginning with the one that counts: in an exam, not the last."""
         if self._window is None or not records[0]["username"]:
             return super()._sort_by_timestamp(records)
         student = records[0]["username"]
@@ -50,7 +50,7 @@ class CollectRegularFiles(ExchangeCollect):
         when = self._window.first(student, times)
         if len(records) > 1:
             self.log.warning(
-                "%s handed in the exam %d times; what counts is of %s UTC",
+                "%s handed in the exam %d times; the one of %s UTC counts",
                 student, len(records), f"{when:%Y-%m-%d %H:%M:%S}",
             )  # fmt: skip
         return [times[when], *(r for r in records if r is not times[when])]

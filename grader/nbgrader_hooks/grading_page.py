@@ -27,7 +27,8 @@ MOST_PICTURES = 2**26  # characters of all pictures in one text
 LONGEST = 20_000  # characters to read as Markdown, about 3000 words
 # MathJax commands that make links or set attributes
 COMMANDS = re.compile(
-    r"(?:\\|&#92;|&#x5c;|&bsol;)(?=(?:href|require|class|cssId|style|data)\b)", re.IGNORECASE
+    r"(?:\\|&#92;|&#x5c;|&bsol;)(?=(?:bbox|class|cssId|data|href|mmlToken|require|style)\b)",
+    re.IGNORECASE,
 )
 
 

@@ -32,7 +32,7 @@ class Configured(OfCourse):
         if not self.course_path:
             self._refuse(
                 "nbgrader_config.py of this course did not run to its end (its error is above): "
-                "mend it. Without it students' code would run without a cage, and without your "
+                "correct it. Without it students' code would run without a cage, and without your "
                 "settings; nothing was run"
             )
         try:

@@ -1,5 +1,5 @@
-"""Replacements of functions of nbgrader without a setting: its own follow links (to the secret),
-wait for pipes, and fail for the whole class at one student's timestamp.txt.
+"""Replacements of functions of nbgrader for which it has no setting: its own follow links (even to
+the secret), wait for pipes, and fail for the whole class because of one student's timestamp.txt.
 """
 
 import os

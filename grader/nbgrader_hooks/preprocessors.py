@@ -17,12 +17,12 @@ from ..assignment.released import released, sheet_numbers
 from ..course.exam import judged
 from ..grading.gradebook import Entry, instructors_cells, save
 from ..grading.lock import alone
-from ..grading.one import Outcome, autograded_path, grade_one
+from ..grading.one import GradingResult, autograded_path, grade_one
 from ..sandbox import Harvester
 from ..submission import read_timestamp
 from .shared import WRITTEN, OfCourse, Processed
 
-_graded: dict[tuple[str, ...], Outcome] = {}  # passed from the first step to the second
+_graded: dict[tuple[str, ...], GradingResult] = {}  # passed from the first step to the second
 _harvester = None
 
 
@@ -94,7 +94,7 @@ class GradesAndFigures(OfCourse, GetGrades):
         found = released(course, names["assignment"])[names["notebook"]]
         self._tasks = found.tasks
         self._numbers = sheet_numbers(course, names["assignment"], names["student"])
-        self._seen = {
+        self._released_texts = {
             nbgrader_metadata(c).get("grade_id"): c["source"]
             for c in found.notebook["cells"]
             if kind(c) in ("test", "task", "locked")
@@ -110,13 +110,13 @@ class GradesAndFigures(OfCourse, GetGrades):
     def preprocess_cell(
         self, cell: NotebookNode, resources: dict[str, Any], index: int
     ) -> Processed:
-        seen = self._seen.get(nbgrader_metadata(cell).get("grade_id"))
-        if seen is not None:
-            cell.source = seen
+        text = self._released_texts.get(nbgrader_metadata(cell).get("grade_id"))
+        if text is not None:
+            cell.source = text
         cell.pop("attachments", None)  # not shown, and could fill memory
         number = own_metadata(cell).get("problem")
         if kind(cell) == "statement" and number in self._tasks:
             svg = figure_for_page(self._tasks[number].exercise, self._numbers[number]) or b""
-            shown = f"data:image/svg+xml;base64,{b64encode(svg).decode()}"
-            cell.source = cell.source.replace("attachment:figure.png", shown)
+            inline = f"data:image/svg+xml;base64,{b64encode(svg).decode()}"
+            cell.source = cell.source.replace("attachment:figure.png", inline)
         return super().preprocess_cell(cell, resources, index)

@@ -19,9 +19,9 @@ class WorkedSolutions(OfCourse, NbGraderPreprocessor):
     solutions = Enum(
         ["never", "after the due date", "always"],
         "never",
-        help="Whether the feedback page shows worked solutions of the problems for which the sheet "
-        "says no help level: they hold the answers. The due date is the latest of all students, "
-        "with their extensions.",
+        help="Whether the feedback page shows worked solutions, which hold the answers, of the "
+        "problems for which the sheet sets no level of help. The due date is the latest of all "
+        "students, with their extensions.",
     ).tag(config=True)
 
     def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:

@@ -28,7 +28,7 @@ Files = dict[str, bytes]  # what Typst compiles: {name: content}
 
 
 @dataclass(frozen=True)
-class Entry:
+class PaperItem:
     """A problem of a sheet, with its text if the instructor has changed it, and its options; a
     text; or an instructor's own ``question`` with its ``key``.
     """
@@ -56,7 +56,7 @@ class Student:
     values: SheetValues
 
 
-def sheet(title: str, entries: Iterable[Entry], student: Student) -> Files:
+def sheet(title: str, entries: Iterable[PaperItem], student: Student) -> Files:
     """The files of one student's sheet."""
     entries, files = list(entries), Files()
     out = [_written(e, student, files) for e in entries]
@@ -81,7 +81,7 @@ def _written(e, student, files):
     return f"#problem({', '.join(parts)})\n\n"
 
 
-def key(title: str, entries: Iterable[Entry], student: Student) -> Files:
+def key(title: str, entries: Iterable[PaperItem], student: Student) -> Files:
     """The files of the key of one student's sheet: numbers, answers with tolerance, derivations."""
     entries, out = list(entries), []
     for e in entries:
@@ -106,7 +106,7 @@ def key(title: str, entries: Iterable[Entry], student: Student) -> Files:
     return _page(title, student, entries, out, key=True)
 
 
-def overview(title: str, entries: Iterable[Entry], students: Iterable[Student]) -> Files:
+def overview(title: str, entries: Iterable[PaperItem], students: Iterable[Student]) -> Files:
     """The files of a table of all students' right answers, problem by problem."""
     students, out = list(students), [typst(f"# {title}: all answers")]
     for p in (e.asked for e in entries if e.problem):
@@ -142,8 +142,8 @@ def _tolerance(a, point):
     off = margins(a, point)
     if off is None:
         return f"{a.rtol:.1%}, any length and sense"
-    shown = list_symbol(dict.fromkeys(number_symbol(float(f"{x:.2g}")) for x in off))
-    limits = formula(rf"\pm {shown}{unit_symbol(a.unit)}")
+    errors = list_symbol(dict.fromkeys(number_symbol(float(f"{x:.2g}")) for x in off))
+    limits = formula(rf"\pm {errors}{unit_symbol(a.unit)}")
     return f"${limits}$"
 
 
@@ -187,8 +187,8 @@ def _page(title, student, entries, body, key=False):
 
 def _files(title, name, code, body, options):
     head = ", ".join(map(string, (title, name, code)))
-    shown = f'#import "paper.typ": *\n#show: body => paper({head}, body, {options})\n'
-    return {"main.typ": (shown + "".join(body)).encode(), "paper.typ": _look()}
+    preamble = f'#import "paper.typ": *\n#show: body => paper({head}, body, {options})\n'
+    return {"main.typ": (preamble + "".join(body)).encode(), "paper.typ": _look()}
 
 
 @cache

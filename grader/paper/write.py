@@ -17,7 +17,7 @@ from ..course import Course, check_id
 from ..course.files import write_bytes, write_text
 from ..course.processes import process_pool
 from .markup import PaperError
-from .sheet import Entry, Files, Student, key, overview, sheet, variant_code
+from .sheet import Files, PaperItem, Student, key, overview, sheet, variant_code
 
 ALL = "all"
 NEEDED = "typst", "tex2typst"
@@ -114,7 +114,7 @@ def _entry(item):
     p = item.problem
     points = item.options.get("points", len(p.answers) if p else 0)
     options = dict(item.options)
-    return Entry(p.id if p else "", item.text, points, options, item.question, item.key)
+    return PaperItem(p.id if p else "", item.text, points, options, item.question, item.key)
 
 
 def _student(spec, known, course, secret):

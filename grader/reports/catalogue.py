@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from rich.table import Table
 
-from exercises.catalogue.survey import Entry
+from exercises.catalogue.survey import ProblemEntry
 
 from .tables import shown
 
@@ -15,7 +15,7 @@ SHORT = {
 
 
 def problems_table(
-    found: Sequence[Entry], earned: Mapping[str, tuple[float, int]] | None = None
+    found: Sequence[ProblemEntry], earned: Mapping[str, tuple[float, int]] | None = None
 ) -> Table:
     """A row for each problem; ``earned``: {problem: (share of points, number of sheets)} of a
     course.

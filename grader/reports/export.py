@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 
 from ..course import Course
-from .records import entries, lines, questions
+from .records import entries, questions, student_rows
 
 # a spreadsheet may run a text that begins with these, or has them after a character that ends a
 # cell in another locale, perhaps behind quotes and invisible characters
@@ -23,7 +23,7 @@ def export(
     """Write results in one of :data:`FORMATS`; returns the numbers of students with cells to grade
     by hand and with penalties for lateness, which are subtracted unless ``penalties`` is False.
     """
-    found, maximum = lines(course, assignment, penalties)
+    found, maximum = student_rows(course, assignment, penalties)
     rows = FORMATS[form](course, assignment, found, maximum)
     # spreadsheets need a byte-order mark
     with open(path, "w", newline="", encoding="utf-8-sig" if form == "parts" else "utf-8") as f:

@@ -36,7 +36,7 @@ class Mistake(NamedTuple):
     message: str
 
 
-class Sheet(NamedTuple):
+class Variant(NamedTuple):
     """One set of numbers, with the answers."""
 
     name: str
@@ -50,7 +50,7 @@ class Preview:
 
     problem: Problem
     options: Mapping[str, Any]
-    sheets: tuple[Sheet, ...]
+    sheets: tuple[Variant, ...]
     mistakes: tuple[Mistake, ...]
 
     @property
@@ -127,7 +127,7 @@ def preview(p: Problem, options: Mapping[str, Any] | None = None) -> Preview:
 
 def _sheet(p, name, values):
     answers = p.solve({**p.sympy_symbols(), **values})
-    return Sheet(name, values, {key: formatted(x) for key, x in answers.items()})
+    return Variant(name, values, {key: formatted(x) for key, x in answers.items()})
 
 
 def _mistakes(p, help):

@@ -12,7 +12,7 @@ from ..course import Course, CourseError
 
 
 @dataclass(frozen=True)
-class Entry:
+class PartScore:
     """One student's score of one part; ``key`` is "" for a question of the instructor's own.
     ``waits``: to be graded by hand, without points until then.
     """
@@ -29,17 +29,17 @@ class Entry:
     waits: bool = False
 
 
-OF_A_PART = Entry.__dataclass_fields__.keys() - {"student", "problem"}
+OF_A_PART = PartScore.__dataclass_fields__.keys() - {"student", "problem"}
 
 
-def entries(course: Course, assignment: str) -> list[Entry]:
-    """The :class:`Entry` of every part of every graded submission, by student."""
+def entries(course: Course, assignment: str) -> list[PartScore]:
+    """The :class:`PartScore` of every part of every graded submission, by student."""
     found = []
     for path in sorted((course.path / "scores" / assignment).glob("*.json")):
         try:
             record = json.loads(path.read_text(encoding="utf-8"))
             found += [
-                Entry(path.stem, score["problem"], **_known(part))
+                PartScore(path.stem, score["problem"], **_known(part))
                 for score in record["scores"]
                 for part in score["parts"]
             ]
@@ -64,7 +64,7 @@ def _known(part):
 BY_HAND = "by hand"  # the key of an entry for manual changes of points
 
 
-def questions(course: Course, assignment: str, parts: Iterable[Entry]) -> Iterator[Entry]:
+def questions(course: Course, assignment: str, parts: Iterable[PartScore]) -> Iterator[PartScore]:
     """Entries for graded cells of the instructor's own, and for manual changes of points. With
     ``parts``, a student's entries sum to the gradebook's points before penalties.
     """
@@ -84,17 +84,17 @@ def questions(course: Course, assignment: str, parts: Iterable[Entry]) -> Iterat
                 if number := numbers.get((name, grade.name)):
                     change = points - automatic[student, number]
                     if abs(change) > 1e-6:
-                        yield Entry(student, number, BY_HAND, change, 0.0, "")
+                        yield PartScore(student, number, BY_HAND, change, 0.0, "")
                 elif grade.max_score:
                     question = f"{name}: {grade.name}" if len(notebooks) > 1 else grade.name
                     words = "waits for a person" if grade.needs_manual_grade else ""
                     waits = bool(words) and grade.manual_score is None
                     most = grade.max_score
-                    yield Entry(student, question, "", points, most, "", words, waits=waits)
+                    yield PartScore(student, question, "", points, most, "", words, waits=waits)
 
 
 @dataclass(frozen=True)
-class Line:
+class StudentRow:
     """A student on the roster, with the points of the gradebook, None if nothing was handed in."""
 
     id: str
@@ -107,9 +107,11 @@ class Line:
     penalty: float = 0.0
 
 
-def lines(course: Course, assignment: str, penalties: bool = True) -> tuple[list[Line], float]:
-    """(a :class:`Line` for every student by last name, maximum points): points with manual grades
-    and extra credit, minus the penalty for lateness, as in ``nbgrader export``.
+def student_rows(
+    course: Course, assignment: str, penalties: bool = True
+) -> tuple[list[StudentRow], float]:
+    """(rows of all students by last name, maximum points): points with manual grades and extra
+    credit, minus the penalty for lateness, as in ``nbgrader export``.
 
     penalties : False to ignore that penalty
     """
@@ -135,5 +137,5 @@ def lines(course: Course, assignment: str, penalties: bool = True) -> tuple[list
             first, last, email, lms = (
                 x or "" for x in (s.first_name, s.last_name, s.email, s.lms_user_id)
             )
-            found.append(Line(s.id, first, last, email, lms, points, waiting, penalty))
+            found.append(StudentRow(s.id, first, last, email, lms, points, waiting, penalty))
     return sorted(found, key=lambda x: (x.last_name.casefold(), x.id)), maximum

@@ -29,7 +29,7 @@ OF_INERTIA = Dimension(1, 2, 0)
 OF_GRAVITY = Dimension(0, 1, -2)
 
 
-class Edit(NamedTuple):
+class SlipEdit(NamedTuple):
     """Another expression (a step, a number, or an operation on them) for a step, everywhere or only
     in ``user``.
     """
@@ -39,7 +39,7 @@ class Edit(NamedTuple):
     user: Step | None = None
 
 
-class Formulas:
+class ProblemFormulas:
     """The computation of a problem in base units: the steps, and the components of each answer with
     their factor to the unit of the text.
     """
@@ -74,7 +74,7 @@ class Formulas:
         """The values of the text in base units."""
         return vars(self.problem.base(values))["_values"]
 
-    def run(self, key: str, values: Mapping[str, Any], edits: tuple[Edit, ...] = ()) -> tuple:
+    def run(self, key: str, values: Mapping[str, Any], edits: tuple[SlipEdit, ...] = ()) -> tuple:
         """The components of an answer, with edits."""
         value = _Evaluation(values, edits).value
         return tuple(0.0 if x is ZERO else value(x) * factor for x, factor in self.answers[key])
@@ -153,9 +153,9 @@ def _within(op, inner, *args):
 # -- the kinds of slips
 
 
-def edits(f: Formulas, values: Mapping[str, Any]) -> dict[str, list[tuple[Edit, ...]]]:
+def edits(f: ProblemFormulas, values: Mapping[str, Any]) -> dict[str, list[tuple[SlipEdit, ...]]]:
     """{kind of slip: its possible edits of these formulas}."""
-    found: dict[str, list[tuple[Edit, ...]]] = {}
+    found: dict[str, list[tuple[SlipEdit, ...]]] = {}
     dimensions = f.dimensions()
     for s in f.steps:
         for kind, edit in _edits_of(s, f, values, dimensions):
@@ -170,30 +170,30 @@ def _edits_of(s, f, values, dimensions):
         yield from _of_given(s, f, values)
     if s.op in "*/" and len(steps) == 2:
         kind = "square lost" if steps[0] is steps[1] else "factor dropped"
-        yield kind, Edit(s, (s.op, steps[0], f.one(dimensions.get(steps[1].number))))
+        yield kind, SlipEdit(s, (s.op, steps[0], f.one(dimensions.get(steps[1].number))))
         if s.op == "*" and steps[0] is not steps[1]:
-            yield kind, Edit(s, ("*", steps[1], f.one(dimensions.get(steps[0].number))))
+            yield kind, SlipEdit(s, ("*", steps[1], f.one(dimensions.get(steps[0].number))))
     if s.op in ("sqrt", "**"):
         root = f.one(dimensions.get(s.number)) / f.one(dimensions.get(steps[0].number))
-        yield "square lost", Edit(s, ("*", steps[0], root))
+        yield "square lost", SlipEdit(s, ("*", steps[0], root))
     if s.op in "*/" and numbers and steps and steps[0] is s.args[0]:
         constant = float(numbers[0])
         if abs(constant) in (0.5, 2.0):
-            yield "2 or 1/2 lost", Edit(s, steps[0])
+            yield "2 or 1/2 lost", SlipEdit(s, steps[0])
         if s.op == "/" and abs(constant) in (3.0, 12.0):
-            yield "1/12 for 1/3", Edit(s, (s.op, steps[0], 36.0 / constant))
+            yield "1/12 for 1/3", SlipEdit(s, (s.op, steps[0], 36.0 / constant))
     if s.op in TWINS:
-        yield "sin for cos", Edit(s, (TWINS[s.op], *s.args))
+        yield "sin for cos", SlipEdit(s, (TWINS[s.op], *s.args))
     if s.op in ("+", "-") and len(steps) == 2:
         yield from _of_sum(s, steps, dimensions)
     gravity = [a for a in steps if dimensions.get(a.number) == OF_GRAVITY and a.op == "argument"]
     if s.op == "*" and len(gravity) == 1 and len(steps) == 2:
         other = next(a for a in steps if a is not gravity[0])
-        yield "g left out", Edit(s, ("*", other, f.one(OF_GRAVITY)))
+        yield "g left out", SlipEdit(s, ("*", other, f.one(OF_GRAVITY)))
     if s.op == "*":
         for a in steps:
             if a.op == "argument" and dimensions.get(a.number) == Dimension(1, 0, 0):
-                yield "g put in", Edit(a, ("*", a, 32.2 if f.own is US else 9.81), s)
+                yield "g put in", SlipEdit(a, ("*", a, 32.2 if f.own is US else 9.81), s)
 
 
 def _of_sum(s, steps, dimensions):
@@ -203,7 +203,7 @@ def _of_sum(s, steps, dimensions):
         if term.op in ("+", "-"):
             continue  # several terms
         kind = "parallel axis" if inertia and _has_square(term) else "term left out"
-        yield kind, Edit(s, ("neg", other) if sign else other)
+        yield kind, SlipEdit(s, ("neg", other) if sign else other)
         kind = "parallel axis" if inertia and _has_square(term) else "sign of one term"
         turned = (
             ("-", other, term)
@@ -212,7 +212,7 @@ def _of_sum(s, steps, dimensions):
             if term is b
             else ("neg", ("+", a, b))
         )
-        yield kind, Edit(s, turned)
+        yield kind, SlipEdit(s, turned)
 
 
 def _has_square(s):
@@ -228,15 +228,15 @@ def _of_given(s, f, values):
     )
     for other, step in f.given.items():
         if other != name and f.problem.units[other] == stated and values[other] is not values[name]:
-            yield "another given", Edit(s, step)
+            yield "another given", SlipEdit(s, step)
             users = [u for u in f.steps if any(a is s for a in u.args)]
             if len(users) > 1:
-                yield "another given", Edit(s, step, users[len(users) // 2])
+                yield "another given", SlipEdit(s, step, users[len(users) // 2])
     if name in f.problem.givens and factor != 1 and values[name]:
         kind = "degrees" if stated == "deg" else "units"
-        yield kind, Edit(s, ("*", s, 1 / factor))
+        yield kind, SlipEdit(s, ("*", s, 1 / factor))
         if kind == "units" and not 0.99 < factor**2 < 1.01:
-            yield kind, Edit(s, ("*", s, 1 / factor**2))
+            yield kind, SlipEdit(s, ("*", s, 1 / factor**2))
 
 
 # -- answers with slips
@@ -255,7 +255,7 @@ class Made(NamedTuple):
 
 def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterator[Made]:
     """Slips of every possible kind in a problem, in all answers that they affect or in one."""
-    f = Formulas(p)
+    f = ProblemFormulas(p)
     base = f.base({**values, **symbol_points(p)})
     right = {key: f.run(key, base) for key in f.answers}
     for kind, choices in edits(f, base).items():
@@ -332,7 +332,7 @@ def _wrong_numbers(f, right, rng):
         parts = [x for x, _ in f.answers[key]]
         if all(isinstance(x, Step) and x.op != "argument" for x in parts):
             factor = rng.choice((0.61, 0.83, 1.37, 1.71))
-            yield key, tuple(Edit(x, ("*", x, factor)) for x in parts)
+            yield key, tuple(SlipEdit(x, ("*", x, factor)) for x in parts)
 
 
 def _later(f, base, right, key, edit):

@@ -14,7 +14,7 @@ from newton_euler.algebra.late import Figure
 from ..course import Course
 from ..submission.pipeline import MARK
 from .export import cell
-from .records import BY_HAND, Entry, entries, questions
+from .records import BY_HAND, PartScore, entries, questions
 from .tables import plain_table, shown
 
 FEWEST = 5  # students for a meaningful correlation
@@ -43,7 +43,7 @@ class PartStatistics:
 
 def part_statistics(course: Course, assignment: str) -> list[PartStatistics]:
     """The statistics of every part, then of the instructor's own questions, without verdicts."""
-    by_part: defaultdict[tuple[str, str], list[Entry]] = defaultdict(list)
+    by_part: defaultdict[tuple[str, str], list[PartScore]] = defaultdict(list)
     totals: defaultdict[str, float] = defaultdict(float)
     parts = entries(course, assignment)
     own = [e for e in questions(course, assignment, parts) if e.key != BY_HAND]
@@ -71,7 +71,7 @@ def _difficulty(graded):
     return sum(judged) / len(judged) if judged else None
 
 
-def mistake_counts(found: Iterable[Entry]) -> list[tuple[str, int]]:
+def mistake_counts(found: Iterable[PartScore]) -> list[tuple[str, int]]:
     """[(words, number)] of the mistakes, the most frequent first. Mistakes are identified by their
     causes, since words may have changed; the last words count.
     """

@@ -45,13 +45,18 @@ def slip_shares(problems: Iterable[Problem], draws: int) -> dict[str, Counter[st
 def _of_slips(p, values, rng):
     numbers = numbers_of(p, values)
     for slip in made(p, values, rng):
-        exact = {k: points_of(p.answer(k), x) for k, x in slip.answers.items()}
+        exact = {k: _floats(points_of(p.answer(k), x)) for k, x in slip.answers.items()}
         digits = rng.choice(DIGITS)
         judged = {k: _judged(p.answer(k), _written(x, digits), numbers) for k, x in exact.items()}
         for key in slip.wrong:
             finite = all(map(math.isfinite, exact[key][0]))
             if finite and judged[key].verdict == "wrong" and is_apart(exact[key], numbers.key[key]):
                 yield slip.kind, _outcome(p.answer(key), judged, numbers, exact[key], slip)
+
+
+def _floats(points):
+    """The same, with 0.0 for a zero of the engine's own."""
+    return tuple(tuple(map(float, point)) for point in points)
 
 
 def _of_random(p, values, rng):

@@ -13,7 +13,7 @@ from pathlib import Path
 from queue import Queue
 from typing import Self, TypedDict
 
-from .receipts import NOT_REACHED, Outcome, Receipt, read_lines
+from .receipts import NOT_REACHED, Outcome, RawReceipt, read_lines
 from .worker import HarvestError, Job, Limits, Worker
 
 CAGED = "namespaces"  # the "sandbox" of a reply whose code ran in the cage
@@ -21,13 +21,13 @@ CELL_SECONDS = 10.0
 SECONDS = 60.0
 MOST_TESTS = 200  # in one notebook
 MOST_TEXT = 2**20  # characters of all cells; a chapter worked out in full has 50 000
-PER_CELL = 100  # characters that each cell counts besides its text, which limits their number
+PER_CELL = 100  # characters added for each cell, which limits the number of cells too
 
-# match cells that may need a library: the worker then imports it once, before it forks the
-# student's process; a cell that is missed imports it itself
+# cells that may need a library: the worker imports it once, before it forks a student's process;
+# a cell missed here imports it itself
 _NEEDS = {
     "IPython": re.compile(r"IPython|^[ \t]*[%!?>]|\?$|=[ \t]*[%!]", re.MULTILINE),
-    # of ours: integrals and motions
+    # our integrals and motions use it
     "scipy": re.compile(r"scipy|\b(integral|integrate|prepare|motion)\b"),
 }
 KERNEL = Path("/proc/sys")
@@ -39,11 +39,11 @@ SETTINGS = (  # (name, value that forbids user namespaces, value that allows the
 
 
 class Reply(TypedDict):
-    """What a run gives back: receipts by problem, outcomes of tests and errors of other cells by
+    """The results of a run: receipts by problem, outcomes of tests and errors of other cells by
     name; ``sandbox``: CAGED or "unsandboxed: asked for"; ``ended``: "done", or why it was stopped.
     """
 
-    receipts: dict[str, Receipt]
+    receipts: dict[str, RawReceipt]
     tests: dict[str, Outcome]
     errors: dict[str, str]
     sandbox: str
@@ -69,7 +69,7 @@ class Harvester:
         return self
 
     def _start(self):
-        """Start the workers, at the first job if not before: an unchanged class needs none."""
+        """Start the workers, with the first job at the latest: an unchanged class needs none."""
         with self._starting:
             for _ in range(0 if self._started else self.count):
                 self._all.append(Worker())
@@ -78,7 +78,7 @@ class Harvester:
 
     def __exit__(self, *_: object) -> None:
         for worker in self._all:
-            worker.close()  # all of them, before one is waited for
+            worker.close()  # close all before waiting for any
         for worker in self._all:
             worker.stop()
 
@@ -103,11 +103,11 @@ class Harvester:
             "run": "name", "text";
             "givens": "problem", "text", "clear" (names that are removed before);
             "answer": "problem", "text";
-            "harvest": "problem", "forms", "symbols": the answers are read at this place;
+            "harvest": "problem", "forms", "symbols": the answers are read here;
             "test": "name", "text" (what students see), "hidden" (the full text).
         seconds : for all cells, and again for all tests; cell_seconds : for each.
-        The full text of a test reaches the cage only when all cells have run, in a copy of the
-        process that was made at its place.
+        The full text of a test reaches the cage only after all cells have run. It runs in a copy
+        of the process, forked where the test stands.
         """
         tests = [c for c in cells if c["role"] == "test"]
         if len(tests) > MOST_TESTS:
@@ -127,8 +127,8 @@ class Harvester:
                 if any(needs.search(c.get("text", "")) for c in cells)
             ],
         }  # fmt: skip
-        seen = [{k: v for k, v in c.items() if k != "hidden"} for c in cells]
-        state, data, outcomes = self._exchange(seen, [c["hidden"] for c in tests], limits)
+        visible = [{k: v for k, v in c.items() if k != "hidden"} for c in cells]
+        state, data, outcomes = self._exchange(visible, [c["hidden"] for c in tests], limits)
         problems = {c["problem"] for c in cells if c["role"] == "harvest"}
         names = {c["name"] for c in cells if c["role"] == "run"}
         receipts, errors = read_lines(data, problems, names)
@@ -147,8 +147,8 @@ class Harvester:
             "tests": {c["name"]: NOT_REACHED.copy() for c in tests},
             "errors": {},
             "sandbox": self.sandbox_state,
-            "ended": f"not run: its {count} cells hold {size / 1e6:.1f} million characters, and "
-            f"{MOST_TEXT / 1e6:.1f} million are run at most",
+            "ended": f"not run: its {count} cells hold {size / 1e6:.1f} million characters; the "
+            f"limit is {MOST_TEXT / 1e6:.1f} million",
             "seconds": 0.0,
         }
 
@@ -174,7 +174,7 @@ class Harvester:
         return state, data, outcomes
 
     def _settled(self, worker):
-        """The worker, or a new one if it has died or cannot end the processes of its last job."""
+        """The worker, or a new one if it has died or could not end its last job's processes."""
         with contextlib.suppress(HarvestError):
             worker.settle()
             if worker.process.poll() is None:
@@ -193,5 +193,5 @@ def _how_to_allow():
     for setting, forbidden, allowed in SETTINGS:
         with contextlib.suppress(OSError):
             if (KERNEL / setting.replace(".", "/")).read_text().strip() == forbidden:
-                return f" (here after: sudo sysctl {setting}={allowed})"
+                return f" (to allow them here: sudo sysctl {setting}={allowed})"
     return ""

@@ -5,7 +5,7 @@ from collections.abc import Collection
 from typing import Any, TypedDict
 
 
-class Receipt(TypedDict):
+class RawReceipt(TypedDict):
     """The answers to one problem as the cage has read and sent them: they may be anything."""
 
     id: Any
@@ -22,7 +22,7 @@ class Outcome(TypedDict):
 
 
 OUTPUT_LIMIT = 2**20  # bytes of the receipts of one submission
-LINE_LIMIT = 2**16  # bytes of one line; the cage sends no longer ones
+LINE_LIMIT = 2**16  # bytes of one line; the cage sends none longer
 MOST_LINES = 10_000  # lines that are read; a notebook has one for each problem and each error
 OUTCOME_LIMIT = 2**13  # bytes of the outcome of one test
 ERROR_LIMIT = 500  # characters of an error
@@ -36,11 +36,11 @@ NOT_REACHED: Outcome = {
 
 def read_lines(
     data: bytes, problems: Collection[str], names: Collection[str]
-) -> tuple[dict[str, Receipt], dict[str, str]]:
+) -> tuple[dict[str, RawReceipt], dict[str, str]]:
     """({problem id: receipt}, {name: error}): the lines of ``data`` that are receipts of these
-    problems or errors of these cells, of each the first.
+    problems or errors of these cells; the first of each.
     """
-    receipts: dict[str, Receipt] = {}
+    receipts: dict[str, RawReceipt] = {}
     errors: dict[str, str] = {}
     for line in data.split(b"\n", MOST_LINES)[:MOST_LINES]:
         entry = _entry(line)
@@ -52,7 +52,7 @@ def read_lines(
     return receipts, errors
 
 
-def _receipt(number: str, entry: dict[str, Any]) -> Receipt:
+def _receipt(number: str, entry: dict[str, Any]) -> RawReceipt:
     answers, faults = entry.get("answers"), entry.get("faults")
     return {"id": number, "answers": answers, "faults": faults, "error": entry.get("error")}
 
@@ -83,7 +83,7 @@ def _entry(line):
         return {}
     try:
         entry = json.loads(line)
-        if b"\\ud" in line.lower():  # halves of characters, which no file and no database takes
+        if b"\\ud" in line.lower():  # lone surrogates, which no file or database takes
             entry = json.loads(json.dumps(entry, ensure_ascii=False).encode("utf-8", "replace"))
     except (ValueError, RecursionError):
         return {}

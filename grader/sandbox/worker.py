@@ -1,8 +1,8 @@
 """One process that runs submissions (``cage/``), and the exchange with it.
 
-The process forks the processes of a job, watches them and ends them. It never reads a job, a
-receipt or a test: it hands their descriptors on, so that a submission finds nothing of another one
-in its memory.
+The process forks the processes of a job, watches them and ends them. It hands on the descriptors of
+jobs, receipts and tests but never reads them, so a submission finds nothing of another in its
+memory.
 """
 
 import contextlib
@@ -50,7 +50,7 @@ class Limits(TypedDict):
 
 
 class HarvestError(RuntimeError):
-    """The sandbox failed or is refused, not because of a student's code: no result counts."""
+    """The sandbox failed or was refused, through no fault of a student's code: no result counts."""
 
 
 class Worker:
@@ -90,8 +90,8 @@ class Worker:
         self, cells: Sequence[Job], texts: Sequence[str], limits: Limits
     ) -> tuple[dict[str, str], bytes, list[Outcome]]:
         """Run a job; returns ({"sandbox", "ended"}, bytes of the receipts, outcomes of the tests,
-        whose ``texts`` are not in ``cells``). The process then still ends what the job has started;
-        ``settle`` waits for that.
+        whose ``texts`` are not in ``cells``). The process may still be ending what the job has
+        started; ``settle`` waits for that.
         """
         with _Files(cells, len(texts)) as files, self._or_gone():
             line = json.dumps({**limits, "tests": len(texts)}).encode() + b"\n"
@@ -101,7 +101,7 @@ class Worker:
             state, data = self._listen(files, limits["seconds"] + _GRACE)
             outcomes = _run_tests(files.tests, texts, limits) if "sandbox" in state else []
             self._control.sendall(b"end\n")
-        # the first process reports how the cells ended, unless it was killed before
+        # the first process reports how the cells ended, unless it was killed first
         if "ended" not in state:
             state["ended"] = self.settle() or "stopped from outside"
         return state, data, outcomes
@@ -140,7 +140,7 @@ class Worker:
             ready.register(files.state, selectors.EVENT_READ)
             ready.register(self._control, selectors.EVENT_READ)
             while "ended" not in _state(reported) and len(data) <= OUTPUT_LIMIT:
-                # not woken by each receipt, which would cost the scorer its processor time
+                # not woken by each receipt: that would take processor time from the scorer
                 found = ready.select(_PAUSE)
                 data += _rest(files.receipts, OUTPUT_LIMIT + 1 - len(data))
                 if any(key.fd != files.state for key, _ in found) or time.monotonic() > deadline:
@@ -164,7 +164,7 @@ class _Files:
         job = self._stack.enter_context(_file_of(json.dumps(cells).encode()))
         self.receipts, receipts_end = self._pipe()
         os.set_blocking(self.receipts, False)
-        with contextlib.suppress(OSError, AttributeError):  # a system that cannot
+        with contextlib.suppress(OSError, AttributeError):  # not every system can
             fcntl.fcntl(receipts_end, fcntl.F_SETPIPE_SZ, OUTPUT_LIMIT)
         self.state, state_end = self._pipe()
         pairs = [socket.socketpair() for _ in range(tests)]
@@ -178,7 +178,9 @@ class _Files:
         return ours, theirs
 
     def close_theirs(self):
-        """Close the ends that were handed on: a pipe ends with the last copy of its other end."""
+        """Close the ends that were handed on: a pipe ends when the last copy of its other end is
+        closed.
+        """
         for fd in self._theirs:
             os.close(fd)
         self._theirs = []

@@ -78,8 +78,8 @@ def _of_one(p, key, parts, stated):
 
 @cached_by_language
 def followed(problem_id: str) -> Mapping[str, Formulas]:
-    """{later answer: how it is computed from earlier ones} as the computation of the problem goes
-    through these.
+    """{later answer: how it is computed from earlier ones}, where the computation of the problem
+    goes through these.
     """
     p = find_problem(problem_id)
     found, before = {}, dict[int, str]()
@@ -174,7 +174,7 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
 
 
 def _with_zeros(parts):
-    """The components of a vector; those that are zero as steps, in which slips can be made."""
+    """The components of a vector, its zeros as steps, so that a slip can be made in them."""
     trace = next((x.trace for x in parts if isinstance(x, Step)), None) if len(parts) == 3 else None
     return [
         trace.new("*", 0.0, 0.0) if trace and not isinstance(x, Step) and x == 0 else x
@@ -183,10 +183,10 @@ def _with_zeros(parts):
 
 
 def _named(step):
-    """What a step is in a few words: its name is not one of the text."""
+    """What a step is, in a few words: its name does not occur in the text."""
     if brief := _brief(spoken(step.means)):
         owner, _, rest = brief.partition(" ")
-        if owner in ("its", "their"):  # of what the step before is
+        if owner in ("its", "their"):  # refers to the step before
             return Words("the {what}", what=f"{rest} {step.key}")
         return Words("the {what}", what=brief.removeprefix("the "))
     return term_text(*step.term) if step.term else ""

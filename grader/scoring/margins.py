@@ -1,5 +1,5 @@
-"""The error that each number of an answer may have: the rule for right answers as pages and
-platforms can state it.
+"""The error that each number of an answer may have: the rule for right answers in the form that
+pages and platforms can state.
 """
 
 from exercises.catalogue.model import Answer
@@ -9,11 +9,11 @@ HALVINGS = 60
 
 
 def margins(answer: Answer, key: Point) -> tuple[float, ...] | None:
-    """The largest error of each component by itself with which the answer is right; None for an
+    """The largest error of each component alone with which the answer is still right; None for an
     answer that is not judged by its components: a word, a formula, a direction of any length.
 
-    A vector is judged by the size of its whole error, so that one whose every component is within
-    its margin may be wrong by up to the root of three times as much as is accepted.
+    A vector is judged by the size of its whole error, so with every component within its margin it
+    may still be wrong, by up to the square root of three times what is accepted.
     """
     kind = answer.kind
     if kind.is_word or kind.is_formula or len(kind.sealed(key)) > 1:
@@ -22,7 +22,7 @@ def margins(answer: Answer, key: Point) -> tuple[float, ...] | None:
 
 
 def _margin(answer, key, n):
-    """By bisection, from an error that is too large."""
+    """The margin of one component, by bisection from an error that is too large."""
 
     def is_right(error):
         point = tuple(x + error * (m == n) for m, x in enumerate(key))

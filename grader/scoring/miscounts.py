@@ -1,9 +1,12 @@
 """Wrong counts and words that can be given in any problem: degrees of freedom counted in other
-coordinates, of bodies of another kind, with a constraint too many or too few; one of two conditions
+coordinates, of bodies of another kind, with constraints too many or too few; one of two conditions
 misjudged, as of static and dynamic balance.
+
+One count is met by several mistakes, of which it proves none: beside what may have been done stands
+what every such count has in common.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from newton_euler.algebra.language import Words, joined
 from newton_euler.answers.causes import Cause
@@ -24,16 +27,28 @@ OTHERWISE = (
     (BODIES, Words("takes particles for bodies"), Words("turning is not counted here")),
 )
 
+ONCE = Words("each independent equation counts once")
+TAKEN = Words("they are to be taken off")
+TOO_MANY = Words("forgets constraints, or counts coordinates that are not free")
+TOO_FEW = Words("takes off too many constraints, or forgets coordinates")
 
-def miscounts(right: Freedom) -> list[tuple[Cause, int]]:
-    """[(cause, count)] of the wrong counts; of each count the simplest causes only."""
-    found: dict[int, tuple[int, list[Cause]]] = {}
-    for rank, n, what, why in _all(right):
-        simplest, causes = found.setdefault(n, (rank, []))
-        if rank == simplest and n >= 0 and n != right.count:
-            text = Words("{what}: {why}", what=what, why=why)
-            causes.append(Cause("count", str(what), text))
-    return [(cause, n) for n, (_, causes) in found.items() for cause in causes]
+
+def miscounts(right: Freedom, met: Iterable[int] = ()) -> list[tuple[Cause, int]]:
+    """[(cause, count)] of the wrong counts: of those in other coordinates, the next ones and those
+    that are ``met`` by a listed mistake, what makes any count wrong; then what else gives it, the
+    simplest only.
+    """
+    own, found = right.count, list[tuple[int, int, str, str]]()
+    for rank, n, what, why in _otherwise(right):
+        if all(rank == r for r, m, *_ in found if m == n):
+            found.append((rank, n, what, why))
+    every = {*met, own + 1, own - 1, *(n for _, n, *_ in found)}
+    texts = [(0, n, TOO_MANY if n > own else TOO_FEW, ONCE) for n in every]
+    return [
+        (Cause("count", str(what), Words("{what}: {why}", what=what, why=why)), n)
+        for _, n, what, why in (*texts, *found)
+        if own != n >= 0
+    ]
 
 
 def misjudged(key: str, options: Sequence[str], right: str) -> list[tuple[Cause, str]]:
@@ -52,29 +67,23 @@ def misjudged(key: str, options: Sequence[str], right: str) -> list[tuple[Cause,
     return found
 
 
-def _all(right: Freedom) -> Iterator[tuple[int, int, str, str]]:
+def _otherwise(right: Freedom) -> Iterator[tuple[int, int, str, str]]:
     """(rank, count, what is done, why it is wrong) of each, simplest first."""
-    every, off, own = right.unknowns, right.rank, right.count
-    once, taken = Words("each independent equation counts once"), Words("they are to be taken off")
+    every, off = right.unknowns, right.rank
     if off:
-        yield 1, own + 1, Words("forgets a constraint"), once
-        yield 1, off, Words("gives the number of constraints"), taken
-        yield 1, every, Words("takes no constraint off the coordinates"), once
-    yield 1, own - 1, Words("takes off a constraint too many"), once
+        yield 1, off, Words("gives the number of constraints"), TAKEN
+        yield 1, every, Words("takes no constraint off the coordinates"), TAKEN
     others = []
     for kinds, what, why in OTHERWISE:
         changed = sum(KINDS.get(kinds.get(_named(k), k), k) for k in right.bodies.values())
         others += [(changed, what, why)] * (changed != every)
     yield from ((1, n - off, what, why) for n, what, why in others)
-    for n in range(2, off):
-        yield 2, own + n, Words("forgets several constraints"), once
     for n, what, why in others if off else ():
         yield 2, n, Words("{what}, and takes no constraint off", what=what), why
-        yield 2, n - off + 1, Words("{what}, and forgets a constraint", what=what), why
-        for m in range(2, off):
-            yield 2, n - off + m, Words("{what}, and forgets several constraints", what=what), why
+        for m in range(1, off):
+            yield 2, n - off + m, Words("{what}, and forgets constraints", what=what), why
     if off > 1:
-        yield 2, every - 2 * off, Words("takes each constraint off twice"), once
+        yield 2, every - 2 * off, Words("takes each constraint off twice"), ONCE
 
 
 def _named(kind):

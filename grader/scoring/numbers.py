@@ -33,9 +33,9 @@ from .wrong_models import wrong_models
 
 
 class Numbers:
-    """Key and wrong answers of ``problem`` for a student's ``values``: the
-    :class:`~newton_euler.answers.verdicts.Numbers` of scoring. ``earlier_sheets``: the values of
-    the sheets that the student had before.
+    """Key and wrong answers of ``problem`` for a student's ``values``, as the
+    :class:`~newton_euler.answers.verdicts.Numbers` that scoring uses. ``earlier_sheets``: the
+    values of the student's earlier sheets.
     """
 
     def __init__(self, problem, values, earlier_sheets=()):
@@ -92,7 +92,8 @@ class Numbers:
         ]
         right = self.problem.code.solve(self.problem.base(self.sample))[answer.key]
         if isinstance(right, Freedom):
-            found += [(cause, ((n,),)) for cause, n in miscounts(right)]
+            counts = {n for _, ((n,),) in found}
+            found += [(cause, ((n,),)) for cause, n in miscounts(right, counts)]
         right = self.key[answer.key][0][0]
         found += [(cause, ((w,),)) for cause, w in misjudged(answer.key, answer.of, right)]
         return found
@@ -148,7 +149,7 @@ class Numbers:
         return self._points(key, self._as_written if written else self._as_computed, earlier)
 
     def other_ways(self, key):
-        """The way of the computation, where what ``follows`` is written and takes another."""
+        """The way that the computation takes, where ``follows`` is written and takes another."""
         names = computed_from(self.problem).get(key)
         if names is None or key not in earlier_answers(self.problem):
             return ()
@@ -158,7 +159,7 @@ class Numbers:
         try:
             with np.errstate(all="ignore"):
                 return points_of(self.problem.answer(key), way(key, earlier))
-        except (ArithmeticError, ValueError):  # a student's number may be one that has no sequel
+        except (ArithmeticError, ValueError):  # nothing may follow from a student's number
             return None
 
     def _as_computed(self, key, earlier):
@@ -215,7 +216,7 @@ def _one_word(answer, found):
     if len(words) != 1:
         raise ScoreError(
             f"the {answer.kind} {answer.key} depends on the symbols: {', '.join(map(str, words))}; "
-            "give the symbols ranges in which it is one"
+            "give the symbols ranges in which it is the same everywhere"
         )
     return words.pop()
 
@@ -253,7 +254,7 @@ def _run_wrong(problem, sample):
     for values in (sample, _as_arrays(sample)):
         with contextlib.suppress(ArithmeticError, ValueError), np.errstate(all="ignore"):
             return _wrong_at(problem, values)
-    return [], []  # some wrong model has no value, not even nan: none is compared
+    return [], []  # a wrong model has no value, not even nan, so none is compared
 
 
 def _wrong_at(problem, values):

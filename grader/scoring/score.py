@@ -22,7 +22,7 @@ from newton_euler.answers.verdicts import explain, judge, value_line
 from .numbers import numbers_of
 from .sheet import asked_parts
 
-TOO_LONG = Words(  # as the cage says it
+TOO_LONG = Words(  # the sentence of the cage
     "TimeLimit: the cell ran longer than {n} s; look for a loop that does not end, or a simplify "
     "of a long formula"
 )
@@ -31,9 +31,9 @@ TOO_LONG = Words(  # as the cage says it
 @dataclass(frozen=True)
 class Part:
     """The score of one answer: ``verdict`` is right, wrong, unreadable or blank; ``message`` is for
-    the student and never contains the key; ``causes`` are what explains a wrong answer, and
-    ``diagnosis`` is that in words; ``read`` is the student's own value as it was read, ``latex``
-    the same typeset where it is a formula.
+    the student and never contains the key; ``causes`` explain a wrong answer, and ``diagnosis`` is
+    the explanation in words; ``read`` is the student's own value as it was read, ``latex`` the same
+    typeset where it is a formula.
     """
 
     key: str
@@ -100,7 +100,7 @@ class Score:
 
 
 def _sum(shares):
-    """The sum, in which three thirds are 1: nbgrader refuses points above the maximum."""
+    """The sum, rounded so that three thirds are 1: nbgrader refuses points above the maximum."""
     return round(math.fsum(shares), 9)
 
 

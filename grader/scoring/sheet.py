@@ -9,8 +9,8 @@ from newton_euler.answers.forms import AnswerError, Form
 
 
 class ScoreError(ValueError):
-    """What a course keeps does not fit the exercise: points, weights, or a sheet that asks for
-    another thing. The message says what to do; no student's answer ever raises it.
+    """What a course has kept does not fit the exercise: points, weights, or a sheet that asks for
+    something else. The message says what to do; no student's answer ever raises it.
     """
 
 
@@ -43,7 +43,7 @@ def asked_parts(problem, points=None, weights=None, asked=None, follow_through=N
     points = len(answers) if points is None else _number(points, f"the points of {problem.id}")
     whole = sum(chosen.values())
     if follow_through is not None and _number(follow_through, "follow_through") > 1:
-        raise ScoreError(f"follow_through must be a share from 0 to 1, and is {follow_through!r}")
+        raise ScoreError(f"follow_through must be a share from 0 to 1, not {follow_through!r}")
     parts = []
     for a in answers:
         out_of = points * chosen[a.key] / whole if whole else 0.0
@@ -93,8 +93,8 @@ def _factor(problem, answer, form):
     there, here = unit(form.unit), unit(answer.unit)
     if there.dimension != here.dimension:
         raise ScoreError(
-            f"the sheet asks for {answer.key} in {form.unit}, today's {change}: one is no multiple "
-            "of the other. Grade with the version of the exercises that the sheet was made with"
+            f"the sheet asks for {answer.key} in {form.unit}, today's {change}: these units differ "
+            "in dimension. Grade with the version of the exercises that the sheet was made with"
         )
     return here.from_base(there.to_base(1.0))
 
@@ -104,8 +104,8 @@ def _weights(problem, answers, weights):
     for key in weights:
         if key not in keys:
             raise ScoreError(
-                f"there is a weight for {key} in {problem.id}, which is not asked for; asked for "
-                f"are {', '.join(keys)}"
+                f"there is a weight for {key} in {problem.id}, which does not ask for it; it asks "
+                f"for {', '.join(keys)}"
             )
     return {
         a.key: _number(weights.get(a.key, a.weight), f"the weight of {a.key} in {problem.id}")
@@ -116,5 +116,5 @@ def _weights(problem, answers, weights):
 def _number(x, what):
     good = isinstance(x, (int, float)) and not isinstance(x, bool)
     if not good or not 0 <= x < 1e300:
-        raise ScoreError(f"{what} must be a number, 0 or more, and is {x!r}")
+        raise ScoreError(f"{what} must be a number, 0 or more, not {x!r}")
     return x

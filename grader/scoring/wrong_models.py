@@ -17,7 +17,7 @@ from .computation import section
 
 def wrong_models(problem, values):
     """[(answer, cause, numbers)] of every wrong model, for ``values`` in the units of the text.
-    Those of words and counts are not traced; they are found apart.
+    Those of words and counts are not traced; they are found separately.
     """
     g = problem.base(values)
     right = problem.in_units(problem.code.solve(g))
@@ -54,7 +54,7 @@ def _terms(right, problem):
         term = term_text(name, right.equation, problem)
         yield causes.term_left_out(name, term).at(where), right.reweighted(**{name: 0})
         yield causes.term_reversed(name, term).at(where), right.reweighted(**{name: -1})
-    # spherical components have three of them
+    # spherical components have three Coriolis terms
     halved = {name: 0.5 for name in right.terms or () if name.startswith("coriolis")}
     if halved:
         yield causes.CORIOLIS_HALVED.at(where), right.reweighted(**halved)

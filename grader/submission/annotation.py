@@ -84,7 +84,7 @@ def _headers() -> str:
 
 
 def _quantities(number: str) -> tuple[Callable[[Part], str], Callable[[Part], str]]:
-    """How to show symbol and value of the answers to a problem; plainly where it is gone."""
+    """How to show symbol and value of the answers; plainly if the problem no longer exists."""
     try:
         p = problem(number)
     except CatalogueError:

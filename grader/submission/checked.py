@@ -1,5 +1,5 @@
-"""Counts of the wrong answers that the receipts of a submitted notebook have checked, in copies
-that tell right from wrong. Students can edit the notebook: a count may be too low.
+"""How many wrong answers a student checked, as the receipts of the submitted notebook recorded it,
+in copies that tell right from wrong. Students can edit the notebook: a count may be too low.
 """
 
 from collections.abc import Iterator, Mapping
@@ -13,7 +13,7 @@ MOST = 10**6
 
 
 def checked_notes(master: Notebook, submitted: Mapping[str, Any]) -> dict[str, str]:
-    """{problem: note} on the answers of which wrong ones were checked."""
+    """{problem: a note that counts the wrong answers that were checked, by answer}."""
     counts: dict[str, dict[str, int]] = {}
     for cell in submitted["cells"]:
         for key, n in _counts(cell) if isinstance(cell, dict) else ():

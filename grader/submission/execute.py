@@ -9,7 +9,7 @@ from ..assignment import notebook as nb
 from ..assignment.cells import Cell, Notebook, kind, nbgrader_metadata, own_metadata
 from ..assignment.sheet import Task
 from ..sandbox import CAGED, Harvester
-from ..sandbox.receipts import Outcome, Receipt
+from ..sandbox.receipts import Outcome, RawReceipt
 from ..sandbox.worker import Job
 from .rebuild import is_untouched
 from .recognition import OWN, cell_names
@@ -18,7 +18,7 @@ from .sheet import Sheet
 RUN = ("setup", "locked", "plain", "solution", OWN)
 
 
-ENDINGS = (  # as the cage says them
+ENDINGS = (  # the sentences of the cage
     Words("stopped after {n} s"), Words("stopped at {n} GB of memory"),
     Words("stopped from outside"), Words("stopped after {n} bytes of output"),
 )  # fmt: skip
@@ -33,7 +33,7 @@ class Executed:
     other cells by their id, how the code was isolated, a note if it ended early.
     """
 
-    receipts: dict[str, Receipt] = field(default_factory=dict)
+    receipts: dict[str, RawReceipt] = field(default_factory=dict)
     tests: dict[str, Outcome] = field(default_factory=dict)
     errors: dict[str, str] = field(default_factory=dict)
     sandbox: str = CAGED
@@ -76,8 +76,8 @@ def _master(sheet, cell):
 
 
 def _worked_at(sheet, notebook):
-    """The problems at which the student worked; all of them if there is work in other cells, since
-    it may be for any, or an instructor's test.
+    """The problems on which the student worked; all of them if there is a test of the instructor's,
+    or work in other cells, since it may be for any problem.
     """
     worked = set()
     for cell in notebook["cells"]:
@@ -106,11 +106,11 @@ def _harvest(task: Task) -> Job:
     return {"role": "harvest", "problem": problem, "forms": forms, "symbols": symbols}
 
 
-def _test(sheet: Sheet, cell: Cell, seen: str) -> Job:
+def _test(sheet: Sheet, cell: Cell, visible: str) -> Job:
     """A test with the text that students see, and the full one from the gradebook."""
     name = nbgrader_metadata(cell)["grade_id"]
-    full, _ = sheet.sources.get(name, (seen, ""))
-    return {"role": "test", "name": name, "text": seen, "hidden": full}
+    full, _ = sheet.sources.get(name, (visible, ""))
+    return {"role": "test", "name": name, "text": visible, "hidden": full}
 
 
 def _forms(task: Task) -> dict[str, str]:
@@ -137,7 +137,7 @@ def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:
             )
         )
         ended = _(PROCESS_ENDED)
-        lost: Receipt = {"id": unread[0], "answers": None, "faults": None, "error": ended}
+        lost: RawReceipt = {"id": unread[0], "answers": None, "faults": None, "error": ended}
         receipts[unread[0]] = lost
     note = "; ".join(notes)
     return Executed(receipts, result["tests"], result["errors"], result["sandbox"], note)

@@ -39,9 +39,9 @@ PICTURES = ("image/png", "image/jpeg", "image/gif")
 
 @dataclass
 class Work:
-    """What rebuilding has found: notes by problem (an answer cell is missing, or was copied; how
-    many wrong answers a receipt reported), grade ids of the answers that are as they were handed
-    out, a note on the whole.
+    """What rebuilding found: notes by problem (an answer cell is missing or was copied; how many
+    wrong answers a receipt reported), grade ids of the answers left as they were handed out, a note
+    on the whole.
     """
 
     notes: dict[str, str] = field(default_factory=dict)
@@ -53,7 +53,7 @@ def rebuild(
     master: Notebook, submitted: Mapping[str, Any], known: Places | None = None
 ) -> tuple[Notebook, Work]:
     """(the trusted notebook with a student's work in it, :class:`Work`): the cells of ``master`` in
-    its order, each followed by those that the student added behind it. ``known``: the places of its
+    its order, each followed by those that the student added after it. ``known``: the places of its
     cells.
     """
     found, added, note = _sorted_out(master, submitted, known or places_by_name(master))
@@ -66,7 +66,7 @@ def rebuild(
             if problem and what == "answer":
                 work.notes[own_metadata(cell)["problem"]] = problem
             grade_id = nbgrader_metadata(cell).get("grade_id")
-            # a person sees whether a missing cell is among those that were added
+            # a person decides whether a missing cell is among those that were added
             lost = what == "hand" and not copies and cell["cell_type"] in types_added
             if grade_id and now and is_untouched(cell, now[0]["source"]) and not lost:
                 work.untouched.append(grade_id)
@@ -82,7 +82,7 @@ def rebuild(
 
 def _sorted_out(master, submitted, known):
     """({place in the master: submitted copies of its cell}, {place: [(cell, text)] that were added
-    behind it}, a note on the latter).
+    after it}, a note on the latter).
     """
     cells = [c for c in submitted["cells"] if isinstance(c, dict)]
     found: dict[int, list[Any]] = {}
@@ -110,7 +110,7 @@ def _sorted_out(master, submitted, known):
 
 
 def _trusted(cell, what, copies):
-    """The cell of the master, behind what the student has added to it."""
+    """The cell of the master, preceded by what the student added to it."""
     if what not in ALSO_WORKED_IN:
         return [_clean(cell)]
     ours = _our_code(cell["source"])
@@ -121,7 +121,7 @@ def _trusted(cell, what, copies):
 
 def _edited(cell, what, copies):
     """([the master's cell with the student's text], a note if it is missing or copied). A deleted
-    plain cell is left out; of several answers to be graded by hand all are kept.
+    plain cell is left out; several answers to be graded by hand are all kept.
     """
     if not copies:
         missing = {**_clean(cell), "source": "" if what == "answer" else cell["source"]}
@@ -167,7 +167,7 @@ def _clean(cell):
 
 
 def _own_cell(cell: Mapping[str, Any], text: str) -> Cell:
-    """A cell that a student added: of it only the text and the pictures."""
+    """A cell that a student added: only its text and its pictures."""
     if cell["cell_type"] == "code":
         return code_cell(OWN, text, {"role": OWN})
     own = markdown_cell(OWN, text, {"role": OWN})
@@ -177,7 +177,7 @@ def _own_cell(cell: Mapping[str, Any], text: str) -> Cell:
 
 
 def _pictures(cell):
-    """The attachments of a cell that are pictures; nothing else is kept of them."""
+    """The attachments of a cell that are pictures, with nothing else that they hold."""
     attachments = cell.get("attachments")
     found = {}
     for name, kinds in attachments.items() if isinstance(attachments, dict) else ():

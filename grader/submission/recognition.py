@@ -1,5 +1,5 @@
 """Which cell of the trusted notebook a submitted cell is: by the metadata and ids that were handed
-out, and where an editor has removed those, by what its text says.
+out, or by its text where an editor has removed those.
 """
 
 import re
@@ -17,7 +17,7 @@ OWN = "own"  # the role of a cell that the student added
 
 @cache
 def _first_lines():
-    """{role: pattern} of what we write into the first line of a cell, in any language."""
+    """{role: pattern} of the first line of our cells, in any language."""
     given, work = (
         "|".join(re.escape(text.partition(";")[0]) for text in in_all(x)) for x in (GIVEN, WORK)
     )
@@ -57,16 +57,16 @@ def places_of(
 
 
 def _with_answers(cells, found, master):
-    """The same with the answers that are still missing: the only code cell next to the statement,
-    numbers or receipt of the same problem that gives a value to a name that is asked for.
+    """The same with the answers that are still missing: an answer is the only code cell next to the
+    statement, numbers or receipt of its problem that assigns to a name that is asked for.
     """
+    unmet = sorted({*range(len(master["cells"]))} - {*found})
+    marks = {n: own_metadata(master["cells"][n]) for n in unmet}
+    missing = {own["problem"]: n for n, own in marks.items() if own.get("role") == "answer"}
+    if not missing:
+        return found
     problems = [own_metadata(c).get("problem") for c in master["cells"]]
-    missing = {
-        own_metadata(c)["problem"]: n
-        for n, c in enumerate(master["cells"])
-        if own_metadata(c).get("role") == "answer" and n not in found
-    }
-    behind, before = _nearest(found), _nearest(found[::-1])[::-1]
+    above, below = _nearest(found), _nearest(found[::-1])[::-1]
     for problem, at in missing.items():
         asked = "|".join(map(re.escape, own_metadata(master["cells"][at])["asked"]))
         gives = re.compile(rf"(?m)^(.*[,=(\s])?({asked})\b[^=\n]*=(?!=)")
@@ -74,7 +74,7 @@ def _with_answers(cells, found, master):
             n
             for n, cell in enumerate(cells)
             if found[n] is None
-            and {problems[m] for m in (behind[n], before[n]) if m is not None} == {problem}
+            and {problems[m] for m in (above[n], below[n]) if m is not None} == {problem}
             and cell.get("cell_type") == "code"
             and gives.search(text_of(cell))
         ]
@@ -115,8 +115,7 @@ def _name_in_text(cell: Mapping[str, Any]) -> tuple[str | None, ...] | None:
 
 
 def text_of(cell: Mapping[str, Any]) -> str:
-    """The text of a submitted cell, which files can hold."""
+    """The text of a submitted cell, without lone surrogates: JSON can hold them, files cannot."""
     source = cell.get("source", "")
     text = "".join(map(str, source)) if isinstance(source, list) else str(source)
-    # JSON can hold lone surrogates, which no file can
     return text.encode("utf-8", "replace").decode()

@@ -42,7 +42,9 @@ class _Charts(click.Command):
 @click.argument("names", nargs=-1, metavar="[NAME …]")
 @click.option("--list", "only_list", is_flag=True, help="List the charts.")
 @click.option("--all", "draw_all", is_flag=True, help="Draw all of them, which takes some minutes.")
-@click.option("--models", is_flag=True, help='Of models only: "top" is then "models of top".')
+@click.option(
+    "--models", is_flag=True, help='Charts of models only: "top" is then "models of top".'
+)
 @_out("charts")
 @click.option(
     "--format", "kind", default="png", type=click.Choice(("png", "svg")), help="Of the files."
@@ -58,18 +60,19 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
     Quote a name of several words, or write hyphens for the blanks:
 
     \b
-    a scene that moves, as "top"
+    a scene that moves, such as "top"
         all methods of integration: the true error against the time and against
         the calls of the right-hand side, and the drift of the invariants
     "models of projectile" and others
         from the coarsest model to the fullest: operations against what is left out
-    a comparison, as "angle"
+    a comparison, such as "angle"
         where nothing is integrated: several methods for the same number
     "map of sleeping top" and others
         the method or model to use, over two parameters
 
-    Two first words are commands of their own, see their --help. atlas writes all charts on a page.
-    honesty asks: is each method as accurate as requested, and is its own error estimate true?
+    Two words in place of NAME are commands with a --help of their own: atlas writes all charts on a
+    page; honesty asks whether each method is as accurate as requested, and its own error estimate
+    true.
 
     How to read a chart: cost to the right, error upwards, so lower left is better. The points with
     rings are the front: every other point costs more and is no more accurate. Closed forms and
@@ -147,7 +150,7 @@ def _picture(context, parameter, path):
 )  # fmt: skip
 @click.option(
     "--methods", default="", callback=_methods, metavar="A,B", show_default="all",
-    help='Only these, as "auto,dop853".',
+    help='Only these, e.g. "auto,dop853".',
 )  # fmt: skip
 @click.option(
     "--out", "path", default=f"charts/{HONESTY}.png", type=FILE, callback=_picture,
@@ -182,8 +185,8 @@ def honesty_main(scenes, methods, path, longest, quick):
       covers %   part of the estimates that are not below the true error
       est/true   their median ratio
 
-    A sound method shows nothing in the red fields. One that answers little honestly refuses the
-    rest: look at the number of runs too. Marks at the edge lie beyond it.
+    A sound method shows nothing in the red fields. A method may do so by refusing most runs: look
+    at their number too. Marks at the edge lie beyond it.
 
     \b
     Examples:

@@ -27,7 +27,7 @@ def show_chart(name: str, quick: bool = True, tolerance: float | None = None) ->
     entry = chart_named(name)
     if tolerance is not None and not (entry.question == MODEL and tolerance > 0):
         raise ArgumentError(
-            f"a tolerance is positive and of models; got {tolerance!r} for {name!r}"
+            f"a tolerance is positive, for 'models of ...'; got {tolerance!r} for {name!r}"
         )
     more = {} if tolerance is None else {"tolerance": float(tolerance)}
     found = entry.make(quick, lambda fraction, words="": None, **more)

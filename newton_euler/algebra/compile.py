@@ -18,7 +18,7 @@ from traceback import walk_tb
 from typing import Any, NamedTuple
 
 from . import scalars
-from .errors import callers_line
+from .errors import callers_line, checked
 from .jets import Moving
 from .scalars import (
     FUNCTIONS,
@@ -96,7 +96,6 @@ class Recording(NamedTuple):
     shape: str
     keys: Any
     defaults: dict
-    backend: str = "auto"
 
 
 def content(formula):
@@ -120,17 +119,16 @@ class Compiled:
     shape, keys : how the result is built from these, see :func:`_shape`; default: a tuple
     """
 
-    def __init__(
-        self, name, parameters, trace, leaves, shape="", keys=(), defaults=(), backend="auto"
-    ):
+    def __init__(self, name, parameters, trace, leaves, shape="", keys=(), defaults=()):
         self.name, self.parameters, self.trace, self.leaves = name, parameters, trace, leaves
-        self.backend, self._defaults, self.shape, self.keys = backend, dict(defaults), shape, keys
+        self._defaults, self.shape, self.keys = dict(defaults), shape, keys
         self._build = _builder(shape, keys, len(leaves)) if shape else tuple
         names = {n: f"{n}_" if n in RESERVED else n for n in parameters}
         self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
         chooses = "where(" in self.source
         self._lazy = generate(trace, names, leaves, lazy=True)[0] if chooses else self.source
-        self._functions, self._seen, self._heyoka, self._buffer = {}, 0, None, None
+        self._functions, self._heyoka, self._buffer = {}, None, None
+        self.seen = 0  # instants of arrays so far
         self.on_floats = self.on(math)
 
     def __repr__(self):
@@ -139,7 +137,7 @@ class Compiled:
     def __reduce__(self):
         """Its steps: the text, and what was compiled from it, are made again from them."""
         steps, leaves = packed(self.trace, self.leaves)
-        rest = self.shape, self.keys, self._defaults, self.backend
+        rest = self.shape, self.keys, self._defaults
         return _from_steps, (self.name, list(self.parameters), steps, leaves, *rest)
 
     def __call__(self, *args, **named):
@@ -241,7 +239,7 @@ class Compiled:
         if not shape:
             return self._build(self.on(np)(*(a[()] for a in args)))
         count = math.prod(shape)
-        self._seen += count
+        self.seen += count
         rows = [np.broadcast_to(a, shape).reshape(-1) if a.shape else a[()] for a in args]
         out = np.empty((len(self.leaves), count))
         if count and self._heyoka_pays():
@@ -256,18 +254,12 @@ class Compiled:
         return self._build([row.reshape(shape) for row in out])
 
     def _heyoka_pays(self):
-        if self.backend == "numpy" or (
-            self.backend == "auto" and self._seen < HEYOKA_BREAK_EVEN["heyoka" in sys.modules]
-        ):
+        if self.seen < HEYOKA_BREAK_EVEN["heyoka" in sys.modules]:
             return False
         if self._heyoka is None:
-            if any(s.op in WITHOUT_HEYOKA for s in self.trace.steps):
-                self.backend = "numpy"
-                return False
-            if util.find_spec("heyoka") is None:
-                if self.backend == "heyoka":
-                    raise ImportError("backend='heyoka' needs heyoka: pip install heyoka")
-                self.backend = "numpy"
+            without = any(s.op in WITHOUT_HEYOKA for s in self.trace.steps)
+            if without or util.find_spec("heyoka") is None:
+                self.seen = -math.inf
                 return False
             hy = import_module("heyoka")
             variables = [hy.expression(n) for n in self.parameters]
@@ -318,15 +310,15 @@ def _float(constant):
         return constant
 
 
-def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compiled:
+@checked
+def compiled(f: Callable, **constants: Scalar) -> Compiled:
     """The formula ``f``, traced once into straight-line text, for many fast evaluations. The result
     takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name,
-    and returns what ``f`` returns, a Vector as a triple of components.
+    and returns what ``f`` returns, a Vector as a triple of components. Arrays go by NumPy in
+    blocks, and by heyoka, if installed, as soon as that saves more time than its compilation takes.
 
     f : a function of scalars that does not branch on their values (it chooses by ``where``); it
         returns a scalar, a Vector, or tuples and dicts of them
-    backend : "auto" (NumPy in blocks, and heyoka as soon as that saves more time than its
-        compilation takes), "numpy" or "heyoka"; for arrays only
     constants : parameters of ``f`` to fix now; they are not parameters of the result
 
     >>> from newton_euler import compiled, sin
@@ -334,14 +326,7 @@ def compiled(f: Callable, backend: str = "auto", **constants: Scalar) -> Compile
     >>> round(height(20.0, 0.5, 9.81), 3), height.operations
     (4.686, 5)
     """
-    if not callable(f) or isinstance(f, type):
-        raise ScalarError(f"compiled: f is a function of scalars; got {clipped(f)}")
-    what = "backend must be 'auto', 'numpy' or 'heyoka', got"
-    if not isinstance(backend, str):
-        raise ScalarError(f"{what} {clipped(backend)}")
-    if backend not in ("auto", "numpy", "heyoka"):
-        raise ValueError(f"{what} {backend!r}")
-    return Compiled(*recorded(f, **constants)._replace(backend=backend))
+    return Compiled(*recorded(f, **constants))
 
 
 # what Python, NumPy and mpmath say, which have no class of their own for these errors
@@ -353,7 +338,7 @@ _OF_STEPS = {
 
 
 def _lacked_values(error):
-    """True if this error arose since a traced value has no number: as the value itself says, or
+    """True if this error arose because a traced value has no number: as the value itself says, or
     Python, or a function of NumPy or SciPy that had one.
     """
     if isinstance(error, NewtonEulerError):
@@ -378,7 +363,7 @@ def recorded(f, **constants):
     """The :class:`Recording` of ``f``, see :func:`compiled`, without a text, in half the time."""
     try:
         signature = inspect.signature(f).parameters
-    except (TypeError, ValueError) as error:  # as of max
+    except (TypeError, ValueError) as error:  # max, for example
         raise ScalarError(f"a formula to compile names its arguments: {error}") from error
     if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
         raise ScalarError(f"a formula to compile names all its arguments, but {f!r} does not")

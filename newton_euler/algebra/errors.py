@@ -15,12 +15,11 @@ Functions that are called millions of times, as the methods of vectors, have che
 import linecache
 import sys
 import types
-import typing
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
 from inspect import Parameter, signature
 from traceback import walk_tb
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
 from .names import ArgumentError, misfit
 from .scalars import (
@@ -42,7 +41,7 @@ from .scalars import (
 from .vectors import FrameError, Vector
 
 F = TypeVar("F", bound=Callable)
-# by how much numbers may differ; and what an integral is to reach, which floats can
+# the difference that two numbers may have; and the relative error of an integral
 Tolerance = Annotated[float, "one real number that is not negative"]
 Accuracy = Annotated[float, "a relative error that floats can reach, from 1e-14 to below 1"]
 
@@ -83,7 +82,7 @@ def checked(f: F, unchecked: tuple = ()) -> F:
                 raise
             if isinstance(error, TypeError) and (words := misfit(f, args, named)):
                 raise ArgumentError(words) from None
-            if _passed_through_a_callers_function(error):
+            if any(_callers_places(error)):  # what the caller passed raised it, or called what did
                 raise
             given = [*map(_brief, given), *(f"{n}={_brief(x)}" for n, x in named.items())]
             raise _in_words(f"{f.__name__}({', '.join(given)})", error) from error
@@ -91,19 +90,16 @@ def checked(f: F, unchecked: tuple = ()) -> F:
     return call  # type: ignore[return-value]
 
 
-def checked_methods(*kinds: type) -> Callable[[type], type]:
-    """A decorator of a class that checks what its public methods take of these kinds, see
-    :func:`checked`; the rest is left to the methods.
+def checked_words(cls: type) -> type:
+    """A decorator of a class that checks the texts, choices of words, and True or False that its
+    public methods take, see :func:`checked`; the rest is left to the methods.
     """
-
-    def of_class(cls):
-        for name, f in list(vars(cls).items()):
-            if isinstance(f, types.FunctionType) and not name.startswith("_"):
-                rest = [n for n, kind in f.__annotations__.items() if kind not in kinds]
-                setattr(cls, name, checked(f, tuple(rest)))
-        return cls
-
-    return of_class
+    for name, f in list(vars(cls).items()):
+        if isinstance(f, types.FunctionType) and not name.startswith("_"):
+            kinds = f.__annotations__.items()
+            rest = [n for n, k in kinds if k not in (str, bool) and get_origin(k) is not Literal]
+            setattr(cls, name, checked(f, tuple(rest)))
+    return cls
 
 
 def checked_but(*unchecked: str) -> Callable[[F], F]:
@@ -123,11 +119,6 @@ def _callers_places(error):
     for frame, line in walk_tb(error.__traceback__.tb_next):
         if frame.f_globals.get("__name__", "").partition(".")[0] not in _NOT_A_CALLERS:
             yield frame, line
-
-
-def _passed_through_a_callers_function(error):
-    """True if a function that the caller passed raised the error, or called what raised it."""
-    return any(_callers_places(error))
 
 
 def callers_line(error: BaseException) -> str:
@@ -219,8 +210,8 @@ def _error_for(members):
 
 def _members(kind):
     """The kinds of which a union is made, or the one."""
-    if typing.get_origin(kind) in (typing.Union, types.UnionType):
-        return typing.get_args(kind)
+    if get_origin(kind) in (Union, types.UnionType):
+        return get_args(kind)
     return (kind,)
 
 
@@ -242,7 +233,9 @@ def _converter(kind):
         return lambda x: next((y for c in converters if (y := c(x)) is not REFUSED), REFUSED)
     if kind in _OF_KIND:
         return _OF_KIND[kind]
-    container, parts = typing.get_origin(kind) or kind, typing.get_args(kind)
+    container, parts = get_origin(kind) or kind, get_args(kind)
+    if container is Literal:
+        return lambda x: x if isinstance(x, str) and x in parts else REFUSED
     if container is tuple:
         parts = parts[:1] if len(parts) == 2 and parts[1] is ... else ()
     if container in (Sequence, tuple, Iterable):
@@ -338,7 +331,7 @@ def _length(x):
         return float("inf")
 
 
-# what to write, for kinds of the mechanics by the name of their class
+# what to write, for kinds by the name of their class
 _EXAMPLES = {
     "Frame": "a Frame, as Frame('ground') or ground.rotate('arm', 'z')",
     "Point": "a Point, as ground.point('P', 1.0, 0, 0)",
@@ -346,9 +339,13 @@ _EXAMPLES = {
     "Body": "a Body, as disk(0.5, frame, mass=2.0)",
     "CoordinatePoint": "a point in coordinates, as polar(ground, 'P', r, theta)",
     "Amount": "an Amount",
+    "Scalar": "a number (float, array, mpf or expression)",
+    "float": "one real number",
+    "int": "a whole number",
     "str": "a text",
     "bool": "True or False",
-    "int": "a whole number",
+    "Callable": "a function",
+    "NoneType": "None",
 }
 
 
@@ -357,19 +354,13 @@ def words(kind):
     members = _members(kind)
     if len(members) > 1:
         return " or ".join(dict.fromkeys(words(k) for k in members))
-    if kind is Scalar:
-        return "a number (float, array, mpf or expression)"
-    if kind is types.NoneType:
-        return "None"
     if kind in (Tolerance, Accuracy):
         return kind.__metadata__[0]
-    container, parts = typing.get_origin(kind) or kind, typing.get_args(kind)
-    if container is float:
-        return "one real number"
+    container, parts = get_origin(kind) or kind, get_args(kind)
+    if container is Literal:
+        return f"one of {', '.join(map(repr, parts))}"
     if container in (Sequence, Iterable, tuple):
         inner = {Scalar: " of numbers", Vector: " of Vectors"}
         return "a sequence" + (inner.get(parts[0], "") if parts else "")
-    if container is Callable:
-        return "a function"
     name = getattr(container, "__name__", str(container))
     return _EXAMPLES.get(name, f"a {name}")

@@ -20,6 +20,7 @@ from .scalars import (
     exp,
     highest,
     integer_like,
+    is_finite,
     is_numeric,
     max_abs,
     pi,
@@ -50,7 +51,7 @@ def integral(f: Callable, start: Scalar, end: Scalar, breaks: Sequence[Scalar] =
     step of a formula that is compiled, and of expressions a formula of SymPy.
 
     f : function of one number that returns a scalar, a Vector, or a tuple of them, smooth between
-        the limits and ``breaks``. Only at ``start`` = 0 it may be infinite, as x**-0.5
+        the limits and ``breaks``. It may be infinite only at ``start`` = 0, as x**-0.5
     breaks : in order, where f has corners or jumps
     Raises :class:`SingularError` where it does not settle, :class:`WorkError` without a formula.
 
@@ -131,6 +132,10 @@ def _tanh_sinh(f, start, end, sample):
     """By places at the fraction 1/(1 + exp(pi sinh t)) of the way from either end, for equal steps
     of t (H. Takahasi and M. Mori, Publ. RIMS 9, 721, 1974); halving these squares the error.
     """
+    if not (is_finite(start) and is_finite(end)):
+        raise SingularError(
+            f"the limits of an integral are finite; got {start!r} and {end!r}: change the variable"
+        )
     start, end, *_ = promote(start, end, *sample)
     width, small = end - start, epsilon(end - start)
     # A place nearer to an end than a round-off of the way is rounded to the end itself, where f may
@@ -259,7 +264,7 @@ def _by_arrays(f, n, order, sample):
 def _one_by_one(f, n, order, sample):
     """The sums place by place, with all the digits of mpmath, or of floats."""
     found, sizes = [ZERO] * len(sample), [ZERO] * len(sample)
-    for pairs in product(_gauss(order, epsilon(sum(sample))), repeat=n):
+    for pairs in product(gauss(order, epsilon(sum(sample))), repeat=n):
         share = 1
         for _, weight in pairs:
             share = share * weight
@@ -270,7 +275,7 @@ def _one_by_one(f, n, order, sample):
 
 
 @cache
-def _gauss(order, small):
+def gauss(order, small):
     """Gauss places and weights on (0, 1), to this round-off, by Newton's method."""
     one = scalar(1.0)
     if small < 2.0**-53:

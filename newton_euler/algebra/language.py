@@ -24,9 +24,9 @@ _FIELD = re.compile(r"\{(\w+)(?:\.(what|why))?\}")
 
 
 class Words(str):
-    """A sentence, or a part of one, that is said later: English as a text, and its template with
-    its values, by which :func:`spoken` says it in the reader's language. A value may be one, too;
-    ``{cause.what}`` is what stands in it before the first colon, ``{cause.why}`` what comes after.
+    """A sentence, or a part of one, to translate later: English as a text, and its template with
+    its values, which :func:`spoken` says in the reader's language. A value may be such a sentence;
+    ``{cause.what}`` is its text before the first colon, ``{cause.why}`` the text after it.
 
     >>> Words("leaves out {term}", term="m*g")
     'leaves out m*g'

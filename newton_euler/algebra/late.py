@@ -1,6 +1,4 @@
-"""Libraries that are imported when something of them is used first: what does not need them works
-without them.
-"""
+"""Libraries that are imported when first used: code that does not need them works without them."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any

@@ -7,7 +7,7 @@ the number of its equation, and ``without("coriolis")`` is the sum of a model wi
 import itertools
 import operator
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from types import MappingProxyType
@@ -120,6 +120,13 @@ class Terms(Guided, dict[str, T], Generic[T]):
         more = other if isinstance(other, Terms) else Terms(other)
         return Terms([*self.named(), *more.named()])
 
+    def __ror__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
+        return Terms(other) | self
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """The term, or the ``default`` where there is none of this name."""
+        return self[name] if name in self or name in self.shared.values() else default
+
     def named(self) -> Iterator[tuple[str, T]]:
         """Pairs (name as given, term)."""
         return ((self.shared.get(name, name), term) for name, term in self.items())
@@ -177,8 +184,8 @@ class Ledger:
 
     kind : of the equation, see :func:`equation`
     subject : the things it is about, as "P/ground"
-    make : a function that returns the terms, a dict or pairs (name, Vector); None of a vector that
-        is no sum, of which only the kind is known: such a ledger is false
+    make : a function that returns the terms, a dict or pairs (name, Vector); None for a vector that
+        is not a sum, whose kind alone is known: its ledger is false
     scaled : whether the sum was multiplied, so that its unit is not that of the equation
     """
 
@@ -229,7 +236,7 @@ def unlike(kind: str, other: str) -> bool:
 
 
 def _dimension(text):
-    """The dimension of a unit, None where the text is no unit that is known."""
+    """The dimension of a unit, None if the unit is unknown."""
     from .units import UnitError
     from .units import unit as unit_of
 
@@ -239,13 +246,13 @@ def _dimension(text):
         return None
 
 
-def _other_unit(ledger, text):
-    """A sentence where the text is a unit that the sum cannot have, else ""."""
-    here, asked = _dimension(ledger.unit), _dimension(text)
-    if here is None or asked is None or here == asked:
-        return ""
-    what = f"{ledger.equation.kind} {ledger.subject}"
-    return f"this is the {what}, in {ledger.unit}: it cannot be explained in {text!r}"
+def _check_unit(text, what, own):
+    """Raises :class:`TermError` for a unit that a sum in its ``own`` unit cannot have."""
+    if not isinstance(text, str):
+        raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(text)}")
+    here, asked = _dimension(own), _dimension(text)
+    if None not in (here, asked) and here != asked:
+        raise TermError(f"this is the {what}, in {own}: it cannot be explained in {text!r}")
 
 
 class Explanation:
@@ -261,10 +268,7 @@ class Explanation:
     """
 
     def __init__(self, vector, ledger, unit=""):
-        if not isinstance(unit, str):
-            raise TermError(f"the unit is a text, as 'm/s^2'; got {clipped(unit)}")
-        if words := _other_unit(ledger, unit):
-            raise TermError(words)
+        _check_unit(unit, f"{ledger.equation.kind} {ledger.subject}", ledger.unit)
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
         sizes = (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x))
@@ -276,19 +280,12 @@ class Explanation:
         unit = f" {self.unit}" if self.unit else ""
         known, other = self.equation.terms, self.equation.other
         names = [f"{self._label(n)}  {known.get(n, other)[0]}".rstrip() for n in self.terms]
-        names.append("sum")
-        width = max(map(len, names))
-        vectors = [*self.terms.values(), self.vector]
-        return "\n".join(
-            [
-                f"{self.equation.kind} {self.ledger.subject}, equation ({self.equation.number}), "
-                f"components in {self.vector.frame.name}",
-                *(
-                    f"  {name:<{width}}  [{', '.join(map(short, v))}]{unit}"
-                    for name, v in zip(names, vectors, strict=True)
-                ),
-            ]
+        rows = zip([*names, "sum"], [*self.terms.values(), self.vector], strict=True)
+        heading = (
+            f"{self.equation.kind} {self.ledger.subject}, equation ({self.equation.number}), "
+            f"components in {self.vector.frame.name}"
         )
+        return in_columns(heading, [(n, f"[{', '.join(map(short, v))}]{unit}") for n, v in rows])
 
     __repr__ = __str__
 
@@ -314,6 +311,12 @@ class Explanation:
 
     def _repr_mimebundle_(self, **_):
         return {"text/plain": str(self), "text/latex": self.latex}
+
+
+def in_columns(heading: str, rows: Sequence[tuple[str, str]]) -> str:
+    """A heading, and below it names and texts in two columns."""
+    width = max(len(name) for name, _ in rows)
+    return "\n".join([heading, *(f"  {name:<{width}}  {text}" for name, text in rows)])
 
 
 def _product(name, symbol):
@@ -342,6 +345,9 @@ def latex_number(x, digits):
     except Exception:  # heyoka, traced and array components have no LaTeX of their own
         body = latex_text(str(x)[:40])
     return body if body.replace("\\", "").isalnum() else rf"\left({body}\right)"
+
+
+_UNITS = {"work": "J", "kinetic energy": "J", "power": "W", "rate of kinetic energy": "W"}
 
 
 def _operation(f):
@@ -402,12 +408,15 @@ class Amount(NamedTerms):
         _comparison, (operator.eq, operator.lt, operator.le, operator.gt, operator.ge)
     )
 
-    def explain(self, unit: str = "J") -> str:
-        """The sum as a text: the number of its equation, each term, and the sum."""
-        rows = [*self.terms.items(), ("sum", self.value)]
-        width = max(len(name) for name, _ in rows)
-        lines = (f"  {name:<{width}}  {short(x)} {unit}" for name, x in rows)
-        return "\n".join([f"{self.what}, equation ({self.number})", *lines])
+    def explain(self, unit: str = "") -> str:
+        """The sum as a text: the number of its equation, each term, and the sum, in this ``unit``
+        (default: J, and W of a power).
+        """
+        own = _UNITS.get(self.what, "")
+        _check_unit(unit, self.what, own)
+        unit = unit or own or "J"
+        rows = [(n, f"{short(x)} {unit}") for n, x in (*self.terms.items(), ("sum", self.value))]
+        return in_columns(f"{self.what}, equation ({self.number})", rows)
 
     def reweighted(self, /, **factors: Scalar) -> Scalar:
         """The sum of its terms, each times the factor named for it (others once).

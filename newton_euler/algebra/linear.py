@@ -20,6 +20,7 @@ from types import MappingProxyType
 from .errors import checked
 from .late import np
 from .ledger import distinct
+from .names import listed
 from .scalars import (
     ZERO,
     Scalar,
@@ -71,6 +72,10 @@ class LinearError(FrameError):
     def __init__(self, message, equations=()):
         super().__init__(message)
         self.equations = tuple(equations)
+
+
+class _NoUnknown(LinearError, AttributeError):
+    """There is no unknown of this name; an AttributeError too, so that ``hasattr`` is False."""
 
 
 class LinearForm(_Own):
@@ -336,7 +341,7 @@ class Solution:
         if isinstance(name, str) and name in self.values:
             return self.values[name]
         if not isinstance(name, str) or name not in self.names:
-            raise LinearError(f"there is no unknown {name!r}; there are {', '.join(self.names)}")
+            raise _NoUnknown(f"there is no unknown {name!r}; there are {', '.join(self.names)}")
         raise LinearError(f"{name} is not determined by the equations. {self.report()}")
 
     def __getattr__(self, name):
@@ -360,7 +365,7 @@ class Solution:
                 "needed, or fewer unknowns"
             )
         sentences += [
-            f"The equation {name!r} is redundant: it follows from {_quoted(others)}"
+            f"The equation {name!r} is redundant: it follows from {listed(map(repr, others))}"
             for name, others in self.redundant.items()
         ]
         nothing = "The equations determine every unknown, and each of them is needed"
@@ -520,16 +525,7 @@ class _Elimination:
         self.rows, self.dependent = {}, {}
         for n in range(len(equations)):
             self._eliminate(n)
-        self.free = {  # the unknowns of a row other than its pivot
-            pivot: [
-                k
-                for k, s in enumerate(self.scale)
-                if k != pivot
-                and s
-                and max_abs(row[k]) / s > ABSENT * self.round_off / self.scale[pivot]
-            ]
-            for pivot, row in self.rows.items()
-        }
+        self.free = {pivot: self._others(pivot, row) for pivot, row in self.rows.items()}
         self.values = {k: row[count] for k, row in self.rows.items() if not self.free[k]}
         for n, row in self.dependent.items() if faithful else ():
             self._check(n, row)
@@ -543,26 +539,23 @@ class _Elimination:
 
     def _scales(self):
         """The size of the coefficients of each unknown; 0 if they are rounding errors only."""
-        noise = [
-            CANCELLATION * self.round_off * x
-            for x in self._by_group([e.coefficients for e in self.equations])
-        ]
-        return [
-            max(
-                (
-                    s
-                    for e, small in zip(self.equations, noise, strict=True)
-                    if (s := max_abs(e.coefficients[k])) > small
-                ),
-                default=0.0,
-            )
-            for k in range(self.count)
-        ]
+        scale = [0.0] * self.count
+        usual = self._by_group([e.coefficients for e in self.equations])
+        for e, largest in zip(self.equations, usual, strict=True):
+            for k, size in enumerate(map(max_abs, e.coefficients)):
+                if size > CANCELLATION * self.round_off * largest:
+                    scale[k] = max(scale[k], size)
+        return scale
 
     def _relative(self, row, measure=max_abs):
         """The size of the coefficients of a row, each relative to what is usual for its unknown."""
         pairs = zip(row, self.scale, strict=False)
         return [measure(x) / s if s and x is not ZERO else 0.0 for x, s in pairs]
+
+    def _others(self, pivot, row):
+        """The unknowns of a row other than its pivot."""
+        noise = ABSENT * self.round_off / self.scale[pivot]
+        return [k for k, size in enumerate(self._relative(row)) if k != pivot and size > noise]
 
     def _eliminate(self, n):
         own = (int(n == m) or ZERO for m in range(len(self.equations)))
@@ -610,7 +603,7 @@ class _Elimination:
         if not others:
             raise LinearError(f"the equation {name!r} {off}: no unknown occurs in it", names)
         raise LinearError(
-            f"the equations contradict each other: {name!r} {off} if {_quoted(others)} "
+            f"the equations contradict each other: {name!r} {off} if {listed(map(repr, others))} "
             f"hold{'s' * (len(others) == 1)}",
             names,
         )
@@ -724,8 +717,3 @@ def solve_regular(rows):
         rest.append((c, b))
     values = solve_regular(rest)
     return {**values, k: (right - sum((c * values[j] for j, c in others.items()), ZERO)) / p}
-
-
-def _quoted(names):
-    *first, last = map(repr, names)
-    return f"{', '.join(first)} and {last}" if first else last

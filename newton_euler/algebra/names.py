@@ -1,5 +1,5 @@
-"""What to write in place of a name that there is not, of a function, an attribute, an argument or a
-term, and in place of a call that does not fit. Python's own words do not say it.
+"""What to write in place of an unknown name of a function, an attribute, an argument or a term, and
+in place of a call that does not fit. Python's own messages do not say it.
 """
 
 import sys
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from .language import _
 from .scalars import NewtonEulerError, clipped
 
-# what is called otherwise here
+# names of other programs, and those used here
 _ALSO = {
     "accel": "acceleration", "alpha": "acceleration angular_acceleration",
     "angular_velocity": "rate", "derivative": "rate", "diff": "rate", "length": "norm",
@@ -25,13 +25,12 @@ _ALSO = {
 
 
 class ArgumentError(NewtonEulerError, TypeError):
-    """An argument is not of the kind that is expected: a number where a function belongs."""
+    """An argument is not of the expected kind, as a number where a function belongs."""
 
 
 def nearest(name: object, names: Iterable[str], likeness: float = 0.7) -> str:
-    """The one of ``names`` that was meant by ``name``: the same but for capitals and blanks, one
-    that begins so, or one that is spelt nearly so, with at least this ``likeness`` (of 1); "" where
-    there is none.
+    """The one of ``names`` that ``name`` means: the same but for capitals and blanks, one that
+    begins like it, or one spelt nearly like it, with at least this ``likeness`` (of 1); or "".
 
     >>> nearest("Coriolis", ["origin", "coriolis"]), nearest("accel", ["rate", "acceleration"])
     ('coriolis', 'acceleration')
@@ -73,7 +72,7 @@ class UnknownName(AttributeError):
 
 
 class Guided:
-    """Base of classes whose unknown attributes are answered with the nearest that there is."""
+    """Base of classes that answer an unknown attribute with the nearest known one."""
 
     __slots__ = ()
 
@@ -177,7 +176,7 @@ def misfit(f: Callable, args: tuple, named: dict) -> str:
     needed = [n for n in known if n not in more and parameters[n].default is Parameter.empty]
     missing = [n for n in needed if n not in named and n not in by_place[: len(args)]]
     if missing:
-        return _with_a_row_opened(name, args, missing) or f"{name} lacks {_and(missing)}. {write}"
+        return _with_a_row_opened(name, args, missing) or f"{name} lacks {listed(missing)}. {write}"
     if len(args) > len(by_place) and not several:
         return f"{name} takes {len(by_place)} arguments by place, got {len(args)}. {write}"
     return ""
@@ -193,8 +192,14 @@ def _with_a_row_opened(name, args, missing):
     return ""
 
 
-def _and(names):
-    return " and ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
+def listed(names: Iterable[str]) -> str:
+    """The names as a list in a sentence.
+
+    >>> listed(["a"]), listed(["a", "b", "c"])
+    ('a', 'a, b and c')
+    """
+    *first, last = names
+    return f"{', '.join(first)} and {last}" if first else last
 
 
 def _keys(annotation):

@@ -4,7 +4,7 @@ from heapq import heappush, heapreplace
 from itertools import pairwise
 from sys import float_info
 
-from .integrals import WorkError, by_formula, integral
+from .integrals import WorkError, by_formula, gauss, integral
 from .late import np
 from .scalars import (
     ZERO,
@@ -22,26 +22,8 @@ from .scalars import (
 INTERVALS = 400  # intervals: the most of an adaptive integral; each takes 21 values
 # subdivisions of an adaptive cubature by dimension; each one makes 2, 4 or 8 boxes of 21^n places
 BOXES = {1: 4000, 2: 400, 3: 40}
-# places on (0, 1], their weights in Kronrod's rule of 21 places and in Gauss's of 10 (Piessens et
-# al., QUADPACK, 1983, routine QK21)
-KRONROD = (
-    (0.995657163025808080735527280689003, 0.011694638867371874278064396062192, 0.0),
-    (0.973906528517171720077964012084452, 0.032558162307964727478818972459390,
-     0.066671344308688137593568809893332),
-    (0.930157491355708226001207180059508, 0.054755896574351996031381300244580, 0.0),
-    (0.865063366688984510732096688423493, 0.075039674810919952767043140916190,
-     0.149451349150580593145863396957698),
-    (0.780817726586416897063717578345042, 0.093125454583697605535065465083366, 0.0),
-    (0.679409568299024406234327365114874, 0.109387158802297641899210590325805,
-     0.219086362515982043995534934228163),
-    (0.562757134668604683339000099272694, 0.123491976262065851077958109585166, 0.0),
-    (0.433395394129247190799265943165784, 0.134709217311473325928054001771707,
-     0.269266719309996355091226921569469),
-    (0.294392862701460198131126603103866, 0.142775938577060080797094273138717, 0.0),
-    (0.148874338981631210884826001129720, 0.147739104901338491374841515972068,
-     0.295524224714752870173815619188769),
-)  # fmt: skip
-MIDDLE = 0.149445554002916905664936468389821
+# places of the two Gauss rules on an interval, whose difference is the error of the coarser
+PLACES = 10, 21
 
 
 def quadrature(f, start, end, rtol=1e-10, exact=False, breaks=()):
@@ -117,7 +99,7 @@ def _bisected(f, start, end, rtol, scale):
     """The same by the engine alone: the interval with the largest error is halved until all errors
     together are small enough.
     """
-    parts = [_by_kronrod(f, start, end)]
+    parts = [_by_gauss(f, start, end)]
     while True:
         value, error = sum(part[3] for part in parts), -sum(part[0] for part in parts)
         if error <= rtol * max(scale, abs(value)):
@@ -126,30 +108,22 @@ def _bisected(f, start, end, rtol, scale):
         middle = a + (b - a) / 2
         if len(parts) >= INTERVALS or not min(a, b) < middle < max(a, b):
             raise _slow(start, end, rtol, f"{len(parts)} intervals leave an error of {error:.1g}")
-        heapreplace(parts, _by_kronrod(f, a, middle))
-        heappush(parts, _by_kronrod(f, middle, b))
+        heapreplace(parts, _by_gauss(f, a, middle))
+        heappush(parts, _by_gauss(f, middle, b))
 
 
-def _by_kronrod(f, start, end):
-    """(-error, start, end, integral) over an interval; the error as QUADPACK estimates it, and that
-    of the places, which are rounded.
+def _by_gauss(f, start, end):
+    """(-error, start, end, integral) over an interval; the error by two rules, and by round-off of
+    the values and of the places.
     """
-    middle, half = start + (end - start) / 2, (end - start) / 2
-    places = [(middle - half * x, middle + half * x, w, g) for x, w, g in KRONROD]
-    values = [(float(_finite(f, a)), float(_finite(f, b)), w, g) for a, b, w, g in places]
-    centre = float(_finite(f, middle))
-    found = MIDDLE * centre + sum(w * (y + z) for y, z, w, _ in values)
-    gauss, mean = sum(g * (y + z) for y, z, _, g in values), found / 2
-    spread = MIDDLE * abs(centre - mean)
-    spread += sum(w * (abs(y - mean) + abs(z - mean)) for y, z, w, _ in values)
-    size = MIDDLE * abs(centre) + sum(w * (abs(y) + abs(z)) for y, z, w, _ in values)
-    error = abs(found - gauss)
-    if spread and error:
-        error = spread * min(1.0, (200 * error / spread) ** 1.5)
-    error = abs(half) * max(error, 50 * float_info.epsilon * size)
-    seen = [centre, *(x for y, z, *_ in values for x in (y, z))]
+    way, sums = end - start, []
+    for count in PLACES:
+        values = [(w, float(_finite(f, start + way * x))) for x, w in gauss(count, epsilon())]
+        sums.append(sum(w * y for w, y in values))
+    seen, size = [y for _, y in values], sum(w * abs(y) for w, y in values)
+    error = abs(way) * max(abs(sums[1] - sums[0]), 50 * float_info.epsilon * size)
     rounded = float_info.epsilon * max(abs(start), abs(end)) * (max(seen) - min(seen))
-    return -error - rounded, start, end, half * found
+    return -error - rounded, start, end, way * sums[1]
 
 
 def cubature(f, n, rtol, name, error=WorkError):
@@ -164,7 +138,9 @@ def cubature(f, n, rtol, name, error=WorkError):
     )
     off = float(np.max(found.error))
     if not np.isfinite(found.estimate).all():
-        raise error(f"the integrals over {name} are not finite: look at the limits")
+        raise error(
+            f"the integrals over {name} are not finite: look at limits, formula and density"
+        )
     if found.status != "converged":
         raise error(
             f"the integrals over {name} did not converge: after {found.subdivisions} "

@@ -13,11 +13,12 @@ from .scalars import (
     clipped,
     epsilon,
     highest,
+    is_finite,
     is_numeric,
-    min_abs,
     promote,
     scalar,
     to_plain,
+    vanishes,
     where,
 )
 
@@ -51,6 +52,8 @@ def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
         raise ScalarError(
             f"put numbers in: the root of {clipped(sample)} = 0 has no formula in general"
         )
+    if not (is_finite(low) and is_finite(high)):
+        raise SingularError(f"a root is enclosed by two finite places; got {low!r} and {high!r}")
     # exact numbers of SymPy have no exact root in general, and their fractions grow without end
     if any(map(_is_constant, present)):
         return _enclosed(lambda x: float(f(x)), float(low), float(high))
@@ -76,7 +79,7 @@ def _moving_root(f, low, high):
         per_time = resting.rate / resting.value
         return Moving(u, u * per_time, u * per_time * per_time)
     slope = at(u, 1).rate - resting.rate
-    if is_numeric(slope) and min_abs(slope) == 0:
+    if vanishes(slope):
         raise SingularError(
             f"the root {to_plain(u)!r} has no rate: the function touches zero there, with slope 0"
         )
@@ -138,7 +141,10 @@ def _either(condition, a, b):
 
 
 def _value(f, x):
-    return to_plain(scalar(f(x))) + 0 * x
+    value = to_plain(scalar(f(x))) + 0 * x
+    if anywhere(value != value):
+        raise SingularError(f"the function has no value at {x!r}: it is {value!r}")
+    return value
 
 
 def _sign(x):

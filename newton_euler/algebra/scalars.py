@@ -1,7 +1,7 @@
 """Functions of numbers of every kind: sin, sqrt, where …, and the structural zero.
 
 Every formula of the engine is written once over *scalars*: a Python float, a NumPy array (many
-instants at once), an ``mpmath.mpf``, a expression of SymPy, SymEngine or heyoka, or one of these:
+instants at once), an ``mpmath.mpf``, an expression of SymPy, SymEngine or heyoka, or one of these:
 
 ``ZERO``        a zero known from the structure of a formula; it vanishes from sums and products
 ``Moving``      a value with its first and second rate in time (:mod:`newton_euler.algebra.jets`)
@@ -234,19 +234,17 @@ _kinds: dict[type, str] = {}
 
 def _kind(kind):
     """Whether the objects of a type are numbers, or of NumPy, which has more than numbers."""
-    root, found = _root(kind), "none"
-    if issubclass(kind, (float, int, Fraction, complex)):
-        found = "number"  # np.float64 too
-    elif root == "numpy" and hasattr(kind, "dtype") and kind.__name__ != "matrix":
-        found = "numpy"
-    elif root == "sympy":
-        found = "number" if issubclass(kind, import_module("sympy").Expr) else found
-    elif root == "symengine":
-        found = "number" if "Matrix" not in kind.__name__ and hasattr(kind, "diff") else found
-    elif root == "mpmath":
-        found = "number" if kind.__name__ != "matrix" else found
-    elif root == "heyoka" and kind.__name__ == "expression":
+    root, name, found = _root(kind), kind.__name__, "none"
+    if (
+        issubclass(kind, (float, int, Fraction, complex))  # np.float64 too
+        or (root == "sympy" and issubclass(kind, import_module("sympy").Expr))
+        or (root == "symengine" and "Matrix" not in name and hasattr(kind, "diff"))
+        or (root == "mpmath" and name != "matrix")
+        or (root == "heyoka" and name == "expression")
+    ):
         found = "number"
+    elif root == "numpy" and hasattr(kind, "dtype") and name not in ("matrix", "MaskedArray"):
+        found = "numpy"
     _kinds[kind] = found
     return found
 
@@ -311,6 +309,8 @@ def advice(x):
         return "; it has a unit: pass the number in your base units, as q.to_value('m')"
     if isinstance(x, str):
         return "; write numbers without quotation marks"
+    if hasattr(x, "compressed"):
+        return "; what is masked has no value: pass x.compressed()"
     if isinstance(x, (list, tuple)):
         return "; for many values at once pass an array, as numpy.array([...])"
     if _root(type(x)) == "decimal":
@@ -375,8 +375,8 @@ def real(x, what):
 
 
 def allowed(tolerance):
-    """A tolerance: one real number that is not negative."""
-    y = real(tolerance, "a tolerance")
+    """A tolerance: one real number that is not negative, a float."""
+    y = float(real(tolerance, "a tolerance"))
     if not y >= 0:
         raise ScalarError(f"a tolerance is not negative; got {clipped(tolerance)}")
     return y
@@ -597,6 +597,11 @@ def is_zero(x: Scalar) -> bool:
     return bool(equal.all() if hasattr(equal, "all") else equal)
 
 
+def vanishes(x: Scalar, small: float = 0) -> bool:
+    """True if the number ``x``, or an element of it, is at most ``small`` in size."""
+    return is_numeric(x) and min_abs(x) <= small
+
+
 def is_positive(x):
     """True if the number ``x`` (all of an array) is positive; True of an expression."""
     x = without_rates(x)
@@ -693,22 +698,29 @@ def probe(x):
         return x if is_numeric(x) else None
     sympy = import_module("sympy")
     x = sympy.sympify(x)
-    # numbers by a checksum of the names: the same in every run, and without a pattern
+    # numbers by a checksum of what the parts are (symbols may share a name): the same in every run,
+    # without a pattern
     parts = x.free_symbols | x.atoms(sympy.core.function.AppliedUndef, sympy.Derivative)
-    chosen = {p: sympy.Float(0.2 + 0.7 * zlib.crc32(str(p).encode()) / 2**32, 40) for p in parts}
+    shares = {p: zlib.crc32(sympy.srepr(p).encode()) / 2**32 for p in parts}
     try:
-        value = complex(_inside_out(x, chosen))
+        value = complex(
+            _inside_out(x, {p: sympy.Float(0.2 + 0.7 * s, 40) for p, s in shares.items()})
+        )
     except TypeError:
         return None
-    # 25 of 40 digits are left where 15 cancel
-    return 0.0 if abs(value) < 1e-25 else value.real or abs(value)
+    return None if value != value else value.real or abs(value)
 
 
 def _inside_out(x, known):
-    """The value of a SymPy expression to 40 digits, each part once; evalf may take very long."""
+    """The value of a SymPy expression to 40 digits, each part once; evalf may take very long. A sum
+    in which 25 of them cancel is zero.
+    """
     if x not in known:
-        value = x.func(*(_inside_out(a, known) for a in x.args)) if x.args else x
-        known[x] = value if value.is_Rational else value.evalf(40)
+        args = [_inside_out(a, known) for a in x.args]
+        value = x.func(*args) if args else x
+        known[x] = value = value if value.is_Rational else value.evalf(40)
+        if x.is_Add and abs(value) < 1e-25 * max(map(abs, args)):
+            known[x] = x.func()
     return known[x]
 
 

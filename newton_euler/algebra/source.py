@@ -160,9 +160,7 @@ def runtime_names(library):
         )
 
     def refused(*_):
-        raise ScalarError(
-            "heyoka has no integrals and roots inside a formula: take backend='numpy'"
-        )
+        raise ScalarError("heyoka has no integrals and roots inside a formula")
 
     return {
         **dict.fromkeys(WITHIN, refused),

@@ -3,6 +3,7 @@
 from bisect import bisect_right
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import Literal
 
 from .errors import checked
 from .late import np, sympy
@@ -23,7 +24,6 @@ from .scalars import (
     to_plain,
 )
 
-KINDS = "linear", "cubic", "natural", "previous"
 # the round-off of a time, as a fraction of the largest, by which it may lie outside of a table
 SLACK = 1e-14
 
@@ -33,7 +33,12 @@ class TableError(NewtonEulerError, ValueError):
 
 
 @checked
-def table(ts: Sequence, values: Sequence, kind: str = "linear", outside: str = "refuse") -> "Table":
+def table(
+    ts: Sequence,
+    values: Sequence,
+    kind: Literal["linear", "cubic", "natural", "previous"] = "linear",
+    outside: Literal["refuse", "hold"] = "refuse",
+) -> "Table":
     """The function of one number that passes through data: ``values`` at the places ``ts``, as a
     force measured at some times or a torque at some speeds.
 
@@ -41,13 +46,13 @@ def table(ts: Sequence, values: Sequence, kind: str = "linear", outside: str = "
     kind : between them "linear"; "cubic", a spline with two continuous derivatives, not-a-knot at
         the ends as in SciPy; "natural", one whose second derivative vanishes at the ends; or
         "previous", the value at the place before (zero-order hold)
-    outside : what a place outside of the data has: "refuse", no value, or "hold", that of the
+    outside : the value at a place outside of the data: "refuse", none, or "hold", that of the
         nearest end
 
-    The function takes numbers of every kind; of data with digits beyond those of a float, as mpf,
-    it has these. A model may be written with it, of its time and of its states: the methods of
-    integration stop where the pieces of a table of time join. Raises :class:`TableError` for data
-    that make no table, and what is returned :class:`SingularError` outside of them.
+    The function takes numbers of every kind, and keeps all digits of data such as mpf. A model may
+    be written with it, of its time and of its states: the methods of integration stop where the
+    pieces of a table of time join. Raises :class:`TableError` for data that make no table; the
+    function raises :class:`SingularError` outside of them.
     C. de Boor, A Practical Guide to Splines (1978), chapter IV.
 
     >>> thrust = table([0.0, 0.5, 2.0], [0.0, 12.0, 6.0])
@@ -56,11 +61,6 @@ def table(ts: Sequence, values: Sequence, kind: str = "linear", outside: str = "
     >>> table([0, 1, 2, 3], [0, 1, 4, 9], "cubic")(1.5)
     2.25
     """
-    for what, known, given in (("kind", KINDS, kind), ("outside", ("refuse", "hold"), outside)):
-        if given not in known:
-            raise TableError(
-                f"{what} of a table is one of {', '.join(known)}; got {clipped(given)}"
-            )
     xs, ys = _numbers("places", ts), _numbers("values", values)
     if len(xs) != len(ys) or len(xs) < 2:
         raise TableError(
@@ -157,11 +157,12 @@ class Table:
         key = type(x) is float or (type(x), epsilon(x))
         if key not in self._kept:
             xs, ys = [[_like(v, x) for v in data] for data in (self.places, self.values)]
-            inner = _constants(ys) if self.kind == "previous" else _cubics(self.kind, xs, ys)
+            steps = self.kind == "previous"
+            inner = [(y,) for y in ys[:-1]] if steps else _cubics(self.kind, xs, ys)
             pieces = [(xs[0], inner[0]), *zip(xs, inner, strict=False), (xs[-2], inner[-1])]
             if self.hold:
                 pieces[0] = xs[0], (ys[0],)
-            if self.hold or self.kind == "previous":
+            if self.hold or steps:
                 pieces[-1] = xs[-1], (ys[-1],)
             for _ in range(self.order):
                 pieces = [(base, _derived(c)) for base, c in pieces]
@@ -175,10 +176,10 @@ class Table:
         first, last = self.places[0], self.places[-1]
         slack = SLACK * max(abs(first), abs(last))
         if low != low or not (self.hold or (first - low <= slack and high - last <= slack)):
+            hold = "; outside='hold' continues it with the values at its ends" if low == low else ""
             raise SingularError(
                 f"a table from {clipped(first)} to {clipped(last)} has no value at "
-                f"{clipped(low if first > low else high)}; outside='hold' continues it with the "
-                "values at its ends"
+                f"{clipped(low if low != low or first > low else high)}{hold}"
             )
 
     def _of_array(self, x):
@@ -203,7 +204,7 @@ class Table:
     def _formula(self, x):
         """The formula of SymPy with the expression ``x`` as place; it has no value outside."""
         if library_of((x,)).__name__ == "heyoka":
-            raise ScalarError("heyoka has no tables: take backend='numpy', or another method")
+            raise ScalarError("heyoka has no tables: take another method")
         x = sympy.sympify(x)
         places, pieces = self._of_kind(x)
         formulas = [_polynomial(c, x - base) for base, c in pieces]
@@ -230,10 +231,6 @@ def _derived(coefficients):
     """The coefficients of the derivative."""
     n = len(coefficients) - 1
     return tuple([(n - k) * c for k, c in enumerate(coefficients[:-1])]) or (0 * coefficients[0],)
-
-
-def _constants(ys):
-    return [(y,) for y in ys[:-1]]
 
 
 def _cubics(kind, xs, ys):

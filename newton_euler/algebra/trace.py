@@ -219,7 +219,7 @@ class Trace:
             raise ScalarError(f"a formula that is compiled takes real numbers, got {a}")
         if getattr(scalar(a), "shape", ()):
             raise ScalarError(
-                f"an array {a.shape} meets a traced value: write its entries one by one, or pass "
+                f"an array {a.shape} meets a traced value: write [c*x for c in array], or pass "
                 "it as an argument"
             )
         return type(a), repr(a) if isinstance(a, float) else a
@@ -227,8 +227,8 @@ class Trace:
 
 class Inner:
     """The formula that is integrated, or whose root is taken, as a constant of the formula around
-    it. What it reads of the outer steps, computed once, it is handed as arguments. ``variable`` is
-    what its code calls the variable, "" where that does not show.
+    it. Outer steps that it reads are computed once and passed as arguments. ``variable`` is the
+    name of the variable in its code, "" if that is unknown.
     """
 
     def __init__(self, parameters, trace, leaves, variable=""):

@@ -6,7 +6,9 @@ the frame of the left one. A vector that theory writes as a sum keeps its terms 
 (``a.rate(observer)``).
 """
 
+import math
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from functools import reduce
 from typing import Any, TypeAlias
 
@@ -98,12 +100,12 @@ def sub3(a, b):
     return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
-def three(values):
-    """The triple of three numbers, () for anything else."""
-    try:
-        return tuple(map(real_scalar, values)) if len(values) == 3 else ()
-    except TypeError:
-        return ()
+def three(values, what, error):
+    """The triple of three numbers; anything else is the ``error`` in place of ``what``."""
+    with suppress(TypeError):
+        if len(values) == 3:
+            return tuple(map(real_scalar, values))
+    raise error(f"{what}: three numbers are expected, as (0, 0.6, 0.8); got {clipped(values)}")
 
 
 def scale3(s, a):
@@ -335,7 +337,9 @@ class Vector(Scaled, NamedTerms):
         return Vector(c, f, lambda: self.rate(f).cross(other) + self.cross(other.rate(f)))
 
     def norm(self) -> Scalar:
-        """The magnitude (A.12)."""
+        """The magnitude (A.12); of a formula that is compiled between 1e-154 and 1e154, since the
+        squares are floats, too.
+        """
         return to_plain(hypot(*self.c))
 
     def direction(self) -> "Vector":
@@ -343,6 +347,9 @@ class Vector(Scaled, NamedTerms):
         length = scalar(self.norm())
         if is_zero(length):
             raise FrameError("a zero vector has no direction; test its norm() first")
+        if isinstance(length, float) and not 1e-300 < length < math.inf:
+            self = self * (2.0**600 if length < 1 else 2.0**-600)
+            length = scalar(self.norm())
         return self / length
 
     def angle_to(self, other: "Vector") -> Scalar:
@@ -356,6 +363,10 @@ class Vector(Scaled, NamedTerms):
         # an arc cosine of the dot product loses half of the digits near 0 and pi
         # (W. Kahan, How Futile are Mindless Assessments of Roundoff, 2006, section 12)
         across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
+        size = abs(across) + abs(along)
+        lost = isinstance(size, float) and not 1e-280 < size < math.inf  # digits of the squares
+        if lost and self.norm() > 0 and other.norm() > 0:
+            return self.direction().angle_to(other.direction())
         if is_numeric(across) and is_numeric(along) and min_abs(abs(across) + abs(along)) == 0:
             raise FrameError(f"a zero vector makes no angle, but one of {self} and {other} is zero")
         return atan2(across, along)
@@ -542,9 +553,9 @@ def same(a: Vector, b: Vector, tolerance: float = 1e-12) -> bool:
     d, *lengths = (_size(v) for v in (_checked(a) - _checked(b), a, b))
     if any(x is None for x in (d, *lengths)):
         raise ScalarError(f"{a} and {b} have components without values, which cannot be compared")
-    # instant by instant; so written that nan is not the same as anything
+    # instant by instant; written so that nan and infinity are not the same as anything
     largest = where(lengths[0] > lengths[1], *lengths)
-    return max_abs(where(d <= allowed(tolerance) * largest, 0, 1)) == 0
+    return max_abs(where(d <= allowed(tolerance) * largest, d - d, 1)) == 0
 
 
 def _size(v):

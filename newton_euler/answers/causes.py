@@ -314,6 +314,13 @@ def multiplied(what: str, factor: float, large: bool) -> Cause:
     return Cause("factor", f"{what} {how}", text)
 
 
+def bare(factor: str, large: bool) -> Cause:
+    """The answer is off by a simple number, which has many causes."""
+    how = Words("large") if large else Words("small")
+    text = Words("is {factor} times too {how}: look where it comes in", factor=factor, how=how)
+    return Cause("factor", f"{factor} {how}", text)
+
+
 def component_multiplied(places: Sequence[int], what: str, factor: float, large: bool) -> Cause:
     """Some components are off by one factor."""
     how = Words("large") if large else Words("small")

@@ -14,6 +14,7 @@ from .kinds import KINDS, Kind
 from .near import NO_SINGLES, Singles
 from .pairs import of_two
 from .slips import (
+    bare,
     is_rounded,
     multiples,
     of_components,
@@ -66,6 +67,13 @@ class Elsewhere:
             for part in self._parts
         )
 
+    def refutes(self, cause: Cause) -> bool:
+        """True if this listed mistake would show in other parts, and is in none of them."""
+        shown = cause.group == "listed" and any(
+            is_apart(x, part.key) for part in self._parts for x in part.models(cause)
+        )
+        return shown and not self.explains(cause)
+
     def explains(self, cause: Cause) -> int:
         """In how many other wrong parts this mistake fits."""
         return sum(
@@ -102,7 +110,10 @@ def diagnose(
     elsewhere = elsewhere or Elsewhere()
     if kind.is_word:  # of few words one is soon met by chance: listed mistakes, and of counts
         models = [m for m in wrong if m[1] == given and m[0].group in ("listed", "count")]
-        return _best([[Hit(EXACT, *m) for m in models[:MOST]]], elsewhere, ())
+        hits = [Hit(EXACT, *m) for m in models if not elsewhere.refutes(m[0])]
+        # beside one mistake of the list stands what any such count has in common
+        hits[1:] = sorted(hits[1:], key=lambda hit: hit.cause.group == "listed")
+        return _best([hits[:MOST]], elsewhere, ())
     fit = Fit(given, key, kind.rtol)
     single = [*_stages(fit, wrong, kind, factors or {})]
     general = _closest(single)
@@ -118,6 +129,8 @@ def diagnose(
         found = tuple(sorted(found, key=elsewhere.contradicts))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
+    if found and all(c.group == "computed" for c in found):  # of a mere factor there are many
+        found = *_first(bare(fit), fit, CLOSE), *found
     # a factor of some components, met within the digits written: one slip goes before two
     found = found or _first(of_components(fit), fit, CLOSE)
     found = found or (_in_the_whole(fit, kind) if slips else ())
@@ -209,14 +222,16 @@ def _chosen(best, twins, elsewhere):
 
 
 def _most_explaining(causes, elsewhere):
-    """Those causes that explain the most other wrong parts; no other cause hides the factor 2 of
-    the Coriolis term, which is only seen in vectors.
+    """Those causes that explain the most other wrong parts; no other cause hides a mere factor, or
+    the factor 2 of the Coriolis term, which is only seen in vectors.
     """
     if len(causes) < 2:
         return tuple(causes)
     counts = {c: elsewhere.explains(c) for c in causes}
     most = max(counts.values())
-    return tuple(c for c in causes if counts[c] == most or c == CORIOLIS_HALVED)
+    return tuple(
+        c for c in causes if counts[c] == most or c == CORIOLIS_HALVED or c.group == "factor"
+    )
 
 
 def _stages(

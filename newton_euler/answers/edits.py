@@ -19,6 +19,7 @@ from .formulas import (
     LEAST,
     LESS,
     RARER,
+    SIMPLE,
     Edit,
     Formulas,
     Stage,
@@ -82,6 +83,7 @@ def _edits(formulas):
     yield from groups.of_constants(steps, dimensions.get)
     yield from givens.of_one_unit(given, read, system)
     yield from givens.of_exchanged(given, read)
+    yield from givens.of_rates(anything, read)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
     yield from givens.of_lengths(given, read)
@@ -94,9 +96,13 @@ def _edits(formulas):
     symbols, users_in = formulas.symbols, users_of(steps)
     unwritten = _unwritten(users_in)
     written = _varying(steps) - unwritten - equations.of_elimination(formulas.systems)
+    entries = {
+        x for system in equations.square(formulas.systems) for x in equations.entries(system)
+    }
     products = {
         s: None for s, users in users_in.items()
-        if s.op in operations.PRODUCT and s in written and (s in leaves or not _is_factor(users))
+        if s.op in operations.PRODUCT and s in written
+        if s in leaves or s in entries or not _is_factor(users)
     }  # fmt: skip
     factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
     yield from equations.of_equations(formulas.systems, number, dimensions.get)
@@ -123,8 +129,6 @@ def _edits(formulas):
             found = givens.of_given(
                 s, anything, read, number, means, read[name].to_base(1.0, system)
             )
-            if name in symbols:
-                found = [*found, *givens.of_symbol(s, formulas.given, formulas.units)]
             # what is alone in a term, as H in D^2 + H^2, is no factor of it
             is_factor = s in factors or any(user.op in WITHIN for user in users)
             slips += [slip for slip in found if slip[1] != givens.ONE or is_factor]
@@ -132,8 +136,6 @@ def _edits(formulas):
             slips += givens.of_unit(s, read[name], system) if name not in symbols else ()
         if s in products:
             slips += operations.of_product(s, number, dimensions.get)
-        if s.op == "item" and s.args[0].op == "integral":
-            slips += givens.of_integral(s)
         for n, slip in enumerate(slips):
             yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in unwritten])
 
@@ -284,7 +286,7 @@ def _of_angles(answers):
     )
     for whole, words in others if angles else ():
         cause = computed(f"{whole} - angle", words)
-        yield Edit(RARER, cause, {x.number: ("-", whole, x) for x in angles})
+        yield Edit(SIMPLE, cause, {x.number: ("-", whole, x) for x in angles})
 
 
 def _of_stages(answers, stages, dimensions):

@@ -18,7 +18,7 @@ from .formulas import LESS, SIMPLE, Edit, needed
 from .typed import Product, described
 
 SLIPS = {
-    -1.0: Words("has {term} with the opposite sign in one equation: check which way it points"),
+    -1.0: Words("has {term} reversed in one equation: check which way it points"),
     0.0: Words("leaves out {term} in one equation: it acts there, too"),
 }
 ARMS = {

@@ -3,8 +3,7 @@ mass.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from fractions import Fraction
-from itertools import combinations, permutations
+from itertools import combinations, permutations, product
 from math import pi
 from typing import Any
 
@@ -16,13 +15,15 @@ from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
+RATES = Dimension(0, 0, -1), Dimension(0, 0, -2)
 TWICE, HALF, ONE = "doubled", "halved", "one"
 G, G_OF_FEET = 9.81, 32.2  # the number of g, where the text gives none
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
-SEVERAL = 6  # lengths, of which no sums are tried if there are more
+SEVERAL = 6  # lengths, or pairs of rates, of which no sums are tried if there are more
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
+INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inverted").template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
 Slip = tuple[int, str, Any, Any]  # rank, kind, words or cause, its replacement
@@ -45,7 +46,10 @@ def of_given(
         is_it = Words("{name} is the {means}", name=name, means=means)
     not_one = NOT_ONE if own.dimension == Dimension() else NO_FIT
     for other, step in given.items():
-        if other != name and read[other].dimension == own.dimension:
+        if read[other].dimension != own.dimension:
+            words = Words("takes {other} for {name}: {why}", other=other, name=name, why=NO_FIT)
+            yield LEAST, f"given {other}", words, step
+        elif other != name:
             rank = RARER if read[other].text == own.text else LESS
             words = Words("takes {other} for {name}: {why}", other=other, name=name, why=is_it)
             yield rank, f"given {other}", words, step
@@ -53,7 +57,12 @@ def of_given(
                 words = Words("takes {name} - {other} for {name}: {why}",
                               name=name, other=other, why=is_it)  # fmt: skip
                 yield LEAST, f"less {other}", words, ("-", s, step)
-    if own.dimension != MASS:
+    if own.dimension == LENGTH:
+        words = Words(
+            "has what is measured by {name} on the other side: look at the figure", name=name
+        )
+        yield LESS + 1, "sign", words, ("neg", s)
+    elif own.dimension != MASS:
         words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
         yield RARER, "sign", words, ("neg", s)
     rank = RARER if own.dimension == LENGTH else LESS
@@ -94,13 +103,18 @@ def of_given(
         yield LESS, "g", less, ("/", s, g)
 
 
-def of_symbol(s: Step, given: Mapping[str, Step], units: Mapping[str, str]) -> Iterator[Slip]:
-    """A symbol for one in another unit."""
-    name = s.args[0]
-    for other, step in given.items():
-        if units[other] != units[name]:
-            words = Words("takes {other} for {name}: {why}", other=other, name=name, why=NO_FIT)
-            yield LEAST, f"symbol {other}", words, step
+def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+    """Rates of turning about different axes added as numbers, and with them their own rates."""
+    spins, growths = (
+        [*permutations([n for n in given if read[n].dimension == of], 2)] for of in RATES
+    )
+    for pairs in product(spins, [None, *growths]) if len(spins) <= SEVERAL else ():
+        instead: dict[int, Any] = {}
+        for a, b in filter(None, pairs):
+            instead |= {given[a].number: ("+", given[a], given[b]), given[b].number: 0.0}
+        a, b = pairs[0]
+        words = Words("adds {a} and {b} as numbers: they turn about different axes", a=a, b=b)
+        yield Edit(LEAST, computed(f"added {[*instead]}", words), instead)
 
 
 def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
@@ -115,24 +129,13 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
 
-def of_integral(s: Step) -> Iterator[Slip]:
-    """An integral with a factor of t^3/3 or t^4/12 lost or confused."""
-    words = Words("has another factor in an integral: each power is divided by its own")
-    for f in (3, 4, Fraction(3, 2), Fraction(4, 3)):
-        for factor in (f, 1 / Fraction(f)):
-            yield LESS + 1, f"integral {factor}", words, ("*", s, float(factor))
-
-
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
     """A given used with its number in another unit."""
     name = s.args[0]
     for ratio in _ratios(own, system):
         yield SIMPLE, "unit", unconverted(name, own.text), ("*", s, ratio)
-        words = Words(
-            "converts {name} from {unit} the wrong way: its factor is inverted",
-            name=name, unit=own.text,
-        )  # fmt: skip
-        yield LESS, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
+        words = Words(INVERTED, name=name, unit=own.text)
+        yield LESS + 1, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
     if _is_of_turns(own):
         yield SIMPLE, "2 pi", Words(TWO_PI, name=name), ("*", s, 0.5 / pi)
     for part in own.parts:
@@ -173,11 +176,11 @@ def _ratios(own, system):
 
 
 def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
-    """Two givens of one unit, each in the place of the other."""
+    """Two givens, each in the place of the other."""
     for (a, s), (b, t) in combinations(given.items(), 2):
-        if read[a].text == read[b].text:
-            words = Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
-            yield Edit(LESS, computed(f"exchanged {a} {b}", words), {s.number: t, t.number: s})
+        words = Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
+        rank = LESS if read[a].text == read[b].text else LEAST + 2
+        yield Edit(rank, computed(f"exchanged {a} {b}", words), {s.number: t, t.number: s})
 
 
 def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
@@ -247,6 +250,9 @@ def of_one_unit(
         for ratio in _ratios(unit(stated), system) if len(steps) > 1 else ():
             cause = unconverted(Words("what is given"), stated)
             yield Edit(SIMPLE, cause, {s.number: ("*", s, ratio) for s in steps})
+            words = Words(INVERTED, name=Words("what is given"), unit=stated)
+            cause = Cause("unit", f"{stated} back", words)
+            yield Edit(LESS + 1, cause, {s.number: ("*", s, ratio * ratio) for s in steps})
         if len(steps) > 1 and _is_of_turns(unit(stated)):
             cause = computed(f"2 pi of all in {stated}", Words(TWO_PI, name=stated))
             yield Edit(SIMPLE, cause, {s.number: ("*", s, 0.5 / pi) for s in steps})

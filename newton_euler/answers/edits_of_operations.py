@@ -26,7 +26,7 @@ TWICE_ITS_ANGLE = Words("takes {own}(2*{angle}) for {own}({angle})^2: these diff
 TANGENT = Words("takes tan({angle}) for 1/cos({angle}): that is another side of its triangle")
 DOUBLED = {("sin", 2): TWICE_ITS_ANGLE, ("cos", 2): TWICE_ITS_ANGLE, ("cos", -1): TANGENT.template}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
-SINES = {"asin": Words("sine"), "acos": Words("cosine")}
+SINES = {"asin": Words("sine"), "acos": Words("cosine"), "atan": Words("tangent")}
 PRODUCT = ("*", "/")
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
 RATIOS = {
@@ -207,6 +207,8 @@ def _of_factor(s, x, power, factor, of, why):
         instead = ("sin", *x.args) if power < 0 else ("/", *double)
         yield LESS, "function", words, ("*", s, instead)
     if power == 2:
+        if x.op == "pi":
+            named, factor = "2*pi", ("*", factor, 2.0)
         of = "" if of == f" of {named}^2" else of
         words = Words("does not square {factor}{of}: {why}", factor=named, of=of, why=why)
         yield SIMPLE, "square", words, ("/", s, factor)
@@ -311,8 +313,13 @@ def _of_function(s):
             other=f"{twin}({inside})", own=f"{s.op}({inside})",
         )  # fmt: skip
         yield rank, f"cofunction {twin}", words, (twin, x)
-    if s.op in SINES:
-        words = Words("gives the {f} of the angle: the angle itself is asked for", f=SINES[s.op])
+    yield from _of_inverse(s)
+
+
+def _of_inverse(s):
+    (x,) = s.args
+    for name in [SINES[s.op]] if s.op in SINES else ():
+        words = Words("gives the {f} of the angle: the angle itself is asked for", f=name)
         yield LESS, "no inverse", words, x
         yield LESS, "no inverse, degrees", words, ("*", x, pi / 180)
 
@@ -330,6 +337,7 @@ def _of_atan(s):
     words = Words("takes the angle from the other axis: the legs of its triangle are exchanged")
     other = ("atan2", *reversed(s.args)) if s.op == "atan2" else ("atan", ("/", 1.0, *s.args))
     yield SIMPLE, "cofunction", words, other
+    yield from _of_inverse(s) if s.op == "atan" else ()
 
 
 _OF = {

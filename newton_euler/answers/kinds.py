@@ -291,6 +291,8 @@ class Direction(VectorKind):
         points = super()._points(trees, form, symbols, budget)
         if not any(points[0]):
             raise TreeError("a vector of length zero has no direction")
+        if not 1e-99 < (longest := max(map(abs, points[0]))) < 1e99:  # its square may have no float
+            points = (tuple(x / longest for x in points[0]),)
         return points
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):

@@ -25,7 +25,7 @@ CHANCE_ROUNDED = 0.0005  # the same where it differs by more than the digits wri
 CHANCE_MET = 0.05  # the same where few digits are all that the slip's own number has
 CHANCE_ZEROS = 0.0004  # the same where it is met in more digits than were written: 2.81 is 2.8100
 CHANCE_IN_ONE = 0.1  # the share of it where a slip is looked for in the wrong components alone
-CHANCE_BESIDE = 0.05  # the same where some of its components are right
+CHANCE_BESIDE = 0.015  # the same where some of its components are right
 
 
 class Ranked:
@@ -199,32 +199,36 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
     nearest = max(fit.rounding, ROUND_OFF * size)
     there = sum(abs(k) > NOISE * fit.sizes[0] for k in key) or 1
     least = max(nearest, NOISE * fit.sizes[0])
-    wrong = sum(abs(x - k) > least for x, k in zip(given, key, strict=True))
-    few = _in_few_digits(rows, around, given)
+    off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > least]
+    wrong, written_by = len(off), rounding([given[n] for n in off])
+    few = _in_few_digits(rows, around, given, off)
     beside = CHANCE_BESIDE if allowed == 1 else allowed * CHANCE
     loosely = CHANCE_ROUNDED / CHANCE  # by so much less, where it is not met as it was written
     found = []
     for n in filter(around.__contains__, close):
-        # what is met exactly in few digits, as 7.1, is one of few slips that have no more
+        # an answer met exactly in few digits, such as 7.1, is compared with slips of as few digits
         is_met = n in few and gaps[n] <= NOISE * size
         others = few if is_met else around
         count = len({around[m] for m in others if ranked.ranks[m] <= ranked.ranks[n]})
-        share = (rounding(given) if is_met else max(gaps[n], nearest)) / (AROUND * size)
+        share = (written_by if is_met else max(gaps[n], nearest)) / (AROUND * size)
         limit = CHANCE_MET if is_met else CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
         few_are = beside * (1 if gaps[n] <= nearest else loosely)
-        is_few = count * share**there <= limit and count * share**wrong <= few_are
+        is_few = count * share**there <= limit and (
+            wrong >= there or count * share**wrong <= few_are
+        )
         met = max(gaps[n], ROUND_OFF * size) / (AROUND * size)
         if is_few or (n not in few and count * met**wrong <= allowed * CHANCE_ZEROS):
             found.append(n)
     return found
 
 
-def _in_few_digits(rows, places, given):
-    """The places of the rows without more decimals than were given."""
-    last = min((written(x)[1] for x in given if x), default=0)
+def _in_few_digits(rows, places, given, off):
+    """The places of the rows without more decimals than were given in the components ``off``."""
+    last = min((written(given[n])[1] for n in off if given[n]), default=0)
+    parts = {n: [float(rows[n][m]) for m in off] for n in places}
     return {
-        n for n in places
-        if all(abs(x - round(x, -last)) <= NOISE * abs(x) for x in map(float, rows[n]))
+        n for n, own in parts.items()
+        if all(abs(x - round(x, -last)) <= NOISE * abs(x) for x in own)
     }  # fmt: skip
 
 

@@ -110,12 +110,12 @@ class _Pairs:
         is_possible = NOISE * math.hypot(*key) < size < math.inf and off.any()
         if not is_possible or not self._is_met_in_one(rows, key, given, near):
             return
-        # what undoes another mistake, or leaves nothing, is none of two
+        # a mistake that undoes another, or leaves nothing, does not count as a second one
         undoes = (abs(rows - key)[:, ~off] > NOISE * size).any(axis=1)
         usable = np.isfinite(rows).all(axis=1) & rows.any(axis=1) & ~undoes
         usable &= (abs(rows - key) > NOISE * size).any(axis=1)
         last = len(rows) - 1
-        # of what is not named a second mistake says nothing
+        # a second mistake says nothing about a first one without a name
         usable &= [spoken(UNNAMED) not in c.what for _, c in self.causes]
         usable[last] = len(key) == off.sum() or not key[~off].any()
         ratio = given[off] / key[off]
@@ -160,7 +160,7 @@ class _Pairs:
         return int(reverses.argmax()) if reverses.any() else None
 
     def _is_met_in_one(self, rows, key, given, near):
-        """False where no pair gives the largest component of the key, as of most answers."""
+        """False if no pair gives the largest component of the key, as for most answers."""
         at = abs(key).argmax()
         x, k, y = rows[:, at], float(key[at]), float(given[at])
         own = x[[*range(self.firsts), -1]][:, None]

@@ -22,6 +22,9 @@ PURE: dict[str, float] = {
     Words("a factor of 2"): 2.0,
     Words("revolutions against radians"): 2 * math.pi,
 }
+BARE = {  # which say little of their cause
+    "3": 3.0, "4": 4.0, "3/2": 1.5, "sqrt(2)": 2**0.5, "pi": math.pi,
+}  # fmt: skip
 TENS = {Words("one decimal place"): 10.0, Words("two decimal places"): 100.0}
 ANGLES: dict[str, float] = {
     Words("degrees against radians"): 180 / math.pi,
@@ -65,6 +68,16 @@ def of_last_resort(fit: Fit) -> Models:
         yield from of_components(fit)
         yield from _of_other_axes(fit) if len(fit.first[1]) == 9 else ()
         yield from of_powers(fit)
+
+
+def bare(fit: Fit) -> Models:
+    """The key times a simple number, which many slips give."""
+    ratio = 0.0 if fit.index is None else _ratio(fit)
+    for name, factor in BARE.items():
+        for large, times in ((True, factor), (False, 1 / factor)):
+            if 0.9 * times < ratio < 1.1 * times:
+                yield causes.bare(name, large), fit.times(times)
+    yield from _factors(fit, ratio, TENS)
 
 
 def _ratio(fit):

@@ -22,11 +22,11 @@ from ..algebra.scalars import (
     is_numeric,
     is_positive,
     max_abs,
-    min_abs,
     scalar,
     sin,
     sqrt,
     to_plain,
+    vanishes,
 )
 from ..algebra.vectors import Vector, add3, cross3, dot3, named_sum, scale3
 from ..bodies.admissibility import not_negative, positive
@@ -48,27 +48,21 @@ class EarthError(NewtonEulerError, ValueError):
 
 
 @checked
-def earth_frame(
-    stars: Frame, rate: Scalar = EARTH_RATE, turned: Scalar = 0, name: str = "earth"
-) -> Frame:
-    """The frame of the Earth in ``stars``, which does not rotate, ``turned`` (rad) so far; origin
-    in its centre, axes as at longitude 0 on the equator: i east, j north, k up.
+def earth_frame(stars: Frame, rate: Scalar = EARTH_RATE) -> Frame:
+    """The frame of the Earth in ``stars``, which does not rotate; origin in its centre, axes as at
+    longitude 0 on the equator: i east, j north, k up.
 
     >>> from newton_euler import Frame
     >>> stars = Frame("stars")
     >>> print(earth_frame(stars).angular_velocity(stars))
     [0, 7.29211e-05, 0] in earth
     """
-    return stars.rotate(name, "y", turned, rate)
+    return stars.rotate("earth", "y", 0, rate)
 
 
 @checked
 def ground_frame(
-    earth: Frame,
-    latitude: Scalar,
-    longitude: Scalar = 0,
-    radius: Scalar = EARTH_RADIUS,
-    name: str = "ground",
+    earth: Frame, latitude: Scalar, longitude: Scalar = 0, radius: Scalar = EARTH_RADIUS
 ) -> Frame:
     """The ground axes at a place, with their origin there, in the frame by :func:`earth_frame`;
     longitude positive east. Raises :class:`EarthError` for a latitude beyond the poles (degrees?).
@@ -78,14 +72,13 @@ def ground_frame(
     >>> print(ground.origin.velocity(ground.tree[0]).expressed_in(ground))  # 448 m/s to the east
     [448, 0, 0] in ground
     """
-    meridian = earth.rotate(f"meridian of {name}", "y", longitude)
+    meridian = earth.rotate("meridian of ground", "y", longitude)
     _check_latitude(latitude)
     positive(radius, "the radius of the Earth")
     latitude = scalar(latitude)
-    origin = meridian.point(
-        f"origin of {name}", ZERO, radius * sin(latitude), radius * cos(latitude)
-    )
-    return meridian.rotate(name, "-x", latitude, origin=origin)
+    up, north = radius * cos(latitude), radius * sin(latitude)
+    origin = meridian.point("origin of ground", ZERO, north, up)
+    return meridian.rotate("ground", "-x", latitude, origin=origin)
 
 
 def _check_latitude(latitude):
@@ -489,6 +482,6 @@ def gradient_wind(
 def _turning(latitude, rate):
     """|2 omega sin(latitude)|"""
     f = coriolis_parameter(latitude, rate)
-    if is_numeric(f) and min_abs(f) == 0:
+    if vanishes(f):
         raise EarthError("on the equator, or an Earth at rest, nothing turns a wind aside")
     return sqrt(f * f)

@@ -11,6 +11,7 @@ lies on the side of k; any other is given as ``moment``. Angles in rad, rates in
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.scalars import (
@@ -20,15 +21,16 @@ from ..algebra.scalars import (
     atan,
     cos,
     epsilon,
+    is_comparable,
     is_numeric,
     is_zero,
-    min_abs,
     scalar,
     short,
     sin,
     sqrt,
     tan,
     to_plain,
+    vanishes,
     where,
 )
 from ..algebra.vectors import FrameError, Vector, named_sum
@@ -140,9 +142,10 @@ def _check_moments(I0, I):
     if anywhere(to_plain(I0) <= 0):
         raise GyroError(f"the transverse moment I0 must be positive, got {to_plain(I0)!r}")
     # a disk has I = 2 I0, up to round-off
-    if is_numeric(I) and anywhere((to_plain(I) < 0) | (to_plain(I - 2 * I0) > 1e-9 * to_plain(I0))):
+    excess = to_plain(I - 2 * I0 - 1e-9 * I0)
+    if is_numeric(I) and (anywhere(to_plain(I) < 0) or anywhere(excess > 0)):
         raise GyroError(
-            f"no body of revolution has I = {to_plain(I)!r} and I0 = {to_plain(I0)!r}: 0 < I < 2 I0"
+            f"no body has I = {to_plain(I)!r} and I0 = {to_plain(I0)!r}: 0 < I < 2 I0; exchanged?"
         )
 
 
@@ -168,7 +171,7 @@ def normal_moment(precession: Vector, spin: Vector, I: Scalar) -> Vector:
     numbers = is_numeric(along) and is_numeric(product)
     if numbers and anywhere(abs(to_plain(along)) > 1e-9 * to_plain(product)):
         raise GyroError(
-            f"precession {precession} and spin {spin} are not at right angles; use steady_moment"
+            f"precession {precession} and spin {spin} are not at right angles; use gyro_moment"
         )
     not_negative(I, "the moment of inertia")
     return precession.cross(spin) * I
@@ -206,7 +209,7 @@ def steady_spin(
     _check_moments(I0, I)
     c = _over_sine(theta, mgr, moment)
     for name, x in (("precession", precession), ("I", I)):
-        if is_numeric(x) and min_abs(x) == 0:
+        if vanishes(x):
             raise GyroError(f"the {name} is zero, and then the moment does not depend on the spin")
     return to_plain((c / precession + (I0 - I) * precession * cos(theta)) / I)
 
@@ -254,7 +257,7 @@ def steady_precession(
     D = _discriminant(a, h, c, I, "spin" if omega_z is None else "omega_z")
     # the root without cancellation, as in Numerical Recipes (Press et al.), section 5.6
     q = (h + _sense(h) * sqrt(D)) / 2
-    if is_numeric(q) and is_numeric(c) and anywhere((to_plain(q) == 0) & (to_plain(c) != 0)):
+    if is_numeric(q) and is_numeric(c) and anywhere(where(to_plain(q) == 0, abs(c), 0) > 0):
         raise GyroError(
             "no steady precession is possible: without spin the body can hold no moment"
         )
@@ -280,7 +283,7 @@ def _over_sine(theta, mgr, moment):
         return scalar(mgr)
     s = sin(theta)
     # sin(pi) in floats is 1.2e-16, half an epsilon
-    if is_numeric(s) and min_abs(s) <= 4 * epsilon(s):
+    if vanishes(s, 4 * epsilon(s)):
         raise GyroError(
             f"no line of nodes at theta = {to_plain(theta)!r} to have a moment about: give mgr"
         )
@@ -303,7 +306,7 @@ def _discriminant(a, h, c, I, what):
         return D
     # round-off of the two products: at the least spin the difference is nothing else
     slack = 8 * epsilon(D) * (abs(first) + abs(second))
-    D = where((to_plain(D) < 0) & (to_plain(D + slack) >= 0), 0 * D, D)
+    D = where(to_plain(D) < 0, where(to_plain(D + slack) >= 0, 0 * D, D), D)
     if anywhere(to_plain(D) < 0):
         needed = (
             "without I no spin helps"
@@ -337,7 +340,7 @@ def least_spin(
     theta: Scalar,
     mgr: Scalar = None,
     moment: Scalar = None,
-    of: str = "spin",
+    of: Literal["spin", "omega_z"] = "spin",
 ) -> Scalar:
     """The least spin phi' (of="spin") or whole rate (of="omega_z"), in size, for steady precession
     at theta: 2 sqrt((I0 - I) cos(theta) mgr)/I, or with I0 for I0 - I, where the discriminant of
@@ -346,8 +349,6 @@ def least_spin(
     >>> round(least_spin(0.02, 0.01, 0.0, mgr=0.5), 4), least_spin(0.02, 0.01, 2.0, mgr=0.5)
     (14.1421, 0.0)
     """
-    if of not in ("spin", "omega_z"):
-        raise GyroError(f"of= is 'spin' (phi') or 'omega_z' (phi' + psi' cos theta), got {of!r}")
     rates = {"spin": None, "omega_z": None, of: 1}
     a, _, c = _quadratic(I0, I, theta, **rates, c=_over_sine(theta, mgr, moment))
     return to_plain(_least_rate(a, c, I))
@@ -355,7 +356,7 @@ def least_spin(
 
 def _least_rate(a, c, I):
     product = a * c
-    if is_numeric(product):
+    if is_comparable(product):
         product = where(to_plain(product) <= 0, abs(0 * product), product)
     return 2 * sqrt(product) / I
 
@@ -402,7 +403,7 @@ def fast_spin(
     (0.5, -0.002709)
     """
     a, h, c = _quadratic(I0, I, theta, spin, None, _over_sine(theta, mgr, moment))
-    if is_numeric(h) and min_abs(h) == 0:
+    if vanishes(h):
         raise GyroError(
             "approximations for a fast spin, but spin or I is zero: use steady_precession"
         )
@@ -444,7 +445,7 @@ def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreeP
     apart, c = scalar(I0) - I, cos(theta)
     if is_numeric(apart) and is_zero(apart):
         raise GyroError("with I = I0 there is no precession: the body turns about a fixed axis")
-    if is_numeric(c) and min_abs(c) <= 4 * epsilon(c) and not is_zero(spin):
+    if vanishes(c, 4 * epsilon(c)) and not is_zero(spin):
         raise GyroError(
             f"theta = {to_plain(theta)!r} is pi/2: H has no axial component, the spin must be zero"
         )

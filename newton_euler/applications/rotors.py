@@ -18,6 +18,7 @@ from ..algebra.scalars import (
     Scalar,
     anywhere,
     is_numeric,
+    is_positive,
     is_zero,
     max_abs,
     scalar,
@@ -147,7 +148,7 @@ def _on_axis(body, A, e, length, about):
     off = e.cross(about - A).norm()
     if is_numeric(off) and is_numeric(length) and max_abs(off) > 1e-9 * max_abs(length):
         raise RotorError(
-            f"{about.name} lies {max_abs(off):.3g} off the axis of the bearings; leave about= out"
+            f"{about.name} is {max_abs(off):.3g} off the axis: take a point on it, or no about="
         )
     return about
 
@@ -302,20 +303,14 @@ def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tup
 
 @checked
 def balancing_masses(
-    body: Body,
-    A: Point,
-    B: Point,
-    planes: Sequence[Scalar],
-    radius: Scalar | Sequence = None,
-    mass: Scalar | Sequence = None,
+    body: Body, A: Point, B: Point, planes: Sequence[Scalar], radius: Scalar | Sequence
 ) -> tuple:
     """Two small weights, one in each of the ``planes`` of :func:`corrections`, that balance a body:
     the Bodies ``weight 1`` and ``weight 2``.
 
-    radius, mass : their distance from the axis (m) or their mass (kg), one number or a pair; the
-        other follows, zero where no weight is needed
-    A hole of the same mass on the opposite side is equivalent. Raises :class:`RotorError` for a
-    radius or mass that is not positive.
+    radius : their distance from the axis (m), one number or a pair; the mass is zero where no
+        weight is needed. :class:`RotorError` for a radius that is not positive
+    A hole of the same mass on the opposite side is equivalent.
 
     >>> from newton_euler import Frame, particle
     >>> shaft = Frame("shaft")
@@ -325,38 +320,24 @@ def balancing_masses(
     >>> [(w.mass, w.centre.position(shaft).components()) for w in weights]
     [(4.0, (-0.5, 0, 2.0)), (2.0, (0.5, 0, 3.0))]
     """
-    if (radius is None) == (mass is None):
-        raise RotorError("give either radius=0.1, where the weights go, or mass=(0.02, 0.03)")
-    what, given = ("radius", radius) if mass is None else ("mass", mass)
-    given = given if isinstance(given, (tuple, list)) else (given, given)
-    for x in map(scalar, given):
-        if is_numeric(x) and (_small(x) or max_abs(x - abs(x)) > 0):
-            reason = "on the axis" if mass is None else "without mass"
+    pair = radius if isinstance(radius, (tuple, list)) else (radius, radius)
+    for r in map(scalar, pair):
+        if not is_positive(r):
             raise RotorError(
-                f"the {what} of the balancing weights must be positive, got "
-                f"{to_plain(x)!r}: {reason} "
-                "a weight balances nothing"
+                f"the radius of the balancing weights must be positive, got {to_plain(r)!r}: on "
+                "the axis a weight balances nothing"
             )
     e, _ = shaft_axis(A, B, body.frame)
-    needed = zip(corrections(body, A, B, planes), planes, given, strict=True)
-    return tuple(
-        _weight(f"weight {n}", U, A, e, z, x, mass is None)
-        for n, (U, z, x) in enumerate(needed, start=1)
-    )
+    needed = zip(corrections(body, A, B, planes), planes, pair, strict=True)
+    weights = enumerate(needed, start=1)
+    return tuple(_weight(f"weight {n}", U, A, e, z, r) for n, (U, z, r) in weights)
 
 
-def _weight(name, U, A, e, z, given, at_radius):
-    """The weight of ``U`` (kg m) in the plane at ``z`` from A, at a given radius or mass."""
+def _weight(name, U, A, e, z, radius):
+    """The weight of ``U`` (kg m) in the plane at ``z`` from A."""
     length = scalar(U.norm())
-    if is_zero(length):
-        step = U * 0
-    elif at_radius:
-        # 0/1 in place of 0/0 at instants of an array that need no weight
-        step = U * (
-            given / (where(to_plain(length) == 0, 1, length) if is_numeric(length) else length)
-        )
-    else:
-        step = U / given
-    mass = length / given if at_radius else given
+    # 0/1 in place of 0/0, also at instants of an array that need no weight
+    size = where(to_plain(length) == 0, 1, length) if is_numeric(length) else length
+    step = U * 0 if is_zero(length) else U * (radius / size)
     place = add3(A.position(e.frame).c, add3(scale3(scalar(z), e.c), step.c))
-    return Body(name, mass, e.frame.point(name, *place))
+    return Body(name, length / radius, e.frame.point(name, *place))

@@ -99,7 +99,7 @@ def _check_integrals(I, tolerance, slack):
             raise MassError(
                 f"no body has the product I_{u}{v} = {to_plain(product)} with these moments: its "
                 f"square is at most {to_plain(bound)}, the product of the integrals of {u}^2 and "
-                f"{v}^2; is the sign convention or the unit another?"
+                f"{v}^2; check the sign convention and the units"
             )
     ab, bc, ca = I.products
     determinant = a * b * c + 2 * (ab * bc * ca) - a * bc * bc - b * ca * ca - c * ab * ab

@@ -6,9 +6,8 @@ from collections.abc import Iterable, Sequence
 
 from ..algebra.errors import Tolerance, checked, checked_but
 from ..algebra.ledger import Terms
-from ..algebra.names import guided
 from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, real_scalar, shown
-from ..algebra.vectors import FrameError, Vector, sum3
+from ..algebra.vectors import Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import MassError, not_negative, positive, round_off, triangle_inequality
 from .inertia import Inertia, together
@@ -18,7 +17,7 @@ from .inertia import Inertia, together
 ROUNDED = 1e-2
 
 
-@guided
+@checked
 class Body:
     """A rigid body: mass, centre of mass, inertia matrix; or several, see :func:`composite`.
 
@@ -43,12 +42,6 @@ class Body:
         frame: Frame | None = None,
         parts: Sequence["Body"] = (),
     ):
-        if not isinstance(name, str):
-            raise MassError(f"a body has a name, a text; got {clipped(name)}")
-        if frame is not None and not isinstance(frame, Frame):
-            raise FrameError(f"the frame of {name} is a Frame; got {clipped(frame)}")
-        if not isinstance(parts, (tuple, list)) or not all(isinstance(p, Body) for p in parts):
-            raise MassError(f"the parts of {name} are bodies; got {clipped(parts)}")
         self.name, self.mass, self.parts = name, real_scalar(mass), tuple(parts)
         self.centre = G = place(centre, f"the centre of mass of {name}")
         if not isinstance(inertia, Inertia):

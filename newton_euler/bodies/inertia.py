@@ -36,7 +36,7 @@ from ..algebra.scalars import (
 from ..algebra.vectors import ZERO3, FrameError, Vector, add3, dot3, scale3, sum3, three
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import AXES, MassError, check
-from .principal_axes import Principal, Symmetry, principal, symmetry
+from .principal_axes import principal, symmetry
 
 
 @guided
@@ -76,8 +76,8 @@ class Inertia(Scaled, NamedTerms):
     ):
         self.point = place(point, "an inertia matrix")
         self.frame = axes_at(self.point) if frame is None else frame
-        self.moments = _three(moments, "moments (I_xx, I_yy, I_zz)")
-        self.products = _three(products, "products (I_xy, I_yz, I_zx)")
+        self.moments = three(moments, "moments (I_xx, I_yy, I_zz)", MassError)
+        self.products = three(products, "products (I_xy, I_yz, I_zx)", MassError)
         self.mass, self.centre = None if mass is None else real_scalar(mass), centre
         if centre is not None and not isinstance(centre, Point):
             raise MassError(f"the centre of mass is a Point; got {clipped(centre)}")
@@ -214,15 +214,8 @@ class Inertia(Scaled, NamedTerms):
         moments = tuple(common + turned[n][n] for n in range(3))
         return self._like(moments, (-turned[1][0], -turned[2][1], -turned[2][0]), frame=frame)
 
-    @checked
-    def principal(self, noise: float | None = None) -> Principal:
-        """Principal moments and axes (7.18)-(7.20), and how well they are determined."""
-        return principal(self, noise)
-
-    @checked
-    def symmetry(self, tolerance: Tolerance = 1e-9) -> Symmetry:
-        """The symmetries that the matrix shows."""
-        return symmetry(self, tolerance)
+    principal = checked(principal)
+    symmetry = checked(symmetry)
 
     # -- sums
 
@@ -285,12 +278,6 @@ class Inertia(Scaled, NamedTerms):
                 f"{purpose} needs {missing[what]}; make it Inertia({self.point.name}, moments, "
                 "products, mass=..., centre=G)"
             )
-
-
-def _three(values, what):
-    if given := three(values):
-        return given
-    raise MassError(f"{what} are three numbers, got {values!r}")
 
 
 def axis_index(name: str) -> tuple[int, int]:

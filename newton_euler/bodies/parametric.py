@@ -94,7 +94,8 @@ def integrated(
     factor = 1 if mass is None else scalar(mass) / total
     m = total * factor
     d = [x / total for x in first]
-    G = frame.point(f"G of {name}", *(_tidy(r + x) for r, x in zip(reference, d, strict=True)))
+    place = [r + x for r, x in zip(reference, d, strict=True)]
+    G = frame.point(f"G of {name}", *(sympy.cancel(x) if is_expression(x) else x for x in place))
     about: PointLike = frame
     # numbers go to G at once: their reference is near G, so that the subtraction cancels little
     if not exact:
@@ -124,13 +125,6 @@ def _check_mass(found, name):
         )
 
 
-def _tidy(x):
-    """An expression as a fraction of polynomials without common factors; numbers as they are."""
-    if not is_expression(x):
-        return x
-    return sympy.cancel(x)
-
-
 def _tangents(position, parameters):
     """The position and its derivatives by each parameter, each a triple."""
     jets = [
@@ -158,7 +152,7 @@ def _middle(position, limits, weigh, name):
         middle = _moments(position, limits, weigh, (ZERO,) * 3, half)
     except SingularError as error:
         raise MassError(
-            f"{name} has points without a finite value: {error}; look at its limits"
+            f"{name} has points without a value: {error}; look at limits and divisions"
         ) from None
     if any(isinstance(x, Moving) for x in (*(x for pair in limits for x in pair), *place)):
         raise MassError(f"the points of {name} move: put in the values at the instant")
@@ -266,7 +260,7 @@ def _exact(position, limits, weigh, name):
             f = sympy.integrate(f, (u, *pair))
         if f.has(sympy.Integral):
             raise MassError(
-                f"SymPy finds no formula for an integral over {name}: leave exact=True out"
+                f"SymPy finds no formula for {name}: take other coordinates, or exact=False"
             )
         return f
 
@@ -304,6 +298,6 @@ def _sense(dV, symbols, bounds, name):
             signs.add(value > 0)
     if len(signs) != 1:
         raise MassError(
-            f"the points of {name} fold back on themselves, or do not move: divide the body there"
+            f"{name} folds back on itself, or its points rest: divide it, or leave exact=True out"
         )
     return 1 if signs.pop() else -1

@@ -10,7 +10,6 @@ atan2(-2 I_uv, I_uu - I_vv), the larger moment along the turned u; a full matrix
 with an arc cosine, ascending.
 """
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -137,9 +136,9 @@ def _of_numbers(rows):
     if library in ("sympy", "symengine"):
         moments, axes = _by_sympy(rows) or _of_full_matrix(rows)
         return moments, _canonical(moments, axes)
-    if library == "mpmath":
-        return _by_mpmath(rows)
-    return _by_numpy([rows])[0] if is_here("numpy") else _by_rotations(rows)
+    if library != "mpmath" and is_here("numpy"):
+        return _by_numpy([rows])[0]
+    return _by_rotations(rows)
 
 
 def _with_report(inertia, noise, moments, axes):
@@ -172,31 +171,23 @@ def _by_numpy(matrices):
 
 
 def _by_rotations(rows):
-    """The same without NumPy, by Jacobi's rotations: each makes a product of two axes vanish."""
-    axes = [tuple(map(float, map(to_plain, axis))) for axis in UNIT_AXES]
+    """Moments and axes by Jacobi's rotations, each of which makes a product of two axes vanish."""
+    zero = 0 * sum(x for row in rows for x in row)
+    axes = [tuple(int(n == m) + zero for m in range(3)) for n in range(3)]
 
     def entry(u, v):
-        return dot3(axes[u], [float(dot3(row, axes[v])) for row in rows])
+        return dot3(axes[u], [dot3(row, axes[v]) for row in rows])
 
     for u, v in PAIRS * SWEEPS:
         product, gap = entry(u, v), entry(u, u) - entry(v, v)
-        angle = math.atan2(math.copysign(2.0, gap) * product, abs(gap)) / 2
-        c, s = math.cos(angle), math.sin(angle)
+        angle = atan2(where(gap < 0, -2, 2) * product, abs(gap)) / 2
+        c, s = cos(angle), sin(angle)
         axes[u], axes[v] = (
             tuple(c * x + s * y for x, y in zip(axes[u], axes[v], strict=True)),
             tuple(c * y - s * x for x, y in zip(axes[u], axes[v], strict=True)),
         )
     moments, axes = zip(*sorted((entry(n, n), axis) for n, axis in enumerate(axes)), strict=True)
     return list(moments), _canonical(moments, axes)
-
-
-def _by_mpmath(matrix):
-    from mpmath import matrix as mp_matrix
-    from mpmath import mp, mpf
-
-    values, columns = mp.eigsy(mp_matrix([[mpf(x) for x in row] for row in matrix]))
-    values = list(values)
-    return values, _canonical(values, columns.T.tolist())
 
 
 def _canonical(values, axes):

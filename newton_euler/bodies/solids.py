@@ -233,20 +233,6 @@ def sphere(radius: Scalar, centre: PointLike, **matter: Unpack[Matter]) -> Body:
 
 
 @checked
-def hollow_sphere(
-    inner: Scalar, outer: Scalar, centre: PointLike, **matter: Unpack[Matter]
-) -> Body:
-    """A sphere with a concentric spherical cavity: 2 m (r2^5 - r1^5)/(5 (r2^3 - r1^3))."""
-    wall, both = outer - inner, inner * outer
-    # r2^3 - r1^3 and r2^5 - r1^5, both divided by r2 - r1: a thin wall cancels no digits
-    cubes = inner**2 + both + outer**2
-    fifths = inner**4 + outer**4 + both * cubes
-    volume = 4 * pi(outer) * wall * cubes / 3
-    name, m = _mass("hollow sphere", matter, volume, inner=inner, outer=outer, wall=wall)
-    return _placed(name, centre, "x", m, (2 * m * fifths / (5 * cubes),) * 3)
-
-
-@checked
 def hemisphere(
     radius: Scalar, middle: PointLike, axis: str = "x", **matter: Unpack[Matter]
 ) -> Body:
@@ -282,35 +268,10 @@ def cylindrical_shell(
 
 
 @checked
-def conical_shell(
-    radius: Scalar, height: Scalar, apex: PointLike, axis: str = "x", **matter: Unpack[Matter]
-) -> Body:
-    """A thin cone without its base, ``axis`` pointing from its apex to the open end; G lies 2 h/3
-    from the apex. Moments about G: m a^2/2, m (9 a^2 + 2 h^2)/36 twice.
-    """
-    area = pi(radius) * radius * sqrt(radius**2 + height**2)
-    name, m = _mass("conical shell", matter, area, radius=radius, height=height)
-    across = m * (9 * radius**2 + 2 * height**2) / 36
-    return _of_revolution(name, apex, axis, m, m * radius**2 / 2, across, 2 * height / 3)
-
-
-@checked
 def spherical_shell(radius: Scalar, centre: PointLike, **matter: Unpack[Matter]) -> Body:
     """A thin hollow sphere: 2 m r^2/3."""
     name, m = _mass("spherical shell", matter, 4 * pi(radius) * radius**2, radius=radius)
     return _placed(name, centre, "x", m, (2 * m * radius**2 / 3,) * 3)
-
-
-@checked
-def hemispherical_shell(
-    radius: Scalar, middle: PointLike, axis: str = "x", **matter: Unpack[Matter]
-) -> Body:
-    """A thin half sphere without its flat face: 2 m r^2/3, 5 m r^2/12 twice. ``axis`` points from
-    ``middle``, the centre of its rim, to the top, and G lies r/2 from there.
-    """
-    name, m = _mass("hemispherical shell", matter, 2 * pi(radius) * radius**2, radius=radius)
-    moments = 2 * m * radius**2 / 3, 5 * m * radius**2 / 12
-    return _of_revolution(name, middle, axis, m, *moments, radius / 2)
 
 
 # -- between points
@@ -406,7 +367,7 @@ def _fan(name, middle, axis, toward, m, distance, polar, flatness=ZERO):
     t, sign = axis_index(toward or AXES[(n + 1) % 3])
     if t == n:
         raise MassError(
-            f"{name}, normal to {axis!r}, cannot be directed toward {toward!r}: take another axis"
+            f"{name}, normal to {axis!r}, cannot point toward {toward!r}: give another toward="
         )
     transfer = m * distance**2
     moments = [polar * (1 + flatness) / 2 - transfer] * 3

@@ -3,13 +3,12 @@
 from collections.abc import Callable
 from typing import Any
 
-from ..algebra.errors import ArgumentError, checked_but
-from ..algebra.scalars import clipped
+from ..algebra.errors import checked
 from .page.paper import Page
 from .page.svg import svg
 
 
-@checked_but("draw")
+@checked
 def svg_of(
     draw: Callable[..., Any],
     *given: Any,
@@ -34,11 +33,6 @@ def svg_of(
     >>> svg_of(figure, h=2, alt="A rod stands on its end.").startswith("<svg")
     True
     """
-    if not callable(draw) or len(size) != 2 or len(panels) != 2 or min(*size, *panels) <= 0:
-        raise ArgumentError(
-            "svg_of takes a function, a size in inches and numbers of rows and columns; got "
-            f"{clipped(draw)}, {clipped(size)}, {clipped(panels)}"
-        )
     page = Page(size, *panels)
     draw(*given, page.panels(), **values)
     return svg(page, alt)

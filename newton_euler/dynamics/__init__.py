@@ -22,7 +22,7 @@ from .euler import (
     fixed_line_momentum,
     planar_moment,
 )
-from .force_systems import Couple, Force, ForceError, ForceSystem, Wrench
+from .force_systems import Couple, Force, ForceError, ForceSystem
 from .gravity import (
     attraction,
     gravitation,

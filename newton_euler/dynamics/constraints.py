@@ -102,7 +102,7 @@ class _System:
             count = KINDS.get(kind, kind)
             if type(count) is not int or count < 1:
                 raise ConstraintError(
-                    f"the kind of {name} is a number, or of {', '.join(KINDS)}; got {kind!r}"
+                    f"{name} is a number of coordinates, or {', '.join(KINDS)}; got {kind!r}"
                 )
             self.places[name] = slice(self.size, self.size + count)
             self.size += count
@@ -186,7 +186,7 @@ class _System:
 
     def given(self, at):
         """The configuration ``at``, {body: its coordinates}, as a list of floats; raises
-        :class:`ConstraintError` where bodies or numbers miss, or a constraint does not hold.
+        :class:`ConstraintError` if bodies or numbers are missing, or a constraint does not hold.
         """
         if set(at) != set(self.places):
             raise ConstraintError(

@@ -8,14 +8,12 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from ..algebra.errors import Accuracy, NewtonEulerError, Tolerance, checked, checked_but
-from ..algebra.ledger import Amount, summed, value_of
+from ..algebra.ledger import Amount, in_columns, summed, value_of
 from ..algebra.scalars import (
     Scalar,
     anywhere,
     cos,
     is_numeric,
-    max_abs,
-    probe,
     scalar,
     short,
     sin,
@@ -26,7 +24,7 @@ from ..algebra.vectors import Vector
 from ..bodies.admissibility import not_negative
 from ..bodies.body import Body
 from ..kinematics.frames import Frame, Point
-from .work import power, work_integral
+from .work import magnitude, power, work_integral
 
 
 class EnergyError(NewtonEulerError, ValueError):
@@ -220,18 +218,17 @@ class Audit:
         """True if the residual is within ``rtol`` of the largest energy and ten times ``error``."""
         # ten times: the estimates of quadrature can be too small; products of numbers below 1e-300
         # underflow and have few digits or none
-        return _magnitude(self.residual) <= rtol * self.largest + 10 * self.error + 1e-300
+        return magnitude(self.residual) <= rtol * self.largest + 10 * self.error + 1e-300
 
     def __str__(self):
-        rows = {
+        changes = {
             "change of T": self.kinetic,
             **{f"change of V, {n}": x for n, x in self.potentials.items()},
             **{f"less work, {n}": -x for n, x in self.works.items()},
             "residual": 0.0 if self.balances() else self.residual,
         }
-        width = max(map(len, rows))
-        lines = [f"  {name:<{width}}  {short(x)}" for name, x in rows.items()]
-        return "\n".join(["energy equation (11.29), J", *lines])
+        rows = [(name, short(x)) for name, x in changes.items()]
+        return in_columns("energy equation (11.29), J", rows)
 
 
 @checked_but("kinetic")
@@ -273,7 +270,7 @@ def audit(
     change = T[1] - T[0]
     residual = change + value_of(summed(changes)) - value_of(summed(works))
     energies = [*T, *(x for pair in V.values() for x in pair), *works.values()]
-    error, largest = sum(u.error for u in U.values()), max(map(_magnitude, energies))
+    error, largest = sum(u.error for u in U.values()), max(map(magnitude, energies))
     return Audit(to_plain(change), changes, works, to_plain(residual), error, largest)
 
 
@@ -286,13 +283,3 @@ def _function(f, what):
     if not callable(f):
         raise EnergyError(f"{what} must be a function of time, as in lambda t: ...; got {f!r}")
     return lambda t: value_of(f(t))
-
-
-def _magnitude(x):
-    """The size of an energy; of an expression that at sample values of its symbols."""
-    value = probe(scalar(x))
-    if value is None:
-        raise EnergyError(
-            f"an audit needs numbers, or SymPy expressions and exact=True; got {to_plain(x)!r}"
-        )
-    return max_abs(scalar(value))

@@ -1,5 +1,5 @@
 """Force systems (8.1, 8.7): forces at points and couples, their resultant, their moment about any
-point, the wrench. Systems that agree in force and moment are equivalent (8.20). Forces may hold
+point. Systems that agree in force and moment are equivalent (8.20). Forces may hold
 unknowns of :func:`newton_euler.solve_linear`.
 
 >>> from newton_euler import Frame
@@ -14,11 +14,11 @@ unknowns of :func:`newton_euler.solve_linear`.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from ..algebra.errors import Tolerance, checked
+from ..algebra.errors import Tolerance, checked, checked_but
 from ..algebra.ledger import distinct
 from ..algebra.names import guided
-from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, min_abs, scalar, short, to_plain
-from ..algebra.vectors import FrameError, Vector, add3, named_sum
+from ..algebra.scalars import is_numeric, max_abs, scalar
+from ..algebra.vectors import FrameError, Vector, named_sum
 from ..kinematics.frames import Frame, Point, place
 
 ROUND_OFF = 1e-12  # fraction of the sum of magnitudes below which a resultant counts as zero
@@ -28,6 +28,7 @@ class ForceError(FrameError):
     """Not a force or couple, or a system that does not have the requested result."""
 
 
+@checked_but("point")
 @dataclass(frozen=True)
 class Force:
     """A force, ``vector`` in N, at the Point ``point`` of its line of action."""
@@ -37,7 +38,6 @@ class Force:
     name: str = "force"
 
     def __post_init__(self):
-        object.__setattr__(self, "vector", _vector(self.vector, "force", self.name))
         object.__setattr__(self, "point", place(self.point, self.name))
 
     @checked
@@ -64,15 +64,13 @@ class Force:
         return f"{self.name}: {self.vector} at {self.point.name}"
 
 
+@checked
 @dataclass(frozen=True)
 class Couple:
     """A couple: ``vector``, its moment in N m, the same about every point."""
 
     vector: Vector
     name: str = "couple"
-
-    def __post_init__(self):
-        object.__setattr__(self, "vector", _vector(self.vector, "couple", self.name))
 
     @checked
     def moment(self, about: object = None) -> Vector:
@@ -155,75 +153,6 @@ class ForceSystem:
         points = [f.point for s in (self, *others) for f in s._forces()]
         return points[0] if points else place(self.frame, "")
 
-    @checked
-    def wrench(self, about: Point | Frame | None = None) -> "Wrench":
-        """The simplest equivalent system: the force on its central axis and the couple along it;
-        its ``point`` is that nearest to ``about`` (default: where the first force acts).
-
-        >>> from newton_euler import Frame
-        >>> ground = Frame("ground")
-        >>> push = ground.vector(0, 0, 2.0), ground.point("A", 1.0, 0, 0)
-        >>> wrench = ForceSystem([push, Couple(ground.vector(0, 3.0, 4.0))]).wrench(ground)
-        >>> wrench.point.position(ground).components(), wrench.pitch
-        ((-0.5, 0, 0), 2.0)
-        """
-        P = self._some_point() if about is None else place(about, "the start of the search")
-        F, M = self.force, self.moment(P)
-        kind = self._kind(F, M, P)
-        if kind in ("nothing", "couple"):
-            return Wrench(kind, F, M, None, None)
-        square = scalar(F.dot(F))
-        pitch = to_plain(scalar(F.dot(M)) / square)
-        # M less its part along F is r x F, and r = F x M/F^2 at right angles to the axis
-        offset = (F.cross(M) / square).expressed_in(P.frame).c
-        foot = add3(P.position(P.frame).c, offset)
-        return Wrench(kind, F, F * pitch, P.frame.point("axis of the wrench", *foot), pitch)
-
-    def _kind(self, F, M, about):
-        """The ``kind`` of the wrench; of expressions only a structural zero counts as zero."""
-        forces = ROUND_OFF * sum(_size(f.vector) for f in self._forces())
-        moments = ROUND_OFF * sum(_size(p.moment(about)) for p in self.parts) + self._noise(about)
-        if _vanishes(F, forces):
-            return "nothing" if _vanishes(M, moments) else "couple"
-        along = scalar(F.dot(M))
-        alone = is_numeric(along) and max_abs(along) <= _size(F) * moments
-        return "force" if alone else "wrench"
-
-
-@dataclass(frozen=True)
-class Wrench:
-    """The simplest system equivalent to another; ``print`` it for words.
-
-    kind : "wrench"; "force", a single force without couple; "couple", without a force, the same
-        about every point; "nothing", in equilibrium
-    force : the resultant; moment : the couple along it, pitch times force (of a couple: all of it)
-    point : the Point of the central axis nearest to the place named; None without a force
-    pitch : couple over force (length), positive for a right-handed screw; None without a force
-    """
-
-    kind: str
-    force: Vector
-    moment: Vector
-    point: Point | None
-    pitch: Scalar
-
-    def __str__(self):
-        if self.point is None:
-            return (
-                f"a couple {self.moment}, the same about every point: there is no resultant "
-                "force, and so no axis"
-                if self.kind == "couple"
-                else "in balance: neither a force nor a couple is left"
-            )
-        at = ", ".join(map(short, self.point.position(self.point.frame)))
-        place = f"through ({at}) of {self.point.frame.name}"
-        if self.kind == "force":
-            return f"a single force {self.force} on the line {place}"
-        return (
-            f"a force {self.force} on the axis {place} with a couple along it, pitch "
-            f"{short(self.pitch)}"
-        )
-
 
 def _parts(name, part):
     """The forces and couples of ``part``, named ``name`` unless that is None."""
@@ -242,22 +171,6 @@ def _parts(name, part):
     return [Force(part.vector, part.point, name or part.name)]
 
 
-def _vector(v, what, name):
-    if not isinstance(v, Vector):
-        raise ForceError(f"the vector of a {what} is a Vector; got {v!r}")
-    if not isinstance(name, str):
-        raise ForceError(f"the name of a {what} is a text; got {clipped(name)}")
-    return v
-
-
 def _size(v):
     length = scalar(v.norm())
     return max_abs(length) if is_numeric(length) else float("inf")
-
-
-def _vanishes(v, noise):
-    """True if the Vector is round-off; of arrays at every instant, and an error if at some only."""
-    x = scalar(v.norm())
-    if is_numeric(x) and min_abs(x) <= noise < max_abs(x):
-        raise ForceError("there is a resultant at some instants only; treat these apart")
-    return is_numeric(x) and max_abs(x) <= noise

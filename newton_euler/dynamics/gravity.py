@@ -2,10 +2,10 @@
 arguments everywhere, for other units and other planets.
 """
 
-from ..algebra.errors import checked, checked_but
+from ..algebra.errors import checked
 from ..algebra.scalars import Scalar, integer_like, scalar, sqrt, to_plain
 from ..algebra.vectors import Vector
-from ..bodies.admissibility import MassError, not_negative, positive
+from ..bodies.admissibility import not_negative, positive
 from ..bodies.body import Body
 from ..kinematics.frames import Frame, Point, place
 
@@ -69,7 +69,7 @@ def gravity_at_height(height: Scalar, radius: Scalar, g: Scalar = G_STANDARD) ->
     return to_plain(g * (ratio * ratio))
 
 
-@checked_but("body")
+@checked
 def weight(body: Body | Scalar, up: Vector, g: Scalar = G_STANDARD) -> Vector:
     """The weight W = -m g k over a flat earth (5.25)-(5.27).
 
@@ -80,10 +80,7 @@ def weight(body: Body | Scalar, up: Vector, g: Scalar = G_STANDARD) -> Vector:
     >>> weight(2.0, Frame("ground").k)
     Vector(0, 0, -19.62 in ground)
     """
-    try:
-        m = scalar(getattr(body, "mass", body))
-    except TypeError as problem:
-        raise MassError(f"weight needs a body or a mass, got {body!r}") from problem
+    m = scalar(body.mass if isinstance(body, Body) else body)
     if not isinstance(body, Body):  # a hole has a negative mass
         not_negative(m, "the mass")
     force = m * g

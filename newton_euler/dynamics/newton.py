@@ -18,11 +18,10 @@ from ..algebra.scalars import (
     Scalar,
     SingularError,
     is_finite,
-    is_numeric,
     is_positive,
-    min_abs,
     scalar,
     to_plain,
+    vanishes,
 )
 from ..algebra.vectors import FrameError, Vector, named_sum
 from ..bodies.admissibility import MassError
@@ -110,7 +109,7 @@ def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple:
     (1.5, 1.0)
     """
     m = _mass(m)
-    if is_numeric(speed) and min_abs(speed) == 0:
+    if vanishes(speed):
         raise SingularError("at rest the velocity has no direction; use rectangular components")
     return to_plain(F_t / m), to_plain(F_n / (m * speed))
 
@@ -138,9 +137,9 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     # the acceleration is linear in the second rates, with the scale factors h: the acceleration
     # that P lacks, over h, is what its second rates lack
     missing = (total - P.acceleration(P.ground)).expressed_in(P.local).c
-    if any(is_numeric(h) and min_abs(h) == 0 for h in P.scale_factors):
+    if any(map(vanishes, P.scale_factors)):
         raise SingularError(
-            f"a coordinate moves nothing at {P.name}: its scale factors are {P.scale_factors}"
+            f"a coordinate moves nothing at {P.name}, by {P.scale_factors}: turn the axes"
         )
     changes = zip(P.coordinates, missing, P.scale_factors, strict=False)  # two in the plane
     return tuple(to_plain(q.acceleration + a / h) for q, a, h in changes)

@@ -32,7 +32,7 @@ from ..kinematics.curvilinear_systems import gradient, tangents
 from ..kinematics.frames import Point
 from ..kinematics.triads import norm3
 from .gravity import G_STANDARD, K
-from .work import work_along
+from .work import magnitude, work_along
 
 
 class NoPotential(WorkError):
@@ -223,8 +223,8 @@ def find_potential(
     box : the region in which the field is used, three pairs (low, high)
     loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region
     tolerance : of the curl, on a grid of 27 places of the box, relative to the derivatives of F;
-        and of the work round a loop, relative to size of F times length. A spot check: a curl that
-        is zero at these places alone passes.
+        and of the work round a loop, relative to the size of F times the length. A spot
+        check: a curl that is zero at these places alone passes.
 
     >>> V = find_potential(lambda x, y, z: (-2.0*x, -2.0*y, 0.0))
     >>> round(V(3.0, 4.0, 0.0), 9)
@@ -242,7 +242,7 @@ def find_potential(
 def _check_curl(force, place, tolerance):
     J = jacobian(force, place)
     c = _antisymmetric(J)
-    if max(map(_magnitude, c)) > tolerance * max(_magnitude(x) for row in J for x in row):
+    if max(map(magnitude, c)) > tolerance * max(magnitude(x) for row in J for x in row):
         where, curl = (", ".join(map(short, triple)) for triple in (place, c))
         raise NoPotential(
             f"there is no potential: at ({where}) the curl of the force is ({curl}), not zero; its "
@@ -252,16 +252,6 @@ def _check_curl(force, place, tolerance):
         )
 
 
-def _magnitude(x):
-    """The size of a derivative; of an expression that at sample values of its symbols."""
-    value = probe(scalar(x))
-    if value is None:
-        raise WorkError(
-            f"the derivative {to_plain(x)!r} cannot be compared with zero; put numbers in"
-        )
-    return max_abs(value)
-
-
 def _check_loop(force, loop, n, tolerance):
     places = [tuple(to_plain(scalar(x)) for x in loop(k / 24)) for k in range(25)]
     first, last = places[0], places[-1]
@@ -269,7 +259,7 @@ def _check_loop(force, loop, n, tolerance):
     gap = max(max_abs(scalar(a) - b) for a, b in zip(first, last, strict=True))
     if gap > 1e-9 * max(max_abs(scalar(x)) for p in places for x in p):
         raise WorkError(f"loop {n} is not closed: it leads from {first} to {last}")
-    strength = max(_magnitude(f) for p in places for f in force(*p))
+    strength = max(magnitude(f) for p in places for f in force(*p))
     steps = (zip(p, q, strict=True) for p, q in pairwise(places))
     length = sum(norm3(tuple(b - a for a, b in step)) for step in steps)
     U = work_along(lambda *place: tuple(map(probe, force(*place))), loop, 0.0, 1.0)

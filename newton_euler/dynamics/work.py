@@ -21,7 +21,7 @@ from ..algebra.errors import Accuracy, checked
 from ..algebra.jets import Moving
 from ..algebra.ledger import Amount, summed
 from ..algebra.quadrature import quadrature
-from ..algebra.scalars import ZERO, Scalar, scalar, to_plain
+from ..algebra.scalars import ZERO, Scalar, max_abs, probe, scalar, to_plain
 from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point
 from ..kinematics.paths import along
@@ -49,6 +49,14 @@ def work_integral(
     """
     value, error = quadrature(f, start, end, rtol, exact, breaks)
     return Amount(to_plain(value), error=error)
+
+
+def magnitude(x: Scalar) -> float:
+    """The size of a number; of a SymPy expression that at sample values of its symbols."""
+    value = probe(scalar(x))
+    if value is None:
+        raise WorkError(f"{to_plain(x)!r} has no size to be compared; put numbers in")
+    return max_abs(value)
 
 
 @checked

@@ -17,7 +17,7 @@ from .coordinates import (
 from .curvilinear_systems import curvilinear, gradient
 from .frames import AngleWarning, Frame, Point
 from .paths import Frenet, along, at_speed, flexure, frenet, frenet_along, speed_rate
-from .rectilinear import from_place, from_speed, from_time
+from .rectilinear import from_speed, from_time
 from .rotations import (
     RotationError,
     apply,
@@ -41,7 +41,6 @@ from .rotations import (
     quaternion_rate,
     rotation_matrix,
     transpose,
-    unwound,
 )
 from .triads import Triad
 

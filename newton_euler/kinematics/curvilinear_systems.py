@@ -76,7 +76,7 @@ def tangents(position: Callable, q: Sequence[Scalar]) -> tuple:
 
 
 def _seeded(q, n):
-    """The coordinates as moving numbers, of which the n-th has the rate 1."""
+    """The coordinates as moving numbers; the n-th has the rate 1."""
     # a 1 of the kind of the coordinate, so that 1/3 is as exact
     one = integer_like(1, q[n].value if isinstance(q[n], Moving) else q[n])
     return tuple(Moving(x, one if m == n else ZERO) for m, x in enumerate(q))

@@ -23,15 +23,13 @@ from ..algebra.scalars import (
     ScalarError,
     clipped,
     cos,
+    hypot,
     integer_like,
     is_finite,
-    is_numeric,
-    min_abs,
     scalar,
     sin,
-    sqrt,
     to_plain,
-    without_rates,
+    vanishes,
 )
 from ..algebra.vectors import (
     NO_THIRD_RATE,
@@ -225,7 +223,7 @@ class Frame:
         parts = (angle.value, angle.rate, angle.acceleration)
         exact = next((v for v in parts if v is not ZERO), ZERO)
         axis = tuple(integer_like(v, exact) for v in axis)
-        return divided_by_length(axis, sqrt(dot3(axis, axis)), FrameError)
+        return divided_by_length(axis, hypot(*axis), FrameError)
 
     def _place(self, origin):
         if origin is None:
@@ -402,8 +400,8 @@ def _how_to_join(one, other):
 
 def _alike(name):
     return (
-        f"These are two trees with the same names, each with its own {name}, as a function makes "
-        f"that builds its frames at every call: build once and pass the frame {name}"
+        f"These are two trees with the same names, each with its own {name}; a function that "
+        f"builds its frames at every call makes such: build once and pass the frame {name}"
     )
 
 
@@ -619,7 +617,9 @@ def place(where: PointLike, what: str) -> Point:
     if isinstance(where, Frame):
         return where.point(f"origin of {where.name}", 0, 0, 0)
     if not isinstance(where, Point):
-        raise FrameError(f"the place of {what} is a Point or a Frame; got {where!r}")
+        raise FrameError(
+            f"the place of {what} is a Point or a Frame, as body.point('C', 0, 1, 0); got {where!r}"
+        )
     return where
 
 
@@ -633,14 +633,6 @@ def axes_at(point: Point) -> Frame:
             f"point; for {point.frame.name} say frame=..., or make another point there"
         )
     return point.frame
-
-
-# -- shared with rotations
-
-
-def vanishes(x: Scalar, small: float = 0) -> bool:
-    """Whether a number is at most ``small`` in size at any instant; False for expressions."""
-    return is_numeric(x) and min_abs(without_rates(x)) <= small
 
 
 def divided_by_length(axis: tuple, length: Scalar, error: type[Exception]) -> tuple:

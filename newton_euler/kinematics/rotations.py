@@ -15,10 +15,10 @@ values: they take numbers of all kinds and arrays of shape (N,) as entries, and 
 :class:`ScalarError` for expressions.
 """
 
+import math
 from collections.abc import Sequence
 
 from ..algebra.errors import NewtonEulerError, Tolerance, checked, checked_but
-from ..algebra.late import np
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -26,17 +26,19 @@ from ..algebra.scalars import (
     atan2,
     cos,
     epsilon,
+    hypot,
     is_finite,
     max_abs,
     real_scalar,
     sin,
     sqrt,
     to_plain,
+    vanishes,
     where,
     without_rates,
 )
 from ..algebra.vectors import Vector, cross3, dot3, scale3, three
-from .frames import Frame, Point, divided_by_length, vanishes
+from .frames import Frame, Point, divided_by_length
 
 Matrix = Sequence[Sequence[Scalar]]  # three rows of three
 Triple = Sequence[Scalar] | Vector
@@ -84,7 +86,7 @@ def apply(R: Matrix, v: Triple) -> tuple:
     >>> apply(((0, -1, 0), (1, 0, 0), (0, 0, 1)), (1.0, 2.0, 3.0))
     (-2.0, 1.0, 3.0)
     """
-    v = _three(v, "a vector")
+    v = three(v, "a vector", RotationError)
     return tuple(to_plain(dot3(row, v)) for row in R)
 
 
@@ -99,22 +101,17 @@ def determinant(R: Matrix) -> Scalar:
 
 
 @checked
-def in_sequence(*rotations: Matrix, axes: str = "fixed") -> tuple:
-    """The one rotation that equals these, carried out in the order given (4.2, 4.3).
-
-    axes : "fixed" if the axis of each is given in the fixed frame, "moving" if in the frame turned
-        by the earlier ones. The reverse order exchanges the two meanings.
+def in_sequence(*rotations: Matrix) -> tuple:
+    """The one rotation that equals these, carried out in the order given, the axis of each in the
+    fixed frame (4.2, 4.3): their product in the reverse order. With each axis in the frame turned
+    by the earlier ones it is :func:`product` itself.
 
     >>> import math
     >>> X, Y = (rotation_matrix(axis, math.pi/2) for axis in ((1, 0, 0), (0, 1, 0)))
     >>> [[round(x) for x in row] for row in in_sequence(X, Y)]  # columns: i = -K, j = I, k = -J
     [[0, 1, 0], [0, 0, -1], [-1, 0, 0]]
     """
-    if axes not in ("fixed", "moving"):
-        raise RotationError(
-            f"axes are 'fixed' in the ground or 'moving' with earlier rotations, got {axes!r}"
-        )
-    return product(*(reversed(rotations) if axes == "fixed" else rotations))
+    return product(*reversed(rotations))
 
 
 @checked
@@ -175,15 +172,12 @@ def axis_angle(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple[tuple, Scalar]:
 
 
 def _unit(axis, angle):
-    axis = _three(axis, "an axis")
+    axis = three(axis, "an axis", RotationError)
+    angle = without_rates(angle)
+    if not is_finite(angle):
+        raise RotationError(f"an angle is finite; got {angle!r}")
     # a length of the kind of the angle: exact if that is
-    return divided_by_length(axis, sqrt(dot3(axis, axis) + 0 * without_rates(angle)), RotationError)
-
-
-def _three(v, what):
-    if given := three(v):
-        return given
-    raise RotationError(f"{what} has three components, numbers as in (0, 0.6, 0.8); got {v!r}")
+    return divided_by_length(axis, hypot(*(x + 0 * angle for x in axis)), RotationError)
 
 
 def _length_and_direction(v):
@@ -228,13 +222,16 @@ def checked_rotation(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
             "first, or keep the angles that it was built from"
         ) from problem
     if not all(error <= tolerance for error in errors):
+        worst = max(errors, key=lambda error: error if error == error else math.inf)  # nan, too
         raise RotationError(
-            f"not a rotation: R^T R differs from the unit matrix by {max(errors):.3g}, and "
+            f"not a rotation: R^T R differs from the unit matrix by {worst:.3g}, and "
             f"{tolerance:.3g} is allowed; its columns must be unit vectors at right angles. If the "
             "entries are rounded, say how far with tolerance="
         )
     if not mirrored < 1:
-        raise RotationError("not a rotation but a reflection, determinant -1: reverse one axis")
+        raise RotationError(
+            "not a rotation but a reflection, determinant -1: reverse or exchange axes"
+        )
     return R
 
 
@@ -277,7 +274,7 @@ def normalised(q: Sequence[Scalar]) -> tuple:
     (0.6, 0.0, 0.8, 0.0)
     """
     q = _four(q)
-    length = sqrt(_norm2(q))
+    length = _checked_size(q, hypot(*q))
     return tuple(to_plain(x / length) for x in q)
 
 
@@ -289,7 +286,9 @@ def matrix_from_quaternion(q: Sequence[Scalar]) -> tuple:
     ((0.0, -1.0, 0), (1.0, 0.0, 0), (0, 0, 1))
     """
     w, x, y, z = q = _four(q)
-    s = 2 / _norm2(q)  # not 2: the matrix is a rotation also if the length has drifted
+    s = 2 / _checked_size(
+        q, dot3(q, q) + z * z
+    )  # not 2: the matrix is a rotation also if the length has drifted
     return _rows((
         (1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)),
         (s * (x * y + w * z), 1 - s * (z * z + x * x), s * (y * z - w * x)),
@@ -337,7 +336,7 @@ def quaternion_rate(q: Sequence[Scalar], omega: Triple) -> tuple:
     >>> quaternion_rate((0.8, 0, 0, 0.6), (0, 0, 1.0))
     (-0.3, 0, 0, 0.4)
     """
-    rate = quaternion_product(q, (ZERO, *_three(omega, "an angular velocity")))
+    rate = quaternion_product(q, (ZERO, *three(omega, "an angular velocity", RotationError)))
     return tuple(to_plain(x / 2) for x in rate)
 
 
@@ -348,13 +347,12 @@ def _four(q):
     return q
 
 
-def _norm2(q):
-    total = dot3(q, q) + q[3] * q[3]
-    if vanishes(total) or not is_finite(total):
+def _checked_size(q, size):
+    if vanishes(size) or not is_finite(size):
         raise RotationError(
             f"{tuple(map(to_plain, q))} is no rotation: its length must be finite and not zero"
         )
-    return total
+    return size
 
 
 # -- Euler angles 3-1-3
@@ -433,7 +431,7 @@ def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Sc
     >>> euler_body_rates(0.0, 0.0, 0.0, (2.0, 0.5, 3.0))
     (0.5, 0.0, 5.0)
     """
-    dpsi, dtheta, dphi = _three(rates, "(psi', theta', phi')")
+    dpsi, dtheta, dphi = three(rates, "(psi', theta', phi')", RotationError)
     across = dpsi * sin(theta)
     return (
         to_plain(dtheta * cos(phi) + across * sin(phi)),
@@ -451,7 +449,7 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
     >>> [round(x, 12) for x in euler_rates(0.3, 0.2, 0.1, omega)]
     [2.0, 0.5, 3.0]
     """
-    x, y, z = _three(omega, "an angular velocity")
+    x, y, z = three(omega, "an angular velocity", RotationError)
     s = sin(theta)
     if vanishes(s, 4 * epsilon(without_rates(s))):
         raise RotationError(
@@ -461,31 +459,6 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
         )
     dpsi = (x * sin(phi) + y * cos(phi)) / s
     return to_plain(dpsi), to_plain(x * cos(phi) - y * sin(phi)), to_plain(z - dpsi * cos(theta))
-
-
-@checked
-def unwound(
-    angles: Sequence[float], rates: Sequence[float], times: Sequence[float]
-) -> "np.ndarray":
-    """Angles (rad) known modulo a turn, made continuous by their rates (rad/s) at times (s), all of
-    shape (N,): whole turns are added to fit the mean of the two rates of each step, and may be
-    many. Raises :class:`RotationError` where more than a quarter of a turn is left over.
-
-    >>> [round(float(x), 6) for x in unwound([0.0, 1.0, 2.0], [7.0, 7.4, 7.2], [0.0, 1.0, 2.0])]
-    [0.0, 7.283185, 14.566371]
-    """
-    q, w, t = (np.asarray(x, dtype=float) for x in (angles, rates, times))
-    missing = np.diff(t) * (w[1:] + w[:-1]) / 2 - np.diff(q)
-    turns = np.round(missing / (2 * np.pi))
-    left = np.abs(missing - 2 * np.pi * turns)
-    if not (left <= np.pi / 2).all():
-        n = int(np.argmax(left))
-        raise RotationError(
-            f"between t = {t[n]:.6g} and {t[n + 1]:.6g} s the rates {w[n]:.6g} "
-            f"and {w[n + 1]:.6g} rad/s leave {left[n]:.3g} rad: how many turns there were is "
-            "not known; give more instants, or take the angle itself as a state of the motion"
-        )
-    return q + 2 * np.pi * np.concatenate(([0.0], np.cumsum(turns)))
 
 
 @checked

@@ -3,11 +3,12 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving
 from ..algebra.pickles import Computed
 from ..algebra.scalars import Scalar, anywhere, clipped, epsilon, is_numeric, scalar, sqrt, to_plain
 from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3, sub3
-from .frames import Frame, Point
+from .frames import Frame
 
 
 class Triad(Frame):
@@ -23,23 +24,18 @@ class Triad(Frame):
     (3.0, -4.0, 0)
     """
 
+    @checked
     def __init__(
         self,
         name: str,
         parent: Frame,
         axes: Sequence[Sequence[Scalar]],
         turning: Callable | None = None,
-        origin: Point | None = None,
     ):
-        super().__init__(name, parent, origin=origin)
-        try:
-            self._axes = tuple(tuple(map(scalar, axis)) for axis in axes)
-        except TypeError:
-            raise FrameError(f"the axes of {name} are three triples; got {clipped(axes)}") from None
+        super().__init__(name, parent)
+        self._axes = tuple(tuple(map(scalar, axis)) for axis in axes)
         if [len(axis) for axis in self._axes] != [3, 3, 3]:
             raise FrameError(f"the axes of {name} are three triples; got {clipped(axes)}")
-        if turning is not None and not callable(turning):
-            raise FrameError(f"turning is a function or None; got {clipped(turning)}")
         self.axis, self.angle = "axes", _Turning(self, turning)
 
     def _turn(self, c, sense):

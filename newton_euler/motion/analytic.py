@@ -2,7 +2,7 @@
 formula, a series continues the old one.
 """
 
-from ..algebra.source import uses
+from ..algebra.source import WITHIN, uses
 from ..algebra.trace import COMPARISONS, Step
 
 KINKS = {"where", "abs", "table", *COMPARISONS}
@@ -15,6 +15,11 @@ HIDDEN = {"exp", "tanh", "sinh", "cosh", "pow"}
 def kinks(traced):
     """The operations of the rates that choose between formulas, as where and abs: a sorted list."""
     return sorted({s.op for s in varying(traced) if s.op in KINKS} - set(COMPARISONS))
+
+
+def inner(traced):
+    """The integrals and roots in the rates, which no series has: a sorted list."""
+    return sorted({s.op for s in traced.folded[0].trace.steps}.intersection(WITHIN))
 
 
 def surprises(traced):

@@ -10,18 +10,20 @@ from time import perf_counter
 from types import MappingProxyType, SimpleNamespace
 from typing import Any, NamedTuple
 
+from ..algebra.scalars import Scalar
 from .error_estimates import REPORTED_SAFETY, error_by_difference, relative_shift
 from .knots import knots
 from .methods.table import METHODS, Method
 from .methods.taylor import batches
-from .model import Model, ModelError, real_numbers
+from .model import Model, ModelError, expect, real_numbers
 from .prepared import PreparedModel, prepared_model
 from .run import known_accurate, usable
 from .sizes import ROUND_OFF, TIME_SAFETY, time_round_off
 from .solution import AccuracyError, Cost, MotionError
 from .verified import NEAR_END, NEAR_START, SPARE
 
-BLOCK = 64  # neighbours in a sweep of which the one in the middle may vouch for the others
+BLOCK = 64  # neighbours in a sweep; the one in the middle may vouch for the others
+INSIDE = 32  # instants on the way at which the sizes of the states are seen
 MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch integrator
 
 
@@ -50,7 +52,17 @@ class Motions:
     @property
     def end(self) -> dict:
         """The last states, arrays (motions,) by name."""
-        return {name: x[:, -1] for name, x in self.states.items()}
+        return self.at(self.t_end)
+
+    def at(self, t: Scalar) -> dict:
+        """The states at one of the ``times``, arrays (motions,) by name; between these
+        :class:`ModelError`: give ``integrate`` the times that are needed as ``samples``.
+        """
+        what = "many motions are known at their times alone, see samples= of integrate"
+        place = real_numbers(t, what)
+        found: Any = [] if place.ndim else (self.times == place).nonzero()[0]
+        expect(len(found), what, t)
+        return {name: x[:, found[-1]] for name, x in self.states.items()}
 
 
 class Sweep(NamedTuple):
@@ -221,30 +233,39 @@ def _taylor(many, run):
     if knots(system, run.t0, float(times[-1])):
         return Sweep(states, errors, calls)  # batches do not stop on the way
     chosen, group = _representatives(np.concatenate([starts, p]), ends)
-    sizes = _sizes(starts, ends, group)
+    sizes = np.maximum(abs(starts), abs(ends))
     shift = 1 + relative_shift(tolerance / other) * (-1.0) ** np.arange(len(starts))
     shifted = starts * shift[:, None]
 
-    def compare(n):
-        compared, more = batches(system, other, shifted[:, n], p[:, n], run.t0, times[-1:])
-        apart = (abs(ends[:, n] - compared[:, :, -1]) / sizes[:, n]).max(axis=0)
+    def compare(n, instants=1):
+        inside = run.t0 + (times[-1] - run.t0) * np.arange(1, instants + 1) / instants
+        compared, more = batches(system, other, shifted[:, n], p[:, n], run.t0, inside)
+        known = sizes[:, n] = np.fmax(sizes[:, n], abs(compared).max(axis=2))
+        scales = np.where(known > 0, known, 1.0)
+        apart = (abs(ends[:, n] - compared[:, :, -1]) / scales).max(axis=0)
         ratio = tolerance / other
         errors[n] = [error_by_difference(d, ratio, tolerance) for d in apart.tolist()]
         span = run.t0, float(times[-1])
-        errors[n] += _clock_errors(system, *span, ends[:, n], p[:, n], sizes[:, n], rtol / 100)
+        errors[n] += _clock_errors(system, *span, ends[:, n], p[:, n], scales, rtol / 100)
         if system.traced.narrow:
             pairs = zip(np.asarray(n).tolist(), errors[n].tolist(), strict=True)
             errors[n] += [_unseen(many, run, k, tolerance, error) for k, error in pairs]
         return more
 
     calls += compare(chosen)
-    vouched, alone = SPARE * errors[chosen][group], np.ones(count, dtype=bool)
+    alone, like = np.ones(count, dtype=bool), chosen[group]
     alone[chosen] = False
+    with np.errstate(all="ignore"):  # a state may be zero
+        vouched = SPARE * errors[like] * np.fmax(sizes[:, like] / sizes, 1.0).max(axis=0)
     covered = alone & (vouched <= rtol)
     errors[covered] = vouched[covered]
     rest = np.flatnonzero(alone & ~covered)
     if len(rest):
         calls += compare(rest)
+    # a state may be zero at the ends of a motion
+    unsure = np.flatnonzero(~(errors <= rtol) & np.isfinite(ends).all(axis=0))
+    if len(unsure):
+        calls += compare(unsure, INSIDE)
     reported = np.maximum(errors, np.minimum(rtol, REPORTED_SAFETY * errors))
     return Sweep(states, reported, calls)
 
@@ -265,20 +286,6 @@ def _constants(many, system):
     count, values = many.starts.shape[1], zip(system.free, system.p, strict=True)
     constants = system.traced.folded[1].on(np)(*(many.parameters.get(n, v) for n, v in values))
     return np.array([np.broadcast_to(x, count) for x in constants], dtype=float).reshape(-1, count)
-
-
-def _sizes(starts, ends, group):
-    """The size of each state in each motion, an array (states, motions): the largest in its group,
-    as a state may be zero at the end of one motion but not of another.
-    """
-    import numpy as np
-
-    members = np.argsort(group)
-    firsts = np.searchsorted(group, np.arange(group.max() + 1), sorter=members)
-    sizes = np.maximum(abs(starts), abs(ends))[:, members]
-    sizes = np.maximum.reduceat(sizes, firsts, axis=1)
-    sizes[~(sizes > 0)] = 1.0
-    return sizes[:, group]
 
 
 def _clock_errors(system, t0, t1, ends, p, sizes, enough):

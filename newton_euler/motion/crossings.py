@@ -108,7 +108,7 @@ def unsettled(stepper, end):
 class Crossings:
     """Takes the steps of a stepper so that they end where the rates change their formula.
 
-    tries : steps that were repeated or passed over a crossing, less the others
+    tries : the number of steps that were repeated or passed over a crossing, minus the others
     """
 
     def __init__(self, stepper):
@@ -142,14 +142,14 @@ class Crossings:
                 self.tries += 2
 
     def _changed(self, before, after):
-        """The numbers of the distances whose signs differ at two pairs (time, state), each with
-        the part of the way at which it would be zero if it were linear.
+        """{number of a distance: the part of the way at which it would be zero if it were linear},
+        for those whose signs differ at two pairs (time, state).
         """
         both = zip(self.away(*before), self.away(*after), strict=True)
         return {k: a / (a - b) for k, (a, b) in enumerate(both) if (a < 0 < b) or (b < 0 < a)}
 
     def _stop(self):
-        """The time in the last step at which it should have ended; None if it is right."""
+        """The time at which the last step should have ended; None if its end is right."""
         stepper = self.stepper
         begin, _, *x = stepper.steps[-1]
         if stepper.t - begin <= NEAR * self.room:

@@ -38,7 +38,7 @@ def why(error, system, t, x, span):
                 "; the coordinates may be singular there, or the motion leaves the model",
             )
     if isinstance(error, ValueError) and not isinstance(error, ArithmeticError):
-        return NoValueError, ""  # as of a table, which says so itself
+        return NoValueError, ""  # for example of a table, whose message says so
     if isinstance(error, OverflowError):
         return MotionError, f": {TOO_LARGE}"
     return MotionError, "; the coordinates are singular there"

@@ -16,7 +16,7 @@ from .arguments import check_options, event_tuple, sample_request, start_state, 
 from .batch import Motions, integrate_many
 from .events import Event
 from .methods.table import METHODS
-from .model import Model, ModelError, State, has_unit
+from .model import Model, ModelError, State, expect, has_unit
 from .prepared import prepared_model
 from .run import Run, fast_run, usable
 from .solution import Motion
@@ -54,9 +54,9 @@ def integrate(
     progress : a function of the fraction of the time that is done, called now and then
     step : a fixed step, for methods that have an order; the error is then not controlled
 
-    Every result was compared with the requested tolerance; its error is an estimate, no bound: of
-    random models of a hundred families more than 99 in 100 are within rtol, and the others off by
-    some times rtol, most of them at 1e-3 where the rates jump on the way. Raises
+    Every result was compared with the requested tolerance; its error is an estimate, not a bound:
+    of random models in a hundred families, more than 99 in 100 are within rtol; the others are off
+    by a few times rtol, most of them at 1e-3 where the rates jump on the way. Raises
     :class:`ModelError` for what cannot be integrated,
     :class:`~newton_euler.motion.solution.MotionError`, with what was ``reached``, if the motion
     comes to a singular place, and its subclasses
@@ -148,6 +148,10 @@ class Prepared:
             x = None  # the integration raises an error that says what is wrong
         if x is not None:
             return x
+        state = start_state(self.system.model, start)
+        for given in (t, *state):
+            one = not getattr(given, "shape", ()) and not isinstance(given, (tuple, list))
+            expect(one, "what is prepared takes one time and one start, integrate many", given)
         t0, t1 = time_span(t)
-        run = Run(self.system, t0, t1, start_state(self.system.model, start), self.rtol)
+        run = Run(self.system, t0, t1, state, self.rtol)
         return tuple(run.by_name(self.requested).end.values())

@@ -7,7 +7,7 @@ scalars of every kind, so that a formula reads as it is printed: ``s.v*cos(s.gam
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from inspect import Parameter, Signature
@@ -15,11 +15,12 @@ from itertools import islice
 from keyword import iskeyword
 from types import FunctionType, MappingProxyType
 from typing import Any
+from unicodedata import normalize
 from warnings import warn
 
 from ..algebra.compile import compiled, content, recorded, text_of
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked, raised_by_the_engine
-from ..algebra.names import guided
+from ..algebra.names import guided, misfit
 from ..algebra.portable import Portable
 from ..algebra.reads import Reads
 from ..algebra.scalars import (
@@ -191,7 +192,7 @@ class Model(Portable):
 
     def _rates(self, s, p, t):
         rates = self.rhs(s, p, t)
-        if not isinstance(rates, Iterable) or isinstance(rates, (str, Mapping)):
+        if not isinstance(rates, Iterable) or isinstance(rates, (str, Mapping, Set)):
             raise ModelError(
                 f"the right-hand side of {self.name!r} returns the rates of its states, a tuple in "
                 f"the order {', '.join(self.states)}; got one {type(rates).__name__}"
@@ -244,7 +245,7 @@ class Model(Portable):
         return found
 
     def _value_of(self, what, f, state, t):
-        """:meth:`_value`; where there is none, the error names what it is of."""
+        """:meth:`_value`; if there is none, the error says of ``what``."""
         try:
             return self._value(f, state, t)
         except (ZeroDivisionError, OverflowError) as error:
@@ -336,17 +337,20 @@ class Model(Portable):
         names = [*self.states, *self.parameters]
         for name in names:
             usual = isinstance(name, str) and name.isidentifier() and not iskeyword(name)
-            if not usual or name == "t":
+            # Python reads s.ﬁ as s.fi
+            if not usual or name == "t" or name != normalize("NFKC", name):
                 raise ModelError(
                     f"{name!r} cannot name a state or parameter of {self.name!r}: take a Python "
                     "name other than t, the time"
                 )
             if names.count(name) > 1:
                 raise ModelError(
-                    f"{name!r} names two things in {self.name!r}; each needs a name of its own"
+                    f"{name!r} occurs twice in {self.name!r}; each state and parameter needs a "
+                    "name of its own"
                 )
         for name, x in self.parameters.items():
-            if not callable(x) and not _is_scalar(x):
+            wrong = isinstance(x, FunctionType) and misfit(x, (None,) * 3, {})
+            if wrong or (not callable(x) and not _is_scalar(x)):
                 raise ModelError(
                     f"the parameter {name} of {self.name!r} is a number or a function (s, p, t), "
                     f"not {x!r}"
@@ -535,7 +539,7 @@ def real_numbers(x, what):
     import numpy as np
 
     try:
-        if has_unit(x):
+        if has_unit(x) or hasattr(x, "mask"):
             raise TypeError
         if isinstance(x, (list, tuple)):
             if not set(map(type, x)) <= {float, int}:

@@ -18,25 +18,25 @@ from .chebyshev import DEGREE, extrema, values_at
 from .narrow_arguments import CHANGE, LIMITS, RATIO
 from .zeros import sampling
 
-# part of its change by which an argument may differ from a polynomial, and how many times that its
-# extremum is from zero if it certainly does not reach it
+# the part of its change by which an argument may differ from a polynomial; and how many times that
+# difference its extremum is from zero if it certainly does not reach zero
 ROUGH, CLEAR, KNOWN = 0.2, 2.0, 1e-4
-NOISE = 1e-14  # of an argument, relative to its largest value on the way
+NOISE = 1e-14  # noise of an argument, relative to its largest value on the way
 FEW, MANY = 4, 100  # steps: more show by their ends how fast arguments change; are left to NumPy
-FOLLOWED = 500  # suspect steps, the longest ones
-RESOLVED = 6.0  # radians, in a part, of a sine that a polynomial represents
-DEPTH, DIVIDED, MOST = 8, 4, 2000  # of the division of steps: how often, into how many, in all
-SAMPLES, NEWTON_STEPS = 32, 3  # of a step, for the times at which it passes the places of a table
-ROUNDS, PARTS = 12, 16  # of the search for the least of an argument
-HALVINGS = 44  # of a step towards it
+FOLLOWED = 500  # the most suspect steps that are followed, the longest ones
+RESOLVED = 6.0  # the most radians of a sine that a polynomial represents in one part
+DEPTH, DIVIDED, MOST = 8, 4, 2000  # how often a step is divided, into how many parts, and in all
+SAMPLES, NEWTON_STEPS = 32, 3  # samples of a step that find when it passes the places of a table
+ROUNDS, PARTS = 12, 16  # rounds and parts of the search for the least value of an argument
+HALVINGS = 44  # halvings of a step towards it
 LIMIT, ROUND_OFF = 10.0, 1e-13  # tolerances by which a step may differ; and its round-off
 # part of a part by which parts end off even places: where two meet, as in the middle of a motion,
 # an argument turns back in neither
 ASIDE = 0.0618
 SHORT = 0.1  # time between two jumps, over the longest step, that may be passed over
-UNEQUAL = 2  # distances at which what turns may have two signs
-SLIGHT, HIT = 0.01, 40.0  # changes of an argument that matter, and of exp up to which it does
-NUDGE = 2.0**-51  # of states and constants, relative: what rates change by is round-off
+UNEQUAL = 2  # the most distances at which a function that turns may have two signs
+SLIGHT, HIT = 0.01, 40.0  # the least change that matters of an argument; the largest one of exp
+NUDGE = 2.0**-51  # relative change of states and constants that changes rates by round-off only
 
 
 class Passage(NamedTuple):

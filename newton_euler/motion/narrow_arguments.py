@@ -11,8 +11,8 @@ from ..algebra.trace import COMPARISONS, Step
 from .analytic import clocked, factors, varying
 
 GROWING, STEEP, PERIODIC = {"exp", "pow"}, {"tanh", "sinh", "cosh", "atan"}, {"sin", "cos", "tan"}
-# What an argument changes by in a step before a structure can lie between the stages of a method,
-# or the ratio of its values; and the same in a part of a step
+# The change of an argument in a step, or the ratio of its values, from which a structure can lie
+# between the stages of a method; and the same in a part of a step
 CHANGE, RATIO = (4.0, 0.5), (0.1, 0.5)
 TURNED = 1.0  # radians in a step from which a sine is not known by its ends
 LIMITS = dict.fromkeys(("largest", "steep"), (2 * CHANGE[0], 2 * CHANGE[1]))

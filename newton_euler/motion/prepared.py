@@ -12,7 +12,7 @@ from ..algebra.compile import recorded
 from ..algebra.partial_evaluation import folded
 from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, scalar
-from .analytic import clocked, hazards, kinks, surprises
+from .analytic import clocked, hazards, inner, kinks, surprises
 from .crossings import choices, compiled_choices
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
 from .narrow_arguments import narrow_arguments
@@ -30,8 +30,9 @@ class Traced:
         content
     integrators : those of heyoka
     seconds : time spent on integrating it, which decides whether heyoka's compilation pays off
-    kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the functions of
-        these names in :mod:`.analytic`, :mod:`.crossings` and :mod:`.narrow_arguments` find
+    inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the
+        functions of these names in :mod:`.analytic`, :mod:`.crossings` and
+        :mod:`.narrow_arguments` find
     """
 
     def __init__(self, rhs, arguments):
@@ -46,7 +47,7 @@ class Traced:
         """
         return folded(self.rhs, self.arguments)
 
-    kinks, clocked = cached_property(kinks), cached_property(clocked)
+    inner, kinks, clocked = cached_property(inner), cached_property(kinks), cached_property(clocked)
     surprises, hazards = cached_property(surprises), cached_property(hazards)
     choices, narrow = cached_property(choices), cached_property(narrow_arguments)
     compiled_choices = cached_property(compiled_choices)

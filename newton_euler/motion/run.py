@@ -49,10 +49,10 @@ from .trajectory import Trajectory
 # paid off
 HEYOKA_BREAK_EVEN = 0.5
 FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate enough
-MANY_STEPS = 2e4  # of a long motion, in which the errors of steps add up
+MANY_STEPS = 2e4  # the most steps of a long motion, in which the errors of steps add up
 SIZE_SAMPLES = 33  # instants at which a series samples the sizes of the states
 MAX_REFINEMENTS = 5  # the most tolerances tried
-UNLUCKY = 10.0  # times its estimate by which a run across kinks may be off
+UNLUCKY = 10.0  # a run across kinks may be off by this many times its estimate
 
 
 def usable(name: str, system: PreparedModel, t0: float = 0.0) -> Method:

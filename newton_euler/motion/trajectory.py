@@ -5,6 +5,7 @@ which the state jumps or the model changes.
 from math import inf
 from typing import NamedTuple
 
+from ..algebra.errors import NewtonEulerError, callers_line
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
@@ -162,6 +163,8 @@ class Trajectory:
         except ModelError:
             raise
         except (ArithmeticError, ValueError) as error:
+            if callers_line(error) and not isinstance(error, NewtonEulerError):
+                raise  # of an event or of progress
             stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)
         t1, ending, x1 = stopped or (stepper.t, (), stepper.x)

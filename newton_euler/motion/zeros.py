@@ -32,7 +32,7 @@ BATCH, MAX_PIECES = 128, 60_000
 # function; below the others a value, at an end or at an extremum, may be round-off, which is then
 # measured
 CERTAIN, DOUBTFUL, TOUCHING = 1e-5, 1e-9, 1e-13
-NOISE_MARGIN = 8.0  # on the round-off that is measured at a few points
+NOISE_MARGIN = 8.0  # factor for round-off that is measured at a few points only
 PICKED = [2, 7, 11]  # Chebyshev points at which it is measured, none of them at an end
 NEWTON_STEPS = 4
 

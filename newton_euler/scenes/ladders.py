@@ -53,23 +53,13 @@ class Rung(Portable):
         """The bound of the error until ``t`` by what the model neglects; inf where unknown."""
         bounds = list(self.model.neglected(t, self.start).values())
         if not all(map(is_numeric, bounds)):
-            raise ModelError(f"the bounds of {self.name!r} have no values: put numbers in")
+            raise ModelError(f"the bounds of {self.name!r} need numbers as parameters and start")
         return float(sum(map(max_abs, bounds))) if bounds else math.inf
-
-
-@dataclass(frozen=True)
-class Observed:
-    """A function that returns the states of these names; a class, since it can be pickled."""
-
-    names: tuple
-
-    def __call__(self, s, p, t):
-        return tuple(getattr(s, n) for n in self.names)
 
 
 def observed_states(*names):
     """The function for :class:`Rung` that returns the states of these names."""
-    return Observed(names)
+    return lambda s, p, t: tuple(getattr(s, n) for n in names)
 
 
 @checked

@@ -22,6 +22,7 @@ import pytest
 
 from newton_euler import Frame, compiled, moving
 from newton_euler.accuracy.measurements.measure import timed
+from tests.kinds import compiled_by
 
 ROOT = Path(__file__).parents[2]
 NAMES = ("phi", "omega", "domega", "p", "dp", "R", "r")
@@ -248,7 +249,7 @@ def by_lambdify(scene, library):
 def test_many_instants_are_faster_than_lambdify(scene, numpy_gains, heyoka_gains):
     pytest.importorskip("heyoka")
     formula, theirs = FORMULAS[scene], by_lambdify(scene, "numpy")
-    by_numpy, by_heyoka = compiled(formula, backend="numpy"), compiled(formula, backend="heyoka")
+    by_numpy, by_heyoka = (compiled_by(name, formula) for name in ("numpy", "heyoka"))
     x = np.random.default_rng(4).uniform(0.2, 1.5, (len(by_numpy.parameters), 100_000))
     cases = {
         "compiled, heyoka": lambda: by_heyoka(*x),

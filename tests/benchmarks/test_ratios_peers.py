@@ -19,9 +19,8 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from newton_euler.accuracy.measurements.measure import timed
-from newton_euler.motion.integration import integrate, prepare
-from newton_euler.motion.model import ModelError
+from newton_euler.accuracy import timed
+from newton_euler.motion import ModelError, integrate, prepare
 from newton_euler.scenes.spatial import top
 from newton_euler.scenes.spatial.free_body import free_body
 from tests.benchmarks import peers

@@ -68,13 +68,8 @@ def test_code_comes_in_short_cells_without_magics(path):
 def test_a_notebook_uses_nothing_that_holds_keys(path):
     for cell in code(read(path)):
         for node in ast.walk(ast.parse(cell.source)):
-            names = (
-                [a.name for a in node.names]
-                if isinstance(node, ast.Import)
-                else [node.module]
-                if isinstance(node, ast.ImportFrom)
-                else []
-            )
+            names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
+            names += [node.module] if isinstance(node, ast.ImportFrom) else []
             assert not {"exercises", "grader"} & {name.partition(".")[0] for name in names}, cell.id
 
 
@@ -104,7 +99,7 @@ def test_every_numbered_equation_of_the_chapter_is_quoted(path):
 
 
 @each_chapter
-def test_the_opening_says_what_for_what_before_and_how_long(path):
+def test_the_opening_says_what_you_will_learn_what_you_need_and_how_long_it_takes(path):
     opening = prose(read(path)).partition("\n## ")[0]
     for words in ("you will be able to do", "need before", "How long"):
         assert words in opening, words
@@ -191,10 +186,8 @@ def test_every_formula_is_closed(path):
             bare = cell.source.replace(r"\{", "").replace(r"\}", "").replace(r"\$", "")
             assert bare.count("$") % 2 == 0, cell.id
             for formula in re.findall(r"\$\$(.+?)\$\$|\$(.+?)\$", bare, re.S):
-                assert "".join(formula).count("{") == "".join(formula).count("}"), (
-                    cell.id,
-                    formula,
-                )
+                text = "".join(formula)
+                assert text.count("{") == text.count("}"), (cell.id, text)
 
 
 def executed(notebook, where, missing=(), afterwards=lambda client, notebook: None):
@@ -205,19 +198,12 @@ def executed(notebook, where, missing=(), afterwards=lambda client, notebook: No
     (where / "newton_euler").symlink_to(ROOT / "newton_euler", target_is_directory=True)
     absent = "".join(f"sys.modules[{name!r}] = None\n" for name in missing)
     (where / "sitecustomize.py").write_text(f"import sys\n{absent}")
-    runner = client(
-        notebook,
-        timeout=10 * DEADLINE_S,  # a cell, on a machine that is busy
-        kernel_name="python3",
-        resources={"metadata": {"path": str(where)}},
-        coalesce_streams=True,  # as the site shows them
-    )
-    environment = {
-        **os.environ,
-        "PYTHONPATH": str(where),
-        "MPLBACKEND": "module://matplotlib_inline.backend_inline",
-        ASKED: "yes",  # the outputs are kept for the site
-    }
+    kernel = {"kernel_name": "python3", "resources": {"metadata": {"path": str(where)}}}
+    # seconds for a cell, on a machine that is busy; streams are joined as the site shows them
+    runner = client(notebook, timeout=10 * DEADLINE_S, coalesce_streams=True, **kernel)
+    environment = {**os.environ, "PYTHONPATH": str(where)}
+    environment["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
+    environment[ASKED] = "yes"  # the outputs are kept for the site
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", module=r"zmq|jupyter_client|nbclient|asyncio|traitlets")
         with runner.setup_kernel(env=environment):
@@ -281,12 +267,8 @@ def is_picture(output):
 
 def stderr_of(notebook):
     """What cells wrote to stderr, by the id of the cell."""
-    return {
-        cell.id: output.text
-        for cell in code(notebook)
-        for output in cell.outputs
-        if output.output_type == "stream" and output.name == "stderr"
-    }
+    streams = ((c.id, o) for c in code(notebook) for o in c.outputs if o.output_type == "stream")
+    return {cell: output.text for cell, output in streams if output.name == "stderr"}
 
 
 def test_a_run_prints_no_warnings(run):

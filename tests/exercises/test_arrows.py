@@ -18,11 +18,8 @@ def floor(module):
 def climbing(module, source=None):
     """The imports of a module from a higher floor, or from another chapter."""
     targets = [target for target, _ in imports(module, FILES, source)]
-    return [
-        t
-        for t in targets
-        if floor(t) > floor(module) or (floor(t) == floor(module) == 3 and t != module)
-    ]
+    beside = lambda t: floor(t) == floor(module) == 3 and t != module
+    return [t for t in targets if floor(t) > floor(module) or beside(t)]
 
 
 def test_imports_go_down_only():

@@ -77,7 +77,7 @@ FUNCTIONS = {"cosine": math.cos, "sine": math.sin, "tangent": math.tan, "square"
 
 
 @by_id
-def test_no_step_after_which_only_a_key_of_the_calculator_is_left(p):
+def test_no_step_leaves_only_a_key_of_the_calculator_to_press(p):
     """A step that is a function of one answer alone, as its cosine, gives it away."""
     listed, asked = sheets(p)[0]
     scalars = [(n, k) for n, (x, _) in listed.items() for k, y in asked.items()

@@ -15,7 +15,7 @@ OPERATORS = (
 # only their methods are called here.
 NOT_DOORS = (
     "Amount", "Animation", "Audit", "Equation", "Explanation", "Frenet", "LinearForm", "Measured",
-    "Motion", "Moving", "Point", "Principal", "Solution", "Symmetry", "Table", "Vector", "Wrench",
+    "Motion", "Moving", "Point", "Principal", "Solution", "Symmetry", "Table", "Vector",
 )  # fmt: skip
 
 

@@ -110,11 +110,9 @@ def solids(body, C, D):
     for shape, lengths in {
         "annulus": two | round_, "arc": {"radius": 0.2} | angled,
         "box": {"a": 0.1, "b": 0.2, "c": 0.3} | round_, "cone": {"radius": 0.1, "height": 0.3, "apex": body},
-        "conical_shell": {"radius": 0.1, "height": 0.3, "apex": body},
         "cylindrical_shell": {"radius": 0.1, "length": 0.2} | round_,
         "ellipsoid": {"a": 0.1, "b": 0.2, "c": 0.3} | round_, "half_disk": {"radius": 0.1, "middle": body},
         "half_ring": {"radius": 0.1, "middle": body}, "hemisphere": {"radius": 0.1, "middle": body},
-        "hemispherical_shell": {"radius": 0.1, "middle": body}, "hollow_sphere": two | round_,
         "plate": {"b": 0.1, "c": 0.2} | round_, "ring": {"radius": 0.1} | round_,
         "sector": {"radius": 0.2} | angled, "spherical_shell": {"radius": 0.1} | round_,
         "tube": two | {"length": 0.4} | round_, "wedge": {"radius": 0.2, "length": 0.3} | angled,

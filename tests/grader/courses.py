@@ -17,11 +17,9 @@ REPOSITORY = Path(__file__).parents[2]
 
 def environment(**more):
     """This Python's nbgrader, this repository's grader, nobody's configuration."""
-    own = {
-        "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
-        "PYTHONPATH": str(REPOSITORY),
-    }
-    return {**os.environ, **own, "JUPYTER_NO_CONFIG": "", "COLUMNS": "200", **more}
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    own = {"PATH": path, "PYTHONPATH": str(REPOSITORY), "JUPYTER_NO_CONFIG": "", "COLUMNS": "200"}
+    return {**os.environ, **own, **more}
 
 
 def run(*command, cwd=None, timeout=180, **more):
@@ -50,10 +48,8 @@ def nbgrader(*arguments, cwd, timeout=180, memory=None, **more):
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(["nbgrader.apps.nbgraderapp"])
     with tempfile.NamedTemporaryFile() as output:
-        process = context.Process(
-            target=_nbgrader,
-            args=(list(map(str, arguments)), str(cwd), environment(**more), output.name, memory),
-        )
+        given = list(map(str, arguments)), str(cwd), environment(**more), output.name, memory
+        process = context.Process(target=_nbgrader, args=given)
         process.start()
         process.join(timeout)
         process.kill()
@@ -172,10 +168,8 @@ def gradebook_rows(course, assignment="ch04"):
                      g.needs_manual_grade)
                     for g in n.grades
                 ]  # fmt: skip
-                rows += [
-                    (s.student.id, "comment", c.name, c.auto_comment, c.manual_comment)
-                    for c in n.comments
-                ]
+                said = [(c.name, c.auto_comment, c.manual_comment) for c in n.comments]
+                rows += [(s.student.id, "comment", *c) for c in said]
     return sorted(rows, key=repr)
 
 

@@ -4,9 +4,9 @@ secret.
 
 import re
 
+from exercises.catalogue.variants import flat
 from grader.assignment import problems_of
 from newton_euler.algebra.scalars import to_plain
-from newton_euler.algebra.vectors import Vector
 from tests.grader.courses import released_sheet
 
 WORDS = (
@@ -17,20 +17,8 @@ WORDS = (
 
 def numbers_of_key(p, values):
     """Every number of the key that could not be there by accident: six digits."""
-
-    def flat(x):
-        return (
-            [y for part in x for y in flat(part)]
-            if isinstance(x, (Vector, tuple, list))
-            else [to_plain(x)]
-        )
-
-    return {
-        f"{abs(float(x)):.6g}"
-        for v in p.solve(values).values()
-        for x in flat(v)
-        if len(f"{abs(float(x)):.6g}".strip("0.")) >= 5
-    }
+    numbers = {f"{abs(float(to_plain(x))):.6g}" for v in p.solve(values).values() for x in flat(v)}
+    return {n for n in numbers if len(n.strip("0.")) >= 5}
 
 
 def keys(course, student):
@@ -41,12 +29,7 @@ def keys(course, student):
 
 
 def formulas(p):
-    return {
-        str(f)
-        for v in p.formulas().values()
-        for f in (v if isinstance(v, (Vector, tuple)) else [v])
-        if len(str(f)) > 8
-    }
+    return {str(f) for v in p.formulas().values() for f in flat(v) if len(str(f)) > 8}
 
 
 def secrets_in(text, course, student):

@@ -39,16 +39,12 @@ def test_list_says_how_many_sheets_a_problem_has():
 
 
 def test_solve_takes_other_numbers_and_variants():
-    book, other = (
-        json.loads(command("solve", "4/16", "--json", *more)[1])["4/16"]
-        for more in ((), ("--given", "omega=0.9"))
-    )
+    solved = lambda *more: json.loads(command("solve", "4/16", "--json", *more)[1])["4/16"]
+    book, other = solved(), solved("--given", "omega=0.9")
     assert other["a_D"]["value"] != book["a_D"]["value"]
     expected = problem("4/16").solve({**problem("4/16").book_values, "omega": 0.9})
     assert other["a_D"]["value"] == pytest.approx([float(x) for x in expected["a_D"]])
-    one, again, two = (
-        json.loads(command("solve", "4/16", "--json", "--seed", n)[1]) for n in (1, 1, 2)
-    )
+    one, again, two = (solved("--seed", n) for n in (1, 1, 2))
     assert one == again != two
     assert command("solve", "4/2", "--json", "--given", "tilt=0.5")[1].count("tilt") == 0
 
@@ -209,7 +205,6 @@ def drawing():
 
 
 def test_a_ctrl_c_that_python_ignores_comes_again():
-    with pytest.raises(
-        shared.Stopped, match=r"drawing: 1 of 2\. Running the command again starts over"
-    ):
+    words = r"drawing: 1 of 2\. Running the command again starts over"
+    with pytest.raises(shared.Stopped, match=words):
         drawing()

@@ -32,10 +32,8 @@ def course(tmp_path):
 def answered(path, numbers):
     """The copy at ``path``, with the right answers to these numbers."""
     notebook = read(path)
-    texts = {
-        p.id: sample.cell_text(p, sample.right_answers(p, numbers[p.id]))
-        for p in problems_of(notebook)
-    }
+    right = lambda p: sample.cell_text(p, sample.right_answers(p, numbers[p.id]))
+    texts = {p.id: right(p) for p in problems_of(notebook)}
     return sample.fill_in(notebook, texts)
 
 
@@ -127,7 +125,7 @@ def test_an_error_in_an_own_problem_is_a_sentence_here_and_in_other_processes(
             assert words in " ".join(out.split())
 
 
-def test_an_error_of_python_that_lost_its_attributes_on_the_way_has_its_line_all_the_same():
+def test_an_error_of_python_that_lost_its_attributes_on_the_way_still_has_its_line():
     """As by Dask, which sends errors in its own way wherever it was imported."""
     error = SyntaxError("invalid syntax", ("/course/bead/p01.py", 14, 8, "def", 14, 9))
     error.msg = error.filename = error.lineno = None

@@ -8,9 +8,8 @@ from contextlib import suppress
 
 import pytest
 
-from exercises.catalogue import problem
-from grader.course import Course
-from grader.course.files import write_json
+from exercises import problem
+from grader.course import Course, write_json
 from tests.grader.courses import command, points, ran, read
 from tests.grader.instructors_cells import ESSAY
 from tests.jupyterlab import REPOSITORY, Page, chromium, served

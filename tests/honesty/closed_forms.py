@@ -77,11 +77,8 @@ def free_body(mp, moments, rates, t):
     m = (b - a) * low / ((c - b) * high)
     phase = mp.ellipf(mp.atan2(rates[1] / second, rates[0] / first), m)
     u = (phase + rate * t) % (4 * mp.ellipk(m))
-    return (
-        first * mp.ellipfun("cn", u, m=m),
-        second * mp.ellipfun("sn", u, m=m),
-        third * mp.ellipfun("dn", u, m=m),
-    )
+    cn, sn, dn = (mp.ellipfun(kind, u, m=m) for kind in ("cn", "sn", "dn"))
+    return first * cn, second * sn, third * dn
 
 
 def kepler(mp, gm, place, velocity, t):

@@ -8,7 +8,7 @@ with its own error estimate.
 import math
 import threading
 from dataclasses import dataclass, replace
-from fractions import Fraction
+from decimal import Context, Decimal
 from time import perf_counter
 
 from newton_euler import integrate, prepare
@@ -24,6 +24,7 @@ UNIT = 1e-6
 NOTHING = 1e-13  # of its natural size: a smaller state is nothing but round-off
 GROSS = 10.0  # times what was asked for and what was estimated: then an answer is silently wrong
 EPS = 2.0**-53
+DIGITS = Context(prec=60)  # more than those of a reference
 LAX = 1e3  # times the round-off of the start: an error that can be reached by any sound method
 SECONDS = 4.0  # that one run may take
 BATCHES = (3, 64)
@@ -117,8 +118,13 @@ def true_error(state, true, sizes, natural, unit=UNIT):
         s if s > NOTHING * n else k
         for s, n, k in zip(sizes, natural, scales(sizes, natural), strict=True)
     ]
-    differences = (float(abs(Fraction(x) - Fraction(y))) for x, y in zip(state, true, strict=True))
+    differences = (_difference(x, y) for x, y in zip(state, true, strict=True))
     return max(d / max(s, unit) if d else 0.0 for d, s in zip(differences, known, strict=True))
+
+
+def _difference(x, y):
+    """|x - y| of floats or of decimal numbers as text, however small."""
+    return abs(float(DIGITS.subtract(Decimal(x), Decimal(y))))
 
 
 def events_error(found, truth, rtol, t0=0.0):
@@ -132,9 +138,9 @@ def events_error(found, truth, rtol, t0=0.0):
         return 0.0
     if [n for n, _ in found] != [n for n, *_ in truth.events]:
         return math.inf
-    span = float(Fraction(truth.times[-1]) - Fraction(t0)) if truth.times else 1.0
+    span = _difference(truth.times[-1], t0) if truth.times else 1.0
     both = zip(found, truth.events, strict=True)
-    off = [w * float(abs(Fraction(t) - Fraction(true))) / span for (_, t), (_, true, w) in both]
+    off = [w * _difference(t, true) / span for (_, t), (_, true, w) in both]
     return max(off, default=0.0)
 
 
@@ -211,7 +217,7 @@ def _compared(case, truth, end, estimate, inside, found, asked):
         return replace(given, words="there is no motion at that time", **found_none)
     about = truth.sizes, truth.natural
     error, unitless = (true_error(end, truth.states[-1], *about, unit) for unit in (UNIT, 0.0))
-    words = f"end {end!r}, true {tuple(float(Fraction(x)) for x in truth.states[-1])!r}"
+    words = f"end {end!r}, true {tuple(map(float, truth.states[-1]))!r}"
     if found is not None:
         times = events_error(found, truth, rtol, case.t0)
         error, unitless = max(error, times), max(unitless, times)
@@ -342,7 +348,7 @@ def _change(case, truth, way, rtol, answers, methods):
     def moved(a):
         if not finite or len(a) != len(first):
             return math.inf
-        return true_error(a, [Fraction(x) for x in first], truth.sizes, truth.natural)
+        return true_error(a, first, truth.sizes, truth.natural)
 
     worst = max(map(moved, others), default=0.0)
     taken = tuple(dict.fromkeys(methods))

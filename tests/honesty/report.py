@@ -53,12 +53,8 @@ class Line:
     def reaches_goals(self):
         """True if it reaches the goals of issue 9; a line without answers does."""
         covers, ratio = (self.covers, self.ratio) if not math.isnan(self.covers) else (1.0, 1.0)
-        return not self.returned or (
-            self.met >= GOALS["met"]
-            and covers >= GOALS["covers"]
-            and ratio <= GOALS["ratio"]
-            and not self.silent
-        )
+        kept = self.met >= GOALS["met"] and covers >= GOALS["covers"] and not self.silent
+        return not self.returned or (kept and ratio <= GOALS["ratio"])
 
 
 def line(row, rtol, runs):
@@ -124,17 +120,9 @@ def worst(runs, count=20):
 
 def answers(runs):
     """The runs as answers of the chart of honesty, without the methods that a model cannot use."""
+    of = lambda r: {"problem": r.case, "absent": ABSENT.get(r.outcome, ""), "words": r.words}
     return [
-        Answer(
-            r.row,
-            r.seconds,
-            r.error,
-            asked=r.rtol,
-            estimate=r.estimate,
-            problem=r.case,
-            absent=ABSENT.get(r.outcome, ""),
-            words=r.words,
-        )
+        Answer(r.row, r.seconds, r.error, asked=r.rtol, estimate=r.estimate, **of(r))
         for r in runs
         if r.outcome != "unfit"
     ]
@@ -154,18 +142,15 @@ def write(folder, found, lines):
     """The table, runs and changes as CSV, all as JSON, and the chart, into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
     runs, changes = [r for f in found for r in f.runs], [c for f in found for c in f.changes]
-    for name, records in (("table", lines), ("runs", runs), ("changes", changes)):
+    named = {"table": lines, "runs": runs, "changes": changes}
+    for name, records in named.items():
         if records:
             with open(folder / f"{name}.csv", "w", newline="") as file:
                 writer = csv.DictWriter(file, list(asdict(records[0])))
                 writer.writeheader()
                 writer.writerows(asdict(r) for r in records)
-    everything = {
-        "table": [asdict(x) for x in lines],
-        "runs": [asdict(r) for r in runs],
-        "changes": [asdict(c) for c in changes],
-        "dropped": {f.case: f.dropped for f in found if f.dropped},
-        "conditions": {f.case: f.condition for f in found},
-    }
+    everything = {name: [asdict(x) for x in records] for name, records in named.items()}
+    everything["dropped"] = {f.case: f.dropped for f in found if f.dropped}
+    everything["conditions"] = {f.case: f.condition for f in found}
     (folder / "honesty.json").write_text(json.dumps(everything, default=str))
     _draw(folder / "honesty.png", runs)

@@ -184,3 +184,8 @@ def test_every_way_is_asked_at_every_tolerance():
     assert single[0][:2] == ("auto", "")
     assert {way.partition(" of ")[0] for _, way, _ in batch} == {"batch"}
     assert "prepared" not in {way for _, way, _ in late + eventful}
+
+
+def test_the_error_beside_what_is_next_to_nothing_is_found_at_once():
+    """As a fraction of whole numbers it has millions of digits."""
+    assert judge.true_error((1e-9,), ("-1e-9000000",), (2.0,), (2.0,)) == pytest.approx(5e-10)

@@ -15,12 +15,8 @@ from newton_euler.accuracy.measurements.honesty import FAILED, REFUSED, tallies
 from tests.honesty import report
 from tests.honesty.judge import Run
 
-MET = Run(
-    *("pendulum/0/0", ("smooth",), "auto", "", 1e-6, "dop853", (), "met"),
-    error=1e-7,
-    estimate=3e-7,
-    seconds=1e-3,
-)
+ASKED = "pendulum/0/0", ("smooth",), "auto", "", 1e-6, "dop853", ()
+MET = Run(*ASKED, "met", error=1e-7, estimate=3e-7, seconds=1e-3)
 RUNS = [
     MET,
     replace(MET, estimate=5e-8, seconds=1.0),

@@ -23,15 +23,8 @@ from tests.honesty.references import NoReferenceError, reference
 GRACE = 10.0  # seconds beyond the limit of a call after which its process is ended
 RESTARTS = 3
 LOOK = 0.5  # seconds between two looks whether to stop
-PRELOADED = (
-    "tests.honesty.judge",
-    "tests.honesty.families",
-    "tests.honesty.holdout",
-    "numpy",
-    "scipy.integrate",
-    "mpmath",
-    "heyoka",
-)
+OURS = "tests.honesty.judge", "tests.honesty.families", "tests.honesty.holdout"
+PRELOADED = *OURS, "numpy", "scipy.integrate", "mpmath", "heyoka"
 
 
 @dataclass(frozen=True)

@@ -80,12 +80,8 @@ def main(files, tests, limit, seed, lines, seconds):
     warm_up()
     table = Table("file", "tried", "killed", "survived", "late")
     console = Console(width=None if Console().is_terminal else 140)
-    columns = (
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeRemainingColumn(),
-        TextColumn("{task.description}"),
-    )
+    columns = BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
+    columns += (TextColumn("{task.description}"),)
     survive = False
     with Progress(*columns, console=Console(stderr=True)) as bar:
         for path in files:

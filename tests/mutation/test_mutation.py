@@ -70,15 +70,9 @@ def test_one_change_is_made_in_a_copy():
 def test_what_must_be_killed_is_and_what_is_equivalent_survives(tmp_path):
     (tmp_path / "small.py").write_text(MODULE)
     (tmp_path / "test_small.py").write_text(TESTS)
-    found = subprocess.run(
-        [sys.executable, "-m", "tests.mutation", "small.py", "--tests", "test_small.py"],
-        cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
-    )
+    command = sys.executable, "-m", "tests.mutation", "small.py", "--tests", "test_small.py"
+    where = {"cwd": tmp_path, "env": {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}}
+    found = subprocess.run(command, capture_output=True, text=True, timeout=300, **where)
     assert found.returncode == 1, found.stderr
     lines = [line for line in found.stdout.splitlines() if line.startswith("small.py:")]
     assert lines == [

@@ -14,8 +14,7 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from newton_euler.motion.integration import integrate
-from newton_euler.motion.solution import AccuracyError
+from newton_euler.motion import AccuracyError, integrate
 from newton_euler.scenes.spatial.free_body import free_body
 from tests.stability.naive import solved
 
@@ -109,15 +108,11 @@ def drift(case, revolutions, start=START, marks=9):
 def exponents(case):
     """The powers of time of both drifts, in the root mean square of several starts."""
     revolutions, starts = case.quick
-    runs = [
-        drift(case, revolutions, tuple(map(float, BODY.solution(0.37 * n, START))))
-        for n in range(starts)
-    ]
+    begins = (tuple(map(float, BODY.solution(0.37 * n, START))) for n in range(starts))
+    runs = [drift(case, revolutions, start) for start in begins]
     at = np.log(runs[0][0])
-    return tuple(
-        np.polyfit(at, np.log(np.sqrt(np.mean([run[n] ** 2 for run in runs], axis=0))), 1)[0]
-        for n in (1, 2)
-    )
+    mean = lambda n: np.sqrt(np.mean([run[n] ** 2 for run in runs], axis=0))
+    return tuple(np.polyfit(at, np.log(mean(n)), 1)[0] for n in (1, 2))
 
 
 @pytest.mark.parametrize(
@@ -139,11 +134,8 @@ def test_the_exact_solution_stays_within_a_few_round_offs_for_a_million_revoluti
 
 
 def test_after_a_thousand_revolutions_the_drifts_differ_by_eleven_powers_of_ten():
-    worst = {
-        case.label: float(drift(case, 1000)[1][-1])
-        for case in CASES
-        if case.method in ("exact", "dop853", "lie-poisson4")
-    }
+    compared = (case for case in CASES if case.method in ("exact", "dop853", "lie-poisson4"))
+    worst = {case.label: float(drift(case, 1000)[1][-1]) for case in compared}
     assert worst["exact, rtol = 1e-06"] < 2e-15
     assert 1e-9 < worst["dop853, 20 steps/rev"] < 4e-9
     assert 1e-5 < worst["lie-poisson4, 20 steps/rev"] < 1e-4
@@ -167,10 +159,8 @@ def test_a_million_revolutions_by_each_method(case):
             f"{momentum[-1] * more**case.momentum:.1e}"
         )
     print(text)
-    for values, law, most in (
-        (energy, case.energy, case.most[0]),
-        (momentum, case.momentum, case.most[1]),
-    ):
+    laws = case.energy, case.momentum
+    for values, law, most in zip((energy, momentum), laws, case.most, strict=True):
         assert values[-1] * more**law < most
         if law:
             assert np.polyfit(np.log(at), np.log(values), 1)[0] == pytest.approx(

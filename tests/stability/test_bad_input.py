@@ -35,7 +35,7 @@ from newton_euler import (
     work_along,
 )
 from newton_euler.accuracy import timed
-from newton_euler.algebra import ScalarError, SingularError
+from newton_euler.algebra import FrameError, ScalarError, SingularError
 from newton_euler.algebra.errors import ArgumentError, checked
 from newton_euler.algebra.scalars import (
     LONGEST,
@@ -46,7 +46,6 @@ from newton_euler.algebra.scalars import (
     scalar,
     shown,
 )
-from newton_euler.algebra.vectors import FrameError
 from newton_euler.applications import (
     buoyancy,
     earth_frame,
@@ -184,11 +183,9 @@ START = (1.0, 0.0)
 
 
 def test_what_a_function_of_a_model_returns_is_reported_where_it_does_not_fit():
-    for exact, error in (
-        (lambda s, p, t: None, ModelError),
-        (lambda s, p, t: (1.0, 2.0), ModelError),
-        (lambda s, p, t: (1 / t,), ZeroDivisionError),
-    ):
+    none, pole = lambda s, p, t: None, lambda s, p, t: (1 / t,)
+    wrong = (none, ModelError), (lambda s, p, t: (1.0, 2.0), ModelError)
+    for exact, error in (*wrong, (pole, ZeroDivisionError)):
         model = Model("m", {}, ("x",), lambda s, p, t: (1.0,), exact=exact)
         with pytest.raises(NewtonEulerError, match="exact solution") as raised:
             model.solution(0.0, (1.0,))
@@ -240,17 +237,14 @@ def test_no_motion_drops_a_unit(door):
 def test_a_prepared_motion_of_taylor_drops_no_unit():
     pytest.importorskip("heyoka")
     run = prepare(DECAY, method="taylor")
-    for t, start in (
-        (OfPint(2.0), (1.0,)),
-        (1.0, (OfPint(2.0),)),
-        (1.0, np.ones(1).view(OfAstropy)),
-    ):
+    q = OfPint(2.0)
+    for t, start in ((q, (1.0,)), (1.0, (q,)), (1.0, np.ones(1).view(OfAstropy))):
         with pytest.raises(ModelError, match="it has a unit"):
             run(t, start)
     assert run(1, [1]) == run(np.float64(1), np.ones(1)) == run(1.0, (1.0,))
 
 
-def test_what_can_be_read_as_real_numbers_is_taken():
+def test_whatever_can_be_read_as_real_numbers_is_accepted():
     for times in ([0.5, 0.25], (0.5, mpmath.mpf(0.25)), np.array([0.5, 0.25], dtype=object)):
         assert MOTION.at(times)["h"].tolist() == MOTION.at(np.array([0.5, 0.25]))["h"].tolist()
         assert integrate(FALL, 1.0, START, samples=times).times.tolist() == [0.5, 0.25]
@@ -304,7 +298,7 @@ def texts(x):
     return repr(x), str(x), x.latex(), str(x.explain()), repr(x.terms)
 
 
-def test_the_text_of_a_long_expression_is_its_length():
+def test_a_long_expression_is_printed_as_its_length():
     """Written out it grows five times with every frame: of seven frames to 6 MB."""
     for text in texts(chain_of_frames(7)):
         assert len(text) < 2000

@@ -5,8 +5,7 @@ it fall through the floor.
 import numpy as np
 import pytest
 
-from newton_euler.motion.events import Event
-from newton_euler.motion.integration import integrate
+from newton_euler import Event, integrate
 from tests.models import throw
 
 G, E, HEIGHT, T = 10.0, 0.9, 5.0, 30.0

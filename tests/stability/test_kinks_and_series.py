@@ -23,30 +23,18 @@ RTOL = 1e-9
 
 def friction():
     """A mass on a spring and a rough floor: its swings about +-mu/k, and its end after 3.4 s."""
-    model = second_order(
-        "rough floor",
-        {"k": 4.0, "mu": 0.3},
-        ("x",),
-        lambda s, p, t: (-p.k * s.x - where(s.dx > 0, p.mu, -p.mu),),
-    )
-    # half a swing takes pi/2; it begins at 1, to the left, about +0.075; then about -0.075
-    t, turns = 3.4, int(3.4 / (math.pi / 2))
-    left = 1.0 - 2 * 0.075 * turns
-    centre = 0.075 if turns % 2 == 0 else -0.075
-    sign = 1 if turns % 2 == 0 else -1
-    amplitude = left - 0.075
-    end = centre + sign * amplitude * math.cos(2 * (t - turns * math.pi / 2))
+    acceleration = lambda s, p, t: (-p.k * s.x - where(s.dx > 0, p.mu, -p.mu),)
+    model = second_order("rough floor", {"k": 4.0, "mu": 0.3}, ("x",), acceleration)
+    # half a swing takes pi/2: from 1 to the left, about +0.075; back about -0.075; then as at first
+    t, turns = 3.4, 2
+    end = 0.075 + (1.0 - 2 * 0.075 * turns - 0.075) * math.cos(2 * (t - turns * math.pi / 2))
     return model, t, (1.0, 0.0), end
 
 
 def drag():
     """A throw upwards with the drag sqrt(v*v)*v: its velocity by tan, then tanh."""
-    model = Model(
-        "throw",
-        {"g": 10.0, "c": 0.1},
-        ("y", "v"),
-        lambda s, p, t: (s.v, -p.g - p.c * sqrt(s.v * s.v) * s.v),
-    )
+    rates = lambda s, p, t: (s.v, -p.g - p.c * sqrt(s.v * s.v) * s.v)
+    model = Model("throw", {"g": 10.0, "c": 0.1}, ("y", "v"), rates)
     up = math.atan(12.0 / 10.0)  # the terminal velocity is 10, and g over it is 1
     return model, 3.0, (0.0, 12.0), -10.0 * math.tanh(3.0 - up)
 

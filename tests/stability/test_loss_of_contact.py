@@ -7,10 +7,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from newton_euler import Model, cos, sin
+from newton_euler import Event, Model, cos, integrate, sin
 from newton_euler.chapters.examples.ch08 import ContactError, contact
-from newton_euler.motion.events import Event
-from newton_euler.motion.integration import integrate
 
 R, G = 2.0, 10.0
 FASTEST = math.sqrt(G * R)  # at the top; from this speed on it never touches the sphere

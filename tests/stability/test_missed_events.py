@@ -7,9 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler import Model, cos, sin
-from newton_euler.motion.events import Event
-from newton_euler.motion.integration import integrate
+from newton_euler import Event, Model, cos, integrate, sin
 from tests.models import throw
 from tests.stability.naive import solved
 
@@ -56,7 +54,7 @@ def test_the_engine_finds_both_down_to_1e_minus_5_s(method, gap):
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("gap", [-1e-5, -1e-3, -0.5])
-def test_of_a_line_that_it_just_does_not_reach_it_finds_nothing(method, gap):
+def test_no_event_is_found_at_a_line_that_is_just_not_reached(method, gap):
     assert crossings(gap, method) == []
 
 
@@ -77,7 +75,7 @@ def test_a_ball_that_grazes_the_ceiling_turns_there_and_one_that_stays_below_doe
     assert missed.end["v"] == pytest.approx(V0 - G * 1.8, abs=1e-13)
 
 
-def test_of_the_63_short_visits_to_a_crest_solve_ivp_loses_most_and_the_engine_none():
+def test_solve_ivp_loses_most_of_the_63_short_visits_to_a_crest_and_the_engine_none():
     """x = cos(20 t): above 0.999 for 4.5 ms in every 314 ms."""
     crest = lambda t, y: y[0] - 0.999
     wave = solved(WAVE, 20.0, (0.0, 20.0), rtol=1e-6, atol=1e-9, events=crest)

@@ -28,6 +28,7 @@ from newton_euler import (
     compiled,
     cylindrical,
     equations_of_motion,
+    frenet,
     integrate,
     kinetic_energy,
     moving,
@@ -40,12 +41,10 @@ from newton_euler import (
     where,
 )
 from newton_euler.dynamics import angular_momentum
-from newton_euler.kinematics import curvilinear, frenet
-from newton_euler.motion.methods.table import METHODS
-from newton_euler.motion.model import Neglected
+from newton_euler.kinematics import curvilinear
+from newton_euler.motion import METHODS, Neglected
 from newton_euler.motion.prepared import prepared_model
-from newton_euler.scenes import LADDERS, SCENES, ladder, scene
-from newton_euler.scenes.ladders import Ladder, Rung
+from newton_euler.scenes import LADDERS, SCENES, Ladder, Rung, ladder, scene
 
 
 def sent(x):

@@ -6,9 +6,7 @@ import math
 
 import pytest
 
-from newton_euler import Model, exp
-from newton_euler.motion.events import Event
-from newton_euler.motion.integration import integrate
+from newton_euler import Event, Model, exp, integrate
 
 BEGINS, LASTS, FORCE = 5.0, 0.01, 100.0  # s, s, N on 1 kg: it changes the speed by 1 m/s
 
@@ -38,7 +36,7 @@ def test_the_methods_of_the_engine_look_where_a_force_changes_in_time(method):
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor", "scipy DOP853", "scipy RK45"])
 @pytest.mark.parametrize("lasts", [1e-1, 1e-2, 1e-4, 1e-6])
-def test_told_as_events_it_is_met_at_its_instants_and_the_motion_is_right_to_1e_minus_12(
+def test_given_as_events_it_is_met_at_its_instants_and_the_motion_is_right_to_1e_minus_12(
     method, lasts
 ):
     body = BODY.changed(blow=1.0 / lasts, t1=BEGINS + lasts)

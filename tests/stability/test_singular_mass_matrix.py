@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 from newton_euler import cos, sin, solve_linear, solve_rates
-from newton_euler.algebra import FrameError
-from newton_euler.algebra.linear import LinearError
+from newton_euler.algebra import FrameError, LinearError
 
 # both rods of 1 m, at rest; the upper one at 0.5 rad from the vertical, the lower one at 0.5 rad +
 # bend

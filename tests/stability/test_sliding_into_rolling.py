@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from newton_euler import Event, integrate
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
-from newton_euler.motion.events import Event
-from newton_euler.motion.integration import integrate
 from newton_euler.scenes.planar.sliding_sphere import rolling, sliding
 
 V0, MU, G, R, T = 7.0, 0.2, 10.0, 0.5, 3.0

@@ -7,21 +7,16 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler import Model, cos, sin, sqrt
-from newton_euler.motion import AccuracyError, Event, integrate, prepare, second_order
-from newton_euler.motion.solution import FarError
+from newton_euler import Event, Model, cos, integrate, prepare, sin, sqrt
+from newton_euler.motion import AccuracyError, FarError, second_order
 
 EARTH = 3.986004418e14
 
 
 def spring_at(place):
     """A vibration of 1e-3 m whose model also has a place, and travels at 30 km/s."""
-    return Model(
-        "vibration in a vehicle",
-        {"k": 9.0},
-        ("z", "x", "u"),
-        lambda s, p, t: (3e4 + 0.0 * s.z, s.u, -p.k * s.x),
-    ), (place, 1e-3, 0.0)
+    rates = lambda s, p, t: (3e4 + 0.0 * s.z, s.u, -p.k * s.x)
+    return Model("in a vehicle", {"k": 9.0}, ("z", "x", "u"), rates), (place, 1e-3, 0.0)
 
 
 METHODS = ("auto", "taylor", "dop853", "scipy DOP853", "scipy RK45")
@@ -37,7 +32,7 @@ def test_a_vibration_far_away_is_as_accurate_as_asked(method, place, rtol):
 
 
 @pytest.mark.parametrize("method", ["auto", "taylor", "dop853"])
-def test_so_are_prepared_runs_and_batches(method):
+def test_prepared_runs_and_batches_are_as_accurate_too(method):
     model, start = spring_at(6.4e6)
     assert abs(prepare(model, 1e-9, method)(20.0, start)[1] / 1e-3 - math.cos(60.0)) <= 1e-9
     motions = integrate(model, 20.0, (start[0], np.full(70, 1e-3), 0.0), 1e-9, method)
@@ -189,13 +184,8 @@ def test_a_state_that_is_nothing_but_error_is_not_refused(method, rtol):
 
 def test_a_wire_after_many_turns_that_swings_by_a_clock_has_the_rate_that_was_asked():
     """The error of its angle, relative to thousands of radians, does not set the steps."""
-    k, f, q, a0, clock = (
-        2.649127506057907,
-        0.007227831712865494,
-        0.39350308,
-        9839.468191043232,
-        28.7,
-    )
+    k, f, q = 2.649127506057907, 0.007227831712865494, 0.39350308
+    a0, clock = 9839.468191043232, 28.7
     rates = lambda s, p, t: (s.v, -k * (s.a - a0) + f * cos(q * s.clock), 1.0 + 0.0 * s.a)
     start, T = (9840.292255447695, 0.0, clock), 19.601288432177043
     rate = integrate(Model("wire", {}, ("a", "v", "clock"), rates), T, start, 1e-6).end["v"]

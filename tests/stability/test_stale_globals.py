@@ -212,10 +212,8 @@ def test_a_law_among_the_parameters_is_not_stale():
 def test_two_laws_of_one_right_hand_side_do_not_mix_in_an_invariant():
     """The rates do not contain the law, so both models have equal texts; the invariant does."""
     rhs, invariants = lambda s, p, t: (s.v, -1.0), {"weight": lambda s, p, t: p.w + 0 * s.v}
-    models = [
-        model_of(rhs, parameters={"w": law}, invariants=invariants)
-        for law in (lambda s, p, t: 1.0, lambda s, p, t: 1.0 + t)
-    ]
+    laws = lambda s, p, t: 1.0, lambda s, p, t: 1.0 + t
+    models = [model_of(rhs, parameters={"w": law}, invariants=invariants) for law in laws]
     drifts = [integrate(model, T, START).drift["weight"] for model in models]
     assert drifts == [0.0, pytest.approx(2 / 3)]
 

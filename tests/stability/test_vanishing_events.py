@@ -30,12 +30,8 @@ def test_all_2832_zeros_of_a_pendulum_to_t_3000_are_found():
 
 @pytest.mark.parametrize("line", [0.0, 0.7, -0.999])
 def test_all_zeros_of_a_thousand_swings_are_found(line):
-    motion = integrate(
-        spring(closed=True, k=1.0),
-        2000 * math.pi,
-        (1.0, 0.0),
-        events=Event(lambda s, p, t: s.x - line),
-    )
+    passes = Event(lambda s, p, t: s.x - line)
+    motion = integrate(spring(closed=True, k=1.0), 2000 * math.pi, (1.0, 0.0), events=passes)
     turns, a = 2 * math.pi * np.arange(1000)[:, None], math.acos(line)
     exact = (turns + [a, 2 * math.pi - a]).reshape(-1)
     assert len(motion.events) == 2000

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from jinja2 import Environment
 
-from exercises.catalogue import problem
+from exercises import problem
 from grader.assignment.cells import code_cell
 from grader.assignment.notebook import givens, statement
 from grader.assignment.solution import worked_solution
@@ -12,8 +12,7 @@ from grader.nbgrader_hooks import feedback_page
 from grader.nbgrader_hooks.feedback_page import Section
 from grader.nbgrader_hooks.grading_page import html_with_mathml
 from grader.scoring import score_receipt
-from grader.submission.annotation import annotate
-from grader.submission.pipeline import Graded
+from grader.submission import Graded, annotate
 from newton_euler.algebra.language import _, language
 
 

@@ -7,22 +7,20 @@ from base64 import b64encode
 
 import pytest
 
-from exercises.catalogue import chapter, problem, sections, sources
+from exercises import problem
+from exercises.catalogue import chapter, sections, sources
 from exercises.catalogue import translations as texts
-from grader.assignment.notebook import build_notebook, personal_notebook
+from grader.assignment import build_notebook, personal_notebook
 from grader.assignment.solution import worked_solution
 from grader.practice import write_practice
 from grader.scoring import score_receipt
-from grader.submission.pipeline import feedback_comment
+from grader.submission import feedback_comment
 from newton_euler.algebra import language
 from newton_euler.algebra.names import did_you_mean
-from newton_euler.answers.forms import AnswerError
-from newton_euler.answers.kinds import KINDS
-from newton_euler.answers.receipts import expect, receipt
-from newton_euler.classroom.practising.collection import Practice
-from newton_euler.classroom.practising.files import PracticeFile, PracticeFileError
+from newton_euler.answers import KINDS, AnswerError, expect, receipt
+from newton_euler.classroom import Practice, PracticeFileError, predict, predict_again, tally
+from newton_euler.classroom.practising.files import PracticeFile
 from newton_euler.classroom.practising.progress import Progress
-from newton_euler.classroom.predicting import predict, predict_again, tally
 from tests.website import feedback
 from tests.website.pseudo import bare, catalogue, wide
 from website import contents, problem_index, problem_pages, translations
@@ -110,11 +108,8 @@ def test_practice_of_a_problem(file, number):
     book = Practice([PracticeFile(file)], Progress(None))
     p = book[number]
     found = [repr(p), p._repr_markdown_(), *p.meanings.values()]
-    found += [
-        output_of(p.check),
-        output_of(p.check, q_9=1),
-        output_of(p.check, **{next(iter(p.answers)): "x"}),
-    ]
+    wrong = {}, {"q_9": 1}, {next(iter(p.answers)): "x"}
+    found += [output_of(p.check, **given) for given in wrong]
     found += [output_of(p.check_step, **{next(iter(p.answers)): 1}), output_of(p.check_step, q_9=1)]
     for label, x in _wrong(p):
         found.append(str(_checked(p, label[0], x)))
@@ -148,20 +143,8 @@ def test_a_page_of_practice(file):
     data = b64encode(file.read_bytes()).decode()
     page.load("some", data, language="xx")
     found = [json.dumps(page.show("9/4"), ensure_ascii=False)]
-    typed = [
-        "",
-        "x",
-        "1,5",
-        "[1",
-        "1/0",
-        "b*q",
-        "9**999",
-        "sqrt(-1)",
-        "asin(2)",
-        "1+" * 300,
-        "[1,2]",
-    ]
-    for text in typed:
+    typed = ["x", "1,5", "[1", "1/0", "b*q", "9**999", "sqrt(-1)", "asin(2)", "[1,2]"]
+    for text in ("", *typed, "1+" * 300):
         found.append(page.read("9/4", "H_O", [text, "0", ""])["fault"])
         found.append(str(page.check("9/4", {"H_O": [text, "0", "0"], "I_xx": [text]})["found"]))
     found += [page.hint("9/4")["text"], page.solution("9/4")["text"]]
@@ -171,19 +154,9 @@ def test_a_page_of_practice(file):
         output_of(page.load, "x", b64encode(b"x").decode(), "", "xx").partition(": ")[0],
     ]
     found += [output_of(page.show, "9/9"), output_of(page.read, "9/4", "no", [])]
-    keys = {
-        "verdict",
-        "unreadable",
-        "text",
-        "wrong",
-        "right",
-        "blank",
-        "True",
-        "False",
-        "true",
-        "false",
-    }
-    keys |= {*page.show("9/4"), *page.show("9/4")["answers"][0], *KINDS}
+    keys = {"verdict", "unreadable", "text", "wrong", "right", "blank"}
+    keys |= {"True", "False", "true", "false", *KINDS}
+    keys |= {*page.show("9/4"), *page.show("9/4")["answers"][0]}
     assert_nothing_is_english(found, names_of("9/4") | keys)
 
 
@@ -212,10 +185,8 @@ def test_feedback_on_right_wrong_unreadable_and_missing_answers():
         score = score_receipt(p, p.book_values, r)
         found += [feedback_comment(score), feedback_comment(score.without_reasons)]
         found += feedback.verdicts(score).values()
-    found += [
-        worked_solution(p, p.book_values),
-        feedback.page(p.id, {**right, "H_O": [1, 2, 3], "F_A": [1]}),
-    ]
+    found.append(worked_solution(p, p.book_values))
+    found.append(feedback.page(p.id, {**right, "H_O": [1, 2, 3], "F_A": [1]}))
     assert_nothing_is_english(found, names_of(p.id))
 
 
@@ -229,12 +200,8 @@ def test_a_sheet_as_it_is_handed_out(exam):
     made = build_notebook(ps, "hw1", 10, 60, exam=exam)
     own = personal_notebook(made, "ada", {p.id: p.book_values for p in ps}, {})
     found = [c["source"] for n in (made, own) for c in n["cells"] if c["cell_type"] == "markdown"]
-    found += [
-        line.partition("#")[2]
-        for c in own["cells"]
-        if c["cell_type"] == "code"
-        for line in c["source"].splitlines()
-    ]
+    sources = [c["source"] for c in own["cells"] if c["cell_type"] == "code"]
+    found += [line.partition("#")[2] for text in sources for line in text.splitlines()]
     names = names_of(*PROBLEMS) | {"SOLUTION", "BEGIN", "END", *KINDS, "ada"}
     assert_nothing_is_english(found, names)
 

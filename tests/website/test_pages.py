@@ -65,23 +65,14 @@ def test_the_build_writes_into_its_folder_only(site):
 
 
 def test_no_link_is_dead(site):
-    dead = [
-        (path.name, link)
-        for path in pages(site)
-        for link in (*read(path).links, *read(path).loads)
-        if goes_nowhere(path, link)
-    ]
-    assert dead == []
+    links = ((path, link) for path in pages(site) for link in read(path).links + read(path).loads)
+    assert [(path.name, link) for path, link in links if goes_nowhere(path, link)] == []
 
 
 def test_nothing_is_loaded_from_elsewhere(site):
-    away = [
-        (path.name, link[:80])
-        for path in pages(site)
-        for link in read(path).loads
-        if urlsplit(link).scheme in ("http", "https") or link.startswith("//")
-    ]
-    assert away == []
+    is_away = lambda link: urlsplit(link).scheme in ("http", "https") or link.startswith("//")
+    loads = ((path.name, link[:80]) for path in pages(site) for link in read(path).loads)
+    assert [x for x in loads if is_away(x[1])] == []
     for style in site.rglob("*.css"):
         assert not re.search(r"url\(['\"]?(https?:)?//|@import", style.read_text("utf-8")), style
 

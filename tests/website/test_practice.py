@@ -207,12 +207,8 @@ def test_new_numbers_hints_and_solution_are_shown_typeset(address, phone):
         phone.execute_script("arguments[0].click()", button)
     solved = "document.querySelectorAll('.practice .said')[1]"
     wait(phone, f"{solved}.querySelectorAll('mjx-container').length > 20", "the solution")
-    assert (
-        phone.execute_script(
-            f"return {solved}.querySelectorAll('mjx-merror, [data-mml-node=merror]').length"
-        )
-        == 0
-    )
+    faults = f"return {solved}.querySelectorAll('mjx-merror, [data-mml-node=merror]').length"
+    assert phone.execute_script(faults) == 0
     assert phone.execute_script("return document.documentElement.scrollWidth") <= PHONE["width"]
     shown = "engine.call('practice.show', {problem: '4/16'}).then(p => arguments[0](p.number))"
     assert phone.execute_async_script(shown) == 2  # the engine that was started again goes on there
@@ -279,11 +275,8 @@ def refused(sound, folder):
         "deep-within": ({"4-16.json": deep}, "is not a practice file"),
     }
     found = {rewritten(sound, folder / n, **members): words for n, (members, words) in made.items()}
-    programs = {
-        "of-itself": ("+", [0], 1.0),
-        "of-later": ("neg", [5]),
-        "call": ("__import__", "os"),
-    }
+    programs = {"of-itself": ("+", [0], 1.0), "of-later": ("neg", [5])}
+    programs["call"] = "__import__", "os"
     for name, words in programs.items():
         found[rewritten(sound, folder / name, operation(*words))] = "problem 4/16 cannot be read"
     found |= dict.fromkeys((folder / n for n in other), "is not a practice file")

@@ -11,8 +11,8 @@ from .late import missing, words
 
 def answer(name: str, arguments: str = "{}") -> str:
     """What the function ``name`` of this folder, "module.function", returns for these arguments by
-    name: a JSON object {"value": …}, or {"error": words} where it fails, with {"needs": package}
-    where one is not here.
+    name: a JSON object {"value": …}, or {"error": words} if it fails, with {"needs": package} if a
+    package is missing.
 
     >>> answer("about.version")[:10]
     '{"value": '

@@ -46,7 +46,7 @@ def picture(
     page: str, cells: list[str], number: int, figure: int, values: dict[str, float]
 ) -> dict[str, str]:
     """The SVG of a figure of a cell for these values of its sliders, and what it shows, in words.
-    A cell that was not run is run for it, unseen, after what it needs.
+    If the cell was not run, it is run first, unseen, after what it needs.
     """
     here = _open[page]
     if not here.figures.get(number):

@@ -1,5 +1,5 @@
-"""Packages that a page does not have from the start: a cell's ``import numpy`` is honoured when
-the first name of it is used.
+"""Packages that a page does not have from the start: after ``import numpy`` in a cell, NumPy is
+imported when the first of its names is used.
 """
 
 import builtins
@@ -16,18 +16,18 @@ WHERE = "__main__", "newton_euler.chapters."  # cells, and what draws their figu
 
 
 def missing(error: Exception) -> str:
-    """The package that is not here, "" where an error is another one."""
+    """The missing package that an error is about, "" for other errors."""
     top = (error.name or "").partition(".")[0] if isinstance(error, ModuleNotFoundError) else ""
     return top if top in TITLES else ""
 
 
 def words(package: str) -> str:
-    """What a reader needs to know of a package that is not here."""
+    """What a reader needs to know about a missing package."""
     return f"this needs {TITLES[package]}, which the page does not have; an installed notebook does"
 
 
 class Late(ModuleType):
-    """A package that is asked for when it is used."""
+    """A package that is imported when it is used."""
 
     def __getattr__(self, name):
         top = self.__name__.partition(".")[0]
@@ -40,7 +40,7 @@ class Late(ModuleType):
 
 
 def install() -> None:
-    """Let cells import what is not here."""
+    """Let cells import missing packages, which fail when they are used."""
     plain = builtins.__import__
 
     def imported(name, globals=None, locals=None, fromlist=(), level=0):

@@ -31,7 +31,7 @@ class Statement:
 
 @cache
 def statements(source: str) -> tuple[Statement, ...]:
-    """The statements of a cell; none where it is no Python."""
+    """The statements of a cell; none if it is not Python."""
     try:
         return tuple(_statement(node) for node in ast.parse(source).body)
     except SyntaxError:

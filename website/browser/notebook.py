@@ -42,7 +42,7 @@ class Notebook:
         return stand
 
     def run(self, source: str, number: int, stand: dict[str, Run]) -> Any:
-        """Run a cell with the names that stand; the value of its last expression, or None."""
+        """Run a cell with the present names; the value of its last expression, or None."""
         ast.parse(source, name_of(number))  # an error of syntax
         value = None
         for statement in statements(source):
@@ -55,7 +55,7 @@ class Notebook:
         return value
 
     def _run(self, statement, number, stand):
-        """Run a statement with the names that stand."""
+        """Run a statement with the present names."""
         done = Run(next(self._numbers), _inputs(statement, stand))
         for name, run in stand.items():
             if name in run.values:
@@ -83,7 +83,7 @@ def _inputs(statement, stand):
 
 
 def _reason(error, stand):
-    """Why a name is not there, where a cell above could not bind it, for want of another name."""
+    """Why a name is missing: a cell above could not bind it, for want of another name."""
     seen = set()
     while isinstance(error, NameError) and error.name in stand and error.name not in seen:
         seen.add(error.name)

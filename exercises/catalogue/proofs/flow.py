@@ -27,7 +27,8 @@ def until(
 
     rates : the time derivatives of the state, a list, as a list
     step : first step, a time in which the motion changes little. A float gives a motion in floats,
-    with 12 digits Raises :class:`ProofError` if the sign does not change in 400 steps.
+    with 12 digits
+    Raises :class:`ProofError` if the sign does not change in 400 steps.
 
     >>> from mpmath import mp
     >>> t, (q, u) = until(lambda s: [s[1], -s[0]], [mpf(1), mpf(0)], lambda s: s[0], mpf(1))

@@ -1,5 +1,5 @@
 """Forbids system calls that no answer needs, by libseccomp, which most Linux machines have through
-systemd. Without the library only the namespaces isolate.
+systemd. Without it, isolation rests on the namespaces alone.
 
 It is called through ctypes: its own Python binding is not on PyPI, and the one that is
 (pyseccomp) has had no release since 2021.
@@ -73,13 +73,13 @@ def program() -> bytes:
         f.seek(0)
         made = f.read()
     if failed or not made:
-        raise OSError(-failed, "libseccomp makes no filter of system calls")
+        raise OSError(-failed, "libseccomp failed to make a filter of system calls")
     return made
 
 
 def forbid() -> bool:
-    """Make the calls fail in this process, which has given up new privileges, and its children;
-    False without the library.
+    """Make the calls fail in this process and its children; False without the library. The process
+    must have given up new privileges (NO_NEW_PRIVS).
     """
     if not program():
         return False

@@ -1,6 +1,6 @@
 """Runs the cells in one namespace, reads the answers, and forks a paused copy at each test."""
 
-import _signal  # the C part of signal: the Python part makes enums at each call, for every cell
+import _signal  # signal.signal makes enums at each call, and this one is made for every cell
 import contextlib
 import importlib
 import json
@@ -42,9 +42,9 @@ def time_limit(seconds: float) -> Iterator[None]:
         signal.setitimer(signal.ITIMER_REAL, 0)
 
 
-class Notebook:
-    """One submission. ``send`` is called with each line for the grader; from the sockets ``tests``
-    the copies receive the texts of the tests, in order.
+class Submission:
+    """One submission. ``send`` is called with each line for the grader; ``tests`` are the sockets
+    from which the copies receive the texts of the tests, in order.
     """
 
     def __init__(

@@ -57,15 +57,16 @@ def _syscall(name):
     try:
         return SYSCALLS[platform.machine()][name]
     except KeyError:
-        raise Refused(0, f"no number of {name} for {platform.machine()}") from None
+        raise Refused(0, f"the number of {name} on {platform.machine()} is not known") from None
 
 
 def fork_into_namespaces() -> int:
-    """``os.fork``, but the child is the first process of namespaces of its own, which it has to
-    claim.
+    """``os.fork``, but the child is the first process of new namespaces, which it has to claim
+    (:func:`claim_namespaces`).
 
     ``unshare`` would need one more process, since it does not change the pid namespace of its
-    caller. Python has no clone; around one of its own it wants what ``os.fork`` does.
+    caller. Python has no clone: called directly, it needs the interpreter's hooks around it, as in
+    ``os.fork``.
     """
     if sys.platform != "linux":
         raise Refused(0, f"{sys.platform} has no namespaces")
@@ -74,7 +75,7 @@ def fork_into_namespaces() -> int:
         # unlike fork, clone runs no handlers of the libraries: some would wait for their threads
         raise Refused(0, f"a library has started {threads - 1} threads in the worker")
     kinds = [k for k in CLONE if k != "user" or os.geteuid() != 0]
-    call = ctypes.PyDLL(None, use_errno=True).syscall  # PyDLL: the lock of the interpreter is kept
+    call = ctypes.PyDLL(None, use_errno=True).syscall  # PyDLL keeps the interpreter's lock
     python.PyOS_BeforeFork()
     pid = call(number, sum(CLONE[k] for k in kinds) | signal.SIGCHLD, None, None, None, None)
     if pid == 0:
@@ -87,8 +88,11 @@ def fork_into_namespaces() -> int:
 
 
 def claim_namespaces(uid: int, gid: int) -> None:
-    """In the first process, before anything else: keep the ids that it had outside."""
-    if uid != 0:  # root has made no user namespace
+    """In the first process, before anything else: keep the ids that it had outside.
+
+    Root makes no user namespace, so there is nothing to claim.
+    """
+    if uid != 0:
         proc = open_proc()
         _map_user(proc, uid, gid)
         os.close(proc)
@@ -98,10 +102,10 @@ def join_keyring() -> None:
     """Join a new session keyring: the instructor's is readable by every process that has it."""
     number = SYSCALLS.get(platform.machine(), {}).get("keyctl")
     if sys.platform != "linux" or number is None:
-        return  # no keyrings; or no namespaces either, and then entering them is refused
+        return  # no keyrings; a machine that is not in SYSCALLS is refused its namespaces
     failed = _libc().syscall(number, KEYCTL_JOIN_SESSION_KEYRING, None) < 0
     if failed and ctypes.get_errno() != errno.ENOSYS:  # a kernel without keyrings
-        raise _refusal("no keyring of its own: ")
+        raise _refusal("cannot join a new keyring: ")
 
 
 def forbid_shared_memory() -> None:
@@ -278,13 +282,13 @@ def memory_in_use() -> int:
 
 
 def become(uid: int) -> None:
-    """Become this user, if this is root."""
+    """Become this user, if the process runs as root."""
     if os.geteuid() == 0:
         os.setgroups([])
         try:
             os.setresgid(uid, uid, uid)
             os.setresuid(uid, uid, uid)
-        except OSError:  # only few users are mapped, as in some containers
+        except OSError:  # only a few users are mapped, as in some containers
             os.setresgid(NOBODY, NOBODY, NOBODY)
             os.setresuid(NOBODY, NOBODY, NOBODY)
 

@@ -10,12 +10,12 @@ PRELOAD = (
     # from which the first cell of every notebook imports names
     "newton_euler.kinematics", "newton_euler.classroom",
 )  # fmt: skip
-# those that few notebooks need: each fork of a process that holds them takes twice as long
+# needed by few notebooks: forking a process that holds them takes twice as long
 LATER = {
     "IPython": ("IPython.core.inputtransformer2", "IPython.display"),
     "scipy": ("scipy.linalg", "scipy.optimize", "scipy.integrate"),
 }
-# packages that an instructor's tests use, and that run them; all of scipy would double the cost
+# what runs an instructor's tests, and what these use; all of scipy would double the cost
 TRUSTED = (
     "cage", "os", "posix", "json", "struct", "signal", "ast", "builtins", "math", "cmath",
     "operator", "fractions", "decimal", "numbers", "unittest", "numpy", "sympy", "mpmath",
@@ -40,7 +40,7 @@ def remember() -> None:
 
 
 def load_more(names: Iterable[str]) -> None:
-    """Import libraries when the first notebook needs them: that takes as long as a notebook."""
+    """Import libraries once a notebook needs them: importing takes as long as a notebook runs."""
     for name in names:
         if LATER[name][-1] not in sys.modules:
             for module in LATER[name]:
@@ -52,14 +52,15 @@ def restore() -> None:
     """Restore what student code has replaced in the modules, so that a test that calls
     ``numpy.testing.assert_allclose`` calls numpy's.
 
-    This stops simple tricks only. A test runs in the student's process, and one who knows this code
-    can deceive it; answers in receipts are compared elsewhere, by code that no student reaches.
+    This stops simple tricks only. A test runs in the student's process, and a student who knows
+    this code can deceive it; answers in receipts are compared elsewhere, by code that no student
+    reaches.
     """
     sys.settrace(None)
     sys.setprofile(None)
     gc.callbacks.clear()
-    for module, held in _as_imported:
+    for module, original in _as_imported:
         now = vars(module)
-        for name, value in held.items():
+        for name, value in original.items():
             if now.get(name) is not value:
                 now[name] = value

@@ -1,12 +1,12 @@
-"""Runs a small sheet before any submission, so that what the first formula of a process needs is
-made once: the first sum imports sympy.tensor, and symbols and powers fill the caches of SymPy.
+"""Runs a small sheet before any submission, so that the work of a first formula is done only once:
+the first sum imports sympy.tensor, and symbols and powers fill the caches of SymPy.
 
-The formulas are of no problem: student code finds them in its memory.
+The formulas belong to no problem, since student code can find them in its memory.
 """
 
 import sys
 
-from .cells import Notebook
+from .cells import Submission
 
 _NAMES = "omega, Omega, theta, phi, beta, P, omega_dot, v, a, b, omega_1, r, R, L, m, g, t, T, d"
 _GIVENS = f"""\
@@ -47,8 +47,8 @@ SHEET = (
 
 
 def rehearse() -> list[bytes]:
-    """Run the sheet; returns its receipts, which nobody needs."""
+    """Run the sheet; returns its receipts, for tests only."""
     before, path, receipts = sys.modules["__main__"], list(sys.path), list[bytes]()
-    Notebook(10.0, receipts.append, ()).run(SHEET)
+    Submission(10.0, receipts.append, ()).run(SHEET)
     sys.modules["__main__"], sys.path[:] = before, path
     return receipts

@@ -13,6 +13,7 @@ the job, the receipts, the state, and a socket for each test. The grader reads t
 
 import contextlib
 import gc
+import itertools
 import json
 import os
 import select
@@ -21,12 +22,13 @@ import socket
 import time
 
 from . import calls, isolation, libraries, rehearsal, watch
-from .cells import Notebook
-from .memory import TOTAL, Group, Watch
+from .cells import Submission
+from .memory import TOTAL, Group, MemoryWatch, use_large_pages
 
 GRACE = 5.0  # seconds beyond its limits after which a job is ended from outside
 TOO_MUCH = f"stopped at {TOTAL / 2**30:g} GB of memory"
 END = b"end\n"  # sent by the grader at the end of each job
+SOME = 10  # jobs after which large pages are worth their copying
 MOST_TESTS = 200  # in one notebook; the kernel passes at most 253 descriptors at a time
 
 
@@ -42,9 +44,12 @@ def main(fd: int) -> None:
     isolation.readable_places()
     control, group = socket.socket(fileno=fd), Group.make()
     try:
-        while request := _receive(control):
-            if not _serve(control, group, *request):
+        for count in itertools.count(1):
+            request = _receive(control)
+            if not request or not _serve(control, group, *request):
                 break
+            if count == SOME:
+                use_large_pages()
     finally:
         if group:
             group.remove()
@@ -87,7 +92,7 @@ def _serve(control, group, job, fds):
             os._exit(1)
     for fd in fds:
         os.close(fd)
-    why = _wait(control, Watch(job["tests"]), time.monotonic() + 2 * job["seconds"] + GRACE)
+    why = _wait(control, MemoryWatch(job["tests"]), time.monotonic() + 2 * job["seconds"] + GRACE)
     if group:
         group.kill()
         if group.kills() > kills:
@@ -101,7 +106,7 @@ def _serve(control, group, job, fds):
 
 
 def _wait(control, memory, deadline):
-    """Why a job is to be ended: "" if the grader asks for it, or is gone."""
+    """Why a job has to be ended: "" if the grader asks for it, or is gone."""
     while (now := time.monotonic()) < deadline:
         if select.select([control], [], [], max(min(memory.next, deadline) - now, 0))[0]:
             return ""
@@ -148,7 +153,7 @@ def _isolate(job, group, files):
         isolation.claim_namespaces(*job["ids"])
     if group:
         group.enter()
-    os.setsid()  # a signal to the group of a student's process stays among that student's
+    os.setsid()  # a signal to the student's process group reaches no other process
     isolation.join_keyring()
     _drop_files(*files)
     job["used"] = isolation.memory_in_use()
@@ -187,7 +192,7 @@ def _child_or(seconds):
 
 
 def _give_up_rights(job, tests, first):
-    """Leave this process no right but to run the cells."""
+    """Take every right from this process except to run the cells."""
     os.setsid()
     isolation.limit(job["seconds"], job["used"], tests)
     isolation.become(job["uid"])
@@ -221,7 +226,7 @@ def _student(job, work, receipts, state, tests, first):
     os.close(state)
     with open(work, "rb") as f:
         cells = json.loads(f.read())
-    Notebook(job["cell_seconds"], lambda line: _write(receipts, line), tests).run(cells)
+    Submission(job["cell_seconds"], lambda line: _write(receipts, line), tests).run(cells)
 
 
 def _write(fd, data):

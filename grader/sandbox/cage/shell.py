@@ -105,11 +105,11 @@ def _in_two(text, file):
     try:
         # the lines above are complete if they compile: what follows is no part of them
         first = compile(above, file, "exec", _FLAGS)
-        # at its place, for the number of a line in an error
+        # on its own line, so that an error names that line
         code = compile("\n" * text.rstrip().count("\n") + last, file, mode, _FLAGS)
-    except (SyntaxError, ValueError):  # the other way reports what is wrong, if anything is
+    except (SyntaxError, ValueError):  # _parse reports what is wrong, if anything is
         return None
-    return (first, code) if "\r" not in text else None  # which ends a line, too
+    return (first, code) if "\r" not in text else None  # "\r" ends a line, too
 
 
 def _in_order(tree, file):
@@ -123,7 +123,7 @@ def _in_order(tree, file):
 
 
 def _parse(text, file):
-    """(the tree of a cell, the Python of it)."""
+    """(the tree of a cell, its text as Python)."""
     try:
         return ast.parse(text, file), text
     except SyntaxError:

@@ -4,14 +4,15 @@ from collections.abc import Sequence
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked
-from ..measurements.measure import Measured, check_cost, fronts
+from ..measurements.measure import Cost, Measured, fronts
 
 # colours that colour-blind readers tell apart (Okabe and Ito, without their yellow), and shapes for
 # those who see no colours
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 MARKERS = ("o", "s", "^", "D", "P", "X", "*", "h", "p")
 GREY, INK = "#999999", "#333333"
-FLOOR = 1e-17  # smaller relative errors are drawn there: a float cannot have them
+# smaller relative errors, which a float cannot have, are drawn there with their value
+FLOOR = 1e-17
 USELESS = 0.1  # a relative error from which no digit is right: such a point is no choice
 DASHES = ("--", ":", "-.")  # line styles of the fronts
 
@@ -52,8 +53,7 @@ def time_axis(ax: Any, costs: Sequence[float], unit: str = "s") -> None:
 def chart(
     points: Sequence[Measured],
     ax: Any,
-    floor: float = FLOOR,
-    cost: str = "cost",
+    cost: Cost = "cost",
     order: Sequence[str] = (),
     legend: bool = True,
 ) -> list[Measured]:
@@ -63,22 +63,18 @@ def chart(
     A band goes from the least to the largest time of its repeats; a grey bar is the time to prepare
     the first run.
 
-    floor : smaller errors are drawn there, with an arrow down and their value
     cost : "cost", the time, or "calls"
-    order : names of methods, which so have the same colours on several charts
+    order : names of methods, to give them the same colours on several charts
 
     >>> from matplotlib.figure import Figure
     >>> points = [Measured("coarse", 1e-3, 1e-3), Measured("fine", 2e-3, 1e-9)]
     >>> chart(points, Figure().subplots()) == points
     True
     """
-    check_cost(cost)
-    if not 0 < float(floor) < float("inf"):
-        raise ArgumentError(f"the floor is a positive error, as 1e-16; got {floor!r}")
     if not hasattr(ax, "add_patch"):
         raise ArgumentError(f"a chart is drawn on an Axes of matplotlib; got {ax!r}")
     log_log(ax, "cost of one evaluation", "relative error")
-    drawing = _Drawing(ax, float(floor), cost)
+    drawing = _Drawing(ax, cost)
     drawing.methods(points, order)
     drawing.bands(points)
     drawing.preparations(points)
@@ -94,11 +90,11 @@ def chart(
 
 
 class _Drawing:
-    def __init__(self, ax, floor, cost):
-        self.ax, self.floor, self.cost = ax, floor, cost
+    def __init__(self, ax, cost):
+        self.ax, self.cost = ax, cost
 
     def places(self, points):
-        return [getattr(p, self.cost) for p in points], [max(p.error, self.floor) for p in points]
+        return [getattr(p, self.cost) for p in points], [max(p.error, FLOOR) for p in points]
 
     def methods(self, points, order):
         """Draw a line of marks for each method, in ``order`` first, so that colours stay."""
@@ -112,7 +108,7 @@ class _Drawing:
         colours = {line.get_label(): line.get_color() for line in self.ax.lines}
         for p in points:
             if self.cost == "cost" and p.repeats:
-                height, ends = max(p.error, self.floor), [min(p.repeats), max(p.repeats)]
+                height, ends = max(p.error, FLOOR), [min(p.repeats), max(p.repeats)]
                 look = {"color": colours[p.method], "lw": 4, "alpha": 0.35, "zorder": 1}
                 self.ax.plot(ends, [height] * 2, **look)
 
@@ -121,7 +117,7 @@ class _Drawing:
         label = "first run, with preparation"
         for p in points:
             if self.cost == "cost" and p.prepared > 0.2 * p.cost:
-                ends, height = [p.cost, p.cost + p.prepared], max(p.error, self.floor)
+                ends, height = [p.cost, p.cost + p.prepared], max(p.error, FLOOR)
                 look = {"color": GREY, "lw": 1.2, "marker": "|", "ms": 9, "markevery": [1]}
                 self.ax.plot(ends, [height] * 2, zorder=1, label=label, **look)
                 label = "_again"  # one entry of the legend is enough
@@ -139,9 +135,9 @@ class _Drawing:
     def below_the_floor(self, points):
         """Write the error at the points that lie below what the axis shows."""
         for x, p in zip(self.places(points)[0], points, strict=True):
-            if p.error < self.floor:
+            if p.error < FLOOR:
                 text = f"{p.error:.0e}" if p.error else "0"
                 look = {"ha": "center", "fontsize": 8, "textcoords": "offset points"}
                 arrow = {"arrowstyle": "<-", "color": INK}
-                self.ax.annotate(text, (x, self.floor), (0, -34), arrowprops=arrow, **look)
-                self.ax.set_ylim(bottom=self.floor / 1000)  # room for the arrows
+                self.ax.annotate(text, (x, FLOOR), (0, -34), arrowprops=arrow, **look)
+                self.ax.set_ylim(bottom=FLOOR / 1000)  # room for the arrows

@@ -5,9 +5,10 @@ from itertools import groupby
 from operator import attrgetter
 
 from ...algebra.late import EngFormatter
+from ...algebra.names import listed
 from ..measurements.measure import ALIKE, EQUAL_WITHIN, ROUND_OFF, cheapest, of_equal_cost, repeated
 from .axes import COLOURS, MARKERS, chart, log_log
-from .words import about_times, agreed, listed, number, seconds
+from .words import about_times, agreed, number, seconds
 
 WRONG = 1e-2  # a relative error
 NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic
@@ -26,8 +27,6 @@ def draw_comparison(comparison, points, figure):
 
 def _draw(question, points, left, right):
     """The front of the points, drawn against the setting (``left``) and the cost (``right``)."""
-    from matplotlib.ticker import LogLocator
-
     points = [replace(p, error=max(p.error, ROUND_OFF)) for p in points]
     by_method = [[p for p in points if p.method == name] for name in question.methods]
     log_log(left, question.across[1], "relative error")
@@ -42,9 +41,6 @@ def _draw(question, points, left, right):
     against = "the worst of each, against its cost" if question.worst_only else "against the cost"
     for ax, title in ((left, question.what), (right, against)):
         ax.set_title(title, fontsize=10, loc="left")
-    # below one decade, powers of ten alone would leave fewer than two numbers on the axis
-    subs = (1, 2, 5) if max(costs) < 10 * min(costs) else (1,)
-    right.xaxis.set_major_locator(LogLocator(subs=subs))
     return best
 
 

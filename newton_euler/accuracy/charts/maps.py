@@ -80,8 +80,8 @@ def map_caption(chart, found, smoothed=0):
     met = [_along(chart, side, row) for side, row in edges.items()]
     text = [chart.words, f"Shares of the map: {shares}.", *met]
     if smoothed:
-        text.append(f"{smoothed} cells apart from their like were noise of the times: measured")
-        text.append("again they were not there, or they went to their neighbours.")
+        text.append(f"{smoothed} isolated cells were noise of the times: they vanished when they")
+        text.append("were measured again, or took the choice of their neighbours.")
     return " ".join([*text, *(() if chart.timed else explained(chart, found))])
 
 

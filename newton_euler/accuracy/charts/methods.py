@@ -2,10 +2,11 @@
 
 from dataclasses import replace
 
+from ...algebra.names import listed
 from ..measurements.measure import ALIKE, ROUND_OFF, cheapest, of_equal_cost, repeated
 from ..measurements.work_precision import NAMES, STEPPING
 from .axes import FLOOR, GREY, chart, log_log, marker_style
-from .words import about, about_times, agreed, listed, number, seconds, times
+from .words import about, about_times, agreed, number, seconds, times
 
 AUTO = {"label": "auto", "color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6}
 SHORT = 2e-3  # seconds; a shorter preparation is not mentioned

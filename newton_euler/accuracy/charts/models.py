@@ -5,11 +5,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from ...algebra.late import np
+from ...algebra.names import listed
 from ...motion.integration import integrate
 from ...motion.prepared import prepared_model
 from ..measurements.measure import EQUAL_WITHIN, Measured, of_equal_cost
 from .axes import GREY, INK, log_log, mark_better, marker_style, time_axis
-from .words import listed, number, times
+from .words import number, times
 
 STEPS = (1, 2, 5, 10)  # a tolerance is one of these times a power of ten
 RTOL = 1e-9  # tolerance of the integrations that are counted

@@ -68,13 +68,3 @@ def agreed(texts: Iterable[Iterable[str]]) -> str:
     """
     first, *others = map(list, texts)
     return " ".join(s for s in first if s and all(s in other for other in others))
-
-
-def listed(names: Iterable[str]) -> str:
-    """The names as a list in a sentence.
-
-    >>> listed(["a"]), listed(["a", "b", "c"])
-    ('a', 'a, b and c')
-    """
-    *first, last = names
-    return f"{', '.join(first)} and {last}" if first else last

@@ -194,7 +194,7 @@ def _unless_empty(f, numbers):
 
 
 def percent(part: float) -> str:
-    """A part as text, so rounded that 100 % means all of them; "" for nan.
+    """A part as text, rounded so that 100 % means all of them; "" for nan.
 
     >>> percent(1.0), percent(0.99996), percent(math.nan)
     ('100', '99.9', '')

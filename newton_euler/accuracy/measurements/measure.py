@@ -1,5 +1,5 @@
-"""The time of a call, the error of a result, and the front of error against time: for every other
-point one on the (Pareto) *front* is cheaper and no less accurate.
+"""The time of a call, the error of a result, and the (Pareto) *front* of error against time: every
+point off the front has one on it that is cheaper and no less accurate.
 """
 
 import math
@@ -9,9 +9,9 @@ from operator import attrgetter
 from statistics import median
 from time import perf_counter
 from timeit import Timer
-from typing import Any
+from typing import Any, Literal, TypeAlias
 
-from ...algebra.errors import ArgumentError, checked
+from ...algebra.errors import checked
 from ...algebra.scalars import Scalar, sqrt
 from ...algebra.vectors import dot3, sub3
 
@@ -21,6 +21,7 @@ ROUND_OFF = 2.0**-52  # smaller relative errors are luck
 EQUAL_COST = 1.2  # counts of operations that differ by less count as equal
 # times that differ by less are "about the same" in words: so they vary on a busy machine
 ALIKE = 3.0
+Cost: TypeAlias = Literal["cost", "calls"]  # the time, or the calls of the right-hand side
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,7 @@ class Measured:
     asked, calls, drift : of an integration, the tolerance, the calls of the right-hand side, and
         the largest drift of an invariant; else None
     family : points are compared with others of their family, which has a front of its own
-    prepared : seconds that the first run took more than the next
+    prepared : seconds by which the first run took longer than the next
 
     >>> Measured("dop853", cost=2e-4, error=1e-9).cost
     0.0002
@@ -63,7 +64,7 @@ def timed(
     clock: Callable[[], float] = perf_counter,
 ) -> Any:
     """The seconds that one call ``f()`` takes, a float; of several functions, which take turns, a
-    tuple: those of the fastest of ``runs`` runs, each of so many calls that it lasts ``shortest``
+    tuple: those of the fastest of ``runs`` runs, each with enough calls to last ``shortest``
     seconds of the ``clock``. A first call, which may import or compile, does not count.
 
     >>> seconds = timed(lambda: sum(range(10)), lambda: sum(range(1000)))
@@ -116,14 +117,8 @@ def relative_error(a: Sequence[Scalar], exact: Sequence[Scalar]) -> float:
     return float(sqrt(dot3(difference, difference)) / sqrt(dot3(exact, exact)))
 
 
-def check_cost(cost: str) -> None:
-    """Refuse a cost that is neither the time nor the number of calls."""
-    if cost not in ("cost", "calls"):
-        raise ArgumentError(f'the cost is "cost", the time, or "calls"; got {cost!r}')
-
-
 @checked
-def front(points: Sequence[Measured], cost: str = "cost") -> list[Measured]:
+def front(points: Sequence[Measured], cost: Cost = "cost") -> list[Measured]:
     """The points that no other beats in error or ``cost`` ("cost", the time, or "calls"), the
     cheapest first. Errors within a factor of two count as equal.
 
@@ -131,7 +126,6 @@ def front(points: Sequence[Measured], cost: str = "cost") -> list[Measured]:
     >>> [p.method for p in front([fine, coarse, Measured("slow", 3e-3, 1e-9)])]
     ['coarse', 'fine']
     """
-    check_cost(cost)
     best: list[Measured] = []
     for p in sorted(points, key=attrgetter(cost, "error")):
         if not best or p.error < best[-1].error / EQUAL_WITHIN:
@@ -139,7 +133,7 @@ def front(points: Sequence[Measured], cost: str = "cost") -> list[Measured]:
     return best
 
 
-def fronts(points: Sequence[Measured], cost: str = "cost") -> dict[str, list[Measured]]:
+def fronts(points: Sequence[Measured], cost: Cost = "cost") -> dict[str, list[Measured]]:
     """The front of each family of the points, by the name of the family: of times, only what the
     front of every repeat has.
     """

@@ -2,7 +2,7 @@
 
 By heyoka in multiple precision; without it, and to check it, in mpmath's numbers by extrapolation
 (W. B. Gragg 1965): the error of the midpoint rule has even powers of the step only, and each
-further run, with 2, 4, 6, … steps, removes one. No method that is measured works so.
+further run, with 2, 4, 6, … steps, removes one. No measured method works this way.
 """
 
 import importlib

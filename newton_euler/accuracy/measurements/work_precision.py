@@ -28,6 +28,7 @@ QUICK = TOLERANCES[::2]
 LONGEST = 0.2  # seconds; a method whose run takes longer is not asked for more digits
 LONG = 0.03  # seconds; a longer run is timed once, a shorter one in many runs
 NAMES = (*METHODS, "auto")
+_PREPARATIONS: dict = {}  # by scene and method, as the first run of this process had them
 STEPPING, CLOSED = "stepping methods", "closed forms"  # the families
 
 
@@ -39,7 +40,7 @@ class WorkPrecision:
     ratios : {tolerance: (time of "auto" / time of the cheapest other method that reached it, its
         name)}, measured in turns; not where "auto" takes the exact solution, whose time says
         nothing about methods that step
-    preparing : {method: seconds that its first run took more than the next, to compile code}
+    preparing : {method: seconds by which its first run, which compiles, took longer than the next}
     too_slow, unable : {method: after which run it was left out}, or why it failed
     """
 
@@ -98,7 +99,8 @@ def work_precision(
                 unable[method] = f"{rtol:.0e}: {error}"
                 break
             if method not in preparing:
-                preparing[method] = _preparation(name, method, first, point.cost)
+                more = first - point.cost if first > 2 * point.cost else 0.0  # else maybe noise
+                preparing[method] = _PREPARATIONS.setdefault((name, method), more)
                 point = replace(point, prepared=preparing[method])
             points.append(point)
             if point.cost > longest and rtol != tolerances[-1]:
@@ -118,14 +120,6 @@ def _ratios(reference, points):
             runs = [partial(reference.run, method, rtol) for method in ("auto", best)]
             auto, other = timed(*runs, runs=15, shortest=5e-4)
             yield rtol, (auto / other, best)
-
-
-_PREPARATIONS: dict = {}
-
-
-def _preparation(name, method, first, cost):
-    """The seconds that the first run took more; 0 if less than the run itself, maybe noise."""
-    return _PREPARATIONS.setdefault((name, method), first - cost if first > 2 * cost else 0.0)
 
 
 class Reference:

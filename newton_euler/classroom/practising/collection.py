@@ -97,11 +97,8 @@ class Practice:
     def next(self) -> Message:
         """What to do next, chosen from what went wrong and when, with the reason in a sentence."""
         sections = {p: self._title(p)[1] for p in self}
-        found = advise(sections, self._progress, may_err=self._may_err)
+        found = advise(sections, self._progress, may_err=lambda p: causes_of(self.page(p)))
         return Message(found.sentence, found.sentence)
-
-    def _may_err(self, problem):
-        return causes_of(self.page(problem))
 
     def page(self, problem: str) -> dict[str, Any]:
         """What the file has of a problem."""

@@ -21,7 +21,7 @@ FORMAT, READ = 5, (4, 5)  # a cause is words in 5, a text in 4
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
 MOST = 8 * 2**20  # bytes of one member; a problem with ten sets of numbers has 0.1 MB
-# the others' decompressors do not stop at what is asked for: 600 bytes may become a gigabyte
+# zipfile bounds what these methods unpack; with others 600 bytes may become a gigabyte
 METHODS = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 DEEPEST = 32  # lists within lists; a file has less than ten
 
@@ -96,7 +96,7 @@ class PracticeFile:
         return found
 
     def _other_file(self, error):
-        """What Python says of the file stays as it is: it is for who made the file."""
+        """The error for another file, in Python's own words: they are for its author."""
         return PracticeFileError(
             _("{path} is not a practice file", path=self.called) + f": {one_line(str(error))}"
         )

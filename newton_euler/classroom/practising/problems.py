@@ -295,7 +295,7 @@ class PracticeProblem:
         why = explain(self._asked[key], self._found, self._numbers)
         if why.earlier:
             message = _(
-                "not right; it follows rightly from your {names}: mend that first{also}",
+                "not right; it follows rightly from your {names}: correct that first{also}",
                 names=joined(why.earlier), also=why.also,
             )  # fmt: skip
             return message, why.causes

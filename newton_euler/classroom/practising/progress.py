@@ -20,8 +20,8 @@ NOTHING = {"tries": 0, "right": 0, "help": 0}
 class Progress:
     """Tries by problem, set of numbers and quantity: {"tries", "right", "help"}; ``right`` is the
     try that was right first, or 0; ``help`` what was shown before: 0 nothing, 1 where to look, 2
-    the equation, 3 the value. Besides, where there are any, the last ``day`` ("2026-11-23") and the
-    ``cause`` of the last wrong try, [group, name, words].
+    the equation, 3 the value. Also, if known, the last ``day`` ("2026-11-23") and the ``cause`` of
+    the last wrong try, [group, name, words].
     """
 
     def __init__(self, path: str | Path | None, today: Callable[[], date] = date.today):
@@ -51,8 +51,8 @@ class Progress:
         return json.dumps({"format": FORMAT, "problems": self._kept})
 
     def take_in(self, text: str) -> None:
-        """Add what another file of progress says; of two tries of the same, the longer one counts.
-        Raises :class:`ValueError` for another text.
+        """Add the progress in another such file; of two records of a quantity, the one with more
+        tries counts. Raises :class:`ValueError` for another text.
         """
         for problem, variants in _problems(text).items():
             for variant, entries in variants.items():
@@ -140,7 +140,7 @@ def _problems(text):
             for entry in (*entries.values(), *([{}] if number.isdecimal() else [None]))
         )
     except (KeyError, TypeError, AttributeError, RecursionError, json.JSONDecodeError) as error:
-        raise ValueError(_("no progress stands in it")) from error
+        raise ValueError(_("it holds no progress")) from error
     if not sound:
         raise ValueError(_("an entry of it cannot be read"))
     return problems

@@ -15,9 +15,9 @@ LONGEST = 500  # letters: what nests deeper than this allows would exhaust a bro
 _WRITTEN = str.maketrans(
     {"\N{MINUS SIGN}": "-", "×": "*", "·": "*", "⋅": "*", "÷": "/", "^": "**", "\xa0": " "}
 )
-_NOT_REAL = Words("it is no real number")
+_NOT_REAL = Words("it is not a real number")
 _WHY = {ZeroDivisionError: Words("it divides by zero"), OverflowError: Words("it is too large")}
-_SIGNS = Words("only numbers, lists, + - * / ** and functions as sqrt, sin, cos are read")
+_SIGNS = Words("only numbers, lists, + - * / ** and functions such as sqrt, sin, cos are read")
 
 
 def typed(text: str, names: Mapping[str, float], words: tuple[str, ...] = ()) -> Any:
@@ -56,7 +56,7 @@ def typed_tree(text: str, names: Mapping[str, float]) -> Tree:
         if isinstance(error, AnswerError):
             raise
         raise AnswerError(
-            "{text} is no number, and no list as [1.0, 0, -2.5]", text=repr(text[:60])
+            "{text} is neither a number nor a list such as [1.0, 0, -2.5]", text=repr(text[:60])
         ) from None
 
 

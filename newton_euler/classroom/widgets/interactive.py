@@ -20,13 +20,13 @@ ROW, VALUE = "newton-euler-slider", "newton-euler-value"  # classes in the page
 NAMED = Path(__file__).with_name("sliders.js")
 
 
-@checked_but("alt", "size", "panels", "title")
+@checked_but("alt", "title")
 def interactive_figure(
     draw: Callable[..., Any],
     *sliders: Slider,
     alt: str | Callable[..., str],
-    size: tuple[float, float] = (7, 4.6),
-    panels: tuple[int, int] = (1, 1),
+    size: Sequence[float] = (7, 4.6),
+    panels: Sequence[int] = (1, 1),
     title: str | Callable[..., str] | None = None,
 ) -> None:
     """Show what ``draw(ax, **values)`` draws, and a slider for each of its arguments. Without a

@@ -6,6 +6,7 @@ from decimal import Decimal
 from ...algebra.errors import ArgumentError, checked
 
 
+@checked
 @dataclass(frozen=True)
 class Slider:
     """A slider for the argument ``name`` of a figure.
@@ -27,17 +28,11 @@ class Slider:
     unit: str = ""
 
     def __post_init__(self):
-        for text in (self.name, self.label, self.unit):
-            if not isinstance(text, str):
-                raise ArgumentError(f"name, label and unit of a slider are texts; got {text!r}")
         if not self.name.isidentifier():
             raise ArgumentError(f"a slider is named as an argument of draw; got {self.name!r}")
         numbers = self.start, self.lowest, self.highest, self.step
-        if not all(isinstance(x, (int, float)) and abs(x) < 1e300 for x in numbers):
-            raise ArgumentError(
-                f"start, lowest, highest, step of slider {self.name} are numbers; got {numbers!r}"
-            )
-        if not (self.lowest <= self.start <= self.highest and 0 < self.step <= self.span):
+        in_order = self.lowest <= self.start <= self.highest and 0 < self.step <= self.span
+        if not in_order or self.span > 1e300:
             raise ArgumentError(
                 f"slider {self.name}: lowest <= start <= highest, 0 < step <= span; got {numbers!r}"
             )
@@ -61,7 +56,7 @@ class Slider:
 
     @checked
     def samples(self, count: int) -> list[float]:
-        """So many values, evenly from the lowest to the highest, rounded to steps."""
+        """``count`` values, evenly from the lowest to the highest, rounded to steps."""
         if count < 2:
             raise ArgumentError(f"samples of a slider are 2 or more; got {count}")
         low, high = self.limits

@@ -3,7 +3,6 @@
 from typing import Any
 
 from ...algebra.errors import ArgumentError
-from ...algebra.scalars import clipped
 from .pictures import CSS_PIXELS, png_of
 from .plotted import Plotted
 
@@ -16,10 +15,9 @@ class Stage:
     def __init__(self, draw: Any, size: Any, panels: Any):
         from ...drawing.page.paper import Page
 
-        self.draw, size = draw, _pair(size, "size", float)
+        self.draw, self._size, self._panels = draw, size, panels
+        self.page = Page(size, *panels)
         self.css_size = tuple(CSS_PIXELS * side for side in size)
-        self._size, self._panels = size, _pair(panels, "panels", int)
-        self.page = Page(size, *self._panels)
         self._plotted: Plotted | None = None
         self._window = self._one = None
         self._title = ""
@@ -99,14 +97,3 @@ class Stage:
 def in_words(values):
     """The values in words."""
     return ", ".join(f"{name} = {x:g}" for name, x in values.items())
-
-
-def _pair(pair, name, kind):
-    """Two positive numbers."""
-    try:
-        first, second = (kind(x) for x in pair)
-        if min(first, second) > 0:
-            return first, second
-    except (TypeError, ValueError):
-        pass
-    raise ArgumentError(f"{name} is a pair of positive numbers; got {clipped(pair)}")

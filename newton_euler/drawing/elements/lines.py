@@ -4,16 +4,16 @@ import math
 from collections.abc import Sequence
 from itertools import groupby
 
-from ...algebra.errors import checked_methods
+from ...algebra.errors import checked_words
 from ...algebra.vectors import FrameError, dot3, sub3
-from ..page.primitives import DASHES, MARK
+from ..page.primitives import MARK, Line
 from ..page.projection import moved, norm3, on_circle
 from ..page.recorder import Direction, Place, Recorder
 
 MAX_TURNS = 1000
 
 
-@checked_methods(str, bool)
+@checked_words
 class Lines(Recorder):
     """The methods of a sketch that draw lines and what is slender."""
 
@@ -25,9 +25,9 @@ class Lines(Recorder):
         """Draw a shaft from A to B with its centre line."""
         self._straight(A, B, "shaft edge", "shaft", "centre")
 
-    def line(self, A: Place, B: Place, style: str = "dashed") -> None:
+    def line(self, A: Place, B: Place, style: Line = "dashed") -> None:
         """Draw a thin line from A to B, ``style`` solid, dashed, dotted or centre."""
-        self._straight(A, B, f"line {_known(style)}")
+        self._straight(A, B, f"line {style}")
 
     def _straight(self, A, B, *styles):
         ends = self._places(A, B)
@@ -41,7 +41,7 @@ class Lines(Recorder):
     def path(
         self,
         points: Sequence[Place],
-        style: str = "solid",
+        style: Line = "solid",
         on: Place | tuple[Place, Place] | None = None,
     ) -> None:
         """Draw a curve through many places, ``style`` solid, dashed, dotted or centre.
@@ -50,14 +50,14 @@ class Lines(Recorder):
             its axis; only the near side of the curve is drawn, and the body does not hide it
         """
         places = self._several(points, "the points")
-        style = "path" if _known(style) == "solid" else f"line {style}"
+        look = "path" if style == "solid" else f"line {style}"
         if on is not None:
             runs = self._near_side(places, on)
-            self._record(lambda canvas: [canvas.line(run, style, MARK) for run in runs])
-        elif style == "path":
-            self._record(lambda canvas: canvas.curve(places, style))
+            self._record(lambda canvas: [canvas.line(run, look, MARK) for run in runs])
+        elif look == "path":
+            self._record(lambda canvas: canvas.curve(places, look))
         else:  # in pieces, the dashes would begin anew with each
-            self._record(lambda canvas: canvas.line(places, style))
+            self._record(lambda canvas: canvas.line(places, look))
 
     def _near_side(self, places, on):
         """The runs of places that face the eye, seen from a centre or from an axis."""
@@ -101,16 +101,7 @@ class Lines(Recorder):
         return [on_circle(centre, e1, e2, radius, a) for a in angles]
 
     def _angle(self, x):
-        try:
-            angle = self._float(x)
-        except (TypeError, ValueError, OverflowError):
-            angle = math.nan
+        angle = self._number(x)
         if not abs(angle) <= MAX_TURNS * 2 * math.pi:  # nan too
             raise FrameError(f"an angle is in radians, at most {MAX_TURNS} turns; got {x!r}")
         return angle
-
-
-def _known(style):
-    if not isinstance(style, str) or style not in DASHES:
-        raise FrameError(f"a line is {', '.join(DASHES)}; got {style!r}")
-    return style

@@ -3,14 +3,14 @@
 import math
 from collections.abc import Sequence
 
-from ...algebra.errors import checked_methods
+from ...algebra.errors import checked_words
 from ...algebra.vectors import FrameError, scale3, sub3
 from ..page.projection import between, circle, moved, norm3, on_circle, perpendiculars, silhouette
 from ..page.recorder import Direction, Place, Recorder
 from .cables import Pulley, route
 
 
-@checked_methods(str, bool)
+@checked_words
 class Machines(Recorder):
     """The methods of a sketch that draw gears, pulleys and cables."""
 
@@ -87,8 +87,8 @@ class Machines(Recorder):
         @self._record
         def command(canvas):
             for n, (A, B) in enumerate(spans):
-                # an end on a pulley has the depth of its tangent point: drawn over the groove, or
-                # behind it, as that point is
+                # an end on a pulley has the depth of its tangent point: it is drawn in front of the
+                # groove or behind it, like that point
                 lead, tail = (
                     min(1 / 3, stop.radius / norm3(sub3(B, A))) if isinstance(stop, Pulley) else 0
                     for stop in stops[n : n + 2]

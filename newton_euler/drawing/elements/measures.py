@@ -2,14 +2,14 @@
 
 import math
 
-from ...algebra.errors import checked_methods
+from ...algebra.errors import checked_words
 from ...algebra.vectors import FrameError, cross3, dot3, scale3, sub3
 from ..page.primitives import MARK
 from ..page.projection import between, moved, norm3, on_circle, perpendicular_towards, unit3
 from ..page.recorder import Direction, Place, Recorder
 
 
-@checked_methods(str, bool)
+@checked_words
 class Measures(Recorder):
     """The methods of a sketch that draw angles, dimension lines and labels."""
 

@@ -1,8 +1,9 @@
 """Bodies to scale: disks, plates, tubes, cones, spheres, boxes, with their holes."""
 
 from collections.abc import Sequence
+from typing import Literal
 
-from ...algebra.errors import checked_methods
+from ...algebra.errors import checked_words
 from ...algebra.vectors import FrameError, dot3, scale3, sub3
 from ...kinematics.frames import Frame
 from ..page.primitives import SQUARE
@@ -13,7 +14,7 @@ from .extrusion import extrude
 SHADES = {"light": "top", "medium": "body", "dark": "inside"}
 
 
-@checked_methods(str, bool)
+@checked_words
 class Solids(Recorder):
     """The methods of a sketch that draw bodies, which hide each other as they do in space."""
 
@@ -50,14 +51,13 @@ class Solids(Recorder):
         corners: Sequence[Place],
         holes: Sequence[Sequence[Place]] = (),
         thickness: float = 0,
-        shade: str = "medium",
+        shade: Literal["light", "medium", "dark"] = "medium",
     ) -> None:
         """Draw a plane plate with these corners, three or more places in order.
 
         holes : their outlines, each a sequence of places as of :meth:`around`
         thickness : in metres, half of it on either side of the corners; a plate may so become a
             block with an L-shaped outline and a bore
-        shade : light, medium or dark
 
         >>> from newton_euler import Frame
         >>> from newton_euler.drawing import Sketch
@@ -69,8 +69,6 @@ class Solids(Recorder):
         corners = self._several(corners, "the corners")
         if len(corners) < 3:
             raise FrameError(f"a plate has three corners or more, got {len(corners)}")
-        if not isinstance(shade, str) or shade not in SHADES:
-            raise FrameError(f"the shade of a plate is {', '.join(SHADES)}; got {shade!r}")
         holes = self._outlines(holes)
         thickness = self._or_default(thickness) or 0.0
         normal = normal_of(corners)

@@ -3,7 +3,7 @@
 import math
 from itertools import pairwise
 
-from ...algebra.errors import checked_methods
+from ...algebra.errors import checked_words
 from ...algebra.vectors import FrameError, cross3, scale3, sub3
 from ..page.projection import between, moved, on_circle, on_plane, perpendicular_towards
 from ..page.recorder import Place, Recorder
@@ -11,7 +11,7 @@ from ..page.recorder import Place, Recorder
 STEPS = 24  # straight pieces of one coil
 
 
-@checked_methods(str, bool)
+@checked_words
 class Springs(Recorder):
     """The methods of a sketch that draw springs and dampers."""
 
@@ -43,7 +43,7 @@ class Springs(Recorder):
 
         @self._record
         def command(canvas):
-            # what is in the spring lies between two planes, of which nothing shows
+            # what is in the spring lies between two invisible planes
             for height in (-0.1 * r, 0.1 * r):
                 canvas.face(plane(height), (), scale3(math.copysign(1, height), near))
             # cut where it passes from behind these planes to their front

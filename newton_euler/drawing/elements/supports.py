@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from itertools import pairwise
 
-from ...algebra.errors import checked_methods
+from ...algebra.errors import checked_words
 from ...algebra.vectors import FrameError, scale3, sub3
 from ..page.primitives import MARK
 from ..page.projection import between, circle, moved, norm3
 from ..page.recorder import Direction, Place, Recorder
 
 
-@checked_methods(str, bool)
+@checked_words
 class Supports(Recorder):
     """The methods of a sketch that draw supports and joints."""
 

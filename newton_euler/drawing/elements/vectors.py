@@ -3,17 +3,17 @@
 import math
 from collections.abc import Sequence
 
-from ...algebra.errors import checked_methods
+from ...algebra.errors import checked_words
 from ...algebra.scalars import clipped
 from ...algebra.vectors import FrameError, Vector, sub3
 from ...kinematics.frames import Frame
-from ..page.primitives import ARROW, BLACK, BODY, KINDS, MARK, MOVED
+from ..page.primitives import ARROW, BLACK, BODY, KINDS, MARK, MOVED, Kind
 from ..page.projection import between, norm3, on_circle, unit3
 from ..page.projection import moved as ahead
 from ..page.recorder import Direction, Place, Recorder
 
 
-@checked_methods(str, bool)
+@checked_words
 class Vectors(Recorder):
     """The methods of a sketch that draw arrows."""
 
@@ -48,7 +48,7 @@ class Vectors(Recorder):
                 canvas.note(tip, text, away_from=P, gap=2, colour=colour)
 
     def vector(
-        self, P: Place, v: Direction, label: str = "", kind: str = "velocity", size: str = ""
+        self, P: Place, v: Direction, label: str = "", kind: Kind = "velocity", size: str = ""
     ) -> None:
         """Draw an arrow from P along ``v``; a dot if ``v`` is negligible against the longest.
         That is 62 points long (``Sketch(…, arrows=62)``), the others in proportion, but no shorter
@@ -57,7 +57,6 @@ class Vectors(Recorder):
         kind : velocity, acceleration, rate, force or plain, which sets the colour
         size : a unit, as "m/s", with which the magnitude is written after the label
         """
-        _known(kind)
         P, v = self._place(P), self._triple(v, "direction")
         magnitude = self._measured(kind, v)
 
@@ -70,13 +69,12 @@ class Vectors(Recorder):
             canvas.note(tip, text, away_from=P, colour=KINDS[kind])
 
     def sum(
-        self, P: Place, amount: Vector, label: str = "", kind: str = "acceleration", size: str = ""
+        self, P: Place, amount: Vector, label: str = "", kind: Kind = "acceleration", size: str = ""
     ) -> None:
         """Draw the terms of a vector that is a sum (``amount.terms``) head to tail from P, each
         with its name, and the sum as the broad arrow from P that closes them, with the arguments of
         :meth:`vector`. A term that is zero is a dot with the label "… = 0".
         """
-        _known(kind)
         if not isinstance(amount, Vector) or not amount.terms:
             raise FrameError(
                 f"a Vector with terms is drawn, as P.acceleration(ground); got {clipped(amount)}"
@@ -120,17 +118,14 @@ class Vectors(Recorder):
 
     def _with_size(self, label, size, kind, unit):
         """The label with the magnitude, in as many decimals as suit the longest of its kind."""
-        if not isinstance(unit, str):
-            raise FrameError(f"size is the unit of the magnitude, as 'm/s'; got {unit!r}")
         if not unit:
             return label
         decimals = 2 - math.floor(math.log10(self._longest[kind] or 1))
         number = f"{size:.{decimals}f}" if 0 <= decimals < 7 else f"{size:.3g}"
         return f"{label} = {number} {unit}" if label else f"{number} {unit}"
 
-    def arrow(self, A: Place, B: Place, label: str = "", kind: str = "plain") -> None:
+    def arrow(self, A: Place, B: Place, label: str = "", kind: Kind = "plain") -> None:
         """Draw an arrow from A to B, true to scale as a body is, with its label at the middle."""
-        _known(kind)
         A, B = self._places(A, B)
 
         @self._record
@@ -175,8 +170,3 @@ class Vectors(Recorder):
             canvas.line(arc, "rate", ARROW)
             canvas.head(arc[-4], arc[-1], "rate", ARROW)
             canvas.note(arc[10], label, away_from=centre, colour=KINDS["rate"], gap=4)
-
-
-def _known(kind):
-    if not isinstance(kind, str) or kind not in KINDS:
-        raise FrameError(f"an arrow is of the kind {', '.join(KINDS)}; got {kind!r}")

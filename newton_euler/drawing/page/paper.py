@@ -2,10 +2,12 @@
 Matplotlib.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
-from .plots import NeedsMatplotlib, Plot, Plots
+from ...algebra.errors import ArgumentError, checked
+from ...algebra.scalars import clipped
+from .plots import SETTINGS, NeedsMatplotlib, Plot, Plots
 
 TITLE = 12  # points, of a title whose size is not given
 GAP = 0.02  # share of the page between panels and around them
@@ -48,6 +50,8 @@ class Panel(Plots):
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
+        if name[:4] == "set_" and name[4:] in SETTINGS:
+            return lambda value, **_: self.set(**{name[4:]: value})
         raise NeedsMatplotlib(f"a panel of a page has no {name}; take the axes of matplotlib")
 
 
@@ -65,7 +69,13 @@ class Page:
     '<svg'
     """
 
-    def __init__(self, size: tuple[float, float] = (5, 4), rows: int = 1, columns: int = 1):
+    @checked
+    def __init__(self, size: Sequence[float] = (5, 4), rows: int = 1, columns: int = 1):
+        if len(size) != 2 or not all(0 < side < 1e4 for side in size) or min(rows, columns) < 1:
+            raise ArgumentError(
+                "a page has a width and a height in inches, and one row and column or more; got "
+                f"{clipped(size)}, {rows} and {columns}"
+            )
         self.width, self.height = (72 * side for side in size)
         self.rows, self.columns = rows, columns
         self.axes = [Panel(self, row, column) for row in range(rows) for column in range(columns)]

@@ -38,9 +38,9 @@ class _Drawing:
             for name, values in (("x", lambda m: m.xs), ("y", lambda m: m.ys))
         )
         self.yticks = self._ticks("y", self.y, panel.box()[3] / 30)
-        wide = max((SMALL * letters(t).width for _, t in self.yticks), default=0.0)
+        self.wide = max((SMALL * letters(t).width for _, t in self.yticks), default=0.0)
         left, bottom, w, h = panel.box()
-        before = 8 + wide + (LABEL + 5) * bool(settings.get("ylabel"))
+        before = 8 + self.wide + (LABEL + 5) * bool(settings.get("ylabel"))
         under = 18 + (LABEL + 4) * bool(settings.get("xlabel"))
         self.w, self.h = max(w - before - 8, 10.0), max(h - under - 4, 10.0)
         self.left, self.top = left + before, panel.figure.height - bottom - h + 4
@@ -152,8 +152,7 @@ class _Drawing:
         if settings.get("xlabel"):
             yield text_at(settings["xlabel"], self.left + self.w / 2, self.top + self.h + 25, LABEL)
         if settings.get("ylabel"):
-            wide = max((SMALL * letters(t).width for _, t in self.yticks), default=0.0)
-            x, y = self.left - wide - 14, self.top + self.h / 2
+            x, y = self.left - self.wide - 14, self.top + self.h / 2
             turn = f' transform="rotate(-90 {x:.1f} {y:.1f})"'
             yield text_at(settings["ylabel"], x, y, LABEL, more=turn)
 

@@ -5,6 +5,7 @@ the marks of a plot, and the calls that made them, for matplotlib to draw the sa
 import math
 from dataclasses import dataclass, field
 from functools import wraps
+from itertools import groupby
 from typing import Any, NamedTuple
 
 from ...algebra.errors import NewtonEulerError
@@ -16,6 +17,8 @@ COLOURS = {"k": BLACK, "black": BLACK, "r": CYCLE[1], "b": CYCLE[0], "g": CYCLE[
 DASHES = {"-": (), "--": (4, 2), ":": (1, 1.6), "-.": (6, 1.8, 1, 1.8), "": None, "none": None}
 MARKERS = "os+x.D^"
 GREY = "#555555"
+# the other names that matplotlib has for a keyword
+_SHORT = {"c": "color", "linestyle": "ls", "linewidth": "lw", "markersize": "ms"}
 
 
 class NeedsMatplotlib(NewtonEulerError, AttributeError):
@@ -92,7 +95,7 @@ def _recorded(method):
     @wraps(method)
     def call(self, *args, **named):
         try:
-            method(self, *args, **named)
+            method(self, *args, **{_SHORT.get(name, name): x for name, x in named.items()})
         except (TypeError, ValueError, LookupError) as error:
             raise NeedsMatplotlib(f"a panel does not draw this {method.__name__}") from error
         self.plotted.calls.append((method.__name__, args, named))
@@ -114,24 +117,28 @@ class Plots:
         ys = _numbers(data[-1])
         xs = _numbers(data[0]) if len(data) == 2 else [float(n) for n in range(len(ys))]
         dashes, marker, colour = _style(style)
-        colour = named.pop("color", named.pop("c", colour))
-        if "ls" in named or "linestyle" in named:
-            dashes = DASHES[named.pop("ls", None) or named.pop("linestyle")]
-        marker, size = named.pop("marker", marker), named.pop("ms", named.pop("markersize", 6))
-        width = named.pop("lw", named.pop("linewidth", 1.5))
+        dashes = DASHES[named["ls"]] if "ls" in named else dashes
+        marker, size = named.pop("marker", marker), named.pop("ms", 6)
         filled = named.pop("mfc", None) != "none"
-        label, opacity = named.pop("label", ""), named.pop("alpha", 1)
-        _refuse(named)
-        look = _colour(self.plotted, colour)
         if marker and marker not in MARKERS:
             raise NeedsMatplotlib(f"a panel does not know the marker {marker!r}")
+        look = self._look(named, colour) | {"shape": marker, "size": size, "filled": filled}
         if dashes is not None:
-            line = Mark("line", xs, ys, look, width, dashes, label, marker, size, opacity, filled)
-            self.plotted.marks.append(line)
+            self._mark("line", xs, ys, look | {"dashes": dashes})
+            look["label"] = ""
         if marker:
-            text = "" if dashes is not None else label
-            dots = Mark("dots", xs, ys, look, width, (), text, marker, size, opacity, filled)
-            self.plotted.marks.append(dots)
+            self._mark("dots", xs, ys, look | {"dashes": ()})
+
+    def _look(self, named, colour=None):
+        """What a mark looks like, by keywords of matplotlib; others are refused."""
+        look = {"width": named.pop("lw", 1.5), "dashes": DASHES[named.pop("ls", "-")]}
+        look |= {"label": named.pop("label", ""), "opacity": named.pop("alpha", 1)}
+        colour = named.pop("color", colour)
+        _refuse(named)
+        return look | {"colour": _colour(self.plotted, colour)}
+
+    def _mark(self, kind, xs, ys, look):
+        self.plotted.marks.append(Mark(kind, xs, ys, **look))
 
     def loglog(self, *args: Any, **named: Any) -> None:
         """The same as :meth:`plot` with logarithmic scales."""
@@ -141,59 +148,43 @@ class Plots:
     @_recorded
     def axhline(self, y: float = 0, **named: Any) -> None:
         """Draw a level line over all of the width."""
-        self._edge_to_edge([None, None], [float(y)] * 2, named)
+        self._mark("line", [None, None], [float(y)] * 2, self._look(named))
 
     @_recorded
     def axvline(self, x: float = 0, **named: Any) -> None:
         """Draw an upright line over all of the height."""
-        self._edge_to_edge([float(x)] * 2, [None, None], named)
-
-    def _edge_to_edge(self, xs, ys, named):
-        colour = _colour(self.plotted, named.pop("color", named.pop("c", None)))
-        width = named.pop("lw", named.pop("linewidth", 1.5))
-        dashes = DASHES[named.pop("ls", named.pop("linestyle", "-"))]
-        label = named.pop("label", "")
-        _refuse(named)
-        self.plotted.marks.append(Mark("line", xs, ys, colour, width, dashes, label))
+        self._mark("line", [float(x)] * 2, [None, None], self._look(named))
 
     @_recorded
     def vlines(self, x: float, low: float, high: float, **named: Any) -> None:
         """Draw an upright line from ``low`` to ``high``."""
-        colour, width = _colour(self.plotted, named.pop("color", None)), named.pop("lw", 1.5)
-        label = named.pop("label", "")
-        _refuse(named)
-        ys = [float(low), float(high)]
-        self.plotted.marks.append(Mark("line", [float(x)] * 2, ys, colour, width, (), label))
+        self._mark("line", [float(x)] * 2, [float(low), float(high)], self._look(named))
 
     @_recorded
     def fill_between(self, x: Any, y: Any, base: Any = 0.0, **named: Any) -> None:
         """Fill the area between a curve and a level, or another curve, ``where`` so."""
-        colour = _colour(self.plotted, named.pop("color", None))
-        opacity, label = named.pop("alpha", 1), named.pop("label", "")
         where = named.pop("where", None)
-        named.pop("hatch", None), named.pop("lw", None), named.pop("interpolate", None)
-        _refuse(named)
+        named.pop("hatch", None), named.pop("interpolate", None)
+        look = self._look(named)
         xs, ys = _numbers(x), _numbers(y)
         lows = _numbers(base) if hasattr(base, "__len__") else [float(base)] * len(xs)
         kept = [True] * len(xs) if where is None else [bool(k) for k in where]
         for start, end in _runs_of(kept):
             across = [*xs[start:end], *reversed(xs[start:end])]
             along = [*ys[start:end], *reversed(lows[start:end])]
-            area = Mark("area", across, along, colour, label=label, opacity=opacity)
-            self.plotted.marks.append(area)
-            label = ""
+            self._mark("area", across, along, look)
+            look["label"] = ""
 
     @_recorded
     def bar(self, x: Any, height: Any, width: float = 0.8, **named: Any) -> None:
         """Draw a bar, or several, with its middle at ``x``."""
-        colour, label = _colour(self.plotted, named.pop("color", None)), named.pop("label", "")
         named.pop("hatch", None), named.pop("edgecolor", None)
-        _refuse(named)
+        look = self._look(named)
         for middle, top in zip(_numbers(x), _numbers(height), strict=True):
             left, right = middle - width / 2, middle + width / 2
             corners = [left, right, right, left], [0.0, 0.0, top, top]
-            self.plotted.marks.append(Mark("area", *corners, colour, label=label))
-            label = ""
+            self._mark("area", *corners, look)
+            look["label"] = ""
 
     @_recorded
     def annotate(self, text: str, xy: Any, xytext: Any = (0, 0), **named: Any) -> None:
@@ -260,7 +251,7 @@ class Plots:
         for name, value in named.items():
             if name == "title":
                 self.set_title(value)  # type: ignore[attr-defined]
-            elif name in _SETTINGS:
+            elif name in SETTINGS:
                 self.plotted.calls.append((f"set_{name}", (value,), {}))
                 self.plotted.settings[name] = value
             else:
@@ -280,24 +271,8 @@ class Plots:
         """The first and the last x."""
         self.set(xlim=low if high is None else (low, high))
 
-    def set_xlabel(self, text: str) -> None:
-        """The name of the axis of x."""
-        self.set(xlabel=text)
 
-    def set_ylabel(self, text: str) -> None:
-        """The name of the axis of y."""
-        self.set(ylabel=text)
-
-    def set_xticklabels(self, texts: Any) -> None:
-        """What is written at the ticks."""
-        self.set(xticklabels=list(texts))
-
-    def set_aspect(self, aspect: Any, **_: Any) -> None:
-        """ "equal": a unit is as long across as it is upwards."""
-        self.set(aspect=aspect)
-
-
-_SETTINGS = {
+SETTINGS = {
     "xlabel", "ylabel", "xlim", "ylim", "xticks", "yticks", "xticklabels", "aspect", "xscale",
     "yscale",
 }  # fmt: skip
@@ -315,13 +290,10 @@ def _colour(plot, name):
 
 def _runs_of(kept):
     """The starts and ends of the runs of True."""
-    start = None
-    for n, keep in enumerate([*kept, False]):
-        if keep and start is None:
-            start = n
-        elif not keep and start is not None:
-            yield start, n
-            start = None
+    for keep, run in groupby(range(len(kept)), kept.__getitem__):
+        if keep:
+            places = list(run)
+            yield places[0], places[-1] + 1
 
 
 class Scale:
@@ -329,10 +301,12 @@ class Scale:
 
     def __init__(self, values: list[float], limits: Any, log: bool):
         self.log = log
-        low, high = (
-            limits if limits is not None else _around([v for v in values if v > 0 or not log], log)
-        )
-        self.low, self.high = float(low), float(high)
+        if limits is None:  # those of the values, with a twentieth of air on both sides
+            raw = [self._raw(v) for v in values if math.isfinite(v) and (v > 0 or not log)]
+            first, last = min(raw, default=self._raw(0.1)), max(raw, default=self._raw(1.0))
+            air = 0.05 * (last - first) or (not log and 0.05 * abs(first)) or 0.5
+            limits = [10**x if log else x for x in (first - air, last + air)]
+        self.low, self.high = map(float, limits)
         self._ends = self._raw(self.low), self._raw(self.high)
 
     def _raw(self, x):
@@ -364,15 +338,3 @@ class Scale:
         if round(step * 10**digits, 6) % 1:
             digits += 1
         return f"{x + 0.0:.{digits}f}".replace("-", "−")
-
-
-def _around(values, log):
-    """Limits with a twentieth of air on both sides."""
-    finite = [v for v in values if math.isfinite(v)] or [0.1, 1.0]
-    if log:
-        first, last = math.log10(min(finite)), math.log10(max(finite))
-        air = 0.05 * (last - first) or 0.5
-        return 10 ** (first - air), 10 ** (last + air)
-    first, last = min(finite), max(finite)
-    air = 0.05 * (last - first) or 0.05 * abs(first) or 0.5
-    return first - air, last + air

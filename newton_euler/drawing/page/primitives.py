@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Literal, NamedTuple, TypeAlias
 
 from ...algebra.vectors import add3, cross3, scale3, sub3
 from .projection import View, circle, convex_hull, mean, moved, on_plane, perpendiculars, unit3
@@ -18,6 +18,8 @@ KINDS = {
 DARK, SHADED, MIDDLE, LIGHT, PALE = "#454a50", "#aab1b9", "#c9ced4", "#dde1e5", "#eef0f2"
 BLACK, WHITE = "#000000", "#ffffff"
 MOVED = "#8a5a00"  # axes of a frame that moves
+Kind: TypeAlias = Literal["velocity", "acceleration", "rate", "force", "plain"]
+Line: TypeAlias = Literal["solid", "dashed", "dotted", "centre"]
 DASHES = {
     "solid": "-",
     "dashed": (0, (5, 3)),

@@ -57,8 +57,6 @@ def space_view(azimuth, elevation, up):
     """The view from the direction (azimuth, elevation), in degrees, with the axis ``up`` upwards.
     Azimuth 0 looks from the axis after ``up``, and grows towards the next.
     """
-    if not isinstance(up, str) or up not in ("x", "y", "z"):
-        raise FrameError(f"up is 'x', 'y' or 'z', the axis that is vertical; got {up!r}")
     azimuth, elevation = real(azimuth, "the azimuth"), real(elevation, "the elevation")
     a, h = math.radians(azimuth), math.radians(elevation)
     n = "xyz".index(up)

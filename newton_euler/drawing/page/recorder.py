@@ -8,7 +8,7 @@ import copy
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 from ...algebra.errors import checked_but
 from ...algebra.scalars import real_scalar, to_plain
@@ -49,7 +49,7 @@ class Recorder:
         ground: Frame,
         azimuth: float = 35,
         elevation: float = 20,
-        up: str = "z",
+        up: Literal["x", "y", "z"] = "z",
         plane: str | None = None,
         arrows: float = 62,
     ):
@@ -100,7 +100,9 @@ class Recorder:
         try:
             v = tuple(map(self._float, v))
         except (TypeError, ValueError, OverflowError):
-            raise FrameError(f"a sketch needs numbers, but the {what} is {v!r}") from None
+            raise FrameError(
+                f"a sketch needs numbers, but the {what} is {v!r}: give symbols values"
+            ) from None
         if not all(map(math.isfinite, v)):
             raise FrameError(f"the {what} {v!r} is not finite and cannot be drawn")
         return v
@@ -118,13 +120,17 @@ class Recorder:
         return [self._triple(e, "axis") for e in (frame.i, frame.j, frame.k)]
 
     def _length(self, x):
-        try:
-            size = self._float(x)
-        except (TypeError, ValueError, OverflowError):
-            size = math.nan
+        size = self._number(x)
         if not 0 < size < math.inf:
             raise FrameError(f"a length is a positive number of metres; got {x!r}")
         return size
+
+    def _number(self, x):
+        """``x`` as a float; nan for what is none."""
+        try:
+            return self._float(x)
+        except (TypeError, ValueError, OverflowError):
+            return math.nan
 
     @staticmethod
     def _float(x):

@@ -68,9 +68,7 @@ def polynomial(f, p, t, h, x):
 
 @lru_cache(maxsize=32)
 def generated(n, constants):
-    """The functions ``run``, ``one_step`` and ``polynomial`` for n states and so many constants, as
-    a dict.
-    """
+    """{"run", "one_step", "polynomial": function} for ``n`` states and so many ``constants``."""
     space = {"sqrt": sqrt, "isfinite": isfinite, "inf": inf}
     exec(compile(_text(n, constants), f"<DOP853 for {n} states>", "exec"), space)
     return space

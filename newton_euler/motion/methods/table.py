@@ -27,7 +27,7 @@ class Method:
     """One method of integration. All that other files ask about a method is an attribute of this
     record: none compares names.
 
-    name, description : its name in ``integrate(method=...)``, and what it is
+    name, description : its name in ``integrate(method=...)``, and a description
     stepper : the class of its runs
     unusable_because : a function of the prepared model and the start time that returns why the
         method cannot be used, or None
@@ -89,7 +89,10 @@ def _no_exact(system, t0=0.0):
 def _no_heyoka(system, t0=0.0):
     if not installed():
         return "heyoka is not installed: pip install heyoka (Linux)"
-    kinks = system.traced.kinks if system else ()
+    inner, kinks = (system.traced.inner, system.traced.kinks) if system else ((), ())
+    if inner:
+        of = f"the {inner[0]} in the rates of {system.model.name!r}"
+        return f"there is no series of {of}; take method='auto'"
     if kinks:
         return (
             f"the rates of {system.model.name!r} choose between formulas by {', '.join(kinks)}, "

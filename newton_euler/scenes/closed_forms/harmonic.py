@@ -1,8 +1,5 @@
 """Motion under a constant acceleration, or one proportional to a distance; Stumpff's series."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
-
 from ...algebra.scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
 from ...motion.model import Model
 
@@ -14,25 +11,15 @@ def uniform_acceleration(x, v, a, t):
 
 def constant_rate(name, parameters, of, *states, **about):
     """The Model of x, if among the ``states``, and its rate, which has the constant rate of(p)."""
-    rates, exact = _Rates(of, states), _Exact(of, states)
+
+    def rates(s, p, t):
+        return *(getattr(s, n) for n in states[1:]), of(p)
+
+    def exact(s, p, t):
+        *x, v = (getattr(s, n) for n in states)
+        return uniform_acceleration(*x, v, of(p), t) if x else (v + of(p) * t,)
+
     return Model(name, parameters, states, rates, exact=exact, **about)
-
-
-# classes, not functions inside a function, which could not be pickled
-@dataclass(frozen=True)
-class _Rates:
-    of: Callable
-    states: tuple
-
-    def __call__(self, s, p, t):
-        return *(getattr(s, n) for n in self.states[1:]), self.of(p)
-
-
-class _Exact(_Rates):
-    def __call__(self, s, p, t):
-        *x, v = (getattr(s, n) for n in self.states)
-        of = self.of(p)
-        return uniform_acceleration(*x, v, of, t) if x else (v + of * t,)
 
 
 def integrated_square(v, a, t):
@@ -77,7 +64,7 @@ def growth(n, t):
 
 
 def circular_or_hyperbolic(square, t):
-    """cos(n t) and sin(n t)/n with n^2 = ``square``of any sign; for numbers and traced values.
+    """cos(n t) and sin(n t)/n with n^2 = ``square`` of any sign; for numbers and traced values.
 
     >>> circular_or_hyperbolic(0.0, 3.0)
     (1.0, 3.0)

@@ -44,7 +44,7 @@ EARTH_OBLATENESS = EARTH_J2 * EARTH_EQUATOR**2
 )  # fmt: skip
 def orbit(mu: Scalar) -> Model:
     """The Model of an orbit: states x, y, v_x, v_y; invariants ``energy`` and ``angular_momentum``
-    over mass, and the Laplace vector(the eccentricity, towards the closest point).
+    over mass, and the Laplace vector (the eccentricity, towards the closest point).
 
     mu : the constant of the attraction mu/r^2, m^3/s^2
     The exact solution, for ellipses, takes the numbers given as exact. Its error in position is at

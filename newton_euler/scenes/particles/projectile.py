@@ -36,69 +36,28 @@ START = 0.0, 0.0, 0.0, 200.0, 50.0, 200.0  # start of the scenes
 LARGEST = 8
 
 
-def flat(
-    g: Scalar, latitude: Scalar = 0, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
-    drag: Scalar = 0,
-) -> Model:  # fmt: skip
-    """The Model of free fall; the parameters other than g serve the bounds of what it neglects.
-
-    >>> flat(9.8).derivative((0.0, 0.0, 0.0, 1.0, 2.0, 3.0))
-    (1.0, 2.0, 3.0, 0, 0, -9.8)
-    """
-    return _model("flat", locals(), _flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola)
-
-
 @scene(
     "6.10", "projectile, rotation only",
     "the shot with constant g and the Coriolis acceleration only",
-    40.0, START, g=9.82, latitude=0.8,
+    40.0, START, rung="Coriolis to first order", g=9.82, latitude=0.8,
 )  # fmt: skip
-def coriolis(
-    g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
-    drag: Scalar = 0,
-) -> Model:  # fmt: skip
-    """The Model with the rotation to first order (6.24): vx, vy, vz are without the rotation."""
-    given, neglects = locals(), (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR)
-    return _model("Coriolis to first order", given, _turned, neglects, _turned_exact)
-
-
-def plumb(
-    g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
-    drag: Scalar = 0,
-) -> Model:  # fmt: skip
-    """The Model with constant effective gravity and the Coriolis acceleration (6.16), exact."""
-    given, neglects = locals(), (CENTRIFUGAL_CHANGE, CURVATURE, AIR)
-    return _model("Coriolis and effective gravity", given, _uniform, neglects, _uniform_exact)
-
-
-def flat_in_air(
-    g: Scalar, latitude: Scalar = 0, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
-    drag: Scalar = 0,
-) -> Model:  # fmt: skip
-    """The Model with constant g on an Earth at rest, with air."""
-    return _model("flat in air", locals(), _flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE))
-
-
 @scene(
     "6.10", "projectile", "a shot of 283 m/s over the rotating Earth, all terms",
-    40.0, START, g=9.82, latitude=0.8,
+    40.0, START, rung="full", g=9.82, latitude=0.8,
 )  # fmt: skip
-def full(
-    g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
-    drag: Scalar = 0,
+def shot(
+    rung: str, g: Scalar, latitude: Scalar = 0, rate: Scalar = EARTH_RATE,
+    radius: Scalar = EARTH_RADIUS, drag: Scalar = 0,
 ) -> Model:  # fmt: skip
-    """The Model with all terms of (6.10) and the attraction of a sphere (5.22); invariants energy,
-    and angular momentum about the axis, in the inertial frame.
+    """The Model of this name, one of :data:`RUNGS`; some parameters serve the bounds of what it
+    neglects alone.
+
+    >>> shot("flat", 9.8).derivative((0.0, 0.0, 0.0, 1.0, 2.0, 3.0))
+    (1.0, 2.0, 3.0, 0, 0, -9.8)
     """
-    return _model("full", locals(), _full, (AIR,), None, _INVARIANTS)
-
-
-def full_in_air(
-    g: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE, radius: Scalar = EARTH_RADIUS,
-    drag: Scalar = 0,
-) -> Model:  # fmt: skip
-    """The Model of :func:`full` with air that rotates with the Earth."""
-    return _model("full in air", locals(), _full_in_air)
+    given = {"g": g, "latitude": latitude, "rate": rate, "radius": radius, "drag": drag}
+    rhs, neglects, exact, invariants = RUNGS[rung]
+    return Model(f"projectile, {rung}", given, STATES, rhs, invariants, exact, neglects)
 
 
 @scene(
@@ -111,14 +70,9 @@ def ladder(
     start: tuple[Scalar, ...] = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0), t: Scalar = 10.0,
 ) -> Ladder:  # fmt: skip
     """The :class:`~newton_euler.scenes.ladders.Ladder`: six models, or four if ``drag`` is 0."""
-    makers = flat, coriolis, plumb, *([flat_in_air] if drag else []), full
-    makers += (full_in_air,) if drag else ()
-    models = (make(g, latitude, rate, radius, drag) for make in makers)
+    rungs = (rung for rung in RUNGS if drag or "air" not in rung)
+    models = (shot(rung, g, latitude, rate, radius, drag) for rung in rungs)
     return Ladder.of_models("projectile", POSITION, t, start, STATES[:3], *models)
-
-
-def _model(name, parameters, rhs, neglects=(), exact=None, invariants=()):
-    return Model(f"projectile, {name}", parameters, STATES, rhs, invariants, exact, neglects)
 
 
 _r, _v = attrgetter(*STATES[:3]), attrgetter(*STATES[3:])
@@ -273,3 +227,20 @@ CURVATURE = Neglected(
     "the change of the attraction with place", _added(lambda p, d: 3 * p.g * d / p.radius), POSITION
 )
 AIR = Neglected("the air", _by_air, POSITION)
+
+# by name: right-hand side, what it neglects, exact solution, invariants in the inertial frame
+RUNGS = {
+    "flat": (_flat, (CORIOLIS, CENTRIFUGAL, CURVATURE, AIR), _parabola, {}),
+    # (6.24): vx, vy, vz are without the rotation
+    "Coriolis to first order": (
+        _turned, (SECOND_ORDER, CENTRIFUGAL, CURVATURE, AIR), _turned_exact, {}
+    ),
+    # constant effective gravity (6.16)
+    "Coriolis and effective gravity": (
+        _uniform, (CENTRIFUGAL_CHANGE, CURVATURE, AIR), _uniform_exact, {}
+    ),
+    "flat in air": (_flat_in_air, (CORIOLIS, CENTRIFUGAL, CURVATURE), None, {}),
+    # all terms of (6.10), and the attraction of a sphere (5.22)
+    "full": (_full, (AIR,), None, _INVARIANTS),
+    "full in air": (_full_in_air, (), None, {}),  # which rotates with the Earth
+}  # fmt: skip

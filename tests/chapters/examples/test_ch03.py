@@ -13,8 +13,7 @@ from newton_euler.chapters.examples.ch03 import (
     screw_jack_time,
     three_systems,
 )
-from newton_euler.kinematics import T_theta, frenet_along
-from newton_euler.kinematics.rotations import apply, transpose
+from newton_euler.kinematics import T_theta, apply, frenet_along, transpose
 from tests.kinds import close, every_kind, numbers, small
 
 ground = Frame("ground")
@@ -25,9 +24,8 @@ def test_example_3_1_exponential_curve_at_constant_speed(kind):
     q, speed = numbers(kind, "0.4", 3)
     P = point_on_exponential_curve(ground, q, speed)
     length = sqrt(exp(2 * q) + cos(q) ** 2 + 4 * q**2)
-    assert close(
-        P.velocity(ground), [speed * x / length for x in (exp(q), cos(q), 2 * q)], small(kind, 0.02)
-    )
+    along = [speed * x / length for x in (exp(q), cos(q), 2 * q)]
+    assert close(P.velocity(ground), along, small(kind, 0.02))
     assert close(P.velocity(ground).dot(P.acceleration(ground)), 0, small(kind, 0.2))
 
 
@@ -61,11 +59,8 @@ def test_example_3_3_cable_at_rest_in_a_horizontal_plane(kind):
     ds = sqrt(1 + q * q)
     assert close(load.components(ground), (-pull[0] / ds, -pull[1] / ds, 0), small(kind, 0.02))
     flexure = frenet_along(path, q, ground).flexure
-    assert close(
-        cable_residuals(tension(q), 3 * q**2 / ds, flexure, load.components()),
-        (0, 0, 0),
-        small(kind, 0.02),
-    )
+    left = cable_residuals(tension(q), 3 * q**2 / ds, flexure, load.components())
+    assert close(left, (0, 0, 0), small(kind, 0.02))
 
 
 def jack_after_one_turn(kind):
@@ -78,19 +73,15 @@ def jack_after_one_turn(kind):
 @every_kind
 def test_example_3_6_screw_jack(kind):
     a, lead, K, t, A = jack_after_one_turn(kind)
-    p = pi(K)
-    assert close(
-        (t, A.coordinates[1].value, A.coordinates[1].rate),
-        (2 * sqrt(p / K), 2 * p, 2 * sqrt(p * K)),
-        small(kind, 0.02),
-    )
+    p, angle, tiny = pi(K), A.coordinates[1], small(kind, 0.02)
+    turned = 2 * sqrt(p / K), 2 * p, 2 * sqrt(p * K)
+    assert close((t, angle.value, angle.rate), turned, tiny)
     v, acc = A.velocity(ground), A.acceleration(ground)
-    assert close(v, (0, 2 * a * sqrt(p * K), lead * sqrt(K / p)), small(kind, 0.02))
-    assert close(v.norm(), sqrt(K / p) * sqrt(4 * p**2 * a**2 + lead**2), small(kind, 0.02))
+    assert close(v, (0, 2 * a * sqrt(p * K), lead * sqrt(K / p)), tiny)
+    assert close(v.norm(), sqrt(K / p) * sqrt(4 * p**2 * a**2 + lead**2), tiny)
     assert close(acc, (-4 * p * a * K, a * K, lead * K / (2 * p)), small(kind, 0.2))
-    assert close(
-        acc.norm(), a * K * sqrt(1 + 16 * p**2 + lead**2 / (4 * p**2 * a**2)), small(kind, 0.2)
-    )
+    size = a * K * sqrt(1 + 16 * p**2 + lead**2 / (4 * p**2 * a**2))
+    assert close(acc.norm(), size, small(kind, 0.2))
 
 
 @every_kind
@@ -100,31 +91,18 @@ def test_example_3_9_1_screw_jack_in_rectangular_components(kind):
     p, angle = pi(K), numbers(kind, "0.7")
     c, s, back = cos(angle), sin(angle), transpose(T_theta(angle))
     v, acc = A.velocity(ground), A.acceleration(ground)
-    assert close(
-        apply(back, v),
-        (-2 * a * sqrt(p * K) * s, 2 * a * sqrt(p * K) * c, lead * sqrt(K / p)),
-        small(kind, 0.02),
-    )
-    assert close(
-        apply(back, acc),
-        (a * K * (-4 * p * c - s), a * K * (-4 * p * s + c), lead * K / (2 * p)),
-        small(kind, 0.2),
-    )
-    assert close(
-        v.components(ground), (0, 2 * a * sqrt(p * K), lead * sqrt(K / p)), small(kind, 0.2)
-    )
-    assert close(
-        acc.components(ground), (-4 * p * a * K, a * K, lead * K / (2 * p)), small(kind, 0.6)
-    )
+    across, up, up_rate = 2 * a * sqrt(p * K), lead * sqrt(K / p), lead * K / (2 * p)
+    assert close(apply(back, v), (-across * s, across * c, up), small(kind, 0.02))
+    turned = a * K * (-4 * p * c - s), a * K * (-4 * p * s + c), up_rate
+    assert close(apply(back, acc), turned, small(kind, 0.2))
+    assert close(v.components(ground), (0, across, up), small(kind, 0.2))
+    assert close(acc.components(ground), (-4 * p * a * K, a * K, up_rate), small(kind, 0.6))
 
 
 @every_kind
 def test_example_3_9_2_a_velocity_in_three_systems(kind):
     nu, theta, phi = numbers(kind, 5, "0.7", "0.4")
     _, cylindrical_, spherical_ = three_systems((nu, 0, 0), theta, phi)
-    assert close(cylindrical_, (nu * cos(theta), -nu * sin(theta), 0), small(kind, 0.02))
-    assert close(
-        spherical_,
-        (nu * cos(theta) * cos(phi), -nu * sin(theta), -nu * cos(theta) * sin(phi)),
-        small(kind, 0.02),
-    )
+    r, theta = nu * cos(theta), -nu * sin(theta)
+    assert close(cylindrical_, (r, theta, 0), small(kind, 0.02))
+    assert close(spherical_, (r * cos(phi), theta, -r * sin(phi)), small(kind, 0.02))

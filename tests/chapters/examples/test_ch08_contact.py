@@ -16,11 +16,8 @@ def test_a_cylinder_on_an_accelerated_slab_rolls_if_the_friction_suffices(kind):
     """Problem 8/8: mu N >= m n g/3 lets it roll, with alpha = 2 n g/(3 r)."""
     m, r, g, n = numbers(kind, 2, "1/2", "9.81", 2)
     s = rolling_contact.rolling(m, r, m * r * r / 2, surface=n * g)
-    assert close(
-        (s.a, s.alpha, s.friction),
-        (n * g / 3, 2 * n * g / (3 * r), m * n * g / 3),
-        small(kind, 100),
-    )
+    known = n * g / 3, 2 * n * g / (3 * r), m * n * g / 3
+    assert close((s.a, s.alpha, s.friction), known, small(kind, 100))
     low, high = numbers(kind, "1/2", "3/4")
     for mu, rolls in ((low, False), (high, True)):
         c = rolling_contact.contact(m, r, m * r * r / 2, m * g, mu, surface=n * g)
@@ -74,10 +71,8 @@ def test_a_body_that_slips_goes_on_slipping():
 
 
 def test_a_contact_says_what_it_cannot_decide():
-    with pytest.raises(
-        rolling_contact.ContactError,
-        match="the surface would have to pull, so the body has left it",
-    ):
+    words = "the surface would have to pull, so the body has left it"
+    with pytest.raises(rolling_contact.ContactError, match=words):
         rolling_contact.contact(2.0, 0.5, 0.25, -1.0, 0.5)
     mu = sympy.Symbol("mu")
     with pytest.raises(rolling_contact.ContactError, match="which regime holds depends on values"):

@@ -1,10 +1,8 @@
 """A sphere from sliding to rolling (8.6)."""
 
-from newton_euler import Frame, moving
-from newton_euler.algebra.linear import solve_linear
-from newton_euler.bodies.solids import sphere
+from newton_euler import Frame, equations_of_motion, moving, solve_linear
+from newton_euler.bodies import sphere
 from newton_euler.chapters.examples import ch08
-from newton_euler.dynamics.momentum import equations_of_motion
 from newton_euler.scenes.planar import sliding_sphere
 from tests.kinds import every_kind, numbers, small
 from tests.tumbling import close

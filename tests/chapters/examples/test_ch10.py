@@ -5,12 +5,7 @@ import math
 import pytest
 
 from newton_euler import Frame
-from newton_euler.applications.gyroscopes import (
-    free_precession,
-    normal_moment,
-    steady_precession,
-    steady_spin,
-)
+from newton_euler.applications import free_precession, normal_moment, steady_precession, steady_spin
 from newton_euler.chapters.examples.ch10 import (
     football,
     platform_drift,
@@ -31,9 +26,9 @@ def test_section_10_8_football_and_space_station():
     assert football(theta, spin).sense == "direct"
     I0, I = station_moments(3.0, 30.0, Frame("station").origin)
     assert pytest.approx((3 * 9 / 12 + 900 / 12, 4.5), rel=1e-15) == (I0, I)
-    assert steady_spin(I0, I, math.radians(40.0), 1.0, mgr=0) == pytest.approx(
-        (I0 - I) / I * math.cos(math.radians(40)), rel=1e-14
-    )
+    tilt = math.radians(40.0)
+    spin = (I0 - I) / I * math.cos(tilt)
+    assert steady_spin(I0, I, tilt, 1.0, mgr=0) == pytest.approx(spin, rel=1e-14)
 
 
 def test_section_10_8_the_wobble_of_the_earth_by_integration():
@@ -48,10 +43,8 @@ def test_section_10_8_the_wobble_of_the_earth_by_integration():
     t = wobble_period(e, 1.0)
     w_x, w_y = model.solution(t, (1.0, 0, 0, 0, 1e-6, 0))[4:]
     spun = wz * t  # from the frame that does not spin into the body
-    in_body = (
-        w_x * math.cos(spun) + w_y * math.sin(spun),
-        w_y * math.cos(spun) - w_x * math.sin(spun),
-    )
+    c, s = math.cos(spun), math.sin(spun)
+    in_body = w_x * c + w_y * s, w_y * c - w_x * s
     assert in_body == pytest.approx((1e-6, 0), abs=1e-16 * spun)
 
 

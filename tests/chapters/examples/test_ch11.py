@@ -5,21 +5,20 @@ import math
 import mpmath as mp
 import pytest
 
-from newton_euler import Frame, cos, particle, radians, sqrt
+from newton_euler import Frame, cos, particle, radians, sqrt, work_along
 from newton_euler.chapters.examples.ch11 import (
     PendulumWithPin,
     attraction_field,
     escape_speed,
     speed_at_distance,
 )
-from newton_euler.dynamics import gravitation
-from newton_euler.dynamics.energy import EnergyError
-from newton_euler.dynamics.potential import (
+from newton_euler.dynamics import (
+    EnergyError,
     conservative_force,
     find_potential,
+    gravitation,
     gravitational_potential,
 )
-from newton_euler.dynamics.work import work_along
 from tests.kinds import close, every_kind, numbers, small
 
 

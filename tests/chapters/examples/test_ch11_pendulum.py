@@ -5,10 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler import Frame, at, cos, moving
-from newton_euler.bodies.body import Body
+from newton_euler import Body, Frame, at, cos, kinetic_energy, moving
 from newton_euler.chapters.examples.ch11 import pendulum_energy, swing_rate
-from newton_euler.dynamics.energy import EnergyError, kinetic_energy, kinetic_energy_about
+from newton_euler.dynamics import EnergyError, kinetic_energy_about
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from tests.explicit import integrated
 from tests.kinds import close, every_kind, numbers, small

@@ -9,12 +9,11 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler import Frame, moving
-from newton_euler.bodies.solids import sphere
+from newton_euler import Frame, kinetic_energy, moving
+from newton_euler.bodies import sphere
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.chapters.examples.ch11 import friction_needed, rolling_energy, rolling_speed
-from newton_euler.dynamics.energy import audit, kinetic_energy, kinetic_energy_about
-from newton_euler.dynamics.work import power
+from newton_euler.dynamics import audit, kinetic_energy_about, power
 from newton_euler.scenes.planar.rolling_sphere import rolling_down
 from tests.explicit import integrated
 from tests.kinds import close, every_kind, numbers, small

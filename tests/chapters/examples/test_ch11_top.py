@@ -4,11 +4,8 @@ import math
 
 import numpy as np
 
-from newton_euler import Frame, moving
-from newton_euler.bodies.body import Body
+from newton_euler import Body, Frame, euler_frame, kinetic_energy, moving
 from newton_euler.chapters.examples.ch11 import top_energy
-from newton_euler.dynamics.energy import kinetic_energy
-from newton_euler.kinematics.rotations import euler_frame
 from newton_euler.scenes.spatial.top import euler
 from tests.explicit import integrated
 from tests.kinds import close, every_kind, numbers, small

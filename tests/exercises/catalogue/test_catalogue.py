@@ -181,7 +181,7 @@ def test_whatever_stands_under_a_key_is_read_or_refused_in_words(write, line, va
 def test_a_file_that_holds_no_problem_is_reported(write, text):
     write("p01.yaml", text)
     assert refused(problem, "77/1").startswith(
-        "ch77/p01.yaml: a problem must be written as key: value, and is "
+        "ch77/p01.yaml: a problem must be written as key: value, not "
     )
 
 

@@ -44,7 +44,7 @@ def test_the_same_student_gets_the_same_numbers_and_another_one_others(p):
     assert numbers_of("emmy", p) != adas_numbers(p)
 
 
-def test_one_drawing_is_as_it_was_when_this_was_written():
+def test_the_numbers_drawn_for_a_student_never_change():
     """Students keep their numbers from version to version, and on every machine."""
     kept = {"omega": 0.9, "b_dot": 0.7, "beta_1": 136.0, "b": 5.2, "L": 24.8}
     assert numbers_of("ada", problem("4/16")) == kept

@@ -26,13 +26,13 @@ def by_search(g):
     return findroot(lambda x: 4 * mp.sin(x) ** 2 - mp.cos(x) ** 2, mpf("0.5"))
 
 
-def test_a_madeout_numbers_is_solved_in_fifty_digits_and_as_a_formula(made):
+def test_an_angle_in_pure_numbers_is_solved_in_fifty_digits_and_as_a_formula(made):
     p = cone(lambda g: atan(sqrt(g.one) / 2), by_search, made)
     assert check(p, seeds=3) == []
     assert p.formulas()["alpha"] == sympy.atan(sympy.Rational(1, 2)) * 180 / sympy.pi
 
 
-def test_a_float_in_a_madeout_numbers_is_caught(made):
+def test_a_float_among_pure_numbers_is_caught(made):
     (fault,) = check(cone(lambda g: atan(0.5), by_search, made))
     assert fault.startswith("alpha: solve in 50 digits and prove differ")
 
@@ -72,12 +72,8 @@ def test_a_proof_that_stops_at_the_digits_of_its_numbers_has_fifty(made):
 
 def nothing(offset, made):
     """A problem whose key is zero up to round-off in ``solve``, and ``offset`` in ``prove``."""
-    return made(
-        lambda g: {"x": g.r * sin(pi(g.r))},
-        lambda g: {"x": mpf(offset)},
-        givens={"r": RADIUS},
-        answers=(LENGTH,),
-    )
+    solve, prove = lambda g: {"x": g.r * sin(pi(g.r))}, lambda g: {"x": mpf(offset)}
+    return made(solve, prove, givens={"r": RADIUS}, answers=(LENGTH,))
 
 
 @pytest.mark.parametrize("proved", ["1e-30", "0"])

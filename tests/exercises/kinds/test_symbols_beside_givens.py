@@ -137,7 +137,7 @@ def test_a_word_in_the_yaml_exempts_it(tmp_path):
     assert p.mistakes == {"half": "takes half of L", "whole": "takes L"}
     assert p.same_in_book == {"half"}
     assert p.figure == ""
-    with pytest.raises(CatalogueError, match="same_in_book must be true or false, and is 'book'"):
+    with pytest.raises(CatalogueError, match="same_in_book must be true or false, not 'book'"):
         read_problem({**ENTRY, "mistakes": {"x": {**exempt, "same_in_book": "book"}}}, path)
     with pytest.raises(CatalogueError, match="the mistake x has the unknown key 'exempt'"):
         read_problem({**ENTRY, "mistakes": {"x": {"text": "", "exempt": True}}}, path)

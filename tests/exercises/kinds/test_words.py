@@ -21,7 +21,7 @@ def test_a_word_may_be_a_function_that_branches(made):
     assert p.wrong(p.book_values)["downward"]["sense"] == "falls"
 
 
-def test_of_an_array_of_instants_each_has_its_word(made):
+def test_each_instant_of_an_array_has_its_word(made):
     p = ball(made)
     found = p.solve({**p.book_values, "t": np.array([0.1, 0.5])})
     assert found["sense"].tolist() == ["rises", "falls"]

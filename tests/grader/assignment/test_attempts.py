@@ -75,7 +75,7 @@ def test_an_earlier_attempt_can_count_again(fresh):
     assert next(r for r in grade(fresh, "ch04") if r.student == "ada").points == 0
 
 
-def test_who_has_not_handed_in_has_nothing_to_try_again(ungraded):
+def test_a_student_who_has_not_handed_in_has_nothing_to_try_again(ungraded):
     with pytest.raises(CourseError, match="ada has not handed in ch04"):
         new_attempt(ungraded, "ch04", "ada")
     with pytest.raises(CourseError, match="zoe is not on the roster"):
@@ -123,8 +123,6 @@ def test_the_answer_for_an_earlier_sheet_is_named_as_that(fresh):
             c["source"] = cells[c["id"]]
     submit(fresh, "dan", own)
     (result,) = grade(fresh, "ch04", ["dan"])
-    output = [p.message for p in result.scores["4/16"].parts]
-    assert output == 3 * [
-        "not right: this is the answer for the numbers of an earlier sheet; yours are others"
-    ]
+    words = "not right: this is the answer for the numbers of an earlier sheet; yours are others"
+    assert {p.message for p in result.scores["4/16"].parts} == {words}
     assert {c.name for p in result.scores["4/31"].parts for c in p.causes} == {"earlier"}

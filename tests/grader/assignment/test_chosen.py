@@ -2,12 +2,11 @@
 
 import pytest
 
-from exercises.catalogue import problem
-from grader.assignment.build import build_assignment
+from exercises import problem
+from grader.assignment import build_assignment
 from grader.assignment.chosen import as_asked, chosen
 from grader.assignment.spec import spec_of
-from grader.course import Course, CourseError
-from grader.course.files import read_json, write_json
+from grader.course import Course, CourseError, read_json, write_json
 
 
 def ids(spec):

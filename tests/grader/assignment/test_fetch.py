@@ -27,7 +27,7 @@ def fetch(course, exchange, student, home, *options):
     return nbgrader("fetch_assignment", "ch04", *given, cwd=home, PYTHONPATH="")
 
 
-def test_fetching_brings_the_own_copy_and_never_overwrites_work(ungraded, tmp_path):
+def test_fetching_brings_the_students_own_copy_and_never_overwrites_work(ungraded, tmp_path):
     exchange = tmp_path / "exchange"
     outbound = exchange / "mechanics/outbound/ch04"
     outbound.mkdir(parents=True)

@@ -84,22 +84,11 @@ def test_equations_that_are_solved_together_are_shown_once_with_their_unknowns()
     assert not found["T"].together
 
 
-def test_a_later_quantity_is_written_by_the_names_of_earlier_ones():
-    p = problem("5/3")
-    shown = [str(f) for f in derivations(p, p.book_values)["d"].formulas]
-    assert shown == ["Q_x/V", "Q_y/V", "Q_z/V"]
-
-
 @pytest.mark.parametrize(("angle", "has_bars"), [(30.0, False), (-30.0, True)])
 def test_bars_stand_only_where_they_change_the_number(angle, has_bars):
     p = problem("3/11")
     formula = derivations(p, {**p.book_values, "angle": angle})["a_n"].formulas[0]
     assert formula.has(sympy.Abs) == has_bars
-
-
-def test_bars_around_what_is_negative_for_everyone_turn_its_sign():
-    p = problem("2/9")
-    assert str(derivations(p, p.book_values)["a_n"].formulas[0]) == "g*(1 - n)"
 
 
 def shown(name, key):
@@ -108,6 +97,8 @@ def shown(name, key):
 
 
 @pytest.mark.parametrize(("name", "key", "formulas"), [
+    ("5/3", "d", ["Q_x/V", "Q_y/V", "Q_z/V"]),  # by the names of earlier quantities
+    ("2/9", "a_n", ["g*(1 - n)"]),  # bars around what is negative for everyone turn its sign
     ("A/16", "z", ["-known_PQ/p_3"]),  # one equation with one unknown is solved
     ("6/17", "rho_C", ["v_C**2/g"]),  # also where the unknown is no quantity of the problem
     ("2/32", "a_rel", ["-a_A_x + a_B_x - a_centripetal_x - a_coriolis_x",
@@ -140,7 +131,7 @@ def test_a_formula_is_written_as_a_teacher_does(name, key, formulas):
     assert shown(name, key) == formulas
 
 
-def test_of_bodies_that_are_partly_equal_each_has_its_own_names():
+def test_bodies_that_are_partly_equal_have_names_of_their_own():
     assert shown("7/9", "I_O")[0] == "I_base_xx - I_hole_xx + I_wall_xx"
     assert shown("7/11", "I_BC")[0] == "I_G_BC_xx + a**2*m + d_BC_z**2*m"  # x and y of d are a
     assert shown("7/11", "I_AB")[8] == "I_G_AB_zz + d_AB_x**2*m + d_AB_y**2*m"  # not 5*a**2*m/4

@@ -71,12 +71,11 @@ def test_a_change_of_the_instructor_stays(change, kept, conflicts):
     assert (found.kept, found.conflicts) == (kept, conflicts)
     was = dict(zip(texts(OLD), texts(NEW), strict=True))
     assert texts(found.notebook) == [was.get(text, text) for text in texts(theirs)]
+    points = lambda marks: marks.get("nbgrader", {}).get("points")
     for cell, before in zip(found.notebook["cells"], theirs["cells"], strict=True):
-        marks = {k: x for k, x in before["metadata"].items() if k != "nbgrader"}
-        assert marks.items() <= cell["metadata"].items()
-        assert cell["metadata"].get("nbgrader", {}).get("points") == before["metadata"].get(
-            "nbgrader", {}
-        ).get("points")
+        now, then = cell["metadata"], before["metadata"]
+        assert {k: x for k, x in then.items() if k != "nbgrader"}.items() <= now.items()
+        assert points(now) == points(then)
 
 
 def test_a_picture_comes_in_beside_a_text_of_the_instructor():
@@ -118,19 +117,16 @@ def test_a_build_adds_to_a_course_and_loses_nothing(tmp_path):
     assert code == 2
     assert "has no assignment ch05; it has ch04" in " ".join(out.split())
 
-    out = " ".join(ran(command("build", "ch04", "--course", place, "--update")).split())
+    update = lambda *given: ran(command("build", "ch04", "--course", place, "--update", *given))
+    out = " ".join(update().split())
     assert texts(load_json(path.read_bytes())) == texts(notebook)
     assert "Kept as you changed it: " in out
-    ran(
-        command(
-            "build", "ch04", "--course", place, "--update", "--problem", "4/1", "--problem", "4/2"
-        )
-    )
+    update("--problem", "4/1", "--problem", "4/2")
     now = texts(load_json(path.read_bytes()))
     assert now[: len(notebook["cells"])] == texts(notebook)
     assert any("## 4/2" in text for text in now)
     assert mine in [p.read_bytes() for p in (place / "backup").iterdir()]
 
     (place / "built/ch04.ipynb").unlink()  # a course of an earlier version has none
-    ran(command("build", "ch04", "--course", place, "--update", "--problem", "4/1"))
+    update("--problem", "4/1")
     assert "My own words." in texts(load_json(path.read_bytes()))

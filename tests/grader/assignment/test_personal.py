@@ -21,20 +21,13 @@ STUDENTS = ("ada", "ben", "cleo", "dan", "eve", "mallory")
 @pytest.mark.parametrize("student", STUDENTS)
 def test_what_a_student_fetches_holds_no_key_and_nobody_elses_numbers(course, student):
     assert secrets_in(course.personal_path("ch04", student).read_text(), course, student) == []
-    own = {c["source"] for c in read(course.personal_path("ch04", student))["cells"]}
-    for other in STUDENTS:
-        others = {
-            c["source"]
-            for c in read(course.personal_path("ch04", other))["cells"]
-            if c["metadata"]["newton_euler"].get("role") == "givens"
-        }
-        symbolic = {
-            nb.givens(p, {})
-            for p in problems_of(released_sheet(course))
-            if p.symbolic and not p.givens
-        }
-        assert other == student or not own & others - symbolic
-    assert not any(c.get("outputs") for c in read(course.personal_path("ch04", student))["cells"])
+    cells_of = lambda name: read(course.personal_path("ch04", name))["cells"]
+    givens = lambda cell: cell["metadata"]["newton_euler"].get("role") == "givens"
+    others = {c["source"] for s in STUDENTS if s != student for c in cells_of(s) if givens(c)}
+    sheet = problems_of(released_sheet(course))
+    symbolic = {nb.givens(p, {}) for p in sheet if p.symbolic and not p.givens}
+    assert {c["source"] for c in cells_of(student)} & others <= symbolic
+    assert not any(c.get("outputs") for c in cells_of(student))
 
 
 def test_the_released_notebook_and_the_source_hold_no_key(course):

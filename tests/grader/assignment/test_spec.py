@@ -47,11 +47,8 @@ def test_a_range_that_is_none_is_refused(text):
 
 def test_a_file_is_the_assignment_and_is_written_as_it_was_read(tmp_path):
     spec = read_spec(written(tmp_path, FILE))
-    assert (spec.name, spec.title, spec.due) == (
-        "hw3",
-        "Homework 3",
-        "2027-01-31 23:59 Europe/Berlin",
-    )
+    said = spec.name, spec.title, spec.due
+    assert said == ("hw3", "Homework 3", "2027-01-31 23:59 Europe/Berlin")
     assert numbers(spec) == ["4/3", "7/5", "11/1", "11/2"]
     assert [dict(i.options) for i in spec.items[:3]] == [
         {"points": 10, "weights": {"a": 2}, "follow_through": 0.5}, {}, {"points": 4},
@@ -63,7 +60,7 @@ def test_a_file_is_the_assignment_and_is_written_as_it_was_read(tmp_path):
     ("text", "words"),
     [
         ("- 4/3", "expected title, due and a list of problems"),
-        ("problems: [4/3, 4/3]", "4/3 is there twice"),
+        ("problems: [4/3, 4/3]", "4/3 occurs twice"),
         ("problems: [4/3]\npoints: 3", "'points' is not one of"),
         (
             "problems: [{4/3: {point: 3}}]",

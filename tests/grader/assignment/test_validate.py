@@ -94,7 +94,7 @@ SHEETS = {
     "untouched": (sheet([UNTOUCHED] * 3), ["Nothing is answered yet (3 open); what stays open cos"]),
     "some": (
         SOME,
-        ["Of 8: 1 answered, 2 open, 5 to mend", "0/0: v_D = [1, 2, 0.6] mm/s; a_D = [1, 2, 3]",
+        ["Of 8: 1 answered, 2 open, 5 to correct", "0/0: v_D = [1, 2, 0.6] mm/s; a_D = [1, 2, 3]",
          "0/1: no answer yet for v_D, a_D", "0/2: your cell ends in an error, ZeroDivisionError",
          "0/3: v_D: expected a vector", "0/4: no answer yet for a_D",
          "0/5: your cell ends in an error, SyntaxError",

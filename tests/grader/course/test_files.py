@@ -6,16 +6,8 @@ import stat
 
 import pytest
 
-from grader.course import files
-from grader.course.files import (
-    NotTaken,
-    copy_regular,
-    load_json,
-    read_json,
-    read_regular,
-    write_notebook,
-    write_text,
-)
+from grader.course import files, load_json, read_json, write_notebook
+from grader.course.files import NotTaken, copy_regular, read_regular, write_text
 
 LIMITS = (1000, 10_000)
 
@@ -40,12 +32,9 @@ def submission(tmp_path):
 
 def test_only_regular_files_of_the_submission_itself_are_copied(submission, tmp_path):
     left_out = copy_regular(submission, tmp_path / "copy", *LIMITS)
-    copied = {
-        str(p.relative_to(tmp_path / "copy")): stat.S_IMODE(p.stat().st_mode)
-        for p in (tmp_path / "copy").rglob("*")
-        if p.is_file()
-    }
-    assert copied == {"ch04.ipynb": 0o600, "data/table.csv": 0o600}
+    copied = [p for p in (tmp_path / "copy").rglob("*") if p.is_file()]
+    assert {p.name for p in copied} == {"ch04.ipynb", "table.csv"}
+    assert {stat.S_IMODE(p.stat().st_mode) for p in copied} == {0o600}
     assert set(left_out) == {"link.txt", "folder", "pipe", "zero", "large"}
     assert "a link" in left_out["link.txt"]
     assert left_out["pipe"] == "it is not a regular file"
@@ -78,7 +67,7 @@ def test_a_hard_link_to_a_file_of_somebody_else_is_not_read(tmp_path):
     os.chown(tmp_path / "neighbours", 4711, 4711)
     os.link(tmp_path / "neighbours", own / "ch04.ipynb")
     left_out = copy_regular(own, tmp_path / "copy", *LIMITS)
-    assert left_out == {"ch04.ipynb": "it belongs to somebody else than its folder"}
+    assert left_out == {"ch04.ipynb": "its owner is not that of its folder"}
 
 
 def test_a_folder_a_missing_file_and_a_device_are_not_read(tmp_path):

@@ -99,22 +99,22 @@ def test_a_student_whose_name_is_a_common_word_is_found_where_a_platform_names_w
 
 
 @pytest.mark.parametrize("name", ["ch04.ipynb", "week 3/ch04.ipynb", "submissions/ch04/work.ipynb"])
-def test_what_is_called_as_the_assignment_is_not_of_a_student_whose_id_that_is(name):
+def test_a_file_named_after_the_assignment_is_not_given_to_a_student_with_that_id(name):
     assert owned([name], "ch04") == [""]
     assert owned([name.replace("ch04", "eve")], "ch04") == ["eve"]
 
 
-def test_a_number_behind_an_id_may_be_of_the_id():
+def test_a_number_after_an_id_may_belong_to_the_id():
     assert owned(["ada-2.ipynb", "ada (2).ipynb", "eve 2.ipynb"], "ada2") == ["", "ada", "eve"]
     assert owned(["s 7654321.ipynb", "s_7654321/ch04.ipynb"], "s7654321") == ["s7654321"] * 2
 
 
-def test_a_name_that_joined_is_a_common_word_is_nobodys_in_a_file():
+def test_a_name_that_is_a_common_word_when_joined_claims_no_file():
     student = Person.read(Student(id="nb1", first_name="Note", last_name="Book"))
     assert owners(["my notebook.ipynb"], "ch04", {"nb1": student}) == {"my notebook.ipynb": []}
 
 
-def test_a_title_in_all_names_and_a_folder_around_all_are_nobodys():
+def test_a_title_in_all_names_and_a_folder_around_all_belong_to_nobody():
     assert owned(["Mechanics II/eve.ipynb", "Mechanics II/ben.ipynb"]) == ["eve", "ben"]
     assert owned(["Mechanics eve.ipynb", "Mechanics ben.ipynb"]) == ["eve", "ben"]
     notebooks = [f"{s}_notebook.ipynb" for s in ("ada", "eve", "ben")]

@@ -73,7 +73,7 @@ def test_how_a_roster_was_read_is_reported(tmp_path):
         read_roster(path, "Login")
 
 
-def test_an_address_is_the_id_only_where_there_is_nothing_else(tmp_path):
+def test_an_address_is_the_id_only_if_there_is_no_other(tmp_path):
     path = tmp_path / "roster.csv"
     path.write_text("Name,Email\nAda Lovelace,ada@uni.edu\n")
     assert read_roster(path).students == [
@@ -86,7 +86,7 @@ WRONG = {
     "empty": ("", "got no rows"),
     "only a header": ("id,first_name\n", r"got no rows below the header \['id', 'first_name'\]"),
     "a blank id": ("id,first_name\nada,Ada\n,Ben\n", "line 3: no id in the column 'id'"),
-    "twice": ("id\nada\nada\n", "line 3: the id 'ada' is there twice"),
+    "twice": ("id\nada\nada\n", "line 3: the id 'ada' occurs twice"),
     "case only": ("id\nada\nben\nAda\n", "line 4: the id 'Ada' differs from 'ada' in line 2 by"),
     "a slash": ("id\na/b\n", r"line 2: 'a/b' cannot be a student id: folders are named by it"),
     "a plus": ("id\na+b\n", r"nbgrader splits names at '\+'"),

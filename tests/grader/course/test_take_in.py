@@ -70,6 +70,7 @@ REFUSED = {
     "C:/ada.ipynb": "leads out of the archive",
     "ada/solution.py": "not a notebook",
     "__MACOSX/ada/._ch04.ipynb": "not a notebook",
+    "ada/.ipynb_checkpoints/ch04-checkpoint.ipynb": "not a notebook",
     "nobody/ch04.ipynb": "fits nobody on the roster",
     "ada/ben/ch04.ipynb": "fits several students: ada, ben",
     "adaptive/ch04.ipynb": "fits nobody on the roster",
@@ -77,11 +78,10 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("name", REFUSED)
-def test_what_leads_elsewhere_or_fits_nobody_is_left_out_and_said(named, tmp_path, name):
+def test_names_that_lead_elsewhere_or_fit_nobody_are_left_out_and_reported(named, tmp_path, name):
     before = sorted(p for p in tmp_path.rglob("*") if p.suffix != ".zip")
-    code, out = command(
-        "take-in", "ch04", archive(tmp_path / "w.zip", {name: "{}"}), "--course", named.path
-    )
+    path = archive(tmp_path / "w.zip", {name: "{}"})
+    code, out = command("take-in", "ch04", path, "--course", named.path)
     assert code == 1
     assert REFUSED[name] in " ".join(out.split())
     after = sorted(p for p in tmp_path.rglob("*") if p.suffix != ".zip")

@@ -42,16 +42,8 @@ def dask_process(*arguments, **more):
 class Cluster:
     def __init__(self, folder):
         self.file, self.workers = folder / "scheduler.json", []
-        self.scheduler = dask_process(
-            "scheduler",
-            "--host",
-            "127.0.0.1",
-            "--port",
-            0,
-            "--scheduler-file",
-            self.file,
-            **PLAIN,
-        )
+        place = "--host", "127.0.0.1", "--port", 0, "--scheduler-file", self.file
+        self.scheduler = dask_process("scheduler", *place, **PLAIN)
         self.wait(self.file.exists)
         self.address = self.client(lambda c: c.scheduler.address)
 

@@ -3,17 +3,13 @@ penalties for late submissions.
 """
 
 from grader.grading import grade
-from tests.grader.courses import points, submit, total
+from tests.grader.courses import give, points, submit, total
 from tests.grader.submissions import work
 
 
 def test_what_a_human_grader_gave_and_wrote_survives_grading_again(fresh):
     grade(fresh, "ch04", ["ben"])
-    with fresh.gradebook() as book:
-        given = book.find_grade("answer-4-16", "ch04", "ch04", "ben")
-        given.manual_score, given.needs_manual_grade = 2.5, False
-        book.find_comment("answer-4-16", "ch04", "ch04", "ben").manual_comment = "a good attempt"
-        book.db.commit()
+    give(fresh, "ben", "answer-4-16", 2.5, None, "a good attempt")
     submit(fresh, "ben", work(fresh, "ben", p4_1="speed = 1.0\nacc_mag = 2.0"))
     (result,) = grade(fresh, "ch04", ["ben"])
     assert not result.unchanged

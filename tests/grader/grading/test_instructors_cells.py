@@ -6,7 +6,7 @@ import nbformat
 import pytest
 
 from grader.grading import grade
-from tests.grader.courses import forget, gradebook_rows, nbgrader, points, ran, read, submit
+from tests.grader.courses import forget, give, gradebook_rows, nbgrader, points, ran, read, submit
 from tests.grader.instructors_cells import OWN, with_texts
 from tests.grader.submissions import bare, without, work
 
@@ -63,9 +63,8 @@ def test_a_students_text_is_kept_for_the_person_who_grades_it(mixed):
     texts = {"essay": "Because I <b>say</b> so.\n\n$x^2$", "sketch": "plot(1)"}
     submit(mixed, "dan", with_texts(work(mixed, "dan"), **texts))
     grade(mixed, "ch04", ["dan"])
-    kept = {
-        c["id"]: c["source"] for c in read(mixed.path / "autograded/dan/ch04/ch04.ipynb")["cells"]
-    }
+    cells = read(mixed.path / "autograded/dan/ch04/ch04.ipynb")["cells"]
+    kept = {c["id"]: c["source"] for c in cells}
     assert {n: kept[n] for n in texts} == texts
     assert "hidden words" in kept["test_square"]  # for who grades
     assert "2 for a photo" in kept["at_home"]
@@ -74,10 +73,7 @@ def test_a_students_text_is_kept_for_the_person_who_grades_it(mixed):
 def test_feedback_holds_comments_and_no_hidden_test_or_mark_scheme(mixed):
     submit(mixed, "dan", with_texts(work(mixed, "dan"), essay="Because."))
     grade(mixed, "ch04", ["dan"])
-    with mixed.gradebook() as book:
-        book.find_grade("essay", "ch04", "ch04", "dan").manual_score = 2.5
-        book.find_comment("essay", "ch04", "ch04", "dan").manual_comment = "More words, please."
-        book.db.commit()
+    give(mixed, "dan", "essay", 2.5, None, "More words, please.")
     ran(nbgrader("generate_feedback", "ch04", cwd=mixed.path))
     page = (mixed.path / "feedback/dan/ch04/ch04.html").read_text()
     assert "More words, please." in page
@@ -90,12 +86,8 @@ def test_feedback_holds_comments_and_no_hidden_test_or_mark_scheme(mixed):
 def test_points_given_by_hand_and_extra_credit_stay_and_count(mixed):
     submit(mixed, "dan", with_texts(work(mixed, "dan"), essay="Because."))
     grade(mixed, "ch04", ["dan"])
-    with mixed.gradebook() as book:
-        essay = book.find_grade("essay", "ch04", "ch04", "dan")
-        essay.manual_score, essay.extra_credit, essay.needs_manual_grade = 2.0, 0.75, False
-        book.find_grade("at_home", "ch04", "ch04", "dan").manual_score = 4.0
-        book.find_grade("at_home", "ch04", "ch04", "dan").needs_manual_grade = False
-        book.db.commit()
+    give(mixed, "dan", "essay", 2.0, 0.75, None)
+    give(mixed, "dan", "at_home", 4.0, None, None)
     (result,) = grade(mixed, "ch04", ["dan"])
     assert (result.points, result.extra, result.waiting) == (11 + 2 + 4 + 0.75, 0.75, 0)
     # other work: the person who gave points is asked to look again

@@ -19,9 +19,8 @@ def answer_cell(cells):
 
 
 def other_weights(course, _):
-    change_source(
-        course, lambda cells: answer_cell(cells)["newton_euler"].update(weights={"v_D": 5})
-    )
+    weights = {"v_D": 5}
+    change_source(course, lambda cells: answer_cell(cells)["newton_euler"].update(weights=weights))
 
 
 def other_points(course, _):
@@ -88,9 +87,8 @@ def test_only_the_changed_problem_is_scored_again(fresh, monkeypatch):
 
     grade(fresh, "ch04", STUDENTS)
     scored, original = [], pipeline.score_receipt
-    monkeypatch.setattr(
-        pipeline, "score_receipt", lambda p, *rest: scored.append(p.id) or original(p, *rest)
-    )
+    noted = lambda p, *rest: scored.append(p.id) or original(p, *rest)
+    monkeypatch.setattr(pipeline, "score_receipt", noted)
     other_range(fresh, monkeypatch)
     grade(fresh, "ch04", STUDENTS)
     assert set(scored) == {"4/16"}

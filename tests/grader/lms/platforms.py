@@ -55,14 +55,9 @@ def _cloze(q):
     ):
         alternatives = []
         for one in re.split(r"(?<!\\)~", inside):
-            fraction, answer, output = re.fullmatch(
-                r"(=|%-?\d+%)?((?:&#|[^#])+)#?(.*)", one, re.S
-            ).groups()
-            share = (
-                {"=": 1.0, None: 0.0}.get(fraction)
-                if fraction in ("=", None)
-                else float(fraction.strip("%")) / 100
-            )
+            parts = re.fullmatch(r"(=|%-?\d+%)?((?:&#|[^#])+)#?(.*)", one, re.S)
+            fraction, answer, output = parts.groups()
+            share = float({"=": "100", None: "0"}.get(fraction, fraction).strip("%")) / 100
             output = html.unescape(html.unescape(output))
             if kind == "NUMERICAL":
                 x, off = re.fullmatch(rf"({NUMBER}):({NUMBER})", answer).groups()
@@ -103,13 +98,8 @@ def qti(content):
 
 def _qti_item(item):
     # the order that the schema wants
-    order = [
-        "responseDeclaration",
-        "outcomeDeclaration",
-        "itemBody",
-        "responseProcessing",
-        "modalFeedback",
-    ]
+    order = ["responseDeclaration", "outcomeDeclaration", "itemBody"]
+    order += ["responseProcessing", "modalFeedback"]
     places = [order.index(child.tag.removeprefix(Q)) for child in item]
     assert places == sorted(places)
     kinds = {
@@ -219,9 +209,7 @@ def _canvas_item(item):
 
         def judge(response):
             ((x,),) = response
-            right = any(
-                low - 1e-9 * abs(low) <= x <= high + 1e-9 * abs(high) for low, high in margins
-            )
+            right = any(a - 1e-9 * abs(a) <= x <= b + 1e-9 * abs(b) for a, b in margins)
             return points, float(right), [] if right else [output.get("general_incorrect_fb", "")]
 
         return judge

@@ -44,9 +44,8 @@ def as_read(a, x):
 
 
 def asked_of(p):
-    return [
-        a for a in p.answers if a.kind.is_word or len(a.kind.sealed((1.0,) * a.kind.length)) == 1
-    ]
+    one_number = lambda kind: len(kind.sealed((1.0,) * kind.length)) == 1
+    return [a for a in p.answers if a.kind.is_word or one_number(a.kind)]
 
 
 def check(numbers, form, tmp_path, count=2):
@@ -130,9 +129,8 @@ def test_margins_are_where_an_answer_stops_being_right():
 
 
 def test_what_is_left_out_is_reported(tmp_path):
-    made = write_bank(
-        tmp_path / "b", spec_of("hw", ["A/19", "5/26", "7/1"]), "qti", 3, SEED, workers=1
-    )
+    sheet = spec_of("hw", ["A/19", "5/26", "7/1"])
+    made = write_bank(tmp_path / "b", sheet, "qti", 3, SEED, workers=1)
     output = "\n".join(made.notes)
     assert "A/19 n left out: a direction" in output
     assert "5/26 has 1 of 3 variants" in output
@@ -149,16 +147,14 @@ def test_a_mistake_is_not_listed_where_it_leaves_a_component_right():
 
 def test_no_answer_is_near_one_that_a_course_grades(tmp_path):
     p, sets = numbers_of("4/16", 3)
-    graded = {"4/16": sets}
-    found, _ = variants_of(("4/16", "", {}, graded["4/16"]), 3, SEED)
+    found, _ = variants_of(("4/16", "", {}, sets), 3, SEED)
     keys = [tuple(flat(p.solve(v)["v_D"])) for v in sets]
     practised = [part.key for q in found for part in q.parts if part.asked.key == "v_D"]
     assert len(practised) == 3
     assert not set(practised) & set(keys)
     assert variants_of(("5/26", "", {}, [{}]), 2, SEED)[0] == []  # the same for everybody: graded
-    with pytest.raises(
-        CourseError, match=r"no question is left: .*would give away a graded answer"
-    ):
+    words = r"no question is left: .*would give away a graded answer"
+    with pytest.raises(CourseError, match=words):
         write_bank(tmp_path / "b", spec_of("hw", ["5/26"]), "moodle", 2, SEED, {"5/26": [{}]}, 1)
 
 
@@ -199,13 +195,10 @@ def test_tolerance_points_and_weights_are_those_of_the_sheet(form, tmp_path):
 def test_a_bank_of_an_exam_or_of_a_sheet_without_help_has_no_diagnoses(form, tmp_path):
     p, (values,) = numbers_of("4/16", 1)
     item = Item(p)
-    silent = Item(p, options={"help": "none"})
+    silent, exam = Item(p, options={"help": "none"}), Spec("hw", "", (item,), late="refuse")
     text = " ".join(plain(next(iter(p.mistakes.values())), p.units).split())
-    for sheet, says in (
-        (Spec("hw", "", (item,)), True),
-        (Spec("hw", "", (silent,)), False),
-        (Spec("hw", "", (item,), late="refuse"), False),
-    ):
+    silences = [(Spec("hw", "", (silent,)), False), (exam, False)]
+    for sheet, says in ((Spec("hw", "", (item,)), True), *silences):
         made = write_bank(tmp_path / "b", sheet, form, 1, SEED, workers=1)
         (judge,) = PLATFORMS[form]((tmp_path / "b").read_bytes()).values()
         right = {a.key: as_read(a, p.solve(values)[a.key]) for a in p.answers}

@@ -32,7 +32,7 @@ def submitted(inbound, student, time="2026-11-20 10:00:00.000000 UTC", **files):
     return folder
 
 
-def test_links_pipes_and_devices_are_left_out_and_said(ungraded, inbound):
+def test_links_pipes_and_devices_are_left_out_and_reported(ungraded, inbound):
     hostile = submitted(inbound, "dan", notes__txt="mine")
     (hostile / "ch04.ipynb").symlink_to(ungraded.path / "personal/ch04/ada/ch04.ipynb")
     (hostile / "secret.html").symlink_to(ungraded.path / ".course_secret")

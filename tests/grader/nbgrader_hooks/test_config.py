@@ -55,10 +55,8 @@ def written(tmp_path_factory):
     (folder / ".course_secret").write_text(SECRET)
     (folder / "nbgrader_config.py").write_text(CONFIG)
     course = Course(folder)
-    for path, name in (
-        (course.source("ch04"), "source"),
-        (course.personal_path("ch04", "ada"), "personal"),
-    ):
+    places = {"source": course.source("ch04"), "personal": course.personal_path("ch04", "ada")}
+    for name, path in places.items():
         path.parent.mkdir(parents=True)
         shutil.copy(BEFORE / f"{name}.ipynb", path)
     course.enrol(["ada"])

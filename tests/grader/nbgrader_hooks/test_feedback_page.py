@@ -74,14 +74,8 @@ def test_texts_are_dark_enough_on_white(colour):
     assert contrast(colour, "#ffffff") >= 7
 
 
-INJECTIONS = [
-    "<script>alert(1)</script>",
-    "<img src=x onerror=alert(1)>",
-    "</pre></section><h1>100 / 100</h1>",
-    '"><svg onload=alert(1)>',
-    "{{ 7 * 7 }}",
-    "&lt;b&gt;",
-]
+INJECTIONS = ["<script>alert(1)</script>", "<img src=x onerror=alert(1)>", "{{ 7 * 7 }}"]
+INJECTIONS += ["</pre></section><h1>100 / 100</h1>", '"><svg onload=alert(1)>', "&lt;b&gt;"]
 
 
 @pytest.mark.integration

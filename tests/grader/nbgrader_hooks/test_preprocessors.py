@@ -105,12 +105,8 @@ def test_the_feedback_page_holds_no_key_that_the_student_did_not_write(course, s
     written = "".join(
         c["source"] for c in read(course.path / "submitted" / student / "ch04/ch04.ipynb")["cells"]
     )
-    secret = {
-        n
-        for n in keys(course, student)
-        if n not in written
-        and n not in re.sub(r"\d+\.\d{8,}", lambda m: f"{float(m[0]):.6g}", written)
-    }
+    rounded = re.sub(r"\d+\.\d{8,}", lambda m: f"{float(m[0]):.6g}", written)
+    secret = {n for n in keys(course, student) if n not in written and n not in rounded}
     plain_page = re.sub(r"[A-Za-z0-9+/=]{200,}", "", page)
     assert not [n for n in secret if n in plain_page]
     for words in ("def solve", "prove(", course.secret.hex(), "<script", "http://", "https://"):

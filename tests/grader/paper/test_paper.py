@@ -15,7 +15,7 @@ from exercises.catalogue.variants import draw
 from grader.assignment.spec import spec_of
 from grader.paper import PaperError, markup, write, write_papers
 from grader.paper.markup import formula, typst
-from grader.paper.sheet import Entry, Student, key, overview, sheet, variant_code
+from grader.paper.sheet import PaperItem, Student, key, overview, sheet, variant_code
 from grader.paper.write import NEEDED, pdf
 from tests.grader.courses import command, ran
 from tests.grader.instructors_cells import OWN, cell
@@ -30,7 +30,7 @@ def of(*numbers, seed="ada"):
     """(entries, student) of a sheet of these problems."""
     values = {n: draw(problem(n), f"{seed} {n}".encode()) for n in numbers}
     student = Student("ada", "Ada *#$_\\", "ABCD-1234", values)
-    return [Entry(n, "", 2) for n in numbers], student
+    return [PaperItem(n, "", 2) for n in numbers], student
 
 
 def raw(files):
@@ -70,7 +70,7 @@ def test_in_a_key_matrices_fit_the_line_and_a_heading_stands_with_its_answers():
 
 def test_a_sheet_has_the_students_numbers_and_nothing_of_the_key():
     entries, student = of("4/16")
-    (shown,) = (sheet("Homework", entries, student)["main.typ"].decode(),)
+    shown = sheet("Homework", entries, student)["main.typ"].decode()
     answers = key("Homework", entries, student)["main.typ"].decode()
     numbers = student.values["4/16"]
     assert all(f"{x:g}" in shown for x in numbers.values())
@@ -92,7 +92,7 @@ def test_figures_are_vectors_of_the_students_own_numbers():
 def test_a_changed_text_has_the_students_numbers():
     _, student = of("4/16")
     text = "## Mine\n\nOurs turns at $\\omega = 0.6$ always."
-    shown = sheet("Homework", [Entry("4/16", text, 2)], student)["main.typ"].decode()
+    shown = sheet("Homework", [PaperItem("4/16", text, 2)], student)["main.typ"].decode()
     assert f"$omega = {student.values['4/16']['omega']:g}$" in shown
 
 
@@ -105,7 +105,7 @@ def test_what_is_the_same_for_everybody_stands_once_in_the_overview():
 
 def test_what_a_user_types_is_shown_and_never_run():
     evil = 'A #read("/etc/passwd") $x_1$ \\ // */ ] "quoted" `code` <a> @b = \x00'
-    entries = [Entry(text=evil), *of("4/3")[0]]
+    entries = [PaperItem(text=evil), *of("4/3")[0]]
     student = replace(of("4/3")[1], name=evil, login="a.b")
     files = sheet(evil, entries, student)
     assert pdf(files).startswith(b"%PDF")
@@ -118,7 +118,7 @@ def test_a_formula_that_cannot_be_set_is_named():
     with pytest.raises(PaperError, match=r"\\frac\{1\$ is no formula of LaTeX \(Unmatched"):
         typst(r"so $x = \frac{1$")
     with pytest.raises(PaperError, match=r"cannot be set: it has no command \\foo"):
-        pdf(sheet("Homework", [Entry(text=r"so $\foo x$")], student))
+        pdf(sheet("Homework", [PaperItem(text=r"so $\foo x$")], student))
 
 
 def test_markdown_of_an_instructor_is_typeset():
@@ -157,16 +157,13 @@ def test_a_class_without_a_course_has_a_secret_of_its_own(tmp_path):
 
 def test_without_typst_it_says_what_to_install(monkeypatch):
     monkeypatch.setattr(write, "NEEDED", ("typst", "no_such_wheel"))
-    with pytest.raises(
-        PaperError, match=r"no_such_wheel, not installed here: pip install -e '\.\[paper\]'"
-    ):
+    words = r"no_such_wheel, not installed here: pip install -e '\.\[paper\]'"
+    with pytest.raises(PaperError, match=words):
         write.require_typst()
 
 
 def test_a_code_is_of_the_numbers_and_the_secret():
-    codes = {
-        variant_code(s, v) for s in (b"1", b"2") for v in ({"4/3": {"a": 1}}, {"4/3": {"a": 2}})
-    }
+    codes = {variant_code(s, {"4/3": {"a": x}}) for s in (b"1", b"2") for x in (1, 2)}
     assert len(codes) == 4
     assert all(re.fullmatch(r"[A-Z2-7]{4}-[A-Z2-7]{4}", c) for c in codes)
 
@@ -176,11 +173,8 @@ def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path)
     roster, course = tmp_path / "roster.csv", tmp_path / "mechanics"
     with roster.open("w", newline="") as f:
         csv.writer(f).writerows([["login", "first name", "last name"], ["ada", "Ada", "Lovelace"]])
-    ran(
-        command(
-            "build", "hw3", "4/3", "--points", "4/3=7", "--course", course, "--students", roster
-        )
-    )
+    where = "--course", course, "--students", roster
+    ran(command("build", "hw3", "4/3", "--points", "4/3=7", *where))
     from grader.assignment.chosen import chosen
     from grader.course import Course
     from grader.course.files import read_json, write_json
@@ -188,9 +182,8 @@ def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path)
 
     path = Course(course).source("hw3")
     notebook = read_json(path)
-    text = next(
-        c for c in notebook["cells"] if c["metadata"]["newton_euler"]["role"] == "statement"
-    )
+    role = lambda c: c["metadata"]["newton_euler"]["role"]
+    text = next(c for c in notebook["cells"] if role(c) == "statement")
     text["source"] = text["source"].replace("The base of a robot", "The base of Marvin")
     rubric = cell("markdown", "Is $a$ constant?\n### BEGIN SOLUTION\nNever.\n### END SOLUTION",
                   "rubric", grade=True, solution=True, points=4)  # fmt: skip
@@ -205,9 +198,8 @@ def test_the_paper_of_a_course_has_the_numbers_and_texts_of_its_sheets(tmp_path)
     assert [e.points for e in entries] == [7, 3, 2, 5, 4, 0]
     kept = Course(course).values("hw3", "ada", [items[0].problem])
     student = Student("ada", "Ada", "X", kept)
-    front, solved = (
-        made("Homework", entries, student)["main.typ"].decode() for made in (sheet, key)
-    )
+    papers = (made("Homework", entries, student) for made in (sheet, key))
+    front, solved = (files["main.typ"].decode() for files in papers)
     assert "Marvin" in front
     assert all(f"{x:g}" in front for x in kept["4/3"].values())
     for asked, graded_by in (("Measure it", "2 for a photo"), ("constant?", "Never"),

@@ -101,9 +101,7 @@ def test_a_damaged_archive_is_refused(whole, tmp_path):
     raw, rng, refused = path.read_bytes(), random.Random(2), 0
     for _ in range(60):
         n = rng.randrange(len(raw))
-        path.write_bytes(
-            raw[:n] if rng.random() < 0.3 else raw[:n] + b"\xff\x00\xee" + raw[n + 3 :]
-        )
+        path.write_bytes(raw[:n] + (rng.random() >= 0.3) * (b"\xff\x00\xee" + raw[n + 3 :]))
         try:
             everything(path)
         except PracticeFileError as error:

@@ -69,7 +69,7 @@ def test_a_wrong_answer_is_named_by_keyboard(page):
     page.go_to("v_D")
     page.press("[1, 2")
     page.push("Check")
-    page.says(1, "'[1, 2' is no number, and no list")
+    page.says(1, "'[1, 2' is neither a number nor a list")
     page.shoot("unreadable")
 
 

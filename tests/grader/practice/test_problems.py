@@ -8,11 +8,8 @@ import pytest
 from exercises.catalogue import problem
 from newton_euler.classroom import AnswerError, PracticeFileError, practice
 
-BOOK = {
-    "alpha_CD": [0, -0.27, 0],
-    "v_D": [-9.6, 6.235383, -3.6],
-    "a_D": [-7.482459, -7.38, -2.805922],
-}
+BOOK = {"alpha_CD": [0, -0.27, 0], "v_D": [-9.6, 6.235383, -3.6]}
+BOOK["a_D"] = [-7.482459, -7.38, -2.805922]
 
 
 @pytest.fixture
@@ -63,7 +60,7 @@ def test_what_is_wrong_with_an_answer_is_reported(elbow, given, words):
     assert "-0.27" not in checked.text
 
 
-def test_an_answer_that_was_rounded_on_the_way_is_right_and_told_so(elbow):
+def test_an_answer_that_was_rounded_on_the_way_is_right_and_is_reported_as_rounded(elbow):
     output = elbow.check(v_D=[-9.6, 6.255, -3.6])
     assert output.verdicts == {"v_D": "right"}
     assert "rounded too early" in output.text
@@ -84,7 +81,7 @@ def test_a_step_that_follows_rightly_from_a_wrong_one_is_reported_as_such(elbow)
     """v_r = omega_rel x r with the wrong way of turning, and 2 omega x v_r with that."""
     elbow.check_step(v_r=[0, -6.235383, 3.6])
     output = elbow.check_step(a_D_coriolis=[7.482459, 0, 0])
-    assert "it follows rightly from your v_r: mend that first" in output.text
+    assert "it follows rightly from your v_r: correct that first" in output.text
     assert output.verdicts == {"a_D_coriolis": "wrong"}
     elbow.check_step(v_r=[0, 6.235383, -3.6])
     assert "follows" not in elbow.check_step(a_D_coriolis=[7.482459, 0, 0]).text
@@ -152,7 +149,7 @@ def test_a_problem_in_symbols_is_asked_with_numbers(practice_file):
     assert "sqrt" not in p.solution().text
 
 
-def test_first_goes_and_help_are_counted_and_found_again(practice_file, tmp_path):
+def test_first_tries_and_help_are_counted_and_kept(practice_file, tmp_path):
     kept = tmp_path / "own.json"
     p = practice(practice_file, progress=kept)["4/16"]
     p.check(alpha_CD=[0, -0.27, 0])

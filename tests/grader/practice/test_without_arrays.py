@@ -31,7 +31,7 @@ def modules():
 ARRAYS = (
     "Vector.to_array", "charts.axes.chart", "integration.integrate", "ladder", "ladders.smallest",
     "legibility.faults", "measurements.honesty", "particles.projectile", "reference_solution",
-    "regime_maps", "scalars.with_extra_digits", "show.compare", "solution.Motion", "unwound",
+    "regime_maps", "scalars.with_extra_digits", "show.compare", "solution.Motion",
     "work_precision",
 )  # fmt: skip
 DOCTESTS = """
@@ -131,25 +131,15 @@ print("drawn", Hidden.names & sys.modules.keys())
 def ran_hidden(*programs, **values):
     """What the programs print, one after the other in a Python without libraries."""
     known = "".join(f"{name} = {value!r}\n" for name, value in values.items())
-    text = HIDDEN + known + "".join(programs)
-    done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", text], capture_output=True, text=True
-    )
+    program = sys.executable, "-W", "error", "-c", HIDDEN + known + "".join(programs)
+    done = subprocess.run(program, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return done.stdout
 
 
 def test_rooms_examples_practice_and_figures_need_no_library(practice_file):
-    output = ran_hidden(
-        DOCTESTS,
-        NUMBERS,
-        PRACTICE,
-        CHAPTERS,
-        FIGURES,
-        path=str(practice_file),
-        step=6,
-        arrays=ARRAYS,
-    )
+    programs = DOCTESTS, NUMBERS, PRACTICE, CHAPTERS, FIGURES
+    output = ran_hidden(*programs, path=str(practice_file), step=6, arrays=ARRAYS)
     assert int(output.split()[0]) > 40
     assert "{'alpha_CD': 'right', 'v_D': 'wrong', 'a_D': 'wrong'}" in output
     assert "v_D: right" in output

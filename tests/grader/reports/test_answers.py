@@ -7,7 +7,7 @@ import pytest
 import sympy
 
 from exercises.catalogue import problems
-from newton_euler.algebra.vectors import Vector
+from exercises.catalogue.variants import flat
 from tests.grader.courses import command, ran, submit
 from tests.grader.submissions import work
 
@@ -15,10 +15,6 @@ from tests.grader.submissions import work
 @pytest.fixture(scope="module")
 def all43():
     return json.loads(ran(command("solve", "ch04", "--json")))
-
-
-def flat(x):
-    return [z for y in x for z in flat(y)] if isinstance(x, (Vector, tuple, list)) else [x]
 
 
 def test_solve_answers_all_43_problems_as_json(all43):

@@ -2,6 +2,7 @@
 
 import re
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 
@@ -30,31 +31,26 @@ def test_a_mistake_told_as_another_is_misnamed_and_one_taken_for_right_fails(mon
     p = problem("4/16")
     original = module.score_receipt
 
-    def otherwise(*arguments):
-        score = original(*arguments)
-        for part in score.parts:
-            other = (Cause("listed", "another", ""),) if part.causes else ()
-            object.__setattr__(part, "causes", other)
-        return score
+    def scored(change):
+        def score(*arguments):
+            found = original(*arguments)
+            return replace(found, parts=tuple(map(change, found.parts)))
 
-    monkeypatch.setattr(module, "score_receipt", otherwise)
+        monkeypatch.setattr(module, "score_receipt", score)
+
+    another = (Cause("listed", "another", ""),)
+    scored(lambda part: replace(part, causes=another if part.causes else ()))
     counts = diagnosis_shares([p], 1)["4/16"]
     assert counts["misnamed"] > 0
     assert counts["named"] == 0
 
-    def generous(*arguments):
-        score = original(*arguments)
-        for part in score.parts:
-            object.__setattr__(part, "verdict", "right")
-        return score
-
-    monkeypatch.setattr(module, "score_receipt", generous)
+    scored(lambda part: replace(part, verdict="right"))
     code, out = command("diagnose", "4/16", "--draws", 1)
     assert code == 1
     assert re.search(r"4/16 .*100\.0", out)
 
 
-def test_of_unlisted_slips_most_are_named_and_hardly_one_wrongly():
+def test_most_unlisted_slips_are_named_and_hardly_any_wrongly():
     problems = [problem(name) for name in ("2/21", "3/26", "4/41", "7/23", "10/9", "11/2", "A/21")]
     found = slip_shares(problems, 2)
     assert not found.pop("random numbers")["named"]

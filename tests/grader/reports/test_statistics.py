@@ -6,7 +6,7 @@ import pytest
 from rich.console import Console
 
 from grader.reports import part_statistics
-from grader.reports.records import Entry
+from grader.reports.records import PartScore
 from grader.reports.statistics import _of_part, mistake_counts, statistics_table
 from newton_euler.answers import Cause
 from tests.grader.courses import command, ran
@@ -32,7 +32,7 @@ def test_a_part_that_the_strong_can_do_discriminates_and_one_that_nobody_can_do_
 def test_a_mistake_whose_words_or_order_changed_is_counted_as_one_and_two_of_one_text_as_two():
     def entry(diagnosis, *causes):
         causes = tuple(Cause("listed", *c) for c in causes)
-        return Entry("ann", "4/1", "v", 0.0, 1.0, "wrong", "", diagnosis, causes)
+        return PartScore("ann", "4/1", "v", 0.0, 1.0, "wrong", "", diagnosis, causes)
 
     old, new = ("sign", "old words"), ("sign", "new words")
     other, twin = ("axis", "the axis"), ("frame", "the axis")
@@ -64,14 +64,13 @@ def test_the_correlation_leaves_the_part_itself_out(tmp_path):
             {"key": k, "points": float(x), "out_of": 1.0, "verdict": "right", "message": ""}
             for k, x in (("a", n % 2), ("b", n // 2 % 2))
         ]
-        course.record_path("ch04", f"s{n:02}").write_text(
-            json.dumps({"scores": [{"problem": "4/1", "parts": parts}]})
-        )
+        record = json.dumps({"scores": [{"problem": "4/1", "parts": parts}]})
+        course.record_path("ch04", f"s{n:02}").write_text(record)
     assert [p.discrimination for p in part_statistics(course, "ch04")] == pytest.approx([0, 0])
 
 
 def entry(points, out_of, verdict="", waits=False):
-    return Entry("ann", "4/1", "", points, out_of, verdict, waits=waits)
+    return PartScore("ann", "4/1", "", points, out_of, verdict, waits=waits)
 
 
 @pytest.mark.parametrize(("found", "difficulty", "waiting"), [

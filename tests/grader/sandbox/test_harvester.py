@@ -87,15 +87,11 @@ def test_a_worker_that_is_busy_delays_no_other():
 def test_no_submission_imports_what_the_worker_could_have_imported_for_all(harvester):
     known = "import sys\nknown = set(sys.modules)"
     new = "assert not set(sys.modules) - known, sorted(set(sys.modules) - known)"
-    formula = {"role": "harvest", "problem": "0/2", "forms": {"f": "expression, m"}}
-    cells = [
-        own(known),
-        own(SETUP, "setup"),
-        *problem("0/1", "x = sqrt(2.0)", 'given("0/1", y=2)'),
-        {"role": "answer", "problem": "0/2", "text": 'a = symbols("a", real=True)\nf = 2 * a'},
-        {**formula, "symbols": {"a": "m"}},
-        own(new, "new"),
-    ]
+    of, text = {"problem": "0/2"}, 'a = symbols("a", real=True)\nf = 2 * a'
+    answer, harvest = {"role": "answer", "text": text, **of}, {"role": "harvest", **of}
+    harvest |= {"forms": {"f": "expression, m"}, "symbols": {"a": "m"}}
+    cells = [own(known), own(SETUP, "setup"), *problem("0/1", "x = sqrt(2.0)", 'given("0/1", y=2)')]
+    cells += [answer, harvest, own(new, "new")]
     assert run_caged(harvester, cells)["errors"] == {}
 
 
@@ -104,11 +100,11 @@ def test_a_notebook_with_millions_of_characters_is_not_run(harvester):
     reply = harvester.run(cells)
     assert reply["receipts"] == {}
     assert reply["ended"] == (
-        "not run: its 4 cells hold 1.2 million characters, and 1.0 million are run at most"
+        "not run: its 4 cells hold 1.2 million characters; the limit is 1.0 million"
     )
 
 
-def test_nor_one_with_many_small_cells(harvester):
+def test_a_notebook_with_many_small_cells_is_not_run(harvester):
     tests = [{"role": "test", "name": "t", "text": "", "hidden": "1"}]
     reply = harvester.run([*[own("[]")] * 20_000, *job("x = 1"), *tests])
     assert "not run: its 20004 cells" in reply["ended"]
@@ -150,7 +146,7 @@ def test_a_refusal_names_the_setting_that_forbids_the_cage(
         harvester.run(job("x = 1"))
     assert str(error.value) == (
         "this machine refuses the cage for student code (no), so nothing was run. Grade on a machine "
-        f"that allows user namespaces (here after: sudo sysctl {setting}={allowed}), or run the code "
+        f"that allows user namespaces (to allow them here: sudo sysctl {setting}={allowed}), or run the code "
         "without a cage, at your own risk: python -m grader grade --unsandboxed"
     )
 

@@ -22,11 +22,8 @@ def receipts(harvester, cells, **limits):
 
 
 def test_cells_of_the_student_run_in_their_place(harvester):
-    cells = [
-        *problem("0/1", "x = a", givens="a = 1"),
-        own("a = 10\ndef twice(y): return 2 * y"),
-        *problem("0/2", "x = twice(a)"),
-    ]
+    cells = [*problem("0/1", "x = a", "a = 1"), own("a = 10\ndef twice(y): return 2 * y")]
+    cells += problem("0/2", "x = twice(a)")
     assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": 20.0}}
 
 
@@ -41,11 +38,8 @@ def test_the_givens_remove_the_answers_of_an_earlier_problem(harvester):
 
 
 def test_givens_may_come_again_and_hold_from_there(harvester):
-    cells = [
-        *problem("0/1", "x = a", givens="a = 1"),
-        *problem("0/2", "x = a", givens="a = 2"),
-        *problem("0/3", "x = a", givens="a = 1"),
-    ]
+    ways = [problem(f"0/{n}", "x = a", f"a = {a}") for n, a in enumerate((1, 2, 1), 1)]
+    cells = [cell for way in ways for cell in way]
     assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": 2.0}, "0/3": {"x": 1.0}}
 
 
@@ -83,15 +77,10 @@ OUTCOMES = {
 
 def a_notebook_with(texts):
     """Its cells, with tests of these texts in the middle."""
-    return [
-        own("def f(n): return n**2\nstate = 'then'"),
-        *(
-            {"role": "test", "name": f"test-{n}", "text": "seen = 1", "hidden": text}
-            for n, text in enumerate(texts)
-        ),
-        own("state = 'later'\ndel f"),
-        *problem("0/1", "x = seen"),
-    ]
+    test = {"role": "test", "text": "seen = 1"}
+    tests = [{**test, "name": f"test-{n}", "hidden": text} for n, text in enumerate(texts)]
+    before, after = own("def f(n): return n**2\nstate = 'then'"), own("state = 'later'\ndel f")
+    return [before, *tests, after, *problem("0/1", "x = seen")]
 
 
 def test_a_test_says_its_error_and_the_value_of_its_last_expression(harvester):

@@ -21,11 +21,8 @@ def page(tmp_path_factory):
 def test_every_picture_of_the_page_is_beside_it_and_has_an_alt_text(page):
     text = page.read_text(encoding="utf-8")
     pictures = re.findall(r'<img src="(.+?)" alt="(.+?)"', text, re.S)
-    assert [name for name, _ in pictures] == [
-        "models-of-top.png",
-        "map-of-steady-precession.png",
-        "steady-precession.png",
-    ]
+    names = "models-of-top", "map-of-steady-precession", "steady-precession"
+    assert [name for name, _ in pictures] == [f"{name}.png" for name in names]
     for name, alt in pictures:
         assert (page.parent / name).stat().st_size > 10_000
         assert len(alt.split()) > 15

@@ -31,12 +31,8 @@ def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
     output = capsys.readouterr().out
     names = list(charts())
     assert len({re.sub("[^a-z]", "", n.lower()) for n in names}) == len(names)
-    assert set(names) == {
-        *SCENES,
-        *(f"models of {n}" for n in LADDERS),
-        *COMPARISONS,
-        *(f"map of {n}" for n in MAPS),
-    }
+    made = [f"models of {n}" for n in LADDERS] + [f"map of {n}" for n in MAPS]
+    assert set(names) == {*SCENES, *COMPARISONS, *made}
     assert all(f"  {name} " in output for name in names)
 
 
@@ -67,13 +63,8 @@ def test_the_command_measures_prints_and_writes(name, file, capsys, tmp_path):
 
 
 def test_the_module_runs_as_a_program():
-    output = subprocess.run(
-        [sys.executable, "-W", "error", "-m", "newton_euler.accuracy", "--help"],
-        cwd=ROOT,
-        check=True,
-        capture_output=True,
-        text=True,
-    )
+    program = sys.executable, "-W", "error", "-m", "newton_euler.accuracy", "--help"
+    output = subprocess.run(program, cwd=ROOT, check=True, capture_output=True, text=True)
     assert "models of projectile" in output.stdout
     assert not output.stderr
 
@@ -116,13 +107,8 @@ def test_the_command_measures_prints_and_writes_picture_and_runs(tmp_path, capsy
         rows = list(csv.DictReader(file))
     assert tuple(rows[0]) == COLUMNS
     assert {r["problem"] for r in rows} == {SCENE}
-    assert [float(r["asked"]) for r in rows if r["method"] == "exact"] == [
-        1e-3,
-        1e-5,
-        1e-7,
-        1e-9,
-        1e-11,
-    ]
+    asked = [float(r["asked"]) for r in rows if r["method"] == "exact"]
+    assert asked == [1e-3, 1e-5, 1e-7, 1e-9, 1e-11]
     assert all(float(r["error"]) < 1e-14 for r in rows if r["method"] == "exact")
 
 

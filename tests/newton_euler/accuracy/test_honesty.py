@@ -47,30 +47,27 @@ def fake(answers):
     return Fake
 
 
+KNOWN = {
+    ("auto", 1e-3): (5e-4, 1e-3),
+    ("auto", 1e-6): (3e-6, 5e-6),  # broken, and reported
+    ("auto", 1e-9): (4e-4, 1e-10),  # silently wrong
+    ("dop853", 1e-3): (1e-4, 3e-4),
+    ("dop853", 1e-6): (1e-7, math.nan),
+    ("dop853", 1e-9): MotionError("only 1e-8 can be had", reached=None),
+}
+
+
 @pytest.fixture
 def liar(monkeypatch):
     """The answers of "auto", which lies, and of "dop853", which is honest."""
-    known = {
-        ("auto", 1e-3): (5e-4, 1e-3),
-        ("auto", 1e-6): (3e-6, 5e-6),  # broken, and reported
-        ("auto", 1e-9): (4e-4, 1e-10),  # silently wrong
-        ("dop853", 1e-3): (1e-4, 3e-4),
-        ("dop853", 1e-6): (1e-7, math.nan),
-        ("dop853", 1e-9): MotionError("only 1e-8 can be had", reached=None),
-    }
-    monkeypatch.setattr(measuring, "Reference", fake(known))
+    monkeypatch.setattr(measuring, "Reference", fake(KNOWN))
     return honesty((SCENE,), (1e-3, 1e-6, 1e-9), ("auto", "dop853"))
 
 
 def test_answers_have_the_true_error_and_the_estimate(liar):
-    output = [(a.method, a.asked, a.error, a.estimate) for a in liar[:5]]
-    assert output == [
-        ("auto", 1e-3, 5e-4, 1e-3),
-        ("auto", 1e-6, 3e-6, 5e-6),
-        ("auto", 1e-9, 4e-4, 1e-10),
-        ("dop853", 1e-3, 1e-4, 3e-4),
-        ("dop853", 1e-6, 1e-7, None),
-    ]
+    assert [(a.method, a.asked) for a in liar] == [*KNOWN]
+    assert [(a.error, a.estimate) for a in liar[:4]] == [*KNOWN.values()][:4]
+    assert (liar[4].error, liar[4].estimate) == (1e-7, None)
     assert [a.kept for a in liar] == [True, False, False, True, True, False]
     assert [a.covered for a in liar] == [True, True, False, True, None, None]
     assert [a.silent for a in liar] == [False, False, True, False, False, False]
@@ -113,10 +110,8 @@ def test_a_method_that_takes_long_is_asked_for_no_more_digits():
 def test_progress_is_reported_scene_by_scene_and_never_goes_back():
     output = []
     honesty((SCENE, "low"), (1e-3,), ("exact", "auto"), progress=lambda *now: output.append(now))
-    assert [words for _, words in output] == [
-        *(f"{SCENE}: {m}" for m in ("exact", "auto")),
-        *(f"low: {m}" for m in ("exact", "auto")),
-    ]
+    asked = [f"{scene}: {m}" for scene in (SCENE, "low") for m in ("exact", "auto")]
+    assert [words for _, words in output] == asked
     assert all(a < b for (a, _), (b, _) in pairwise(output))
     assert 0 <= output[0][0] < output[-1][0] < 1
 
@@ -143,17 +138,13 @@ def test_silently_wrong_is_over_ten_times_both_the_tolerance_and_the_estimate(
 
 
 def test_costs_are_relative_to_the_cheapest_that_kept_its_word_on_the_same_problem():
-    found = relative_costs(
-        [
-            answer("quick and wrong", cost=1e-4, error=1e-2),
-            answer("cheapest", cost=2e-3),
-            answer("slow", cost=8e-3),
-            answer("slow", cost=1.0, problem="b", error=1.0),
-            answer("slower", cost=3.0, problem="b", error=1.0),
-            answer("slow", cost=1e-9, absent=REFUSED, problem="b"),
-            answer("slow", cost=5.0, absent=REFUSED, problem="c"),
-        ]
-    )
+    wrong = {"problem": "b", "error": 1.0}
+    answers = [answer("quick and wrong", cost=1e-4, error=1e-2), answer("cheapest", cost=2e-3)]
+    answers += [answer("slow", cost=8e-3), answer("slow", cost=1.0, **wrong)]
+    answers += [answer("slower", cost=3.0, **wrong)]
+    refused = ((1e-9, "b"), (5.0, "c"))
+    answers += [answer("slow", cost=x, absent=REFUSED, problem=of) for x, of in refused]
+    found = relative_costs(answers)
     # where none kept its word, to the cheapest of all; a refusal sets no standard
     assert [a.cost for a in found[:5]] == [pytest.approx(x) for x in (0.05, 1.0, 4.0, 1.0, 3.0)]
     assert math.isnan(found[-1].cost)
@@ -168,18 +159,13 @@ def test_a_clock_too_coarse_to_show_a_time_spoils_nothing():
 
 
 def test_methods_come_from_the_cheapest_to_the_dearest_and_those_without_an_answer_last():
-    found = tallies(
-        [
-            answer("none", absent=REFUSED, cost=1e-9),
-            answer("dear", cost=1.0),
-            answer("cheap", cost=0.1),
-        ]
-    )
+    refused = answer("none", absent=REFUSED, cost=1e-9)
+    found = tallies([refused, answer("dear", cost=1.0), answer("cheap", cost=0.1)])
     assert [t.method for t in found] == ["cheap", "dear", "none"]
     assert math.isnan(found[-1].met)
 
 
-def test_hundred_per_cent_are_all():
+def test_only_all_are_a_hundred_per_cent():
     assert [percent(x) for x in (1.0, 1999 / 2000, 0.5, 0.0)] == ["100", "99.9", "50.0", "0.0"]
 
 
@@ -243,12 +229,8 @@ def test_a_silently_wrong_answer_has_a_ring_and_only_that(liar):
 
 
 def test_counts_stand_beside_the_rows():
-    answers = [
-        answer("good"),
-        answer("bad", error=1.0, cost=1.0),
-        answer("mute", estimate=None, cost=2.0),
-        answer("lost", absent=FAILED),
-    ]
+    answers = [answer("good"), answer("bad", error=1.0, cost=1.0)]
+    answers += [answer("mute", estimate=None, cost=2.0), answer("lost", absent=FAILED)]
     cost, promise, estimate, counts = drawn(answers)
     assert [t.get_text() for t in cost.get_yticklabels()] == ["good", "bad", "mute", "lost"]
     assert "no answer" in texts(promise)
@@ -259,7 +241,7 @@ def test_counts_stand_beside_the_rows():
     assert several[0].get_xlabel() == "time over the cheapest that kept its word"
 
 
-def test_what_is_wrong_without_measure_is_drawn_at_the_edge():
+def test_an_infinite_error_is_drawn_at_the_edge():
     _, promise, estimate, _ = drawn([answer(error=math.inf), answer("ok", estimate=math.inf)])
     assert PROMISE[1] in [x for x, _ in marks(promise)]
     assert len(marks(estimate)) == 2

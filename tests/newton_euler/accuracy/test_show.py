@@ -6,11 +6,10 @@ from types import SimpleNamespace
 import mpmath
 import pytest
 
-from newton_euler.accuracy import compare, show_chart
+from newton_euler.accuracy import Measured, compare, show_chart
 from newton_euler.accuracy.catalogue import QUICK_METHODS
 from newton_euler.accuracy.charts import drawn
 from newton_euler.accuracy.charts.comparisons import ways_caption
-from newton_euler.accuracy.measurements.measure import Measured
 from newton_euler.algebra.errors import ArgumentError
 
 

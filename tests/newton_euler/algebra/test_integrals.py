@@ -7,13 +7,10 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Frame, compiled, cos, moving, sin, sqrt
-from newton_euler.algebra import DimensionError, LinearForm, SingularError, WorkError, integral
-from newton_euler.algebra.jets import Moving
+from newton_euler import Frame, compiled, cos, integral, moving, sin, sqrt
+from newton_euler.algebra import ZERO, DimensionError, LinearForm, Moving, SingularError, WorkError
 from newton_euler.algebra.partial_evaluation import folded
-from newton_euler.algebra.scalars import ZERO
-from newton_euler.kinematics import from_place
-from tests.kinds import LENGTH, MASS, TIME
+from tests.kinds import LENGTH, MASS, TIME, compiled_by
 
 
 def wire(a, k):
@@ -131,11 +128,6 @@ def test_an_inner_integral_that_needs_the_outer_variable_only_on_its_way_compile
     assert compiled(nested)(2.0) == pytest.approx(4, rel=1e-14)
 
 
-def test_a_motion_from_an_acceleration_of_the_place_compiles():
-    time = lambda a, s, v: from_place(lambda x: a, s, v0=v)[1]
-    assert compiled(time)(1.0, 2.0, 3.0) == pytest.approx(time(1.0, 2.0, 3.0), rel=1e-12)
-
-
 def test_a_traced_integral_computes_outer_steps_once_and_equal_ones_once():
     calls = []
 
@@ -167,7 +159,7 @@ def test_what_depends_on_parameters_alone_is_integrated_before_a_motion():
 
 def test_heyoka_refuses_an_integral_inside_a_formula_and_arrays_go_by_numpy():
     hy = pytest.importorskip("heyoka")
-    run = compiled(wire, backend="heyoka")
+    run = compiled_by("heyoka", wire)
     np.testing.assert_allclose(run(np.array([2.0]), 1.7), wire_by_hand(2.0, 1.7), rtol=1e-14)
     with pytest.raises(TypeError, match="heyoka has no integrals and roots inside a formula"):
         run(hy.expression("a"), hy.expression("k"))

@@ -7,8 +7,7 @@ import sys
 
 import pytest
 
-from newton_euler.algebra import language
-from newton_euler.algebra.errors import NewtonEulerError
+from newton_euler.algebra import NewtonEulerError, language
 from newton_euler.algebra.language import (
     Words,
     _,

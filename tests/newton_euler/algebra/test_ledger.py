@@ -95,7 +95,23 @@ def test_a_name_that_several_terms_have_is_refused_with_their_distinct_names():
         terms["arm"]
     with pytest.raises(TermError, match="no term 'leg'; the terms are arm 1, rod, arm 2"):
         terms["leg"]
+    with pytest.raises(TermError, match="2 terms are named 'arm'"):
+        terms.get("arm")
     assert "arm" not in terms
+    assert (terms.get("rod"), terms.get("leg", 0)) == (2.0, 0)
+
+
+def test_terms_beside_those_of_a_plain_dict_are_kept_on_both_sides():
+    terms = Terms([("arm", 1.0), ("arm", 2.0)])
+    for both in (terms | {"arm": 4.0}, {"arm": 4.0} | terms):
+        assert sorted(both.values()) == [1.0, 2.0, 4.0]
+
+
+def test_an_amount_is_explained_in_units_of_its_own():
+    assert summed([("a", 2.0)], "power").explain().endswith("2 W")
+    assert Amount(2.0).explain("ft*lb").endswith("2 ft*lb")
+    with pytest.raises(TermError, match="this is the work, in J: it cannot be explained in 'W'"):
+        Amount(2.0).explain("W")
 
 
 def test_a_factor_for_the_distinct_name_goes_before_that_of_the_shared_one():

@@ -12,11 +12,9 @@ import sympy
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Dimension, Frame, compiled, cos, sin
-from newton_euler.algebra.linear import LinearError, solve_linear, solve_rates
-from newton_euler.algebra.scalars import ScalarError, probe, unit_roundoff
-from newton_euler.algebra.units import DimensionError
-from newton_euler.algebra.vectors import FrameError
+from newton_euler import Dimension, Frame, compiled, cos, sin, solve_linear, solve_rates
+from newton_euler.algebra import DimensionError, FrameError, LinearError, ScalarError
+from newton_euler.algebra.scalars import probe, unit_roundoff
 from tests.kinds import close, every_kind, first, numbers
 
 NAMES = tuple(f"u{n}" for n in range(12))
@@ -37,10 +35,8 @@ def system(rows, right):
 def regular(kind, count):
     """Rows, right sides and the known solution of a system of small whole numbers."""
     dice = random.Random(count)
-    rows = [
-        [numbers(kind, dice.randint(-5, 5) + 9 * (i == j)) for j in range(count)]
-        for i in range(count)
-    ]
+    entry = lambda i, j: numbers(kind, dice.randint(-5, 5) + 9 * (i == j))
+    rows = [[entry(i, j) for j in range(count)] for i in range(count)]
     wanted = [numbers(kind, f"{n - 3}/{n + 2}") for n in range(count)]
     return rows, [sum(c * w for c, w in zip(row, wanted, strict=True)) for row in rows], wanted
 
@@ -83,9 +79,8 @@ def test_what_numbers_leave_open_is_what_the_rank_says(count, missing, seed):
     A = dice.integers(-2, 3, size=(max(count - missing, 1), count)).astype(float)
     s = solve_linear(system(A.tolist(), (A @ np.ones(count)).tolist()), NAMES[:count])
     rank = np.linalg.matrix_rank(A)
-    determined = [
-        np.linalg.matrix_rank(np.vstack([A, np.eye(count)[k]])) == rank for k in range(count)
-    ]
+    with_row = lambda row: np.linalg.matrix_rank(np.vstack([A, row]))
+    determined = [with_row(row) == rank for row in np.eye(count)]
     assert [name not in s.undetermined for name in s.names] == determined
     assert all(abs(x - 1) < 1e-9 for x in s.values.values())
 
@@ -98,10 +93,8 @@ def test_formulas_of_symbols_are_exact_and_unsimplified_ones_agree_with_sympy():
     s = solve_linear(system(rows, right), NAMES[:4])
     expected = sympy.Matrix(rows).LUsolve(sympy.Matrix(right))
     point = {x: sympy.Rational(n * n + 3, n + 7) for n, x in enumerate(symbols)}
-    assert all(
-        sympy.simplify(mine.subs(point) - theirs.subs(point)) == 0
-        for mine, theirs in zip(s, expected, strict=True)
-    )
+    for mine, theirs in zip(s, expected, strict=True):
+        assert sympy.simplify(mine.subs(point) - theirs.subs(point)) == 0
 
 
 def test_what_stands_alone_is_solved_first_and_stays_short():
@@ -157,6 +150,15 @@ def test_functions_of_time_and_symengine_are_seen_by_value_too():
     assert probe((x + 1) ** 2 - x**2 - 2 * x - 1) == 0
     s = solve_linear(lambda A, B: {"p": x * A + B - 1, "q": A - B})
     assert close(float(s.A.subs(x, 2)), 1 / 3)
+    assert probe(1 / ((x + 1) ** 2 - x**2 - 2 * x - 1)) is None
+
+
+def test_symbols_that_share_a_name_are_two_and_small_numbers_are_not_zero():
+    x, positive = sympy.Symbol("x"), sympy.Symbol("x", positive=True)
+    s = solve_linear(lambda A, B: {"p": x * A + positive * B - 1, "q": positive * A + x * B})
+    assert sympy.simplify(s.A - x / (x**2 - positive**2)) == 0
+    a, b, c, d = (sympy.Rational(n, 10**30) for n in (1, 2, 3, 5))
+    assert solve_linear(lambda A, B: (a * A + b * B - a, c * A + d * B - c)).B == 0
 
 
 def test_traced_formulas_run_on_floats_and_arrays():
@@ -209,33 +211,22 @@ def test_a_statically_indeterminate_beam_reports_what_it_knows():
 @every_kind
 def test_a_third_moment_equation_says_nothing_new(kind):
     one, two, five = numbers(kind, 1, 2, 5)
-    s = solve_linear(
-        lambda A, B: {
-            "force": A + B - five,
-            "about A": two * B - one * five,
-            "about B": two * A - one * five,
-        }
-    )
+    moment = lambda force: two * force - one * five
+    laws = lambda A, B: {"force": A + B - five, "about A": moment(B), "about B": moment(A)}
+    s = solve_linear(laws)
     assert close((s.A, s.B), (five / 2, five / 2), 1e-12)
     assert dict(s.redundant) == {"about B": ("force", "about A")}
-    assert (
-        "The equation 'about B' is redundant: it follows from 'force' and 'about A'" in s.report()
-    )
+    words = "The equation 'about B' is redundant: it follows from 'force' and 'about A'"
+    assert words in s.report()
 
 
 @every_kind
 def test_contradictions_are_named(kind):
     one, two, five = numbers(kind, 1, 2, 5)
     message = "contradict each other: 'about B' .* if 'force' and 'about A' hold"
+    moments = lambda A, B: {"about A": two * B - one * five, "about B": two * A - one}
     with pytest.raises(LinearError, match=message) as caught:
-        solve_linear(
-            lambda A, B, C: {
-                "other": C - one,
-                "force": A + B - five,
-                "about A": two * B - one * five,
-                "about B": two * A - one,
-            }
-        )
+        solve_linear(lambda A, B, C: {"other": C - one, "force": A + B - five, **moments(A, B)})
     assert caught.value.equations == ("force", "about A", "about B")
     with pytest.raises(LinearError, match=r"'late' (is off by 2|does not hold)"):
         solve_linear(lambda A: {"force": A - one, "late": 0 * A + two})
@@ -251,12 +242,8 @@ def test_symbols_contradict_each_other_too_and_no_made_up_number_is_reported():
 def test_rounding_is_neither_a_pivot_nor_a_contradiction():
     noise = 6e-17
     ground = Frame("ground")
-    s = solve_linear(
-        lambda F, N: {
-            "force": ground.vector(noise * F + noise, F - 2.0, noise * N),
-            "level": N + F - 5.0,
-        }
-    )
+    force = lambda F, N: ground.vector(noise * F + noise, F - 2.0, noise * N)
+    s = solve_linear(lambda F, N: {"force": force(F, N), "level": N + F - 5.0})
     assert close((s.F, s.N), (2, 3), 1e-12)
     left = solve_linear(lambda F, N: {"force": F - 2.0 + noise * N})
     assert left.undetermined == ("N",)
@@ -265,9 +252,8 @@ def test_rounding_is_neither_a_pivot_nor_a_contradiction():
 
 def test_small_units_are_no_rounding():
     """A watch wheel in SI: moments of inertia of 1e-12 with forces and lengths of order 1e-3."""
-    s = solve_linear(
-        lambda F, alpha: {"moment": 1e-12 * alpha - 1e-3 * F, "rolling": 1e-3 * alpha - 5.0}
-    )
+    moment = lambda F, alpha: 1e-12 * alpha - 1e-3 * F
+    s = solve_linear(lambda F, alpha: {"moment": moment(F, alpha), "rolling": 1e-3 * alpha - 5.0})
     assert s.alpha == pytest.approx(5e3)
     assert pytest.approx(5e-6) == s.F
 
@@ -291,9 +277,8 @@ def test_names_come_from_the_arguments_or_are_given():
         solve_linear(lambda *u: u[0], "a a")
     with pytest.raises(LinearError, match="there are no unknowns"):
         solve_linear(lambda *u: 1.0)
-    assert dict(solve_linear(lambda a: {"both": (a - 1.0, 2 * a - 2.0)}).redundant) == {
-        "both.2": ("both.1",)
-    }
+    twice = solve_linear(lambda a: {"both": (a - 1.0, 2 * a - 2.0)})
+    assert dict(twice.redundant) == {"both.2": ("both.1",)}
 
 
 def test_equations_of_one_name_are_all_reported():
@@ -323,11 +308,8 @@ def test_unit_roundoff_is_that_of_the_coarsest_number():
 
 def test_thirty_digits_survive_beside_whole_numbers():
     third = mp.mpf(1) / 3
-    s = solve_linear(
-        lambda a, b, c, d: (a + 2 * b - third, b - third * c, c + d - 1, d - third * a)
-    )
-    residual = [s.a + 2 * s.b - third, s.b - third * s.c, s.c + s.d - 1, s.d - third * s.a]
-    assert max(map(abs, residual)) < mp.mpf(10) ** -29
+    laws = lambda a, b, c, d: (a + 2 * b - third, b - third * c, c + d - 1, d - third * a)
+    assert max(map(abs, laws(*solve_linear(laws)))) < mp.mpf(10) ** -29
 
 
 def test_every_order_of_the_equations_gives_the_same_formula_values():
@@ -351,13 +333,8 @@ def test_solve_rates_finds_one_two_and_three_rates_also_from_agreeing_surplus_co
     rows = [[numbers(kind, m[a][b]) for b in range(count)] for a in range(count + surplus)]
     right = [sum(c * w for c, w in zip(row, wanted, strict=True)) for row in rows]
 
-    def conditions(*rates):
-        return tuple(
-            sum((c * r for c, r in zip(row, rates, strict=True)), start=0) - b
-            for row, b in zip(rows, right, strict=True)
-        )
-
-    assert close(solve_rates(conditions, count), wanted, 1e-11)
+    conditions = system(rows, right)
+    assert close(solve_rates(lambda *r: tuple(conditions(*r).values()), count), wanted, 1e-11)
 
 
 @every_kind

@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Dimension, asin, compiled, cos, exp, moving, sin
-from newton_euler.algebra import DimensionError, LinearForm, ScalarError, SingularError, root
-from newton_euler.algebra.jets import Moving
+from newton_euler import Dimension, asin, compiled, cos, exp, moving, root, sin
+from newton_euler.algebra import DimensionError, LinearForm, Moving, ScalarError, SingularError
 
 LENGTH, TIME = Dimension(0, 1, 0), Dimension(0, 0, 1)
 
@@ -140,6 +139,10 @@ def test_traced_roots_are_pickled_and_carry_rates():
 def test_what_has_no_root_is_refused_in_words():
     with pytest.raises(SingularError, match=r"enclosed between 0.0 and 1.0.*1.0 and 2.0"):
         root(lambda x: x * x + 1, 0.0, 1.0)
+    with pytest.raises(SingularError, match=r"two finite places; got 0\.0 and inf"):
+        root(lambda x: x - 1, 0.0, math.inf)
+    with pytest.raises(SingularError, match=r"the function has no value at .*nan"):
+        root(lambda x: x + math.nan, 0.0, 1.0)
     with pytest.raises(SingularError, match="no root is enclosed"):
         root(lambda x: 1e-200 * (x + 1), 0.0, 1.0)
     with pytest.raises(ScalarError, match=r"put numbers in: .* has no formula in general"):

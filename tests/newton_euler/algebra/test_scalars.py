@@ -14,30 +14,28 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import Frame, compiled
-from newton_euler.algebra import scalars
-from newton_euler.algebra.jets import Moving, at, moving
-from newton_euler.algebra.linear import LinearForm
+from newton_euler import Dimension, Frame, at, atan2, compiled, moving, pi, radians, where
+from newton_euler.algebra import (
+    ZERO,
+    DimensionError,
+    LinearForm,
+    Moving,
+    ScalarError,
+    is_numeric,
+    is_zero,
+    scalars,
+)
 from newton_euler.algebra.scalars import (
     FUNCTIONS,
-    ZERO,
-    ScalarError,
     allowed,
-    atan2,
     function,
     integer_like,
     is_finite,
-    is_numeric,
-    is_zero,
     max_abs,
     min_abs,
-    pi,
-    radians,
     scalar,
     to_plain,
-    where,
 )
-from newton_euler.algebra.units import Dimension, DimensionError
 from tests.kinds import KINDS, close, numbers
 
 
@@ -81,10 +79,7 @@ def test_zero_swallows_products_and_quotients(x):
 
 
 def test_dividing_by_zero_is_refused_in_words(x):
-    with pytest.raises(
-        ZeroDivisionError,
-        match="is divided by a structural zero",
-    ):
+    with pytest.raises(ZeroDivisionError, match="is divided by a structural zero"):
         x / ZERO
 
 
@@ -136,7 +131,7 @@ def test_a_literal_zero_is_structural_and_a_computed_one_is_not():
     "bad",
     [
         "1", None, [1], (1, 2), {}, b"1", object(), np.array(["a"]), np.str_("a"),
-        np.datetime64("2020-01-01"),
+        np.datetime64("2020-01-01"), np.ma.array([1.0, 2.0], mask=[0, 1]),
     ],
 )  # fmt: skip
 def test_what_is_not_a_number_is_refused_and_named(bad):
@@ -286,9 +281,8 @@ def is_differentiated(f, t, tolerance):
     with mpmath.workdps(60):
         expected = [+mpmath.diff(lambda x: to_plain(f(x)), mpmath.mpf(t), n) for n in range(3)]
     found = map(to_plain, at(f, t)._parts())
-    return all(
-        abs(x - y) < tolerance * max(1, abs(y)) for x, y in zip(found, expected, strict=True)
-    )
+    pairs = zip(found, expected, strict=True)
+    return all(abs(x - y) < tolerance * max(1, abs(y)) for x, y in pairs)
 
 
 @pytest.mark.parametrize("name", COMPOSITES)
@@ -324,12 +318,8 @@ def test_moving_atan2_on_arrays_that_cross_the_axes():
 
 
 def test_a_constant_has_no_rates_even_where_a_function_has_no_derivative():
-    for m in (
-        function("sqrt", moving(0.0)),
-        moving(0.0) ** 0.5,
-        function("asin", moving(1.0)),
-        function("acos", moving(-1.0)),
-    ):
+    edges = ("sqrt", 0.0), ("asin", 1.0), ("acos", -1.0)
+    for m in (moving(0.0) ** 0.5, *(function(name, moving(u)) for name, u in edges)):
         assert m.rate is ZERO
         assert m.acceleration is ZERO
     assert function("atan2", moving(0.0, 2.0), moving(1.0)).rate == 2.0
@@ -450,10 +440,7 @@ def test_unlike_dimensions_do_not_add():
 
 @pytest.mark.parametrize("name", [n for n in FUNCTIONS if n != "sqrt"])
 def test_functions_take_pure_numbers_only(name):
-    with pytest.raises(
-        DimensionError,
-        match=rf"{name} of a quantity in m: it must be a pure number",
-    ):
+    with pytest.raises(DimensionError, match=rf"{name} of a quantity in m: .* be a pure number"):
         function(name, LENGTH)
     assert function(name, Dimension()) == Dimension()
 

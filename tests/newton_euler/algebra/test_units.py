@@ -123,10 +123,8 @@ def test_what_cannot_be_read_is_quoted(text):
 
 
 def test_an_unknown_unit_lists_the_known_ones():
-    with pytest.raises(
-        UnitError,
-        match=r"unknown unit 'furlong' in 'furlong/s'; known are 1, %, rad, deg, rev, m, mm",
-    ):
+    words = r"unknown unit 'furlong' in 'furlong/s'; known are 1, %, rad, deg, rev, m, mm"
+    with pytest.raises(UnitError, match=words):
         Unit("furlong/s")
     with pytest.raises(UnitError, match="unknown unit 'kgm'"):
         Unit("kg m")

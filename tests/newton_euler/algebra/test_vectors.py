@@ -136,6 +136,22 @@ def test_same_compares_relative_to_the_larger():
     assert not same(a, a + ground.vector(0, 1e-3, 0))
     assert same(a, a.expressed_in(turned))
     assert same(ground.vector(0, 0, 0), turned.vector(0, 0, 0))
+    assert not same(ground.vector(math.inf, 0, 0), a)
+
+
+def test_symbols_that_share_a_name_are_not_the_same():
+    x, positive = sympy.Symbol("x"), sympy.Symbol("x", positive=True)
+    for one, other in ((x, positive), (sympy.Dummy("x"), x)):
+        assert not same(ground.vector(one, 0, 0), ground.vector(other, 0, 0))
+        assert ground.vector(one - other, 0, 0).cleared().x != 0
+
+
+@pytest.mark.parametrize("size", [5e-324, 1e-300, 1e-160, 1e160, 8e307])
+def test_directions_and_angles_of_the_smallest_and_largest_vectors(size):
+    a, b = ground.vector(size, 2 * size, 0), ground.vector(2 * size, -size, 0)
+    assert close(a.direction(), ground.vector(1.0, 2.0, 0).direction(), 1e-15)
+    assert close(a.angle_to(b), math.pi / 2, 1e-15)
+    assert close(a.angle_to(ground.i), math.atan(2.0), 1e-15)
 
 
 def moving_arm():
@@ -177,9 +193,7 @@ def test_explain_prints_the_equation_its_number_and_every_term():
     _, a = moving_arm()
     first, *lines = str(a.explain("m/s^2")).splitlines()
     assert first == "acceleration of P in ground, by way of arm, equation (4.18), components in arm"
-    assert ["coriolis", "2", "omega", "x", "v_r", "[0,", "12,", "0]", "m/s^2"] in map(
-        str.split, lines
-    )
+    assert "coriolis 2 omega x v_r [0, 12, 0] m/s^2" in (" ".join(x.split()) for x in lines)
     assert lines[-1].split() == ["sum", "[-4.1,", "11.7,", "0]", "m/s^2"]
     assert isinstance(a.explain(), Explanation)
     assert repr(a.explain()) == str(a.explain())
@@ -263,11 +277,8 @@ small = within(1e-14, 27)
 
 
 def three_vectors(kind):
-    return (
-        ground.vector(*numbers(kind, "1.5", "-0.7", "0.4")),
-        ground.vector(*numbers(kind, "-0.3", "1.2", "0.9")),
-        ground.vector(*numbers(kind, "0.8", "0.6", "-1.1")),
-    )
+    components = ("1.5", "-0.7", "0.4"), ("-0.3", "1.2", "0.9"), ("0.8", "0.6", "-1.1")
+    return [ground.vector(*numbers(kind, *c)) for c in components]
 
 
 def functions(kind):
@@ -301,9 +312,8 @@ def test_eqn_A_2_dot_product_is_magnitudes_times_cosine(kind):
 def test_eqn_A_3_and_A_5_products_of_the_unit_vectors(kind):
     one = numbers(kind, 1) if kind != "array" else np.ones(3)
     i, j, k = ground.vector(one, 0, 0), ground.vector(0, one, 0), ground.vector(0, 0, one)
-    assert close(
-        [[e.dot(f) for f in (i, j, k)] for e in (i, j, k)], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), 0
-    )
+    products = [[e.dot(f) for f in (i, j, k)] for e in (i, j, k)]
+    assert close(products, ((1, 0, 0), (0, 1, 0), (0, 0, 1)), 0)
     for e, f, g in ((i, j, k), (j, k, i), (k, i, j)):
         assert close(e.cross(f), g, 0)
         assert close(f.cross(e), -g, 0)
@@ -333,11 +343,8 @@ def test_eqn_A_11_and_A_12_dot_product_and_magnitude_in_components(kind):
     P, Q, _ = three_vectors(kind)
     # the same in any frame
     tilted = ground.rotate("tilted", numbers(kind, 1, 2, 2), numbers(kind, "0.8"))
-    assert close(
-        P.dot(Q),
-        sum(p * q for p, q in zip(P.components(tilted), Q.components(tilted), strict=True)),
-        small(kind),
-    )
+    pairs = zip(P.components(tilted), Q.components(tilted), strict=True)
+    assert close(P.dot(Q), sum(p * q for p, q in pairs), small(kind))
     assert close(dot(P, P), P.norm() ** 2, small(kind))
     (a, b, c), (d, e, f) = P, Q
     assert close(P.dot(Q), a * d + b * e + c * f, 0)
@@ -394,9 +401,8 @@ def test_eqn_A_12_a_norm_is_right_wherever_it_is_a_float(power, other, theta, ph
     assert ground.vector(x, y, z).norm() == pytest.approx(exact, rel=1e-15, abs=0)
     many = ground.vector(np.array([x, 3.0, 0.0]), np.array([y, 4.0, 0.0]), np.array([z, 0.0, 0.0]))
     assert many.norm() == pytest.approx([exact, 5.0, 0.0], rel=1e-15, abs=0)
-    assert ground.vector(x, np.float64(y), 0).norm() == pytest.approx(
-        math.hypot(x, y), rel=1e-15, abs=0
-    )
+    plane = ground.vector(x, np.float64(y), 0).norm()
+    assert plane == pytest.approx(math.hypot(x, y), rel=1e-15, abs=0)
 
 
 def test_a_norm_keeps_structural_zeros_and_the_kind_of_the_components():

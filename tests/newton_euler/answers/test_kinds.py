@@ -107,6 +107,15 @@ def test_a_direction_is_compared_by_the_angle(angle, right):
         assert DIRECTION.is_right((tuple(scale * x for x in turned),), KEY, 1e-6) is right
 
 
+@pytest.mark.parametrize("scale", [1e308, -1e200, 1e-200, 5e-324])
+def test_a_direction_is_read_and_explained_whatever_its_length(scale):
+    for given, right in (((3, 0, -4), True), ((3, 0, 4), False)):
+        tree = [x / 4 * scale for x in given] if abs(scale) > 1 else [x * scale for x in given]
+        (points,) = DIRECTION.readings(tree, Form(DIRECTION), {}, [100])
+        assert DIRECTION.is_right(points, KEY, 1e-6) is right
+        assert right or diagnose(points, DIRECTION.like(KEY, points), [], DIRECTION)
+
+
 def test_a_direction_of_length_zero_is_refused_in_words():
     form = Form(DIRECTION)
     with pytest.raises(AnswerError, match="length zero, which has no direction"):

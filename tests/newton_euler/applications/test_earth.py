@@ -18,12 +18,8 @@ from newton_euler.kinematics import along
 from tests.kinds import close, every_kind, first, numbers, within
 
 BOOK_RATE, BOOK_RADIUS = 0.727e-4, 6.378e6  # rad/s, m: as the book has them
-LENGTH, SPEED, GRAVITY, RATE = (
-    Dimension(0, 1, 0),
-    Dimension(0, 1, -1),
-    Dimension(0, 1, -2),
-    Dimension(0, 0, -1),
-)
+LENGTH, SPEED, GRAVITY = (Dimension(0, 1, -n) for n in range(3))
+RATE = Dimension(0, 0, -1)
 
 small = within(1e-13, 26)
 
@@ -164,10 +160,8 @@ def test_eqns_6_16_to_6_19_launch_and_rotation_along_ground_axes(kind):
     turned = cl * S - sl * s * C, sl * c * C, -cl * c * C
     assert close(omega.cross(launch), [rate * v0 * x for x in turned], small(kind))  # 6.19
     a = e.apparent_acceleration(launch, -g * ground.k, omega)
-    # 6.16
-    assert close(
-        a, [-2 * rate * v0 * x - g * k for x, k in zip(turned, (0, 0, 1), strict=True)], small(kind)
-    )
+    pull = zip(turned, (0, 0, 1), strict=True)
+    assert close(a, [-2 * rate * v0 * x - g * k for x, k in pull], small(kind))  # 6.16
 
 
 def by_exponential(t, r, v, g, omega):
@@ -202,9 +196,8 @@ def test_eqn_6_20_6_21_the_series_solves_to_30_digits_and_has_the_first_integral
     for t in (mp.mpf(1), mp.mpf(60), mp.mpf(3600)):
         r, v = by_exponential(t, (0, 0, 0), launch, g, omega)
         scale = g.norm() * t * t
-        found, rate = (
-            f(t, launch, g, omega, 24) for f in (e.projectile_to_order, e.projectile_velocity)
-        )
+        found = e.projectile_to_order(t, launch, g, omega, 24)
+        rate = e.projectile_velocity(t, launch, g, omega, 24)
         assert close(found, r, scale * mp.mpf(10) ** -28)
         assert close(rate, v, scale * mp.mpf(10) ** -28)
         # 6.21, with A the velocity of launch
@@ -346,9 +339,6 @@ def test_a_projectile_explains_its_terms():
     assert "fall turned  -1/3 omega x g t^3" in str(r.explain("m"))
     known = r.terms["launch"] + r.terms["fall"]
     assert close(r.without("fall turned", "launch turned"), known, 1e-12)
-    for vector, number in (
-        (r, "6.24"),
-        (e.effective_gravity(9.81, ground), "6.11"),
-        (e.support_force(1.0, 9.81, ground), "6.13"),
-    ):
+    pull, push = e.effective_gravity(9.81, ground), e.support_force(1.0, 9.81, ground)
+    for vector, number in ((r, "6.24"), (pull, "6.11"), (push, "6.13")):
         assert f"equation ({number})" in str(vector.explain())

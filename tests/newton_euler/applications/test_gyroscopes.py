@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, compiled, cos, cross, moving, pi, sin, sqrt
 from newton_euler.algebra import FrameError
+from newton_euler.algebra.errors import ArgumentError
 from newton_euler.applications.gyroscopes import (
     GyroError,
     fast_spin,
@@ -39,11 +40,8 @@ small = within(1e-13, 26)
 
 
 # a motion with everything in it: value, rate and second rate of psi, theta, phi
-MOTION = {
-    "psi": ("0.4", "1.2", "-0.7"),
-    "theta": ("0.9", "0.5", "0.3"),
-    "phi": ("1.3", "2.5", "0.8"),
-}
+MOTION = {"psi": ("0.4", "1.2", "-0.7"), "theta": ("0.9", "0.5", "0.3")}
+MOTION["phi"] = "1.3", "2.5", "0.8"
 
 
 def top_of(kind):
@@ -137,21 +135,13 @@ def test_eqn_10_24_10_25_10_26_moment_in_euler_angles_and_in_its_shortest_form(k
     ground, body, angles, I0, I = top_of(kind)
     theta, dtheta, ddtheta, dpsi, ddpsi, wz, dwz = spun(angles)
     s, c = sin(theta), cos(theta)
-    by_angles = (
-        I0 * ddtheta - (I0 - I) * dpsi * dpsi * s * c + I * (wz - dpsi * c) * dpsi * s,
-        I0 * (ddpsi * s + dpsi * dtheta * c)
-        - (I - I0) * dpsi * dtheta * c
-        - I * (wz - dpsi * c) * dtheta,
-        I * dwz,
-    )
-    shortest = (
-        I0 * (ddtheta - dpsi * dpsi * s * c) + I * wz * dpsi * s,
-        I0 / s * (ddpsi * s * s + 2 * dpsi * dtheta * s * c) - I * dtheta * wz,
-        I * dwz,
-    )
-    M = gyro_moment(body, ground, I0, I)
-    assert close(M, by_angles, small(kind))
-    assert close(M, shortest, small(kind))
+    spin, M = wz - dpsi * c, gyro_moment(body, ground, I0, I)
+    x = I0 * ddtheta - (I0 - I) * dpsi * dpsi * s * c + I * spin * dpsi * s
+    y = I0 * (ddpsi * s + dpsi * dtheta * c) - (I - I0) * dpsi * dtheta * c - I * spin * dtheta
+    assert close(M, (x, y, I * dwz), small(kind))
+    x = I0 * (ddtheta - dpsi * dpsi * s * c) + I * wz * dpsi * s
+    y = I0 / s * (ddpsi * s * s + 2 * dpsi * dtheta * s * c) - I * dtheta * wz
+    assert close(M, (x, y, I * dwz), small(kind))  # in its shortest form
     assert close(body.angular_velocity(ground).components(body.parent)[2], wz, small(kind))
 
 
@@ -249,6 +239,16 @@ def test_eqn_10_33_has_the_units_of_a_rate():
 def test_steady_precession_can_be_compiled():
     slow = lambda I0, spin: steady_precession(I0, 0.25, 0.9, spin=spin, mgr=1.5).slow
     assert compiled(slow)(0.6, -12.0) == pytest.approx(slow(0.6, -12.0), rel=1e-15)
+    least = compiled(lambda theta: least_spin(0.6, 0.25, theta, mgr=1.5))
+    assert [least(x) for x in (0.5, 2.0)] == [least_spin(0.6, 0.25, x, mgr=1.5) for x in (0.5, 2.0)]
+
+
+def test_steady_precession_takes_numbers_of_symengine():
+    number = pytest.importorskip("symengine").RealDouble
+    slow = [
+        steady_precession(kind(0.6), 0.25, 0.6, spin=12.0, mgr=1.5).slow for kind in (float, number)
+    ]
+    assert float(slow[1]) == pytest.approx(slow[0], rel=1e-15)
 
 
 def slow_root_to_60_digits(I0, I, theta, spin, mgr):
@@ -360,9 +360,9 @@ def leaning_rates():
 @pytest.mark.parametrize(("ask", "words"), [
     (lambda: instantaneous_axis(*resting_box()), "box does not turn in ground"),
     (lambda: normal_moment(*leaning_rates()), "are not at right angles"),
-    (lambda: steady_precession(1.0, 2.1, 1.0, spin=1.0, mgr=0.1), "no body of revolution has I = 2.1"),
+    (lambda: steady_precession(1.0, 2.1, 1.0, spin=1.0, mgr=0.1), "no body has I = 2.1"),
     (lambda: steady_precession(0.0, 1.0, 1.0, spin=1.0, mgr=0.1), "I0 must be positive"),
-    (lambda: steady_precession(1.0, -0.1, 1.0, spin=1.0, mgr=0.1), "no body of revolution"),
+    (lambda: steady_precession(1.0, -0.1, 1.0, spin=1.0, mgr=0.1), "no body"),
     (lambda: steady_precession(0.6, 0.25, 0.9, spin=np.array([12.0, 0.1]), mgr=1.5), "no steady precession is possible"),
     (lambda: steady_precession(1.0, 1.0, 1.0, spin=0.0, mgr=1.0), "without spin the body can hold no moment"),
     (lambda: steady_precession(1.0, 0, 0.5, spin=100.0, mgr=1.0), "without I no spin helps"),
@@ -370,7 +370,7 @@ def leaning_rates():
     (lambda: steady_precession(1.0, 1.0, 1.0, mgr=1.0), "give either spin"),
     (lambda: steady_precession(1.0, 1.0, 0.0, spin=1.0, moment=1.0), "no line of nodes at theta = .* to have a moment about"),
     (lambda: steady_spin(1.0, 1.0, 1.0, 0.0, mgr=1.0), "the precession is zero"),
-    (lambda: least_spin(1.0, 1.0, 1.0, mgr=1.0, of="omega"), "of= is 'spin'"),
+    (lambda: least_spin(1.0, 1.0, 1.0, mgr=1.0, of="omega"), "of is one of 'spin', 'omega_z'"),
     (lambda: fast_spin(0.6, 0.25, 0.9, 0.0, mgr=1.5), "approximations for a fast spin"),
     (lambda: free_precession(1.0, 1.0, 0.4, 10.0), "with I = I0 there is no precession"),
     (lambda: free_precession(1.0, 0.3, math.pi / 2, 10.0), "is pi/2: H has no axial component"),
@@ -378,7 +378,7 @@ def leaning_rates():
     (lambda: nutation(0.6, 0.25, 1.5, 0.9, 0.0, 0.0), "give either spin"),
 ])  # fmt: skip
 def test_what_does_not_exist_or_is_not_given_is_refused_in_words(ask, words):
-    with pytest.raises(GyroError, match=words):
+    with pytest.raises((GyroError, ArgumentError), match=words):
         ask()
 
 
@@ -493,10 +493,9 @@ def test_small_nutations_keep_their_digits():
     found = steady_precession(I0, I, theta, omega_z=wz, mgr=mgr)
     rate = 1e-9
     seen = nutation(I0, I, mgr, theta, rate, found.slow, omega_z=wz, tolerance=1e-15)
-    assert (seen.theta_max - seen.theta_min) / 2 == pytest.approx(
-        rate / math.sqrt(found.stiffness[0]), rel=1e-4
-    )
-    assert seen.period == pytest.approx(2 * math.pi / math.sqrt(found.stiffness[0]), rel=1e-9)
+    frequency = math.sqrt(found.stiffness[0])
+    assert (seen.theta_max - seen.theta_min) / 2 == pytest.approx(rate / frequency, rel=1e-4)
+    assert seen.period == pytest.approx(2 * math.pi / frequency, rel=1e-9)
     assert nutation(I0, I, mgr, theta, 0.0, found.slow, omega_z=wz).kind == "steady"
 
 

@@ -121,13 +121,8 @@ def about_origin(miss, tolerance, distance=1.0, mass=1.0):
     """A particle at a distance, its moments too small by the part miss."""
     body = Frame("body")
     own = mass * distance * distance * (1 - miss)
-    return Inertia(
-        body,
-        (0.0, own, own),
-        mass=mass,
-        centre=body.point("Q", distance, 0.0, 0.0),
-        tolerance=tolerance,
-    )
+    Q = body.point("Q", distance, 0.0, 0.0)
+    return Inertia(body, (0.0, own, own), mass=mass, centre=Q, tolerance=tolerance)
 
 
 @pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])

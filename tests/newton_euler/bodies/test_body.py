@@ -28,10 +28,8 @@ from newton_euler import (
     sin,
 )
 from newton_euler.algebra import FrameError, TermError
-from newton_euler.bodies import MassError
-from newton_euler.bodies.solids import disk, plate, rod, sphere
-from newton_euler.kinematics import along
-from newton_euler.kinematics.rotations import apply, product, transpose
+from newton_euler.bodies import MassError, disk, plate, rod, sphere
+from newton_euler.kinematics import along, apply, product, transpose
 from tests.kinds import KINDS, close, every_kind, number, numbers, within
 
 laws = settings(max_examples=60)

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Dimension, Frame, compiled, cos, moving, sin, sqrt
+from newton_euler import Dimension, Frame, compiled, cos, moving, pi, sin, sqrt
 from newton_euler.algebra import DimensionError
-from newton_euler.algebra.scalars import pi
 from newton_euler.bodies import MassError, integrated
 
 MASS, LENGTH = Dimension(1, 0, 0), Dimension(0, 1, 0)

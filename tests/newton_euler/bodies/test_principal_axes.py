@@ -10,10 +10,9 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Frame, Inertia, compiled, composite, particle
-from newton_euler.bodies import MassError
-from newton_euler.bodies.solids import box, cylinder, disk, sphere
-from newton_euler.kinematics.rotations import determinant, rotation_matrix
+from newton_euler import Frame, Inertia, compiled, composite, particle, rotation_matrix
+from newton_euler.bodies import MassError, box, cylinder, disk, sphere
+from newton_euler.kinematics import determinant
 from tests.kinds import close, every_kind, numbers
 
 laws = settings(max_examples=80)
@@ -110,10 +109,10 @@ def test_an_array_of_matrices_is_each_of_them():
 
 
 def test_thirty_digits():
-    p, exact = (
-        Inertia(Frame("body"), numbers(kind, 5, 4, 3), numbers(kind, 1, -1, "0.5")).principal()
-        for kind in ("mpmath", "sympy")
+    data = (
+        [numbers(kind, *v) for v in ((5, 4, 3), (1, -1, "0.5"))] for kind in ("mpmath", "sympy")
     )
+    p, exact = (Inertia(Frame("body"), *given).principal() for given in data)
     assert close(p.moments, exact.moments, 1e-27)
     assert not any(m.has(sympy.I) for m in exact.moments)  # no complex cube roots
     assert close([tuple(a) for a in p.axes], [tuple(a) for a in exact.axes], 1e-26)
@@ -219,10 +218,8 @@ def test_exact_numbers_with_equal_moments():
 def test_symmetry_finds_itself():
     F = Frame("F")
     whole = box(1.0, 2.0, 3.0, F, mass=1.0)
-    assert (whole.inertia.symmetry().kind, whole.inertia.symmetry().planes) == (
-        "none",
-        ("yz", "zx", "xy"),
-    )
+    own = whole.inertia.symmetry()
+    assert (own.kind, own.planes) == ("none", ("yz", "zx", "xy"))
     aside = whole.about(F.point("P", 0.5, 0.5, 0)).symmetry()
     assert (aside.axes, aside.planes) == (("z",), ("xy",))
     corner = whole.about(F.point("P", 0.5, 1.0, 1.5)).symmetry()

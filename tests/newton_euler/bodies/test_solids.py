@@ -58,12 +58,6 @@ def solid_cone():
     return x, s * r * np.cos(b), s * r * np.sin(b), w * s * r * r
 
 
-def open_cone():
-    (x, b), w = gauss((0, L), TURN)
-    r = R * x / L
-    return x, r * np.cos(b), r * np.sin(b), w * r * math.hypot(1, R / L)
-
-
 def egg():
     x, y, z, w = ball((0, 1))
     return A * x, R * y, L * z, A * R * L * w
@@ -91,13 +85,10 @@ TABLE = {
     "half disk": ((R,), lambda: fan((0, R), (-HALF, HALF))),
     "tube": ((A, R, L), lambda: fan((A, R), TURN, L)),
     "wedge": ((R, C, L), lambda: fan((0, R), (-C, C), L)),
-    "hollow sphere": ((A, R), lambda: ball((A, R))),
     "hemisphere": ((R,), lambda: ball((0, R), (0, HALF))),
     "ellipsoid": ((A, R, L), egg),
     "cylindrical shell": ((R, L), lambda: fan(R, TURN, L)),
-    "conical shell": ((R, L), open_cone),
     "spherical shell": ((R,), lambda: ball(R)),
-    "hemispherical shell": ((R,), lambda: ball(R, (0, HALF))),
 }
 
 
@@ -117,11 +108,8 @@ def integrals(points):
     content = w.sum()
     moments = [(w * s).sum() for s in (y * y + z * z, z * z + x * x, x * x + y * y)]
     xy, yz, zx = ((w * s).sum() for s in (x * y, y * z, z * x))
-    return (
-        content,
-        [(w * s).sum() / content for s in (x, y, z)],
-        ((moments[0], -xy, -zx), (-xy, moments[1], -yz), (-zx, -yz, moments[2])),
-    )
+    matrix = (moments[0], -xy, -zx), (-xy, moments[1], -yz), (-zx, -yz, moments[2])
+    return content, [(w * s).sum() / content for s in (x, y, z)], matrix
 
 
 @every_solid
@@ -157,7 +145,7 @@ def test_appendix_B_on_every_kind_of_number(name, kind):
         assert close(body.inertia.moments, exact.inertia.moments, 1e-27)
 
 
-ROUND = ("sphere", "hollow sphere", "spherical shell")  # have no axis
+ROUND = ("sphere", "spherical shell")  # have no axis
 FANS = ("arc", "sector", "half ring", "half disk", "wedge")  # point along another one
 
 
@@ -192,11 +180,8 @@ def test_a_fan_may_be_directed_anywhere_in_its_plane():
 
 def test_thin_walls_keep_their_digits():
     F = Frame("F")
-    for thin, limit in (
-        (B.tube(1 - 1e-9, 1.0, L, F, mass=1.0), B.cylindrical_shell(1.0, L, F, mass=1.0)),
-        (B.hollow_sphere(R * (1 - 1e-12), R, F, mass=1.0), B.spherical_shell(R, F, mass=1.0)),
-    ):
-        assert close(thin.inertia.moments, limit.inertia.moments, 2e-9)
+    thin, limit = B.tube(1 - 1e-9, 1.0, L, F, mass=1.0), B.cylindrical_shell(1.0, L, F, mass=1.0)
+    assert close(thin.inertia.moments, limit.inertia.moments, 2e-9)
 
 
 @every_kind
@@ -217,16 +202,11 @@ def test_simplex_between_points_anywhere(kind, corners):
         shares.append(left * t)
         left = left * (1 - t)
     r = first[:, None] + sum(e[:, None] * s for e, s in zip(edges, shares, strict=True))
-    size = {
-        2: lambda: np.linalg.norm(edges[0]),
-        3: lambda: np.linalg.norm(np.cross(*edges)),
-        4: lambda: abs(np.linalg.det(edges)),
-    }[corners]()
+    size = math.sqrt(np.linalg.det(np.array(edges) @ np.transpose(edges)))  # by Gram
     content, centre, matrix = integrals((*r, 2 * size * w))
     if kind == "array":
-        body = B.simplex(
-            *(F.point("P", *(np.array([float(x)] * 2) for x in p)) for p in places), density=2.0
-        )
+        points = (F.point("P", *(np.array([float(x)] * 2) for x in p)) for p in places)
+        body = B.simplex(*points, density=2.0)
     assert close(body.mass, content, 1e-12)
     assert close(body.centre.position(F), centre, 1e-12)
     assert close(body.about(F).matrix, matrix, 1e-11)
@@ -241,11 +221,11 @@ def test_simplex_between_points_anywhere(kind, corners):
     (lambda F: B.rod(math.nan, F, mass=1.0), MassError, "the length of rod must be positive, got nan"),
     (lambda F: B.disk(1.0, F, "q", mass=1.0), MassError, "an axis is 'x', 'y', 'z' or one of them with a minus sign, got 'q'"),
     (lambda F: B.half_disk(1.0, F, "x", "-x", mass=1.0), MassError,
-     "half disk, normal to 'x', cannot be directed toward '-x'"),
+     "half disk, normal to 'x', cannot point toward '-x'"),
     (lambda F: B.simplex(F.origin, mass=1.0), MassError, "a simplex has two to four corners, all Points; got "),
     (lambda F: B.simplex(*(F.point("P", x, 0, 0) for x in (0.0, 1.0, 2.0)), density=1.0), MassError,
      "the mass of triangle must be positive, got 0"),
-    (lambda F: B.disk(1.0, (0, 0, 0), mass=1.0), FrameError, r"place of disk is a Point or a Frame; got \(0, 0, 0\)"),
+    (lambda F: B.disk(1.0, (0, 0, 0), mass=1.0), FrameError, r"place of disk is a Point or a Frame, .*; got \(0, 0, 0\)"),
 ])  # fmt: skip
 def test_solids_that_do_not_exist_are_refused(make, error, words):
     with pytest.raises(error, match=words):

@@ -37,12 +37,9 @@ def test_table_5_1_free_particles_and_bodies(kind, dof):
 @pytest.mark.parametrize("surfaces", [0, 1, 2, 3])
 def test_eqn_5_28_each_independent_constraint_takes_one_away(surfaces):
     """3 - L for a particle under L surfaces f(x, y, z) = 0."""
-    f = {
-        "sphere": lambda P: squared(P, (0, 0, 0)) - 1,
-        "plane": lambda P: P[0] + 2 * P[1] - P[2] / 3,
-        "saddle": lambda P: P[2] - P[0] * P[1] - 0.1,
-    }
-    assert count({"P": "particle"}, dict(list(f.items())[:surfaces])) == 3 - surfaces
+    sphere, plane = lambda P: squared(P, (0, 0, 0)) - 1, lambda P: P[0] + 2 * P[1] - P[2] / 3
+    f = [("sphere", sphere), ("plane", plane), ("saddle", lambda P: P[2] - P[0] * P[1] - 0.1)]
+    assert count({"P": "particle"}, dict(f[:surfaces])) == 3 - surfaces
     assert count({"P": "particle"}, {"z = 0": lambda P: P[2]}) == 2  # plane motion
 
 
@@ -59,16 +56,14 @@ CONE_AND_STRING = {  # problem 5/28
 def test_the_count_does_not_depend_on_the_configuration(angle):
     bodies = {"P": "particle", "Q": "particle"}
     r = 0.1 + angle / 20
-    at = {
-        "P": (r * cos(angle), r * sin(angle), sqrt(3) * r),
-        "Q": (0.0, 0.6 - 1.2 * r, -0.8 + 1.6 * r),
-    }
+    P, Q = (r * cos(angle), r * sin(angle), sqrt(3) * r), (0.0, 0.6 - 1.2 * r, -0.8 + 1.6 * r)
+    at = {"P": P, "Q": Q}
     found = degrees_of_freedom(bodies, CONE_AND_STRING, at=at)
     assert (found.count, found.singular) == (count(bodies, CONE_AND_STRING), False) == (4, False)
 
 
 @pytest.mark.parametrize(("L", "factor"), [(1.0, 1.0), (1e6, 1.0), (1.0, 1e6), (1e-3, 1e-6)])
-def test_it_does_not_depend_on_units(L, factor):
+def test_the_count_does_not_depend_on_units(L, factor):
     """In metres and micrometres, the constraint in square metres or times a million."""
     rod = lambda P: factor * (squared(P, (0, 0, 0)) - L * L)
     assert count({"P": "particle"}, {"rod": rod, "plane": lambda P: P[1]}) == 1
@@ -138,7 +133,7 @@ def test_an_index_out_of_range_arrives_as_raised_with_the_numbers_of_coordinates
 
 
 @pytest.mark.parametrize(("kind", "at", "match"), [
-    ("point", None, r"the kind of P is a number, or of particle, .* got 'point'"),
+    ("point", None, r"P is a number of coordinates, or particle, .* got 'point'"),
     (PLANAR, {"P": (2.0, 0.0)}, "does not meet the constraint 'rod': it is 3 instead of 0"),
     (PLANAR, {"Q": (1.0, 0.0)}, r"at= gives the coordinates of P; it has Q"),
     (PLANAR, {"P": (1.0, 0.0, 0.0)}, "at= holds 3 numbers; the bodies have 2 coordinates"),
@@ -149,10 +144,7 @@ def test_a_wrong_kind_or_place_is_refused(kind, at, match):
 
 
 def test_the_refusal_says_how_to_pass_a_configuration():
-    with pytest.raises(
-        ConstraintError,
-        match=r"If not, pass one as at=\{'P': \.\.\.\}",
-    ):
+    with pytest.raises(ConstraintError, match=r"If not, pass one as at=\{'P': \.\.\.\}"):
         degrees_of_freedom({"P": "particle on line"}, {"a": lambda P: P[0] ** 2 + 1})
     # Newton's method is caught by the minimum at 0
     far = {"far": lambda P: (P[0] ** 2 + 4) * (P[0] - 1e3)}

@@ -28,6 +28,7 @@ from newton_euler import (
     sin,
     sqrt,
 )
+from newton_euler.algebra import WorkError
 from newton_euler.algebra.ledger import Amount
 from newton_euler.bodies.body import Body
 from newton_euler.bodies.inertia import Inertia
@@ -101,10 +102,8 @@ class Tumbling:
     def centre(self):
         """G in the ground, moving."""
         total = sum(self.masses)
-        return [
-            sum(m * c[k] for m, c in zip(self.masses, self.moved, strict=True)) / total
-            for k in range(3)
-        ]
+        parts = [[m * x for x in c] for m, c in zip(self.masses, self.moved, strict=True)]
+        return [sum(column) / total for column in zip(*parts, strict=True)]
 
     def loads(self):
         """Resultant force and moment about G that the points need, in ground components."""
@@ -158,11 +157,8 @@ def test_eqn_11_14_speed_after_work(kind):
 
 def test_eqn_11_14_it_just_gets_there_or_not():
     assert speed_after(3.0, -9.0, 2.0) == 0
-    with pytest.raises(
-        EnergyError,
-        match=r"does not get there: the work -9\.0001 takes more than the kinetic energy 9, so it "
-        r"stops before",
-    ):
+    words = r"does not get there: the work -9\.0001 takes more than the kinetic energy 9, so it st"
+    with pytest.raises(EnergyError, match=words):
         speed_after(3.0, -9.0001, 2.0)
     with pytest.raises(EnergyError, match="does not get there"):
         speed_after(np.array([3.0, 1.0]), -9.0, 2.0)
@@ -317,11 +313,8 @@ def test_eqn_11_38_11_39_only_the_change_of_H_in_the_body_works(kind):
     _, M = scene.loads()
     omega, H = body.frame.angular_velocity(ground), body.angular_momentum(ground)
     alpha = body.frame.angular_acceleration(ground)
-    for known in (
-        H.rate(body.frame).dot(omega),
-        body.inertia.times(alpha).dot(omega),
-        H.dot(alpha),
-    ):
+    by_inertia = body.inertia.times(alpha).dot(omega)
+    for known in (H.rate(body.frame).dot(omega), by_inertia, H.dot(alpha)):
         assert close(M.dot(omega), known, small(kind))
     assert close(omega.cross(H).dot(omega), 0, small(kind))
 
@@ -513,10 +506,10 @@ def test_the_energy_balance_of_any_damped_oscillator_closes(m, n, zeta, x0, v0):
 @pytest.mark.parametrize(("arguments", "message"), [
     ({"kinetic": 3.0}, "the kinetic energy must be a function of time, as in lambda t"),
     ({"powers": {"drag": 3.0}}, "the power of drag must be a function of time"),
-    ({"kinetic": lambda t: ENERGY}, r"an audit needs numbers, or SymPy expressions .* got Dimension"),
+    ({"kinetic": lambda t: ENERGY}, r"Dimension\(.*\) has no size to be compared; put numbers in"),
 ])  # fmt: skip
 def test_an_audit_that_cannot_be_kept_is_refused_in_words(arguments, message):
-    with pytest.raises(EnergyError, match=message):
+    with pytest.raises((EnergyError, WorkError), match=message):
         audit(**{"kinetic": lambda t: t, "start": 0.0, "end": 1.0, **arguments})
 
 
@@ -525,13 +518,11 @@ def test_energies_have_the_units_of_energy():
     G = ground.point("G", moving(LENGTH, LENGTH * rate, LENGTH * rate**2), 0, 0)
     frame = ground.rotate("body", "z", rate=rate, acceleration=rate**2, origin=G)
     ball = cylinder(LENGTH, LENGTH, frame, "x", mass=MASS)
-    for energy in (
-        kinetic_energy(ball, ground),
-        kinetic_energy_about(ball, ground.point("B", LENGTH, LENGTH, 0), ground),
-        plane_kinetic_energy(MASS, LENGTH * rate, inertia, rate),
-        gyroscope_energy(inertia, inertia, Dimension(), rate, rate, rate),
-    ):
+    B = ground.point("B", LENGTH, LENGTH, 0)
+    for energy in (kinetic_energy(ball, ground), kinetic_energy_about(ball, B, ground)):
         assert energy.value == ENERGY
+    assert plane_kinetic_energy(MASS, LENGTH * rate, inertia, rate).value == ENERGY
+    assert gyroscope_energy(inertia, inertia, Dimension(), rate, rate, rate).value == ENERGY
     assert kinetic_energy_rate(ball, ground).value == ENERGY / TIME
     assert speed_after(LENGTH / TIME, ENERGY, MASS) == LENGTH / TIME
 

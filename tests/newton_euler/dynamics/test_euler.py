@@ -2,20 +2,19 @@
 
 import pytest
 
-from newton_euler import Frame, at, moving
-from newton_euler.bodies.admissibility import MassError
-from newton_euler.bodies.inertia import Inertia
-from newton_euler.bodies.solids import box, cylinder, rod
-from newton_euler.dynamics.euler import (
+from newton_euler import Frame, Inertia, at, moving
+from newton_euler.bodies import MassError, box, cylinder, rod
+from newton_euler.dynamics import (
     angular_acceleration,
+    angular_momentum,
     euler_moment,
     euler_moments,
     fixed_line_moment,
     fixed_line_momentum,
     planar_moment,
+    resultant_force,
+    resultant_moment,
 )
-from newton_euler.dynamics.momentum import angular_momentum, resultant_moment
-from newton_euler.dynamics.newton import resultant_force
 from tests.kinds import every_kind, numbers, within
 from tests.tumbling import close, free_body, turns
 
@@ -153,10 +152,9 @@ def test_bodies_without_a_moment_about_an_axis_are_refused_by_the_inverse():
 
 def test_the_planar_equation_is_refused_where_products_are_left():
     I = Inertia(Frame("body"), (3.0, 3.0, 4.0), (0, 0.5, 1.0))
-    with pytest.raises(
-        MassError,
-        match=r"\(8\.19\) needs a principal axis along z, but .* I_yz = 0\.5, I_zx = 1\.0; take "
-        r"fixed_line_moment",
-    ):
+    words = (
+        r"\(8\.19\) needs a principal axis along z, but .* I_yz = 0\.5, .*; take fixed_line_moment"
+    )
+    with pytest.raises(MassError, match=words):
         planar_moment(I, 2.0)
     assert planar_moment(Inertia(Frame("body"), (3.0, 3.0, 4.0), (1.0, 0, 1e-15)), 2.0) == 8.0

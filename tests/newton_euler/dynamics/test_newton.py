@@ -48,13 +48,8 @@ small = within(1e-13, 26)
 def coordinates(kind):
     """Mass, instant, and three functions of time that never vanish together with their rates."""
     m, t, a, b, c = numbers(kind, "2.5", "0.5", "1.5", "-0.4", "0.7")
-    return (
-        m,
-        t,
-        (lambda t: a + b * t + t * t),
-        (lambda t: c + a * t - b * t * t),
-        (lambda t: b + c * t + c * t * t * t),
-    )
+    x, y = (lambda t: a + b * t + t * t), (lambda t: c + a * t - b * t * t)
+    return m, t, x, y, (lambda t: b + c * t + c * t * t * t)
 
 
 def by_rectangular(m, t, xyz):
@@ -189,13 +184,10 @@ def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
 )
 def test_a_mass_must_be_positive(m):
     ground = Frame("ground")
-    for call in (
-        lambda: resultant_force(m, ground.i),
-        lambda: acceleration_by(m, F=ground.i),
-        lambda: path_rates(m, 1.0, 1.0, 1.0),
-    ):
+    by = lambda m: acceleration_by(m, F=ground.i)
+    for f, *given in ((resultant_force, ground.i), (by,), (path_rates, 1.0, 1.0, 1.0)):
         with pytest.raises(MassError, match="the mass must be positive and finite, got m = "):
-            call()
+            f(m, *given)
 
 
 def test_a_symbolic_mass_is_taken_as_it_is():
@@ -226,11 +218,8 @@ def test_units_of_forces_and_accelerations():
     length = moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2)
     P = spherical(ground, "P", length, angle, angle)
     assert list(resultant_force(MASS, P.acceleration(ground))) == [FORCE] * 3
-    assert coordinate_accelerations(MASS, P, push=(FORCE, FORCE, FORCE)) == (
-        LENGTH / TIME**2,
-        1 / TIME**2,
-        1 / TIME**2,
-    )
+    found = coordinate_accelerations(MASS, P, push=(FORCE, FORCE, FORCE))
+    assert found == (LENGTH / TIME**2, 1 / TIME**2, 1 / TIME**2)
     assert path_rates(MASS, FORCE, FORCE, LENGTH / TIME) == (LENGTH / TIME**2, 1 / TIME)
 
 

@@ -23,12 +23,9 @@ LOADS = st.lists(st.tuples(NAMES, TRIPLES, TRIPLES | st.none()), min_size=1, max
 
 def system(loads, ground):
     """Forces at points, and a couple where there is no point."""
-    return [
-        Couple(ground.vector(*v), name)
-        if r is None
-        else Force(ground.vector(*v), ground.point("P", *r), name)
-        for name, v, r in loads
-    ]
+    force = lambda name, v, r: Force(ground.vector(*v), ground.point("P", *r), name)
+    couple = lambda name, v: Couple(ground.vector(*v), name)
+    return [force(name, v, r) if r else couple(name, v) for name, v, r in loads]
 
 
 def added(parts, ground):
@@ -48,9 +45,8 @@ def test_resultant_and_moment_are_sums_over_all_forces_however_they_were_added(l
     ground = Frame("ground")
     O = ground.point("O", *about)
     forces = [(name, np.array(v)) for name, v, r in loads if r is not None]
-    moments = [
-        np.array(v) if r is None else np.cross(np.subtract(r, about), v) for _, v, r in loads
-    ]
+    arm = lambda r: np.subtract(r, about)
+    moments = [np.cross(arm(r), v) if r else np.array(v) for _, v, r in loads]
     for s in added(system(loads, ground), ground):
         check_terms(s.force, [v for _, v in forces], [name for name, _ in forces])
         check_terms(s.moment(O), moments, [name for name, _, _ in loads])
@@ -118,13 +114,9 @@ def test_a_force_may_have_the_name_of_a_term_of_the_motion(name):
 @by_any_names
 @given(st.dictionaries(NAMES, TRIPLES, max_size=4), st.dictionaries(NAMES, TRIPLES, max_size=4))
 def test_an_energy_balance_counts_every_potential_and_every_work(potentials, powers):
-    found = audit(
-        lambda t: 2.0 * t,
-        0.0,
-        2.0,
-        {name: (lambda t, c=c: c[0] + c[1] * t) for name, c in potentials.items()},
-        {name: (lambda t, c=c: c[0] + c[1] * t) for name, c in powers.items()},
-    )
+    in_time = lambda c: lambda t: c[0] + c[1] * t
+    given = ({name: in_time(c) for name, c in x.items()} for x in (potentials, powers))
+    found = audit(lambda t: 2.0 * t, 0.0, 2.0, *given)
     change = 4.0 + sum(2 * c[1] for c in potentials.values())
     work = sum(2 * c[0] + 2 * c[1] for c in powers.values())
     assert float(found.energy) == pytest.approx(change, abs=1e-9)

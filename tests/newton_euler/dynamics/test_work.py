@@ -26,7 +26,7 @@ from newton_euler.dynamics.work import (
     work_integral,
 )
 from newton_euler.kinematics import along
-from tests.kinds import LENGTH, MASS, TIME, close, every_kind, number, numbers, within
+from tests.kinds import LENGTH, MASS, TIME, close, every_kind, number, numbers, rates, within
 
 FORCE, POWER = MASS * LENGTH / TIME**2, MASS * LENGTH**2 / TIME**3
 small = within(1e-12, 26)
@@ -69,7 +69,7 @@ def test_eqn_11_3_work_is_the_integral_of_the_tangential_component_over_the_arc(
     path, stretch = helix(a, c), sqrt(a * a + c * c)
 
     def F_t(s):
-        tangent = [at(lambda p, n=n: path(p)[n], s / stretch).rate / stretch for n in range(3)]
+        tangent = [rate / stretch for rate in rates(path, s / stretch)]
         return power(swirl(*path(s / stretch)), tangent)
 
     U = work_integral(F_t, 0, stretch * q, exact=kind == "sympy")
@@ -80,11 +80,8 @@ def test_eqn_11_3_work_is_the_integral_of_the_tangential_component_over_the_arc(
 def test_eqn_11_4_force_times_displacement_along_it(kind):
     """A force c z + d z^2 along k, whose point of application moves up a slanting curve."""
     c, d, h = numbers(kind, 3, "-0.5", 2)
-    exact, F, slanting = (
-        kind == "sympy",
-        lambda z: c * z + d * z * z,
-        lambda q: (q, 3 * q, h * q * q),
-    )
+    exact = kind == "sympy"
+    F, slanting = lambda z: c * z + d * z * z, lambda q: (q, 3 * q, h * q * q)
     expected = c * h * h / 2 + d * h**3 / 3
     along_path = work_along(lambda x, y, z: (0, 0, F(z)), slanting, 0, 1 + 0 * h, exact=exact)
     for U in (work_integral(F, 0, h, exact=exact), along_path):

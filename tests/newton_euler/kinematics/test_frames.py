@@ -21,22 +21,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
-from newton_euler import (
-    Dimension,
-    Frame,
-    Vector,
-    at,
-    compiled,
-    cos,
-    cross,
-    moving,
-    pi,
-    sin,
-)
+from newton_euler import Dimension, Frame, Vector, at, cos, cross, moving, pi, sin
 from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import AngleWarning, along
 from tests.explicit import curve
-from tests.kinds import KINDS, close, every_kind, number, numbers, within
+from tests.kinds import KINDS, close, compiled_by, every_kind, number, numbers, within
 from tests.turning import DIGITS, angular_acceleration, angular_velocity, rate, rot, second_rate
 from tests.turning import cross as cross50
 
@@ -52,16 +41,12 @@ def decimals(rng, count, largest=2.0):
 
 def random_tree(seed, count):
     """Each hung into an earlier one (mostly the last), with any axis and a moving origin."""
-    rng = random.Random(seed)
-    return [
-        {
-            "parent": n if rng.random() < 0.7 else rng.randrange(n + 1),
-            "axis": rng.choice(AXES),
-            "angle": decimals(rng, 3),
-            "origin": None if rng.random() < 0.2 else [decimals(rng, 3) for _ in range(3)],
-        }
-        for n in range(count)
-    ]
+    rng, tree = random.Random(seed), []
+    for n in range(count):
+        parent = n if rng.random() < 0.7 else rng.randrange(n + 1)
+        tree.append({"parent": parent, "axis": rng.choice(AXES), "angle": decimals(rng, 3)})
+        tree[n]["origin"] = None if rng.random() < 0.2 else [decimals(rng, 3) for _ in range(3)]
+    return tree
 
 
 def chain(seed, count):
@@ -75,11 +60,9 @@ def in_engine(tree, kind, faster=1):
     for n, s in enumerate(tree, start=1):
         parent = frames[s["parent"]]
         origin = s["origin"] and parent.point(f"O{n}", *map(coordinate, s["origin"]))
-        axis = (
-            s["axis"]
-            if isinstance(s["axis"], str) or kind != "sympy"
-            else tuple(map(sympy.Integer, s["axis"]))
-        )
+        axis = s["axis"]
+        if not isinstance(axis, str) and kind == "sympy":
+            axis = tuple(map(sympy.Integer, axis))
         frames.append(parent.rotate(f"f{n}", axis, faster * coordinate(s["angle"]), origin=origin))
     return frames
 
@@ -255,13 +238,9 @@ def test_eqn_4_28_and_4_29_term_by_term(seed):
             r, v_r, a_r = (into(mpf(0)) * x for x in (seen(mpf(0)), rate(seen), second_rate(seen)))
             omega, alpha = angular_velocity(into), angular_acceleration(into)
             expected_v = {"origin": rate(origin), "relative": v_r, "rotation": cross50(omega, r)}
-            expected_a = {
-                "origin": second_rate(origin),
-                "relative": a_r,
-                "coriolis": 2 * cross50(omega, v_r),
-                "euler": cross50(alpha, r),
-                "centripetal": cross50(omega, cross50(omega, r)),
-            }
+            expected_a = {"origin": second_rate(origin), "relative": a_r}
+            expected_a |= {"coriolis": 2 * cross50(omega, v_r), "euler": cross50(alpha, r)}
+            expected_a["centripetal"] = cross50(omega, cross50(omega, r))
         for terms, expected in ((v.terms, expected_v), (a.terms, expected_a)):
             assert list(terms) == list(expected)
             for name, wanted in expected.items():
@@ -309,7 +288,7 @@ def test_eqn_4_29_on_symengine_and_through_heyoka():
     w = symengine.Symbol("w")
     for got, wanted in zip(acceleration(w), direct, strict=True):
         assert abs(float(got.subs({w: 1.0})) - wanted) < 1e-11
-    f = compiled(lambda w: acceleration(w), backend="heyoka")
+    f = compiled_by("heyoka", acceleration)
     for got, wanted in zip(f(np.array([1.0, 2.0])), direct, strict=True):
         assert abs(got[0] - wanted) < 1e-11
     assert agrees(
@@ -510,11 +489,8 @@ def test_what_is_zero_by_structure_stays_zero():
 def test_a_function_of_time_an_instant_with_rates_and_an_expression_in_t_give_the_same_motion():
     t = sympy.Symbol("t")
     results = []
-    for angle in (
-        at(lambda t: sin(t) + t**2, 0.7),
-        moving(np.sin(0.7) + 0.49, np.cos(0.7) + 1.4, 2 - np.sin(0.7)),
-        sympy.sin(t) + t**2,
-    ):
+    of_time, s, c = (lambda t: sin(t) + t**2), np.sin(0.7), np.cos(0.7)
+    for angle in (at(of_time, 0.7), moving(s + 0.49, c + 1.4, 2 - s), of_time(t)):
         ground = Frame("ground")
         P = ground.rotate("arm", "y", angle).point("P", 1.0, 2.0, 3.0)
         a = P.acceleration(ground).components(ground)
@@ -637,13 +613,10 @@ def test_the_rate_of_what_was_computed_for_an_instant_is_refused_with_advice():
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", rate=1.0)
     P = arm.point("P", 1.0, 0, 0)
-    for known_at_the_instant in (
-        P.acceleration(ground),
-        arm.angular_acceleration(ground),
-        Vector((1.0, 2.0, 3.0), ground),
-    ):
+    known = P.acceleration(ground), arm.angular_acceleration(ground), Vector((1, 2, 3), ground)
+    for at_the_instant in known:
         with pytest.raises(FrameError, match=r"is not known; build it from moving"):
-            known_at_the_instant.rate(ground)
+            at_the_instant.rate(ground)
 
 
 def test_points_and_frames_show_what_they_are():

@@ -24,7 +24,7 @@ from newton_euler.kinematics import (
 )
 from newton_euler.kinematics.paths import derivatives
 from tests.explicit import curve
-from tests.kinds import close, every_kind, numbers, within
+from tests.kinds import close, every_kind, numbers, rates, within
 
 EPS = 2.0**-52
 ground = Frame("ground")
@@ -266,7 +266,7 @@ def twisted_cubic(q):
 
 def by_arc_length(kind, f, t, speed):
     """The derivative by arc length of a triple of functions of the time."""
-    return tuple(at(lambda s, n=n: f(s)[n], t).rate / speed for n in range(3))
+    return tuple(rate / speed for rate in rates(f, t))
 
 
 def axes_of(name):
@@ -309,11 +309,8 @@ def test_eqn_3_9_to_3_11_torsion_and_the_frenet_formulas(kind):
     f, tau = here.flexure, here.torsion
     rates = {"t": f * here.e_n, "b": tau * here.e_n, "n": -tau * here.e_b - f * here.e_t}
     for name, e in (("t", here.e_t), ("n", here.e_n), ("b", here.e_b)):
-        assert close(
-            by_arc_length(kind, axes_of(name), t, here.speed),
-            rates[name].components(ground),
-            10 * tight(kind),
-        )
+        slope = by_arc_length(kind, axes_of(name), t, here.speed)
+        assert close(slope, rates[name].components(ground), 10 * tight(kind))
         assert close(e.rate(ground) / here.speed, rates[name], tight(kind))
     slope = ground.vector(*by_arc_length(kind, axes_of("b"), t, here.speed))
     assert close(here.e_n.dot(slope), tau, tight(kind))  # 3.10

@@ -52,24 +52,17 @@ def test_seen_from_a_branch_the_frames_of_both_branches_count(turns, angle):
     names = [t[0] for t in turns]
     ground, last = chain(turns, names)
     branch = ground.rotate(names[0], "y", angle, rate=1.5)
-    check_terms(
-        last.angular_velocity(branch),
-        [-value(branch.angular_velocity(ground).expressed_in(last))]
-        + [value(v) for v in last.angular_velocity(ground).terms.values()],
-        [names[0], *names],
-    )
+    terms = [-branch.angular_velocity(ground).expressed_in(last)]
+    terms += last.angular_velocity(ground).terms.values()
+    check_terms(last.angular_velocity(branch), [*map(value, terms)], [names[0], *names])
 
 
 def test_coordinates_of_one_name_keep_all_their_terms():
     q = moving(1.0, 2.0, 3.0), moving(0.5, -1.0, 0.25), moving(0.0, 1.0, 1.0)
     parabolic = lambda u, v, w: ((u**2 - v**2) / 2, u * v, w)
     ground = Frame("ground")
-    known, P = (
-        curvilinear(ground, "P", parabolic, *q, names) for names in (tuple("uvw"), tuple("qqq"))
-    )
-    for a, b in (
-        (known.velocity(ground), P.velocity(ground)),
-        (known.acceleration(ground), P.acceleration(ground)),
-    ):
+    known, P = (curvilinear(ground, "P", parabolic, *q, tuple(names)) for names in ("uvw", "qqq"))
+    for of in (lambda X: X.velocity(ground), lambda X: X.acceleration(ground)):
+        a, b = of(known), of(P)
         names = [name.replace("u", "q").replace("v", "q").replace("w", "q") for name in a.terms]
         check_terms(b, [value(v.expressed_in(known.local)) for v in a.terms.values()], names)

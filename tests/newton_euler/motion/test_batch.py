@@ -12,15 +12,11 @@ from newton_euler.motion.batch import (
     MIN_HEYOKA_BATCH,
     _by_series,
     _clock_errors,
-    _Many,
     _representatives,
-    _taylor,
 )
-from newton_euler.motion.error_estimates import ROUND_OFF_OF_RATES, SERIES_ROUND_OFF, SERIES_SAFETY
-from newton_euler.motion.methods.table import METHODS
-from newton_euler.motion.methods.taylor import batches, level_of
+from newton_euler.motion.error_estimates import ROUND_OFF_OF_RATES
+from newton_euler.motion.methods.taylor import batches
 from newton_euler.motion.prepared import PreparedModel, prepared_model
-from newton_euler.motion.run import Run
 from newton_euler.motion.sizes import time_round_off
 from newton_euler.motion.verified import NEAR_END, NEAR_START, SPARE
 from tests.models import FALL, needs_heyoka, oscillator
@@ -37,6 +33,15 @@ def test_motions_close_to_each_other_have_one_representative():
     chosen, group = _representatives(begins, ends)
     assert [n % 2 for n in chosen] == [0, 1]
     assert group.tolist() == [0, 1] * 20
+
+
+def test_many_motions_are_known_at_their_samples():
+    found = integrate(oscillator(), 2.0, (np.array([1.0, 2.0]), 0.0), samples=[0.5, 2.0])
+    assert found.at(0.5)["x"] == pytest.approx(math.cos(1.0) * np.array([1.0, 2.0]), rel=1e-8)
+    assert (found.at(2)["dx"] == found.end["dx"]).all()
+    for bad in (0.7, [0.5, 2.0], np.ma.array([0.5], mask=[1])):
+        with pytest.raises(ModelError, match="known at their times alone"):
+            found.at(bad)
 
 
 @pytest.mark.parametrize(("part", "which", "count"), [
@@ -131,13 +136,13 @@ def test_motions_that_all_begin_at_zero_are_judged_by_the_largest_end(ends, grou
 def test_heyoka_is_taken_if_asked_for_or_worth_it_and_if_a_series_sees_all(
     method, count, hazards, found
 ):
-    traced = SimpleNamespace(hazards=hazards, kinks=())
+    traced = SimpleNamespace(hazards=hazards, kinks=(), inner=())
     assert _by_series(SimpleNamespace(traced=traced), method, count) is found
 
 
 @needs_heyoka
 def test_auto_takes_no_batch_of_series_for_rates_with_kinks():
-    traced = SimpleNamespace(hazards=(), kinks=("where",))
+    traced = SimpleNamespace(hazards=(), kinks=("where",), inner=())
     kinked = SimpleNamespace(traced=traced, model=SimpleNamespace(name="any"))
     assert not _by_series(kinked, "auto", 100)
 
@@ -317,51 +322,6 @@ def test_the_errors_by_the_clock_are_those_of_each_motion_or_a_bound_of_them():
     assert _clock_errors(PreparedModel(PENDULUM), t0, t1, ends, w[None], sizes, 0.0).max() == 0.0
 
 
-class Batches:
-    """In place of runs of heyoka: the ends given, and those beside them this far off."""
-
-    def __init__(self, ends, off):
-        self.ends, self.off, self.asked = np.array(ends, dtype=float), np.array(off), []
-
-    def __call__(self, system, tolerance, starts, p, t0, times):
-        self.asked.append((tolerance, starts, p, t0, list(times)))
-        if len(self.asked) == 1:
-            found = np.repeat(self.ends[:, :, None], len(times), axis=2)
-            found[:, :, :-1] += 5.0  # only the last are the ends
-            return found, 100
-        members = [np.flatnonzero(self.asked[0][2][0] == n)[0] for n in p[0]]
-        return (self.ends + self.off)[:, members, None], 10
-
-
-def by_batches(monkeypatch, ends, off, vouching=None, starts=None, times=(0.0, 5.0)):
-    """What is found of motions whose parameters are their numbers, 1, 2 and so on."""
-    ends = np.array(ends, dtype=float)
-    starts = np.ones(ends.shape) if starts is None else np.array(starts, dtype=float)
-    runs = Batches(ends, off)
-    monkeypatch.setattr(batch, "batches", runs)
-    if vouching:
-        monkeypatch.setattr(batch, "_representatives", lambda *_: tuple(map(np.array, vouching)))
-    many = _Many(PENDULUM, starts, {"n": 1.0 + np.arange(ends.shape[1])}, np.array(times))
-    return runs, _taylor(many, Run(PreparedModel(PENDULUM), 0.0, times[-1], None, 1e-9))
-
-
-def test_what_the_clock_makes_is_added_to_the_errors_of_those_compared(monkeypatch):
-    asked = []
-
-    def clock_errors(system, t0, t1, ends, p, sizes, enough):
-        asked.append((t0, t1, ends[0].tolist(), p[0].tolist(), sizes[0].tolist(), enough / 1e-9))
-        return 2e-10 * p[0]
-
-    monkeypatch.setattr(batch, "_clock_errors", clock_errors)
-    ends = [[1.0, 2.0, 4.0]] * 2
-    _, (_, errors, _) = by_batches(monkeypatch, ends, 0.0, ([0, 1], [0, 1, 1]))
-    assert asked == [
-        (0.0, 5.0, [1.0, 2.0], [1.0, 2.0], [1.0, 4.0], pytest.approx(0.01)),
-        (0.0, 5.0, [4.0], [3.0], [4.0], pytest.approx(0.01)),
-    ]
-    assert errors == pytest.approx([6e-10, 1e-9, 1e-9], rel=1e-3)
-
-
 @needs_heyoka
 @pytest.mark.parametrize("names", ["", "p", "pq"])
 def test_a_batch_takes_any_number_of_parameters(names):
@@ -375,74 +335,65 @@ def test_a_batch_takes_any_number_of_parameters(names):
     assert found.states["x"][:, -1] == pytest.approx(exact, rel=1e-9)
 
 
-def error_of(difference):
-    """The estimated error of a series that is this far from one of higher order."""
-    return SERIES_SAFETY * difference + SERIES_ROUND_OFF
+# x'' = x from (1, -1): what is off at the start grows as exp(t), and the error is known
+SADDLE = second_order("saddle", {}, ("x",), lambda s, p, t: (s.x,))
+GROWN = ROUND_OFF_OF_RATES * math.exp(15.0)
 
 
-def test_a_batch_is_compared_with_one_of_higher_order_beside_its_start(monkeypatch):
-    runs, (found, errors, calls) = by_batches(
-        monkeypatch, [[1.0, 2.0]] * 2, 1e-11, times=(0.0, 2.0, 5.0)
-    )
-    taylor, level = METHODS["taylor"], level_of(1e-9 / 10**1.5)
-    (first, begun, _, t0, times), (second, beside, p, _, last) = runs.asked
-    assert (first, second) == (level, level_of(taylor.other(level)))
-    assert (t0, times, last) == (0.0, [0.0, 2.0, 5.0], [5.0])
-    part = ROUND_OFF_OF_RATES / SERIES_SAFETY
-    assert (beside / begun - 1)[:, 0] == pytest.approx([part, -part], abs=3e-16)
-    assert p[0].tolist() == [1.0, 2.0]
-    assert found.shape == (2, 2, 3)
-    assert errors == pytest.approx(3 * error_of(np.array([1e-11, 0.5e-11])), rel=1e-3)
-    assert calls == 110
+@needs_heyoka
+@pytest.mark.parametrize(("rtol", "safety"), [(1e-6, 3.0), (2e-8, 1.2)])
+def test_the_errors_of_a_batch_contain_the_round_off_of_its_start(rtol, safety):
+    motions = integrate(SADDLE, 15.0, (np.ones(1), -np.ones(1)), rtol, "taylor")
+    assert motions.error == pytest.approx(safety * GROWN, rel=0.1)
 
 
-@pytest.mark.parametrize(("part", "compared"), [(0.99, 1), (1.01, 2)])
-def test_the_rest_is_compared_too_where_those_that_vouch_have_nothing_to_spare(
-    monkeypatch, part, compared
-):
-    off = part * (1e-9 / SPARE - SERIES_ROUND_OFF) / SERIES_SAFETY
-    runs, (_, errors, calls) = by_batches(
-        monkeypatch, np.ones((2, 4)), [[off, 2e-13, 2e-13, 1e-9]] * 2, ([0], [0, 0, 0, 0])
-    )
-    members = [p[0].tolist() for _, _, p, _, _ in runs.asked[1:]]
-    assert members == [[1.0], [2.0, 3.0, 4.0]][:compared]
-    assert calls == 100 + 10 * compared
-    if compared == 1:
-        assert errors[1:].tolist() == [1e-9] * 3  # no more is known
-    else:
-        assert errors[1:] == pytest.approx([3 * error_of(2e-13)] * 2 + [error_of(1e-9)], rel=1e-3)
+@needs_heyoka
+def test_motions_alike_are_vouched_for_by_one_that_has_something_to_spare():
+    """At the smaller rtol all are compared, not one batch of them."""
+    x = np.linspace(1.0, 1.001, 64)
+    least = SPARE * 1.03 * GROWN
+    spare, none = (integrate(SADDLE, 15.0, (x, -x), f * least, "taylor") for f in (1.1, 0.9))
+    assert none.cost.calls == pytest.approx(2 * spare.cost.calls, rel=0.15)
+    assert spare.error[0] == pytest.approx(spare.rtol, rel=0.01)
+    assert (none.error <= none.rtol).all()
 
 
-def test_each_motion_is_vouched_for_by_the_one_that_it_is_close_to(monkeypatch):
-    runs, (_, errors, _) = by_batches(
-        monkeypatch, np.ones((2, 4)), [[1e-13, 9e-10, 1e-13, 1e-10]] * 2, ([0, 1], [0, 1, 0, 1])
-    )
-    assert [p[0].tolist() for _, _, p, _, _ in runs.asked[1:]] == [[1.0, 2.0], [4.0]]
-    # of the one that it is close to, with something to spare, and then as every error
-    assert errors[2] == pytest.approx(SPARE * errors[0], rel=1e-3)
-    assert errors[[1, 3]] == pytest.approx([error_of(9e-10), 3 * error_of(1e-10)], rel=1e-3)
+@needs_heyoka
+@pytest.mark.parametrize(("width", "compared"), [(0.01, 8), (4.0, 64)])
+def test_a_motion_vouches_only_for_those_close_to_it(width, compared):
+    a = np.linspace(1.0, 1.0 + width, 64)
+    motions = integrate(PENDULUM, 3.0, (a, np.zeros(64)), 1e-9, "taylor")
+    at_once = integrate(PENDULUM, 3.0, (a[:8], np.zeros(8)), 1e-9, "taylor").cost.calls / 2
+    assert motions.cost.calls == pytest.approx(at_once * (8 + compared / 8), rel=0.2)
 
 
-@pytest.mark.parametrize(
-    ("starts", "ends"),
-    [([1.0, 1e-3], [1.0, 0.0]), ([1.0, -1e-3], [1.0, 0.0]), ([1.0, 0.0], [1.0, 1e-3]), ([1.0, 0.0], [1.0, -1e-3])],
-)  # fmt: skip
-def test_a_state_that_ends_at_zero_is_as_large_as_in_the_motions_close_to_it(
-    monkeypatch, starts, ends
-):
-    """The second motion, whose second state is not zero at its start or at its end."""
-    beside = [1.0, 0.0]
-    ends, starts = (np.transpose([beside, one]) for one in (ends, starts))
-    _, (_, errors, _) = by_batches(
-        monkeypatch, ends, [[0.0] * 2, [1e-14] * 2], ([0], [0, 0]), starts
-    )
-    assert errors[0] == pytest.approx(3 * error_of(1e-11), rel=1e-3)
+@needs_heyoka
+def test_a_motion_vouches_for_a_smaller_state_by_the_size_of_that():
+    """Light that passes a spot at distances of which one has a hundredth of the other's dose: by
+    the error of the larger one smaller ones were off 3.5 times.
+    """
+
+    def rates(s, p, t):
+        far = ((s.x - 1.0) ** 2 + (s.y - 0.5) ** 2) / (p.w * p.w)
+        return s.u, s.v, -0.1 * s.u, -0.1 * s.v, 1 / p.w / (1 + far * far)
+
+    model = Model("spot", {"w": 1e-3}, ("x", "y", "u", "v", "dose"), rates)
+    v = 0.5 + np.linspace(-0.009, 0.009, 64)
+    motions = integrate(model, 2.0, (0.0, 0.0, np.ones(64), v, 0.0), 1e-6, "taylor")
+    for n in (0, 7, 16, 31, 52, 60, 63):
+        true = integrate(model, 2.0, (0.0, 0.0, 1.0, v[n], 0.0), 1e-10, "dop853").end["dose"]
+        assert abs(motions.states["dose"][n, -1] / true - 1) <= motions.error[n] <= 1e-6
 
 
-def test_a_state_that_is_zero_in_all_motions_counts_as_it_is(monkeypatch):
-    ends = [[1.0], [0.0]]
-    _, (_, errors, _) = by_batches(monkeypatch, ends, [[0.0], [1e-11]], None, ends)
-    assert errors == pytest.approx([3 * error_of(1e-11)], rel=1e-3)
+@needs_heyoka
+def test_a_state_that_is_zero_at_the_ends_of_a_motion_is_as_large_as_on_the_way():
+    v = np.array([1.0, 2.0, 3.0])
+    spring = second_order("spring", {}, ("x",), lambda s, p, t: (-s.x,))
+    motions = integrate(spring, math.pi, (0 * v, v), 1e-9, "taylor")
+    assert (motions.error < 1e-11).all()
+    assert motions.cost.calls < 2 * integrate(spring, 3.0, (0 * v, v), 1e-9, "taylor").cost.calls
+    still = integrate(spring.changed(), 3.0, (0 * v, 0 * v), 1e-9, "taylor")
+    assert (still.error < 1e-12).all()  # nor is a state that is zero all the time refused
 
 
 @needs_heyoka

@@ -131,7 +131,8 @@ def test_a_prepared_run_into_a_singular_place_says_so(method):
 @pytest.mark.parametrize(
     ("t", "start", "words"),
     [(1.0, (1.0,), "has the 2 states x, dx; got 1 values"), (1.0, (1.0, "fast"), "needs a number for dx"), ("soon", (1.0, 0.0), "t is the time"),
-     (math.nan, (1.0, 0.0), "time runs forward"), (1.0, (math.nan, 0.0), "needs finite numbers")],
+     (math.nan, (1.0, 0.0), "time runs forward"), (1.0, (math.nan, 0.0), "needs finite numbers"),
+     (np.array([1.0, 2.0]), (1.0, 0.0), "takes one time"), (1.0, (np.array([1.0, 2.0]), 0.0), "one start, integrate many")],
 )  # fmt: skip
 def test_what_a_prepared_run_cannot_do_is_reported_as_by_integrate(method, t, start, words):
     run = prepare(oscillator(), 1e-7, method)

@@ -360,7 +360,11 @@ def test_after_an_inaccurate_closed_form_a_long_motion_is_refused_after_few_step
 
 def candidates(rtol=1e-9, hazards=(), kinks=(), integrators=(), seconds=0.0):
     traced = SimpleNamespace(
-        hazards=hazards, kinks=kinks, integrators=dict.fromkeys(integrators), seconds=seconds
+        hazards=hazards,
+        kinks=kinks,
+        inner=(),
+        integrators=dict.fromkeys(integrators),
+        seconds=seconds,
     )
     system = SimpleNamespace(traced=traced, model=SimpleNamespace(name="any"))
     one = Run(system, 0.0, 1.0, START, rtol)

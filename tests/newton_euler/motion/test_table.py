@@ -4,10 +4,10 @@ import pickle
 
 import pytest
 
-from newton_euler import Model, where
+from newton_euler import Model, integral, prepare, root, where
 from newton_euler.motion import second_order
 from newton_euler.motion.methods.table import MAX_COARSE_TOLERANCE, METHODS
-from newton_euler.motion.methods.taylor import LEVELS, level_of
+from newton_euler.motion.methods.taylor import LEVELS, installed, level_of
 from newton_euler.motion.prepared import prepared_model
 from tests.models import free_body
 
@@ -50,6 +50,17 @@ def test_what_a_splitting_method_cannot_split_is_reported():
     assert "'floor' have kinks, at which it loses its order" in why("verlet", FLOOR)
     assert "'free body' are not two groups" in why("verlet", free_body())
     assert "'spring' is not Euler's equations of a free body" in why("lie-poisson4", SPRING)
+
+
+@pytest.mark.skipif(not installed(), reason="needs heyoka")
+def test_a_root_or_an_integral_of_a_state_has_no_series():
+    for name, f in (
+        ("root", lambda x: root(lambda q: q**3 - x, 0.0, 9.0)),
+        ("integral", lambda x: integral(lambda q: q, 0.0, x)),
+    ):
+        model = Model("inner", {}, ("x",), lambda s, p, t, f=f: (-f(s.x),))
+        assert f"no series of the {name} in the rates of 'inner'" in why("taylor", model)
+        assert prepare(model).method == "dop853"
 
 
 def test_a_closed_form_of_rates_that_depend_on_time_starts_at_zero():

@@ -33,8 +33,10 @@ def test_a_run_of_another_rtol_or_time_is_not_covered(rtol, t0, t1):
     assert not verified(0.0).covers(rtol, t0, t1, START, END)
 
 
-def test_a_run_beside_it_is_covered_only_if_there_is_something_to_spare():
-    beside = RTOL, 0.0, 10.0, BESIDE, BESIDE_END
+@pytest.mark.parametrize("start", [BESIDE, START])
+def test_a_run_beside_it_is_covered_only_if_there_is_something_to_spare(start):
+    """Also one from the same start by other steps."""
+    beside = RTOL, 0.0, 10.0, start, BESIDE_END
     assert verified(RTOL / SPARE).covers(*beside)
     assert not verified(1.01 * RTOL / SPARE).covers(*beside)
 

@@ -7,8 +7,7 @@ rung is the right choice now and then.
 import math
 from math import cos, sin, sqrt
 
-from newton_euler.applications.earth import EARTH_GM, EARTH_RATE
-from newton_euler.applications.gyroscopes import GyroError, steady_precession
+from newton_euler.applications import EARTH_GM, EARTH_RATE, GyroError, steady_precession
 from newton_euler.scenes import ladder
 from newton_euler.scenes.particles.orbit import EARTH_OBLATENESS
 from newton_euler.scenes.planar.hinged_rod import least_rate, rod, swing_out

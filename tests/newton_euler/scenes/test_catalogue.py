@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from newton_euler.motion import ModelError
-from newton_euler.motion.integration import integrate
+from newton_euler.motion import ModelError, integrate
 from newton_euler.scenes import SCENES, scene
 
 ROOT = Path(__file__).parents[3]
@@ -34,12 +33,8 @@ def makers(path):
     """The functions of a file that make a model."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.FunctionDef):
-            calls = {
-                n.func.id
-                for n in ast.walk(node)
-                if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)
-            }
-            if calls & {"Model", "second_order"}:
+            called = [n.func for n in ast.walk(node) if isinstance(n, ast.Call)]
+            if {"Model", "second_order"} & {f.id for f in called if isinstance(f, ast.Name)}:
                 yield node.name
 
 

@@ -6,11 +6,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from newton_euler.motion.events import Event
-from newton_euler.motion.integration import integrate
-from newton_euler.motion.methods.table import METHODS
+from newton_euler.motion import METHODS, AccuracyError, Event, integrate
 from newton_euler.motion.prepared import PreparedModel, prepared_model
-from newton_euler.motion.solution import AccuracyError
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from tests.honesty.closed_forms import pendulum
 from tests.models import TAYLOR

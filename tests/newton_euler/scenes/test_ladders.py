@@ -18,18 +18,13 @@ import pytest
 import sympy
 from scipy.integrate import solve_ivp
 
-from newton_euler import Model, at, moving
-from newton_euler.kinematics.rotations import (
-    euler_matrix,
-    matrix_from_quaternion,
-    quaternion_from_euler,
-)
+from newton_euler import Model, integrate, moving, prepare, smallest
+from newton_euler.kinematics import euler_matrix, matrix_from_quaternion, quaternion_from_euler
 from newton_euler.motion import ModelError, Neglected, second_order
-from newton_euler.motion.integration import integrate, prepare
-from newton_euler.scenes import LADDERS, ladder, ladders
-from newton_euler.scenes.ladders import Ladder, Rung, smallest
+from newton_euler.scenes import LADDERS, Ladder, Rung, ladder, ladders
 from newton_euler.scenes.particles import orbit
 from newton_euler.scenes.spatial import free_body, spherical_pendulum, top_ladder
+from tests.kinds import rates
 from tests.newton_euler.scenes.draws import DRAWS, FREEDOM
 
 BORDER = 1.001
@@ -71,11 +66,8 @@ def judged(name, count, seed):
         *cheaper, taken = errors.values()
         right = taken <= BORDER * tolerance and all(BORDER * error > tolerance for error in cheaper)
         noise = 1e-9 * tolerance + 1e-11 * max(map(abs, asked.rungs[-1].start))
-        low = [
-            rung.name
-            for rung in upto
-            if errors[rung.name] > rung.bound(asked.t) * (1 + 1e-9) + noise
-        ]
+        bound = lambda rung, t=asked.t, noise=noise: rung.bound(t) * (1 + 1e-9) + noise
+        low = [rung.name for rung in upto if errors[rung.name] > bound(rung)]
         yield choice.rung.name, right, low, (asked, tolerance, errors)
 
 
@@ -136,12 +128,9 @@ def off(rung):
         numbers = {n: mpmath.mpf(x) for n, x in rung.model.parameters.items() if x}
         model = rung.model.changed(**numbers)
         state, first = model.solution(t, start), model.solution(0 * t, start)
-        rates = [
-            at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate
-            for n in range(len(start))
-        ]
-        expected = zip((*rates, *first), (*model.derivative(state, t), *start), strict=True)
-        size = 1 + max(float(abs(x)) for x in (*state, *rates))
+        found = rates(lambda t: model.solution(t, start), t)
+        expected = zip((*found, *first), (*model.derivative(state, t), *start), strict=True)
+        size = 1 + max(float(abs(x)) for x in (*state, *found))
         return max(float(abs(a - b)) for a, b in expected) / size
 
 
@@ -287,11 +276,9 @@ def test_a_small_bound_accepts_without_any_motion(monkeypatch):
 
 
 def test_a_large_bound_is_measured():
-    asked = hand_made(
-        oscillator("a", 4.0, [by(lambda s, p, t: t)]),
-        oscillator("b", 4.001, [by(lambda s, p, t: t)]),
-        oscillator("c", 4.01),
-    )
+    large = [by(lambda s, p, t: t)]
+    rough = oscillator("a", 4.0, large), oscillator("b", 4.001, large)
+    asked = hand_made(*rough, oscillator("c", 4.01))
     true = np.abs(np.cos(2 * JUDGED * 2) - np.cos(math.sqrt(4.01) * JUDGED * 2)).max()
     assert asked.error(asked.rung("a")) == pytest.approx(true, rel=1e-3)
     assert [smallest(asked, x * true).model.name for x in (1.01, 0.99, 0.5)] == ["a", "b", "c"]
@@ -347,7 +334,7 @@ ENERGY = oscillator(neglects=[by(lambda s, p, t: t, "energy")])
 @pytest.mark.parametrize(
     ("ask", "words"),
     [
-        (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' have no values: put numbers in"),
+        (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' need numbers"),
         (lambda: hand_made(ENERGY), "of different quantities: position, m; energy"),
         (lambda: hand_made(FIRST, FIRST), r"the rungs of 'oscillators' need names of their own, got \['a', 'a'\]"),
         (hand_made, r"got \[\]"),

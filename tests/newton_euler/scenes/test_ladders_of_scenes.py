@@ -14,9 +14,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from newton_euler import Dimension
+from newton_euler import Dimension, integrate
 from newton_euler.chapters.examples.ch11 import Car
-from newton_euler.motion.integration import integrate
 from newton_euler.motion.model import ModelError, Named, is_law
 from newton_euler.scenes import ladder
 from newton_euler.scenes.particles import space_station
@@ -228,11 +227,9 @@ def test_a_body_in_the_air_of_the_station_is_held_by_a_wind_among_the_stars():
 def test_a_body_at_rest_in_the_air_of_the_station_can_be_let_go(method):
     if method == "taylor":
         pytest.importorskip("heyoka")
-    ends = [
-        integrate(body_in_air(-0.3, 0.01, creep), 2.0, (98.0, 0.0, 0.0, 0.0), 1e-9, method).end["x"]
-        for creep in (1e-2, 1e-4)
-    ]
-    assert ends[0] == pytest.approx(ends[1], abs=1e-5)
+    models, start = (body_in_air(-0.3, 0.01, creep) for creep in (1e-2, 1e-4)), (98.0, 0, 0, 0)
+    one, other = (integrate(model, 2.0, start, 1e-9, method).end["x"] for model in models)
+    assert one == pytest.approx(other, abs=1e-5)
 
 
 def test_air_near_a_low_with_friction_is_the_sum_of_two_complex_exponentials():

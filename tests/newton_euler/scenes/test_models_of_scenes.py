@@ -8,14 +8,14 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import Frame, at, moving, polar
+from newton_euler import Frame, moving, polar
 from newton_euler.dynamics import coordinate_accelerations
 from newton_euler.motion.model import second_order
 from newton_euler.scenes.particles.aircraft import vertical_flight
 from newton_euler.scenes.particles.low_pressure import air_near_low
-from newton_euler.scenes.particles.projectile import flat
+from newton_euler.scenes.particles.projectile import shot
 from newton_euler.scenes.particles.space_station import free_body
-from tests.kinds import close
+from tests.kinds import close, rates
 
 
 def pendulum(m=1.0, g=9.81, length=2.0):
@@ -43,7 +43,7 @@ MODELS = {
     "flight": vertical_flight(2.0, 9.81),
     "station": free_body(-0.3),
     "low": air_near_low(0.8, 1e-2, rate=0.2),
-    "flat": flat(9.81),
+    "flat": shot("flat", 9.81),
 }
 
 each_model = pytest.mark.parametrize("name", MODELS)
@@ -59,10 +59,8 @@ def test_exact_solutions_start_where_they_should_and_solve_the_equations(name):
     small = mp.mpf(10) ** -26
     assert close(model.solution(mp.mpf(0), start), start, small)
     t = mp.mpf(3) / 4
-    rates = [
-        at(lambda t, n=n: model.solution(t, start)[n] + 0 * t, t).rate for n in range(len(start))
-    ]
-    assert close(rates, model.derivative(model.solution(t, start), t), small)
+    found = rates(lambda t: model.solution(t, start), t)
+    assert close(found, model.derivative(model.solution(t, start), t), small)
 
 
 @each_model

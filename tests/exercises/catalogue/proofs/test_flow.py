@@ -19,7 +19,7 @@ def round_centre(s):
 
 
 @pytest.mark.parametrize("step", ["0.01", "1", "7"])
-def test_quarter_of_a_large_swing_is_the_elliptic_integral(step):
+def test_a_quarter_of_a_large_swing_takes_the_elliptic_integral(step):
     t, (angle, speed) = until(swing, [mpf(2), mpf(0)], lambda s: s[0], mpf(step) / 2)
     assert abs(t - mp.ellipk(mp.sin(1) ** 2)) < mpf(10) ** -22
     assert abs(angle) < mpf(10) ** -30

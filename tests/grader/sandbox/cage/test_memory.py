@@ -3,20 +3,18 @@ kernel's, since few machines let a test make one.
 """
 
 import os
+import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from grader.sandbox.cage import memory
-from grader.sandbox.cage.memory import PER_TEST, TOTAL, Group, Watch
+from grader.sandbox.cage.memory import PER_TEST, TOTAL, Group, MemoryWatch
 
-WRITTEN = {
-    "memory.max": str(TOTAL + 2 * PER_TEST),
-    "memory.swap.max": "0",
-    "memory.oom.group": "1",
-    "pids.max": "400",
-    "cgroup.procs": "0",
-}
+WRITTEN = {"memory.swap.max": "0", "memory.oom.group": "1", "pids.max": "400", "cgroup.procs": "0"}
+WRITTEN["memory.max"] = str(TOTAL + 2 * PER_TEST)
 
 
 @pytest.fixture
@@ -83,6 +81,22 @@ def test_kills_are_read_from_the_events(tmp_path):
 def test_each_test_of_a_submission_may_hold_some_memory_of_its_own(monkeypatch, tests):
     held = TOTAL + tests * PER_TEST
     monkeypatch.setattr(memory, "used_by", lambda pids, enough: held)
-    assert not Watch(tests).exceeded()
+    assert not MemoryWatch(tests).exceeded()
     held += 1
-    assert Watch(tests).exceeded()
+    assert MemoryWatch(tests).exceeded()
+
+
+def test_private_memory_moves_into_large_pages():
+    """A fork copies the page table: of a worker in large pages it takes half the time."""
+    if sys.platform != "linux" or tuple(map(int, os.uname().release.split(".")[:2])) < (6, 1):
+        pytest.skip("large pages are made by Linux 6.1 and later")
+    code = (
+        "import sys; sys.path.insert(0, sys.argv[1]); from cage.memory import use_large_pages\n"
+        "held = bytearray(b'x') * 2**24\nuse_large_pages()\n"
+        "print(open('/proc/self/smaps_rollup').read())"
+    )
+    folder = Path(memory.__file__).parents[1]
+    done = subprocess.run(
+        [sys.executable, "-c", code, folder], capture_output=True, text=True, check=True
+    )
+    assert int(re.search(r"AnonHugePages: +(\d+)", done.stdout)[1]) >= 2**13, done

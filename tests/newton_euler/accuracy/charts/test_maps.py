@@ -85,7 +85,7 @@ def regions(chart, found):
 @pytest.mark.parametrize("name", ["top", "projectile", "steady precession"])
 def test_every_large_region_has_its_name_inside_it(name):
     chart = MAPS[name]
-    found = chart.measure((20, 20))
+    found = chart.measure((14, 14))
     written = regions(chart, found)
     assert all(written.values())
     assert {choice for choice in chart.choices if (found == choice).mean() > 0.1} <= set(written)

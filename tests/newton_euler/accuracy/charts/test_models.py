@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 from matplotlib.figure import Figure
 
-from newton_euler import integrate
+from newton_euler import integrate, smallest
 from newton_euler.accuracy.charts.models import (
     MeasuredModel,
     choice,
@@ -14,15 +14,14 @@ from newton_euler.accuracy.charts.models import (
     models_caption,
     usual_tolerance,
 )
-from newton_euler.scenes import LADDERS, ladder, smallest
-from newton_euler.scenes.ladders import Ladder, Rung
+from newton_euler.scenes import LADDERS, Ladder, Rung, ladder
 from newton_euler.scenes.particles import projectile
 
 
 @pytest.fixture(scope="module")
 def shots():
     start = (0.0, 0.0, 0.0, 200.0, 0.0, 200.0)
-    models = projectile.coriolis(9.82, 0.8), projectile.full(9.82, 0.8)
+    models = (projectile.shot(rung, 9.82, 0.8) for rung in ("Coriolis to first order", "full"))
     rungs = tuple(Rung(model, start, lambda s, p, t: (s.x, s.y, s.z)) for model in models)
     return Ladder("shots", projectile.POSITION, 5.0, rungs)
 

@@ -81,10 +81,8 @@ def test_past_the_vertical_the_rates_of_euler_angles_leave_an_error_as_large_as_
     measured,
 ):
     points = measured("rotations")
-    angles, quaternions = (
-        errors(points, "rates of Euler's angles", 2),
-        errors(points, "rate of a quaternion", 2),
-    )
+    angles = errors(points, "rates of Euler's angles", 2)
+    quaternions = errors(points, "rate of a quaternion", 2)
     assert angles[1.0] < 1e-10
     assert all(angles[10.0**-n] > 30 * angles[10.0 ** (1 - n)] for n in (1, 2, 3))
     assert all(1e-3 < angles[10.0**-n] < 0.1 for n in (3, 4, 5, 6))

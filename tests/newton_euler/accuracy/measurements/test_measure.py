@@ -8,21 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import Frame
-from newton_euler.accuracy import chart
-from newton_euler.accuracy.measurements.measure import (
-    EQUAL_WITHIN,
-    Measured,
-    front,
-    relative_error,
-    timed,
-)
+from newton_euler.accuracy import Measured, chart, front, relative_error, timed
+from newton_euler.accuracy.measurements.measure import EQUAL_WITHIN
 
 positive = st.floats(1e-9, 1.0)
-point_lists = st.lists(
-    st.builds(Measured, st.sampled_from("abc"), positive, positive | st.just(0.0)),
-    min_size=1,
-    max_size=12,
-)
+measured = st.builds(Measured, st.sampled_from("abc"), positive, positive | st.just(0.0))
+point_lists = st.lists(measured, min_size=1, max_size=12)
 
 
 class Clock:
@@ -91,17 +82,11 @@ def test_errors_are_measured_in_the_digits_of_the_reference():
 
 
 def test_the_chart_names_every_method_once_and_returns_the_front(ax):
-    points = [Measured("coarse", 1e-6, e) for e in (1e-2, 1e-4)] + [
-        Measured("fine", 1e-3, 1e-9),
-        Measured("beaten", 1e-2, 1e-9),
-    ]
+    points = [Measured("coarse", 1e-6, e) for e in (1e-2, 1e-4)]
+    points += Measured("fine", 1e-3, 1e-9), Measured("beaten", 1e-2, 1e-9)
     assert chart(points, ax) == [points[1], points[2]]
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == [
-        "coarse",
-        "fine",
-        "beaten",
-        "front",
-    ]
+    names = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert names == ["coarse", "fine", "beaten", "front"]
     assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
     ax.figure.canvas.draw()
 
@@ -113,11 +98,9 @@ def test_the_chart_names_every_method_once_and_returns_the_front(ax):
 )
 def test_only_what_every_repeat_says_is_ringed(ax, repeats, ringed):
     """Two ways of equal errors: which one is cheaper must not hang on a single repeat."""
-    points = [
-        Measured("surely", 1e-9, 1e-2, repeats=(1e-9, 1e-9, 1e-9)),
-        Measured("cheap", 4e-6, 1e-9, repeats=repeats),
-        Measured("dear", 3e-5, 1e-9, repeats=(3e-5, 3e-5, 3e-5)),
-    ]
+    points = [Measured("surely", 1e-9, 1e-2, repeats=(1e-9,) * 3)]
+    points += [Measured("cheap", 4e-6, 1e-9, repeats=repeats)]
+    points += [Measured("dear", 3e-5, 1e-9, repeats=(3e-5,) * 3)]
     assert [p.method for p in chart(points, ax)] == ringed
     (rings,) = (line for line in ax.lines if line.get_label() == "front")
     assert list(rings.get_xdata()) == [p.cost for p in points if p.method in ringed]

@@ -21,19 +21,16 @@ def border(chart, x, below, precision=0.02):
     low, high = chart.y.low, chart.y.high
     while high - low > precision * low:
         middle = math.sqrt(low * high)
-        low, high = (
-            (middle, high) if next(iter(chart.column(x, [middle]))) in below else (low, middle)
-        )
+        is_below = next(iter(chart.column(x, [middle]))) in below
+        low, high = (middle, high) if is_below else (low, middle)
     return low
 
 
 @pytest.mark.parametrize("chart", MAPS.values(), ids=MAPS)
 def test_a_map_says_what_it_shows_with_units_and_has_a_colour_for_each_choice(chart):
     assert len(set(chart.choices)) == len(chart.choices) <= len(COLOURS)
-    assert all(
-        any(unit in axis.label for unit in ("rad", "s", "m", "degrees", "over"))
-        for axis in (chart.x, chart.y)
-    )
+    for axis in (chart.x, chart.y):
+        assert any(unit in axis.label for unit in ("rad", "s", "m", "degrees", "over"))
     assert chart.words.endswith(".")
     for axis in (chart.x, chart.y):
         edges, middles = axis.edges(7), axis.centres(7)
@@ -87,11 +84,8 @@ def test_errors_of_a_run_are_those_against_30_digits():
     found = maps.errors_until([60.0], motion, start)[0]
     with mpmath.workdps(30):
         exact = [maps.BODY.solution(mpmath.mpf(t), start) for t in motion.times.tolist()]
-    worst = max(
-        abs(float(e[n] - w[k]))
-        for n, w in enumerate(motion.states.values())
-        for k, e in enumerate(exact)
-    )
+    w = [*motion.states.values()]
+    worst = max(abs(float(x - w[n][k])) for k, e in enumerate(exact) for n, x in enumerate(e))
     assert found == pytest.approx(worst, rel=1e-3)
 
 
@@ -174,11 +168,8 @@ def test_a_map_is_drawn_with_a_legend_of_what_it_holds_and_the_curves_of_theory(
     ax.figure.canvas.draw()
     mesh = ax.collections[0]
     colours = {tuple(np.round(c[:3], 3)) for c in mesh.cmap(mesh.norm(mesh.get_array().ravel()))}
-    wanted = {
-        tuple(np.round(matplotlib.colors.to_rgb(COLOURS[chart.choices.index(c)]), 3))
-        for c in set(found.ravel())
-    }
-    assert colours == wanted
+    wanted = [COLOURS[chart.choices.index(c)] for c in set(found.ravel())]
+    assert colours == {tuple(np.round(matplotlib.colors.to_rgb(c), 3)) for c in wanted}
 
 
 @pytest.mark.slow

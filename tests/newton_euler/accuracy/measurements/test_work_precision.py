@@ -7,11 +7,10 @@ from itertools import pairwise
 import mpmath as mp
 import pytest
 
+from newton_euler.accuracy import Measured, timed
 from newton_euler.accuracy.measurements import work_precision as precision
-from newton_euler.accuracy.measurements.measure import Measured, timed
 from newton_euler.accuracy.measurements.work_precision import work_precision
-from newton_euler.motion.integration import integrate
-from newton_euler.motion.methods.table import METHODS
+from newton_euler.motion import METHODS, integrate
 from newton_euler.scenes import SCENES
 from tests.honesty import closed_forms
 
@@ -19,15 +18,10 @@ from tests.honesty import closed_forms
 @pytest.fixture(scope="module")
 def swing():
     """The pendulum by a few methods."""
-    output = []
-    found = work_precision(
-        "pendulum",
-        (1e-3, 1e-6, 1e-9),
-        ("dop853", "lie-poisson4", "yoshida6", "auto"),
-        longest=math.inf,  # the points shall not depend on how busy the machine is
-        progress=lambda *now: output.append(now),
-    )
-    return found, output
+    output, methods = [], ("dop853", "lie-poisson4", "yoshida6", "auto")
+    # the points shall not depend on how busy the machine is
+    options = {"longest": math.inf, "progress": lambda *now: output.append(now)}
+    return work_precision("pendulum", (1e-3, 1e-6, 1e-9), methods, **options), output
 
 
 def test_measured_errors_are_those_of_direct_integration(swing):
@@ -45,17 +39,15 @@ def test_drift_is_that_of_the_invariant_at_the_steps(swing):
     model, t, start = SCENES["pendulum"].motion
     (p,) = (p for p in swing[0].points if (p.method, p.asked) == ("dop853", 1e-6))
     motion = integrate(model, t, start, 1e-6, "dop853")
-    energies = [
-        model.invariant("energy", state)
-        for state in zip(*(x.tolist() for x in motion.states.values()), strict=True)
-    ]
+    states = zip(*(x.tolist() for x in motion.states.values()), strict=True)
+    energies = [model.invariant("energy", state) for state in states]
     assert p.drift == pytest.approx(
         max(abs(e - energies[0]) for e in energies) / max(map(abs, energies)), rel=1e-6
     )
     assert p.calls == motion.cost.calls > 100
 
 
-def test_of_several_invariants_the_worst_drift_counts():
+def test_the_worst_drift_of_several_invariants_counts():
     motion = integrate(*SCENES["free body"].motion, 1e-6, "lie-poisson4")
     assert motion.drift["momentum"] < 1e-12 < 1e-10 < motion.drift["energy"]
     assert precision.worst_drift(motion) == pytest.approx(motion.drift["energy"], rel=0.1)

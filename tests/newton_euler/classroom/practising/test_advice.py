@@ -38,14 +38,11 @@ def test_what_is_wrong_today_is_finished_first(progress):
 def test_after_a_mistake_comes_a_problem_of_its_section_in_which_it_can_be_made(progress):
     progress.tried("1/1", 0, "v", False, MISTAKE)
     progress.tried("1/1", 0, "v", True)
-    found = advise(
-        SECTIONS, progress, "1/1", lambda p: {("listed", "no_term")} if p == "1/3" else set()
-    )
+    listed = lambda p: {("listed", "no_term")} if p == "1/3" else set()
+    found = advise(SECTIONS, progress, "1/1", listed)
     assert found.problem == "1/3"
-    assert (
-        found.sentence
-        == "1/3 is of section 1.1, too: today your v of 1/1 fitted a solution that leaves out the term."
-    )
+    words = "of section 1.1, too: today your v of 1/1 fitted a solution that leaves out the term."
+    assert found.sentence == f"1/3 is {words}"
     assert advise(SECTIONS, progress, "1/1").problem == "1/2"
 
 
@@ -66,10 +63,8 @@ def test_a_problem_comes_again_after_more_days_the_better_it_went(progress, days
 
 def test_where_all_is_right_it_goes_on_and_ends_in_words(progress):
     progress.tried("1/3", 0, "v", True)
-    assert (
-        advise(SECTIONS, progress).sentence
-        == "1/4 begins section 1.2: what you tried before is right."
-    )
+    words = "1/4 begins section 1.2: what you tried before is right."
+    assert advise(SECTIONS, progress).sentence == words
     for p in SECTIONS:
         progress.tried(p, 0, "v", True)
     found = advise(SECTIONS, progress)
@@ -83,7 +78,7 @@ def test_progress_of_an_older_notebook_has_no_days_and_still_counts(progress):
     assert advise(SECTIONS, progress).problem == "1/1"
 
 
-def test_of_two_records_the_longer_one_counts(progress):
+def test_the_longer_of_two_records_counts(progress):
     longer, shorter = Progress(None), Progress(None)
     for right in (False, False, True):
         longer.tried("1/1", 0, "v", right, MISTAKE)

@@ -4,8 +4,7 @@ import itertools
 
 import pytest
 
-from newton_euler.answers.causes import Cause
-from newton_euler.answers.kinds import KINDS
+from newton_euler.answers import KINDS, Cause
 from newton_euler.classroom.practising.numbers import KeptNumbers, Quantity
 from newton_euler.classroom.practising.programs import operate
 
@@ -18,11 +17,8 @@ def quantity(key, kind="number", **more):
 
 
 def numbers(right, wrong=(), labels=(), earlier=None, book=None):
-    program = {
-        "operations": [["value", 3.0], ["*", [0], 2.0]],
-        "quantities": {"a": [[0, 1.0]], "b": [[1, 1.0]]},
-        "earlier": earlier or {},
-    }
+    program = {"operations": [["value", 3.0], ["*", [0], 2.0]], "earlier": earlier or {}}
+    program["quantities"] = {"a": [[0, 1.0]], "b": [[1, 1.0]]}
     variant = {"right": right, "wrong": list(wrong), "program": program}
     return KeptNumbers([quantity(key) for key in right], list(labels), variant, book)
 
@@ -34,11 +30,8 @@ def test_a_quantity_knows_its_kind_by_name():
 
 
 def test_right_numbers_are_points_and_wrong_ones_have_their_causes():
-    found = numbers(
-        {"a": [3.0], "n": 2},
-        wrong=[[0, [1.5]], [1, [9.0]]],
-        labels=[["a", "listed", "half", "takes half"], ["gone", "listed", "x", "…"]],
-    )
+    labels = [["a", "listed", "half", "takes half"], ["gone", "listed", "x", "…"]]
+    found = numbers({"a": [3.0], "n": 2}, [[0, [1.5]], [1, [9.0]]], labels)
     assert found.key == {"a": ((3.0,),), "n": ((2,),)}
     assert found.wrong("a") == [(Cause("listed", "half", ""), ((1.5,),))]
     assert found.wrong("n") == []

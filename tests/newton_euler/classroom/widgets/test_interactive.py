@@ -90,8 +90,8 @@ def test_an_error_in_draw_at_a_sample_says_for_which_values(shown):
     ((), {}, "different names"),
     ((A, B), {"alt": "too short"}, "8 words"),
     ((A, B), {"alt": lambda a, b: "too short"}, "8 words"),
-    ((A, B), {"panels": (0, 1)}, "panels is a pair"),
-    ((A, B), {"size": 3}, "size is a pair"),
+    ((A, B), {"panels": (0, 1)}, "one row and column or more"),
+    ((A, B), {"size": 3}, "size is a sequence"),
     ((3,), {}, "Slider"),
 ])  # fmt: skip
 def test_a_figure_that_cannot_be_is_refused_in_words(shown, sliders, options, message):

@@ -29,7 +29,7 @@ def test_a_figure_is_shown_as_html_and_as_png_with_its_alt_text_and_closed(shown
     assert not plt.get_fignums()  # else the notebook would show it twice
 
 
-def test_a_picture_has_two_pixels_for_each_of_the_page(shown):
+def test_a_picture_has_two_pixels_for_each_pixel_of_the_page(shown):
     show_figure(plot(), ALT)
     ((data, metadata),) = shown.outputs
     png = base64.b64decode(data["image/png"])

@@ -60,12 +60,8 @@ def test_spans_are_square_to_the_radius_and_run_the_way_the_pulley_turns(turns):
 
 
 def test_by_default_the_cable_takes_the_shortest_way():
-    stops = [
-        (-3.0, 2.0, 0.0),
-        Pulley((0.0, 0.0, 0.0), Z, 1.0),
-        Pulley((5.0, 1.0, 0.0), Z, 2.0),
-        (9.0, 0.0, 0.0),
-    ]
+    round_both = Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 1.0, 0.0), Z, 2.0)
+    stops = [(-3.0, 2.0, 0.0), *round_both, (9.0, 0.0, 0.0)]
     assert total(stops) == pytest.approx(
         min(total(stops, (a, b)) for a in (1, -1) for b in (1, -1))
     )

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler.algebra import FrameError
+from newton_euler import NewtonEulerError
 from tests.sketching import O, ground, sketch, vertices
 
 
@@ -76,9 +76,9 @@ def test_only_the_near_side_of_a_curve_on_a_sphere_is_drawn():
         (lambda s: s.around(O, (0, 0, 1), ground.k), "off its axis"),
         (lambda s: s.around(O, (1, 0, 0), ground.k, "pi"), "an angle is in radians, at most 1000 turns; got 'pi'"),
         (lambda s: s.around(O, (1, 0, 0), ground.k, 1e308), "at most 1000 turns; got 1e"),
-        (lambda s: s.path([O, (1, 0, 0)], style="bold"), "a line is solid, dashed, dotted, centre"),
+        (lambda s: s.path([O, (1, 0, 0)], style="bold"), "style is one of 'solid', 'dashed', 'dotted', 'centre'"),
     ],
 )  # fmt: skip
 def test_a_mistake_is_an_error_at_once(draw, words):
-    with pytest.raises(FrameError, match=words):
+    with pytest.raises(NewtonEulerError, match=words):
         draw(sketch())

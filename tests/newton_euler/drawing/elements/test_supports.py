@@ -1,5 +1,7 @@
 """Ground of any profile."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -20,14 +22,9 @@ def test_a_road_is_hatched_on_the_right_of_the_way(way):
     assert len(line) == len(way)
     assert len(hatches) > 20
     for foot, end in hatches:
-        n = next(
-            n
-            for n in range(len(way) - 1)
-            if min(way[n][0], way[n + 1][0]) - 1e-9
-            <= foot[0]
-            <= max(way[n][0], way[n + 1][0]) + 1e-9
-        )
-        along, out = np.subtract(way[n + 1], way[n])[:2], end - foot
+        reached = lambda a, b, x=foot[0]: min(a[0], b[0]) - 1e-9 <= x <= max(a[0], b[0]) + 1e-9
+        a, b = next(pair for pair in pairwise(way) if reached(*pair))
+        along, out = np.subtract(b, a)[:2], end - foot
         assert along[0] * out[1] - along[1] * out[0] < 0
 
 

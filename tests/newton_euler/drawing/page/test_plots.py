@@ -84,13 +84,9 @@ def test_an_arrow_leads_to_its_place_or_is_as_long_as_its_scale_says():
 
     page, tree = tree_of(arrows)
     frame = _Drawing(page.panel)
-    tails, tips = (
-        [[float(x) for x in re.findall(r"[\d.]+", path.get("d"))[:2]] for path in paths]
-        for paths in (
-            [p for p in tree.iter(NAME + "path") if p.get("stroke")],
-            [p for p in tree.iter(NAME + "path") if p.get("fill")],
-        )
-    )
+    begins = lambda path: [float(x) for x in re.findall(r"[\d.]+", path.get("d"))[:2]]
+    paths = [*tree.iter(NAME + "path")]
+    tails, tips = ([begins(p) for p in paths if p.get(of)] for of in ("stroke", "fill"))
     assert tails[0] == pytest.approx(frame.at(1, 10), abs=0.1)
     assert tips[0] == pytest.approx(frame.at(3, 20), abs=0.1)
     assert tips[1][0] - tails[1][0] == pytest.approx(0.3 * frame.w, abs=0.2)

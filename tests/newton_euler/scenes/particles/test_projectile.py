@@ -51,7 +51,7 @@ def on_ellipse(t, start, *earth):
 def test_the_full_equations_of_motion_hold_on_the_ellipse_to_25_digits():
     latitude, g, rate, radius = earth = numbers("mpmath", "0.8", "9.82", "0.00007292", "6371000")
     start = numbers("mpmath", 10, -20, 30, 300, 200, 500)
-    model = shots.full(g, latitude, rate, radius)
+    model = shots.shot("full", g, latitude, rate, radius)
     with mp.workdps(70):
         assert close(sum(kepler(mp.mpf(0), start, *earth), ()), start, mp.mpf(10) ** -50)
         for t in (mp.mpf(0), mp.mpf(20)):
@@ -78,7 +78,7 @@ def test_a_body_let_go_lands_to_the_east_as_the_ellipse_says(latitude):
 
 def simpler(*earth):
     """The models with an exact solution; earth is (g, latitude, rate, radius)."""
-    return [make(*earth) for make in (shots.flat, shots.coriolis, shots.plumb)]
+    return [shots.shot(rung, *earth) for rung, (*_, exact, _) in shots.RUNGS.items() if exact]
 
 
 @settings(max_examples=30)
@@ -98,7 +98,7 @@ def test_what_the_models_neglect_is_bounded_and_the_bound_is_no_guess(
     for model in simpler(g, latitude, rate, radius):
         error = math.dist(model.solution(t, start)[:3], exact)
         assert error <= sum(model.neglected(t, start).values()) * (1 + 1e-9) + 1e-9
-    coriolis = shots.flat(g, latitude, rate, radius).neglected(t, start)[shots.CORIOLIS]
+    coriolis = shots.shot("flat", g, latitude, rate, radius).neglected(t, start)[shots.CORIOLIS]
     assert coriolis <= 2 * rate * t * (speed * t + g * t * t)
 
 
@@ -123,24 +123,21 @@ def test_the_models_solve_their_equations(kind):
     start, t = numbers(kind, 10, 20, 30, 100, -50, 70), numbers(kind, 15)
     for model in simpler(g, latitude, rate, radius):
         state = model.solution(t, start)
-        rates = [
-            at(lambda t, n=n, model=model: model.solution(t, start)[n] + 0 * t, t).rate
-            for n in range(6)
-        ]
+        part = lambda n, model=model: at(lambda t: model.solution(t, start)[n] + 0 * t, t)
+        rates = [part(n).rate for n in range(6)]
         assert close(rates, model.derivative(state, t), small(kind, 100))
         assert close(model.solution(0 * t, start), start, 0)
     parabola = [r + v * t for r, v in zip(start[:3], start[3:], strict=True)]
     parabola[2] = parabola[2] - g * t * t / 2
-    assert close(shots.flat(g).solution(t, start)[:3], parabola, small(kind, 1000))
+    assert close(shots.shot("flat", g).solution(t, start)[:3], parabola, small(kind, 1000))
 
 
 def test_every_model_has_the_units_of_a_motion():
     LENGTH, SPEED, GRAVITY = Dimension(0, 1, 0), Dimension(0, 1, -1), Dimension(0, 1, -2)
     PURE, TIME = Dimension(), Dimension(0, 0, 1)
     start = (LENGTH,) * 3 + (SPEED,) * 3
-    in_air = shots.flat_in_air, shots.full, shots.full_in_air
-    for make in (shots.flat, shots.coriolis, shots.plumb, *in_air):
-        model = make(GRAVITY, PURE, 1 / TIME, LENGTH, 1 / LENGTH)
+    for rung in shots.RUNGS:
+        model = shots.shot(rung, GRAVITY, PURE, 1 / TIME, LENGTH, 1 / LENGTH)
         rates = model.derivative(start, TIME)
         assert rates[:3] == (SPEED,) * 3
         assert all(a in (0, GRAVITY) for a in rates[3:])

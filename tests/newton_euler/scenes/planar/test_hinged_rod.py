@@ -8,9 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import Frame
-from newton_euler.applications.gyroscopes import GyroError, steady_precession
-from newton_euler.bodies.inertia import Inertia
+from newton_euler import Frame, Inertia
+from newton_euler.applications import GyroError, steady_precession
 from newton_euler.scenes.planar.hinged_rod import hinged, least_rate, rod, stiffness, swing_out
 
 
