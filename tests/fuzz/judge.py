@@ -45,7 +45,8 @@ def trials(f, call, every=None):
     positional, named = call
     if inspect.isclass(f):
         positional = positional[1:]
-    skip = 0 if inspect.isclass(f) or "." not in f.__qualname__ else 1
+    of_first = getattr(type(positional[0]), f.__name__, None) is f if positional else False
+    skip = 1 if not inspect.isclass(f) and (of_first or "." in f.__qualname__) else 0  # self
     names = list(inspect.signature(inspect.unwrap(f)).parameters)
     return [
         (label, word, make, with_value)
