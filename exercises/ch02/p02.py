@@ -3,7 +3,7 @@
 from exercises.devices.plane_curve import at_constant_speed as proved_motion
 from exercises.tools import Sketch, cross, mp, size
 from newton_euler import Frame, cos, moving, polar, sin
-from newton_euler.kinematics import flexure, speed_rate
+from newton_euler.kinematics import speed_rate
 
 
 def motion(g, theta, ground=None):
@@ -25,10 +25,15 @@ def at_constant_speed(g, theta, ground=None):
     return motion(g, moving(theta, *rates(g, theta)), ground)
 
 
+def radius(g, theta_dot, a):
+    """The radius of curvature; |v x a| is the speed times the normal acceleration."""
+    return g.v**3 / (g.A * theta_dot * (a.y - g.theta * a.x))
+
+
 def solve(g):
     v, a = at_constant_speed(g, g.theta)
-    along_path = motion(g, moving(g.theta, rate=g.one))
-    return {"a_t": speed_rate(v, a), "a_n": g.v**2 * flexure(*along_path)}
+    rho = radius(g, rates(g, g.theta)[0], a)
+    return {"a_t": speed_rate(v, a), "a_n": g.v**2 / rho}
 
 
 def steps(g):
@@ -39,7 +44,7 @@ def steps(g):
         "thetaddot": theta_ddot,
         "a_r": a.x,
         "a_theta": a.y,
-        "rho": 1 / flexure(*motion(g, moving(g.theta, rate=g.one))),
+        "rho": radius(g, theta_dot, a),
     }
 
 

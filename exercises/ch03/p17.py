@@ -43,5 +43,4 @@ def mistakes(g):
 def draw(g, ax):
     ground, A = boom(g)
     s = figure(ax, ground, A)
-    s.swing((0, 0, 0), A, A.local.j, label=r"$\dot\beta$")
     s.vector(A, A.local.i, r"$\dot l$")

@@ -32,8 +32,8 @@ def solve(g):
 
 
 def steps(g):
-    r, theta, R, phi = coordinates(g)
-    return {"r": r, "theta": theta, "R": R, "phi": phi}
+    r, theta, _, phi = coordinates(g)
+    return {"r": r, "theta": theta, "phi": phi}
 
 
 def prove(g):

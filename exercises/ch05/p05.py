@@ -2,6 +2,7 @@
 
 from exercises.devices.plate_with_holes import PLATE, figure, parts
 from exercises.devices.put_together import centre, chord, sliced, sums
+from newton_euler.bodies import composite
 
 draw = figure
 
@@ -12,12 +13,12 @@ def solve(g):
 
 def steps(g):
     (full,), holes = parts(g)
-    together = centre(PLATE, holes)["d"]
+    together = composite("six holes", holes)
     yield "A_full", full.mass
     yield "d_full", full.centre.position(PLATE)
     yield "A_hole", holes[0].mass
-    yield "d_holes", together
-    yield from sums(PLATE, [full], holes, content="area", length="mm")
+    yield "d_holes", together.centre.position(PLATE)
+    yield from sums(PLATE, [full], [together], content="area", length="mm")
 
 
 def prove(g):

@@ -40,7 +40,7 @@ def prove(g):
 
 
 def mistakes(g):
-    """With the tension where it follows from the wrong acceleration of B."""
+    """The tension, too, where it follows from the wrong acceleration of B."""
     level = solve(g.but(beta=0 * g.beta))
     steep = solve(g.but(beta=pi(g.beta) / 2 - g.beta))
     return {

@@ -26,7 +26,7 @@ def speed(g):
 
 
 def force(g, v_max):
-    """The force of the road at the dip, less the weight turned up."""
+    """The upward force of the road at the dip, which carries the weight and turns the path up."""
     return path_force(g.m, v_max, 0, flexure(g, 3 * g.L / 4))[1] + g.m * g.g
 
 

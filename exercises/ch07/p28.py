@@ -7,10 +7,12 @@ CONE = Frame("cone")  # its origin is the apex, z points to the base
 
 
 def shares(g):
-    """Height of G, axial moment and integral of squared heights, for a cone as wide as high."""
+    """Height of G, axial moment and integral of squared heights above the apex, for a cone as wide
+    as high.
+    """
     cone = bodies.cone(g.one, g.one, CONE, "z", mass=g.one)
     d, own = cone.centre.position(CONE).z, cone.inertia.moment("z")
-    return d, own, cone.about(CONE).moment("x") - own / 2 - d**2
+    return d, own, cone.about(CONE).moment("x") - own / 2
 
 
 def angle(own, tall):
@@ -19,13 +21,13 @@ def angle(own, tall):
 
 
 def solve(g):
-    _, own, tall = shares(g)
-    return {"alpha": angle(own, tall)}
+    d, own, square = shares(g)
+    return {"alpha": angle(own, square - d**2)}
 
 
 def steps(g):
-    d, own, tall = shares(g)
-    return {"d": d, "own": own, "tall": tall}
+    d, own, square = shares(g)
+    return {"d": d, "own": own, "square": square, "tall": square - d**2}
 
 
 def prove(g):
@@ -39,15 +41,21 @@ def prove(g):
     d = proofs.mean(lambda p: p[1], body)
     across, along = proofs.mean(lambda p: [p[0] ** 2, (p[1] - d) ** 2], body)
     radius = proofs.root(lambda r: 2 * across * r**2 - (across * r**2 + along), mp.mpf(1) / 10, 5)
-    return {"alpha": mp.atan2(radius, 1), "d": d, "own": 2 * across, "tall": along}
+    return {
+        "alpha": mp.atan2(radius, 1),
+        "d": d,
+        "own": 2 * across,
+        "square": along + d**2,
+        "tall": along,
+    }
 
 
 def mistakes(g):
-    d, own, tall = shares(g)
+    d, own, square = shares(g)
     return {
-        "at_the_apex": {"alpha": angle(own, tall + d**2)},
-        "full_angle": {"alpha": 2 * angle(own, tall)},
-        "quarter_from_the_apex": {"alpha": angle(own, tall + d**2 - (d / 3) ** 2)},
+        "at_the_apex": {"alpha": angle(own, square)},
+        "full_angle": {"alpha": 2 * angle(own, square - d**2)},
+        "quarter_from_the_apex": {"alpha": angle(own, square - (d / 3) ** 2)},
     }
 
 

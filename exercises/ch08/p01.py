@@ -82,6 +82,7 @@ def draw(g, ax):
     s.ground(top, -ground.j)
     s.dimension(A, B, label="L", offset=-0.3 * g.L)
     s.dimension(A, (0, low, 0), label="$kL$", offset=-0.17 * g.L)
+    s.dimension(C, (0, low, 0), label="$nL$", offset=0.11 * g.L)
     s.label(A, "A", offset=(-10, 0))
     s.label(B, "B", offset=(10, -4))
-    s.label(C, "C", offset=(14, 6))
+    s.label(C, "C", offset=(-14, 6))

@@ -25,7 +25,7 @@ def steps(g):
 
 
 def prove(g):
-    """The friction is at its limit, unless less moves the contact with the slab."""
+    """The friction is at its limit, unless less of it keeps the contact at rest on the slab."""
 
     def motion(alpha):
         points = disk(g.r, order=2)

@@ -28,7 +28,7 @@ def inertia(g):
     ])  # fmt: skip
 
 
-solve, steps, follows = turning_body.problem_of(inertia, AXIS)
+solve, steps, follows = turning_body.problem_of(inertia, AXIS, particles=True)
 
 
 def prove(g):

@@ -11,7 +11,7 @@ def two_bodies(g):
     return rotor.in_bearings(shaft, [first, second], -g.c, g.c)
 
 
-solve, steps, follows = rotor.problem_of(two_bodies)
+solve, steps, follows = rotor.problem_of(two_bodies, particles=True)
 
 
 def prove(g):

@@ -89,4 +89,5 @@ def draw(g, ax):
     s.dimension((g.x_D, 0, 0), below, label="$z_D$", offset=0)
     s.dimension(below, D, label="$y_D$", offset=0)
     s.dimension(O, (g.x_D, 0, 0), label="$x_D$", offset=0.5 * g.r)
+    s.dimension(A, O, label="r", offset=0)
     s.label(A, "A", offset=(-20, 8))

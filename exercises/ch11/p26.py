@@ -40,10 +40,8 @@ def solve(g):
 
 def steps(g):
     at_c = ratio(g)
-    T_b = kinetic(g, at_c)
     distances = {f"d_{n}": sqrt(g.a**2 - depth**2) for n, depth in (("b", g.b), ("c", g.c))}
-    speeds = {"v_b": speed_after(0, T_b, g.m), "v_c": speed_after(0, at_c * T_b, g.m)}
-    return {**distances, "ratio": at_c, **speeds}
+    return {**distances, "ratio": at_c, "v_b": speed_after(0, kinetic(g, at_c), g.m)}
 
 
 def prove(g):
@@ -62,7 +60,6 @@ def prove(g):
     return {
         "E_total": g.m * proofs.size(velocity) ** 2 / 2 + g.m * g.g * place[2],
         "v_b": v_b,
-        "v_c": proofs.size(velocity),
     }
 
 

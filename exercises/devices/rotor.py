@@ -59,17 +59,18 @@ def principal_steps(body, *axes):
                    "7.6")  # fmt: skip
 
 
-def shaft_steps(r, products="xy", from_principal=False):
+def shaft_steps(r, products="xy", from_principal=False, particles=False):
     """The moment and ``products`` of inertia that enter H_O: those that are not zero;
-    ``from_principal`` moments, or integrals.
+    ``from_principal`` moments, sums over ``particles``, or integrals.
     """
-    found = ("7.4", "") if from_principal else ("7.2", "7.10")
+    found = ("7.4", "") if from_principal else ("7.2", "7.9" if particles else "7.10")
+    added = "the sum of m*{}*{}" if particles else "the integral of {}*{}*dm"
     I = r.body.about(r.O, r.shaft)
     yield Step("I_xx", I.moments[0], "kg*m^2", "moment of inertia about the axis of the shaft",
                *found)  # fmt: skip
     for name in products.split():
         product = {"xy": I.products[0], "xz": I.products[2]}[name]
-        means = f"product of inertia about O, the integral of {name[0]}*{name[1]}*dm"
+        means = f"product of inertia about O, {added.format(*name)}"
         yield Step(f"I_{name}", product, "kg*m^2", means, *found)
 
 
@@ -102,7 +103,7 @@ def following(rotor_of):
     return {"Hdot_O": Hdot_O, "F_A": F_A, "F_B": F_B}
 
 
-def problem_of(rotor_of, *axes, products="xy", off_axis=False):
+def problem_of(rotor_of, *axes, products="xy", off_axis=False, particles=False):
     """``solve``, ``steps`` and ``follows`` of a problem whose :class:`Rotor` is ``rotor_of(g)``.
 
     axes : for :func:`principal_steps`, of a body of one part
@@ -112,7 +113,7 @@ def problem_of(rotor_of, *axes, products="xy", off_axis=False):
     def steps(g):
         r = rotor_of(g)
         yield from principal_steps(r.body.parts[0], *axes)
-        yield from shaft_steps(r, products, from_principal=bool(axes))
+        yield from shaft_steps(r, products, bool(axes), particles)
         if off_axis:
             yield from force_steps(r)
 

@@ -31,6 +31,7 @@ def figure(ax, ground, A):
     s.line(O, up)
     s.turn((0, 0, -0.3 * l), ground.k, label=r"$\omega$")
     s.arc(O, up, end, label=r"$\beta$")
+    s.swing(O, A, axes.j, label=r"$\dot\beta$")
     s.label(end * 0.5 - axes.k * (0.13 * l), "$l$", offset=(0, 0), bold=False)
     s.label(O, "O", offset=(-12, -4))
     s.dot(end, "A")

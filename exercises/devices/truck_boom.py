@@ -91,9 +91,8 @@ def sketch(g, ax, theta=None):
     s.line(A, (0.6 * size, 0, 0))
     s.arc(A, (size, 0, 0), B, label=r"$\theta$")
     s.dimension(A, B, label="L", offset=0.22 * size)
-    growing = getattr(g, "alpha", None) is not None
-    s.swing(A, B, -ground.k, label=r"$\omega,\ \alpha$" if growing else r"$\omega$")
-    s.vector(B, arm.i, r"$\dot L$")
+    s.swing(A, B, -ground.k, label=r"$\omega,\ \alpha$" if hasattr(g, "alpha") else r"$\omega$")
+    s.vector(B, arm.i, r"$\dot L,\ \ddot L$" if hasattr(g, "L_ddot") else r"$\dot L$")
     s.axes(arm.point("foot", 0.6 * size, 0, 0), arm, length=0.14 * size, labels=["i", "j", ""])
     s.label(A, "A", offset=(-12, -4))
     s.label(B, "B", offset=(-3, 12))

@@ -24,11 +24,11 @@ def about_origin(frame, parts):
     return composite("body", parts).about(frame)
 
 
-def problem_of(inertia, axis, system="SI"):
+def problem_of(inertia, axis, system="SI", particles=False):
     """``solve``, ``steps`` and ``follows`` for ``inertia(g)``, an :class:`Inertia`."""
     return (
         lambda g: answers(g, inertia(g), axis),
-        lambda g: steps_of(g, inertia(g), axis, system),
+        lambda g: steps_of(g, inertia(g), axis, system, particles),
         moment_from_momentum(axis),
     )
 
@@ -61,27 +61,30 @@ def products(inertia, axis):
     return {name: value for name, value in named.items() if axis in name[2:]}
 
 
-def inertia_steps(inertia, axis, system="SI"):
-    """The moment of inertia about the axis, of each part and of the whole, and the products."""
+def inertia_steps(inertia, axis, system="SI", particles=False):
+    """The moment of inertia about the axis, of each part and of the whole, and the products, which
+    are sums over ``particles`` or integrals.
+    """
     unit, n = UNITS[system]["inertia"], "xyz".index(axis)
     parts = inertia.terms if len(inertia.terms) > 1 and "own" not in inertia.terms else {}
     for name, part in parts.items():
         which = name if name.isupper() else f"the {name}"
         yield Step(f"I_{axis}{axis}_{name.split()[0]}", part.moments[n], unit,
                    f"moment of inertia of {which} about the {axis} axis",
-                   "7.8", "7.25")  # fmt: skip
+                   *(("7.2", "7.9") if particles else ("7.8", "7.25")))  # fmt: skip
     yield Step(f"I_{axis}{axis}", inertia.moments[n], unit,
                f"moment of inertia of the whole about the {axis} axis", "7.2",
                "7.14" if parts else "7.10")  # fmt: skip
     for name, value in products(inertia, axis).items():
         u, v = name[2:]
-        means = f"integral of {u} {v} over the mass"
-        yield Step(name, value, unit, means, "7.2", "7.10", of_givens=True)
+        means = f"sum of m*{u}*{v}" if particles else f"integral of {u} {v} over the mass"
+        number = "7.9" if particles else "7.10"
+        yield Step(name, value, unit, means, "7.2", number, of_givens=True)
 
 
-def steps_of(g, inertia, axis, system="SI"):
+def steps_of(g, inertia, axis, system="SI", particles=False):
     """The inertia, and the terms of the moment."""
-    yield from inertia_steps(inertia, axis, system)
+    yield from inertia_steps(inertia, axis, system, particles)
     yield from terms(answers(g, inertia, axis)["M_O"], "M_O", UNITS[system]["moment"], "8.5")
 
 

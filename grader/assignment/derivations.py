@@ -107,6 +107,11 @@ def _derivations(p, cases, positive, usual):
     positive |= {n for n, low in lowest.items() if low > 0}
     drawn = [p.base({**p.sympy_symbols(), **draw(p, bytes([n]))}) for n in range(8 * usual)]
     sheets = [(p.base(_unrelated(p, n)), {}) for n in range(SHEETS * usual)]
+    if p.symbols and not p.givens:
+        positive |= {
+            key for key, parts in found.components.items()
+            if len(parts) == 1 and all((value_of(*parts, *s) or 0.0) > 0 for s in sheets)
+        }  # fmt: skip
     holds = dict(zip(numbers, cases, strict=True))
     deriver = _Deriver(
         found, holds, {*positive}, [a.key for a in p.answers], p.units, drawn, sheets
@@ -172,6 +177,11 @@ class _Deriver:
         count = len(self.components[key])
         return [component(key, n, count) for n in range(count)]
 
+    def _changing(self, key):
+        """The names of the components of a quantity that are not zero for everybody."""
+        pairs = zip(self._names(key), self.components[key], strict=True)
+        return {name for name, x in pairs if isinstance(x, Step)}
+
     def order(self):
         """The quantities in order of display: the terms of an answer just before it."""
         keys = list(self.components)
@@ -208,10 +218,10 @@ class _Deriver:
         solved = any(getattr(unsigned(x)[0], "number", None) in writer.solved for x in parts)
         if of := self.sum_of.get(key):
             shown = {f.name for f in formulas if getattr(f, "is_Symbol", False)}
-            vectors = (k for k, x in self.components.items() if len(x) == 3)
             self.whole_terms.setdefault(of, set()).update(
-                k for k in vectors if shown and shown <= {*self._names(k)}
-            )
+                k for k, x in self.components.items()
+                if len(x) == 3 and shown and shown == self._changing(k)
+            )  # fmt: skip
         if key not in self.terms:  # terms of an answer are not used by name
             self._remember(key, parts, names, formulas)
         formulas = tuple(None if f is None else factored(f) for f in formulas)

@@ -104,11 +104,17 @@ class _Names:
     latex = False
 
     def _as_ordered_terms(self, expr, order=None):
-        """Terms in order, positive ones first."""
-        terms = super()._as_ordered_terms(expr, order)
+        """Terms in order, positive ones first; beside decimals only the first positive one, as in
+        3.5 t^2 - 1.8 t + 2.
+        """
+        terms = super()._as_ordered_terms(expr, "lex")
         if self.degrees:
             terms = [self._in_degrees(x) for x in terms]
-        return sorted(terms, key=lambda x: bool(x.as_coeff_Mul()[0] < 0))
+        numbers = [x.as_coeff_Mul()[0] for x in terms]
+        in_front = [n for n, x in enumerate(numbers) if not x < 0]
+        if any(x.is_Float for x in numbers):
+            in_front = in_front[:1]
+        return sorted(terms, key=lambda x: terms.index(x) not in in_front)
 
     def _in_degrees(self, x):
         turns = x / sympy.pi
@@ -135,14 +141,30 @@ class _Names:
                 return self._print(f.func(sympy.Mul(*inside, evaluate=False), evaluate=False))
         joined = _one_root(expr) if expr.is_Mul else expr  # SymPy prints 1/x here, too
         alone = expr.is_Mul and not joined.is_Mul
-        text = self._print(joined) if alone else super()._print_Mul(joined)
+        minus = "- " * (self.latex and joined.is_Mul and joined.could_extract_minus_sign())
+        in_order = self._in_order(-joined if minus else joined)
+        text = minus + (self._print(joined) if alone else super()._print_Mul(in_order))
         return text[3:] if self.numbers and text.startswith("- -") else text.removeprefix("--")
+
+    def _in_order(self, product):
+        """A product in LaTeX with its sines and other functions behind its sums."""
+        if not (self.latex and product.is_Mul):
+            return product
+        factors = product.as_ordered_factors()
+        factors.sort(key=lambda x: self._is_function(x) or x.as_base_exp()[0].is_Function)
+        return sympy.Mul(*factors, evaluate=False)
 
     def _is_apart(self, expr):
         return expr.is_Symbol and _is_apart(self._print_Symbol(expr))
 
     def _is_function(self, expr):
         return expr.is_Symbol and _is_function(self._print_Symbol(expr))
+
+    def _print_Pow(self, expr):
+        text = self._print(expr.base) if self._is_function(expr.base) else ""
+        if text and expr.exp.is_Integer and expr.exp > 0:
+            return re.sub(r"^\\\w+", rf"\g<0>^{{{expr.exp}}}", text)
+        return super()._print_Pow(expr)
 
 
 @cache
@@ -158,7 +180,8 @@ def _latex_printer():
 
         def __init__(self, names, numbers):
             dots = {"mul_symbol": "dot"} if numbers else {}
-            super().__init__({"fold_func_brackets": True, "inv_trig_style": "full", **dots})
+            brackets = {"fold_func_brackets": True, "inv_trig_style": "full"}
+            super().__init__({**brackets, "order": "none", **dots})
             self.names, self.numbers = names, numbers
 
         def _print_Float(self, expr):

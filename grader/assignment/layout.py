@@ -8,11 +8,13 @@ from typing import Any
 from newton_euler.algebra.late import sympy
 from newton_euler.algebra.units import unit
 
+FUNCTIONS = "sin_", "cos_", "tan_"
+
 
 def in_reading_order(units: Mapping[str, str]) -> list[str]:
     """Names in the order of a product in a book, such as k x^2/2, m g h, m r omega^2 and v_0 t:
     without a unit, then with a mass, g, lengths, rates, velocities, accelerations, times, angles;
-    within a kind in the order of ``units``, {name: its unit}.
+    within a kind in the order of ``units``, {name: its unit}. A sine, as sin_phi, comes last.
 
     >>> in_reading_order({"h": "m", "g": "m/s^2", "t": "s", "omega": "rpm", "m": "g", "mu": "1"})
     ['mu', 'm', 'g', 'h', 'omega', 't']
@@ -22,6 +24,8 @@ def in_reading_order(units: Mapping[str, str]) -> list[str]:
 
 def _place(name, stated):
     mass, length, time = unit(stated).dimension.powers
+    if _function(name):
+        return 10, 0, 0
     if mass:
         return 1, -length, time
     if (length, time) == (0, 0):
@@ -43,7 +47,7 @@ def laid_out(formula: Any, names: Iterable[str]) -> tuple[Any, dict[Any, str]]:
     """
     places = {name: n for n, name in enumerate(names)}
     called = {
-        x: sympy.Symbol(f"{places[x.name]:03}", **x.assumptions0)
+        x: sympy.Symbol(f"{places[x.name]:03}{_function(x.name)}", **x.assumptions0)
         for x in formula.free_symbols
         if x.name in places
     }
@@ -53,14 +57,66 @@ def laid_out(formula: Any, names: Iterable[str]) -> tuple[Any, dict[Any, str]]:
     return formula, {placed.name: x.name for x, placed in called.items()}
 
 
+def _function(name):
+    return next((f for f in FUNCTIONS if name.startswith(f)), "")
+
+
 def _tidy(x, is_term=False):
     """``is_term``: of a sum, before which a minus sign may stay."""
     args = [_tidy(a, x.is_Add) for a in x.args]
-    if x.is_Function:
+    if x.is_Add:
+        x, args = _with_common_factors(x.func(*args)), []
+    elif x.is_Function:
         args = [_over_one_number(a) for a in args]
-    if args != [*x.args]:
+    if args and args != [*x.args]:
         x = x.func(*args, evaluate=False) if x.is_Function else x.func(*args)
     return _turned(x, is_term) if x.is_Mul or x.is_Pow else x
+
+
+def _with_common_factors(x):
+    """A sum as a product with the factors that all its terms share, which are then two at least,
+    or one beside squares, or a sine or a sum: m (a^2 + b^2)/12, (n - p) tan b, but m g + m a; of
+    many terms as a product of sums if that has half the names.
+    """
+    product = sympy.factor(x) if len(x.args) > 3 else x
+    if 2 * _names_in(product) <= _names_in(x):
+        return product
+    x = _collected(x)
+    terms = [term.as_coeff_Mul() for term in sympy.Add.make_args(x)]
+    number = abs(terms[0][0])
+    if len(terms) < 2 or any(abs(n) != number for n, _ in terms):
+        return x
+    powers = [term.as_powers_dict() for _, term in terms]
+    shared = [
+        base**power
+        for base, power in powers[0].items()
+        if power.is_Rational and all(other.get(base) == power for other in powers)
+    ]
+    common = number * sympy.Mul(*shared)
+    rest = [n * term / common for n, term in terms]
+    squares = all(y.as_coeff_Mul()[1].is_Pow for y in rest)
+    bases = [y.as_base_exp()[0] for y in shared]
+    sines = any(y.is_Add or y.is_Function or str(y).endswith(FUNCTIONS) for y in bases)
+    enough = len(shared) + (not number.is_Integer) >= 2 or squares or sines
+    if not shared or not enough or any(sympy.fraction(y)[1] != 1 for y in rest):
+        return x
+    return sympy.Mul(number, *shared, sympy.Add(*rest))
+
+
+def _collected(x):
+    """A sum with the terms that share a sum as a factor, but not all do, in one."""
+    for factor in sorted((y for term in x.args for y in term.args if y.is_Add), key=str):
+        those = [term for term in x.args if factor in term.args]
+        if 1 < len(those) < len(x.args):
+            shared = sympy.Add(*(term / factor for term in those))
+            sign = -1 if _is_other_way_round(shared, False) else 1
+            collected = sympy.Mul(sign, factor, sign * shared)
+            return collected + sympy.Add(*(y for y in x.args if y not in those))
+    return x
+
+
+def _names_in(x):
+    return sum(y.is_Symbol for y in sympy.preorder_traversal(x))
 
 
 def _turned(x, is_term):
@@ -78,7 +134,7 @@ def _turned(x, is_term):
             continue
         divided = power < 0 or sympy.fraction(x)[1].free_symbols
         part, whole = base.primitive() if divided else _one_fraction(base)
-        if _is_other_way_round(whole, negative and power % 2 and not is_term):
+        if _is_other_way_round(whole, negative and power > 0 and power % 2 and not is_term):
             part, whole, negative = -part, -whole, negative != bool(power % 2)
         number *= part**power
         factors.append(whole**power)
@@ -90,7 +146,7 @@ def _without_fractions(x, power):
     """A sum as a fraction without fractions in it, unless its denominator would be a root."""
     above, below = sympy.fraction(sympy.together(x))
     is_plain = all(y.exp.is_Integer for y in (below**power).atoms(sympy.Pow))
-    return (above, below) if below != 1 and is_plain else (x, sympy.Integer(1))
+    return (_collected(above), below) if below != 1 and is_plain else (x, sympy.Integer(1))
 
 
 def _is_other_way_round(whole, has_minus):

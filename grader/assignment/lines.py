@@ -2,6 +2,7 @@
 symbols, with the numbers of a sheet, and the value.
 """
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
@@ -94,10 +95,11 @@ class _Writer:
             self._know(name, p.notation[name], values[name], stated)
         for s in quantities:
             parts = [] if isinstance(s.value, str) or callable(s.value) else list(flat(s.value))
+            axes = _axes(s.value)
             for n, x in enumerate(parts):
                 key = component(s.key, n, len(parts))
-                named = p.notation.get(key) or symbol(key)
-                self._know(key, named, x, s.unit)
+                named = symbol(f"{s.key}_{axes[n]}" if axes else key)
+                self._know(key, p.notation.get(key) or named, x, s.unit)
         self.names = {n: self.names[n] for n in in_reading_order(self.units)}
         self.numbers = {n: self.numbers[n] for n in self.names if n in self.numbers}
 
@@ -278,6 +280,22 @@ class _Writer:
         if self.latex:
             return unit_symbol(s.unit)
         return "" if s.unit == "1" else f" {s.unit}"
+
+
+def _axes(value):
+    """The indices of the unit vectors along which a vector's components are, or none for x, y, z:
+    of frames that the engine calls "spherical axes of P" or "e_r, e_theta, k".
+    """
+    frame = value.frame.name if isinstance(value, Vector) else ""
+    listed = re.findall(r"\be_(\w+)", frame)
+    return _AXES.get(frame.partition(" axes of")[0]) or (*listed, "z") * bool(listed)
+
+
+_AXES = {
+    "polar": ("r", "theta", "z"),
+    "cylindrical": ("r", "theta", "z"),
+    "spherical": ("R", "theta", "phi"),
+}
 
 
 def _without_dots(row):

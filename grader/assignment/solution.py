@@ -73,8 +73,8 @@ def _names_in(formula):
     return {*re.findall(r"\\[A-Za-z]+|[A-Za-z]+|\d+", formula)} - _LAYOUT
 
 
-_LAYOUT = {r"\frac", r"\left", r"\right", r"\cdot", r"\text", r"\mathbf", r"\hat"}
-_BEHIND_COMMA = re.compile(r", \$([^$=]*)\$(?=$|[,;:])")
+_LAYOUT = {"0", r"\frac", r"\left", r"\right", r"\cdot", r"\text", r"\mathbf", r"\hat"}
+_BEHIND_COMMA = re.compile(r"[,:] \$([^$=]*)\$(?=$|[,;:])")
 
 
 def _typeset(means, p):

@@ -1,7 +1,7 @@
 """SymPy formulas in readable form."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from functools import lru_cache
 from itertools import combinations
 from typing import Any
@@ -104,19 +104,33 @@ def _without_divisor(row):
     return tuple(row) if below.is_number else (sympy.expand(above), sympy.Integer(0))
 
 
-def two_sides(row: tuple[Any, Any]) -> tuple[Any, Any]:
+def two_sides(row: tuple[Any, Any], unknowns: Collection[str] = ()) -> tuple[Any, Any]:
     """The two sides of an equation, with negative terms moved to the other side if both keep one,
-    and without common factors that are sums or roots of sums.
+    and without common factors that are sums or roots of sums; if a side is zero, without positive
+    factors but the ``unknowns``.
     """
     difference = row[0] - row[1]
     expanded = sympy.expand(difference)
     shorter = _names_in(expanded) <= _names_in(difference)
     terms = sympy.Add.make_args(expanded if shorter else difference)
     shared = set.intersection(*({x for x in t.args if x.is_Pow and x.base.is_Add} for t in terms))
-    terms = [t / sympy.Mul(*shared) for t in terms]
+    terms = [_signed(t / sympy.Mul(*shared)) for t in terms]
     left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
     right = sympy.Add(*(-x for x in terms if x.could_extract_minus_sign()))
-    return (left, right) if left and right else row
+    if left and right:
+        return left, right
+    factors = [
+        x for x in sympy.Mul.make_args(difference)
+        if not (x.is_positive and (x.is_number or (x.is_Symbol and x.name not in unknowns)))
+    ]  # fmt: skip
+    return row if row[1] != 0 else (sympy.Mul(*factors), row[1])
+
+
+def _signed(term):
+    """A product with the minus sign of a sum of negative terms before it."""
+    sums = [x for x in sympy.Mul.make_args(term) if x.is_Add
+            and all(y.could_extract_minus_sign() for y in x.args)]  # fmt: skip
+    return term.xreplace({x: -x for x in sums}) * (-1) ** len(sums)
 
 
 def is_forced(name: Any, value: Any, formula: Any) -> bool:

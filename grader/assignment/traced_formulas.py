@@ -245,8 +245,9 @@ class Writer:
     def _show_together(self, rows, unknowns):
         if any(is_long(left - right) for left, right in rows):
             raise Unwritten
-        self.together += [row for row in map(two_sides, rows) if row not in self.together]
         self.wanted |= {name.removeprefix("-") for name in unknowns}
+        rows = [two_sides(row, self.wanted) for row in rows]
+        self.together += [row for row in rows if row not in self.together]
 
 
 def _applied(op, args):

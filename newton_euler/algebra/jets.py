@@ -74,7 +74,7 @@ class Moving(_Own):
         """The value alone."""
         return without_rates(self.value)
 
-    def __init__(self, value, rate=ZERO, acceleration=ZERO):
+    def __init__(self, value: Scalar, rate: Scalar = ZERO, acceleration: Scalar = ZERO):
         self.value, self.rate, self.acceleration = value, rate, acceleration
 
     def __float__(self):
@@ -237,7 +237,7 @@ _DERIVATIVES = {
 }
 
 
-def as_moving(x):
+def as_moving(x: Scalar) -> "Moving":
     """The moving number ``x``, or one of the value ``x`` whose rates are zero by structure."""
     return x if isinstance(x, Moving) else Moving(real_scalar(x))
 

@@ -331,7 +331,7 @@ def latex_text(words):
     return r"\text{" + words.replace("_", r"\_") + "}"
 
 
-def latex_number(x, digits):
+def latex_number(x: Scalar, digits: int) -> str:
     """A number to ``digits`` digits, or an expression, as LaTeX."""
     if is_numeric(x) and not getattr(x, "shape", ()):
         mantissa, e, power = f"{float(x):.{digits}g}".partition("e")

@@ -1,5 +1,6 @@
 """Integrals with an estimated error: adaptive, of floats, and in several variables."""
 
+from collections.abc import Callable
 from heapq import heappush, heapreplace
 from itertools import pairwise
 from sys import float_info
@@ -126,7 +127,7 @@ def _by_gauss(f, start, end):
     return -error - rounded, start, end, way * sums[1]
 
 
-def cubature(f, n, rtol, name, error=WorkError):
+def cubature(f: Callable, n: int, rtol: float, name: str, error: type = WorkError) -> tuple:
     """The integrals of the components of ``f`` over the unit cube of ``n`` dimensions, to ``rtol``,
     and the largest of their estimated errors; ``error`` of ``name`` if they do not converge. f is a
     function of an array of places, one a row, that returns an array with their values as rows.
@@ -138,9 +139,7 @@ def cubature(f, n, rtol, name, error=WorkError):
     )
     off = float(np.max(found.error))
     if not np.isfinite(found.estimate).all():
-        raise error(
-            f"the integrals over {name} are not finite: look at limits, formula and density"
-        )
+        raise error(f"the integrals over {name} are not finite: look at limits and density")
     if found.status != "converged":
         raise error(
             f"the integrals over {name} did not converge: after {found.subdivisions} "

@@ -98,7 +98,7 @@ def _enclosed(f, a, b):
             f"{fb!r}; give places at which its signs differ"
         )
     small, either = epsilon(a + b), where if getattr(fa + fb, "shape", ()) else _either
-    c, fc = a, fa
+    c, fc, first = a, fa, abs(fa) + abs(fb)
     for _ in range(STEPS):
         # a is the last place, c one before on its side; the sign changes between a and b, or f is
         # zero at one of them
@@ -112,7 +112,11 @@ def _enclosed(f, a, b):
         c, fc = either(same, a, b), either(same, fa, fb)
         b, fb = either(same, b, a), either(same, fb, fa)
         a, fa = t, ft
-    return either(abs(fb) < abs(fa), b, a)
+    better = abs(fb) < abs(fa)
+    a, fa = either(better, b, a), either(better, fb, fa)
+    if anywhere(abs(fa) > first):
+        raise SingularError(f"the function has a pole at {a!r}, no root: it is {fa!r} there")
+    return a
 
 
 def _between(places, values, small, either):

@@ -17,9 +17,11 @@ that of a number is found by the number's type.
 import math
 import sys
 import zlib
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce
 from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 FUNCTIONS = (
@@ -201,7 +203,7 @@ class _Zero(_Own):
 ZERO = _Zero()
 
 
-def scalar(x):
+def scalar(x: object) -> Scalar:
     """The scalar ``x``; a literal ``0`` becomes the structural zero.
 
     Whole numbers of NumPy, which overflow silently, become numbers that do not: an array of them
@@ -243,8 +245,8 @@ def _kind(kind):
         or (root == "heyoka" and name == "expression")
     ):
         found = "number"
-    elif root == "numpy" and hasattr(kind, "dtype") and name not in ("matrix", "MaskedArray"):
-        found = "numpy"
+    elif root == "numpy" and hasattr(kind, "dtype") and not hasattr(kind, "mask"):
+        found = "numpy" if name != "matrix" else found
     _kinds[kind] = found
     return found
 
@@ -270,7 +272,7 @@ def _of_numpy(x):
     return x.astype(float) if kinds <= {float, int, bool, Fraction, _Zero} else x
 
 
-def real_scalar(x):
+def real_scalar(x: object) -> Scalar:
     """The :func:`scalar` of a quantity of mechanics. Raises :class:`ScalarError` also for complex
     numbers and arrays without numbers, which have no meaning there.
 
@@ -297,7 +299,7 @@ def _is_unreal(x):
     return x.size == 0 or dtype.kind == "c" or (dtype.kind == "O" and any(map(_is_unreal, x.flat)))
 
 
-def advice(x):
+def advice(x: object) -> str:
     """What to do with a value that is no number, as the end of a message."""
     if getattr(x, "shape", ()) and getattr(x, "size", 1) == 0:
         return "; it is empty"
@@ -320,7 +322,7 @@ def advice(x):
     return ""
 
 
-def clipped(x):
+def clipped(x: object) -> str:
     """The ``repr`` of a value for a message, at most 80 characters of it."""
     try:
         text = shown(x)
@@ -332,7 +334,7 @@ def clipped(x):
 LONGEST = 400  # operations: the most of an expression that is printed
 
 
-def shown(x):
+def shown(x: Scalar) -> str:
     """The ``repr`` of a scalar; of an expression with more than :data:`LONGEST` operations only
     their number, since its text repeats the parts that are shared.
     """
@@ -363,18 +365,18 @@ def operations(x):
     return known[x]
 
 
-def real(x, what):
+def real(x: object, what: str) -> Scalar:
     """One real number ``x``, as a tolerance is; ``what`` names it in the error."""
     if type(x) is float:
         return x
     y = to_plain(scalar(x))
-    several = isinstance(y, _Own) or getattr(y, "shape", ())
+    several = isinstance(y, _Own) or bool(getattr(y, "shape", ()))
     if several or not is_numeric(y) or _is_unreal(y) or y != y:
         raise ScalarError(f"{what} is one real number; got {clipped(x)}")
     return y
 
 
-def allowed(tolerance):
+def allowed(tolerance: object) -> float:
     """A tolerance: one real number that is not negative, a float."""
     y = float(real(tolerance, "a tolerance"))
     if not y >= 0:
@@ -382,23 +384,23 @@ def allowed(tolerance):
     return y
 
 
-def integer_like(x, like):
+def integer_like(x: Scalar, like: Scalar) -> Scalar:
     """The integer ``x`` in the kind of ``like``, to be as exact as that; others unchanged."""
     exact = type(x) is int and _root(type(like)) in ("mpmath", "sympy", "symengine")
     return like * 0 + x if exact else x
 
 
-def to_plain(x):
+def to_plain(x: Scalar) -> Scalar:
     """The number ``x``; the structural zero as the integer 0."""
     return 0 if x is ZERO else x
 
 
-def without_rates(x):
+def without_rates(x: Scalar) -> Scalar:
     """The value of ``x`` alone, to be compared; the structural zero as the integer 0."""
     return x.without_rates() if isinstance(x, _Own) else x
 
 
-def short(x):
+def short(x: Scalar) -> str:
     """The number as text with six digits, for messages; expressions and arrays in full."""
     if is_numeric(x) and not getattr(x, "shape", ()) and not isinstance(x, complex):
         return f"{float(x):.6g}"
@@ -421,7 +423,7 @@ def _root(kind):
 _modules: dict = {}
 
 
-def library_of(values):
+def library_of(values: Iterable[Scalar]) -> ModuleType:
     """The module of functions of these values: that of an expression before mpmath before NumPy."""
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
@@ -571,7 +573,7 @@ def is_expression(x: Scalar) -> bool:
     return not is_numeric(x) and not isinstance(x, _Own)
 
 
-def promote(*values):
+def promote(*values: Scalar) -> tuple:
     """The values, each with the digits and instants of the others; others stay."""
     values = tuple(to_plain(scalar(x)) for x in values)
     if not all(map(is_numeric, values)):
@@ -580,7 +582,7 @@ def promote(*values):
     return tuple(x + like for x in values)
 
 
-def is_comparable(x):
+def is_comparable(x: Scalar) -> bool:
     """True if ``x`` can be compared for a :func:`where`: numbers, and values being traced."""
     return is_numeric(x) or hasattr(x, "where")
 
@@ -602,13 +604,13 @@ def vanishes(x: Scalar, small: float = 0) -> bool:
     return is_numeric(x) and min_abs(x) <= small
 
 
-def is_positive(x):
+def is_positive(x: Scalar) -> bool:
     """True if the number ``x`` (all of an array) is positive; True of an expression."""
     x = without_rates(x)
     return not is_numeric(x) or (min_abs(x) > 0 and max_abs(x - abs(x)) == 0)
 
 
-def is_finite(x):
+def is_finite(x: Scalar) -> bool:
     """False if ``x`` (or an element of it) is nan or infinite; True of expressions."""
     if not is_numeric(x):
         return True
@@ -622,7 +624,7 @@ def is_finite(x):
     return abs(x) < float("inf")
 
 
-def max_abs(x):
+def max_abs(x: Scalar) -> float:
     """The largest absolute value in ``x``, as a float, to be compared with a tolerance."""
     largest = abs(without_rates(x))
     return float(largest.max(initial=0)) if hasattr(largest, "max") else float(largest)
@@ -650,12 +652,12 @@ def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
         raise ScalarError(f"{clipped(condition)} is not known to hold or not: {error}") from None
 
 
-def anywhere(condition):
+def anywhere(condition: Scalar) -> bool:
     """True if the condition holds; of an array of conditions, if it holds at any instant."""
     return bool(max_abs(where(condition, 1, 0)))
 
 
-def epsilon(like=0.0):
+def epsilon(like: Scalar = 0.0) -> Scalar:
     """The relative round-off of numbers of the kind of ``like``: 2.2e-16, or mpmath's."""
     library = library_of((like,))
     return +library.eps if library.__name__ == "mpmath" else 2.0**-52
@@ -686,7 +688,7 @@ def with_extra_digits(f, *values):
     return numpy.asarray(numpy.frompyfunc(once, len(values), 1)(*values), dtype=float)
 
 
-def probe(x):
+def probe(x: Scalar) -> Scalar:
     """A number that tells whether ``x`` vanishes without simplifying it: a float, array or mpf
     itself; of a SymPy or SymEngine expression its value where every symbol (and function, and
     derivative) has a number of its own between 0.2 and 0.9; None if there is no value.
@@ -724,7 +726,7 @@ def _inside_out(x, known):
     return known[x]
 
 
-def min_abs(x):
+def min_abs(x: Scalar) -> float:
     """The smallest absolute value in ``x``, as a float: that of a divisor nearest to zero."""
     smallest = abs(without_rates(x))
     return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)

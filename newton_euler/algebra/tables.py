@@ -100,10 +100,11 @@ class Table:
 
     __slots__ = ("_hash", "_kept", "hold", "kind", "order", "places", "values")
 
-    def __init__(self, places, values, kind, hold, order=0):
+    def __init__(self, places: tuple, values: tuple, kind: str, hold: bool, order: int = 0):
         self.places, self.values, self.kind = places, values, kind
         self.hold, self.order = hold, order
-        self._kept, self._hash = {}, None
+        self._kept: dict = {}
+        self._hash: int | None = None
 
     def __repr__(self):
         of = f"{'derivative of ' * self.order}{self.kind}"
@@ -124,7 +125,7 @@ class Table:
             self._hash = hash(self._content())
         return self._hash
 
-    def key(self):
+    def key(self) -> "Table":
         """Equal for equal tables, for a dictionary."""
         return self
 

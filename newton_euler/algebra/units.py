@@ -44,7 +44,7 @@ class Dimension(_Own):
     __slots__ = ("powers",)
     rank = 1
 
-    def __init__(self, mass=0, length=0, time=0):
+    def __init__(self, mass: Scalar = 0, length: Scalar = 0, time: Scalar = 0):
         try:
             self.powers = tuple(map(Fraction, (mass, length, time)))
         except (TypeError, ValueError, OverflowError, ZeroDivisionError):

@@ -252,16 +252,6 @@ def moved_component(of: int, to: int) -> Cause:
     return slip(f"moved {of} to {to}", text)
 
 
-def exchanged_axes(places: Sequence[int]) -> Cause:
-    """A matrix whose rows and columns are those of other axes."""
-    which = _ordinals(places)
-    text = Words(
-        "exchanges its {which} axes: each row and column belongs to one axis of the text",
-        which=which,
-    )
-    return slip(f"axes {which}", text)
-
-
 def _entry(n, m):
     return "I_" + "xyz"[n] + "xyz"[m]
 

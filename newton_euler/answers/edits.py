@@ -112,11 +112,8 @@ def _edits(formulas):
     yield from quantities.of_cross_products(named)
     yield from quantities.of_ratios(named, answers, given, dimensions.get)
     yield from quantities.of_distances(given, products, dimensions.get)
-    angles = {n: s for n, s in anything.items() if read[n].is_of_angle}
-    yield from quantities.of_components(given, angles, dimensions.get)
     yield from quantities.of_densities(given, steps, dimensions.get)
     yield from quantities.of_squares(products, number, dimensions.get)
-    yield from quantities.of_other_entries(answers)
     yield from quantities.of_sums_squared(steps)
     yield from groups.of_terms(steps, formulas.units)
     yield from groups.of_factors(products, number)
@@ -246,7 +243,7 @@ def _of_unchanged(answers, given, read):
 
 
 def _of_differences(answers, given, stages, dimensions):
-    """Answers from another origin: less, or more by a given; the rest of a given; all components
+    """Answers from another origin: less, or more by a given; all components
     less by a quantity.
     """
     less = Words("takes {name} off {key}: the whole is asked for")
@@ -256,14 +253,10 @@ def _of_differences(answers, given, stages, dimensions):
                 if x is step or dimensions[x] is None or dimensions[x] != dimensions[step]:
                     continue
                 more = Words("adds {name} to {key}: it alone is asked for", name=name, key=key)
-                rest = Words(
-                    "gives the difference between {name} and {key}: {key} is asked for",
-                    name=name, key=key,
-                )  # fmt: skip
                 whole, half = (Words(less.template, name=n, key=key) for n in (name, f"{name}/2"))
                 for what, text, other in (
                     ("less", whole, ("-", x, step)), ("more", more, ("+", x, step)),
-                    ("rest", rest, ("-", step, x)), ("less half", half, ("-", x, ("*", step, 0.5))),
+                    ("less half", half, ("-", x, ("*", step, 0.5))),
                 ):  # fmt: skip
                     cause = computed(f"{what} {name} {x.number}", text)
                     yield Edit(LEAST, cause, {x.number: other})

@@ -26,9 +26,6 @@ ARMS = {
     2.0: Words(
         "takes twice {arm} beside {term} in one equation: look for it in the figure"
     ).template,
-    0.5: Words(
-        "takes half of {arm} beside {term} in one equation: look for it in the figure"
-    ).template,
 }
 NAMELESS = re.compile(r"u_\d+")  # unknowns without a name of their own
 

@@ -2,7 +2,6 @@
 kind, words, its replacement).
 """
 
-import itertools
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
@@ -22,9 +21,6 @@ Slip = tuple[int, str, str | Cause, Any]
 UNNAMED = Words("one term of a sum")
 AREA, INERTIA, ENERGY = Dimension(0, 2), Dimension(1, 2), Dimension(1, 2, -2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
-TWICE_ITS_ANGLE = Words("takes {own}(2*{angle}) for {own}({angle})^2: these differ").template
-TANGENT = Words("takes tan({angle}) for 1/cos({angle}): that is another side of its triangle")
-DOUBLED = {("sin", 2): TWICE_ITS_ANGLE, ("cos", 2): TWICE_ITS_ANGLE, ("cos", -1): TANGENT.template}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
 SINES = {"asin": Words("sine"), "acos": Words("cosine"), "atan": Words("tangent")}
 PRODUCT = ("*", "/")
@@ -40,12 +36,6 @@ BODIES = {
     Fraction(1, 4): Words("a disk about a diameter"), Fraction(1, 3): Words("a rod about its end"),
     Fraction(1, 12): Words("a rod about its centre"), Fraction(2, 5): Words("a solid sphere"),
     Fraction(2, 3): Words("a spherical shell"),
-}  # fmt: skip
-
-CENTRES = {  # {part of a length: (from its base or its top, which body)}
-    Fraction(1, 2): ("base top", Words("a rod")), Fraction(1, 3): ("base", Words("a triangle")),
-    Fraction(1, 4): ("base", Words("a cone")), Fraction(3, 8): ("base", Words("a half ball")),
-    Fraction(2, 3): ("top", Words("a triangle")), Fraction(3, 4): ("top", Words("a cone")),
 }  # fmt: skip
 
 
@@ -69,7 +59,6 @@ def _of_sum(s):
         else Words("both terms there are added")
     )
     turned_first = ("neg", ("+", a, b)) if minus else ("-", b, a)
-    yield from _of_legs(s)
     for term, left, turned in (
         (a, ("neg", b) if minus else b, turned_first),
         (b, a, ("+" if minus else "-", a, b)),
@@ -96,17 +85,6 @@ def _of_sum(s):
             )
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
             yield LEAST, f"{factor} times", words, (s.op, *scaled)
-
-
-def _of_legs(s):
-    """The sine and the cosine of one angle exchanged, of which each of two terms has one."""
-    for (first, n), (second, m) in itertools.product(*(Product(x).powers.items() for x in s.args)):
-        alike = n == m and COFUNCTIONS.get(first.op) == second.op
-        if alike and first.args[0] is second.args[0]:
-            one, other = (f"{x.op}({typed(*x.args) or '...'})" for x in (first, second))
-            words = Words("exchanges {a} and {b} in a sum: each has its own term", a=one, b=other)
-            power, (a, b) = ("**", ("/", second, first), float(n)), s.args
-            yield LESS, "legs", words, (s.op, ("*", a, power), ("/", b, power))
 
 
 def _term(term, whole):
@@ -201,11 +179,6 @@ def parts_of(s: Step, op: str) -> Iterator[tuple[Step, str]]:
 
 def _of_factor(s, x, power, factor, of, why):
     named, the_factor = described(x), described(x, "the factor")
-    if (x.op, power) in DOUBLED and (angle := typed(*x.args)):
-        words = Words(DOUBLED[x.op, power], own=x.op, angle=angle)
-        double = (x.op, ("*", *x.args, 2.0)), ("*", x, x)
-        instead = ("sin", *x.args) if power < 0 else ("/", *double)
-        yield LESS, "function", words, ("*", s, instead)
     if power == 2:
         if x.op == "pi":
             named, factor = "2*pi", ("*", factor, 2.0)
@@ -324,15 +297,6 @@ def _of_inverse(s):
         yield LESS, "no inverse, degrees", words, ("*", x, pi / 180)
 
 
-def _of_tangent(s):
-    yield (
-        LESS,
-        "cotangent",
-        Words("inverts a tangent: the two legs of its triangle are exchanged"),
-        ("/", 1.0, s),
-    )
-
-
 def _of_atan(s):
     words = Words("takes the angle from the other axis: the legs of its triangle are exchanged")
     other = ("atan2", *reversed(s.args)) if s.op == "atan2" else ("atan", ("/", 1.0, *s.args))
@@ -343,7 +307,7 @@ def _of_atan(s):
 _OF = {
     "+": _of_sum, "-": _of_sum, "**": _of_power, "sqrt": _of_root,
     "sin": _of_function, "cos": _of_function, "asin": _of_function, "acos": _of_function,
-    "tan": _of_tangent, "atan": _of_atan, "atan2": _of_atan,
+    "atan": _of_atan, "atan2": _of_atan,
 }  # fmt: skip
 
 
@@ -365,22 +329,11 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
 
 
 def of_moment(s: Step, dimension: Callable[[Step], Dimension | None]) -> Iterator[Slip]:
-    """The moment of inertia of another body, in a product, and the centre of another one in a part
-    of a length.
-    """
+    """The moment of inertia of another body, in a product."""
     product, whole = Product(s), dimension(s)
     if s.op not in PRODUCT or whole is None or not product.is_exact:
         return
     own, powers = product.coefficient, product.powers
-    if whole == LENGTH and len(powers) == 1 and own in CENTRES:
-        side = CENTRES[own][0]
-        alike = (c for c, (of, _) in CENTRES.items() if c != own and (of in side or side in of))
-        for other in alike:
-            words = Words(
-                "takes {other} of {length} for {own} of it: that is the centre of {body}",
-                other=other, own=own, length=described(next(iter(powers))), body=CENTRES[other][1],
-            )  # fmt: skip
-            yield LESS, f"centre {other}", words, ("*", s, float(other / own))
     # of an energy the half of a moment of inertia, of a body of this diameter four times it
     turns = whole != ENERGY or LENGTH in map(dimension, powers)  # m*v^2/2 is of no body
     for n in {INERTIA: (1, 4), AREA: (1,), ENERGY: (2,)}.get(whole, ()) if turns else ():

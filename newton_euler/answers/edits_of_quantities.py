@@ -1,5 +1,5 @@
 """Slips in whole quantities: one for another, twice or half of it or its opposite; another length
-for a distance, a component for the whole, a density for a mass, rates that turn the other way.
+for a distance, a density for a mass, rates that turn the other way.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -11,7 +11,7 @@ from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
 from .causes import computed
-from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS
+from .edits_of_givens import LENGTH, MASS
 from .edits_of_operations import parts_of
 from .formulas import LEAST, LESS, RARER, Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, repeats, terms_of, typed
@@ -149,21 +149,6 @@ def of_distances(
                 yield Edit(LEAST, cause, {s.number: ("*", s, ("/", length, part))})
 
 
-def of_components(
-    given: Mapping[str, Step], angles: Mapping[str, Step], of: DimensionOf
-) -> Iterator[Edit]:
-    """A component of a force, a speed or of g for the whole."""
-    for name, s in given.items():
-        for angle, x in angles.items() if of(s) in (FORCE, GRAVITY, SPEED) else ():
-            for f in ("sin", "cos"):
-                words = Words(
-                    "takes the component {name}*{function}({angle}) for {name}: it counts in full",
-                    name=name, function=f, angle=angle,
-                )  # fmt: skip
-                cause = computed(f"{f} {angle} of {name}", words)
-                yield Edit(LEAST, cause, {s.number: ("*", s, (f, x))})
-
-
 def of_densities(
     given: Mapping[str, Step], steps: Iterable[Step], of: DimensionOf
 ) -> Iterator[Edit]:
@@ -198,19 +183,3 @@ def of_squares(
         if len(lost) > 1 and all(named := [*map(described, group)]):
             words = Words("does not square {factors}: the formulas do", factors=joined(named))
             yield Edit(LESS, computed(f"no squares {[*lost]} {len(group)}", words), lost)
-
-
-def of_other_entries(answers: Mapping[str, Traced]) -> Iterator[Edit]:
-    """A term of one entry on the diagonal of a matrix in another one, where it does not stand."""
-    for key, a in answers.items():
-        entries = a.parts[::4] if len(a.parts) == 9 else ()
-        terms = [{x for _, x in terms_of(entry) if isinstance(x, Step)} for entry in entries]
-        for n, (x, own) in enumerate(zip(entries, terms, strict=True)):
-            others = dict.fromkeys(y for other in terms for y in other - own if described(y))
-            for y in others if isinstance(x, Step) else ():
-                words = Words(
-                    "adds {term} to entry {n} on the diagonal of {key}: it belongs to another one",
-                    term=described(y, "the term"), n=n + 1, key=key,
-                )  # fmt: skip
-                cause = computed(f"more {y.number} in {x.number}", words)
-                yield Edit(LEAST, cause, {x.number: ("+", x, y)})

@@ -24,6 +24,7 @@ from .tolerance import Point, Points, distance, formula_is_near, is_near
 from .trees import TreeError
 from .values import components, read_number
 
+MOST = 10**15  # things that are counted; JSON has no place for thousands of digits
 FRAMES = 4  # in which a vector is read: its own, the ground, and two between
 
 
@@ -464,7 +465,7 @@ class Count(_Word):
     def read(self, value, form, symbols, budget):
         """A whole number, also as 3.0; raises :class:`~.messages.AnswerError` of another one."""
         with contextlib.suppress(ArithmeticError, TypeError, ValueError):
-            if not isinstance(value, (bool, str)) and int(value) == value:
+            if not isinstance(value, (bool, str)) and int(value) == value and abs(value) < MOST:
                 return int(value)
         raise form.error("got {value}", value=clipped(value))
 

@@ -66,7 +66,6 @@ def of_last_resort(fit: Fit) -> Models:
     """Factors that say little, and the inverse: named where nothing else explains an answer."""
     if fit.index is not None:
         yield from of_components(fit)
-        yield from _of_other_axes(fit) if len(fit.first[1]) == 9 else ()
         yield from of_powers(fit)
 
 
@@ -101,14 +100,6 @@ def of_powers(fit: Fit) -> Models:
 
 def _power(x, power):
     return abs(x) ** power if x or power > 0 else math.inf
-
-
-def _of_other_axes(fit):
-    """Two axes of a matrix exchanged."""
-    for order in ((1, 0, 2), (2, 1, 0), (0, 2, 1)):
-        moved = [n for n in range(3) if order[n] != n]
-        inside = [3 * n + m for n in order for m in order]
-        yield causes.exchanged_axes(moved), _ordered(inside, fit.key)
 
 
 def of_components(fit: Fit) -> Models:

@@ -229,9 +229,7 @@ def checked_rotation(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
             "entries are rounded, say how far with tolerance="
         )
     if not mirrored < 1:
-        raise RotationError(
-            "not a rotation but a reflection, determinant -1: reverse or exchange axes"
-        )
+        raise RotationError("not a rotation but a reflection, determinant -1: exchange two axes")
     return R
 
 

@@ -23,7 +23,7 @@ from .solution import AccuracyError, Cost, MotionError
 from .verified import NEAR_END, NEAR_START, SPARE
 
 BLOCK = 64  # neighbours in a sweep; the one in the middle may vouch for the others
-INSIDE = 32  # instants on the way at which the sizes of the states are seen
+INSIDE = 31  # instants on the way at which the sizes of the states are seen
 MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch integrator
 
 

@@ -79,8 +79,10 @@ class Named:
         known = [f"{self._what[0]}.{n}" for n in vars(self) if n != "_what"]
         raise TypeError(f"the {self._what}s are read by name, as {', '.join(known) or 'none'}")
 
-    def __getitem__(self, _):
+    def __getitem__(self, *_, **__):
         return iter(self)
+
+    __array__ = __getitem__
 
 
 @checked
@@ -482,12 +484,12 @@ def is_law(x):
     return callable(x) and not _is_scalar(x)
 
 
-def is_absent(x):
+def is_absent(x: Scalar | Callable) -> bool:
     """True for a number that is 0, as a force that is neglected; False for a law."""
     return not is_law(x) and is_zero(scalar(x))
 
 
-def comparable(what, *values):
+def comparable(what: str, *values: Scalar) -> tuple:
     """The values, as :func:`~newton_euler.algebra.scalars.promote` returns them, of an exact
     solution that branches on them; ``what`` names the body in the message.
 

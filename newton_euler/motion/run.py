@@ -50,7 +50,9 @@ from .trajectory import Trajectory
 HEYOKA_BREAK_EVEN = 0.5
 FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate enough
 MANY_STEPS = 2e4  # the most steps of a long motion, in which the errors of steps add up
-SIZE_SAMPLES = 33  # instants at which a series samples the sizes of the states
+# instants at which a series samples the sizes of the states: by a prime number of intervals, since
+# at the 32nd parts of 10 000 periods a speed may be zero each time
+SIZE_SAMPLES = 32
 MAX_REFINEMENTS = 5  # the most tolerances tried
 UNLUCKY = 10.0  # a run across kinks may be off by this many times its estimate
 
@@ -75,6 +77,13 @@ def known_accurate(
     if method.closed:
         return within(system, t1 - t0, start, rtol)
     return method.series and system.verified.covers(rtol, t0, t1, start, x)
+
+
+def outgrown(known: tuple, trajectory: Trajectory) -> bool:
+    """True if a state of the trajectory is far larger than its sizes ``known`` say."""
+    stepper = trajectory.segments[0].stepper
+    rows = zip(stepper.scales, stepper.floors, known[0], strict=True)
+    return any(s > 2 * max(floor, size) for s, floor, size in rows)
 
 
 def fast_run(system: PreparedModel, method: Method, rtol: float) -> Callable | None:
@@ -238,7 +247,7 @@ class Run:
         found = error()
         if not found <= self.rtol:
             return self.calibrated(method)
-        if not self.events:  # which may have ended it early, or made it jump
+        if not (self.events or self.long):  # ended early, with jumps, or by a finer series
             self.system.verified.add(self.rtol, *ends, found)
         return self.motion(trajectory, method, reported_error(found, self.rtol))
 
@@ -248,6 +257,7 @@ class Run:
         """
         begun, least, scaled = perf_counter(), method.min_tolerance, method.series
         tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), least)
+        narrow = self.narrow
         if method.series and self.long:
             tolerance = least
         coarse = method.other(tolerance)
@@ -276,6 +286,9 @@ class Run:
             error = max(forced, self.error(before, trajectory))
             if error <= self.rtol or trajectory.failed:
                 break
+            if known and not narrow and outgrown(known, trajectory):
+                self.narrow = True  # the first one passed over what made it large
+                return self.calibrated(method)
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
             if finer > tolerance / 2:
                 # the least tolerance: a run closer to it may give a smaller bound, if it sees all

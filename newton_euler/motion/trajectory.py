@@ -39,6 +39,7 @@ LONGEST_PARTS = 0.4, 0.13
 # weight of the difference of two runs on the way, which is larger than at the end near a singular
 # place
 INNER_PART = 0.05
+NEXT_TO_ZERO = 1e-150  # scales so small that an error relative to them may have no square
 # fraction of its natural size at the start below which a state is nearly zero
 SMALL_PART = 1e-2
 # steps that a motion which sticks makes in this fraction of the whole time
@@ -146,7 +147,7 @@ class Trajectory:
         # that is still small may grow with it
         if series:  # the sizes that the states will have
             self.units = tuple(map(max, map(abs, x), likely))
-        floors = tuple([f or SMALLEST_SCALE for f in floors])
+        floors = tuple([f if f > NEXT_TO_ZERO else SMALLEST_SCALE for f in floors])
         return floors, tuple([ROUND_OFF * n for n in noise]), stops
 
     def _segment(self, system, t, x, events, initial):

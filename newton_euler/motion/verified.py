@@ -4,7 +4,9 @@ slider only one run in many is compared with another.
 
 # largest distance of a start, and of an end, from a verified one, as a fraction of the state's size
 NEAR_START, NEAR_END = 0.02, 0.2
-SPARE = 3.0  # factor by which a run that vouches for others must be more accurate than requested
+# factor by which a run that vouches for others must be more accurate than requested; by 3 some of
+# a vibration beside a large state, which a few steps resolve or not, were off 5 times
+SPARE = 10.0
 
 
 class Verified:

@@ -230,7 +230,7 @@ def smallest(ladder: Ladder, tolerance: float) -> Choice:
     it leaves out the Coriolis acceleration beyond the first order in the rotation, the centrifugal
     acceleration, the change of the attraction with place, the air
     """
-    if not (isinstance(tolerance, (int, float)) and tolerance > 0):
+    if not tolerance > 0:
         raise ModelError(f"the tolerance is a positive number, {ladder.of}; got {tolerance!r}")
     evidence, left = {}, ladder.fullest.bound(ladder.t)
     left = 0.0 if left == math.inf else left

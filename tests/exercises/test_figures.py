@@ -88,7 +88,9 @@ def drawn_texts(problem_id):
     ("2/32", {"v", "$c_A$", "$c_B$"}),
     ("2/37", {r"$\omega$", r"$\alpha$", "u"}),
     ("2/38", {r"$\omega$", "d", "u"}),
-    ("2/26", {r"$\dot L$"}),
+    ("2/26", {r"$\dot L,\ \ddot L$"}),
+    ("3/18", {r"$\dot\beta$"}),
+    ("11/12", {"r"}),
     ("2/33", {r"$\omega,\ \alpha$"}),
     ("4/21", {r"$|\dot\gamma|$"}),
     ("4/15", {r"$\omega_2,\ \dot\omega_2$"}),
@@ -98,6 +100,7 @@ def drawn_texts(problem_id):
     ("4/8", {"$v_A$", "$v_B$", "$a_A$", r"$\omega_x$"}),
     ("11/3", {"W", "F"}),
     ("11/20", {"f"}),
+    ("8/1", {"kL", "nL"}),
 ])  # fmt: skip
 def test_rates_and_forces_that_are_given_are_drawn(problem_id, rates):
     texts = drawn_texts(problem_id)

@@ -100,9 +100,7 @@ class Recorder:
         try:
             v = tuple(map(self._float, v))
         except (TypeError, ValueError, OverflowError):
-            raise FrameError(
-                f"a sketch needs numbers, but the {what} is {v!r}: give symbols values"
-            ) from None
+            raise FrameError(f"a sketch needs numbers, but the {what} is {v!r}") from None
         if not all(map(math.isfinite, v)):
             raise FrameError(f"the {what} {v!r} is not finite and cannot be drawn")
         return v

@@ -44,9 +44,26 @@ def test_a_right_angle_beside_degrees_is_written_in_degrees():
     assert written(sympy.pi / 2 - a, {}, latex=True, degrees=True) == r"90^\circ - a"
 
 
-def test_a_name_with_a_bar_stands_in_parentheses_under_a_power():
+@pytest.mark.parametrize(("formula", "text"), [
+    (m * a**2 / 12 + m * b**2 / 12, "m*(a**2 + b**2)/12"),
+    (m * g + m * a, "a*m + g*m"),  # a weight and an inertia
+    (m * g * a / b - m * g * b, "a*g*m/b - b*g*m"),
+    (-m * a * g - m * a * h - m * b * g - m * b * h, "-m*(a + b)*(g + h)"),
+    (a * (g + h) + b * (g + h) + m, "m + (a + b)*(g + h)"),
+    (3.5 * a**2 - 1.8 * a + 2, "3.5*a**2 - 1.8*a + 2"),
+])  # fmt: skip
+def test_a_sum_has_its_common_factors_outside(formula, text):
+    assert written(formula, {}, latex=False) == text
+
+
+def test_a_sine_stands_behind_a_sum():
+    text = written(sympy.cos(m) * (a - b), {}, latex=True)
+    assert text == r"\left(a - b\right) \cos {m}"
+
+
+def test_a_name_with_a_bar_stands_in_parentheses_under_a_power_and_a_sine_has_it():
     assert written(a**3, {"a": "l/r"}, latex=True) == r"\left(l/r\right)^{3}"
-    assert written(a**2, {"a": r"\sin \phi"}, latex=True) == r"\left(\sin \phi\right)^{2}"
+    assert written(a**2, {"a": r"\sin \phi"}, latex=True) == r"\sin^{2} \phi"
 
 
 def test_a_sine_of_a_product_of_numbers_has_brackets():

@@ -6,19 +6,21 @@ from functools import cache
 from itertools import islice
 
 import pytest
+import sympy
 
 from exercises.catalogue import problem, select
 from exercises.catalogue.book_equations import own_number
 from exercises.catalogue.steps import steps
 from exercises.catalogue.variants import draw, flat
 from grader.assignment.derivations import component, derivations
+from grader.assignment.layout import laid_out
 from grader.assignment.lines import TOO_LONG, lines
 from grader.assignment.notebook import typeset
 from grader.assignment.solution import worked_solution
 from grader.assignment.spelled import typeset_formulas
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.units import unit
-from newton_euler.answers.notation import number_symbol
+from newton_euler.answers.notation import number_symbol, symbol
 from tests.book import sections
 
 ALL = select(["all"])
@@ -68,8 +70,8 @@ def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
     assert not above or re.search(r"[Ff]rom \$", before), "equations are solved that are not shown"
     words = re.sub(r"\$[^$]*\$", "§", own)
     assert re.findall(rf"§['/^]|[/^]§|§ [-+=<>x/] |\) x \b|{DOT}|{PRIME}", words) == []
-    for symbol, equal in re.findall(r"\$([^$=]*) = [^$]*\$ \$= ([^$]*)\$", own):
-        assert symbol != equal, own
+    for name, equal in re.findall(r"\$([^$=]*) = [^$]*\$ \$= ([^$]*)\$", own):
+        assert name != equal, own
 
 
 DOT, PRIME = r"\b[A-Z] \. [A-Z§]", r"\b[a-z]'+(?![a-z])"
@@ -106,7 +108,7 @@ def test_no_fraction_stands_in_a_fraction_and_no_formula_in_its_description_too(
             fraction = "".join(islice(groups(part), 2))
             assert r"\frac" not in fraction, formula
     for means, formula in re.findall(
-        r", (\$[^$=]*\$)(?:, section [^:]*)?: \$[^$]* = ([^$]*)\$", text
+        r"[,:] (\$[^$=]*\$)(?:, section [^:]*)?: \$[^$]* = ([^$]*)\$", text
     ):
         assert letters(means) != letters(formula.partition(r"\ \text")[0]), means
 
@@ -136,7 +138,7 @@ def without_arguments(latex):
 def letters(latex):
     """The names and numbers of a formula in their order, without what lays it out."""
     words = re.findall(r"\\[A-Za-z]+|[A-Za-z]+|\d+", latex)
-    return sorted({*words} - {r"\frac", r"\left", r"\right", r"\cdot", r"\mathbf"})
+    return sorted({*words} - {"0", r"\frac", r"\left", r"\right", r"\cdot", r"\mathbf"})
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
@@ -147,18 +149,68 @@ def test_a_term_has_no_name_of_what_is_equal_to_it_by_chance(p):
     found = derivations(p, numbers(p, b"one"))
     shown = [line.step for line in as_python(p, b"one")]
     sums = {s.of for s in shown if s.of}
-    vectors = {s.key for s in shown if s.is_vector}
+    vectors = {
+        s.key: {component(s.key, n, 3) for n, x in enumerate(map(to_plain, s.value.c)) if x != 0}
+        for s in shown
+        if s.is_vector
+    }
     scalars = {*p.units, *(s.key for s in shown if not s.is_vector)}  # as omega_x
     whole = set()
     for s in (s for s in shown if s.of and s.key in found):
         formulas = [f for f in found[s.key].formulas if f is not None]
         names = {x.name for f in formulas for x in f.free_symbols} - scalars
         # the components of its own sum may be unknowns of equations
-        used = {name.rpartition("_")[0] for name in names} & vectors - {s.of}
+        used = ({name.rpartition("_")[0] for name in names} & vectors.keys()) - {s.of}
         assert not used & sums, s.key
         if formulas and all(f.is_Symbol or f == 0 for f in formulas):
             assert not {(s.of, v) for v in used} & whole, s.key
-            whole |= {(s.of, v) for v in used}
+            whole |= {(s.of, v) for v in used if vectors[v] <= names}
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_components_are_named_after_their_unit_vectors(p):
+    """A component along e_theta is a_theta, and not a_y."""
+    text = worked_solution(p, numbers(p, b"one"), text=False)
+    for s in (line.step for line in as_python(p, b"one")):
+        if s.is_vector and re.search(
+            r"\be_|(polar|cylindrical|spherical) axes", s.value.frame.name
+        ):
+            assert symbol(f"{s.key}_x") not in text
+            assert symbol(f"{s.key}_y") not in text
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_variable_of_integration_is_introduced(p):
+    told = " ".join([p.text, *(line.step.means for line in as_python(p, b"one"))])
+    for line in as_python(p, b"one"):
+        for name in re.findall(r"Integral\(.*?, \((\w+), ", " ".join(line.equal)):
+            assert re.search(rf"\b{name}\b", told), (line.step.key, name)
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_no_sum_has_two_common_factors_and_no_equation_has_two_leading_signs(p):
+    """m (a^2 + b^2)/12 for m a^2/12 + m b^2/12; but terms divided by different quantities stay."""
+    for key, found in derivations(p, numbers(p, b"one")).items():
+        for f in (f for f in found.formulas if f is not None and not f.has(sympy.Integral)):
+            for x in laid_out(f, p.units)[0].atoms(sympy.Add):
+                terms = [y.as_coeff_Mul() for y in x.args]
+                shared = set.intersection(*({*sympy.Mul.make_args(y)} for _, y in terms))
+                divided = any(sympy.fraction(y)[1].free_symbols for _, y in terms)
+                alike = len({abs(n) for n, _ in terms}) == 1
+                assert divided or not alike or len(shared - {1}) < 2, (key, x)
+        for left, right in found.together:
+            factors = {str(x) for x in sympy.Mul.make_args(left)} if right == 0 else set()
+            assert not factors & {*p.units}, key
+    for row in (row for line in as_python(p, b"one") for row in line.together):
+        assert row.count("-") < 2 or re.match("[^-]|.*= [^-]", row), row
+
+
+@pytest.mark.parametrize("name", ["7/15", "8/19", "9/1"])
+def test_what_particles_have_is_a_sum_and_no_integral(name):
+    p = problem(name)
+    cited = {s.equation for s in steps(p, numbers(p, b"one"))}
+    assert "7.9" in cited
+    assert not {"7.10", "7.25"} & cited
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)

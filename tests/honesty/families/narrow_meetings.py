@@ -236,3 +236,35 @@ def bounce_off_a_pole(rng):
     a = lambda s, p, t: (-p.B / (p.c - s.x) ** 2 - p.k * s.dx,)
     model = second_order("bounce off a pole", parameters, ("x",), a)
     return Case(model, 1.7 * c / v, (0.0, v))
+
+
+@family("narrow", "multi-scale")
+def survey_boat_over_a_wreck(rng):
+    """North in a map's metres, east zero at first: a sensor's signal is nothing but at one spot."""
+    u, v, w, k = rng.values((1.0, 3.0), (0.5, 2.0), Log(0.5, 20.0), 0.05)
+    met, north = rng.uniform(300.0, 2000.0), 5.2e6
+    parameters = {"u": u, "v": v, "w": w, "x0": u * met, "y0": north + v * met, "k": k}
+    parameters["B"] = rng.uniform(1.0, 10.0)
+
+    def rates(s, p, t):
+        x, y = s.x - p.x0, s.y - p.y0
+        return p.u, p.v, p.B * exp(-(x * x + y * y) / (p.w * p.w)) - p.k * s.q
+
+    model = Model("survey boat", parameters, ("x", "y", "q"), rates)
+    T, knots = met + rng.uniform(5.0, 40.0), _knots(met, w / math.hypot(u, v))
+    return Case(model, T, (0.0, north, 0.0), knots=knots)
+
+
+@family("narrow")
+def top_of_a_throw_in_a_layer(rng):
+    """A stone whose highest place lies in, just below or just above a thin layer of light."""
+    g, v, w = rng.values((5.0, 15.0), (5.0, 30.0), Log(1e-8, 1e-3))
+    top = v * v / 2 / g
+    parameters = {"g": g, "w": w * top, "c": top * (1 + w * rng.uniform(-1.5, 1.0)), "I": 10.0}
+
+    def rates(s, p, t):
+        z = (s.y - p.c) / p.w
+        return s.v, -p.g, p.I * exp(-z * z)
+
+    model = Model("top of a throw", parameters, ("y", "v", "dose"), rates)
+    return Case(model, 1.9 * v / g, (0.0, v, 0.0), knots=_knots(v / g, v / g * math.sqrt(w)))

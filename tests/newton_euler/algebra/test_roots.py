@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import Dimension, asin, compiled, cos, exp, moving, root, sin
+from newton_euler import Dimension, asin, compiled, cos, exp, moving, root, sin, tan
 from newton_euler.algebra import DimensionError, LinearForm, Moving, ScalarError, SingularError
 
 LENGTH, TIME = Dimension(0, 1, 0), Dimension(0, 0, 1)
@@ -143,6 +143,8 @@ def test_what_has_no_root_is_refused_in_words():
         root(lambda x: x - 1, 0.0, math.inf)
     with pytest.raises(SingularError, match=r"the function has no value at .*nan"):
         root(lambda x: x + math.nan, 0.0, 1.0)
+    with pytest.raises(SingularError, match=r"a pole at 1\.5707963267948\d*, no root"):
+        root(tan, 1.0, 2.0)
     with pytest.raises(SingularError, match="no root is enclosed"):
         root(lambda x: 1e-200 * (x + 1), 0.0, 1.0)
     with pytest.raises(ScalarError, match=r"put numbers in: .* has no formula in general"):

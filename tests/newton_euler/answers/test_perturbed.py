@@ -179,7 +179,6 @@ def test_random_numbers_in_one_component_are_hardly_ever_named():
         ),
         (lambda a, c, k: a * c / (5 * k), A * C / (4 * K), "takes the factor 1/4 for 1/5"),
         (lambda a, c, k: a * c / k, A * C / K - A, "takes a off x"),
-        (lambda a, c, k: a * c / k, C - A * C / K, "the difference between c and x"),
     ],
 )
 def test_ratios_roots_and_differences(parts, wrong, words):

@@ -138,6 +138,7 @@ WRONG = [
     ("interval, m", 1.0, "expected an interval, two numbers as in"),
     ("count", 2.5, "expected a whole number; got 2.5"),
     ("count", True, "expected a whole number; got True"),
+    ("count", 10**5000, "expected a whole number; got an object of int"),  # no JSON takes it
     ("choice: stable | unstable", "Stabel", "expected one of 'stable', 'unstable'; got 'Stabel'"),
     ("choice: stable | unstable", 1, "expected one of 'stable', 'unstable'; got '1'"),
     ("choice: stable | unstable", np.array([1, 2]), "expected one of"),

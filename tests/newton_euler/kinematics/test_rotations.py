@@ -353,7 +353,7 @@ def test_arrays_are_read_instant_by_instant():
     (3.0, RotationError, "three rows of three entries.*got 3.0"),
     ([[1, 2], [3, 4]], RotationError, r"rows of lengths \[2, 2\]"),
     (np.zeros((5, 3, 3)), RotationError, r"shows the shape \(3, 3, N\); got shape \(5, 3, 3\)"),
-    (np.diag([1, 1, -1]), RotationError, "a reflection, determinant -1: reverse or exchange axes"),
+    (np.diag([1, 1, -1]), RotationError, "a reflection, determinant -1: exchange two axes"),
     (np.diag([1, 1, 1.1]), RotationError, "differs from the unit matrix by 0.21, and 1e-09 is allowed.*tolerance="),
     (np.full((3, 3), np.nan), RotationError, "differs from the unit matrix by nan"),
     (rotation_matrix((1, 2, 3), sympy.Symbol("q")), ScalarError, "entries must have values.*cos.*Put in numbers first"),

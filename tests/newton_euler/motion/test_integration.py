@@ -117,6 +117,15 @@ def test_a_prepared_run_is_no_integration_if_it_need_not_be(method, monkeypatch)
         assert run(3.0, (start, 0.0))[0] == pytest.approx(start * math.cos(6.0), abs=1e-7)
 
 
+@needs_heyoka
+def test_the_finer_series_of_a_long_run_vouches_for_no_other():
+    """The same start again, by fewer terms, was off 6 times what was asked."""
+    run = prepare(oscillator(exact=False), 1e-3, "taylor")
+    for start in (1.0, 1.0, 1.003):
+        end = run(1.5e5, (start, 0.0))[0]
+        assert end == pytest.approx(start * math.cos(3e5), abs=1e-3)
+
+
 @pytest.mark.parametrize("method", [TAYLOR, "dop853"])
 def test_a_prepared_run_into_a_singular_place_says_so(method):
     run = prepare(FALL, 1e-6, method)

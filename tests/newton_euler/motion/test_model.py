@@ -124,6 +124,7 @@ def rhs(s, p, t):
         ({"g": 9.81}, "hv", lambda s, p, t: (setattr(s, "v", 0), s.v), "the states are only read, but 'v' was set"),
         ({"g": 9.81}, "hv", lambda s, p, t: (s.v, 1 / ZERO), "fails when it is tried"),
         ({"g": "9.81"}, "hv", rhs, r"the parameter g of 'fall' is a number or a function \(s, p, t\), not '9.81'"),
+        ({"g": 9.81}, "hv", lambda s, p, t: (s.v, -np.array(s).sum()), r"the states are read by name, as s\.h, s\.v"),
         ({"g": 9.81}, "hg", rhs, "'g' occurs twice in 'fall'"),
         ({"g": 9.81}, "hv", lambda s, p, t: {s.v, -p.g}, "a tuple in the order h, v; got one set"),
         ({"g": 9.81}, ["h", "ﬁ"], rhs, "'ﬁ' cannot name a state or parameter"),

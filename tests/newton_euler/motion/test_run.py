@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from newton_euler import Model, cos, integrate, sin, where
+from newton_euler import Model, cos, exp, integrate, sin, where
 from newton_euler.motion import ModelError, second_order
 from newton_euler.motion import run as run_module
 from newton_euler.motion.error_estimates import (
@@ -194,17 +194,18 @@ def test_a_motion_that_would_take_too_many_steps_is_not_begun_a_second_time():
 
 @needs_heyoka
 @pytest.mark.parametrize("method", ["taylor", "auto"])
-@pytest.mark.parametrize("samples", [None, 33])
+@pytest.mark.parametrize(("t", "samples"), [(2e5, None), (2e5, 33), (6e4 * math.pi, None)])
 def test_the_errors_of_many_steps_add_up_so_the_steps_of_a_long_motion_are_the_best(
-    method, samples
+    method, t, samples
 ):
+    """Also of whole periods, at whose equal parts the speed is zero."""
     model = second_order("spring", {"k": 1.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
-    one = run(model, 2e5, (1.0, 0.0), samples=samples, rtol=1e-6)
+    one = run(model, t, (1.0, 0.0), samples=samples, rtol=1e-6)
     motion = one.by_name(method)
     assert one.long
     assert motion.method.name == "taylor"
-    assert motion.end["x"] == pytest.approx(math.cos(2e5), abs=1e-7)
-    assert motion.at(1e5)["x"] == pytest.approx(math.cos(1e5), abs=1e-7)
+    assert motion.end["x"] == pytest.approx(math.cos(t), abs=1e-7)
+    assert motion.at(t / 2)["x"] == pytest.approx(math.cos(t / 2), abs=1e-7)
 
 
 @needs_heyoka
@@ -559,3 +560,12 @@ def test_a_spring_of_two_stiffnesses_is_known_to_be_back_after_its_periods(k, pe
     motion = integrate(model, periods * math.pi * (1 + k**-0.5), (1.0, 0.0), rtol=1e-12)
     assert abs(motion.end["x"] - 1) < motion.error <= 1e-12
     assert abs(motion.end["dx"]) / k**0.5 < motion.error
+
+
+def test_what_the_first_run_passed_over_counts_by_the_size_that_the_next_one_finds():
+    """A dose that was 1e-120 before: relative to that 2000 steps were not enough."""
+    light = lambda s, p, t: (1.89, 4.8 * exp(-((s.x - 2860.5) ** 2) / 5.2))
+    model = Model("light on the way", {}, ("x", "dose"), light)
+    motion = integrate(model, 1530.0, (0.0, 0.0), 1e-9, "dop853")
+    assert motion.end["dose"] == pytest.approx(4.8 / 1.89 * math.sqrt(5.2 * math.pi), rel=1e-9)
+    assert motion.cost.calls < 20_000
