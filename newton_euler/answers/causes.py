@@ -348,6 +348,11 @@ def in_this_part(cause: Cause) -> Cause:
     return here if len(words.split()) <= WORDS and here.why in words else cause
 
 
+def is_two(cause: Cause) -> bool:
+    """True of a factor of 2 beside a quantity."""
+    return " beside it: " in getattr(cause.text, "template", "")
+
+
 def in_components(cause: Cause, places: Sequence[int]) -> Cause:
     """The same cause in some components alone, where the others are right."""
     which = _ordinals(places) if max(places) < len(ORDINALS) else ""

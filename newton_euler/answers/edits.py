@@ -225,21 +225,19 @@ def _of_power(name, power, change):
 
 
 def _of_unchanged(answers, given, read):
-    """A given as the answer, or a length or its half as one of its components."""
+    """A given, or its half, as the answer."""
     for key, answer in answers.items():
-        own, alone = unit(answer.unit).dimension, len(answer.parts) == 1
-        for name, step in given.items() if own != Dimension() else ():
-            for x in answer.parts if read[name].dimension == own else ():
+        own, (x, *others) = unit(answer.unit).dimension, answer.parts
+        if others or not isinstance(x, Step) or own == Dimension():
+            continue
+        for name, step in given.items():
+            if x is step or read[name].dimension != own:
+                continue
+            for rank, part, other in ((FIRST, name, step), (LEAST, f"{name}/2", ("*", step, 0.5))):
                 words = Words(
-                    "gives {name} unchanged, as if nothing else counted: {key} is asked for",
-                    name=name, key=key,
-                )  # fmt: skip
-                if isinstance(x, Step) and x is not step and (alone or own == givens.LENGTH):
-                    rank = FIRST if alone else LEAST
-                    yield Edit(rank, computed(f"{name} for {x.number}", words), {x.number: step})
-                    half = Words(words.template, name=f"{name}/2", key=key)
-                    cause = computed(f"{name}/2 for {x.number}", half)
-                    yield Edit(LEAST, cause, {x.number: ("*", step, 0.5)})
+                    "takes {name} alone for {key}, as if nothing else counted", name=part, key=key
+                )
+                yield Edit(rank, computed(f"{part} for {x.number}", words), {x.number: other})
 
 
 def _of_differences(answers, given, stages, dimensions):
@@ -301,7 +299,7 @@ def _of_stages(answers, stages, dimensions):
                 there = {n: x for n, x in moved.items() if n in known}  # no component that is zero
                 for n, some in enumerate([moved, there][: 2 if 0 < len(there) < len(moved) else 1]):
                     text = Words(
-                        "gives {part}{quantity} here: {key} is asked for",
+                        "takes {part}{quantity} for {key}: look up what {key} stands for",
                         part=what, quantity=stage.means, key=key,
                     )  # fmt: skip
                     if some:

@@ -221,7 +221,9 @@ def _of_factors(steps):
 def _of_whole_vectors(key, parts, vectors):
     for steps in vectors if len(parts) == 3 else ():
         names = joined(s.args[0] for s in steps)
-        alone = Words("gives {names} unchanged: {key} is asked for", names=names, key=key)
+        alone = Words(
+            "takes {names} for {key}: look up what {key} stands for", names=names, key=key
+        )
         more = Words("adds {names} to {key}: it alone is asked for", names=names, key=key)
         pairs = [*zip(parts, steps, strict=True)]
         yield Edit(LESS, computed(f"{names} for {key}", alone), {x.number: s for x, s in pairs})

@@ -77,7 +77,7 @@ def of_ratios(
             if by == Dimension() or (op == "*" and len(parts) == 1 and str(second) < str(first)):
                 continue
             if all(x is not y and of(x) == _times(of(y), by, sign) for x, y in moved):
-                words = Words("gives {a} {op} {b} here: {key} is asked for",
+                words = Words("takes {a} {op} {b} for {key}: look up what {key} stands for",
                               a=first, op=op, b=second, key=key)  # fmt: skip
                 instead = {x.number: (op, y, factor) for x, y in moved}
                 yield Edit(LEAST + 1, computed(f"{first} {op} {second} for {key}", words), instead)

@@ -119,6 +119,7 @@ class _Pairs:
         usable &= [spoken(UNNAMED) not in c.what for _, c in self.causes]
         usable[last] = len(key) == off.sum() or not key[~off].any()
         ratio = given[off] / key[off]
+        alone = (key != 0).sum() == 1
         alike = ratio.all() and np.ptp(ratio) <= 0.01 * abs(ratio).max()
         share, wrong = near / (AROUND * size), int(off.sum())
         levels = np.array([n for n, _ in self.causes])
@@ -139,6 +140,8 @@ class _Pairs:
                 twice = abs(abs(np.log2(abs(rows[one] / key))) - 1).max() < NOISE
                 is_mere = by_factor and not self.of_symbols
                 is_mere |= bool(by_sign and self.kind.is_met_by_chance and twice)
+                # of one product, factors of two slips make any other
+                is_mere |= op is _multiplied and self.own <= one and two < last and alone
                 if is_mere or (is_slip and (by_factor or of_numbers)):
                     continue
                 shares = share ** (1 if alike and not by_sign else wrong)

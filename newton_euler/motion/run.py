@@ -52,7 +52,8 @@ FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate en
 MANY_STEPS = 2e4  # the most steps of a long motion, in which the errors of steps add up
 # instants at which a series samples the sizes of the states: by a prime number of intervals, since
 # at the 32nd parts of 10 000 periods a speed may be zero each time
-SIZE_SAMPLES = 32
+SIZE_SAMPLES = 38
+FAR_LARGER = 1e6  # times its size, a state of which a first run has passed over what made it large
 MAX_REFINEMENTS = 5  # the most tolerances tried
 UNLUCKY = 10.0  # a run across kinks may be off by this many times its estimate
 
@@ -83,7 +84,7 @@ def outgrown(known: tuple, trajectory: Trajectory) -> bool:
     """True if a state of the trajectory is far larger than its sizes ``known`` say."""
     stepper = trajectory.segments[0].stepper
     rows = zip(stepper.scales, stepper.floors, known[0], strict=True)
-    return any(s > 2 * max(floor, size) for s, floor, size in rows)
+    return any(s > FAR_LARGER * max(floor, size) for s, floor, size in rows)
 
 
 def fast_run(system: PreparedModel, method: Method, rtol: float) -> Callable | None:

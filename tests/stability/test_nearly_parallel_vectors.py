@@ -45,7 +45,7 @@ def test_tiny_and_huge_vectors_have_angles_too():
         assert u.angle_to(v) == pytest.approx(math.atan(1e-6), rel=1e-14)
 
 
-@pytest.mark.parametrize("x", [0.0, 0, np.array([1.0, 0.0]), 1e-200])
+@pytest.mark.parametrize("x", [0.0, 0, np.array([1.0, 0.0])])
 def test_the_angle_with_a_zero_vector_is_refused(x):
     v = ground.vector(x, 0, 0)
     with pytest.raises(FrameError, match="a zero vector makes no angle"):

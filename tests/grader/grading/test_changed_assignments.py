@@ -55,7 +55,7 @@ def test_a_weight_that_cannot_be_used_is_reported_and_grades_nobody(ungraded):
         answer(cells, "4/16")["metadata"]["newton_euler"]["weights"] = {"a_E": 4}
 
     result = graded(ungraded, weigh)
-    assert "there is a weight for a_E in 4/16, which is not asked for" in result.problem
+    assert "there is a weight for a_E in 4/16, which does not ask for it" in result.problem
 
 
 def test_problems_in_another_order_and_own_cells_between_them_are_graded(ungraded):

@@ -244,7 +244,7 @@ def test_no_slip_is_named_in_a_sum_that_nobody_writes():
 def test_a_given_may_be_handed_back_and_a_vector_turned():
     lengths = dict.fromkeys(["p", "q", "x", "y"], "m") | {"s": "1"}
     (first, *_) = _causes("d", lambda p, q, **_: [p - 2 * q], lengths)
-    assert first.startswith("gives p unchanged")
+    assert first.startswith("takes p alone for d")
     found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y, p + s * y], lengths)
     assert "takes x and y and y with the opposite sign" not in found
     found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y], lengths)
