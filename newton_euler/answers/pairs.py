@@ -33,7 +33,6 @@ from .slips import PURE
 from .tolerance import NOISE, ROUND_OFF, Points
 
 (TWO, *_) = PURE
-MANY = 800  # slips, of which two are not looked for
 CHANCE = 0.005  # by which a random answer may meet a pair that is named
 
 
@@ -73,8 +72,6 @@ class _Pairs:
         self.fit, self.kind, self.own, self.models, self.slips = fit, kind, len(own) + 2, own, slips
         self.of_symbols = kind.is_formula and slips.of_symbols
         self.exactly = fit.rtol if kind.is_formula and not self.of_symbols else ROUND_OFF
-        few = self.of_symbols and len(slips.causes) <= MANY and len({*fit.given}) > 1
-        self.firsts = self.own + few * len(slips.causes)
 
     @cached_property
     def causes(self) -> list[tuple[int, Cause]]:
@@ -119,12 +116,11 @@ class _Pairs:
         usable &= [spoken(UNNAMED) not in c.what for _, c in self.causes]
         usable[last] = len(key) == off.sum() or not key[~off].any()
         ratio = given[off] / key[off]
-        alone = (key != 0).sum() == 1
         alike = ratio.all() and np.ptp(ratio) <= 0.01 * abs(ratio).max()
         share, wrong = near / (AROUND * size), int(off.sum())
         levels = np.array([n for n, _ in self.causes])
         usable[self.own : last] &= levels[self.own : last] > FIRST // 2 + 2  # handed back alone
-        firsts, seconds = np.flatnonzero(usable[: self.firsts]), np.flatnonzero(usable)
+        firsts, seconds = np.flatnonzero(usable[: self.own]), np.flatnonzero(usable)
         tried = [(op, firsts) for op in self._operations()]
         tried += [(_multiplied, np.flatnonzero(usable[last:]) + last)]
         for op, places in tried:
@@ -140,8 +136,6 @@ class _Pairs:
                 twice = abs(abs(np.log2(abs(rows[one] / key))) - 1).max() < NOISE
                 is_mere = by_factor and not self.of_symbols
                 is_mere |= bool(by_sign and self.kind.is_met_by_chance and twice)
-                # of one product, factors of two slips make any other
-                is_mere |= op is _multiplied and self.own <= one and two < last and alone
                 if is_mere or (is_slip and (by_factor or of_numbers)):
                     continue
                 shares = share ** (1 if alike and not by_sign else wrong)
@@ -166,7 +160,7 @@ class _Pairs:
         """False if no pair gives the largest component of the key, as for most answers."""
         at = abs(key).argmax()
         x, k, y = rows[:, at], float(key[at]), float(given[at])
-        own = x[[*range(self.firsts), -1]][:, None]
+        own = x[[*range(self.own), -1]][:, None]
         close = abs(own + x - (k + y)) <= 2 * near
         close |= abs(own * x - k * y) <= 2 * near * abs(k)
         if self.kind.length == 1:

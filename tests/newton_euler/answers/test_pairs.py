@@ -49,10 +49,10 @@ def test_the_opposite_sign_and_a_fraction_upside_down_are_seen_beside_a_listed_m
     assert in_symbols(1 / A, A * B, A) == (both(LISTED, INVERTED),)
 
 
-def test_two_slips_in_symbols_are_a_pair_and_what_is_done_to_one_term_twice_is_none():
+def test_two_slips_in_symbols_and_what_is_done_to_one_term_twice_are_no_pair():
+    """Of strangers' answers that two slips met, a third had other causes."""
     given, key, slip = A, A + A * B + B**2, A + A * B
-    assert in_symbols(given, key, B, slip=slip, other=A + B**2) == (both(SLIP, OTHER),)
-    assert in_symbols(1.001 * given, key, B, slip=slip, other=A + B**2) == ()
+    assert in_symbols(given, key, B, slip=slip, other=A + B**2) == ()
     reversed_ = A + A * B - B**2
     assert in_symbols(key - 3 * B**2, key, A, slip=slip, other=reversed_) == ()
 
