@@ -35,10 +35,16 @@ class Fit:
 
     @cached_property
     def rounding(self) -> float:
-        """How much a student may have rounded the answer by; a formula has all its digits."""
+        """How much a student may have rounded the answer by; a formula has all its digits. A right
+        component of few digits, such as 3.3, is off by as much as it shows.
+        """
         if len(self.key) > 1:
             return 0.0
-        return min(rounding(self.given[0]), self.rtol * math.hypot(*self.given[0]))
+        (given,), (key,) = self.given, self.key
+        size, own = math.hypot(*given), [rounding([x]) for x in given]
+        if len(given) > 1:
+            own = [min(r, abs(x - k)) for r, x, k in zip(own, given, key, strict=True)]
+        return min(math.hypot(*own), self.rtol * size)
 
     @cached_property
     def nearest(self) -> float:

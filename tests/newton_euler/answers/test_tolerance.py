@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from newton_euler.answers.fit import CLOSE, Fit
 from newton_euler.answers.forms import Form
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.trees import TreeError
@@ -125,3 +126,10 @@ def test_points_where_the_key_has_no_value_are_left_out_and_one_must_be_left():
 def test_a_formula_whose_key_is_zero_has_its_absolute_tolerance():
     assert KINDS["expression"].is_right(((0.9e-6,),), ((0.0,),), 1e-6)
     assert not KINDS["expression"].is_right(((1.1e-6,),), ((0.0,),), 1e-6)
+
+
+def test_a_right_component_of_few_digits_does_not_make_the_others_coarse():
+    """3.3 is 3.3000; of two models of the last component, one is met in the digits written."""
+    fit = Fit(((4.0825, 3.3, 1.3519),), ((4.08251, 3.3, 1.9),), 0.01)
+    assert fit(((4.08251, 3.3, 1.35188),)) == CLOSE
+    assert fit(((4.08251, 3.3, 1.3819),)) == 0
