@@ -173,9 +173,10 @@ def _number(dimensions, system, own, s):
 def _everywhere_and_once(s, place, slip, users):
     """The edit wherever the step is used, and in one use alone if there are several."""
     rank, kind, words, expression = slip
-    cause = words if isinstance(words, Cause) else computed(f"{kind} {s.number} {place}", words)
+    name, is_two = f"{kind} {s.number} {place}", kind in (givens.TWICE, givens.HALF)
+    cause = words if isinstance(words, Cause) else computed(name, words, is_two=is_two)
     yield Edit(rank, cause, {s.number: expression})
-    if kind in (givens.TWICE, givens.HALF):
+    if is_two:
         return  # of one quantity, or a factor of one term
     users = [user for user in users if user.op not in WITHIN] if len(users) > 1 else []
     for user in users if len(users) <= MANY and rank <= LESS else ():
@@ -241,9 +242,7 @@ def _of_unchanged(answers, given, read):
 
 
 def _of_differences(answers, given, stages, dimensions):
-    """Answers from another origin: less, or more by a given; all components
-    less by a quantity.
-    """
+    """Answers from another origin: less, or more by a given; all components less by a quantity."""
     less = Words("takes {name} off {key}: the whole is asked for")
     for key, answer in answers.items():
         for x in answer.parts:

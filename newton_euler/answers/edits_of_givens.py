@@ -57,14 +57,7 @@ def of_given(
                 words = Words("takes {name} - {other} for {name}: {why}",
                               name=name, other=other, why=is_it)  # fmt: skip
                 yield LEAST, f"less {other}", words, ("-", s, step)
-    if own.dimension == LENGTH:
-        words = Words(
-            "has what is measured by {name} on the other side: look at the figure", name=name
-        )
-        yield LESS + 1, "sign", words, ("neg", s)
-    elif own.dimension != MASS:
-        words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
-        yield RARER, "sign", words, ("neg", s)
+    yield from _of_sign(s, own.dimension)
     rank = RARER if own.dimension == LENGTH else LESS
     twice = Words("takes twice {name}, or has a 2 too many beside it: {why}", name=name, why=is_it)
     yield rank, TWICE, twice, ("*", s, 2.0)
@@ -101,6 +94,19 @@ def of_given(
             less = Words("divides {name} by g: it is a mass, not a weight", name=name)
         yield LESS, "g", more, ("*", s, g)
         yield LESS, "g", less, ("/", s, g)
+
+
+def _of_sign(s, dimension):
+    """A given with the opposite sign; of a length, the other side; no mass."""
+    name, rank = s.args[0], RARER
+    words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
+    if dimension == LENGTH:
+        rank = LESS + 1
+        words = Words(
+            "has what is measured by {name} on the other side: look at the figure", name=name
+        )
+    if dimension != MASS:
+        yield rank, "sign", words, ("neg", s)
 
 
 def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:

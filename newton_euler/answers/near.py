@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..algebra.late import np
-from .causes import Cause, in_components, is_two
+from .causes import Cause, in_components
 from .fit import Fit, rounding, written
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
@@ -108,7 +108,9 @@ class Slips:
     def near(self, key: str, fit: Fit, kind: Kind) -> list[tuple[int, Cause, Points]]:
         """[(level, cause, points)] of the slips that an answer is nearer to than by chance."""
         ranked = self.ranked(key)
-        if ranked is None or fit.index is None or not 0 < math.hypot(*fit.first[0]) < math.inf:
+        if ranked is None or fit.index is None:
+            return []
+        if not 0 < AROUND * math.hypot(*fit.first[0]) < math.inf:  # 5e-324 has no quarter
             return []
         rows = self.at(key, fit.index if kind.is_formula else 0)
         if places := _near(rows, fit, kind, ranked):
@@ -129,7 +131,7 @@ class Slips:
             (level // 2, in_components(cause, wrong), _mixed(self._points(key, n), fit.key, right))
             for n in _near(mixed, fit, kind, ranked, CHANCE_IN_ONE)
             for level, cause in (ranked.slips[n],)
-            if not is_two(cause)  # said as a factor of these components
+            if not cause.is_two  # said as a factor of these components
         ]
 
     def _points(self, key, place):
