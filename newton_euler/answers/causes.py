@@ -28,7 +28,6 @@ class Cause:
         the reader's language
     where : the place in the book where to read on
     subject : what slips have in common that are one, in other words: the last of them is named
-    is_two : True of a factor of 2 beside a quantity
     """
 
     group: str
@@ -36,7 +35,6 @@ class Cause:
     text: str = field(compare=False)
     where: str = field(default="", compare=False)
     subject: str = field(default="", compare=False)
-    is_two: bool = field(default=False, compare=False)
 
     @property
     def what(self) -> str:
@@ -350,6 +348,11 @@ def in_this_part(cause: Cause) -> Cause:
     return here if len(words.split()) <= WORDS and here.why in words else cause
 
 
+def is_two(cause: Cause) -> bool:
+    """True of a factor of 2 beside a quantity."""
+    return " beside it: " in getattr(cause.text, "template", "")
+
+
 def in_components(cause: Cause, places: Sequence[int]) -> Cause:
     """The same cause in some components alone, where the others are right."""
     which = _ordinals(places) if max(places) < len(ORDINALS) else ""
@@ -417,9 +420,9 @@ def unconverted(given: str, unit: str) -> Cause:
     return Cause("unit", str(given), text)
 
 
-def computed(name: str, text: str, subject: str = "", is_two: bool = False) -> Cause:
+def computed(name: str, text: str, subject: str = "") -> Cause:
     """A slip in one step of the computation; ``name`` says in which, and which slip."""
-    return Cause("computed", name, text, subject=subject, is_two=is_two)
+    return Cause("computed", name, text, subject=subject)
 
 
 def other_axes(place: int, frame: str) -> Cause:

@@ -173,10 +173,9 @@ def _number(dimensions, system, own, s):
 def _everywhere_and_once(s, place, slip, users):
     """The edit wherever the step is used, and in one use alone if there are several."""
     rank, kind, words, expression = slip
-    name, is_two = f"{kind} {s.number} {place}", kind in (givens.TWICE, givens.HALF)
-    cause = words if isinstance(words, Cause) else computed(name, words, is_two=is_two)
+    cause = words if isinstance(words, Cause) else computed(f"{kind} {s.number} {place}", words)
     yield Edit(rank, cause, {s.number: expression})
-    if is_two:
+    if kind in (givens.TWICE, givens.HALF):
         return  # of one quantity, or a factor of one term
     users = [user for user in users if user.op not in WITHIN] if len(users) > 1 else []
     for user in users if len(users) <= MANY and rank <= LESS else ():

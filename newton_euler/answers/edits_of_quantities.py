@@ -42,8 +42,7 @@ def of_quantities(
         if not any(users.get(x) for x in own.values()):
             continue
         for factor, text in SCALED.items():
-            name, text = f"{factor} times {[*own]}", Words(text, quantity=words)
-            cause = computed(name, text, is_two=factor in (0.5, 2.0))
+            cause = computed(f"{factor} times {[*own]}", Words(text, quantity=words))
             rank = LESS if factor or words in answers else RARER
             yield Edit(rank, cause, {n: ("*", x, factor) for n, x in own.items()})
         for other, instead in named if len(own) == len(parts) else ():
