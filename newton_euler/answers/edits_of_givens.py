@@ -1,4 +1,4 @@
-"""Slips in the givens: one for another, twice or half of one, its sign, its unit, weight for mass."""
+"""Slips in the givens: one for another, twice or half of one, sign, unit, weight for mass."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations, permutations, product

@@ -388,7 +388,7 @@ class _Formula(Kind):
         return slips.PURE | (slips.ANGLES if unit_of(unit).is_of_angle else {})
 
     def observed(self, given, key):
-        """The remark that the symbols are right and a number is not, or that some components are."""
+        """The remark that only a number is wrong, or that some components are right."""
         pairs = zip(chain(*given), chain(*key), strict=True)
         ratios = [x / k if k else math.inf for x, k in pairs if k or x]
         first = next((x for x in ratios if math.isfinite(x)), 0.0)

@@ -119,7 +119,7 @@ def _is_inertia(text):
 
 
 def _inertia(points, whole):
-    """Why no body can have this matrix; of formulas only the symmetry, which holds for all symbols."""
+    """Why no body can have this matrix; of formulas only the symmetry, valid for all symbols."""
     scales = [max(map(abs, point)) for point in points]
     across = ((1, 3), (2, 6), (5, 7))
     if any(

@@ -81,7 +81,7 @@ def _parts(value, form):
 
 
 def _refuse(value, form):
-    """Raise an error that says what to write instead of a value without numbers, or without order."""
+    """Raise an error that says what to write instead of a value without numbers or order."""
     kind, module = type(value).__name__, str(type(value).__module__)
     if isinstance(value, str | bytes):
         raise form.error(
@@ -152,7 +152,7 @@ def _complex(x):
 
 
 def refuse_equation(x: Any, form: Any) -> None:
-    """Raise an error that says what to write instead of an equation, inequality or unit of SymPy."""
+    """Raise an error that says what to write instead of an equation or unit of SymPy."""
     if getattr(x, "is_Relational", False):
         raise form.error("got {x}, an equation; give the side that is asked for", x=clipped(x))
     quantities = sys.modules.get("sympy.physics.units.quantities")
