@@ -191,14 +191,15 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
     """The givens that are the components of one vector, those in the same place in all components
     of an answer: reversed or left out, taken for the answer, or added to it.
     """
-    found = dict[tuple[Step, ...], None]()
+    found = dict[frozenset[Step], tuple[Step, ...]]()
     for key, parts in answers.items():
         if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
             own = dict.fromkeys(_alike(parts))
-            found |= own
+            for steps in own:
+                found.setdefault(frozenset(steps), steps)
             yield from _of_whole_vectors(key, parts, own)
             yield from _of_factors(parts)
-    for steps in found:
+    for steps in found.values():
         names = joined(s.args[0] for s in steps)
         turned = Words("takes {names} with the opposite sign: they are one vector", names=names)
         zero = Words("leaves out {names}: they are one vector, and not zero here", names=names)

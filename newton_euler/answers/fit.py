@@ -9,6 +9,7 @@ from typing import Any
 from .tolerance import DIGITS, NOISE, ROUND_OFF, Point, Points, is_apart
 
 LOOSE, CLOSE, EXACT = 1, 2, 3
+LEAST = 1e-3  # of the whole: any component may be off by so much
 EFFECT = 0.05  # of the change by a mistake: a model must be nearer than this to fit
 
 
@@ -86,8 +87,12 @@ class Fit:
             here = self._closeness(gap, own, size, rtol)
             if not here:
                 return 0
-            # as for the key: a component with the wrong sign is not near, however small it is
-            if any(abs(a - b) > abs(a) / 2 + NOISE * (own + size) for a, b in zip(x, given)):  # noqa: B905
+            # a component is near by its own size, and a small one has the right sign
+            noise, least = NOISE * (own + size), LEAST * own
+            if any(
+                abs(a - b) > min(abs(a) / 2, self.rtol * abs(a) + least) + noise
+                for a, b in zip(x, given, strict=True)
+            ):
                 return 0
             level = min(level or here, here)
         return level

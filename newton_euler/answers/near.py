@@ -25,6 +25,7 @@ CHANCE_ROUNDED = 0.0005  # the same where it differs by more than the digits wri
 CHANCE_MET = 0.05  # the same where the slip's own number has few digits
 CHANCE_ZEROS = 0.0004  # the same where it is met in more digits than were written: 2.81 is 2.8100
 CHANCE_IN_ONE = 0.1  # the share of it for a slip in the wrong components alone
+ALIKE = 0.01  # relative: components have one ratio to their right values if they differ by less
 CHANCE_BESIDE = 0.015  # the same where some of its components are right
 
 
@@ -173,9 +174,20 @@ def _formulas_near(rows, fit, ranked, allowed):
     given, key = fit.given[fit.index], fit.key[fit.index]
     size = math.hypot(*given)
     close, gaps = _within(fit.rtol * size, rows, given)
-    wrong = sum(abs(x - k) > fit.rtol * size for x, k in zip(given, key, strict=True))
+    off = [
+        n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > fit.rtol * size
+    ]
+    wrong, more = 1 if _is_multiple(given, key, off) else len(off), _constant(fit)
 
     def is_chance(n):
+        if more:  # 10.4 x - 5.2 is met by few digits, such as a half of 10.4
+            own = [abs(float(row[0]) - key[0] - more) / abs(more) for row in rows]
+            few = sum(
+                gap <= AROUND and rank <= ranked.ranks[n]
+                for gap, rank in zip(own, ranked.ranks, strict=True)
+            )
+            if few * rounding([more]) > CHANCE_MET * AROUND * abs(more):
+                return True
         near = sum(
             gap <= AROUND * size and rank <= ranked.ranks[n]
             for gap, rank in zip(gaps, ranked.ranks, strict=True)
@@ -184,6 +196,25 @@ def _formulas_near(rows, fit, ranked, allowed):
         return gaps[n] > ROUND_OFF * size and near * share**wrong > allowed * CHANCE
 
     return [n for n in close if not is_chance(n)]
+
+
+def _is_multiple(given, key, off):
+    """True if these components are a multiple of the key's: they are met as one number is."""
+    ratios = [given[n] / key[n] if key[n] else 0.0 for n in off]
+    return (
+        len(off) > 1
+        and all(ratios)
+        and max(ratios) - min(ratios) <= ALIKE * abs(max(ratios, key=abs))
+    )
+
+
+def _constant(fit):
+    """The number by which a formula is more than the key at all points, or 0."""
+    if len(fit.key) == 1 or len(fit.key[0]) > 1:
+        return 0.0
+    off = [x - k for (x,), (k,) in zip(fit.given, fit.key, strict=True) if math.isfinite(x - k)]
+    is_one = off and max(off) - min(off) <= NOISE * max(map(abs, off))
+    return round(off[0], 9) if is_one else 0.0
 
 
 def _numbers_near(rows, fit, kind, ranked, allowed):
@@ -204,6 +235,7 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
     least = max(nearest, NOISE * fit.sizes[0])
     off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > least]
     wrong, written_by = len(off), rounding([given[n] for n in off])
+    is_multiple = _is_multiple(given, key, off)
     few = _in_few_digits(rows, around, given, off)
     beside = CHANCE_BESIDE if allowed == 1 else allowed * CHANCE
     loosely = CHANCE_ROUNDED / CHANCE  # share of it where the digits written are not met
@@ -216,11 +248,13 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
         share = (written_by if is_met else max(gaps[n], nearest)) / (AROUND * size)
         limit = CHANCE_MET if is_met else CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
         few_are = beside * (1 if gaps[n] <= nearest else loosely)
-        is_few = count * share**there <= limit and (
-            wrong >= there or count * share**wrong <= few_are
+        # met loosely, components are no independent evidence: slips of one body lie on a line
+        most = there if gaps[n] <= nearest else 1 if is_multiple else 2
+        is_few = count * share ** min(there, most) <= limit and (
+            wrong >= there or count * share ** min(wrong, most) <= few_are
         )
         met = max(gaps[n], ROUND_OFF * size) / (AROUND * size)
-        if is_few or (n not in few and count * met**wrong <= allowed * CHANCE_ZEROS):
+        if is_few or (n not in few and count * met ** min(wrong, most) <= allowed * CHANCE_ZEROS):
             found.append(n)
     return found
 
