@@ -34,7 +34,7 @@ class Slider:
         in_order = self.lowest <= self.start <= self.highest and 0 < self.step <= self.span
         if not in_order or self.span > 1e300:
             raise ArgumentError(
-                f"slider {self.name}: needs lowest <= start <= highest, 0 < step <= span; got {numbers}"
+                f"slider {self.name}: lowest <= start <= highest, 0 < step <= span; got {numbers!r}"
             )
 
     @property
