@@ -84,7 +84,7 @@ def _with_answers(cells, found, master):
 
 
 def _left_of_equals(text):
-    """What stands left of each "=". One pattern for it would take quadratic time: weeks for 64 MB."""
+    """What stands left of each "="; one pattern for all of it would take quadratic time."""
     lines = text.replace("==", "\n").split("\n")
     return [part for line in lines for part in line.split("=")[:-1]]
 

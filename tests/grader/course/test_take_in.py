@@ -95,7 +95,7 @@ def test_a_name_that_is_no_name_loses_none_of_the_others(named, tmp_path):
     raw = bytearray(path.read_bytes())
     at = raw.rindex(b"n.txt")
     # in the list of contents its name is made its comment
-    raw[at - 18 : at - 12] = b"\0\0" b"\0\0" b"\5\0"
+    raw[at - 18 : at - 12] = b"\0\0\0\0\5\0"
     path.write_bytes(raw)
     found = take_in(named, "ch04", path)
     assert {*found.taken} == {"ada"}
