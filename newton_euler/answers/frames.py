@@ -1,8 +1,8 @@
-"""Which of the components of a vector counts that came along the axes of several frames.
+"""Which components of a vector count if it was given along the axes of several frames.
 
-A student may make any frames. If any components that are right earned the points, frames turned by
-half a turn would be four guesses in one answer. One vector is one guess: its components in the
-ground are the answer, as its frames convert them; those in another frame are where the rest is the
+A student may make any frames. If any right components earned the points, frames turned by half a
+turn would be four guesses in one answer. One vector is one guess: its components in the ground, as
+its frames convert them, are the answer; those in another frame count only where the rest is the
 same right vector along other axes.
 """
 
@@ -48,9 +48,9 @@ def counted(
 
 
 def _is_one_guess(readings, right, key, asked, wrong):
-    """True if all that is not the key is the right vector along axes that the problem has, or,
-    where it does not say how its axes lie in the ground, the student may have chosen those of the
-    ground, so that a known mistake is not among them.
+    """True if each reading that is not the key is the right vector along axes of the problem, or,
+    as long as the problem leaves the axes of the ground open, may be along axes that the student
+    chose, which a known mistake is not.
     """
     axes = {cause.name: points for cause, points in wrong if cause.group == "axes"}
     free = not axes or "0" in axes  # else the axes are those of the ground
@@ -69,5 +69,5 @@ def _is_one_guess(readings, right, key, asked, wrong):
 
 
 def _sizes(points):
-    """The components without sign and order: those of two guesses at the axes are the same."""
+    """The components without sign and order, which are the same for two guesses at the axes."""
     return tuple(tuple(sorted(map(abs, point))) for point in points)
