@@ -74,6 +74,7 @@ def check(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> Check | None:
     if new and opens(sealed, kind, tree):
         return Check(True, len(entry["wrong"]), 0.0)
     if new:
+        entry = _read()[salt]  # another kernel may have counted while this one computed
         entry["wrong"] += new
         beyond = len(entry["wrong"]) - FREE
         wait = min(2.0 ** min(beyond, 20), LONGEST) if beyond >= 0 else 0.0

@@ -6,9 +6,10 @@ its frames convert them, are the answer; those in another frame count only where
 same right vector along other axes.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
+from .causes import Cause
 from .kinds import Kind
 from .tolerance import Points
 
@@ -27,31 +28,41 @@ class Toleranced(Protocol):
 
 
 def counted(
-    readings: Sequence[Points], key: Points, asked: Toleranced, axes: Iterable[tuple[int, Points]]
+    readings: Sequence[Points],
+    key: Points,
+    asked: Toleranced,
+    wrong: Callable[[], Sequence[tuple[Cause, Points]]],
 ) -> Points | None:
     """The right one of the readings of an answer, or None.
 
-    axes : [(place, key)] of the right vector along the axes of the problem's other frames, of which
-        the ground has the place 0
+    wrong : returns [(cause, points)] of the wrong models, which most right answers do not need: of
+        the group "axes", the right vector along the axes of the problem's other frames, of which
+        the ground is named "0"
     """
     right = [asked.kind.is_right(r, key, asked.atol, asked.rtol) for r in readings]
     if True not in right or len(readings) == 1:
         return readings[0] if right == [True] else None
-    if right[GROUND] or _is_one_guess(readings, right, key, asked, dict(axes)):
+    if right[GROUND] or _is_one_guess(readings, right, key, asked, wrong()):
         return readings[right.index(True)]
     return None
 
 
-def _is_one_guess(readings, right, key, asked, axes):
+def _is_one_guess(readings, right, key, asked, wrong):
     """True if each reading that is not the key is the right vector along axes of the problem, or,
     as long as the problem leaves the axes of the ground open, may be along axes that the student
-    chose.
+    chose, which a known mistake is not.
     """
-    free = not axes or 0 in axes  # else the axes are those of the ground
+    axes = {cause.name: points for cause, points in wrong if cause.group == "axes"}
+    free = not axes or "0" in axes  # else the axes are those of the ground
+
+    def is_among(r, models):
+        return any(asked.kind.is_right(r, points, asked.atol, asked.rtol) for points in models)
+
+    mistakes = [points for cause, points in wrong if cause.group != "axes"]
     return all(
-        any(asked.kind.is_right(r, points, asked.atol, asked.rtol) for points in axes.values())
-        or (free and (right[0] or place == GROUND)
-            and not asked.kind.is_right(_sizes(r), _sizes(key), asked.atol, asked.rtol))
+        is_among(r, axes.values())
+        or (free and (right[0] or place == GROUND) and not is_among(r, mistakes)
+            and not is_among(_sizes(r), [_sizes(key)]))
         for place, r in enumerate(readings)
         if not right[place]
     )  # fmt: skip

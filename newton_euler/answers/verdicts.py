@@ -124,21 +124,12 @@ def judge(
     if factor != 1:
         readings = [tuple(tuple(factor * x for x in point) for point in r) for r in readings]
     key = numbers.key[asked.key]
-    right = counted(readings, key, asked, _axes(asked, numbers))
+    right = counted(readings, key, asked, partial(numbers.wrong, asked.key))
     if right is not None:
         return Judged("right", _("right"), right)
     near = asked.atol, asked.rtol
     wrong = [given for given in readings if not asked.kind.is_right(given, key, *near)]
     return Judged("wrong", _("not right"), wrong[0] if wrong else None)
-
-
-def _axes(asked, numbers):
-    """The key along the problem's other axes, from wrong models that are computed once the first
-    is asked for: of most right answers, never.
-    """
-    for c, points in numbers.wrong(asked.key):
-        if c.group == "axes":
-            yield int(c.name), points
 
 
 @dataclass(frozen=True)
