@@ -69,7 +69,7 @@ def _value(f, x):
 def _finite(f, x):
     value = _value(f, x)
     if not is_finite(value):
-        raise WorkError(f"the integrand is {to_plain(value)} at {short(x)}")
+        raise WorkError(f"the integrand is {value} at {short(x)}")
     return value
 
 

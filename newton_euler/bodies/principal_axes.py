@@ -17,6 +17,7 @@ from ..algebra.errors import Tolerance, checked
 from ..algebra.late import is_here, np, sympy
 from ..algebra.scalars import (
     ZERO,
+    Rows,
     acos,
     atan2,
     cos,
@@ -63,7 +64,7 @@ class Principal:
     turns: tuple = ()
 
     @property
-    def rotation(self) -> tuple:
+    def rotation(self) -> Rows:
         """The matrix whose columns are the principal axes, in the frame of the inertia."""
         return tuple(zip(*(axis.components() for axis in self.axes), strict=True))
 
