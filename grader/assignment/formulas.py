@@ -104,10 +104,14 @@ class _Names:
     latex = False
 
     def _as_ordered_terms(self, expr, order=None):
-        """Terms in order, positive ones first; beside decimals only the first positive one, as in
-        3.5 t^2 - 1.8 t + 2.
+        """Terms in order, positive ones first, before them a number: 1 + n, but n^2 + 1; beside
+        decimals only the first positive one, as in 3.5 t^2 - 1.8 t + 2.
         """
         terms = super()._as_ordered_terms(expr, "lex")
+        others = [x for x in terms if not x.is_Rational]
+        square = len(expr.free_symbols) == 1 and any(x.as_coeff_Mul()[1].is_Pow for x in others)
+        if all(x.free_symbols for x in others) and not square:
+            terms.sort(key=lambda x: not x.is_Rational)
         if self.degrees:
             terms = [self._in_degrees(x) for x in terms]
         numbers = [x.as_coeff_Mul()[0] for x in terms]
