@@ -104,14 +104,16 @@ class _Names:
     latex = False
 
     def _as_ordered_terms(self, expr, order=None):
-        """Terms in order, positive ones first, before them a number: 1 + n, but n^2 + 1; beside
-        decimals only the first positive one, as in 3.5 t^2 - 1.8 t + 2.
+        """Terms in order, positive ones first, and of these a number and single names: 1 + n and
+        v_0 + a t, but n^2 + 1; beside decimals only the first positive one, as in
+        3.5 t^2 - 1.8 t + 2.
         """
         terms = super()._as_ordered_terms(expr, "lex")
         others = [x for x in terms if not x.is_Rational]
-        square = len(expr.free_symbols) == 1 and any(x.as_coeff_Mul()[1].is_Pow for x in others)
+        powers = [x.as_coeff_Mul()[1].as_base_exp() for x in others]
+        square = len(expr.free_symbols) == 1 and any(b.is_Symbol and n != 1 for b, n in powers)
         if all(x.free_symbols for x in others) and not square:
-            terms.sort(key=lambda x: not x.is_Rational)
+            terms.sort(key=lambda x: (not x.is_Rational, not x.is_Symbol))
         if self.degrees:
             terms = [self._in_degrees(x) for x in terms]
         numbers = [x.as_coeff_Mul()[0] for x in terms]

@@ -53,6 +53,8 @@ def test_a_right_angle_beside_degrees_is_written_in_degrees():
     (g + m * a**2 + m * b**2, "g + m*(a**2 + b**2)"),
     (0.4 * a**2 + 0.4 * b**2 - m, "0.4*(a**2 + b**2) - m"),
     (a * b * (1 + m), "a*b*(1 + m)"),
+    (1 + sympy.cos(a) ** 2, "1 + cos(a)**2"),
+    (a * b + g, "g + a*b"),
     (m**2 + 4, "m**2 + 4"),
     (3.5 * a**2 - 1.8 * a + 2, "3.5*a**2 - 1.8*a + 2"),
 ])  # fmt: skip
