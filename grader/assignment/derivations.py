@@ -173,7 +173,8 @@ class _Deriver:
         self.known = Known({*traced.givens}, units, drawn)
         stated = {name: traced.units[key] for key in self.components for name in self._names(key)}
         powers = {name: unit(of).dimension.powers for name, of in (stated | {**units}).items()}
-        self.known.rates = {name: x[1] for name, x in powers.items() if x in ((0, 0, -1), (0, 1, -1))}
+        rates = (0, 0, -1), (0, 1, -1)
+        self.known.rates = {name: x[1] for name, x in powers.items() if x in rates}
         self.names = Names({}, sheets)
         taken = {*traced.givens}.union(*map(self._names, self.components))
         self.writer = Writer(traced, cases, self.names, self.known, self.called, taken, positive)

@@ -116,7 +116,8 @@ class _Names:
         in_front = [n for n, x in enumerate(numbers) if not x < 0]
         if any(x.is_Float for x in numbers):
             in_front = in_front[:1]
-        return sorted(terms, key=lambda x: (terms.index(x) not in in_front, len(x.free_symbols) > 1))
+        places = {x: (n not in in_front, len(x.free_symbols) > 1) for n, x in enumerate(terms)}
+        return sorted(terms, key=lambda x: places[x])
 
     def _in_degrees(self, x):
         turns = x / sympy.pi

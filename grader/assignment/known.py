@@ -106,7 +106,8 @@ class Known:
         def squared(term):
             number, product = term.as_coeff_Mul()
             factors = {*sympy.Mul.make_args(product)}
-            for name in factors & self.velocities.keys() if abs(number) == 1 else ():
+            plain = abs(number) == 1 and not sympy.fraction(product)[1].has(sympy.Add)
+            for name in factors & self.velocities.keys() if plain else ():
                 shared = factors & {*sympy.Mul.make_args(self.velocities[name])}
                 if any(str(x) in self.rates for x in shared):
                     return term.subs(name, self.velocities[name])

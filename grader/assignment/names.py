@@ -98,9 +98,9 @@ class Names:
         same = [k for k in candidates if self.indices and _indices(k) == self.indices]
         used = max(self.uses[k] for k in candidates)
         key, *others = (k for k in candidates if self.uses[k] == used)
-        if len(candidates) > 1 and len(same) != 1 and x.args and all(map(self._is_plain, x.args)):
-            if others or self.size > 1:
-                return None  # as b/2, of two bodies that lie side by side
+        is_plain = x.args and all(map(self._is_plain, x.args))
+        if len(candidates) > 1 and len(same) != 1 and is_plain and (others or self.size > 1):
+            return None  # as b/2, of two bodies that lie side by side
         same = [k for k in same if k in (key, *others)] or [
             k for k in (key, *others) if self.size == 3 and "xyz"[self.place] in k.split("_")[-1]
         ]
@@ -118,8 +118,10 @@ class Names:
         indices = _indices(getattr(whole, "name", ""))
         if self.size != 3 or not isinstance(x, Step) or not indices:
             return None
-        found = [at[self.place] for key, at in self._candidates(x).items()
-                 if self.sizes[key] == 3 and self.place in at and _indices(key) == indices]  # fmt: skip
+        same = {key: at for key, at in self._candidates(x).items() if _indices(key) == indices}
+        found = [
+            at[self.place] for key, at in same.items() if self.sizes[key] == 3 if self.place in at
+        ]
         return found[0] if len(found) == 1 else None
 
     def equal(self, x: Step) -> Any:
@@ -183,12 +185,14 @@ class Names:
         return not isinstance(a, Step) or a.number in self.fixed
 
     def _candidates(self, x):
-        found = self.found.get(x.number) or {}
-        other = self.opposite.get(x.number, {})
+        found, other = self.found.get(x.number, {}), self.opposite.get(x.number, {})
+
+        def in_row(key, at):
+            return self.sizes[key] == 9 and any(n // 3 == self.place for n in at)
+
         if self.size == 3:  # of a matrix, the entry in this row, as -T_zx and not T_xz
-            found = found | {key: places for key, places in other.items() if self.sizes[key] == 9
-                             and any(n // 3 == self.place for n in places)
-                             and not any(n // 3 == self.place for n in found.get(key, ()))}  # fmt: skip
+            own = {key for key, at in found.items() if in_row(key, at)}
+            found = found | {k: at for k, at in other.items() if in_row(k, at) and k not in own}
         return {key: x for key, x in (found or other).items() if key not in self.apart}
 
     def _at_place(self, by_place, size):
