@@ -114,21 +114,15 @@ class _Names:
         others = [x for x in terms if not x.is_Rational]
         powers = [x.as_coeff_Mul()[1].as_base_exp() for x in others]
         square = len(expr.free_symbols) == 1 and any(b.is_Symbol and n != 1 for b, n in powers)
-        begins = all(x.free_symbols for x in others) and not square
+        if all(x.free_symbols for x in others) and not square:
+            terms = [x for x in terms if x.is_Rational] + others
         if self.degrees:
             terms = [self._in_degrees(x) for x in terms]
         numbers = [x.as_coeff_Mul()[0] for x in terms]
         in_front = [n for n, x in enumerate(numbers) if not x < 0]
         if any(x.is_Float for x in numbers):
             in_front = in_front[:1]
-        places = {
-            x: (
-                n not in in_front,
-                not (begins and x.is_Rational and x > 0),
-                len(x.free_symbols) > 1,
-            )
-            for n, x in enumerate(terms)
-        }
+        places = {x: (n not in in_front, len(x.free_symbols) > 1) for n, x in enumerate(terms)}
         return sorted(terms, key=lambda x: places[x])
 
     def _in_degrees(self, x):
