@@ -1,11 +1,15 @@
 """Answers and steps with simple slips in the computation, for a practice file."""
 
 import math
+import re
+from collections.abc import Collection
 from typing import Any
 
 from exercises.catalogue import Problem
+from newton_euler.algebra.language import Words
 from newton_euler.answers.formulas import RARER, SIMPLE
 from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.typed import NOUNS
 
 from ..assignment.cells import Values
 from ..scoring.computation import perturbed, perturbed_steps
@@ -29,6 +33,28 @@ def slip_numbers(
                 same = key, cause.text, *(f"{x:.6g}" for x in row)
                 found.setdefault(same, (key, rank, cause, row))
     return list(found.values())
+
+
+_BY_NAMES = dict(NOUNS.values())  # {template with a formula: the same with its names}
+
+
+def without_formulas(text: str, names: Collection[str]) -> str:
+    """The words of a slip in which formulas of these ``names`` are called by the names in them:
+    where formulas are asked for, the terms of all slips together would be the answer.
+
+    >>> without_formulas(Words("leaves out {term}", term=Words("the term {formula}", formula="2*m*g")), "mg")
+    'leaves out the term in m, g'
+    """  # noqa: E501
+    if isinstance(text, Words):
+        own = {name: without_formulas(x, names) for name, x in text.values.items()}
+        inside = own.get("formula")
+        if isinstance(inside, Words) and text.template in _BY_NAMES:
+            return Words(_BY_NAMES[text.template], **inside.values)
+        return Words(text.template, **own)
+    found = [x for x in dict.fromkeys(re.findall(r"[A-Za-z]\w*", text)) if x in names]
+    if not found or not re.fullmatch(r"[\w.,()*/^+ -]*([*/^]|\w\)? [+-])[\w.,()*/^+ -]*", text):
+        return text
+    return Words("an expression in {names}", names=", ".join(found))
 
 
 def _differs(row, right):
