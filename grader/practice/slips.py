@@ -36,25 +36,34 @@ def slip_numbers(
 
 
 _BY_NAMES = dict(NOUNS.values())  # {template with a formula: the same with its names}
+_FORMULA = re.compile(r"[+-]?[\w.(][\w.()*/^']*(?: [+-] [\w.(][\w.()*/^']*)*")
 
 
 def without_formulas(text: str, names: Collection[str]) -> str:
-    """The words of a slip in which formulas of these ``names`` are called by the names in them:
-    where formulas are asked for, the terms of all slips together would be the answer.
+    """The words of a mistake in which formulas of these ``names`` are called by the names in them,
+    or left out within a text: where a formula is asked for, those of all mistakes together would be
+    the answer.
 
-    >>> without_formulas(Words("leaves out {term}", term=Words("the term {formula}", formula="2*m*g")), "mg")
+    >>> term = Words("the term {formula}", formula="2*m*g")
+    >>> without_formulas(Words("leaves out {term}", term=term), {"m", "g"})
     'leaves out the term in m, g'
-    """  # noqa: E501
+    >>> without_formulas("gives m*g/2: that is half of it", {"m", "g"})
+    'gives …: that is half of it'
+    """
     if isinstance(text, Words):
         own = {name: without_formulas(x, names) for name, x in text.values.items()}
         inside = own.get("formula")
         if isinstance(inside, Words) and text.template in _BY_NAMES:
             return Words(_BY_NAMES[text.template], **inside.values)
         return Words(text.template, **own)
-    found = [x for x in dict.fromkeys(re.findall(r"[A-Za-z]\w*", text)) if x in names]
-    if not found or not re.fullmatch(r"[\w.,()*/^+ -]*([*/^]|\w\)? [+-])[\w.,()*/^+ -]*", text):
-        return text
-    return Words("an expression in {names}", names=", ".join(found))
+
+    def named(formula):
+        found = dict.fromkeys(re.findall(r"[A-Za-z]\w*", formula))
+        return [x for x in found if x in names and re.search(r"[*/^]| [+-] ", formula)]
+
+    if _FORMULA.fullmatch(text) and (found := named(text)):
+        return Words("an expression in {names}", names=", ".join(found))
+    return _FORMULA.sub(lambda m: "…" if named(m[0]) else m[0], text)
 
 
 def _differs(row, right):
