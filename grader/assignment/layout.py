@@ -57,6 +57,30 @@ def laid_out(formula: Any, names: Iterable[str]) -> tuple[Any, dict[Any, str]]:
     return formula, {placed.name: x.name for x, placed in called.items()}
 
 
+def as_drawn(formula: Any, sheets: Iterable[Mapping[str, float]]) -> Any:
+    """A formula without bars around what is positive, and with positive denominators, for all
+    ``sheets`` of numbers of its symbols.
+
+    >>> from sympy import Abs, symbols
+    >>> r, R = symbols("r R")
+    >>> as_drawn(Abs(r) / (r**2 - R**2), [{"r": 1.0, "R": 2.0}])
+    -r/(R**2 - r**2)
+    """
+    sheets = [*sheets]
+
+    def signs(x):
+        numbers = ({s: sheet.get(s.name, s) for s in x.free_symbols} for sheet in sheets)
+        return {x.subs(values).is_positive for values in numbers}
+
+    formula = formula.replace(
+        lambda x: x.is_Pow and x.base.is_Add and x.exp == -1 and signs(x.base) == {False},
+        lambda x: -1 / -x.base,
+    )
+    return formula.xreplace(
+        {x: x.args[0] for x in formula.atoms(sympy.Abs) if signs(x.args[0]) == {True}}
+    )
+
+
 def _function(name):
     return next((f for f in FUNCTIONS if name.startswith(f)), "")
 
@@ -133,7 +157,9 @@ def _turned(x, is_term):
             factors.append(base**power)
             continue
         divided = power < 0 or sympy.fraction(x)[1].free_symbols
-        part, whole = base.primitive() if divided else _one_fraction(base)
+        part, whole = base.primitive()
+        if not divided and not (part.is_Integer and part > 1):
+            part, whole = _one_fraction(base)
         if _is_other_way_round(whole, negative and power > 0 and power % 2 and not is_term):
             part, whole, negative = -part, -whole, negative != bool(power % 2)
         number *= part**power

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 from ..algebra.language import Words, _, joined, spoken
 from .tolerance import NEARLY
 
-WORDS = 30  # of a diagnosis that is read
-BRIEF = 20  # of two mistakes that are named together, in full
+WORDS = 30  # in a diagnosis, at most
+BRIEF = 20  # in two mistakes that are both named in full, at most
 ORDINALS = Words("first"), Words("second"), Words("third")
 # what a mistake does, where more than its words depends on it: leaves out a term or a quantity,
 # takes a given for zero, leaves out a component, reverses a term, takes its double or half, or has
@@ -29,10 +29,10 @@ class Cause:
         (the same in going on from earlier answers), both (two listed ones at once), follows (from
         an earlier answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
-    text : its words: what was done and, after a colon, why it is wrong; :class:`Words` are said in
+    text : its words: what was done and, after a colon, why it is wrong; :class:`Words` appear in
         the reader's language
-    where : the place in the book where to read on
-    subject : what slips have in common that are one, in other words: the last of them is named
+    where : where to read on in the book
+    subject : shared by slips that are one and the same in other words: the last of them is named
     does : what it does, one of :data:`DOES`, or ""
     of : to what, in words; "" of a term without a name
     """
@@ -61,7 +61,7 @@ class Cause:
         return self.group == "seen"
 
     def at(self, where: str) -> "Cause":
-        """The same cause with the place where to read on."""
+        """The same cause, with where to read on."""
         return replace(self, where=where)
 
     def after(self, wrong: Sequence[str]) -> "Cause":
@@ -80,16 +80,16 @@ class Cause:
 
     @property
     def adds_to_others(self) -> bool:
-        """True of a cause that is named after another that gives the same numbers. The rest either
-        describe these numbers (a sign, a factor), or are the other in other words (a term left
-        out, a unit).
+        """True of a cause that is named beside another that gives the same numbers. The other
+        groups only describe these numbers (a sign, a factor), or repeat the first in other words (a
+        term left out, a unit).
         """
         return self.group in ("listed", "book", "exchanged", "term")
 
 
 def sentence(causes: Iterable[Cause]) -> str | None:
-    """The words of the causes that give the same numbers, as many as can be read at once: what was
-    done, why it is wrong, where to read on; None if there are none.
+    """The sentence on causes that give the same numbers, as many as fit into :data:`WORDS`: what
+    was done, why it is wrong, where to read on; None without causes.
     """
     causes = sorted(causes, key=lambda c: c != CORIOLIS_HALVED)  # the simplest first
     if not causes:
@@ -128,7 +128,7 @@ def _together(texts):
 
 
 def slip(name: str, text: Words) -> Cause:
-    """A slip that is made in any problem."""
+    """A slip that can be made in any problem."""
     return Cause("slip", name, text)
 
 
@@ -147,7 +147,7 @@ TRANSPOSED = slip(
 )
 SQUARED = slip("squared", Words("is the square of the answer: its root is asked for"))
 ROOT = slip("root", Words("is the square root of the answer: it was taken once too often"))
-INVERTED = slip("inverted", Words("is upside down: what divides and what is divided are exchanged"))
+INVERTED = slip("inverted", Words("is upside down: numerator and denominator are exchanged"))
 OFF_DIAGONAL = slip(
     "off diagonal",
     Words(
@@ -165,7 +165,7 @@ OTHER_ORDER = slip(
 )
 AS_SCALARS = slip(
     "as scalars",
-    Words("adds the rates of turning as numbers: they are vectors along different axes"),
+    Words("adds angular velocities as numbers: they are vectors along different axes"),
 )
 ROUNDED = slip(
     "rounded", Words("rounds the right answer too far: give three significant figures or more")
@@ -212,11 +212,11 @@ def right_but(places: Sequence[int], length: int) -> Cause:
 def reversed_components(places: Sequence[int]) -> Cause:
     """Some components have the opposite sign."""
     one = Words(
-        "has the opposite sign in its {which} component: check the direction of what adds to it; "
+        "has the opposite sign in its {which} component: check the direction of its terms; "
         "the rest is right"
     )
     several = Words(
-        "has the opposite sign in its {which} components: check the direction of what adds to it; "
+        "has the opposite sign in its {which} components: check the direction of their terms; "
         "the rest is right"
     )
     return slip(f"opposite {_ordinals(places)}", _of_places(places, one, several))
@@ -232,8 +232,8 @@ def left_out_components(places: Sequence[int]) -> Cause:
 
 def added_components(places: Sequence[int]) -> Cause:
     """Components where there are none."""
-    one = Words("has a {which} component, where there is none: look at what points along it")
-    several = Words("has {which} components, where there are none: look at what points along them")
+    one = Words("has a {which} component, where there is none: check what points along it")
+    several = Words("has {which} components, where there are none: check what points along them")
     return slip(f"more {_ordinals(places)}", _of_places(places, one, several))
 
 
@@ -249,7 +249,7 @@ def exchanged_components(places: Sequence[int]) -> Cause:
 
 
 def moved_component(of: int, to: int) -> Cause:
-    """What belongs to one component is added to another one."""
+    """One component is added to another."""
     text = Words(
         "puts its {one} component along the {other} axis: each belongs to its own axis",
         one=ORDINALS[of], other=ORDINALS[to],
@@ -293,15 +293,15 @@ def _of_places(places: Sequence[int], one: Words, several: Words, **values: obje
 
 
 LOST = {
-    2.0: Words("look for a half or a double"),
+    2.0: Words("look for something halved or doubled"),
     **dict.fromkeys((10.0, 100.0), Words("look for a misplaced decimal point")),
-}  # all other factors are those between two units
+}  # any other factor lies between two units
 
 
 def multiplied(what: str, factor: float, large: bool) -> Cause:
     """The answer is off by the factor between two units, or by 2."""
     how = Words("large") if large else Words("small")
-    why = LOST.get(factor, Words("the answer has a unit of its own"))
+    why = LOST.get(factor, Words("check the unit that is asked for"))
     text = Words(
         "is {factor} times too {how} ({what}): {why}",
         factor=f"{factor:.4g}", how=how, what=what, why=why,
@@ -328,8 +328,8 @@ def component_multiplied(places: Sequence[int], what: str, factor: float, large:
 
 
 def both(first: Cause, second: Cause) -> Cause:
-    """Two mistakes made together; where that is too long, the shorter in full, and that there is
-    another.
+    """Two mistakes made together; where naming both is too long, the shorter one and that there is
+    a second.
     """
     name, one, other = f"{first.name} + {second.name}", first.what, second.what
     text = Words("{first}, and also {second}: both change the answer", first=one, second=other)
@@ -345,8 +345,8 @@ def both(first: Cause, second: Cause) -> Cause:
 
 
 def in_this_part(cause: Cause) -> Cause:
-    """The same cause where other parts are right that it would have made wrong; so named where
-    its reason has room, too.
+    """The same cause, marked "in this part" where it would have made other parts wrong that are
+    right, if the mark leaves room for its reason.
     """
     here = replace(cause, text=Words("in this part {cause}", cause=cause.text))
     words = sentence([here if here.where else here.at("section 1.1")]) or ""
@@ -414,7 +414,7 @@ def unconverted(given: str, unit: str) -> Cause:
 
 
 def computed(name: str, text: str, subject: str = "", does: str = "", of: str = "") -> Cause:
-    """A slip in one step of the computation; ``name`` says in which, and which slip."""
+    """A slip in one step of the computation; ``name`` identifies the step and the slip."""
     return Cause("computed", name, text, "", subject, does, of)
 
 
@@ -439,5 +439,5 @@ def turned_the_wrong_way(place: int, frame: str) -> Cause:
 
 
 def rate(name: str) -> Cause:
-    """No mistake by itself: one of the rates of turning whose sum an angular velocity is."""
+    """No mistake by itself: one of the terms whose sum is an angular velocity."""
     return Cause("rate", name, name)

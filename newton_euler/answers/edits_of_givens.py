@@ -1,6 +1,4 @@
-"""Slips in what is given: one for another, twice or half of it, its sign, its unit, weight for
-mass.
-"""
+"""Slips in the givens: one for another, twice or half of one, sign, unit, weight for mass."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations, permutations, product
@@ -17,10 +15,10 @@ MASS, LENGTH = Dimension(1), Dimension(0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
 RATES = Dimension(0, 0, -1), Dimension(0, 0, -2)
 TWICE, HALF, ONE = "doubled", "halved", "one"
-G, G_OF_FEET = 9.81, 32.2  # the number of g, where the text gives none
+G, G_OF_FEET = 9.81, 32.2  # of g, where the text gives none
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
-SEVERAL = 6  # lengths, or pairs of rates, of which no sums are tried if there are more
+SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inverted").template
@@ -38,8 +36,8 @@ def of_given(
     means: str,
     one: float,
 ) -> Iterator[Slip]:
-    """One given for another, twice or half of it, its sign, weight for mass; ``means`` are its
-    words in the text, ``one`` is its unit in base units.
+    """One given for another, twice or half of it, its sign, weight for mass; ``means`` is its
+    meaning in the text, ``one`` its unit in base units.
     """
     name, own = s.args[0], read[s.args[0]]
     is_it = Words("the formula has {name} there", name=name)
@@ -99,7 +97,7 @@ def of_given(
 
 
 def _of_sign(s, dimension):
-    """A given with the opposite sign; of a length, the other side; no mass."""
+    """A given with the opposite sign, a length on the other side; not for a mass."""
     name, rank = s.args[0], RARER
     words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
     if dimension == LENGTH:
@@ -112,7 +110,7 @@ def _of_sign(s, dimension):
 
 
 def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
-    """Rates of turning about different axes added as numbers, and with them their own rates."""
+    """Angular velocities about different axes added as numbers, alone or with their rates."""
     spins, growths = (
         [*permutations([n for n in given if read[n].dimension == of], 2)] for of in RATES
     )
@@ -126,7 +124,7 @@ def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Ed
 
 
 def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
-    """A length to another point: more or less by another one, or by half of it."""
+    """A length to another point: another length, or half of it, added or subtracted."""
     lengths = [n for n in given if read[n].dimension == LENGTH]
     for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
         for part, x in ((other, given[other]), (f"{other}/2", ("*", given[other], 0.5))):
@@ -170,8 +168,8 @@ def _is_of_turns(own):
 
 
 def _ratios(own, system):
-    """The factors by which a quantity is wrong that is used with its number, as if in SI or in feet
-    and pounds.
+    """The factors by which a quantity is wrong if its number is used as if in SI, or in feet and
+    pounds.
     """
     found = set()
     for other in (SI, US):
@@ -192,17 +190,18 @@ def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterato
 
 
 def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
-    """The givens that are the components of one vector, with the opposite sign or left out: those
-    in the same place in all components of an answer; they themselves, or added to it.
+    """The givens that are the components of one vector, those in the same place in all components
+    of an answer: reversed or left out, taken for the answer, or added to it.
     """
-    found = dict[tuple[Step, ...], None]()
+    found = dict[frozenset[Step], tuple[Step, ...]]()
     for key, parts in answers.items():
         if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
             own = dict.fromkeys(_alike(parts))
-            found |= own
+            for steps in own:
+                found.setdefault(frozenset(steps), steps)
             yield from _of_whole_vectors(key, parts, own)
             yield from _of_factors(parts)
-    for steps in found:
+    for steps in found.values():
         names = joined(s.args[0] for s in steps)
         turned = Words("takes {names} with the opposite sign: they are one vector", names=names)
         zero = Words("leaves out {names}: they are one vector, and not zero here", names=names)
@@ -214,7 +213,7 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
 
 
 def _of_factors(steps):
-    """The same where they are factors: left out of the products in one place of each component."""
+    """Such givens as factors: left out of the products in one place of each component."""
     ops = {s.op for s in steps}
     for k, own in enumerate(zip(*(s.args for s in steps), strict=False) if len(ops) == 1 else ()):
         if not all(isinstance(x, Step) for x in own):
@@ -241,7 +240,7 @@ def _of_whole_vectors(key, parts, vectors):
 
 
 def _alike(steps):
-    """The arguments, all different, that stand in one place in each of several expressions."""
+    """The arguments, all different, in the same place of several expressions."""
     ops = {s.op for s in steps}
     if ops == {"argument"}:
         if len(set(steps)) == len(steps):
@@ -255,7 +254,7 @@ def _alike(steps):
 def of_one_unit(
     given: Mapping[str, Step], read: Mapping[str, Unit], system: System
 ) -> Iterator[Edit]:
-    """All givens in one unit with their numbers."""
+    """All givens in one unit used unconverted."""
     for stated in dict.fromkeys(u.text for u in read.values()):
         steps = [s for n, s in given.items() if read[n].text == stated]
         for ratio in _ratios(unit(stated), system) if len(steps) > 1 else ():

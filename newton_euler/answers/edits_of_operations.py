@@ -1,5 +1,5 @@
 """Slips in single operations: a sign, a term, a factor, a square, sine for cosine. Each is (rank,
-kind, words, its replacement), and of terms what it does, and to which.
+kind, words, replacement), and of terms what it does, and to which.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -29,7 +29,7 @@ RATIOS = {
     1: Words("does not square {ratio}{of}: the formula does").template,
 }
 RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
-CONE = Fraction(3, 10)  # for which others are taken, but not it for them
+CONE = Fraction(3, 10)  # others are taken for it, but it is not taken for them
 BODIES = {
     Fraction(1): Words("a ring"), Fraction(1, 2): Words("a disk about its axis"),
     Fraction(1, 4): Words("a disk about a diameter"), Fraction(1, 3): Words("a rod about its end"),
@@ -39,7 +39,7 @@ BODIES = {
 
 
 def of_operation(s: Step) -> Iterator[Slip]:
-    """The slips in one operation, products apart."""
+    """The slips in one operation other than a product."""
     yield from _OF.get(s.op, _of_nothing)(s)
 
 
@@ -51,7 +51,7 @@ def _of_sum(s):
     a, b = s.args
     minus = s.op == "-"
     if minus and a is b:
-        return  # what is zero for every student
+        return  # zero for every student
     signs = (
         Words("one of the two terms there is subtracted")
         if minus
@@ -68,7 +68,7 @@ def _of_sum(s):
         varies = is_given(term)
         turning = rank if varies else LESS
         words = Words("has {term} with the opposite sign: {why}", term=what, why=signs)
-        if a is not b:  # of two equal ones, with one turned nothing is left
+        if a is not b:  # of two equal terms nothing is left if one is reversed
             yield turning, "sign", words, turned, REVERSED, name
         words = Words("leaves out {term}: it is not zero here", term=what)
         yield rank, "term", words, left, LEFT_OUT, name
@@ -80,7 +80,7 @@ def _of_sum(s):
             yield LESS, kind, words, (s.op, *scaled), RESCALED, name
         for factor in (4, 2, 0.5, 0.25) if not isinstance(term, Step) and term else ():
             words = Words(
-                "takes {other} for {term}: its own number counts",
+                "takes {other} for {term}: look up the number",
                 other=f"{factor * term:g}",
                 term=what,
             )
@@ -146,7 +146,7 @@ def of_product(
 
 def _of_ratios(s, product, dimension, of):
     """A ratio of two quantities of one dimension upside down, or not squared: of two factors, or
-    of what a quotient within divides.
+    the two sides of a quotient inside.
     """
     powers = product.powers.items()
     ratios = [(x, y, n) for x, n in powers for y, m in powers if m == -n < 0]
@@ -220,7 +220,7 @@ def _of_power(s):
 def _of_root(s):
     (x,) = s.args
     inside = typed(x) or Words("a sum")
-    words = Words("leaves out the square root of {sum}: its square was found", sum=inside)
+    words = Words("leaves out the square root of {sum}: this is still the square", sum=inside)
     yield SIMPLE, "root", words, x
     squares = _summands(x)
     roots = {y.number: ("/", y, r) for y in squares if isinstance(y, Step) and (r := _number_in(y))}
@@ -239,8 +239,8 @@ def _of_root(s):
 
 
 def _of_components(squares):
-    """The size of a vector by its components as numbers, or by no squares, or by squares of sums in
-    which each term is squared by itself.
+    """The size of a vector with its components added as numbers, not squared, or, where they are
+    sums, squared term by term.
     """
 
     def total(parts):
@@ -335,15 +335,15 @@ def of_moment(s: Step, dimension: Callable[[Step], Dimension | None]) -> Iterato
     if s.op not in PRODUCT or whole is None or not product.is_exact:
         return
     own, powers = product.coefficient, product.powers
-    # of an energy the half of a moment of inertia, of a body of this diameter four times it
+    # an energy has half a moment of inertia; a diameter for the radius gives four times it
     turns = whole != ENERGY or LENGTH in map(dimension, powers)  # m*v^2/2 is of no body
     for n in {INERTIA: (1, 4), AREA: (1,), ENERGY: (2,)}.get(whole, ()) if turns else ():
         yield from _of_body(s, own * n, n, whole)
 
 
 def _of_body(s, own, times, dimension):
-    """The factor of another body in a moment of inertia; a mass times a square may be that of a
-    particle, or of a transfer.
+    """The factor of another body in a moment of inertia; a bare mass times a square may belong to a
+    particle, or to the parallel-axis theorem.
     """
     of_rod = own in RODS and times < 4
     if not of_rod and (own not in {*BODIES, CONE} or dimension == AREA or own == 1 == times):

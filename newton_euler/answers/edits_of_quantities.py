@@ -21,7 +21,7 @@ Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its component
 SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
 TIMES = (
-    (-1.0, "", Words("takes {quantity} with the opposite sign: its sense is the other one")),
+    (-1.0, "", Words("takes {quantity} with the opposite sign: it points the other way")),
     (2.0, FACTOR_2, Words("doubles {quantity}, or has a 2 too many beside it: it counts once")),
     (0.5, FACTOR_2, Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full")),
     (0.0, LEFT_OUT, Words("leaves out {quantity}: it is not zero here")),
@@ -31,8 +31,8 @@ TIMES = (
 def of_quantities(
     answers: Mapping[str, Traced], stages: Sequence[Stage], steps: Sequence[Step], of: DimensionOf
 ) -> Iterator[Edit]:
-    """Quantities on the way and answers from which others are computed: one for another, twice or
-    half of one, its opposite, none.
+    """Intermediate quantities, and answers from which others are computed: one for another, twice
+    or half of one, reversed, left out.
     """
     users = users_of(steps)
     named = [(s.means, [*map(_plain, s.parts)]) for s in stages if s.means]
@@ -93,8 +93,8 @@ def _times(a, b, sign):
 
 
 def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
-    """Vectors each of whose components is a difference of two products: added, or that of the
-    middle one the other way round.
+    """Cross products, whose components are differences of two products: the products added, or the
+    middle component reversed.
     """
     for words, parts in named:
         if len(parts) != 3 or not all(isinstance(x, Step) and x.op == "-" for x in parts):
@@ -111,7 +111,7 @@ def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
 
 
 def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
-    """The square of a sum term by term."""
+    """The square of a sum, taken term by term."""
     squared = {s: s.args[0] for s in steps if s.op == "*" and s.args[0] is s.args[1]}
     for s, x in squared.items():
         named = typed(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
@@ -137,7 +137,7 @@ def _are_alike(one, other, of):
 def of_distances(
     given: Mapping[str, Step], products: Iterable[Step], of: DimensionOf
 ) -> Iterator[Edit]:
-    """Another length of the text, or half of it, for one that is computed, in one product."""
+    """A length of the text, or half of it, in place of a computed one, in one product."""
     lengths: list[tuple[str, Any]] = [(n, s) for n, s in given.items() if of(s) == LENGTH]
     lengths += [(f"{n}/2", ("*", s, 0.5)) for n, s in lengths]
     for s in products:
@@ -153,13 +153,13 @@ def of_distances(
 def of_densities(
     given: Mapping[str, Step], steps: Iterable[Step], of: DimensionOf
 ) -> Iterator[Edit]:
-    """A density for the mass that is computed by it."""
+    """A density in place of the mass that is computed from it."""
     for name, rho in given.items():
         if of(rho) in DENSITIES:
             masses = {s for s in steps if of(s) == MASS and Product(s).powers.get(rho) == 1}
             first = [s for s in masses if not any(a in masses for a in steps_in(s))]
             words = Words(
-                "takes {name} for a mass: times a length, area or volume it is one", name=name
+                "takes {name} for a mass: multiply it by the length, area or volume", name=name
             )
             if first:
                 yield Edit(LESS, computed(f"{name} as mass", words), {s.number: rho for s in first})

@@ -63,8 +63,8 @@ def of_two(
 
 
 class _Pairs:
-    """The pairs that an answer meets; each row of ``rows`` is what a single mistake makes of it, of
-    which the first ``own`` are the problem's own and a factor of 2, and the last the opposite sign.
+    """The pairs that an answer meets. Each of the ``rows`` is the answer with a single mistake: the
+    first ``own`` are the problem's own mistakes and a factor of 2, the last the opposite sign.
     """
 
     def __init__(self, fit, kind, own, slips):
@@ -90,7 +90,7 @@ class _Pairs:
         return key, np.concatenate((own, (2 * key, key / 2), slips, (-key,)))
 
     def fitting(self) -> Iterator[tuple[int, tuple[Cause, Cause]]]:
-        """(how simple, the two causes) of each pair that is met."""
+        """(level, the two causes) of each pair that is met."""
         with np.errstate(all="ignore"):
             for i, j in [*self._near()]:
                 (n, first), (m, second) = self.causes[i], self.causes[j]
@@ -111,7 +111,7 @@ class _Pairs:
         usable = np.isfinite(rows).all(axis=1) & rows.any(axis=1) & ~undoes
         usable &= (abs(rows - key) > NOISE * size).any(axis=1)
         last = len(rows) - 1
-        # a second mistake says nothing about a first one without a name
+        # a pair says nothing if its first mistake has no name
         usable &= [bool(c.of or not c.does) for _, c in self.causes]
         usable[last] = len(key) == off.sum() or not key[~off].any()
         ratio = given[off] / key[off]
@@ -156,7 +156,7 @@ class _Pairs:
         return int(reverses.argmax()) if reverses.any() else None
 
     def _is_met_in_one(self, rows, key, given, near):
-        """False if no pair gives the largest component of the key, as for most answers."""
+        """False if no pair gives the component that is largest in the key, as for most answers."""
         at = abs(key).argmax()
         x, k, y = rows[:, at], float(key[at]), float(given[at])
         own = x[[*range(self.own), -1]][:, None]
@@ -170,7 +170,7 @@ class _Pairs:
         return (_added, _multiplied, *[_under_a_root] * (self.kind.length == 1))
 
     def _is_named(self, i, j, op):
-        """True of what is not met by two mere factors, and of a formula at all points."""
+        """True of a pair that is not two mere factors, and holds at all points of a formula."""
         by_sign, of_formula = j == len(self.causes) - 1, self.kind.is_formula
         if op is _added:
             key, rows = self.at(self.fit.index)

@@ -25,6 +25,7 @@ MOST = 8 * 2**20  # bytes of one member; a problem with ten sets of numbers has 
 # zipfile bounds what these methods unpack; with others 600 bytes may become a gigabyte
 METHODS = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 DEEPEST = 32  # lists within lists; a file has less than ten
+LONGEST = 200_000  # characters of one text, which is broken into lines in quadratic time
 
 
 class PracticeFileError(SpokenError):
@@ -169,9 +170,11 @@ def _fits(x, shape):
 
 def _is_printable(x, levels=DEEPEST):
     """True if no text in it has codes for a terminal, or turns the direction of reading; raises
-    RecursionError where it nests deeper than a stack is sure to hold.
+    RecursionError where it nests deeper than a stack is sure to hold, ValueError of a long text.
     """
     if isinstance(x, str):
+        if len(x) > LONGEST:
+            raise ValueError(f"it has a text of {len(x)} characters")
         return x.replace("\n", "").replace("\t", "").replace("\xa0", "").isprintable()
     if not levels:
         raise RecursionError(f"it nests more than {DEEPEST} levels deep")

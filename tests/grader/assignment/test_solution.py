@@ -11,10 +11,10 @@ import sympy
 from exercises.catalogue import problem, select
 from exercises.catalogue.book_equations import own_number
 from exercises.catalogue.steps import steps
-from exercises.catalogue.variants import draw, flat
+from exercises.catalogue.variants import draw, flat, symbol_points
 from grader.assignment.derivations import component, derivations
 from grader.assignment.layout import laid_out
-from grader.assignment.lines import TOO_LONG, lines
+from grader.assignment.lines import TOO_LONG, WORD, lines
 from grader.assignment.notebook import typeset
 from grader.assignment.solution import worked_solution
 from grader.assignment.spelled import typeset_formulas
@@ -111,6 +111,7 @@ def test_no_fraction_stands_in_a_fraction_and_no_formula_in_its_description_too(
         r"[,:] (\$[^$=]*\$)(?:, section [^:]*)?: \$[^$]* = ([^$]*)\$", text
     ):
         assert letters(means) != letters(formula.partition(r"\ \text")[0]), means
+    assert r"\sqrt{\frac{1}{" not in text
 
 
 def groups(text):
@@ -165,6 +166,70 @@ def test_a_term_has_no_name_of_what_is_equal_to_it_by_chance(p):
         if formulas and all(f.is_Symbol or f == 0 for f in formulas):
             assert not {(s.of, v) for v in used} & whole, s.key
             whole |= {(s.of, v) for v in used if vectors[v] <= names}
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_name_in_a_formula_is_the_one_that_its_place_asks_for(p):
+    """A term as -r theta_dot^2 e_r has no component of a vector, a point that turns has r omega^2
+    and not omega v, and a component of a turned vector has entries of its row of the matrix.
+    """
+    found = derivations(p, numbers(p, b"one"))
+    shown = {line.step.key: line.step for line in as_python(p, b"one")}
+    units, own, rows = dict(p.units), {}, {}
+    for key, s in ((key, s) for key, s in shown.items() if key in found):
+        count = len(found[key].formulas)
+        names = [component(key, n, count) for n in range(count)]
+        units |= dict.fromkeys(names, s.unit)
+        own |= dict(zip(names, found[key].formulas, strict=True))
+        rows |= {x: n // 3 for n, x in enumerate(names) if len(names) == 9 and s.unit == "1"}
+    vectors = {x for s in shown.values() if s.is_vector and s.unit != "1"
+               for x in (component(s.key, n, 3) for n in range(3))}  # fmt: skip
+    rates = {x for x, of in units.items() if powers(of) in ((0, 0, -1), (0, 1, -1))}
+    for key, x in ((key, x) for key, x in found.items() if key in shown):
+        for n, f in ((n, f) for n, f in enumerate(x.formulas) if f is not None):
+            used = {y.name for y in f.free_symbols}
+            if shown[key].term and r"\hat" in str(shown[key].term[1].terms.get(shown[key].term[0])):
+                assert not used & vectors, (key, f)
+            if len(x.formulas) == 3:
+                assert {rows[name] for name in used & rows.keys()} <= {n}, (key, f)
+            for term in sympy.Add.make_args(f):
+                number, product = term.as_coeff_Mul()
+                plain = abs(number) == 1 and not sympy.fraction(term)[1].has(sympy.Add)
+                factors = {y.name for y in product.args if y.is_Symbol and plain}
+                for v in (v for v in factors if v in own and powers(units[v]) == (0, 1, -1)):
+                    shared = factors & {str(y) for y in sympy.Mul.make_args(own[v])} & rates
+                    assert not shared, (key, f)
+
+
+def powers(stated_in):
+    return unit(stated_in).dimension.powers
+
+
+@pytest.mark.parametrize("p", [p for p in ALL if p.symbols], ids=lambda p: p.id)
+def test_a_result_has_positive_denominators_and_bars_where_they_are_needed(p):
+    points = [{n: float(x[k]) for n, x in symbol_points(p).items()} for k in range(8)]
+    for line in as_python(p, b"one"):
+        result = line.equal[-1].removesuffix(f" {line.step.unit}")
+        parts = re.split(r"[\[\],]+(?![^(]*\))", result) if line.reason != WORD else ()
+        for text in filter(str.strip, parts):
+            x = sympy.sympify(text, {n: sympy.Symbol(n, real=True) for n in p.symbols})
+            bars = [y.args[0] for y in x.atoms(sympy.Abs)]
+            negative = [y.base for y in x.atoms(sympy.Pow) if y.exp == -1 and y.base.is_Add]
+            for y in (*bars, *(-y for y in negative)):
+                at = ({s: point.get(s.name, s) for s in y.free_symbols} for point in points)
+                assert not all(y.subs(values).is_positive for values in at), text
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_an_answer_that_others_use_has_a_name(p):
+    found = derivations(p, numbers(p, b"one"))
+    formulas = (f for x in found.values() for f in x.formulas if f is not None)
+    used = {x.name for f in formulas for x in f.free_symbols}
+    for line in lines(p, numbers(p, b"one")):
+        assert line.name or not used & own_names(line), line.step.key
+        assert not re.fullmatch(r"\\mathbf\{\w\}", line.equal[0]) or any(
+            line.equal[0] == symbol(key, True) for key in found
+        ), line.step.key
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)

@@ -143,7 +143,8 @@ def test_codes_for_a_terminal_are_not_written_to_it(whole, tmp_path, capsys, pla
 
 
 def test_no_text_of_a_file_is_html_in_a_notebook(whole, tmp_path):
-    html, page = "<img src=x onerror=alert(1)><!-- $a<b$ </p>", json.loads(whole[MEMBER])
+    html = "<img src=x onerror=alert(1)><!-- $a<b$ </p>![seen](https://example.org/x.png)"
+    page = json.loads(whole[MEMBER])
     head = json.loads(whole["practice.json"])
     head["titles"]["4/16"][0] = page["variants"][0]["statement"] = html
     page["variants"][0]["solution"] = page["quantities"][0]["means"] = html
@@ -152,7 +153,14 @@ def test_no_text_of_a_file_is_html_in_a_notebook(whole, tmp_path):
     p = problems["4/16"]
     for shown in (problems, p, p.next_step(), p.next_step()):
         assert "< img" in (text := shown._repr_markdown_()) or "img" not in text
-        assert not re.search("<[a-z/!]", text)
+        assert not re.search(r"<[a-z/!]|!\[", text)
+
+
+def test_a_text_that_would_take_minutes_to_break_into_lines_is_refused(whole, tmp_path):
+    page = json.loads(whole[MEMBER])
+    page["variants"][0]["text"] = "a" * 4_000_000
+    with pytest.raises(PracticeFileError, match="has a text of 4000000 characters"):
+        everything(written(tmp_path / "p", whole | {MEMBER: json.dumps(page)}))
 
 
 BOMB = """

@@ -177,7 +177,7 @@ def test_terms_are_named_in_the_words_of_the_problem():
     assert term_text("arm", turning) == "the turning of the arm"
     assert term_text("A", turning) == "the turning of A"
     assert term_text("about y", turning) == "the turning about y"
-    assert term_text("arm", growing) == "the growth of the turning of the arm"
+    assert term_text("arm", growing) == "the rate of the turning of the arm"
     both = "the cross product of the turning of the arm and the turning of the rod"
     assert term_text("arm x rod", growing) == both
     assert term_text("u''", equation("curvilinear acceleration")) == "the term u''"

@@ -82,3 +82,12 @@ def test_a_number_beside_formulas_is_one_number():
     assert [x.verdict for x in parts] == ["right", "right"]
     wrong = score_receipt(p, p.book_values, {"answers": {"dudt_1": [8, 11, 3]}}).parts[1]
     assert wrong.diagnosis.startswith("keeps the constant along j")
+
+
+@pytest.mark.parametrize(("x", "silent"), [(10.4, True), (10.4173, False)])
+def test_a_number_of_few_digits_beside_a_formula_is_met_by_chance(x, silent):
+    """10.4 - 6.6 + 1.4 is a half of 10.4, as many numbers of two digits are."""
+    values = {"N_x": x, "N_y": -6.6, "N_z": 1.4}
+    plane = ["+", *(["*", a, b] for a, b in zip(values.values(), "xyz", strict=True)), -x / 2]
+    causes = judged(problem("A/27"), {"F": plane}, values)["F"].causes
+    assert all(c.is_observation for c in causes) is silent

@@ -91,6 +91,14 @@ def test_a_model_that_is_near_the_key_is_not_named():
     assert diagnose(((3.0, 4.05, 0.0),), KEY, [(TURNS, near)]) == ()
 
 
+def test_a_component_that_a_mistake_makes_small_is_compared_by_its_own_size():
+    key, model = ((45.76, 27.91, 0.0),), ((45.76, 5.547, 0.0),)
+    assert diagnose(((45.76, 5.633, 0.0),), key, [(TURNS, model)]) == ()
+    assert diagnose(((45.76, 5.57, 0.0),), key, [(TURNS, model)]) == (TURNS,)
+    nothing = ((1e-16, 0.0, 0.0),)
+    assert diagnose(((0.0, 0.0, 0.0),), key, [(TURNS, nothing)]) == (TURNS,)
+
+
 def test_a_model_is_compared_where_it_has_a_value():
     key, given = ((1.0,), (2.0,), (3.0,)), ((2.0,), (9.0,), (7.0,))
     formula = KINDS["expression"]

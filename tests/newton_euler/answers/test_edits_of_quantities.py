@@ -129,6 +129,15 @@ def test_components_from_another_origin_and_none_that_is_said_to_be_handed_back(
     assert "alone" not in of_vector((right[0], Q / 2, 0.0), parts)
 
 
+def test_a_multiple_of_a_vector_is_met_as_one_number_is():
+    """Three components that are off by 0.1 % together are no three witnesses."""
+    parts = lambda p, q, k: [p * (p + q) * k, q * (p + q) * k, p * (p + q)]
+    right = parts(P, Q, K)
+    turned = [float(f"{x * (P - Q) / (P + Q):.6g}") for x in right]
+    assert "opposite sign" in of_vector(turned, parts, "m^2")
+    assert "opposite sign" not in of_vector([1.001 * x for x in turned], parts, "m^2")
+
+
 def test_a_quantity_is_turned_doubled_and_left_out_also_where_the_trace_moved_its_sign():
     rate = [("the second rate", lambda p, q, k: [-(k * p / q)])]
     parts = lambda p, q, k: [k * p - (k * p / q) * p, k * q - (k * p / q) * q, k * p]
