@@ -147,6 +147,7 @@ TRANSPOSED = slip(
 )
 SQUARED = slip("squared", Words("is the square of the answer: its root is asked for"))
 ROOT = slip("root", Words("is the square root of the answer: it was taken once too often"))
+UNIT_VECTOR = slip("unit", Words("gives the unit vector: its size is asked for as well"))
 INVERTED = slip("inverted", Words("is upside down: numerator and denominator are exchanged"))
 OFF_DIAGONAL = slip(
     "off diagonal",

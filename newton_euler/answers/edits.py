@@ -83,13 +83,19 @@ def _edits(formulas):
     yield from groups.of_constants(steps, dimensions.get)
     yield from givens.of_one_unit(given, read, system)
     yield from givens.of_exchanged(given, read)
+    yield from givens.of_planes(s for s in steps if s.op in ("+", "-"))
     yield from givens.of_rates(anything, read)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
     yield from givens.of_lengths(given, read)
-    yield from givens.of_vectors({key: a.parts for key, a in answers.items()})
+    vectors = {key: a.parts for key, a in answers.items()}
+    yield from givens.of_vectors(vectors)
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
     yield from _of_differences(answers, numbers, formulas.stages, dimensions)
+    feet = own is US
+    g = unit("ft/s^2" if feet else "m/s^2").to_base(givens.G_OF_FEET if feet else givens.G, system)
+    masses = {n: s for n, s in numbers.items() if read[n].dimension == givens.MASS}
+    yield from givens.of_weights(vectors, masses, given.get("g", g), dimensions.get)
     yield from _of_stages(answers, formulas.stages, dimensions)
     yield from _of_angles(answers)
     leaves = {x for a in answers.values() for x in a.parts if isinstance(x, Step)}
@@ -115,6 +121,7 @@ def _edits(formulas):
     yield from quantities.of_densities(given, steps, dimensions.get)
     yield from quantities.of_squares(products, number, dimensions.get)
     yield from quantities.of_sums_squared(steps)
+    yield from quantities.of_differences_of_squares(steps)
     yield from groups.of_terms(steps, formulas.units)
     yield from groups.of_factors(products, number)
     for s, users in users_in.items():

@@ -85,7 +85,7 @@ def test_a_cited_equation_stands_in_the_cited_section(p):
 
 
 @pytest.mark.parametrize("p", [p for p in ALL if any(a.of for a in p.answers)], ids=lambda p: p.id)
-def test_a_worked_solution_says_what_tells_a_word(p):
+def test_a_worked_solution_says_why_a_word_is_right(p):
     text = worked_solution(p, numbers(p, b"one"))
     for a in p.answers:
         if a.of:
@@ -143,7 +143,7 @@ def letters(latex):
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_a_term_has_no_name_of_what_is_equal_to_it_by_chance(p):
+def test_a_term_is_not_named_after_a_quantity_that_equals_it_by_chance(p):
     """As a component of another sum whose other terms are zero, or of a vector that is another term
     of its sum.
     """
@@ -246,10 +246,10 @@ def test_components_are_named_after_their_unit_vectors(p):
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_variable_of_integration_is_introduced(p):
-    told = " ".join([p.text, *(line.step.means for line in as_python(p, b"one"))])
+    introduced = " ".join([p.text, *(line.step.means for line in as_python(p, b"one"))])
     for line in as_python(p, b"one"):
         for name in re.findall(r"Integral\(.*?, \((\w+), ", " ".join(line.equal)):
-            assert re.search(rf"\b{name}\b", told), (line.step.key, name)
+            assert re.search(rf"\b{name}\b", introduced), (line.step.key, name)
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
@@ -425,7 +425,7 @@ def test_terms_are_those_of_the_own_chapter():
         assert "| --- |" not in worked_solution(later, numbers(later, b"one"))
 
 
-def test_what_is_equal_by_chance_has_no_name_of_another_quantity():
+def test_a_step_is_not_named_after_a_quantity_that_equals_it_by_chance():
     # of three rods, moments that are 4/3 and 1/2 of the second one's
     p = problem("8/17")
     assert found_by(p, "I_xx_BC") == found_by(p, "I_xy") == [{"m", "a"}]

@@ -72,7 +72,7 @@ class Arena:
     mark: str
     host: object = None
     before: dict = field(default_factory=dict)
-    said: str = ""
+    output: str = ""
     code: int = 0
     visitors: list = field(default_factory=list)
     jobs: list = field(default_factory=list)
@@ -148,7 +148,7 @@ def run(arena, route, ordinary=False, sandbox=True, before="", students="*", tim
     )  # fmt: skip
     arena.visitors = arena.host.visitors()
     arena.code = done.returncode
-    arena.said = (done.stdout + done.stderr).decode(errors="surrogateescape")
+    arena.output = (done.stdout + done.stderr).decode(errors="surrogateescape")
     arena.jobs = [float(line) for line in log.read_text().split()]
     return arena
 

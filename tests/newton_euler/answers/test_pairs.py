@@ -176,10 +176,10 @@ def test_a_term_with_another_factor_is_seen_where_it_shows_twice_and_is_not_the_
         fit = Fit(given, key, KINDS[kind].rtol)
         return [c.what for c in of_two(fit, KINDS[kind], [], lambda: singles, lambda c: False)]
 
-    told = ["all but the factor of the term b is right"]
-    assert multiple(points(A + 0.3 * B), points(A + B), points(A)) == told
+    expected = ["all but the factor of the term b is right"]
+    assert multiple(points(A + 0.3 * B), points(A + B), points(A)) == expected
     assert multiple(points(A + 0.3 * B * A), points(A + B), points(A)) == []
     assert multiple(points(0.3 * B), points(B), points(0 * A)) == []  # the whole
     key, without = ((3.12714, -4.21638, 1.87102),), ((2.12714, -2.21638, 1.87102),)
-    assert multiple(((3.32714, -4.61638, 1.87102),), key, without, "vector") == told
+    assert multiple(((3.32714, -4.61638, 1.87102),), key, without, "vector") == expected
     assert multiple(((3.32714, -4.61738, 1.87102),), key, without, "vector") == []

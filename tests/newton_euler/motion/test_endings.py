@@ -94,7 +94,7 @@ NO_STICKING = {
 
 
 @pytest.mark.parametrize("name", NO_STICKING)
-def test_what_does_not_stick_is_not_said_to(name):
+def test_a_motion_that_does_not_stick_is_not_reported_as_sticking(name):
     rates, start, t, words, kind = NO_STICKING[name]
     with pytest.raises(kind, match=words) as refusal:
         integrate(Model("q", {}, ("x",), rates), t, start, rtol=1e-6, method="dop853")
