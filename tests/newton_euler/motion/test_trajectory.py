@@ -241,7 +241,7 @@ def test_of_a_motion_that_has_not_begun_no_natural_sizes_are_known():
 
 
 def test_a_state_that_was_nearly_zero_at_the_start_is_judged_by_the_motion():
-    """What its rate is at the start is nothing: it is driven by what is at rest until then."""
+    """Its rate at the start means nothing: it is driven by a state that is at rest until then."""
     rates = lambda s, p, t: (s.v, -s.x, 5.0 * s.x, 0.0)
     model = Model("driven", {}, ("x", "v", "y", "z"), rates)
     found = trajectory(run(model, (0.0, 1.0, 0.0, 0.0), 7.0))
