@@ -387,9 +387,10 @@ def round_off_of_rates(stepper):
         return 0.0
     kept, stepper = stepper.steps, stepper.dense
     times, size = np.array(stepper.step_times), len(stepper.x)
-    x = np.array([s[-size:] for s in kept]).T if kept else stepper.states(times[:-1])
-    rows, lengths = np.vstack([times[:-1], x]), np.diff(times)
-    total, number = np.zeros(len(x)), np.arange(len(lengths))
+    x = np.array([*(s[-size:] for s in kept), stepper.x]).T if kept else stepper.states(times)
+    made, x, lengths = abs(np.diff(x)), x[:, :-1], np.diff(times)
+    rows = np.vstack([times[:-1], x])
+    number, slopes = np.arange(len(lengths)), []
     with np.errstate(all="ignore"):
         rates = _rates(np, stepper, rows[0], x)
         for k, row in enumerate(rows):
@@ -399,11 +400,18 @@ def round_off_of_rates(stepper):
                 moved[k] *= 1 + part
                 apart.append((_rates(np, stepper, moved[0], moved[1:]) - rates) / part)
             # across a jump on one side the difference is not a slope
-            apart = np.where(abs(apart[0]) < abs(apart[1]), *apart) * lengths / row
-            sums = np.pad(np.nan_to_num(apart).cumsum(axis=1), ((0, 0), (1, 0)))
-            later = np.minimum(number + (LASTING if k else 1), len(lengths))
-            moved = (sums[:, later] - sums[:, number]) * row * (LOST if k else 1.0)
-            total += (moved**2).sum(axis=1)
+            least = np.where(abs(apart[0]) < abs(apart[1]), *apart)
+            slopes.append(np.nan_to_num(least / row, posinf=0.0, neginf=0.0))
+    # a state that decays fast has forgotten it within the step
+    own = np.array([slopes[k + 1][k] for k in range(size)])
+    lengths, total = lengths / (1 + lengths * np.maximum(-own, 0.0)), np.zeros(size)
+    for k, row in enumerate(rows):
+        sums = np.pad((slopes[k] * lengths).cumsum(axis=1), ((0, 0), (1, 0)))
+        later = np.minimum(number + (LASTING if k else 1), len(number))
+        # a state that does not change loses nothing
+        part = LOST * np.minimum(abs(row), made[k - 1] * 2 / EPS) if k else row
+        lost = (sums[:, later] - sums[:, number]) * part
+        total += (lost**2).sum(axis=1)
     scales = np.array([s or 1.0 for s in stepper.scales])
     return float((np.sqrt(total) / scales).max()) * EPS / 2
 
