@@ -63,7 +63,7 @@ def error_by_comparison(before, trajectory, method):
     more = _clock_error(trajectory)
     if method.series and traced.hazards:
         more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
-    if tolerance <= TIGHT and is_here("numpy"):
+    if tolerance <= TIGHT and (method.series or method.adaptive) and is_here("numpy"):
         found = [round_off_of_rates(part.stepper) for part in trajectory.segments]
         more = math.hypot(more, *found)
     return math.hypot(error_by_difference(difference, ratio, tolerance, regular, fine), more)
