@@ -8,7 +8,7 @@ from typing import Any
 from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, System, Unit, unit
-from .causes import Cause, computed, unconverted
+from .causes import FACTOR_2, LEFT_OUT, ZERO, Cause, computed, unconverted
 from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
 from .typed import terms_of
 
@@ -28,7 +28,8 @@ INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inver
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
 DimensionOf = Callable[[Step], Dimension | None]
-Slip = tuple[int, str, Any, Any]  # rank, kind, words or cause, its replacement
+# rank, kind, words or cause, its replacement; of some what they do, and to what
+Slip = tuple[int, str, Any, Any] | tuple[int, str, Words, Any, str, str]
 
 
 def of_given(
@@ -62,10 +63,11 @@ def of_given(
     yield from _of_sign(s, own.dimension)
     rank = RARER if own.dimension == LENGTH else LESS
     twice = Words("takes twice {name}, or has a 2 too many beside it: {why}", name=name, why=is_it)
-    yield rank, TWICE, twice, ("*", s, 2.0)
+    yield rank, TWICE, twice, ("*", s, 2.0), FACTOR_2, name
     half = Words("takes half of {name}, or lacks a factor 2 beside it: {why}", name=name, why=is_it)
-    yield rank, HALF, half, ("*", s, 0.5)
-    yield LESS, "zero", Words("leaves out {name}: it is not zero here", name=name), ("*", s, 0.0)
+    yield rank, HALF, half, ("*", s, 0.5), FACTOR_2, name
+    words = Words("leaves out {name}: it is not zero here", name=name)
+    yield LESS, "zero", words, ("*", s, 0.0), ZERO, name
     yield (
         LESS,
         ONE,
@@ -207,7 +209,7 @@ def of_planes(sums: Iterable[Step]) -> Iterator[Edit]:
         for a, b in pairs if len(pairs) > 1 else ():
             names = joined(x.args[0] for x in (a, b))
             words = Words("leaves out {names}: they are not zero here", names=names)
-            cause = computed(f"no {a.number} {b.number}", words)
+            cause = computed(f"no {a.number} {b.number}", words, "", LEFT_OUT, names)
             yield Edit(LESS, cause, {a.number: 0.0, b.number: 0.0})
 
 
@@ -242,7 +244,8 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
         yield Edit(
             SIMPLE, computed(f"turned {names}", turned), {s.number: ("neg", s) for s in steps}
         )
-        yield Edit(SIMPLE, computed(f"no {names}", zero), {s.number: 0.0 for s in steps})
+        cause = computed(f"no {names}", zero, "", LEFT_OUT, names)
+        yield Edit(SIMPLE, cause, {s.number: 0.0 for s in steps})
 
 
 def _of_factors(steps):

@@ -10,7 +10,7 @@ from typing import Any
 from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
-from .causes import computed
+from .causes import FACTOR_2, LEFT_OUT, computed
 from .edits_of_givens import LENGTH, MASS, DimensionOf
 from .edits_of_operations import parts_of
 from .formulas import LEAST, LESS, RARER, Edit, Stage, Traced, needed, steps_in, users_of
@@ -19,12 +19,12 @@ from .typed import Product, described, repeats, terms_of, typed
 Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
 SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
-SCALED = {
-    -1.0: Words("takes {quantity} with the opposite sign: it points the other way").template,
-    2.0: Words("doubles {quantity}, or has a 2 too many beside it: it counts once").template,
-    0.5: Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full").template,
-    0.0: Words("leaves out {quantity}: it is not zero here").template,
-}
+TIMES = (
+    (-1.0, "", Words("takes {quantity} with the opposite sign: it points the other way")),
+    (2.0, FACTOR_2, Words("doubles {quantity}, or has a 2 too many beside it: it counts once")),
+    (0.5, FACTOR_2, Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full")),
+    (0.0, LEFT_OUT, Words("leaves out {quantity}: it is not zero here")),
+)
 
 
 def of_quantities(
@@ -40,8 +40,9 @@ def of_quantities(
         own = {x.number: x for x, _ in parts if isinstance(x, Step) and x.op != "argument"}
         if not any(users.get(x) for x in own.values()):
             continue
-        for factor, text in SCALED.items():
-            cause = computed(f"{factor} times {[*own]}", Words(text, quantity=words))
+        for factor, does, text in TIMES:
+            said = Words(text.template, quantity=words)
+            cause = computed(f"{factor} times {[*own]}", said, "", does, words)
             rank = LESS if factor or words in answers else RARER
             yield Edit(rank, cause, {n: ("*", x, factor) for n, x in own.items()})
         for other, instead in named if len(own) == len(parts) else ():
