@@ -43,7 +43,7 @@ KINDS = {
     "transverse": Words("the transverse term"),
     "axial": Words("the axial term"),
     "orbital": Words("the orbital term"),
-    "own": Words("the own term"),
+    "own": Words("the spin term"),
 }
 OTHERS = {str(kind): kind for kind in (
     Words("acceleration"), Words("attraction"), Words("centrifugal"), Words("dynamic"),
@@ -82,7 +82,7 @@ def term_text(
         # of an angular acceleration: the cross products are the change of direction
         whose = _of_frame(name, problem)
         if equation.kind == "angular acceleration":
-            return Words("the growth of the turning {whose}", whose=whose)
+            return Words("the rate of the turning {whose}", whose=whose)
         return Words("the turning {whose}", whose=whose)
     first, second = (_of_frame(n, problem) for n in name.split(" x "))
     return Words(

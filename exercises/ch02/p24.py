@@ -37,7 +37,7 @@ def steps(g):
     v, a = motion(g, r)
     yield from terms(v, "v_P", "m/s", "2.6")
     yield from terms(a, "a_P", "m/s^2", "2.6")
-    yield "omega_CP", 2 * turning(g)[0].rate
+    yield "omega_CP", 2 * turning(g)[0].rate * v.frame.k
 
 
 follows = {"v_mag": lambda g, v_P: v_P.norm(), "a_mag": lambda g, a_P: a_P.norm()}
@@ -56,7 +56,7 @@ def prove(g):
         "a_mag": size(second_rate(in_slot)),
         "r_dot": rate(r),
         "r_ddot": second_rate(r),
-        "omega_CP": rate(lambda t: mp.atan2(P(t)[1], P(t)[0] - g.b)),
+        "omega_CP": [0, 0, rate(lambda t: mp.atan2(P(t)[1], P(t)[0] - g.b))],
     }
 
 

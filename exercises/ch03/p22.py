@@ -3,7 +3,7 @@
 from exercises.devices import amusement_ride as ride
 from exercises.tools import second_rate, spherical_axes, terms, times
 
-STEPS = "sin_phi", "phi_dot", "phi_ddot"
+STEPS = "sin_phi", "cos_phi", "z_dot", "phi_dot", "phi_ddot"
 
 
 def solve(g):

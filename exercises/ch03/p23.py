@@ -6,6 +6,7 @@ from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 
 draw = ride.section
+STEPS = "z_dot", "r", "r_dot"
 follows = {"v": lambda g, T_phi: transformed(g, T_phi)["v"]}
 
 
@@ -28,7 +29,9 @@ def solve(g):
 
 def steps(g):
     v, phi, _ = velocity(g)
-    return {"phi": phi.value, "v_cyl": v}
+    yield "phi", phi.value
+    yield from ride.steps(g, "3.5", *STEPS)
+    yield "v_cyl", v
 
 
 def prove(g):
@@ -36,7 +39,7 @@ def prove(g):
     P = ride.car_in_time(g)
     here, there, v = cylindrical_axes(P(0)), spherical_axes(P(0)), rate(P)
     answers = {"T_phi": times(there, transposed(here)), "v": times(there, v)}
-    return answers | ride.proved_steps(g, "phi") | {"v_cyl": times(here, v)}
+    return answers | ride.proved_steps(g, "phi", *STEPS) | {"v_cyl": times(here, v)}
 
 
 def mistakes(g):

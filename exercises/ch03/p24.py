@@ -6,6 +6,7 @@ from newton_euler import pi
 from newton_euler.kinematics import T_phi, apply, transpose
 
 draw = ride.section
+STEPS = "z_dot", "phi_dot", "phi_ddot"
 follows = {"a": lambda g, T_phi_inv: transformed(g, T_phi_inv)["a"]}
 
 
@@ -27,8 +28,9 @@ def solve(g):
 
 def steps(g):
     a, phi, _ = acceleration(g)
-    rates = {"phi": phi.value, "phi_dot": phi.rate, "phi_ddot": phi.acceleration}
-    return {**rates, "a_sph": a}
+    yield "phi", phi.value
+    yield from ride.steps(g, "3.7", *STEPS)
+    yield "a_sph", a
 
 
 def prove(g):
@@ -36,7 +38,7 @@ def prove(g):
     P = ride.car_in_time(g)
     here, there, a = spherical_axes(P(0)), cylindrical_axes(P(0)), second_rate(P)
     answers = {"T_phi_inv": times(there, transposed(here)), "a": times(there, a)}
-    found = ride.proved_steps(g, "phi", "phi_dot", "phi_ddot")
+    found = ride.proved_steps(g, "phi", *STEPS)
     return answers | found | {"a_sph": times(here, a)}
 
 

@@ -8,7 +8,7 @@ from newton_euler import sin
 
 def motion(g):
     ground, turning, P = nozzle_and_particle(g)
-    return P.velocity(ground), P.acceleration(ground, via=turning)
+    return P.velocity(ground, via=turning), P.acceleration(ground, via=turning)
 
 
 def solve(g):

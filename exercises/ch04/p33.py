@@ -5,8 +5,7 @@ from exercises.tools import in_frame
 
 
 def steps(g):
-    yield "omega_C", g.n_C
-    yield from bevel_gears.steps(g.n, g.n_C, g.tan_gamma, r"-(n - n_C) \tan\gamma")
+    yield from bevel_gears.steps(g.n, g.n_C, g.tan_gamma, r"(n_C - n) \tan\gamma")
 
 
 follows = bevel_gears.follows

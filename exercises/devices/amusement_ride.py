@@ -5,10 +5,16 @@ from newton_euler import Frame, asin, cos, cylindrical, moving, pi, sin, spheric
 
 
 def coordinates(g):
-    """r, theta, z and phi of the car at theta = pi/4, moving."""
+    """r, theta, z and phi of the car at theta = pi/4, moving: r^2 + z^2 = R^2, R sin(phi) = z."""
     theta = moving(pi(g.R) / 4, rate=g.omega)
     z = g.h / 2 * (1 - cos(2 * theta))
-    return sqrt(g.R**2 - z**2), theta, z, asin(z / g.R)
+    r = sqrt(g.R**2 - z.value**2)
+    r_dot = -z.value * z.rate / r
+    r_ddot = -(z.rate**2 + r_dot**2 + z.value * z.acceleration) / r
+    phi = asin(z.value / g.R)
+    phi_dot = z.rate / (g.R * cos(phi))
+    phi_ddot = (z.acceleration / g.R + phi_dot**2 * sin(phi)) / cos(phi)
+    return moving(r, r_dot, r_ddot), theta, z, moving(phi, phi_dot, phi_ddot)
 
 
 def car(g):
@@ -29,7 +35,7 @@ def steps(g, section, *names):
         "r_ddot": (
             r.acceleration,
             "m/s^2",
-            r"its second rate, from $r\,\dot{r} = -z\,\dot{z}$",
+            r"its second rate, from the rate of $r\,\dot{r} = -z\,\dot{z}$ as $\ddot{z} = 0$",
         ),
         "sin_phi": (sin(phi.value), "1", "sine of the elevation of the arm, z/R"),
         "cos_phi": (cos(phi.value), "1", "cosine of the elevation, sqrt(1 - sin(phi)^2)"),

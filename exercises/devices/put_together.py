@@ -55,8 +55,9 @@ def sums(frame, parts, removed=(), *, content, length, mass="", equal_parts=Fals
     Q = first.mass * first.centre.position(frame)
     for part in others:
         Q = Q + part.mass * part.centre.position(frame)
-    yield Step("Q", Q, unit_of_moment, f"sum of {content} times place of the centre", "5.4",
-               "5.11", of_givens=equal_parts)  # fmt: skip
+    means = f"sum of {content} times place of the centre"
+    means += f": the {content} of one times the sum of all places" * equal_parts
+    yield Step("Q", Q, unit_of_moment, means, "5.4", "5.11", of_givens=equal_parts)
 
 
 def proved(content, whole, first):

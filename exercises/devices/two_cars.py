@@ -67,7 +67,7 @@ def acceleration_steps(ground, car, B):
     alpha = car.angular_acceleration(ground)
     yield Step("alpha_A", alpha, "rad/s^2", "angular acceleration of the car A", "2.8")
     means = "acceleration of {} in the ground, tangential and normal"
-    yield Step("a_A", terms["origin"], "m/s^2", means.format("A"), "2.3", "2.14")
+    yield Step("a_A", terms["origin"], "m/s^2", means.format("A"), "2.3", "2.14", of_givens=True)
     a_B = B.acceleration(ground).expressed_in(ground)
     yield Step("a_B", a_B, "m/s^2", means.format("B"), "2.3", "2.14", of_givens=True)
     for name, means in (

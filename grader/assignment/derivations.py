@@ -12,6 +12,7 @@ from exercises.catalogue import Givens, Problem
 from exercises.catalogue.tracing import TracedProblem, before, numbers_of, traced_quantities
 from exercises.catalogue.variants import draw, symbol_values
 from newton_euler.algebra.trace import Step
+from newton_euler.algebra.units import unit
 
 from .known import Known
 from .names import Names, unsigned, value_of
@@ -87,6 +88,11 @@ def _choices(found):
     return [s.args[0] for s in found.trace.steps if s.op in ("where", "abs")]
 
 
+def _is_along_axis(name, equation):
+    """Whether a term is a number times unit vectors in the equation."""
+    return r"\hat" in "".join(equation.terms.get(name, ()))
+
+
 @lru_cache(maxsize=400)
 def _traced(p):
     try:
@@ -109,8 +115,8 @@ def _derivations(p, cases, positive, usual):
     sheets = [(p.base(_unrelated(p, n)), {}) for n in range(SHEETS * usual)]
     if p.symbols and not p.givens:
         positive |= {
-            key for key, parts in found.components.items()
-            if len(parts) == 1 and all((value_of(*parts, *s) or 0.0) > 0 for s in sheets)
+            component(key, n, len(parts)) for key, parts in found.components.items()
+            for n, x in enumerate(parts) if all((value_of(x, *s) or 0.0) > 0 for s in sheets)
         }  # fmt: skip
     holds = dict(zip(numbers, cases, strict=True))
     deriver = _Deriver(
@@ -146,6 +152,8 @@ class _Deriver:
         # {sum: vectors that are one of its terms, and no other one}
         self.whole_terms = dict[str, set[str]]()
         self.of_givens = {s.key for s in traced.steps if s.of_givens}
+        # terms as -r theta_dot^2 e_r, in which no vector is a factor
+        self.along_axes = {s.key for s in traced.steps if s.term and _is_along_axis(*s.term)}
         self.terms = {key: of for key, of in self.sum_of.items() if of in asked}
         # {number: (name, sign)} of components
         self.called = dict[int, tuple[str, int]]()
@@ -163,6 +171,10 @@ class _Deriver:
             if numbers and all(first[n] == key for n in numbers):
                 self.answers_by[key] = numbers
         self.known = Known({*traced.givens}, units, drawn)
+        stated = {name: traced.units[key] for key in self.components for name in self._names(key)}
+        powers = {name: unit(of).dimension.powers for name, of in (stated | {**units}).items()}
+        rates = (0, 0, -1), (0, 1, -1)
+        self.known.rates = {name: x[1] for name, x in powers.items() if x in rates}
         self.names = Names({}, sheets)
         taken = {*traced.givens}.union(*map(self._names, self.components))
         self.writer = Writer(traced, cases, self.names, self.known, self.called, taken, positive)
@@ -200,8 +212,8 @@ class _Deriver:
             self.found[key] = replace(self._derived(key), after=after)
 
     def _found_before(self, key):
-        """The answers that a step is found from and that have not been shown yet."""
-        if key in self.asked or key in self.terms:
+        """The answers that a step or a number is found from and that have not been shown yet."""
+        if key in self.terms or (key in self.asked and len(self.components[key]) > 1):
             return ()
         parts = self.components[key]
         found = before(parts) - numbers_of(parts)
@@ -220,7 +232,7 @@ class _Deriver:
             shown = {f.name for f in formulas if getattr(f, "is_Symbol", False)}
             self.whole_terms.setdefault(of, set()).update(
                 k for k, x in self.components.items()
-                if len(x) == 3 and shown and shown == self._changing(k)
+                if len(x) in (1, 3) and shown and shown == self._changing(k)
             )  # fmt: skip
         if key not in self.terms:  # terms of an answer are not used by name
             self._remember(key, parts, names, formulas)
@@ -233,13 +245,22 @@ class _Deriver:
 
     def _keep_apart(self, key):
         """Keep out of the formula of a quantity those that equal a part of it by chance: of a term,
-        the components of a sum whose other terms are zero; all, if the problem asks for that.
+        the components of a sum whose other terms are zero, and of :meth:`_unlike` answers; all, if
+        the problem asks for that.
         """
         of = self.sum_of.get(key)
-        apart = self.sums | self.whole_terms.get(of, set()) if of else set()
+        apart = self.sums | self.whole_terms.get(of, set()) | self._unlike(of) if of else set()
+        if key in self.along_axes:
+            vectors = {other for other, parts in self.components.items() if len(parts) == 3}
+            apart |= {other for other in vectors - {key} if self.traced.units[other] != "1"}
         apart = {*self.components} - {key} if key in self.of_givens else apart
         self.known.apart = {name for other in apart for name in self._names(other)}
         self.names.apart = apart | self.known.apart
+
+    def _unlike(self, of):
+        """The vectors among the answers that are in another unit than a sum, as H_O beside M_O."""
+        units, vectors = self.traced.units, (k for k in self.asked if k in self.traced.units)
+        return {k for k in vectors if len(self.components[k]) == 3 and units[k] != units[of]}
 
     def _explicit(self, formulas, names):
         """The formulas after solving a single linear equation, if there is one: its solution

@@ -8,7 +8,7 @@ from typing import Any
 
 from newton_euler.algebra.late import np, sympy
 from newton_euler.algebra.units import unit
-from newton_euler.answers.notation import number_symbol, symbol, unit_symbol
+from newton_euler.answers.notation import number_symbol, six_digits, symbol, unit_symbol
 
 from .layout import laid_out
 
@@ -59,7 +59,7 @@ def _numeral(x, stated_in, bare, latex):
     bare = (bare and stated_in != "deg") or stated_in == "1"
     if latex:
         return number_symbol(float(x)) + ("" if bare else unit_symbol(stated_in))
-    return f"{float(x):.6g}" + ("" if bare else f" {stated_in}")
+    return six_digits(float(x)) + ("" if bare else f" {stated_in}")
 
 
 def _is_apart(text):
@@ -91,7 +91,9 @@ def _one_root(product):
         others = [sympy.sign(number), *(x for x in others if x != number)]
         inside = inside / number.q**2
     others = [x for x in others if x != 1]
-    root = sympy.Pow(inside, sympy.Rational(1, 2), evaluate=False)
+    over, under = sympy.fraction(inside)
+    root = sympy.Pow(under if over == 1 else inside, half, evaluate=False)
+    root = sympy.Pow(root, -1, evaluate=False) if over == 1 else root
     return sympy.Mul(*others, root, evaluate=False) if others else root
 
 
@@ -104,17 +106,24 @@ class _Names:
     latex = False
 
     def _as_ordered_terms(self, expr, order=None):
-        """Terms in order, positive ones first; beside decimals only the first positive one, as in
+        """Terms in order, positive ones first, and of these a number, as in 1 + n but n^2 + 1, then
+        those of one name before products; beside decimals only the first positive one, as in
         3.5 t^2 - 1.8 t + 2.
         """
         terms = super()._as_ordered_terms(expr, "lex")
+        others = [x for x in terms if not x.is_Rational]
+        powers = [x.as_coeff_Mul()[1].as_base_exp() for x in others]
+        square = len(expr.free_symbols) == 1 and any(b.is_Symbol and n != 1 for b, n in powers)
+        if all(x.free_symbols for x in others) and not square:
+            terms = [x for x in terms if x.is_Rational] + others
         if self.degrees:
             terms = [self._in_degrees(x) for x in terms]
         numbers = [x.as_coeff_Mul()[0] for x in terms]
         in_front = [n for n, x in enumerate(numbers) if not x < 0]
         if any(x.is_Float for x in numbers):
             in_front = in_front[:1]
-        return sorted(terms, key=lambda x: terms.index(x) not in in_front)
+        places = {x: (n not in in_front, len(x.free_symbols) > 1) for n, x in enumerate(terms)}
+        return sorted(terms, key=lambda x: places[x])
 
     def _in_degrees(self, x):
         turns = x / sympy.pi
@@ -192,8 +201,7 @@ def _latex_printer():
             return rf"\operatorname{{atan2}}\left({y},\ {x}\right)"
 
         def _needs_mul_brackets(self, expr, first=False, last=False):
-            apart = self._is_apart(expr) or (not last and self._is_function(expr))
-            return apart or super()._needs_mul_brackets(expr, first, last)
+            return self._is_apart(expr) or super()._needs_mul_brackets(expr, first, last)
 
         def _needs_function_brackets(self, expr):
             factors = self.numbers and expr.is_Mul and not any(x.is_Pow for x in expr.args)
@@ -221,7 +229,7 @@ def _text_printer():
             self.names, self.numbers = names, numbers
 
         def _print_Float(self, expr):
-            return f"{float(expr):.6g}"
+            return six_digits(float(expr))
 
         def stringify(self, args, sep, level=0):
             """The arguments of a function, without further brackets."""

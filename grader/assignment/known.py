@@ -25,6 +25,8 @@ class Known:
     constants : {number: name} of quantities that are the same for all givens
     opposite : {component: the component of another vector with the opposite sign}
     entries : {entry of a matrix: its formula}
+    rates : {name of an angular rate: 0, of a velocity: 1}
+    velocities : {name of one: its formula}
     apart : the names that are not used now
     entry : the end of the name that is written, where it is an entry of a matrix: "_xx"
     """
@@ -38,6 +40,8 @@ class Known:
     constants: dict[float, Any] = field(default_factory=dict)
     opposite: dict[Any, Any] = field(default_factory=dict)
     entries: dict[Any, Any] = field(default_factory=dict)
+    rates: Mapping[str, int] = field(default_factory=dict)
+    velocities: dict[Any, Any] = field(default_factory=dict)
     apart: set[str] = field(default_factory=set)
     entry: str = ""
     _placed: dict[tuple[int, int, int], Any] = field(default_factory=dict)
@@ -53,6 +57,7 @@ class Known:
                 if (other := self._placed.get((number, n, -sign))) is not None:
                     self.opposite |= {symbol: other, other: symbol}
         named = [(f, x) for f, x in zip(formulas, symbols, strict=True) if f is not None]
+        self.velocities |= {x: f for f, x in named if f.is_Mul and self.rates.get(x.name) == 1}
         self.entries |= {x: f for f, x in named if len(parts) == 9}
         self.constants |= {float(f): x for f, x in named if f.is_Float}
         self.products |= {
@@ -91,8 +96,24 @@ class Known:
         formula = self._without_ones(self.named(self._without_bars(readable(formula))))
         if is_atom(formula):
             formula = formula.xreplace(self.short)
-        formula = self._without_multiples(formula, met)
+        formula = self._with_squares(self._without_multiples(formula, met))
         return self._without_doubles(self._written_out(formula))
+
+    def _with_squares(self, formula):
+        """The formula with r omega^2 for omega v, if v is r omega; but 2 omega r' stays."""
+        import sympy
+
+        def squared(term):
+            number, product = term.as_coeff_Mul()
+            factors = {*sympy.Mul.make_args(product)}
+            plain = abs(number) == 1 and not sympy.fraction(product)[1].has(sympy.Add)
+            for name in factors & self.velocities.keys() if plain else ():
+                shared = factors & {*sympy.Mul.make_args(self.velocities[name])}
+                if any(str(x) in self.rates for x in shared):
+                    return term.subs(name, self.velocities[name])
+            return term
+
+        return sympy.Add(*map(squared, sympy.Add.make_args(formula)))
 
     def named(self, formula: Any) -> Any:
         """The formula with the formulas of earlier quantities replaced by their names; in an entry

@@ -3,6 +3,7 @@ the places of its signs and of the fractions of its sums.
 """
 
 from collections.abc import Iterable, Mapping
+from itertools import combinations
 from typing import Any
 
 from newton_euler.algebra.late import sympy
@@ -57,6 +58,30 @@ def laid_out(formula: Any, names: Iterable[str]) -> tuple[Any, dict[Any, str]]:
     return formula, {placed.name: x.name for x, placed in called.items()}
 
 
+def as_drawn(formula: Any, sheets: Iterable[Mapping[str, float]]) -> Any:
+    """A formula without bars around what is positive, and with positive denominators, for all
+    ``sheets`` of numbers of its symbols.
+
+    >>> from sympy import Abs, symbols
+    >>> r, R = symbols("r R")
+    >>> as_drawn(Abs(r) / (r**2 - R**2), [{"r": 1.0, "R": 2.0}])
+    -r/(R**2 - r**2)
+    """
+    sheets = [*sheets]
+
+    def signs(x):
+        numbers = ({s: sheet.get(s.name, s) for s in x.free_symbols} for sheet in sheets)
+        return {x.subs(values).is_positive for values in numbers}
+
+    formula = formula.replace(
+        lambda x: x.is_Pow and x.base.is_Add and x.exp == -1 and signs(x.base) == {False},
+        lambda x: -1 / -x.base,
+    )
+    return formula.xreplace(
+        {x: x.args[0] for x in formula.atoms(sympy.Abs) if signs(x.args[0]) == {True}}
+    )
+
+
 def _function(name):
     return next((f for f in FUNCTIONS if name.startswith(f)), "")
 
@@ -75,16 +100,16 @@ def _tidy(x, is_term=False):
 
 def _with_common_factors(x):
     """A sum as a product with the factors that all its terms share, which are then two at least,
-    or one beside squares, or a sine or a sum: m (a^2 + b^2)/12, (n - p) tan b, but m g + m a; of
-    many terms as a product of sums if that has half the names.
+    or one or a number beside squares, or a sine or a sum: m (a^2 + b^2)/12, (n - p) tan b, but
+    m g + m a; of many terms as a product of sums if that has half the names.
     """
     product = sympy.factor(x) if len(x.args) > 3 else x
     if 2 * _names_in(product) <= _names_in(x):
         return product
     x = _collected(x)
     terms = [term.as_coeff_Mul() for term in sympy.Add.make_args(x)]
-    number = abs(terms[0][0])
-    if len(terms) < 2 or any(abs(n) != number for n, _ in terms):
+    number = abs(terms[0][0]) if any(n > 0 for n, _ in terms) else terms[0][0]
+    if len(terms) < 2 or any(abs(n) != abs(number) for n, _ in terms):
         return x
     powers = [term.as_powers_dict() for _, term in terms]
     shared = [
@@ -92,19 +117,21 @@ def _with_common_factors(x):
         for base, power in powers[0].items()
         if power.is_Rational and all(other.get(base) == power for other in powers)
     ]
-    common = number * sympy.Mul(*shared)
-    rest = [n * term / common for n, term in terms]
-    squares = all(y.as_coeff_Mul()[1].is_Pow for y in rest)
+    rest = [sympy.sign(n / number) * term / sympy.Mul(*shared) for n, term in terms]
+    squares = all(y.as_coeff_Mul()[1].is_Pow for y in rest) and (shared or abs(number) != 1)
     bases = [y.as_base_exp()[0] for y in shared]
     sines = any(y.is_Add or y.is_Function or str(y).endswith(FUNCTIONS) for y in bases)
-    enough = len(shared) + (not number.is_Integer) >= 2 or squares or sines
-    if not shared or not enough or any(sympy.fraction(y)[1] != 1 for y in rest):
+    many = number.is_Rational and number.q > 1 and len(rest) > 3
+    enough = len(shared) + (not number.is_Integer) >= 2 or squares or sines or many
+    if not enough or any(sympy.fraction(y)[1] != 1 for y in rest):
         return x
-    return sympy.Mul(number, *shared, sympy.Add(*rest))
+    return sympy.Mul(number, *shared, sympy.Add(*rest), evaluate=bool(shared))
 
 
 def _collected(x):
-    """A sum with the terms that share a sum as a factor, but not all do, in one."""
+    """A sum with the terms that share a sum as a factor, but not all do, in one, and those of which
+    :func:`_with_common_factors` makes a product: I + m (a^2 + b^2).
+    """
     for factor in sorted((y for term in x.args for y in term.args if y.is_Add), key=str):
         those = [term for term in x.args if factor in term.args]
         if 1 < len(those) < len(x.args):
@@ -112,6 +139,15 @@ def _collected(x):
             sign = -1 if _is_other_way_round(shared, False) else 1
             collected = sympy.Mul(sign, factor, sign * shared)
             return collected + sympy.Add(*(y for y in x.args if y not in those))
+    kinds: dict[Any, list[Any]] = {}  # terms by the size of their number and by shared factors
+    for y in (y for y in x.args if not any(factor.is_Add for factor in y.args)):
+        number, factors = y.as_coeff_mul()
+        for shared in (*combinations(factors, 2), *combinations(factors, 1), ()):
+            kinds.setdefault((-len(shared), str((*shared, abs(number)))), []).append(y)
+    for _, those in sorted(kinds.items(), key=lambda kind: kind[0]):
+        part = _with_common_factors(sympy.Add(*those)) if 1 < len(those) < len(x.args) else x
+        if part.is_Mul:
+            return _collected(part + sympy.Add(*(y for y in x.args if y not in those)))
     return x
 
 
@@ -133,7 +169,9 @@ def _turned(x, is_term):
             factors.append(base**power)
             continue
         divided = power < 0 or sympy.fraction(x)[1].free_symbols
-        part, whole = base.primitive() if divided else _one_fraction(base)
+        part, whole = base.primitive()
+        if not divided and not (part.is_Integer and part > 1):
+            part, whole = _one_fraction(base)
         if _is_other_way_round(whole, negative and power > 0 and power % 2 and not is_term):
             part, whole, negative = -part, -whole, negative != bool(power % 2)
         number *= part**power

@@ -2,14 +2,15 @@
 symbols, with the numbers of a sheet, and the value.
 """
 
+import random
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 from exercises.catalogue import Problem
 from exercises.catalogue.steps import Step, is_sum, steps
-from exercises.catalogue.variants import flat
+from exercises.catalogue.variants import flat, symbol_values
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.late import sympy
 from newton_euler.algebra.scalars import is_numeric, to_plain
@@ -19,15 +20,16 @@ from newton_euler.answers.notation import (  # fmt: skip
     list_symbol,
     matrix_symbol,
     number_symbol,
+    six_digits,
     symbol,
     unit_symbol,
 )
 from newton_euler.answers.tolerance import NOISE
 
 from .cells import Values
-from .derivations import Derivation, component, derivations
+from .derivations import SHEETS, Derivation, component, derivations
 from .formulas import coherent, numerals, written
-from .layout import in_reading_order
+from .layout import as_drawn, in_reading_order
 from .tidy import integrated, is_atom, simplest
 
 LONGEST = 400  # characters of a formula with numbers
@@ -75,7 +77,8 @@ def lines(p: Problem, values: Values, latex: bool = True, formulas: bool = True)
     done = dict[str, Step]()
     for s in in_order:
         earlier = writer.after(s.key)
-        done |= {a.key: a for a in asked if a.key in earlier} | {s.key: s}
+        first = [x for x in (*of_answers, *asked) if x.of in earlier or x.key in earlier]
+        done |= {x.key: x for x in (*first, s)}
     yield from map(writer.line, done.values())
 
 
@@ -84,21 +87,27 @@ class _Writer:
 
     def __init__(self, p, values, quantities, latex, formulas):
         self.p, self.latex = p, latex
+        self.sheets = [symbol_values(p, random.Random(n)) for n in range(SHEETS)]
         self.steps = [s for s in quantities if s.key not in {a.key for a in p.answers}]
+        self.quantities = {s.key for s in quantities}
         self.derivations = derivations(p, values) if formulas else {}
         self.sums = {}  # {sum: keys of its terms}
         for s in quantities:
             if s.of and formulas:
                 self.sums.setdefault(s.of, []).append(s.key)
+        formulas = [f for x in self.derivations.values() for f in x.formulas if f is not None]
+        used = {x.name for f in formulas for x in f.free_symbols}
+        self.used = {s.key for s in quantities if used & {*_names_of(s)}}
         self.names, self.units, self.numbers, self.sizes = {}, {}, {}, {}
         for name, stated in p.units.items():
             self._know(name, p.notation[name], values[name], stated)
         for s in quantities:
-            parts = [] if isinstance(s.value, str) or callable(s.value) else list(flat(s.value))
+            parts = _parts(s)
             axes = _axes(s.value)
-            for n, x in enumerate(parts):
-                key = component(s.key, n, len(parts))
-                named = symbol(f"{s.key}_{axes[n]}" if axes else key)
+            for n, (x, key) in enumerate(zip(parts, _names_of(s), strict=True)):
+                index = f"{n // 3 + 1}{n % 3 + 1}" if len(parts) == 9 and s.unit == "1" else ""
+                index = axes[n] if axes else index  # of turned components, by row and column
+                named = symbol(f"{s.key}_{index}" if index else key)
                 self._know(key, p.notation.get(key) or named, x, s.unit)
         self.names = {n: self.names[n] for n in in_reading_order(self.units)}
         self.numbers = {n: self.numbers[n] for n in self.names if n in self.numbers}
@@ -189,11 +198,12 @@ class _Writer:
 
     def _name(self, s):
         a = next((a for a in self.p.answers if a.key == s.key), None)
-        if a and is_word(a.key) and not a.latex:
+        if a and is_word(a.key) and not a.latex and s.key not in self.used:
             return "" if self.latex else s.key
         if not self.latex:
             return s.key
-        return self.p.notation[s.key] if a else symbol(s.key, s.is_vector)
+        is_named = a and (a.latex or not is_word(a.key))
+        return self.p.notation[s.key] if is_named else symbol(s.key, s.is_vector)
 
     def _called(self, formula):
         """The names of the symbols of a formula; unknowns have their names in the code."""
@@ -249,6 +259,7 @@ class _Writer:
         own = [component(key, n, len(formulas)) for n in range(len(formulas))]
         if (
             key == own_key
+            or key not in self.quantities
             or len(formulas) < 2
             or not all(
                 (f.is_Symbol and f.name == name)
@@ -273,13 +284,23 @@ class _Writer:
             value = value.rounded(self._noise(s.unit))
         elif is_numeric(value) and abs(value) <= self._noise(s.unit):
             value = 0
-        text = latex_of(value, self.names) if self.latex else formatted(value, self.names)
-        return text + self._unit(s)
+        write = latex_of if self.latex else formatted
+        return write(value, self.names, self.sheets) + self._unit(s)
 
     def _unit(self, s):
         if self.latex:
             return unit_symbol(s.unit)
         return "" if s.unit == "1" else f" {s.unit}"
+
+
+def _parts(s):
+    """The numbers of a quantity."""
+    return [] if isinstance(s.value, str) or callable(s.value) else list(flat(s.value))
+
+
+def _names_of(s):
+    count = len(_parts(s))
+    return [component(s.key, n, count) for n in range(count)]
 
 
 def _axes(value):
@@ -302,14 +323,14 @@ def _without_dots(row):
     return row.replace(r" \cdot ", " ").replace("*", "")
 
 
-def latex_of(value, notation):
+def latex_of(value, notation, sheets=()):
     """An answer in LaTeX, numbers with six significant digits, and names in the order of
-    ``notation``, which is {name: LaTeX}.
+    ``notation``, which is {name: LaTeX}; ``sheets`` as for :func:`as_drawn`.
     """
     if isinstance(value, (tuple, list)) and all(isinstance(x, (tuple, list)) for x in value):
-        return matrix_symbol([[latex_of(x, notation) for x in row] for row in value])
+        return matrix_symbol([[latex_of(x, notation, sheets) for x in row] for row in value])
     if isinstance(value, (Vector, tuple, list)):
-        inside = list_symbol(latex_of(v, notation) for v in value)
+        inside = list_symbol(latex_of(v, notation, sheets) for v in value)
         return rf"\left[{inside}\right]"
     if isinstance(value, str):
         return rf"\text{{{value}}}"
@@ -317,19 +338,21 @@ def latex_of(value, notation):
         return number_symbol(value if isinstance(value, int) else float(value))
     others = sorted({x.name for x in value.free_symbols} - {*notation})
     names = {**notation, **{n: symbol(n) for n in others}}
-    return written(simplest(value), names, latex=True)
+    return written(as_drawn(simplest(value), sheets), names, latex=True)
 
 
-def formatted(value: Any, names: Iterable[str] = ()) -> str:
+def formatted(
+    value: Any, names: Iterable[str] = (), sheets: Iterable[Mapping[str, float]] = ()
+) -> str:
     """An answer as text, numbers with six significant digits, round-off cleared; a formula with its
-    symbols in the order of ``names``.
+    symbols in the order of ``names``; ``sheets`` as for :func:`as_drawn`.
     """
     if isinstance(value, (Vector, tuple, list)):
         size = NOISE * max((abs(float(x)) for x in flat(value) if is_numeric(x)), default=0.0)
         shown = (0 if is_numeric(v) and abs(float(v)) < size else v for v in value)
-        return "[" + ", ".join(formatted(v, names) for v in shown) + "]"
+        return "[" + ", ".join(formatted(v, names, sheets) for v in shown) + "]"
     if isinstance(value, (int, str)):
         return str(value)
     if is_numeric(value) or not value.free_symbols:
-        return f"{float(value) + 0.0:.6g}"
-    return written(simplest(value), {n: n for n in names}, latex=False)
+        return six_digits(float(value))
+    return written(as_drawn(simplest(value), sheets), {n: n for n in names}, latex=False)

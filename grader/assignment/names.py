@@ -66,7 +66,7 @@ class Names:
                 self.scalars += [(symbol, numbers)] * (len(parts) == 1 and 0 not in numbers)
             if isinstance(inner, Step):
                 self.found.setdefault(x.number, {}).setdefault(key, {})[n] = symbol
-            if isinstance(inner, Step) and sign < 0 and inner.number not in self.fixed:
+            if isinstance(inner, Step) and sign < 0:
                 self.opposite.setdefault(inner.number, {}).setdefault(key, {})[n] = -symbol
 
     def look_at(self, key: str, parts: Sequence[Any]) -> None:
@@ -88,18 +88,19 @@ class Names:
 
     def of(self, x: Step) -> Any:
         """The name of a traced number, None if it has none."""
-        if x.number in self.fixed:
-            return self.fixed[x.number]
         candidates = self._candidates(x)
+        if x.number in self.fixed:
+            return self._component(candidates) or self.fixed[x.number]
         if not candidates or (x.op == "neg" and x.args[0].number in self.fixed):
             return None
         if self.size == 9 and not (candidates := self._in_place(candidates)):
             return None
         same = [k for k in candidates if self.indices and _indices(k) == self.indices]
-        if len(candidates) > 1 and len(same) != 1 and x.args and all(map(self._is_plain, x.args)):
-            return None  # as b/2, of two bodies that lie side by side
         used = max(self.uses[k] for k in candidates)
         key, *others = (k for k in candidates if self.uses[k] == used)
+        is_plain = x.args and all(map(self._is_plain, x.args))
+        if len(candidates) > 1 and len(same) != 1 and is_plain and (others or self.size > 1):
+            return None  # as b/2, of two bodies that lie side by side
         same = [k for k in same if k in (key, *others)] or [
             k for k in (key, *others) if self.size == 3 and "xyz"[self.place] in k.split("_")[-1]
         ]
@@ -108,6 +109,32 @@ class Names:
         if (self.size, self.sizes[key]) == (9, 3) and len(candidates[key]) > 1 and x.args:
             return None  # the axis is ambiguous
         return self._at_place(candidates[key], self.sizes[key])
+
+    def _component(self, candidates):
+        """In an entry of a matrix the component of the vector with its index that a given is, on
+        the axes of that entry, as d_y and d_z in I_xx; None if there are two.
+        """
+        own = [x for k, x in candidates.items() if self.indices and _indices(k) == self.indices]
+        if self.size != 9 or len(own) != 1:
+            return None
+        entry = {*divmod(self.place, 3)}
+        axes = {0, 1, 2} - entry if len(entry) == 1 else entry
+        found = [x for axis, x in own[0].items() if axis in axes]
+        return found[0] if len(found) == 1 else None
+
+    def of_body(self, x: Any, factor: Any) -> Any:
+        """The component at this place of the vector that has the index of a factor, as d_block_x
+        beside V_block, also if it is a given; None if there is none.
+        """
+        whole = self.of(unsigned(factor)[0]) if isinstance(factor, Step) else None
+        indices = _indices(getattr(whole, "name", ""))
+        if self.size != 3 or not isinstance(x, Step) or not indices:
+            return None
+        same = {key: at for key, at in self._candidates(x).items() if _indices(key) == indices}
+        found = [
+            at[self.place] for key, at in same.items() if self.sizes[key] == 3 if self.place in at
+        ]
+        return found[0] if len(found) == 1 else None
 
     def equal(self, x: Step) -> Any:
         """The name of the given, or for a sum of the single earlier quantity, with the same value
@@ -170,8 +197,15 @@ class Names:
         return not isinstance(a, Step) or a.number in self.fixed
 
     def _candidates(self, x):
-        found = self.found.get(x.number) or self.opposite.get(x.number, {})
-        return {key: x for key, x in found.items() if key not in self.apart}
+        found, other = self.found.get(x.number, {}), self.opposite.get(x.number, {})
+
+        def in_row(key, at):
+            return self.sizes[key] == 9 and any(n // 3 == self.place for n in at)
+
+        if self.size == 3:  # of a matrix, the entry in this row, as -T_zx and not T_xz
+            own = {key for key, at in found.items() if in_row(key, at)}
+            found = found | {k: at for k, at in other.items() if in_row(k, at) and k not in own}
+        return {key: x for key, x in (found or other).items() if key not in self.apart}
 
     def _at_place(self, by_place, size):
         """The component of the same axis; of a matrix in a vector's formula, that of the row."""

@@ -127,7 +127,10 @@ class Writer:
             return self._written(x.args[1 if self._holds(x.args[0]) else 2], memo)
         if x.op == "item" and isinstance(x.args[0], Step):
             return self._within(x.args[0], x.args[1], memo, x)
-        return _applied(x.op, [self._written(a, memo) for a in x.args])
+        return _applied(x.op, [self._written(a, memo) for a in x.args] if x.op != "*" else [
+            self._written(a, memo) if (name := self.names.of_body(a, b)) is None else name
+            for a, b in (x.args, x.args[::-1])
+        ])  # fmt: skip
 
     def _holds(self, condition):
         """The case that holds on this sheet."""

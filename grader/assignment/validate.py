@@ -115,7 +115,7 @@ def _first(states):
     if set(states) == {"read"}:
         return f"Success! All is answered, and can be read ({len(states)} of {len(states)})."
     if set(states) == {"open"}:
-        return f"Nothing is answered yet ({len(states)} open); what stays open costs its points."
+        return f"Nothing is answered yet ({len(states)} open); an open answer earns no points."
     counts = {what: states.count(s) for s, what in WORDS.items() if s in states}
     return f"Of {len(states)}: {', '.join(f'{n} {what}' for what, n in counts.items())}."
 

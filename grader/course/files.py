@@ -29,13 +29,17 @@ def read_json(path: str | Path) -> Any:
 
 def load_json(data: bytes) -> Any:
     """Like ``json.loads``, for UTF-8; integers beyond 64 bits, which notebooks do not have, may
-    become floats.
+    become floats, lone surrogates, which no file takes, are replaced.
     """
     if orjson:
         # orjson refuses NaN, lone surrogates and deep nesting, which json allows
         with contextlib.suppress(orjson.JSONDecodeError):
             return orjson.loads(data)
-    return json.loads(data.decode("utf-8-sig"))  # some editors write a byte-order mark
+    text = data.decode("utf-8-sig")  # some editors write a byte-order mark
+    found = json.loads(text)
+    if "\\ud" not in text.lower():
+        return found
+    return json.loads(json.dumps(found, ensure_ascii=False).encode("utf-8", "replace"))
 
 
 def write_json(path: Path, content: Any, indent: int | None = 1) -> None:

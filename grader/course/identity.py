@@ -3,7 +3,7 @@
 import re
 import unicodedata
 
-_BAD_IN_ID = re.compile(r"[/\\+*?\[\]{}%<>:\"|\x00-\x1f\x7f]|^[.\s-]|\s$")
+_BAD_IN_ID = re.compile(r"[/\\+*?\[\]{}%<>:\"|]|^[.\s-]|\s$")
 LONGEST_ID = 100  # characters; the exchange appends assignment, time and 12 more
 
 
@@ -13,7 +13,8 @@ class CourseError(ValueError):
 
 def check_id(student_id: str) -> str:
     """The id itself; raises :class:`CourseError` if it cannot name a folder."""
-    if not student_id or _BAD_IN_ID.search(student_id) or len(student_id) > LONGEST_ID:
+    named = student_id.isprintable() and not _BAD_IN_ID.search(student_id)
+    if not student_id or not named or len(student_id) > LONGEST_ID:
         raise CourseError(
             f"{student_id!r} cannot be a student id: folders are named by it, and nbgrader "
             "splits names at '+'. "

@@ -69,18 +69,24 @@ def _with_answers(cells, found, master):
     above, below = _nearest(found), _nearest(found[::-1])[::-1]
     for problem, at in missing.items():
         asked = "|".join(map(re.escape, own_metadata(master["cells"][at])["asked"]))
-        gives = re.compile(rf"(?m)^(.*[,=(\s])?({asked})\b[^=\n]*=(?!=)")
+        gives = re.compile(rf"(?:^|[,(\s])(?:{asked})\b")
         beside = [
             n
             for n, cell in enumerate(cells)
             if found[n] is None
             and {problems[m] for m in (above[n], below[n]) if m is not None} == {problem}
             and cell.get("cell_type") == "code"
-            and gives.search(text_of(cell))
+            and any(map(gives.search, _left_of_equals(text_of(cell))))
         ]
         if len(beside) == 1:
             found[beside[0]] = at
     return found
+
+
+def _left_of_equals(text):
+    """What stands left of each "="; one pattern for all of it would take quadratic time."""
+    lines = text.replace("==", "\n").split("\n")
+    return [part for line in lines for part in line.split("=")[:-1]]
 
 
 def _nearest(found):
@@ -115,7 +121,6 @@ def _name_in_text(cell: Mapping[str, Any]) -> tuple[str | None, ...] | None:
 
 
 def text_of(cell: Mapping[str, Any]) -> str:
-    """The text of a submitted cell, without lone surrogates: JSON can hold them, files cannot."""
+    """The text of a submitted cell."""
     source = cell.get("source", "")
-    text = "".join(map(str, source)) if isinstance(source, list) else str(source)
-    return text.encode("utf-8", "replace").decode()
+    return "".join(map(str, source)) if isinstance(source, list) else str(source)

@@ -2,16 +2,21 @@
 them. The words complete "it fits a solution that …" and never contain a number of the key.
 """
 
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from ..algebra.language import Words, _, joined, spoken
 from .tolerance import NEARLY
 
-WORDS = 30  # of a diagnosis that is read
-BRIEF = 20  # of two mistakes that are named together, in full
+WORDS = 30  # in a diagnosis, at most
+BRIEF = 20  # in two mistakes that are both named in full, at most
 ORDINALS = Words("first"), Words("second"), Words("third")
+# what a mistake does, where more than its words depends on it: leaves out a term or a quantity,
+# takes a given for zero, leaves out a component, reverses a term, takes its double or half, or has
+# a factor of 2 beside a quantity
+DOES = LEFT_OUT, ZERO, NO_COMPONENT, REVERSED, RESCALED, FACTOR_2 = (
+    "left out", "zero", "no component", "reversed", "rescaled", "two",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -24,10 +29,12 @@ class Cause:
         (the same in going on from earlier answers), both (two listed ones at once), follows (from
         an earlier answer), seen (a remark, where nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
-    text : its words: what was done and, after a colon, why it is wrong; :class:`Words` are said in
+    text : its words: what was done and, after a colon, why it is wrong; :class:`Words` appear in
         the reader's language
-    where : the place in the book where to read on
-    subject : what slips have in common that are one, in other words: the last of them is named
+    where : where to read on in the book
+    subject : shared by slips that are one and the same in other words: the last of them is named
+    does : what it does, one of :data:`DOES`, or ""
+    of : to what, in words; "" of a term without a name
     """
 
     group: str
@@ -35,6 +42,8 @@ class Cause:
     text: str = field(compare=False)
     where: str = field(default="", compare=False)
     subject: str = field(default="", compare=False)
+    does: str = field(default="", compare=False)
+    of: str = field(default="", compare=False)
 
     @property
     def what(self) -> str:
@@ -52,7 +61,7 @@ class Cause:
         return self.group == "seen"
 
     def at(self, where: str) -> "Cause":
-        """The same cause with the place where to read on."""
+        """The same cause, with where to read on."""
         return replace(self, where=where)
 
     def after(self, wrong: Sequence[str]) -> "Cause":
@@ -71,16 +80,16 @@ class Cause:
 
     @property
     def adds_to_others(self) -> bool:
-        """True of a cause that is named after another that gives the same numbers. The rest either
-        describe these numbers (a sign, a factor), or are the other in other words (a term left
-        out, a unit).
+        """True of a cause that is named beside another that gives the same numbers. The other
+        groups only describe these numbers (a sign, a factor), or repeat the first in other words (a
+        term left out, a unit).
         """
         return self.group in ("listed", "book", "exchanged", "term")
 
 
 def sentence(causes: Iterable[Cause]) -> str | None:
-    """The words of the causes that give the same numbers, as many as can be read at once: what was
-    done, why it is wrong, where to read on; None if there are none.
+    """The sentence on causes that give the same numbers, as many as fit into :data:`WORDS`: what
+    was done, why it is wrong, where to read on; None without causes.
     """
     causes = sorted(causes, key=lambda c: c != CORIOLIS_HALVED)  # the simplest first
     if not causes:
@@ -119,7 +128,7 @@ def _together(texts):
 
 
 def slip(name: str, text: Words) -> Cause:
-    """A slip that is made in any problem."""
+    """A slip that can be made in any problem."""
     return Cause("slip", name, text)
 
 
@@ -138,7 +147,8 @@ TRANSPOSED = slip(
 )
 SQUARED = slip("squared", Words("is the square of the answer: its root is asked for"))
 ROOT = slip("root", Words("is the square root of the answer: it was taken once too often"))
-INVERTED = slip("inverted", Words("is upside down: what divides and what is divided are exchanged"))
+UNIT_VECTOR = slip("unit", Words("gives the unit vector: its size is asked for as well"))
+INVERTED = slip("inverted", Words("is upside down: numerator and denominator are exchanged"))
 OFF_DIAGONAL = slip(
     "off diagonal",
     Words(
@@ -156,7 +166,7 @@ OTHER_ORDER = slip(
 )
 AS_SCALARS = slip(
     "as scalars",
-    Words("adds the rates of turning as numbers: they are vectors along different axes"),
+    Words("adds angular velocities as numbers: they are vectors along different axes"),
 )
 ROUNDED = slip(
     "rounded", Words("rounds the right answer too far: give three significant figures or more")
@@ -203,11 +213,11 @@ def right_but(places: Sequence[int], length: int) -> Cause:
 def reversed_components(places: Sequence[int]) -> Cause:
     """Some components have the opposite sign."""
     one = Words(
-        "has the opposite sign in its {which} component: check the direction of what adds to it; "
+        "has the opposite sign in its {which} component: check the direction of its terms; "
         "the rest is right"
     )
     several = Words(
-        "has the opposite sign in its {which} components: check the direction of what adds to it; "
+        "has the opposite sign in its {which} components: check the direction of their terms; "
         "the rest is right"
     )
     return slip(f"opposite {_ordinals(places)}", _of_places(places, one, several))
@@ -217,19 +227,15 @@ def left_out_components(places: Sequence[int]) -> Cause:
     """Some components are zero."""
     one = Words("leaves out its {which} component: it is not zero here")
     several = Words("leaves out its {which} components: they are not zero here")
-    return slip(f"without {_ordinals(places)}", _of_places(places, one, several))
+    cause = slip(f"without {_ordinals(places)}", _of_places(places, one, several))
+    return replace(cause, does=NO_COMPONENT, of=_ordinals(places))
 
 
 def added_components(places: Sequence[int]) -> Cause:
     """Components where there are none."""
-    one = Words("has a {which} component, where there is none: look at what points along it")
-    several = Words("has {which} components, where there are none: look at what points along them")
+    one = Words("has a {which} component, where there is none: check what points along it")
+    several = Words("has {which} components, where there are none: check what points along them")
     return slip(f"more {_ordinals(places)}", _of_places(places, one, several))
-
-
-def is_left_out(cause: Cause) -> bool:
-    """True of one that says only that a component is zero."""
-    return cause in [left_out_components([n]) for n in range(len(ORDINALS))]
 
 
 def exchanged_components(places: Sequence[int]) -> Cause:
@@ -244,7 +250,7 @@ def exchanged_components(places: Sequence[int]) -> Cause:
 
 
 def moved_component(of: int, to: int) -> Cause:
-    """What belongs to one component is added to another one."""
+    """One component is added to another."""
     text = Words(
         "puts its {one} component along the {other} axis: each belongs to its own axis",
         one=ORDINALS[of], other=ORDINALS[to],
@@ -288,15 +294,15 @@ def _of_places(places: Sequence[int], one: Words, several: Words, **values: obje
 
 
 LOST = {
-    2.0: Words("look for a half or a double"),
+    2.0: Words("look for something halved or doubled"),
     **dict.fromkeys((10.0, 100.0), Words("look for a misplaced decimal point")),
-}  # all other factors are those between two units
+}  # any other factor lies between two units
 
 
 def multiplied(what: str, factor: float, large: bool) -> Cause:
     """The answer is off by the factor between two units, or by 2."""
     how = Words("large") if large else Words("small")
-    why = LOST.get(factor, Words("the answer has a unit of its own"))
+    why = LOST.get(factor, Words("check the unit that is asked for"))
     text = Words(
         "is {factor} times too {how} ({what}): {why}",
         factor=f"{factor:.4g}", how=how, what=what, why=why,
@@ -323,14 +329,14 @@ def component_multiplied(places: Sequence[int], what: str, factor: float, large:
 
 
 def both(first: Cause, second: Cause) -> Cause:
-    """Two mistakes made together; where that is too long, the shorter in full, and that there is
-    another.
+    """Two mistakes made together; where naming both is too long, the shorter one and that there is
+    a second.
     """
     name, one, other = f"{first.name} + {second.name}", first.what, second.what
     text = Words("{first}, and also {second}: both change the answer", first=one, second=other)
-    if second == OPPOSITE_NUMBER and re.fullmatch("has .* with the opposite sign", one):
-        what = one.removeprefix("has ").removesuffix(" with the opposite sign")
-        return Cause("both", name, Words("has all but {term} with the opposite sign", term=what))
+    if second == OPPOSITE_NUMBER and first.does == REVERSED:
+        text = Words("has all but {term} with the opposite sign", term=first.of)
+        return Cause("both", name, text)
     if len(f"{one} {other}".split()) > BRIEF:
         short = min(one, other, key=lambda x: len(x.split())).partition(", ")[0]
         words, more = short.split()[: BRIEF - 3], short.split()[BRIEF - 3 :]
@@ -340,17 +346,12 @@ def both(first: Cause, second: Cause) -> Cause:
 
 
 def in_this_part(cause: Cause) -> Cause:
-    """The same cause where other parts are right that it would have made wrong; so named where
-    its reason has room, too.
+    """The same cause, marked "in this part" where it would have made other parts wrong that are
+    right, if the mark leaves room for its reason.
     """
     here = replace(cause, text=Words("in this part {cause}", cause=cause.text))
     words = sentence([here if here.where else here.at("section 1.1")]) or ""
     return here if len(words.split()) <= WORDS and here.why in words else cause
-
-
-def is_two(cause: Cause) -> bool:
-    """True of a factor of 2 beside a quantity."""
-    return " beside it: " in getattr(cause.text, "template", "")
 
 
 def in_components(cause: Cause, places: Sequence[int]) -> Cause:
@@ -382,20 +383,13 @@ def listed(name: str, text: str) -> Cause:
 def term_left_out(name: str, words: str) -> Cause:
     """A named term of a sum is missing."""
     text = Words("leaves out {term}: this term is not zero here", term=words)
-    return Cause("omitted", name, text)
+    return Cause("omitted", name, text, does=LEFT_OUT, of=words)
 
 
 def term_reversed(name: str, words: str) -> Cause:
     """A named term of a sum has the opposite sign."""
     text = Words("has {term} with the opposite sign: the equation adds it", term=words)
-    return Cause("term", f"{name} x -1", text)
-
-
-def left_out(cause: Cause) -> str:
-    """The term that a mistake leaves out; "" of any other mistake."""
-    template, values = getattr(cause.text, "template", ""), getattr(cause.text, "values", {})
-    found = re.match(r"leaves out {(term|quantity|names)}:", template)
-    return values[found[1]] if found else ""
+    return Cause("term", f"{name} x -1", text, does=REVERSED, of=words)
 
 
 def multiple_of(term: str) -> Cause:
@@ -420,9 +414,9 @@ def unconverted(given: str, unit: str) -> Cause:
     return Cause("unit", str(given), text)
 
 
-def computed(name: str, text: str, subject: str = "") -> Cause:
-    """A slip in one step of the computation; ``name`` says in which, and which slip."""
-    return Cause("computed", name, text, subject=subject)
+def computed(name: str, text: str, subject: str = "", does: str = "", of: str = "") -> Cause:
+    """A slip in one step of the computation; ``name`` identifies the step and the slip."""
+    return Cause("computed", name, text, "", subject, does, of)
 
 
 def other_axes(place: int, frame: str) -> Cause:
@@ -446,5 +440,5 @@ def turned_the_wrong_way(place: int, frame: str) -> Cause:
 
 
 def rate(name: str) -> Cause:
-    """No mistake by itself: one of the rates of turning whose sum an angular velocity is."""
+    """No mistake by itself: one of the terms whose sum is an angular velocity."""
     return Cause("rate", name, name)

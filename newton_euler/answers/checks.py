@@ -1,7 +1,7 @@
 """How often an answer was checked against its seal, and how long the next check waits.
 
-The first wrong answers cost nothing, nor does one that is given again, as when all cells run; from
-then on the time until the next check doubles. Counts are kept beside the notebook and shown in it,
+The first wrong answers cost nothing, nor does repeating one, as when all cells run; from then on
+the time until the next check doubles. Counts are kept beside the notebook and shown in it,
 where the grader reads them. This is for those who guess by hand: a program of one's own needs no
 receipt to try a seal, and files can be deleted.
 """
@@ -22,8 +22,8 @@ from .givens import in_notebook
 from .kinds import Kind
 from .seals import is_known, opens
 
-FREE = 6  # wrong answers, after which a check waits
-LONGEST = 600.0  # s until the next check
+FREE = 6  # wrong answers before checks have to wait
+LONGEST = 600.0  # s, the longest wait
 FOUND = {
     True: Words("is right"), False: Words("is not right"), None: Words("is not checked yet"),
 }  # fmt: skip
@@ -37,8 +37,8 @@ _kept: dict[str, Any] = {}  # {salt of a seal: {"wrong": [hashes of answers], "n
 
 @dataclass(frozen=True)
 class Check:
-    """What a check has found: ``right`` is None where it must wait, ``wait`` seconds; ``wrong`` is
-    how many wrong answers there were. Components in several frames are several answers.
+    """The result of a check: ``right`` is None where it must wait, for ``wait`` seconds; ``wrong``
+    counts the wrong answers so far. Components in several frames are several answers.
     """
 
     right: bool | None
@@ -46,7 +46,7 @@ class Check:
     wait: float
 
     def __str__(self) -> str:
-        """As what follows the name of an answer."""
+        """The end of a sentence that begins with the name of the answer."""
         found = spoken(FOUND[self.right])
         if not self.wait:
             return found
@@ -74,6 +74,7 @@ def check(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> Check | None:
     if new and opens(sealed, kind, tree):
         return Check(True, len(entry["wrong"]), 0.0)
     if new:
+        entry = _read()[salt]  # another kernel may have counted while this one computed
         entry["wrong"] += new
         beyond = len(entry["wrong"]) - FREE
         wait = min(2.0 ** min(beyond, 20), LONGEST) if beyond >= 0 else 0.0
@@ -87,8 +88,8 @@ def _digest(salt: str, x: Any) -> str:
 
 
 def _read():
-    """What is kept, and what another kernel has kept meanwhile, of each seal the longer; what is
-    damaged counts nothing.
+    """The counts of this kernel, joined with those that another has written meanwhile; damaged
+    entries count nothing.
     """
     with contextlib.suppress(*_DAMAGED):
         found = json.loads(FILE.read_bytes()) if in_notebook() else {}

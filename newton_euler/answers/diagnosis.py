@@ -8,7 +8,15 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from .causes import CORIOLIS_HALVED, ROUNDED, Cause, in_this_part, is_left_out
+from .causes import (
+    CORIOLIS_HALVED,
+    LEFT_OUT,
+    NO_COMPONENT,
+    ROUNDED,
+    ZERO,
+    Cause,
+    in_this_part,
+)
 from .fit import CLOSE, EXACT, LOOSE, Fit
 from .kinds import KINDS, Kind
 from .near import NO_SINGLES, Singles
@@ -27,8 +35,8 @@ from .tolerance import NOISE, NUMBER_RTOL, Points, is_apart
 
 MOST = 3  # causes that are named together: more would explain nothing
 
-Model = tuple[Cause, Points]  # what a wrong model makes of an answer
-Near = tuple[int, Cause, Points]  # what a slip makes of it, and how simple it is: 1 is simplest
+Model = tuple[Cause, Points]  # the answer by a wrong model
+Near = tuple[int, Cause, Points]  # the answer with a slip, and how simple that is: 1 is simplest
 
 
 class Answered(NamedTuple):
@@ -42,15 +50,15 @@ class Answered(NamedTuple):
     slips: Callable[[Cause], Sequence[Points]] = lambda cause: ()
 
     def models(self, cause: Cause) -> Iterator[Points]:
-        """What a cause makes of this part."""
+        """The answers to this part that a cause would give."""
         yield from (x for c, x in self.wrong if c == cause)
         yield from (self.kind.like(x, self.given) for x in self.slips(cause))
 
 
 class Elsewhere:
-    """What the other parts of a student's problem say about a cause.
+    """The other parts of a student's problem, as evidence for or against a cause.
 
-    find : a function that returns each part as :class:`Answered`; called only where something fits
+    find : a function that returns each part as :class:`Answered`; called only when a cause fits
     """
 
     def __init__(self, find: Callable[[], Iterable[Answered]] = tuple):
@@ -68,14 +76,14 @@ class Elsewhere:
         )
 
     def refutes(self, cause: Cause) -> bool:
-        """True if this listed mistake would show in other parts, and is in none of them."""
+        """True if this listed mistake would show in other parts, and explains none of them."""
         shown = cause.group == "listed" and any(
             is_apart(x, part.key) for part in self._parts for x in part.models(cause)
         )
         return shown and not self.explains(cause)
 
     def explains(self, cause: Cause) -> int:
-        """In how many other wrong parts this mistake fits."""
+        """The number of other wrong parts that this mistake explains."""
         return sum(
             any(_fits(part, x) for x in part.models(cause))
             for part in self._parts
@@ -97,21 +105,21 @@ def diagnose(
     slips: Callable[[Fit, Kind], Sequence[Near]] | None = None,
     singles: Callable[[], Singles] = lambda: NO_SINGLES,
 ) -> tuple[Cause, ...]:
-    """What gives the wrong answer ``given``: all causes that give the same numbers; none if nothing
+    """The causes of the wrong answer ``given``: all that give the same numbers; () if nothing
     explains it.
 
     wrong : the wrong models of this answer
     factors : {words: factor} of the units that the answer may be in by mistake
-    elsewhere : what the other parts of the problem say
-    slips : finds the slips in the computation that the answer is near to; None of an answer that
-        is explained, where nothing more general is looked for
-    singles : finds the slips of which two may have been made at once
+    elsewhere : the other parts of the problem
+    slips : finds the slips in the computation that the answer is near to; None for an answer that
+        follows from earlier ones, where nothing more general is tried
+    singles : finds the slips that may be made beside another mistake
     """
     elsewhere = elsewhere or Elsewhere()
-    if kind.is_word:  # of few words one is soon met by chance: listed mistakes, and of counts
+    if kind.is_word:  # one of few words is soon met by chance: only mistakes listed, and of counts
         models = [m for m in wrong if m[1] == given and m[0].group in ("listed", "count")]
         hits = [Hit(EXACT, *m) for m in models if not elsewhere.refutes(m[0])]
-        # beside one mistake of the list stands what any such count has in common
+        # after the first listed mistake come those that any count may have
         hits[1:] = sorted(hits[1:], key=lambda hit: hit.cause.group == "listed")
         return _best([hits[:MOST]], elsewhere, ())
     fit = Fit(given, key, kind.rtol)
@@ -119,7 +127,7 @@ def diagnose(
     general = _closest(single)
     computed: list[Hit] = []
     doubtful = (_says_little(h.cause, kind) or elsewhere.contradicts(h.cause) for h in general)
-    if slips and all(doubtful):  # what is listed costs less
+    if slips and all(doubtful):  # listed mistakes cost less to try
         computed = _simplest(fit, slips(fit, kind), elsewhere)
         if any(elsewhere.contradicts(h.cause) for h in general):
             computed = [h for h in computed if not elsewhere.contradicts(h.cause)]
@@ -129,9 +137,9 @@ def diagnose(
         found = tuple(sorted(found, key=elsewhere.contradicts))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
-    if found and all(c.group == "computed" for c in found):  # of a mere factor there are many
+    if found and all(c.group == "computed" for c in found):  # many of them give a mere factor
         found = *_first(bare(fit), fit, CLOSE), *found
-    # a factor of some components, met within the digits written: one slip goes before two
+    # a factor of some components, within the digits written: one slip goes before two
     found = found or _first(of_components(fit), fit, CLOSE)
     found = found or (_in_the_whole(fit, kind) if slips else ())
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
@@ -140,9 +148,9 @@ def diagnose(
 
 
 def _says_little(cause, kind):
-    """True of what a slip gives as well: a factor, a zero, a formula of the book."""
+    """True of a cause that a slip may explain better: a factor, a zero, a formula of the book."""
     of_book = cause.group == "book" and kind.is_formula
-    return of_book or cause.group == "factor" or is_left_out(cause)
+    return of_book or cause.group == "factor" or cause.does == NO_COMPONENT
 
 
 class Hit(NamedTuple):
@@ -156,8 +164,8 @@ class Hit(NamedTuple):
 def _best(stages, elsewhere, sizes):
     """The causes of the stage that fits best, then those of all others with the same numbers.
 
-    What fits within the digits that were written goes before what fits within the tolerance, and
-    what the right parts contradict must fit within them: it was done in this part only.
+    A fit within the digits that were written goes before one within the tolerance; a cause that the
+    right parts contradict must fit within the digits: it was made in this part only.
     """
     stages = [*filter(None, stages)]
     if not stages:
@@ -181,15 +189,15 @@ def _best(stages, elsewhere, sizes):
 
 
 def _simplest(fit, near, elsewhere):
-    """Of the slips in a computation those that fit best, of these the simplest, in other words; a
-    slip that is made in one part alone is less simple.
+    """The simplest of the slips in a computation that fit best, each in different words; a slip
+    that is made in one part alone is less simple.
     """
     if not near:
         return []
     hits = [(level, Hit(fit(x), cause, x)) for level, cause, x in near]
     if any(hit.cause.group == "unit" for _, hit in hits):
-        # a number in a wrong unit may be as good as zero, or as good as all there is
-        hits = [(1 if "not zero here" in hit.cause.text else n, hit) for n, hit in hits]
+        # a number in a wrong unit may be nearly zero, or nearly the whole
+        hits = [(1 if hit.cause.does in (LEFT_OUT, ZERO) else n, hit) for n, hit in hits]
     best = max((hit.level for _, hit in hits), default=0)
     fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]
     found = [(n + elsewhere.contradicts(hit.cause), hit) for n, hit in fitting]
@@ -212,8 +220,8 @@ def _closest(stages):
 
 
 def _chosen(best, twins, elsewhere):
-    """One cause, or several that fit alike, of which none that is listed is left out; of these, the
-    ones that explain most of the rest.
+    """One cause, or several that fit alike, the listed ones first: those that explain most of the
+    other parts.
     """
     causes = _most_explaining(dict.fromkeys([*best, *twins]), elsewhere)
     kept = sorted(causes, key=lambda c: c.group != "listed")[:MOST]
@@ -222,8 +230,8 @@ def _chosen(best, twins, elsewhere):
 
 
 def _most_explaining(causes, elsewhere):
-    """Those causes that explain the most other wrong parts; no other cause hides a mere factor, or
-    the factor 2 of the Coriolis term, which is only seen in vectors.
+    """Those causes that explain the most other wrong parts; a mere factor always stays, and so does
+    the factor 2 of the Coriolis term, which shows in vectors only.
     """
     if len(causes) < 2:
         return tuple(causes)
@@ -237,7 +245,7 @@ def _most_explaining(causes, elsewhere):
 def _stages(
     fit: Fit, wrong: Sequence[Model], kind: Kind, factors: Mapping[str, float]
 ) -> Iterator[list[Hit]]:
-    """The models that fit, from what is special to what is general."""
+    """The models that fit, from the special to the general."""
     near = fit.near(wrong)
 
     def of(candidates, rtol=None, apart=True):
@@ -265,13 +273,13 @@ def _stages(
 
 
 def _first(models, fit, least):
-    """The first cause that fits so closely."""
+    """The first cause that fits at least at this level."""
     return tuple(cause for cause, x in models if fit(x) >= least)[:1]
 
 
 def _in_the_whole(fit, kind):
-    """A factor of the whole, its square, root or inverse. A single number meets the factors by
-    chance.
+    """A factor of the whole, its square, root or inverse; for a single number, which meets factors
+    by chance, powers alone.
     """
     alone = kind.is_met_by_chance or (not kind.is_formula and sum(map(bool, fit.given[0])) < 2)
     models = of_powers(fit) if alone else of_last_resort(fit)

@@ -13,7 +13,7 @@ from . import edits_of_givens as givens
 from . import edits_of_groups as groups
 from . import edits_of_operations as operations
 from . import edits_of_quantities as quantities
-from .causes import Cause, computed
+from .causes import LEFT_OUT, REVERSED, Cause, computed
 from .formulas import (
     FIRST,
     LEAST,
@@ -30,8 +30,8 @@ from .formulas import (
 )
 from .typed import Product, described, repeats
 
-MANY = 8  # uses of a step, of which no single one is looked at
-ONCE = 4  # by which the rank of a slip in one use is higher than that of the same in all
+MANY = 8  # uses of a step, beyond which single uses are not tried
+ONCE = 4  # added to the rank of a slip in one use, over that of the same slip in all
 
 
 def edits_of(formulas: Formulas) -> list[Edit]:
@@ -47,7 +47,7 @@ def edits_of(formulas: Formulas) -> list[Edit]:
 
 
 def _call(formulas):
-    """Names the steps that are answers, and says of those that are quantities what they are."""
+    """Name the steps that are answers, and give those that are quantities their words."""
     for key, answer in formulas.answers.items():
         for x in answer.parts if len(answer.parts) == 1 else ():
             if isinstance(x, Step):
@@ -72,7 +72,7 @@ def _edits(formulas):
     answers, system = formulas.answers, formulas.system
     steps = needed(x for a in answers.values() for x in a.parts)
     given = {s.args[0]: s for s in steps if s.op == "argument"}
-    anything = {**formulas.given, **given}  # also what no answer needs
+    anything = {**formulas.given, **given}  # also givens that no answer needs
     read = {name: unit(formulas.units[name]) for name in anything}
     parts = (x for a in (*answers.values(), *formulas.stages) for x in a.parts)
     every = needed([*parts, *anything.values()])
@@ -83,13 +83,19 @@ def _edits(formulas):
     yield from groups.of_constants(steps, dimensions.get)
     yield from givens.of_one_unit(given, read, system)
     yield from givens.of_exchanged(given, read)
+    yield from givens.of_planes(s for s in steps if s.op in ("+", "-"))
     yield from givens.of_rates(anything, read)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
     yield from givens.of_lengths(given, read)
-    yield from givens.of_vectors({key: a.parts for key, a in answers.items()})
+    vectors = {key: a.parts for key, a in answers.items()}
+    yield from givens.of_vectors(vectors)
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
     yield from _of_differences(answers, numbers, formulas.stages, dimensions)
+    feet = own is US
+    g = unit("ft/s^2" if feet else "m/s^2").to_base(givens.G_OF_FEET if feet else givens.G, system)
+    masses = {n: s for n, s in numbers.items() if read[n].dimension == givens.MASS}
+    yield from givens.of_weights(vectors, masses, given.get("g", g), dimensions.get)
     yield from _of_stages(answers, formulas.stages, dimensions)
     yield from _of_angles(answers)
     leaves = {x for a in answers.values() for x in a.parts if isinstance(x, Step)}
@@ -115,6 +121,7 @@ def _edits(formulas):
     yield from quantities.of_densities(given, steps, dimensions.get)
     yield from quantities.of_squares(products, number, dimensions.get)
     yield from quantities.of_sums_squared(steps)
+    yield from quantities.of_differences_of_squares(steps)
     yield from groups.of_terms(steps, formulas.units)
     yield from groups.of_factors(products, number)
     for s, users in users_in.items():
@@ -126,7 +133,7 @@ def _edits(formulas):
             found = givens.of_given(
                 s, anything, read, number, means, read[name].to_base(1.0, system)
             )
-            # what is alone in a term, as H in D^2 + H^2, is no factor of it
+            # a given alone in its term, as H in D^2 + H^2, is no factor
             is_factor = s in factors or any(user.op in WITHIN for user in users)
             slips += [slip for slip in found if slip[1] != givens.ONE or is_factor]
             # nobody converts the symbols of a formula
@@ -138,7 +145,7 @@ def _edits(formulas):
 
 
 def _unwritten(users_in):
-    """The sums that repeat a given, and what is used in them alone: nobody writes them."""
+    """The sums that repeat a given, and the steps used in them alone: nobody writes them."""
     found = {s for s in users_in if repeats(s)}
     for s, users in reversed(users_in.items()):
         if s.op in (*operations.PRODUCT, "+", "-") and users and found.issuperset(users):
@@ -147,7 +154,7 @@ def _unwritten(users_in):
 
 
 def _varying(steps):
-    """The steps that depend on what is given: nobody writes the others down, as cos(pi/2)."""
+    """The steps that depend on a given: nobody writes the others down, as cos(pi/2)."""
     found = set[Step]()
     for s in steps:
         if s.op == "argument" or any(a in found for a in steps_in(s)):
@@ -156,13 +163,13 @@ def _varying(steps):
 
 
 def _is_factor(users):
-    """True of what is a factor of one product."""
+    """True of a step whose only use is in a product."""
     return len(users) == 1 and users[0].op in operations.PRODUCT
 
 
 def _number(dimensions, system, own, s):
-    """The number by which a student multiplies for a step: in feet and pounds, where the text is,
-    another one than in the ``system`` in which the steps are computed.
+    """The number by which a student multiplies for a step: where the text has feet and pounds, not
+    that in the ``system`` in which the steps are computed.
     """
     dimension = dimensions[s]
     if system is own or dimension is None:
@@ -172,8 +179,9 @@ def _number(dimensions, system, own, s):
 
 def _everywhere_and_once(s, place, slip, users):
     """The edit wherever the step is used, and in one use alone if there are several."""
-    rank, kind, words, expression = slip
-    cause = words if isinstance(words, Cause) else computed(f"{kind} {s.number} {place}", words)
+    rank, kind, words, expression, *does = slip
+    named = f"{kind} {s.number} {place}"
+    cause = words if isinstance(words, Cause) else computed(named, words, "", *does)
     yield Edit(rank, cause, {s.number: expression})
     if kind in (givens.TWICE, givens.HALF):
         return  # of one quantity, or a factor of one term
@@ -181,32 +189,33 @@ def _everywhere_and_once(s, place, slip, users):
     for user in users if len(users) <= MANY and rank <= LESS else ():
         once = (user.op, *(expression if a is s else a for a in user.args))
         name = f"{kind} {s.number} {place} {user.number}"
-        more, in_one_place = _in_one_place(cause, kind, user)
-        yield Edit(rank + more, computed(name, in_one_place), {user.number: once})
+        more, *in_one_place = _in_one_place(cause, kind, user)
+        yield Edit(rank + more, computed(name, *in_one_place), {user.number: once})
 
 
 def _in_one_place(cause, kind, user):
-    """By how much less simple a slip is in one use than in all, and its words: a given that is zero
-    or of the other sign in one product makes the product so.
+    """The rank added to a slip in one use, its words and what it does: a given that is zero or of
+    the other sign in one product makes the product so.
     """
     term = described(user, "the term") if user.op in operations.PRODUCT else ""
     if term and kind == "zero":
-        return 1, Words("leaves out {term}: it is not zero here", term=term)
+        words = Words("leaves out {term}: it is not zero here", term=term)
+        return 1, words, "", LEFT_OUT, term
     if term and kind == "sign":
-        return ONCE, Words(
-            "has {term} with the opposite sign: its sense is the other one", term=term
-        )
-    return ONCE, Words("{cause.what}, in one place: {cause.why}", cause=cause.text)
+        words = Words("has {term} with the opposite sign: it points the other way", term=term)
+        return ONCE, words, "", REVERSED, term
+    words = Words("{cause.what}, in one place: {cause.why}", cause=cause.text)
+    return ONCE, words, "", cause.does, cause.of
 
 
 def _of_wholes(answers, given, number):
-    """Whole answers with a given too many or too few."""
+    """Whole answers with one factor of a given too many or too few."""
     components = [x for a in answers.values() for x in a.parts if isinstance(x, Step)]
     for name, step in given.items():
         powers = {Product(x).powers.get(step, 0) for x in components}
         for op, change in (("/", -1), ("*", 1)):
             if -change in powers:
-                continue  # without the factor itself: a slip in the product
+                continue  # would cancel the factor itself: a slip in the product
             text = _of_power(name, max(powers, key=abs), change)
             cause = computed(f"whole {op} {name}", text)
             instead = {x.number: (op, x, number(step)) for x in components if x is not step}
@@ -241,7 +250,9 @@ def _of_unchanged(answers, given, read):
 
 
 def _of_differences(answers, given, stages, dimensions):
-    """Answers from another origin: less, or more by a given; all components less by a quantity."""
+    """Answers from another origin: a given subtracted or added; a quantity subtracted from all
+    components.
+    """
     less = Words("takes {name} off {key}: the whole is asked for")
     for key, answer in answers.items():
         for x in answer.parts:
@@ -270,8 +281,8 @@ def _of_angles(answers):
     angles = [a.parts[0] for a in answers.values() if unit(a.unit).is_of_angle]
     angles = [x for x in angles if isinstance(x, Step)]
     others = (
-        (pi, Words("gives the supplement of the angle: the other one between the lines is meant")),
-        (pi / 2, Words("gives the angle to the normal: that to the line itself is meant")),
+        (pi, Words("gives the supplement of the angle: the other one is asked for")),
+        (pi / 2, Words("gives the angle to the normal: that to the line itself is asked for")),
     )
     for whole, words in others if angles else ():
         cause = computed(f"{whole} - angle", words)
@@ -279,18 +290,18 @@ def _of_angles(answers):
 
 
 def _of_stages(answers, stages, dimensions):
-    """Answers that stop on the way: a quantity of the same dimension, its size, a component."""
+    """Answers that stop half way: a quantity of the same dimension, its size, a component."""
     vectors = [Stage(key, "", a.parts, key) for key, a in answers.items() if len(a.parts) == 3]
     known = {
         s.number for s, of in dimensions.items() if of is not None or s.op not in operations.PRODUCT
     }
     for key, answer in answers.items():
-        named = [s for s in stages if s.means]  # of the others there is nothing to read
+        named = [s for s in stages if s.means]  # the others have no words
         for stage in (*named, *(vectors if len(answer.parts) == 1 else ())):
             for what, rank, parts in _instead(stage.parts, len(answer.parts)):
                 instead = [*zip(answer.parts, parts, strict=True)]
                 alike = all(_are_alike(a, x, dimensions) for a, x in instead)
-                # a vector of formulas is met by no other
+                # no other quantity meets a vector of formulas by chance
                 if not alike and not (answer.points > 1 and len(parts) == 3):
                     continue
                 moved = {a.number: x for a, x in instead if isinstance(a, Step) and a is not x}
@@ -305,7 +316,7 @@ def _of_stages(answers, stages, dimensions):
 
 
 def _instead(parts, length):
-    """(words, rank, expressions) of what a quantity may be for an answer of this length."""
+    """(words, rank, expressions) by which a quantity stands for an answer of this length."""
     if len(parts) == length:
         yield "", RARER, parts
     elif length == 1 and len(parts) == 3:

@@ -22,7 +22,7 @@ SLIPS = {
     0.0: Words("leaves out {term} in one equation: it acts there, too"),
 }
 ARMS = {
-    1.0: Words("leaves out {arm} beside {term} in one equation: a moment has an arm").template,
+    1.0: Words("leaves out {arm} beside {term} in one equation: a moment needs an arm").template,
     2.0: Words(
         "takes twice {arm} beside {term} in one equation: look for it in the figure"
     ).template,
@@ -31,7 +31,7 @@ NAMELESS = re.compile(r"u_\d+")  # unknowns without a name of their own
 
 
 def square(systems: Sequence[Solved]) -> list[Solved]:
-    """Those with two unknowns or more and as many equations, each once."""
+    """The systems with two unknowns or more and as many equations, each once."""
     found: dict[tuple[Any, ...], Solved] = {}
     for s in systems:
         numbers = tuple(x.number for x in s.values.values() if isinstance(x, Step))
@@ -79,10 +79,10 @@ def of_equations(
                 for factor, words in SLIPS.items()
             ]
             arms = [a for a, n in Product(x).powers.items() if n > 0 and of(a) == LENGTH]
-            for arm, said in ((a, described(a)) for a in arms):
-                for factor, text in ARMS.items() if said else ():
+            for arm, named in ((a, described(a)) for a in arms):
+                for factor, text in ARMS.items() if named else ():
                     times = ("/", 1.0, number(arm)) if factor == 1 else factor
-                    slips.append((LESS, times, Words(text, arm=said, term=name)))
+                    slips.append((LESS, times, Words(text, arm=named, term=name)))
             for n, (rank, factor, words) in enumerate(slips):
                 instead = {
                     s.number: ("equations", float(width), float(k), float(place), factor, *inside)
@@ -112,7 +112,7 @@ def solution(width: float, unknown: float, place: float, factor: float, *inside:
 
 @lru_cache(maxsize=16)
 def _solved(width, inside):
-    """(solution, inverse matrix), (None, None) of equations without."""
+    """(solution, inverse matrix); (None, None) of singular equations."""
     rows = np.array(inside).reshape(-1, width)
     try:
         inverse = np.linalg.inv(rows[:, :-1])

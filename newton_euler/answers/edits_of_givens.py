@@ -1,8 +1,6 @@
-"""Slips in what is given: one for another, twice or half of it, its sign, its unit, weight for
-mass.
-"""
+"""Slips in the givens: one for another, twice or half of one, sign, unit, weight for mass."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, permutations, product
 from math import pi
 from typing import Any
@@ -10,23 +8,28 @@ from typing import Any
 from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, System, Unit, unit
-from .causes import Cause, computed, unconverted
+from .causes import FACTOR_2, LEFT_OUT, ZERO, Cause, computed, unconverted
 from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
+from .typed import terms_of
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
 RATES = Dimension(0, 0, -1), Dimension(0, 0, -2)
 TWICE, HALF, ONE = "doubled", "halved", "one"
-G, G_OF_FEET = 9.81, 32.2  # the number of g, where the text gives none
+G, G_OF_FEET = 9.81, 32.2  # of g, where the text gives none
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
-SEVERAL = 6  # lengths, or pairs of rates, of which no sums are tried if there are more
+OF_TURNS = {"s": "min"}  # what a rate of turning is divided by
+
+SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inverted").template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
-Slip = tuple[int, str, Any, Any]  # rank, kind, words or cause, its replacement
+DimensionOf = Callable[[Step], Dimension | None]
+# rank, kind, words or cause, its replacement; of some what they do, and to what
+Slip = tuple[int, str, Any, Any] | tuple[int, str, Words, Any, str, str]
 
 
 def of_given(
@@ -37,8 +40,8 @@ def of_given(
     means: str,
     one: float,
 ) -> Iterator[Slip]:
-    """One given for another, twice or half of it, its sign, weight for mass; ``means`` are its
-    words in the text, ``one`` is its unit in base units.
+    """One given for another, twice or half of it, its sign, weight for mass; ``means`` is its
+    meaning in the text, ``one`` its unit in base units.
     """
     name, own = s.args[0], read[s.args[0]]
     is_it = Words("the formula has {name} there", name=name)
@@ -60,10 +63,11 @@ def of_given(
     yield from _of_sign(s, own.dimension)
     rank = RARER if own.dimension == LENGTH else LESS
     twice = Words("takes twice {name}, or has a 2 too many beside it: {why}", name=name, why=is_it)
-    yield rank, TWICE, twice, ("*", s, 2.0)
+    yield rank, TWICE, twice, ("*", s, 2.0), FACTOR_2, name
     half = Words("takes half of {name}, or lacks a factor 2 beside it: {why}", name=name, why=is_it)
-    yield rank, HALF, half, ("*", s, 0.5)
-    yield LESS, "zero", Words("leaves out {name}: it is not zero here", name=name), ("*", s, 0.0)
+    yield rank, HALF, half, ("*", s, 0.5), FACTOR_2, name
+    words = Words("leaves out {name}: it is not zero here", name=name)
+    yield LESS, "zero", words, ("*", s, 0.0), ZERO, name
     yield (
         LESS,
         ONE,
@@ -97,7 +101,7 @@ def of_given(
 
 
 def _of_sign(s, dimension):
-    """A given with the opposite sign; of a length, the other side; no mass."""
+    """A given with the opposite sign, a length on the other side; not for a mass."""
     name, rank = s.args[0], RARER
     words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
     if dimension == LENGTH:
@@ -110,7 +114,7 @@ def _of_sign(s, dimension):
 
 
 def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
-    """Rates of turning about different axes added as numbers, and with them their own rates."""
+    """Angular velocities about different axes added as numbers, alone or with their rates."""
     spins, growths = (
         [*permutations([n for n in given if read[n].dimension == of], 2)] for of in RATES
     )
@@ -124,7 +128,7 @@ def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Ed
 
 
 def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
-    """A length to another point: more or less by another one, or by half of it."""
+    """A length to another point: another length, or half of it, added or subtracted."""
     lengths = [n for n in given if read[n].dimension == LENGTH]
     for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
         for part, x in ((other, given[other]), (f"{other}/2", ("*", given[other], 0.5))):
@@ -133,6 +137,22 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
                               name=name, op=op, part=part)  # fmt: skip
                 cause = computed(f"{name} {op} {part}", words)
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
+
+
+def of_weights(
+    answers: Mapping[str, Sequence[Any]], masses: Mapping[str, Step], g: Any, of: DimensionOf
+) -> Iterator[Edit]:
+    """The weight of a given mass put into a component of a force, upward or downward."""
+    forces = {x: key for key, parts in answers.items() for x in parts if isinstance(x, Step)}
+    for (x, key), (name, m) in product(forces.items(), masses.items()):
+        if of(x) == FORCE:
+            words = Words(
+                "puts the weight {name}*g into {key}: look up what {key} consists of",
+                name=name, key=key,
+            )  # fmt: skip
+            for op in ("+", "-"):
+                cause = computed(f"{op} weight of {name} {x.number}", words)
+                yield Edit(LEAST, cause, {x.number: (op, x, ("*", m, g))})
 
 
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
@@ -145,14 +165,14 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
     if _is_of_turns(own):
         yield SIMPLE, "2 pi", Words(TWO_PI, name=name), ("*", s, 0.5 / pi)
     for part in own.parts:
-        if part in CONFUSED:
-            other = CONFUSED[part]
+        over = own.is_of_turning and OF_TURNS.get(part)
+        if other := CONFUSED.get(part) or over:
             words = Words(
                 "takes {other} for {part} in {name}: it is given in {unit}",
                 other=other, part=part, name=name, unit=own.text,
             )  # fmt: skip
             ratio = unit(other).to_base(1.0, SI) / unit(part).to_base(1.0, SI)
-            yield LESS, f"confused {part}", words, ("*", s, ratio)
+            yield LESS, f"confused {part}", words, ("/" if over else "*", s, ratio)
         if part != own.text and unit(part).to_base(1.0, system) != 1:
             words = Words(
                 "does not convert the {part} in {name}: the rest is in other units",
@@ -168,8 +188,8 @@ def _is_of_turns(own):
 
 
 def _ratios(own, system):
-    """The factors by which a quantity is wrong that is used with its number, as if in SI or in feet
-    and pounds.
+    """The factors by which a quantity is wrong if its number is used as if in SI, or in feet and
+    pounds.
     """
     found = set()
     for other in (SI, US):
@@ -181,6 +201,22 @@ def _ratios(own, system):
     return sorted(found)
 
 
+def of_planes(sums: Iterable[Step]) -> Iterator[Edit]:
+    """Of a sum of products of two givens, as a scalar product, both givens of one left out."""
+    for s in sums:
+        products = [x.args for _, x in terms_of(s) if isinstance(x, Step) and x.op == "*"]
+        pairs = [p for p in products if p[0] is not p[1] and all(map(_is_given, p))]
+        for a, b in pairs if len(pairs) > 1 else ():
+            names = joined(x.args[0] for x in (a, b))
+            words = Words("leaves out {names}: they are not zero here", names=names)
+            cause = computed(f"no {a.number} {b.number}", words, "", LEFT_OUT, names)
+            yield Edit(LESS, cause, {a.number: 0.0, b.number: 0.0})
+
+
+def _is_given(x):
+    return isinstance(x, Step) and x.op == "argument"
+
+
 def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
     """Two givens, each in the place of the other."""
     for (a, s), (b, t) in combinations(given.items(), 2):
@@ -190,8 +226,8 @@ def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterato
 
 
 def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
-    """The givens that are the components of one vector, with the opposite sign or left out: those
-    in the same place in all components of an answer; they themselves, or added to it.
+    """The givens that are the components of one vector, those in the same place in all components
+    of an answer: reversed or left out, taken for the answer, or added to it.
     """
     found = dict[frozenset[Step], tuple[Step, ...]]()
     for key, parts in answers.items():
@@ -208,11 +244,12 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
         yield Edit(
             SIMPLE, computed(f"turned {names}", turned), {s.number: ("neg", s) for s in steps}
         )
-        yield Edit(SIMPLE, computed(f"no {names}", zero), {s.number: 0.0 for s in steps})
+        cause = computed(f"no {names}", zero, "", LEFT_OUT, names)
+        yield Edit(SIMPLE, cause, {s.number: 0.0 for s in steps})
 
 
 def _of_factors(steps):
-    """The same where they are factors: left out of the products in one place of each component."""
+    """Such givens as factors: left out of the products in one place of each component."""
     ops = {s.op for s in steps}
     for k, own in enumerate(zip(*(s.args for s in steps), strict=False) if len(ops) == 1 else ()):
         if not all(isinstance(x, Step) for x in own):
@@ -239,7 +276,7 @@ def _of_whole_vectors(key, parts, vectors):
 
 
 def _alike(steps):
-    """The arguments, all different, that stand in one place in each of several expressions."""
+    """The arguments, all different, in the same place of several expressions."""
     ops = {s.op for s in steps}
     if ops == {"argument"}:
         if len(set(steps)) == len(steps):
@@ -253,7 +290,7 @@ def _alike(steps):
 def of_one_unit(
     given: Mapping[str, Step], read: Mapping[str, Unit], system: System
 ) -> Iterator[Edit]:
-    """All givens in one unit with their numbers."""
+    """All givens in one unit used unconverted."""
     for stated in dict.fromkeys(u.text for u in read.values()):
         steps = [s for n, s in given.items() if read[n].text == stated]
         for ratio in _ratios(unit(stated), system) if len(steps) > 1 else ():

@@ -9,15 +9,15 @@ from typing import Any
 from ..algebra.language import Words
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
-from .causes import computed
+from .causes import LEFT_OUT, REVERSED, computed
 from .formulas import LEAST, LESS, Edit, needed, users_of
 from .typed import Product, described, typed
 
 PRODUCT, SUM = ("*", "/"), ("+", "-")
 LIKE_IT = Words("the other terms like it")
-ALIKE = 8  # terms of one shape, of which more are no single slip
+ALIKE = 8  # terms of one shape: more are no single slip
 INERTIAS = Dimension(1, 2), Dimension(0, 2)  # of a body, and over a mass
-LARGE = 7  # numbers from which on no next one is taken for them
+LARGE = 7  # from which on a number is not taken for the next one
 FRACTIONS = {Fraction(1, n) for n in (2, 3, 4, 12)}  # one is taken for another
 
 
@@ -52,14 +52,16 @@ def _of_exchanged(places, inertias):
 
 def _of_terms(terms, words):
     name = " ".join(str(s.number) for s in terms)
-    left_out = Words("leaves out {term}: what it stands for counts here", term=words)
-    turned = Words("has {term} with the opposite sign: its sense is the other one", term=words)
-    yield Edit(LESS, computed(f"no terms {name}", left_out), {s.number: 0.0 for s in terms})
-    yield Edit(LEAST, computed(f"turned {name}", turned), {s.number: ("neg", s) for s in terms})
+    left_out = Words("leaves out {term}: it matters here", term=words)
+    turned = Words("has {term} with the opposite sign: it points the other way", term=words)
+    cause = computed(f"no terms {name}", left_out, "", LEFT_OUT, words)
+    yield Edit(LESS, cause, {s.number: 0.0 for s in terms})
+    cause = computed(f"turned {name}", turned, "", REVERSED, words)
+    yield Edit(LEAST, cause, {s.number: ("neg", s) for s in terms})
 
 
 def _sums(s, users):
-    """The number of sums of which a step is a term, times a number; 0 if it is anything else."""
+    """The number of sums of which a step, times a number, is a term; 0 if it is anything else."""
     count = 0
     for user in users[s]:
         scaled = user.op in PRODUCT and user.args[0] is s and not isinstance(user.args[1], Step)
@@ -71,7 +73,7 @@ def _sums(s, users):
 
 
 def _shape(s, units):
-    """What terms have in common that differ by givens of one unit; None of any other."""
+    """The shape that terms share if they differ by givens of one unit; None of any other."""
     product = Product(s)
     factors = [(units.get(x.args[0]) if x.op == "argument" else x.op, p)
                for x, p in product.powers.items()]  # fmt: skip

@@ -1,5 +1,5 @@
 """Slips in single operations: a sign, a term, a factor, a square, sine for cosine. Each is (rank,
-kind, words, its replacement).
+kind, words, replacement), and of terms what it does, and to which.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -11,13 +11,12 @@ from typing import Any
 from ..algebra.language import Words
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
-from .causes import Cause, computed
-from .edits_of_givens import LENGTH, NO_FIT, NOT_ONE
+from .causes import LEFT_OUT, RESCALED, REVERSED, computed
+from .edits_of_givens import LENGTH, NO_FIT, NOT_ONE, Slip
 from .edits_of_groups import neighbours
 from .formulas import LEAST, LESS, RARER, SIMPLE, Edit, needed
 from .typed import Product, described, is_given, typed
 
-Slip = tuple[int, str, str | Cause, Any]
 UNNAMED = Words("one term of a sum")
 AREA, INERTIA, ENERGY = Dimension(0, 2), Dimension(1, 2), Dimension(1, 2, -2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
@@ -30,7 +29,7 @@ RATIOS = {
     1: Words("does not square {ratio}{of}: the formula does").template,
 }
 RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
-CONE = Fraction(3, 10)  # for which others are taken, but not it for them
+CONE = Fraction(3, 10)  # others are taken for it, but it is not taken for them
 BODIES = {
     Fraction(1): Words("a ring"), Fraction(1, 2): Words("a disk about its axis"),
     Fraction(1, 4): Words("a disk about a diameter"), Fraction(1, 3): Words("a rod about its end"),
@@ -40,7 +39,7 @@ BODIES = {
 
 
 def of_operation(s: Step) -> Iterator[Slip]:
-    """The slips in one operation, products apart."""
+    """The slips in one operation other than a product."""
     yield from _OF.get(s.op, _of_nothing)(s)
 
 
@@ -52,7 +51,7 @@ def _of_sum(s):
     a, b = s.args
     minus = s.op == "-"
     if minus and a is b:
-        return  # what is zero for every student
+        return  # zero for every student
     signs = (
         Words("one of the two terms there is subtracted")
         if minus
@@ -64,22 +63,24 @@ def _of_sum(s):
         (b, a, ("+" if minus else "-", a, b)),
     ):
         several = isinstance(term, Step) and term.op in ("+", "-")
-        rank, what = LESS if several else SIMPLE, _term(term, s)
+        rank, name = LESS if several else SIMPLE, _term(term, s)
+        what = name or UNNAMED
         varies = is_given(term)
         turning = rank if varies else LESS
         words = Words("has {term} with the opposite sign: {why}", term=what, why=signs)
-        if a is not b:  # of two equal ones, with one turned nothing is left
-            yield turning, "sign", words, turned
-        yield rank, "term", Words("leaves out {term}: it is not zero here", term=what), left
+        if a is not b:  # of two equal terms nothing is left if one is reversed
+            yield turning, "sign", words, turned, REVERSED, name
+        words = Words("leaves out {term}: it is not zero here", term=what)
+        yield rank, "term", words, left, LEFT_OUT, name
         doubles = Words("doubles {term}: it counts once", term=what)
         halves = Words("halves {term}: it counts in full", term=what)
         kinds = (2.0, "doubles", doubles), (0.5, "halves", halves)
         for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
-            yield LESS, kind, words, (s.op, *scaled)
+            yield LESS, kind, words, (s.op, *scaled), RESCALED, name
         for factor in (4, 2, 0.5, 0.25) if not isinstance(term, Step) and term else ():
             words = Words(
-                "takes {other} for {term}: its own number counts",
+                "takes {other} for {term}: look up the number",
                 other=f"{factor * term:g}",
                 term=what,
             )
@@ -93,7 +94,7 @@ def _term(term, whole):
         if around:
             return Words("the {number} of {sum}", number=f"{term:g}", sum=around)
         return Words("the constant term of a sum")
-    return described(term, "the term") or UNNAMED
+    return described(term, "the term")
 
 
 def of_product(
@@ -145,7 +146,7 @@ def of_product(
 
 def _of_ratios(s, product, dimension, of):
     """A ratio of two quantities of one dimension upside down, or not squared: of two factors, or
-    of what a quotient within divides.
+    the two sides of a quotient inside.
     """
     powers = product.powers.items()
     ratios = [(x, y, n) for x, n in powers for y, m in powers if m == -n < 0]
@@ -219,7 +220,7 @@ def _of_power(s):
 def _of_root(s):
     (x,) = s.args
     inside = typed(x) or Words("a sum")
-    words = Words("leaves out the square root of {sum}: its square was found", sum=inside)
+    words = Words("leaves out the square root of {sum}: this is still the square", sum=inside)
     yield SIMPLE, "root", words, x
     squares = _summands(x)
     roots = {y.number: ("/", y, r) for y in squares if isinstance(y, Step) and (r := _number_in(y))}
@@ -238,8 +239,8 @@ def _of_root(s):
 
 
 def _of_components(squares):
-    """The size of a vector by its components as numbers, or by no squares, or by squares of sums in
-    which each term is squared by itself.
+    """The size of a vector with its components added as numbers, not squared, or, where they are
+    sums, squared term by term.
     """
 
     def total(parts):
@@ -334,15 +335,15 @@ def of_moment(s: Step, dimension: Callable[[Step], Dimension | None]) -> Iterato
     if s.op not in PRODUCT or whole is None or not product.is_exact:
         return
     own, powers = product.coefficient, product.powers
-    # of an energy the half of a moment of inertia, of a body of this diameter four times it
+    # an energy has half a moment of inertia; a diameter for the radius gives four times it
     turns = whole != ENERGY or LENGTH in map(dimension, powers)  # m*v^2/2 is of no body
     for n in {INERTIA: (1, 4), AREA: (1,), ENERGY: (2,)}.get(whole, ()) if turns else ():
         yield from _of_body(s, own * n, n, whole)
 
 
 def _of_body(s, own, times, dimension):
-    """The factor of another body in a moment of inertia; a mass times a square may be that of a
-    particle, or of a transfer.
+    """The factor of another body in a moment of inertia; a bare mass times a square may belong to a
+    particle, or to the parallel-axis theorem.
     """
     of_rod = own in RODS and times < 4
     if not of_rod and (own not in {*BODIES, CONE} or dimension == AREA or own == 1 == times):

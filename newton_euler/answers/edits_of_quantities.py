@@ -10,29 +10,28 @@ from typing import Any
 from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
-from .causes import computed
-from .edits_of_givens import LENGTH, MASS
+from .causes import FACTOR_2, LEFT_OUT, computed
+from .edits_of_givens import LENGTH, MASS, DimensionOf
 from .edits_of_operations import parts_of
 from .formulas import LEAST, LESS, RARER, Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, repeats, terms_of, typed
 
-DimensionOf = Callable[[Step], Dimension | None]
 Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
 SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
-SCALED = {
-    -1.0: Words("takes {quantity} with the opposite sign: its sense is the other one").template,
-    2.0: Words("doubles {quantity}, or has a 2 too many beside it: it counts once").template,
-    0.5: Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full").template,
-    0.0: Words("leaves out {quantity}: it is not zero here").template,
-}
+TIMES = (
+    (-1.0, "", Words("takes {quantity} with the opposite sign: it points the other way")),
+    (2.0, FACTOR_2, Words("doubles {quantity}, or has a 2 too many beside it: it counts once")),
+    (0.5, FACTOR_2, Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full")),
+    (0.0, LEFT_OUT, Words("leaves out {quantity}: it is not zero here")),
+)
 
 
 def of_quantities(
     answers: Mapping[str, Traced], stages: Sequence[Stage], steps: Sequence[Step], of: DimensionOf
 ) -> Iterator[Edit]:
-    """Quantities on the way and answers from which others are computed: one for another, twice or
-    half of one, its opposite, none.
+    """Intermediate quantities, and answers from which others are computed: one for another, twice
+    or half of one, reversed, left out.
     """
     users = users_of(steps)
     named = [(s.means, [*map(_plain, s.parts)]) for s in stages if s.means]
@@ -41,8 +40,9 @@ def of_quantities(
         own = {x.number: x for x, _ in parts if isinstance(x, Step) and x.op != "argument"}
         if not any(users.get(x) for x in own.values()):
             continue
-        for factor, text in SCALED.items():
-            cause = computed(f"{factor} times {[*own]}", Words(text, quantity=words))
+        for factor, does, text in TIMES:
+            said = Words(text.template, quantity=words)
+            cause = computed(f"{factor} times {[*own]}", said, "", does, words)
             rank = LESS if factor or words in answers else RARER
             yield Edit(rank, cause, {n: ("*", x, factor) for n, x in own.items()})
         for other, instead in named if len(own) == len(parts) else ():
@@ -92,8 +92,8 @@ def _times(a, b, sign):
 
 
 def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
-    """Vectors each of whose components is a difference of two products: added, or that of the
-    middle one the other way round.
+    """Cross products, whose components are differences of two products: the products added, or the
+    middle component reversed.
     """
     for words, parts in named:
         if len(parts) != 3 or not all(isinstance(x, Step) and x.op == "-" for x in parts):
@@ -107,11 +107,19 @@ def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
             LESS, computed(f"added {name}", added), {x.number: ("+", *x.args) for x in parts}
         )
         yield Edit(LESS, computed(f"middle {name}", middle), {y.number: ("neg", y)})
+        products = [x.args[0] for x in parts]
+        if all(isinstance(x, Step) and x.op == "*" for x in products):
+            (a2, b3), (a3, b1), (a1, b2) = (x.args for x in products)
+            pairs = zip(parts, (a1, a2, a3), (b1, b2, b3), strict=True)
+            alone = Words("multiplies the components of {quantity} in pairs: "
+                          "a cross product is a vector of differences", quantity=words)  # fmt: skip
+            instead = {x.number: ("*", a, b) for x, a, b in pairs}
+            yield Edit(LESS, computed(f"pairs {name}", alone), instead)
 
 
 def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
-    """The square of a sum term by term."""
-    squared = {s: s.args[0] for s in steps if s.op == "*" and s.args[0] is s.args[1]}
+    """The square of a sum, taken term by term."""
+    squared = {s: s.args[0] for s in steps if _is_square(s)}
     for s, x in squared.items():
         named = typed(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
         if named:
@@ -121,6 +129,21 @@ def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
             )
             instead = {s.number: reduce(lambda a, b: ("+", a, b), squares)}
             yield Edit(LESS, computed(f"squares in {s.number}", words), instead)
+
+
+def of_differences_of_squares(steps: Iterable[Step]) -> Iterator[Edit]:
+    """The square of a difference for the difference of two squares."""
+    for s in steps:
+        squares = s.args if s.op == "-" and all(map(_is_square, s.args)) else ()
+        if squares:
+            less = ("-", *(x.args[0] for x in squares))
+            words = Words("squares the difference: the difference of the squares belongs there")
+            cause = computed(f"square of {s.number}", words)
+            yield Edit(LESS, cause, {s.number: ("*", less, less)})
+
+
+def _is_square(x):
+    return isinstance(x, Step) and x.op == "*" and x.args[0] is x.args[1]
 
 
 def _plain(x):
@@ -136,7 +159,7 @@ def _are_alike(one, other, of):
 def of_distances(
     given: Mapping[str, Step], products: Iterable[Step], of: DimensionOf
 ) -> Iterator[Edit]:
-    """Another length of the text, or half of it, for one that is computed, in one product."""
+    """A length of the text, or half of it, in place of a computed one, in one product."""
     lengths: list[tuple[str, Any]] = [(n, s) for n, s in given.items() if of(s) == LENGTH]
     lengths += [(f"{n}/2", ("*", s, 0.5)) for n, s in lengths]
     for s in products:
@@ -152,13 +175,13 @@ def of_distances(
 def of_densities(
     given: Mapping[str, Step], steps: Iterable[Step], of: DimensionOf
 ) -> Iterator[Edit]:
-    """A density for the mass that is computed by it."""
+    """A density in place of the mass that is computed from it."""
     for name, rho in given.items():
         if of(rho) in DENSITIES:
             masses = {s for s in steps if of(s) == MASS and Product(s).powers.get(rho) == 1}
             first = [s for s in masses if not any(a in masses for a in steps_in(s))]
             words = Words(
-                "takes {name} for a mass: times a length, area or volume it is one", name=name
+                "takes {name} for a mass: multiply it by the length, area or volume", name=name
             )
             if first:
                 yield Edit(LESS, computed(f"{name} as mass", words), {s.number: rho for s in first})

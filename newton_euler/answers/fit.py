@@ -9,8 +9,8 @@ from typing import Any
 from .tolerance import DIGITS, NOISE, ROUND_OFF, Point, Points, is_apart
 
 LOOSE, CLOSE, EXACT = 1, 2, 3
-LEAST = 1e-3  # of the whole: by so much any component may be off
-EFFECT = 0.05  # of what a mistake changes: nearer than this is what fits
+LEAST = 1e-3  # of the whole: any component may be off by so much
+EFFECT = 0.05  # of the change by a mistake: a model must be nearer than this to fit
 
 
 class Fit:
@@ -26,7 +26,7 @@ class Fit:
         self.index = next((n for n in points if math.isfinite(own[n])), None)
 
     def near(self, models: Iterable[tuple[Any, Points]]) -> list[tuple[Any, Points]]:
-        """Those of [(cause, points)] that may fit, by one component: nearly all models do not."""
+        """Those of [(cause, points)] that may fit, by one component, which rules nearly all out."""
         if self.index is None:
             return []
         n, given = self.index, self.given[self.index]
@@ -36,8 +36,8 @@ class Fit:
 
     @cached_property
     def rounding(self) -> float:
-        """How much a student may have rounded the answer by; a formula has all its digits. A right
-        component of few digits, such as 3.3, is off by as much as it shows.
+        """How far the student's rounding may have moved the answer; a formula has all its digits. A
+        right component of few digits, such as 3.3, counts by its actual distance.
         """
         if len(self.key) > 1:
             return 0.0
@@ -49,8 +49,8 @@ class Fit:
 
     @cached_property
     def nearest(self) -> float:
-        """The same, of a single number written in three digits at least: as a float, 2.50 has lost
-        its zero.
+        """The same; a single number counts as written in three digits at least: as a float, 2.50
+        has lost its zero.
         """
         x, *others = self.given[0]
         asked = 0.5 * 10.0 ** (math.floor(math.log10(abs(x))) + 1 - DIGITS) if x else 0.0
@@ -67,8 +67,8 @@ class Fit:
         return self.given[self.index], self.key[self.index], self.sizes[self.index]
 
     def __call__(self, numbers: Points, rtol: float | None = None, apart: bool = True) -> int:
-        """``EXACT`` if the model differs by round-off only, ``CLOSE`` if by what the answer was
-        rounded by, ``LOOSE`` if by less than ``rtol`` of its size, 0 if it does not fit.
+        """``EXACT`` if the model differs by round-off only, ``CLOSE`` if by the student's rounding,
+        ``LOOSE`` if by less than ``rtol`` of its size, 0 if it does not fit.
         """
         level = self._near(numbers, self.rtol if rtol is None else rtol)
         return level if level and (not apart or is_apart(numbers, self.key)) else 0
@@ -104,7 +104,7 @@ class Fit:
 
 
 def rounding(point: Sequence[float]) -> float:
-    """How much a student may have rounded this point by: half of the last digits written."""
+    """How far rounding may have moved this point: half of the last digits written."""
     return math.hypot(*(0.5 * 10.0 ** written(x)[1] for x in point if x))
 
 

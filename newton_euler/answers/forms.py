@@ -62,7 +62,7 @@ class Form:
 
     @checked
     def error(self, fault: str, /, **values: object) -> AnswerError:
-        """An :class:`AnswerError` with what was expected, and then the fault, a sentence with its
+        """An :class:`AnswerError` that says what was expected, then the fault, a sentence with its
         values as for :func:`~..algebra.language._`.
         """
         line = " ".join(_(fault, **values).split())

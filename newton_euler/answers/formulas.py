@@ -1,4 +1,4 @@
-"""What a problem computes, traced, and what a slip changes in it."""
+"""The traced computation of a problem, and the edits of it that slips make."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -11,7 +11,7 @@ from ..algebra.trace import Step, Trace
 from ..algebra.units import Dimension, System, Unit
 from .causes import Cause
 
-# how simple a slip is, in pairs: of two that are equally simple the second is made less often
+# ranks, the simplest first; the two of a pair are equally simple, the second is made less often
 FIRST, SIMPLE, RARER, LESS, LEAST = 1, 2, 3, 4, 6
 
 
@@ -27,7 +27,7 @@ class Traced(NamedTuple):
 
 class Stage(NamedTuple):
     """A quantity on the way to the answers: its name, where the book has it, its components, and
-    what it is in words, "the speed of B".
+    its meaning, "the speed of B".
     """
 
     name: str
@@ -75,7 +75,7 @@ def steps_in(s: Step) -> list[Step]:
 
 
 def needed(leaves: Iterable[Any]) -> list[Step]:
-    """The steps that these need, in order."""
+    """The steps that these leaves need, in order."""
     waiting, found = [x for x in leaves if isinstance(x, Step)], dict[int, Step]()
     while waiting:
         s = waiting.pop()
@@ -86,7 +86,7 @@ def needed(leaves: Iterable[Any]) -> list[Step]:
 
 
 def with_arguments(leaves: Iterable[Any], names: Mapping[int, str]) -> list[Any]:
-    """The same in a trace of its own, where the steps of these numbers are arguments."""
+    """The leaves in a trace of their own, in which the steps with these numbers are arguments."""
     leaves, trace, found = [*leaves], Trace(), dict[int, Any]()
 
     def now(x):

@@ -1,14 +1,15 @@
-"""Which of the components of a vector counts that came along the axes of several frames.
+"""Which components of a vector count if it was given along the axes of several frames.
 
-A student may make any frames. If any components that are right earned the points, frames turned by
-half a turn would be four guesses in one answer. One vector is one guess: its components in the
-ground are the answer, as its frames convert them; those in another frame are where the rest is the
+A student may make any frames. If any right components earned the points, frames turned by half a
+turn would be four guesses in one answer. One vector is one guess: its components in the ground, as
+its frames convert them, are the answer; those in another frame count only where the rest is the
 same right vector along other axes.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
+from .causes import Cause
 from .kinds import Kind
 from .tolerance import Points
 
@@ -27,36 +28,46 @@ class Toleranced(Protocol):
 
 
 def counted(
-    readings: Sequence[Points], key: Points, asked: Toleranced, axes: Iterable[tuple[int, Points]]
+    readings: Sequence[Points],
+    key: Points,
+    asked: Toleranced,
+    wrong: Callable[[], Sequence[tuple[Cause, Points]]],
 ) -> Points | None:
     """The right one of the readings of an answer, or None.
 
-    axes : [(place, key)] of the right vector along the axes of the problem's other frames, of which
-        the ground has the place 0
+    wrong : returns [(cause, points)] of the wrong models, which most right answers do not need: of
+        the group "axes", the right vector along the axes of the problem's other frames, of which
+        the ground is named "0"
     """
     right = [asked.kind.is_right(r, key, asked.atol, asked.rtol) for r in readings]
     if True not in right or len(readings) == 1:
         return readings[0] if right == [True] else None
-    if right[GROUND] or _is_one_guess(readings, right, key, asked, dict(axes)):
+    if right[GROUND] or _is_one_guess(readings, right, key, asked, wrong()):
         return readings[right.index(True)]
     return None
 
 
-def _is_one_guess(readings, right, key, asked, axes):
-    """True if all that is not the key is the right vector along axes that the problem has, or,
-    where it does not say how its axes lie in the ground, the student may have chosen those of the
-    ground.
+def _is_one_guess(readings, right, key, asked, wrong):
+    """True if each reading that is not the key is the right vector along axes of the problem, or,
+    as long as the problem leaves the axes of the ground open, may be along axes that the student
+    chose, which a known mistake is not.
     """
-    free = not axes or 0 in axes  # else the axes are those of the ground
+    axes = {cause.name: points for cause, points in wrong if cause.group == "axes"}
+    free = not axes or "0" in axes  # else the axes are those of the ground
+
+    def is_among(r, models):
+        return any(asked.kind.is_right(r, points, asked.atol, asked.rtol) for points in models)
+
+    mistakes = [points for cause, points in wrong if cause.group != "axes"]
     return all(
-        any(asked.kind.is_right(r, points, asked.atol, asked.rtol) for points in axes.values())
-        or (free and (right[0] or place == GROUND)
-            and not asked.kind.is_right(_sizes(r), _sizes(key), asked.atol, asked.rtol))
+        is_among(r, axes.values())
+        or (free and (right[0] or place == GROUND) and not is_among(r, mistakes)
+            and not is_among(_sizes(r), [_sizes(key)]))
         for place, r in enumerate(readings)
         if not right[place]
     )  # fmt: skip
 
 
 def _sizes(points):
-    """The components without sign and order: those of two guesses at the axes are the same."""
+    """The components without sign and order, which are the same for two guesses at the axes."""
     return tuple(tuple(sorted(map(abs, point))) for point in points)

@@ -1,5 +1,5 @@
-"""With which numbers an answer was computed: problems share names such as ``omega``, and cells may
-run in any order. From the first call of ``given``, which ends a problem's cell of numbers,
+"""The numbers with which an answer was computed: problems share names such as ``omega``, and cells
+may run in any order. From the first call of ``given``, which ends a problem's cell of numbers,
 IPython's cells are watched: when a name gets a value, the given names at the start of that cell are
 remembered.
 """
@@ -59,8 +59,8 @@ class Watch:
     before: dict = field(default_factory=dict)
     # {name: (the given names at the start of the cell in which it got its value, that cell)}
     computed: dict = field(default_factory=dict)
-    # the names that a cell sets which has ended in an error since, and the problem whose receipt
-    # has read the value that a name has
+    # the names whose cell has ended in an error since, and the problem whose receipt has read the
+    # present value of a name
     failed: set = field(default_factory=set)
     read: dict = field(default_factory=dict)
 
@@ -92,7 +92,7 @@ class Watch:
 
 
 def _cell_of(result):
-    """What identifies a cell, also after it was edited, where the front end says it."""
+    """The identity of a cell; it survives edits where the front end sends an id."""
     info = result.info
     return getattr(info, "cell_id", None) or getattr(info, "raw_cell", None)
 

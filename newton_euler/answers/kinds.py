@@ -24,14 +24,14 @@ from .tolerance import Point, Points, distance, formula_is_near, is_near
 from .trees import TreeError
 from .values import components, read_number
 
-MOST = 10**15  # things that are counted; JSON has no place for thousands of digits
+MOST = 10**15  # the largest count; JSON has no place for thousands of digits
 FRAMES = 4  # in which a vector is read: its own, the ground, and two between
 
 
 class Kind:
-    """A kind of answer; what it says here holds for answers that are numbers. An answer to be
-    compared is a tuple of points (one for each place at which formulas are compared), a point of
-    components.
+    """A kind of answer; this base class holds for answers that are numbers. An answer to be
+    compared is a tuple of points (one for each place at which formulas are compared), each a tuple
+    of components.
     """
 
     name: ClassVar[str]
@@ -88,9 +88,9 @@ class Kind:
     def readings(
         self, tree: Any, form: Stated, symbols: Mapping[str, Any], budget: Budget
     ) -> list[Points]:
-        """What an answer in JSON may mean: of a vector that is given in several frames, its
-        components in each, of which :func:`~.frames.counted` finds those that count; none of
-        something that is not of this kind. Raises :class:`~.trees.TreeError`.
+        """The readings of an answer in JSON: for a vector that is given in several frames, its
+        components in each, of which :func:`~.frames.counted` finds those that count; [] for
+        anything not of this kind. Raises :class:`~.trees.TreeError`.
 
         symbols : {name: array of the points at which formulas are compared}
         """
@@ -119,7 +119,7 @@ class Kind:
         return max(math.hypot(*point) for point in points) <= atol
 
     def like(self, points: Points, others: Points) -> Points:
-        """Of all points that mean the same answer, those nearest to ``others``."""
+        """The points nearest to ``others`` of all that mean the same answer."""
         return points
 
     def sealed(self, point: Point) -> list[Point]:
@@ -151,7 +151,7 @@ class Kind:
         return NEAR_IN_FEW_DIGITS if most_digits(given[0]) < tolerance.DIGITS else NEAR
 
     def _in_part(self, given, key):
-        """That some components are right, if any is that is not zero."""
+        """The remark that some components are right, if one of these is not zero."""
         near = [self.rtol * math.hypot(*k) for k in key]
         triples = [*zip(given, key, near, strict=True)]
         places = range(self.length)
@@ -223,7 +223,7 @@ class VectorKind(Kind):
                 tree = self._read(list(vector.components(frame)), vector, form, symbols, budget)
             except (NewtonEulerError, ArithmeticError) as error:
                 faults.append(error)
-                budget[0] = left  # what is not read takes nothing from the rest
+                budget[0] = left  # a frame that is not read uses no budget
                 continue
             if tree not in found.values() or frame.parent is None:
                 found[_distinct(frame.name, found)] = tree
@@ -249,7 +249,7 @@ class VectorKind(Kind):
         return slips.of_vector(fit)
 
     def observed(self, given, key):
-        """As for a kind, or that the size alone, or some components, are right."""
+        """As for a kind; or the remark that only the size, or some components, are right."""
         if seen := super().observed(given, key):
             return seen
         fit, size = Fit(given, key, self.rtol), math.hypot(*key[0])
@@ -388,7 +388,7 @@ class _Formula(Kind):
         return slips.PURE | (slips.ANGLES if unit_of(unit).is_of_angle else {})
 
     def observed(self, given, key):
-        """That its symbols are right and a number is not, or that some components are right."""
+        """The remark that only a number is wrong, or that some components are right."""
         pairs = zip(chain(*given), chain(*key), strict=True)
         ratios = [x / k if k else math.inf for x, k in pairs if k or x]
         first = next((x for x in ratios if math.isfinite(x)), 0.0)
@@ -430,7 +430,7 @@ class MatrixExpression(_Formula, Matrix):
 
 
 class _Word(Kind):
-    """An answer that is right or wrong, and nothing between."""
+    """An answer that is right or wrong, nothing between."""
 
     is_word = True
     has_size = False

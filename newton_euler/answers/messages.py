@@ -16,7 +16,7 @@ class SpokenError(NewtonEulerError, ValueError):
 
 
 class AnswerError(SpokenError):
-    """An answer that cannot be read. The message has what was expected, what came, what to do."""
+    """An answer that cannot be read. The message says what was expected, what came, what to do."""
 
     def _render_traceback_(self) -> list[str]:
         """What IPython shows: the message alone, in lines that nbgrader's Validate does not cut."""

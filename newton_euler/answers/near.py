@@ -1,4 +1,4 @@
-"""Which slips a wrong answer meets more closely than by chance.
+"""The slips that a wrong answer meets more closely than by chance.
 
 **The test.** A slip is at a distance ``gap`` from an answer, no less than what the answer was
 rounded by. Of the slips that are as simple or simpler, ``n`` are within a quarter of the size of
@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..algebra.late import np
-from .causes import Cause, in_components, is_two
+from .causes import FACTOR_2, Cause, in_components
 from .fit import Fit, rounding, written
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
@@ -22,10 +22,10 @@ AROUND = 0.25  # of the size of an answer: where slips are counted
 ROUNDED = 1e-5  # of a number in a formula that was written in five digits
 CHANCE = 0.01  # by which a random answer may meet a slip that is named, where slips are many
 CHANCE_ROUNDED = 0.0005  # the same where it differs by more than the digits written
-CHANCE_MET = 0.05  # the same where few digits are all that the slip's own number has
+CHANCE_MET = 0.05  # the same where the slip's own number has few digits
 CHANCE_ZEROS = 0.0004  # the same where it is met in more digits than were written: 2.81 is 2.8100
-CHANCE_IN_ONE = 0.1  # the share of it where a slip is looked for in the wrong components alone
-ALIKE = 0.01  # of the ratio of a component to its right value: so far from that of the others
+CHANCE_IN_ONE = 0.1  # the share of it for a slip in the wrong components alone
+ALIKE = 0.01  # relative: components have one ratio to their right values if they differ by less
 CHANCE_BESIDE = 0.015  # the same where some of its components are right
 
 
@@ -54,8 +54,8 @@ class Ranked:
 
 
 class Singles(NamedTuple):
-    """Slips, each with how simple it is, and what they make of an answer at a point, an array
-    (slips, components); ``of_symbols``: no number is given in what it is computed from.
+    """Slips, each with its level, and the answer with each of them at a point, an array (slips,
+    components); ``of_symbols``: the answer is computed from symbols alone.
     """
 
     causes: Sequence[tuple[int, Cause]] = ()
@@ -67,7 +67,7 @@ NO_SINGLES = Singles()
 
 
 class Slips:
-    """What slips make of the answers of a student; of this class itself, none."""
+    """The answers of a student with slips in them; of this class itself, none."""
 
     def ranked(self, key: str) -> Ranked | None:
         """The slips in an answer; None of an answer without slips."""
@@ -78,19 +78,19 @@ class Slips:
         return 1
 
     def at(self, key: str, point: int) -> Any:
-        """What such an answer is with each slip at a point: an array (slips, components), or of
-        numbers a list of rows.
+        """The answer with each slip at a point: an array (slips, components), or of numbers a list
+        of rows.
         """
         return []
 
     def of(self, key: str, cause: Cause) -> list[Points]:
-        """What the slips of this cause make of an answer; none if it is no slip of this kind."""
+        """The answers with the slips of this cause; [] if it is no slip of this kind."""
         ranked = self.ranked(key)
         places = ranked.places.get(cause, ()) if ranked else ()
         return [self._points(key, n) for n in places]
 
     def singles(self, key: str, most: int) -> Singles:
-        """The slips in an answer that are so simple, of which pairs are tried."""
+        """The slips in an answer of rank ``most`` or less, to be tried in pairs."""
         ranked = self.ranked(key)
         places, causes = ranked.simple(most) if ranked else ([], [])
         if not places:
@@ -132,7 +132,7 @@ class Slips:
             (level // 2, in_components(cause, wrong), _mixed(self._points(key, n), fit.key, right))
             for n in _near(mixed, fit, kind, ranked, CHANCE_IN_ONE)
             for level, cause in (ranked.slips[n],)
-            if not is_two(cause)  # said as a factor of these components
+            if cause.does != FACTOR_2  # named as a factor of these components
         ]
 
     def _points(self, key, place):
@@ -168,8 +168,8 @@ def _mixed(points, key, right):
 
 
 def _formulas_near(rows, fit, ranked, allowed):
-    """Of formulas: those near at the first point where the key has a value; few are, by chance,
-    with the digits that were written.
+    """For formulas: the places of the slips near the answer at the first point where the key has a
+    value, if so few are by chance with the digits that were written.
     """
     given, key = fit.given[fit.index], fit.key[fit.index]
     size = math.hypot(*given)
@@ -238,7 +238,7 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
     is_multiple = _is_multiple(given, key, off)
     few = _in_few_digits(rows, around, given, off)
     beside = CHANCE_BESIDE if allowed == 1 else allowed * CHANCE
-    loosely = CHANCE_ROUNDED / CHANCE  # by so much less, where it is not met as it was written
+    loosely = CHANCE_ROUNDED / CHANCE  # share of it where the digits written are not met
     found = []
     for n in filter(around.__contains__, close):
         # an answer met exactly in few digits, such as 7.1, is compared with slips of as few digits
@@ -270,8 +270,8 @@ def _in_few_digits(rows, places, given, off):
 
 
 def _within(most, rows, given):
-    """The places of the rows that are so near to what was given, and how far each is; of an array
-    whose first components are not near, no gaps.
+    """The places of the rows within ``most`` of the answer, and the distance of each row; no
+    distances for an array none of whose first components is near.
     """
     if isinstance(rows, list):
         gaps = [math.dist(row, given) for row in rows]

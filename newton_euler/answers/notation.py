@@ -4,6 +4,7 @@ notebook: ``b_dot`` is an ASCII name, and b with a dot is what a reader sees.
 
 import re
 from collections.abc import Iterable, Mapping
+from decimal import ROUND_HALF_UP, Context
 from functools import lru_cache
 from typing import Any
 
@@ -14,6 +15,7 @@ GREEK = {
     "Omega": "Ω", "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Sigma": "Σ",
     "Phi": "Φ", "Psi": "Ψ",
 }  # fmt: skip
+_SIX = Context(prec=6, rounding=ROUND_HALF_UP)
 _SHORT = {"lam": "lambda", "gam": "gamma", "th": "theta", "eps": "epsilon"}  # "lambda" is a keyword
 _LETTER = rf"[A-Za-z]|{'|'.join((*GREEK, *_SHORT))}"
 _DOTS = {"dot": r"\dot", "ddot": r"\ddot", "rate": r"\dot"}
@@ -116,13 +118,22 @@ def bare_unit(unit: str) -> str:
     )
 
 
+def six_digits(x: float) -> str:
+    """A number with six significant digits, a final 5 rounded up whatever the round-off.
+
+    >>> six_digits(32.99925), six_digits(-32.99925 + 1e-14), six_digits(-0.0)
+    ('32.9993', '-32.9993', '0')
+    """
+    return f"{float(_SIX.create_decimal(f'{x:.13g}')) + 0.0:.6g}"
+
+
 def number_symbol(x: float) -> str:
     r"""The LaTeX of a number, floats with six significant digits.
 
     >>> number_symbol(0.6), number_symbol(3), number_symbol(-1.5e-7)
     ('0.6', '3', '-1.5 \\times 10^{-7}')
     """
-    text = f"{x + 0.0:.6g}" if isinstance(x, float) else str(x)  # no -0
+    text = six_digits(x) if isinstance(x, float) else str(x)
     digits, _, power = text.partition("e")
     return rf"{digits} \times 10^{{{int(power)}}}" if power else digits
 

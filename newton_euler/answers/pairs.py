@@ -13,14 +13,13 @@ from functools import cached_property
 from itertools import chain
 from typing import Any
 
-from ..algebra.language import spoken
 from ..algebra.late import is_here, np
 from .causes import (
     INVERTED,
+    LEFT_OUT,
     OPPOSITE_NUMBER,
     Cause,
     both,
-    left_out,
     multiple_of,
     multiplied,
 )
@@ -64,8 +63,8 @@ def of_two(
 
 
 class _Pairs:
-    """The pairs that an answer meets; each row of ``rows`` is what a single mistake makes of it, of
-    which the first ``own`` are the problem's own and a factor of 2, and the last the opposite sign.
+    """The pairs that an answer meets. Each of the ``rows`` is the answer with a single mistake: the
+    first ``own`` are the problem's own mistakes and a factor of 2, the last the opposite sign.
     """
 
     def __init__(self, fit, kind, own, slips):
@@ -91,7 +90,7 @@ class _Pairs:
         return key, np.concatenate((own, (2 * key, key / 2), slips, (-key,)))
 
     def fitting(self) -> Iterator[tuple[int, tuple[Cause, Cause]]]:
-        """(how simple, the two causes) of each pair that is met."""
+        """(level, the two causes) of each pair that is met."""
         with np.errstate(all="ignore"):
             for i, j in [*self._near()]:
                 (n, first), (m, second) = self.causes[i], self.causes[j]
@@ -112,8 +111,8 @@ class _Pairs:
         usable = np.isfinite(rows).all(axis=1) & rows.any(axis=1) & ~undoes
         usable &= (abs(rows - key) > NOISE * size).any(axis=1)
         last = len(rows) - 1
-        # a second mistake says nothing about a first one without a name
-        usable &= [spoken(UNNAMED) not in c.what for _, c in self.causes]
+        # a pair says nothing if its first mistake has no name
+        usable &= [bool(c.of or not c.does) for _, c in self.causes]
         usable[last] = len(key) == off.sum() or not key[~off].any()
         ratio = given[off] / key[off]
         alike = ratio.all() and np.ptp(ratio) <= 0.01 * abs(ratio).max()
@@ -157,7 +156,7 @@ class _Pairs:
         return int(reverses.argmax()) if reverses.any() else None
 
     def _is_met_in_one(self, rows, key, given, near):
-        """False if no pair gives the largest component of the key, as for most answers."""
+        """False if no pair gives the component that is largest in the key, as for most answers."""
         at = abs(key).argmax()
         x, k, y = rows[:, at], float(key[at]), float(given[at])
         own = x[[*range(self.own), -1]][:, None]
@@ -171,7 +170,7 @@ class _Pairs:
         return (_added, _multiplied, *[_under_a_root] * (self.kind.length == 1))
 
     def _is_named(self, i, j, op):
-        """True of what is not met by two mere factors, and of a formula at all points."""
+        """True of a pair that is not two mere factors, and holds at all points of a formula."""
         by_sign, of_formula = j == len(self.causes) - 1, self.kind.is_formula
         if op is _added:
             key, rows = self.at(self.fit.index)
@@ -213,10 +212,10 @@ class _Pairs:
         first, *ratios = [x / k for x, k in pairs if k] or [0.0]
         if all(abs(x - first) <= 0.01 * abs(first) for x in ratios):
             return ()  # a single number, or the whole is multiplied
-        terms = [(n, k, x) for k, (n, c) in enumerate(self.causes) if (x := left_out(c))]
+        terms = [(k, c.of) for k, (_, c) in enumerate(self.causes) if c.does == LEFT_OUT]
         if not terms or not NOISE * self.fit.first[2] < size < math.inf:
             return ()
-        places, near = [k for _, k, _ in terms], max(self.exactly * size, self.fit.rounding)
+        places, near = [k for k, _ in terms], max(self.exactly * size, self.fit.rounding)
         for last in (1, len(points)) if len(points) > 1 else (0,):
             keys, rows = zip(*(self.at(n) for n in points[: last + 1]), strict=True)
             key, off = np.concatenate(keys), np.concatenate(self.fit.given[: last + 1])
@@ -232,7 +231,7 @@ class _Pairs:
         chance = len(places) * (near / (AROUND * abs(off).max())) ** (shown - 1.0)
         is_met &= chance <= CHANCE
         largest = np.where(is_met, abs(changed).max(axis=1), 0).argmax()
-        return (multiple_of(terms[largest][-1]),) if is_met.any() else ()
+        return (multiple_of(terms[largest][1] or UNNAMED),) if is_met.any() else ()
 
     def _upside_down(self):
         if self.of_symbols and self.kind.length == 1:

@@ -1,5 +1,5 @@
-"""What a traced computation gives with one slip in it, for all slips at once: each step has a row
-with its value by each slip, where one reaches it. Written once as text, as formulas are.
+"""A traced computation with one slip in it, for all slips at once: each step that a slip reaches
+has a row with its value under each. Written once as text, as formulas are.
 """
 
 import math

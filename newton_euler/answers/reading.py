@@ -1,5 +1,5 @@
 """Reads the components of an answer out of the JSON of a receipt, in a bounded time: the bounds
-count operations, not seconds, to be the same on every machine. What is no answer raises
+count operations, not seconds, to be the same on every machine. Anything but an answer raises
 :class:`TreeError`.
 """
 
@@ -24,7 +24,7 @@ def _finite(x):
     if isinstance(x, int) and x.bit_length() > 1000:
         raise TreeError("a number is too large")
     if not math.isfinite(x):
-        raise TreeError("got {x}, which is no number", x=x)
+        raise TreeError("got {x}, which is not a number", x=x)
     return float(x)
 
 

@@ -37,7 +37,7 @@ def expect(
     symbols, notation : maps the symbols of formulas to their units, and names to LaTeX where
         :func:`~newton_euler.answers.notation.symbol` would print another symbol
     sane : maps answers to what any answer must be, see :func:`~newton_euler.answers.sanity.doubts`;
-        a receipt warns of one that is not; False: it warns of none, as in exams
+        a receipt warns of one that is not; False: no warnings, as in exams
 
     >>> expect("0/1", v="vector, mm/s")
     >>> expect("0/2", {"r": "m", "omega": "rad/s"}, v="expression, m/s")
@@ -78,10 +78,12 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
 
 
 def _asked(problem, answers):
-    """What is known of a problem; refuses answers that it does not ask for."""
+    """The forms, symbols, notation and conditions of a problem; refuses answers that it does not
+    ask for.
+    """
     if problem not in _expected:
         raise AnswerError(
-            "nothing is known of problem {problem}; run the cells of the notebook from the top",
+            "problem {problem} has not been announced; run the cells of the notebook from the top",
             problem=repr(problem),
         )
     forms = _expected[problem][0]
@@ -94,10 +96,10 @@ def _asked(problem, answers):
 
 
 def _refuse_in(execution, problem, blank):
-    """Refuses what is open where nbgrader validates, and its own grading."""
+    """Refuse open answers where nbgrader validates, and refuse its own grading."""
     if execution == "validate" and blank:
         raise OpenAnswer(
-            "{problem}: no answer yet for {blank}; what stays open costs its points",
+            "{problem}: no answer yet for {blank}; an open answer earns no points",
                 problem=problem, blank=blank
         )  # fmt: skip
     if execution == "autograde":
@@ -109,14 +111,14 @@ def _refuse_in(execution, problem, blank):
 
 
 def _checked(sealed, forms, read):
-    """{answer: its check} of those that have a seal."""
+    """{answer: its check} of the answers that have a seal."""
     given = {k: seal for k, seal in sealed.items() if k in forms and read.get(k) is not None}
     found = {k: check(seal, forms[k].kind, read[k]) for k, seal in given.items()}
     return {k: outcome for k, outcome in found.items() if outcome}
 
 
 def _doubted(forms, read, symbols, sane):
-    """{answer: why it is impossible} of those that are."""
+    """{answer: why it is impossible} of the impossible answers."""
     beside = {k: (form, read.get(k)) for k, form in forms.items()}
     found = {
         k: doubts(form, read.get(k), symbols, sane.get(k), beside) for k, form in forms.items()
@@ -131,11 +133,11 @@ def _blank(forms, read):
 
 @dataclass(frozen=True, repr=False)
 class Receipt:
-    """The answers to one problem as they were read; ``json`` is the record, ``warning`` says where
-    they were computed with the numbers of another problem, ``notation`` is the LaTeX of names that
-    do not say how they are printed, ``doubted`` says why answers are impossible, whatever the key
-    (None: nothing is doubted, not even the unit of a formula),
-    ``checks`` whether they are right, where the instructor lets a receipt know.
+    """The answers to one problem as they were read; ``json`` is the record, ``warning`` names
+    answers that were computed with the numbers of another problem, ``notation`` is the LaTeX of
+    names that are printed otherwise than they read, ``doubted`` has the reasons why answers are
+    impossible, whatever the key (None: nothing is doubted, not even the unit of a formula),
+    ``checks`` whether they are right, where the instructor lets a receipt check it.
     """
 
     problem: str

@@ -24,12 +24,12 @@ def doubts(
     sane: Any,
     beside: Mapping[str, tuple[Form, Any]] | None = None,
 ) -> list[str]:
-    """What makes an answer, the ``tree`` as it was read, impossible, in sentences.
+    """Sentences on why an answer, the ``tree`` as it was read, is impossible; [] if it is not.
 
     symbols : {name: unit} of formulas
-    sane : None, or what the answer must be for whatever numbers the problem may give: ``(low,
-        high)``, between which its size is, :data:`KINETIC`, :data:`MAGNITUDE`, "magnitude of v",
-        or ``(low, high, "magnitude of v")``
+    sane : None, or a condition that holds for all numbers the problem may give: ``(low, high)``,
+        between which its size is, :data:`KINETIC`, :data:`MAGNITUDE`, "magnitude of v", or ``(low,
+        high, "magnitude of v")``
     beside : {name: (form, tree)} of the other answers
     """
     points = _points(form, tree, symbols)
@@ -54,7 +54,7 @@ def doubts(
 
 
 def _points(form, tree, symbols):
-    """The components at some points of the symbols; [] of a word, and of what has no value."""
+    """The components at some points of the symbols; [] for a word, and without a value."""
     if form.kind.is_word or tree is None:
         return []
     trees = form.kind.parts(next(iter(tree.values())) if isinstance(tree, dict) else tree)
@@ -65,7 +65,7 @@ def _points(form, tree, symbols):
 
 
 def _magnitude(points, form, name, other, symbols):
-    """Whether a magnitude is that of the vector beside it."""
+    """Why a magnitude is not that of the vector beside it, if so."""
     vectors = _points(*other, symbols) if other else []
     for (x,), vector in zip(points, vectors, strict=False):
         if abs(x - (size := math.hypot(*vector))) > 2 * RTOL * max(abs(x), size):
@@ -98,13 +98,13 @@ def _size(parts, form, low, high):
         }  # fmt: skip
         yield (
             _(
-                "its size is {size}, and with whatever numbers is between {low} and {high}: look "
-                "at the units",
+                "its size is {size}, but with any numbers it is between {low} and {high}: check "
+                "the units",
                 **what,
             )
             if len(parts) > 1
             else _(
-                "it is {size}, and with whatever numbers is between {low} and {high}: look at the "
+                "it is {size}, but with any numbers it is between {low} and {high}: check the "
                 "units",
                 **what,
             )
@@ -119,7 +119,7 @@ def _is_inertia(text):
 
 
 def _inertia(points, whole):
-    """What no body can have; of formulas only the symmetry, which holds for all symbols."""
+    """Why no body can have this matrix; of formulas only the symmetry, valid for all symbols."""
     scales = [max(map(abs, point)) for point in points]
     across = ((1, 3), (2, 6), (5, 7))
     if any(
@@ -133,7 +133,7 @@ def _inertia(points, whole):
         return
     point, spread = points[0], sum(points[0][::4]) * (1 + ROOM) / (2 + ROOM)
     if not _is_positive(point, ROOM * scales[0], 1):
-        yield _("the moment of inertia about some axis would be negative: look at the signs")
+        yield _("the moment of inertia about some axis would be negative: check the signs")
     elif not _is_positive(point, spread, -1):
         yield (
             _(

@@ -1,10 +1,10 @@
 """Whether an answer is right, from a seal: a salted slow hash of the right one, which an instructor
 may put into each student's own copy.
 
-What it gives away: a program that tries all numbers of its size, which is known to a factor of 1.4,
-finds a number in 20 s, a vector in a plane in an hour or two, one in space in a month; of a formula
-its value. So a seal helps those who learn, and does not stop those who look for a number;
-:mod:`.checks` lets those wait who guess.
+It gives away the size, to a factor of 1.4: a program that tries all numbers of that size finds a
+number in 20 s, a vector in a plane in an hour or two, one in space in a month; of a formula only
+the value. So a seal helps those who learn, and does not stop those who search by program;
+:mod:`.checks` makes those wait who guess by hand.
 """
 
 import hashlib
@@ -19,11 +19,11 @@ from .tolerance import NOISE, RTOL
 from .trees import evaluate
 
 VERSION = 2
-OF_OWN_TOLERANCE = 3  # the version of a seal that says its tolerance
+OF_OWN_TOLERANCE = 3  # the version of a seal that states its tolerance
 COST = 2**15  # of scrypt: some 0.1 s
 MEMORY = 2**26  # bytes, twice what it takes
 SHIFTS = 8  # to which the place of the right answer within its cell is published
-ZERO = NOISE  # a smaller answer is round-off for zero
+ZERO = NOISE  # a smaller answer counts as zero
 FORMULA = 1e-3  # the factor by which cells are finer for formulas, which have all their digits
 
 
@@ -33,9 +33,9 @@ def seal(
     at: Mapping[str, float] | None = None,
     rtol: float = RTOL,
 ) -> dict[str, Any]:
-    """The seal of an answer of this kind, its ``numbers`` or the word; ``at`` is {symbol: number}
-    where a formula has these values; ``rtol``: as for :meth:`~.kinds.Kind.is_right`. A dict that a
-    notebook can hold.
+    """The seal of an answer of this kind, its ``numbers`` or the word, a dict that a notebook can
+    hold; ``at`` is {symbol: number} where a formula has these values; ``rtol``: as for
+    :meth:`~.kinds.Kind.is_right`.
 
     Numbers are those of the cell in which the components lie together. Where in its cell each
     component lies is published, so that an answer near it is in one or two cells, which are tried.

@@ -1,5 +1,5 @@
-"""Slips that are made in any problem and that need nothing but the key: a factor of a unit, a sign,
-components exchanged, two listed mistakes at once. Each is [(cause, points)] for a
+"""Slips that can be made in any problem and need nothing but the key: a factor of a unit, a sign,
+components exchanged. Each function yields (cause, points) for a
 :class:`~newton_euler.answers.fit.Fit`.
 """
 
@@ -22,7 +22,7 @@ PURE: dict[str, float] = {
     Words("a factor of 2"): 2.0,
     Words("revolutions against radians"): 2 * math.pi,
 }
-BARE = {  # which say little of their cause
+BARE = {  # factors that say little about their cause
     "3": 3.0, "4": 4.0, "3/2": 1.5, "sqrt(2)": 2**0.5, "pi": math.pi,
 }  # fmt: skip
 TENS = {Words("one decimal place"): 10.0, Words("two decimal places"): 100.0}
@@ -42,7 +42,7 @@ WEIGHTS: dict[str, float] = {
 
 @cache
 def factors(stated_in: str) -> Mapping[str, float]:
-    """{words: factor} of the units that an answer, stated in this unit, may be in by mistake."""
+    """{words: factor} of the units in which an answer in this unit may be given by mistake."""
     found = PURE | ANGLES
     if unit(stated_in).factor == Fraction(1, 100) and unit(stated_in).dimension == Dimension():
         found |= {Words("a fraction against percent"): 100.0}
@@ -53,7 +53,7 @@ def factors(stated_in: str) -> Mapping[str, float]:
 
 
 def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
-    """The key times the factors that may fit, found by the first point of the answer."""
+    """The key times the factors that may fit, chosen by the first point of the answer."""
     if fit.index is None:
         return
     ratio = _ratio(fit)
@@ -85,14 +85,17 @@ def _ratio(fit):
 
 
 def of_powers(fit: Fit) -> Models:
-    """A power of ten; the square, the root and the inverse of the key; of a vector, some components
-    of it.
+    """A power of ten; the square, the root and the inverse of the key; a vector with components
+    left out.
     """
     if fit.index is None:
         return
     yield from _factors(fit, _ratio(fit), TENS)
     if len(fit.first[1]) > 2:
-        yield from left_out(fit) if len(fit.first[1]) == 3 else ()
+        if len(fit.first[1]) == 3:
+            yield from left_out(fit)
+            sizes = zip(fit.key, fit.sizes, strict=True)
+            yield causes.UNIT_VECTOR, tuple(tuple(x / (n or 1) for x in k) for k, n in sizes)
         return
     for cause, power in (causes.SQUARED, 2.0), (causes.ROOT, 0.5), (causes.INVERTED, -1.0):
         yield cause, tuple(tuple(_power(x, power) for x in point) for point in fit.key)
@@ -204,7 +207,7 @@ def _signs(fit):
 
 
 def _moved(fit, near):
-    """One component added to another one, in its place nothing."""
+    """One component added to another, with zero in its place."""
     given, key, size = fit.first
     for n, m in permutations(range(len(key)), 2):
         rest = all(abs(given[k] - key[k]) <= near for k in {0, 1, 2} - {n, m})
@@ -217,7 +220,7 @@ def _moved(fit, near):
 
 
 def left_out(fit: Fit) -> Models:
-    """The key without the components that are zero in the answer, where one is left."""
+    """The key without the components that are zero in the answer, unless all are."""
     given, key, size = fit.first
     off = [n for n, k in enumerate(key) if abs(k) > NOISE * size >= abs(given[n])]
     if off and any(given):
@@ -275,7 +278,7 @@ def is_rounded(given: Points, key: Points) -> bool:
     if most_digits(given[0]) >= DIGITS:
         return False
     least = min(written(x)[1] for x in given[0] if x)
-    # round-off for zero, and the 0 that is written for it
+    # round-off counts as zero, for which a student writes 0
     components = [
         (k if abs(k) > NOISE * size else 0.0, x) for k, x in zip(key[0], given[0], strict=True)
     ]

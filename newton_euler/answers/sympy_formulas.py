@@ -1,5 +1,5 @@
 """Reads a formula of SymPy or SymEngine as a tree of a few operators (see :mod:`.trees`): other
-functions are written out by them, sec x as 1/cos x, and what is left unevaluated is carried out.
+functions are written out by these, sec x as 1/cos x, and unevaluated parts are evaluated.
 """
 
 from collections.abc import Mapping
@@ -27,7 +27,7 @@ def _half(x):
     return ["*", 0.5, x]
 
 
-# each function by those that are read; of several branches, the principal one as SymPy has it
+# other functions in terms of those that are read; with SymPy's principal branch
 _WRITTEN_OUT = {
     "sec": lambda x: _over(1, ["cos", x]),
     "csc": lambda x: _over(1, ["sin", x]),
@@ -73,7 +73,7 @@ def read_formula(x: Any, form: Any, symbols: Mapping[str, str], budget: list[int
 
 
 def _with_real_symbols(x):
-    """The symbols of the problem are real, also where a student made them without saying so."""
+    """The formula with real symbols, also where a student made them without that assumption."""
     x = without_rates(x)
     if str(type(x).__module__).startswith("symengine"):  # SymPy's f(t) has a type without a module
         x = x._sympy_()
@@ -144,7 +144,7 @@ class _Reader:
         )
 
     def _piecewise(self, cases):
-        """The cases from the last one; what holds in no case is taken as the last."""
+        """The nested cases, built from the last one, which also holds where no condition does."""
         tree = self.read(cases[-1][0])
         for value, condition in reversed(cases[:-1]):
             tree = ["where", self._condition(condition), self.read(value), tree]
@@ -156,7 +156,7 @@ class _Reader:
             return int(name == "BooleanTrue")
         if name not in _COMPARISONS:
             raise self.form.error(
-                "the condition {x} is not read; use <, <=, > and >=", x=clipped(x)
+                "the condition {x} cannot be read; use <, <=, > and >=", x=clipped(x)
             )
         parts = self.read if x.is_Relational else self._condition
         return _COMPARISONS[name](*map(parts, x.args))

@@ -1,4 +1,4 @@
-"""When an answer is right, and every tolerance by which answers are judged."""
+"""All tolerances by which answers are judged, and the comparisons that use them."""
 
 import math
 from collections.abc import Sequence
@@ -14,15 +14,15 @@ FORMULA_FIT = 6e-5  # of a wrong formula and a model: its numbers may have been 
 NOISE = 1e-9  # a component smaller than this, relative to the whole, is round-off for zero
 # a mistake differs from the key by this much of its size, or it might be rounding
 SEPARATION = 0.02
-MAJORITY = 0.5  # of the points at which formulas are compared: at which a difference must show
+MAJORITY = 0.5  # share of the points of comparison at which a difference must show
 # a component of a key is zero, or at least this share of the whole: one left out must show
 COMPONENT = 0.01
-ROUND_OFF = 1e-6  # an answer with all its digits differs from the model it was computed by by less
+ROUND_OFF = 1e-6  # an answer with all its digits is nearer than this to its own model
 NUMBER_RTOL = 6e-4  # a single number meets a wrong model by chance much sooner than a vector does
 NEARLY = 0.03  # of the size of the key: a wrong answer so near was rounded too early
 SAME_SIZE = 1e-4  # relative: the size of a vector is right although its direction is not
 ONE_VECTOR = 1e-6  # relative: components in two frames have one size, or are of two vectors
-EARLY = 1e-3  # of the size of the key: a right answer farther off was rounded on the way
+EARLY = 1e-3  # of the size of the key: a right answer farther off was rounded too early
 ROOM = 1e-3  # relative, for rounding, where an answer is checked without the key
 
 

@@ -40,7 +40,7 @@ def check_size(tree: Tree, budget: list[int]) -> None:
         if depth > DEPTH:
             raise TreeError("the formula is nested more than {DEPTH} deep", DEPTH=DEPTH)
         if isinstance(part, list):
-            # of a long list only as much as shows that it is too long
+            # a long list only as far as shows that it is too long
             inner = part[isinstance(part[0], str) if part else 0 : budget[0] + 2]
             waiting += [(x, depth + 1) for x in inner]
 
@@ -89,7 +89,7 @@ _COMPARED = {"<": lambda a, b: a < b, "<=": lambda a, b: a <= b}
 
 
 def _compared(name, a, b):
-    """1.0 where it holds, else 0.0; of dimensions, a pure number."""
+    """1.0 where the comparison holds, else 0.0; of dimensions, a pure number."""
     if not (is_numeric(a) and is_numeric(b)):
         _alike(a, b)
         return Dimension()
@@ -129,7 +129,7 @@ def _power(base, exponent):
     if isinstance(exponent, Dimension):
         if isinstance(base, Dimension) and any(base.powers):
             raise DimensionError(
-                _("a quantity with {base} is raised to a power that is no number", base=base)
+                _("a quantity in {base} is raised to a power that is not a number", base=base)
             )
         return Dimension()
     if isinstance(exponent, float) and exponent.is_integer():

@@ -1,5 +1,5 @@
-"""Steps of a traced computation as a student types them: products with their factors collected, of
-a size that fits into a sentence.
+"""Steps of a traced computation as a student types them: products with their factors collected,
+short enough for a sentence.
 """
 
 from fractions import Fraction
@@ -10,7 +10,7 @@ from ..algebra.trace import Step
 
 FUNCTIONS = {"sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs"}
 SHORT = 24  # letters of a formula that is named in a sentence
-NAMES = 4  # of givens that are named where a formula is too long
+NAMES = 4  # givens, at most, that are named where a formula is too long
 
 
 class Product:
@@ -85,7 +85,7 @@ def described(x: Any, noun: str = "") -> str:
     whole, parts = NOUNS[noun]
     meant = x.trace.meant.get(x.number) if isinstance(x, Step) else ""
     written = typed(x)
-    if written and not (meant and "(" in written):  # of a sum within, its name is plainer
+    if written and not (meant and "(" in written):  # a name is plainer than a sum inside
         return Words(whole, formula=written)
     if meant:
         return Words(" of {product}", product=meant) if noun == "of the product" else meant
@@ -124,7 +124,7 @@ def repeats(x: Any) -> bool:
 
 
 def _collected(x):
-    """{given: its number} in a sum of multiples of givens; {} of any other."""
+    """{given: its coefficient} in a sum of multiples of givens; {} of any other step."""
     if x.op not in ("+", "-"):
         return {}
     found: dict[Step, Fraction] = {}
@@ -176,7 +176,7 @@ def _product(x):
 
 
 def _acute(x):
-    """The supplement of pi less an angle, which has the same sine."""
+    """The angle x of pi - x, which has the same sine; any other step as it is."""
     if isinstance(x, Step) and x.op == "-" and getattr(x.args[0], "op", "") == "pi":
         return x.args[1]
     return x

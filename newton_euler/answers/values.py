@@ -1,5 +1,5 @@
-"""Numbers and components out of values of any library: NumPy, SymPy, mpmath, pandas, pint, and the
-engine's own. What cannot be read is refused with what to write instead.
+"""Numbers and components from values of any library: NumPy, SymPy, mpmath, pandas, pint, and the
+engine's own. A value that cannot be read is refused with what to write instead.
 """
 
 import math
@@ -43,7 +43,7 @@ def _gather(value, form, found):
 
 
 def _plain(value, form):
-    """Of a quantity its magnitude; of a table, sparse matrix or unevaluated matrix its entries."""
+    """The magnitude of a quantity; the entries of a table, sparse or unevaluated matrix."""
     if hasattr(value, "magnitude") and hasattr(value, "to"):
         try:
             return value.to(pint_name(form.unit)).magnitude
@@ -65,13 +65,13 @@ def _plain(value, form):
 
 
 def _parts(value, form):
-    """What a container holds; None for a scalar."""
+    """The contents of a container; None for a scalar."""
     _refuse(value, form)
     if isinstance(value, Vector):
         return value.components()
     if _library(value) == "numpy":
         if hasattr(value, "mask") and value.mask.any():
-            raise form.error("some of its numbers are masked")
+            raise form.error("some of its numbers are masked; give all of them")
         if getattr(value, "shape", ()):
             return value.ravel().tolist()
         return [value.item()] if value.dtype == object else None
@@ -81,7 +81,7 @@ def _parts(value, form):
 
 
 def _refuse(value, form):
-    """Raise what to write in place of a value that has no numbers, or in no order."""
+    """Raise an error that says what to write instead of a value without numbers or order."""
     kind, module = type(value).__name__, str(type(value).__module__)
     if isinstance(value, str | bytes):
         raise form.error(
@@ -152,7 +152,7 @@ def _complex(x):
 
 
 def refuse_equation(x: Any, form: Any) -> None:
-    """Raise what to write in place of an equation or inequality of SymPy, or a unit of it."""
+    """Raise an error that says what to write instead of an equation or unit of SymPy."""
     if getattr(x, "is_Relational", False):
         raise form.error("got {x}, an equation; give the side that is asked for", x=clipped(x))
     quantities = sys.modules.get("sympy.physics.units.quantities")

@@ -1,5 +1,5 @@
-"""What an answer is: right, wrong and why, unreadable or blank. Pure functions over data; nothing
-that a student wrote is run, evaluated as code or simplified here.
+"""The verdict on an answer: right, wrong and why, unreadable or blank. Pure functions over data;
+nothing that a student wrote is run, evaluated as code or simplified here.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -37,7 +37,7 @@ class Asked(Toleranced, Protocol):
     def unit(self) -> str: ...
 
 
-# the names of earlier answers, and what follows from {earlier answer: points}
+# the names of earlier answers, and the function of {earlier answer: points} that follows from them
 Way = tuple[Sequence[str], Callable[[Mapping[str, Points]], Points | None]]
 
 
@@ -46,7 +46,7 @@ class Numbers(Protocol):
 
     @property
     def answers(self) -> Sequence[Asked]:
-        """What is asked."""
+        """The answers that are asked for."""
 
     @property
     def symbols(self) -> Mapping[str, Any]:
@@ -70,7 +70,7 @@ class Numbers(Protocol):
 
     @property
     def where(self) -> str:
-        """The place in the book where the problem is at home, as "section 4.10"."""
+        """The place in the book to which the problem belongs, as "section 4.10"."""
 
     @property
     def slips(self) -> Slips:
@@ -80,7 +80,7 @@ class Numbers(Protocol):
         """The slips in computing an answer from a student's own earlier ones."""
 
     def wrong(self, key: str) -> Sequence[Model]:
-        """What the wrong models make of an answer."""
+        """The wrong models of an answer."""
 
     def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None:
         """The answer that follows from {earlier answer: points}; None if there is none."""
@@ -91,8 +91,8 @@ class Numbers(Protocol):
 
 @dataclass(frozen=True)
 class Judged:
-    """What an answer is: its verdict (right, wrong, unreadable or blank), a message, and what was
-    read, in the unit of the key.
+    """An answer judged: its verdict (right, wrong, unreadable or blank), a message, and the points
+    that were read, in the unit of the key.
     """
 
     verdict: str
@@ -109,9 +109,9 @@ def judge(
     budget: Budget,
     factor: float = 1.0,
 ) -> Judged:
-    """What the answer ``tree`` is, read in the ``form`` that the student had, or why it cannot be
-    read (``fault``). ``budget``: the operations of formulas that may be read; ``factor``: from the
-    unit of the form to that of the key.
+    """The verdict on the answer ``tree``, read in the ``form`` that the student had; ``fault`` says
+    why it could not be read, if so. ``budget``: the operations of formulas that may be read;
+    ``factor``: from the unit of the form to that of the key.
     """
     if fault is not None:
         return Judged("unreadable", one_line(fault))
@@ -124,21 +124,12 @@ def judge(
     if factor != 1:
         readings = [tuple(tuple(factor * x for x in point) for point in r) for r in readings]
     key = numbers.key[asked.key]
-    right = counted(readings, key, asked, _axes(asked, numbers))
+    right = counted(readings, key, asked, partial(numbers.wrong, asked.key))
     if right is not None:
         return Judged("right", _("right"), right)
     near = asked.atol, asked.rtol
     wrong = [given for given in readings if not asked.kind.is_right(given, key, *near)]
     return Judged("wrong", _("not right"), wrong[0] if wrong else None)
-
-
-def _axes(asked, numbers):
-    """The key along the problem's other axes, from wrong models that are computed once the first
-    is asked for: of most right answers, never.
-    """
-    for c, points in numbers.wrong(asked.key):
-        if c.group == "axes":
-            yield int(c.name), points
 
 
 @dataclass(frozen=True)
@@ -163,7 +154,7 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
     given = found[asked.key].given
     assert given is not None
     earlier = _followed(asked, given, found, numbers)
-    # in what follows, a slip that gives the same numbers was made before
+    # where an answer follows from earlier ones, a slip that fits was made there
     slips = () if earlier else (_slips(asked, found, numbers), _singles(asked, numbers))
     causes = _causes(asked, given, found, numbers, *slips)
     causes = tuple(c if c.where else c.at(numbers.where) for c in causes)
@@ -217,7 +208,7 @@ def _singles(asked, numbers):
 
 
 def _like(given, asked, numbers):
-    """(key, models) of an answer, each of the points that mean it the nearest to what was given."""
+    """(key, models) of an answer, each in the form nearest to the one given."""
     key, wrong = numbers.key[asked.key], list(numbers.wrong(asked.key))
     others = [(BOOK, numbers.book), *((EARLIER, sheet) for sheet in numbers.sheets)]
     wrong += [(cause, right[asked.key]) for cause, right in others if asked.key in right]
@@ -256,7 +247,7 @@ def _followed(asked, given, found, numbers):
             continue
         expected = follow(earlier)
         if expected is None or asked.kind.is_zero(expected, asked.atol):
-            continue  # zero follows from zero: nothing was computed
+            continue  # zero follows from zero without computing anything
         if asked.kind.is_right(given, expected, asked.atol, asked.rtol):
             return wrong
     return ()

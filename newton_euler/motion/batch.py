@@ -23,7 +23,7 @@ from .solution import AccuracyError, Cost, MotionError
 from .verified import NEAR_END, NEAR_START, SPARE
 
 BLOCK = 64  # neighbours in a sweep; the one in the middle may vouch for the others
-INSIDE = 31  # instants on the way at which the sizes of the states are seen
+INSIDE = 31  # instants on the way at which the sizes of the states are sampled
 MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch integrator
 
 
@@ -271,7 +271,7 @@ def _taylor(many, run):
 
 
 def _unseen(many, run, n, tolerance, error):
-    """What the series of the motion of this number, which has this error, do not see of the rates,
+    """The part of the rates that the series of one motion, which has this error, do not see,
     relative to the scales of the states.
     """
     one, x0 = many.alone(n)

@@ -13,15 +13,15 @@ from .analytic import varying
 from .chebyshev import root
 from .methods.base import StepError
 
-TRIES = 60  # the most steps for crossings, more than there are others
+TRIES = 60  # the most by which the steps for crossings may outnumber the others
 AROUND = 2  # units in the last place of the time about a crossing, which is found to one
-WAYS = 1, 4, 16  # rooms to go past a crossing
+WAYS = 1, 4, 16  # multiples of the room, by which a crossing is passed
 SLIDING = 3  # steps in which a motion that slides passes over a place again
 SHORTEST = 1e3  # units in the last place of the time: no step could be much shorter
 LIMIT = 10.0  # tolerances by which a step may differ from its halves
 JUMP = 1e-6  # of the rates, between neighbouring states
 FROM_ZERO = 1e-100  # part of its rate by which a state that is zero is moved off a border
-NEAR = 4  # rooms about a stop: what is as close to the end of a step needs none
+NEAR = 4  # multiples of the room: a crossing so close to the end of a step needs no stop
 
 
 def choices(traced):
@@ -49,7 +49,7 @@ def _is_square(x):
 
 
 def compiled_choices(traced):
-    """The function of all arguments that returns the numbers of these pairs, in order."""
+    """The function of all arguments that returns the values of :func:`choices`, in order."""
     rhs, leaves = traced.rhs, [x for pair in traced.choices for x in pair]
     return Compiled("choices", rhs.parameters, rhs.trace, leaves).on_floats
 
@@ -84,9 +84,10 @@ def distances(system):
 
 
 def unsettled(stepper, end):
-    """How far the steps up to the time ``end`` that pass over such a place are from two halves of
-    each, in sum, relative to the scales. A step that was shortened until its error estimate was
-    small may have got there by chance. Where a motion slides, one of the next steps leads back.
+    """The summed differences, relative to the scales, of the steps up to the time ``end`` that pass
+    over such a place from two halves of each: a step that was shortened until its error estimate
+    was small may have got there by chance. Steps of a motion that slides, one of which soon leads
+    back, do not count.
     """
     system, count = stepper.system, bisect_right(stepper.step_times, end) - 1
     run, p, ends = system.traced.compiled_choices, system.p, stepper.steps[: count + 1]

@@ -8,17 +8,17 @@ from ..algebra.trace import Step
 from .methods.base import LengthError, StepError
 from .solution import LongError, MotionError, NoValueError, StickingError
 
-TINY, NEAR = 1e-9, 1e-3  # parts of the whole time: of a trial, and until a place is reached
+TINY, NEAR = 1e-9, 1e-3  # parts of the whole time: a trial step; the time to reach a border
 
 TOO_LARGE = (
     "a power or an exponential is too large for a float; if the rates are not infinite, write them "
-    "otherwise, as (1 - tanh(x/2))/2 in place of 1/(1 + exp(x))"
+    "differently, as (1 - tanh(x/2))/2 in place of 1/(1 + exp(x))"
 )
 
 
 def why(error, system, t, x, span):
-    """What is known about the ``error`` of a method at the time t and the state x: the class of the
-    error to be raised, and the end of its message.
+    """The class of the error to be raised, and the end of its message, for the ``error`` of a
+    method at the time t and the state x.
 
     span : the whole time of the motion
     """
@@ -76,7 +76,7 @@ def stuck_at(system, t, x, span):
 
 
 def _sticking(system, t, x, span):
-    """Where the motion sticks, and what to write."""
+    """The end of a message: where the motion sticks, and what to write; "" if it does not."""
     pair = stuck_at(system, t, x, span)
     if not pair:
         return ""

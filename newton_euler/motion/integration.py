@@ -41,7 +41,7 @@ def integrate(
     start : the states, in their order or by name; arrays of one length are many starts at once, as
         are arrays among the parameters of the model
     rtol : the requested tolerance: the error that each state may have at the end, relative to its
-        largest absolute value during the motion. What is nothing but round-off, as a state that is
+        largest absolute value during the motion. A state that is nothing but round-off, being
         zero by cancellation, may be wrong by that. Where round-off makes a larger error in a state
         that is not zero, as in the speed on a spring far from the origin, the motion is refused:
         take the distance from there as the state
@@ -64,19 +64,19 @@ def integrate(
     that is known, and :class:`~newton_euler.motion.solution.AccuracyError` if the tolerance cannot
     be reached.
 
-    What is narrow, as a brake of a millimetre on a way of kilometres, is seen where its rates are
-    written by ``where``, ``abs``, ``exp``, ``tanh``, ``atan``, a quotient like 1/(1 + x**2) or a
-    table of places, and likewise in the function of an event. The argument of these, and each
-    factor of one whose sign decides, is followed along the steps: where it passes its place, or
-    turns back so close to it that a polynomial cannot tell, the step is compared with the integral
-    of the rates and repeated (a series is refused). So a place is found from 1e-7 of the way on; an
-    expanded square, as x*x + y*y < R*R, or the top of a curve that rises by w above a level is
-    found if w is 1e-14 of the largest value of the argument or more. Below, the motion may be
-    refused. A spot in the plane, which an error of the way may hit or miss, is met or refused down
-    to 1e-9 of the way: what lies within the error is counted. Not seen is what has no such
-    argument, as the sine of a fast variable, an argument that turns twice within a step whose ends
-    do not show it, and a peak of a table that the argument touches by less than two of its places
-    without turning.
+    A narrow structure, as a brake of a millimetre on a path of kilometres, is seen where its rates
+    are written with ``where``, ``abs``, ``exp``, ``tanh``, ``atan``, a quotient like 1/(1 + x**2)
+    or a table of places, and likewise in the function of an event. The argument of each of these,
+    and each factor that decides its sign, is followed along the steps: where it passes its place,
+    or turns back so close to it that a polynomial cannot tell, the step is compared with the
+    integral of the rates and repeated (a series is refused). So a structure is found if it is 1e-7
+    of the path or more; an expanded square, as x*x + y*y < R*R, or the top of a curve that rises by
+    w above a level is found if w is 1e-14 of the largest value of the argument or more. Smaller
+    ones may be refused. A spot in the plane, which an error of the path may hit or miss, is met or
+    refused down to 1e-9 of the path, and one within the error adds to it. Not seen are rates
+    without such an argument, as the sine of a fast variable; an argument that turns twice within a
+    step whose ends do not show it; and a peak of a table that the argument touches by less than two
+    of its places without turning.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> motion = integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0))

@@ -1,12 +1,12 @@
 """Structures of the rates that a step passes over without seeing them: a brake of some centimetres
-on a way of some metres, a blow of some milliseconds.
+on a path of some metres, a blow of some milliseconds.
 
 The rates change fast where an operation with a scale of its own does, see
-:mod:`.narrow_arguments`. The trajectory is there where the argument is about zero, or of ``exp``
-the largest, at a time that is found however narrow the structure is, since the argument is smooth:
-in each step it is a polynomial whose extrema are known, or the step is divided. Around that time
-the rates are integrated along the trajectory, in pieces that become shorter by powers of two, and
-compared with the change of the states.
+:mod:`.narrow_arguments`: where its argument is about zero or, for ``exp``, largest. That time is
+found however narrow the structure is, since the argument is smooth: in each step it is a polynomial
+whose extrema are known, or the step is divided. Around that time the rates are integrated along the
+trajectory, in pieces that become shorter by powers of two, and compared with the change of the
+states.
 """
 
 from functools import cache, partial
@@ -22,7 +22,7 @@ from .zeros import sampling
 # difference its extremum is from zero if it certainly does not reach zero
 ROUGH, CLEAR, KNOWN = 0.2, 2.0, 1e-4
 NOISE = 1e-14  # noise of an argument, relative to its largest value on the way
-FEW, MANY = 4, 100  # steps: more show by their ends how fast arguments change; are left to NumPy
+FEW, MANY = 4, 100  # steps: from FEW on their ends show fast changes; from MANY on NumPy is faster
 FOLLOWED = 500  # the most suspect steps that are followed, the longest ones
 RESOLVED = 6.0  # the most radians of a sine that a polynomial represents in one part
 DEPTH, DIVIDED, MOST = 8, 4, 2000  # how often a step is divided, into how many parts, and in all
@@ -30,8 +30,8 @@ SAMPLES, NEWTON_STEPS = 32, 3  # samples of a step that find when it passes the 
 ROUNDS, PARTS = 12, 16  # rounds and parts of the search for the least value of an argument
 HALVINGS = 44  # halvings of a step towards it
 LIMIT, ROUND_OFF = 10.0, 1e-13  # tolerances by which a step may differ; and its round-off
-# part of a part by which parts end off even places: where two meet, as in the middle of a motion,
-# an argument turns back in neither
+# fraction of a part by which the ends of parts are moved off even places: an argument that turned
+# back where two meet, as in the middle of a motion, would do so in neither
 ASIDE = 0.0618
 SHORT = 0.1  # time between two jumps, over the longest step, that may be passed over
 UNEQUAL = 2  # the most distances at which a function that turns may have two signs
@@ -45,9 +45,10 @@ NUDGE = 2.0**-51  # relative change of states and constants that changes rates b
 
 
 class Passage(NamedTuple):
-    """The ``number`` of a step that does not see all of the rates, the times to stop at when it is
-    repeated, by how much each state differs from the integral of its rate, how much of that may be
-    ``noise`` of the rates, and the largest ``size`` of these relative to the scales of the states.
+    """The ``number`` of a step that does not see all of the rates; ``stops``, the times to stop at
+    when it is repeated; ``changes``, how much each state differs from the integral of its rate; how
+    much of that may be ``noise`` of the rates; the largest ``size`` of these relative to the
+    scales.
     """
 
     number: int
@@ -192,8 +193,8 @@ def _inside(np, path):
 
 
 class _Path:
-    """The way from step ``first`` on in parts between the times ``ends``: the steps, or where the
-    method does not keep its steps halves of them; ``x`` are the states there.
+    """The path from step ``first`` on in parts between the times ``ends``: the steps, or, where the
+    method does not keep its steps, halves of them; ``x`` are the states there.
     """
 
     def __init__(self, np, stepper, arguments, first):
@@ -490,12 +491,12 @@ def _along(np, stepper, ends, states, centres, knots=()):
 
 
 def within_reach(stepper, error):
-    """By how much the steps of a run may be off, relative to the scales, since it passes beside
-    something narrow at a distance that is less than this error: a spot in the plane.
+    """How far the steps of a run may be off, relative to the scales, because it passes something
+    narrow at a distance below its error: a spot in the plane.
 
-    Each state is moved in turn by up to its error so that the argument comes closest to its place,
-    as a parabola in it; and all of them by as much across the way, so that it is farther. The rates
-    along the way that is moved so are integrated about that time.
+    Each state is moved in turn by up to its error so that the argument, as a parabola in it, comes
+    closest to its place; then all of them by as much across the path, so that it is farther. The
+    rates along the path moved so are integrated about that time.
     """
     import numpy as np
 

@@ -53,7 +53,7 @@ MANY_STEPS = 2e4  # the most steps of a long motion, in which the errors of step
 # instants at which a series samples the sizes of the states: by a prime number of intervals, since
 # at the 32nd parts of 10 000 periods a speed may be zero each time
 SIZE_SAMPLES = 38
-FAR_LARGER = 1e6  # times its size, a state of which a first run has passed over what made it large
+FAR_LARGER = 1e6  # times its size in a first run: that run passed over what made a state large
 MAX_REFINEMENTS = 5  # the most tolerances tried
 UNLUCKY = 10.0  # a run across kinks may be off by this many times its estimate
 
@@ -319,7 +319,7 @@ class Run:
         if ended or not (method.adaptive and self.system.traced.choices):
             return last, error
         comparison = method, 10 * tolerance, tolerance
-        # the first trajectory, of which these are, may have missed what made a state large
+        # they are those of the first trajectory, which may have missed what made a state large
         known = known if last.failed else last.sizes()
         before = self.compared(*comparison, known, stopping=True)
         if known is None and not before.failed:

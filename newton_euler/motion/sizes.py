@@ -7,7 +7,7 @@ import math
 # fraction of its natural size above which the scale of a state is not below this fraction either
 NATURAL_PART = 1e-3
 ROUND_OFF = 2e-16  # that its rate brings into a state, as a fraction of its natural size
-# multiples of that: what is below the first is nothing else, as the rate of nutation of a steady
+# multiples of it: a state below the first is mere round-off, as the rate of nutation of a steady
 # precession; the second is the error by one step, which grows like a random walk (measured)
 NOTHING, FORCED = 300.0, 2.0
 STEP_CALLS = 12  # of the rates, about
@@ -54,16 +54,16 @@ def natural_sizes(system, points, sizes, span):
 
 
 def small(sizes, natural):
-    """The numbers of the states that are small by cancellation, though not nothing but round-off,
-    as the speed on a spring far from the origin.
+    """The numbers of the states that are small by cancellation but not mere round-off, as the speed
+    on a spring far from the origin.
     """
     rows = enumerate(zip(sizes, natural, strict=True))
     return [k for k, (s, n) in rows if NOTHING * ROUND_OFF * n < s <= NATURAL_PART * n]
 
 
 def least_scales(sizes, natural, own):
-    """What the error of each state is relative to at least: for those that are small by
-    cancellation a part of their own size; see :func:`natural_sizes`.
+    """The least scale for the error of each state: for states that are small by cancellation a part
+    of their own size; see :func:`natural_sizes`.
 
     own : fraction of the size of a state below which its errors do not count
     """
@@ -74,8 +74,8 @@ def least_scales(sizes, natural, own):
 
 
 def reproduced(known, again, apart, rtol):
-    """The sizes ``known``, with room for the error of a state that is no more than its error: one
-    of the size of round-off, or whose size depends on the tolerance.
+    """The sizes ``known``, larger for a state that is all error: one of the size of round-off, or
+    whose size depends on the tolerance.
 
     known, again : as :meth:`~newton_euler.motion.trajectory.Trajectory.sizes` returns them, at two
         tolerances

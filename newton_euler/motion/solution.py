@@ -61,7 +61,7 @@ class AccuracyError(MotionError):
 class FarError(AccuracyError):
     """Raised where the round-off of a large state is too much for one that is small beside it, as
     the speed on a spring far from the origin; ``reached`` is as accurate as requested relative to
-    what the couplings of the states make of them, see :mod:`newton_euler.motion.sizes`.
+    the sizes that follow from the couplings of the states, see :mod:`newton_euler.motion.sizes`.
     """
 
 
@@ -249,7 +249,7 @@ REMADE = {"f", "code", "move", "solver"}
 
 
 class _Sent:
-    """A stepper from a pickle: what its ``begin`` makes is made again when first needed."""
+    """A stepper from a pickle: ``begin`` makes its other attributes again when first needed."""
 
     def __getattr__(self, name):
         if name not in REMADE:

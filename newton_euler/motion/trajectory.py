@@ -23,7 +23,7 @@ from .sizes import NATURAL_PART, ROUND_OFF, least_scales, natural_sizes, small
 FIRST_STEPS, MAX_STEPS = 8, 128
 MAX_SEGMENTS = 20_000
 MAX_REPEATS = 100  # of the steps between two searches
-TRIES = 4  # to see more of what one step passes over
+TRIES = 4  # attempts to see more of what one step passes over
 # fraction of the whole time: events in faster succession accumulate (Zeno), as the impacts of a
 # ball that comes to rest
 MIN_SEGMENT = 1e-9
@@ -44,7 +44,7 @@ NEXT_TO_ZERO = 1e-150  # scales so small that an error relative to them may have
 SMALL_PART = 1e-2
 # steps that a motion which sticks makes in this fraction of the whole time
 STICKING, STICKING_PART = 100, 1e-2
-CRAWLING = 100_000  # steps between two looks whether it sticks
+CRAWLING = 100_000  # steps between two checks for sticking
 ACCUMULATION = "events follow each other without end"
 
 
@@ -70,7 +70,7 @@ class Trajectory:
         them; None for the first
     scaled : True if the states are divided by their sizes where the method itself does not
     samples : default those of the run
-    watched : True if its steps are to see what is narrow
+    watched : True if its steps are checked for narrow structures
     stopping : True if they are to end where the rates change their formula by the states
     """
 
@@ -130,7 +130,7 @@ class Trajectory:
         stops = () if self.step else knots(system, self.origin, self.goal)
         if series and not self.scaled:
             return nothing, nothing, stops
-        # what was seen of the first segment holds for others only where it is needed
+        # sizes seen in the first segment serve the others only where needed
         alike = self.known and len(self.known[0]) == len(x)
         if alike and (not self.segments or small(*self.known[:2])):
             sizes, natural, noise = self.known
@@ -254,8 +254,8 @@ class Trajectory:
         return bool(stuck_at(stepper.system, stepper.t, stepper.x, span))
 
     def unseen(self, error):
-        """How much the steps did not see of the rates, relative to the scales of the states, which
-        have this error.
+        """The part of the rates that the steps did not see, relative to the scales of the states,
+        which have this error.
         """
         total = self.missed
         for part in self.segments if self.repeated else ():

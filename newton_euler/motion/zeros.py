@@ -23,7 +23,7 @@ CHECKS = (-0.8617, -0.2913, 0.4477)
 # a polynomial represents the function if its last two coefficients and the differences at the check
 # points are smaller than this fraction of the largest value
 RESOLUTION = 1e-7
-# times as much as in between that a function changes next to an end of a piece where this may see
+# a function that changes so many times more at an end of a piece than in between may there be at
 # the foot of a peak
 FOOT = 2.0
 # pieces that are sampled at once, and the most that one interval may need

@@ -44,8 +44,10 @@ class Message:
 
 
 def _without_tags(markdown):
-    """The same, in which nothing is read as HTML: a practice file may come from anywhere."""
-    return re.sub(r"<(?=[A-Za-z/!?])", "< ", markdown)
+    """The same, in which nothing is read as HTML and no picture is fetched: a practice file may
+    come from anywhere.
+    """
+    return re.sub(r"<(?=[A-Za-z/!?])|!(?=\[)", r"\g<0> ", markdown)
 
 
 @dataclass(frozen=True, repr=False)

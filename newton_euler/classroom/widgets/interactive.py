@@ -16,7 +16,7 @@ from .stage import Stage, in_words
 MOST_SAMPLES = 90
 
 ROW, VALUE = "newton-euler-slider", "newton-euler-value"  # classes in the page
-# names the handles of sliders and their values for a screen reader
+# the script that names the handles of sliders and their values for a screen reader
 NAMED = Path(__file__).with_name("sliders.js")
 
 
@@ -95,12 +95,14 @@ def _show(figure):
 
 
 def _for_values(text, values):
-    """The text, or that which the function of the values returns."""
+    """The text; or what it returns for the values, if it is a function."""
     return text(**values) if callable(text) else text
 
 
 def _samples(sliders, many):
-    """Values of all sliders: a grid over their ranges; for plots, without a window, corners."""
+    """Values of all sliders: a grid over their ranges; for plots, which have no window, its
+    corners.
+    """
     counts = (17, 9, 4, 3, 2) if many else (2,)
     count = next(n for n in counts if n ** len(sliders) <= MOST_SAMPLES or n == 2)
     names = [slider.name for slider in sliders]

@@ -1,10 +1,10 @@
-"""What a page without a kernel is given of a figure that moves."""
+"""A figure that moves as data for a page without a kernel."""
 
 import os
 from typing import Any
 
 MOVING = "application/vnd.newton-euler.moving+json"  # the kind of what `for_site` returns
-ASKED = "NEWTON_EULER_SITE"  # the variable of the environment by which the site asks for it
+ASKED = "NEWTON_EULER_SITE"  # environment variable by which the site asks for it
 PLOTTED = 5  # pictures along each slider where a page without Matplotlib can draw none
 
 
@@ -22,8 +22,8 @@ def described(figure: Any) -> dict[str, Any]:
 
 
 def for_site(figure: Any) -> dict[str, Any]:
-    """{MOVING: its sliders, and for each some pictures along it, the others at their start, which
-    are shown until a page can draw others}; empty where nobody asks for it.
+    """{MOVING: its sliders, and for each some pictures along it, with the others at their start,
+    which are shown until a page can draw its own}; {} unless the site asks for it.
     """
     if not os.environ.get(ASKED):
         return {}

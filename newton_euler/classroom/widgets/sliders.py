@@ -29,7 +29,7 @@ class Slider:
 
     def __post_init__(self):
         if not self.name.isidentifier():
-            raise ArgumentError(f"a slider is named as an argument of draw; got {self.name!r}")
+            raise ArgumentError(f"a slider has the name of an argument of draw; got {self.name!r}")
         numbers = self.start, self.lowest, self.highest, self.step
         in_order = self.lowest <= self.start <= self.highest and 0 < self.step <= self.span
         if not in_order or self.span > 1e300:
@@ -58,7 +58,7 @@ class Slider:
     def samples(self, count: int) -> list[float]:
         """``count`` values, evenly from the lowest to the highest, rounded to steps."""
         if count < 2:
-            raise ArgumentError(f"samples of a slider are 2 or more; got {count}")
+            raise ArgumentError(f"a slider has 2 samples or more; got {count}")
         low, high = self.limits
         each = (low + (high - low) * n / (count - 1) for n in range(count))
         return list(dict.fromkeys(self.nearest(x) for x in each))

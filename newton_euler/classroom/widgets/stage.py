@@ -8,8 +8,8 @@ from .plotted import Plotted
 
 
 class Stage:
-    """A page in inches with ``panels`` (rows, columns), on which ``draw(ax, **values)`` draws; or a
-    figure of Matplotlib, from when on it draws what only that can.
+    """A page of a ``size`` in inches with ``panels`` (rows, columns), on which ``draw(ax,
+    **values)`` draws; a figure of Matplotlib once it draws what only that can.
     """
 
     def __init__(self, draw: Any, size: Any, panels: Any):
@@ -24,7 +24,7 @@ class Stage:
 
     @property
     def is_plotted(self) -> bool:
-        """Whether it draws what only Matplotlib can."""
+        """True if it draws what only Matplotlib can."""
         return self._plotted is not None
 
     def rehearse(self, samples):
@@ -71,7 +71,7 @@ class Stage:
         return png_of(self._plotted.figure if self._plotted else self.page, tight=False)
 
     def _drawn(self, values):
-        """The sketches of the picture for these values, which is on the panels then."""
+        """Draw the picture for these values on the panels, and return its sketches."""
         from ...drawing.page.paper import NeedsMatplotlib
 
         if self._plotted is None:

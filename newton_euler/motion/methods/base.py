@@ -44,8 +44,8 @@ class Stepper:
 
     t, x : the time and the state reached so far; ``start`` : the first ones, as a pair
     step_times : the times between steps; ``calls`` : evaluations of the right-hand side
-    scales : for each state what its error is relative to: its largest absolute value so far, but
-        not less than its ``floors``; ``noise`` : the round-off in each state
+    scales : of the error of each state: its largest absolute value so far, but not less than its
+        ``floors``; ``noise`` : the round-off in each state
     stops : times after the start, up to the goal, that no step may pass over
     near : see :func:`~newton_euler.motion.narrow.passage`
     steps : for each step a tuple whose last elements are the state before it; empty for a method
@@ -56,8 +56,8 @@ class Stepper:
     resumable : True if the method can go back to one of its steps
     repeated : True if it has gone back
     taken : the number of steps where not all of them are kept
-    halved : a function of the number of a step: by how much it differs from two halves of it, over
-        the scales; None for a method that cannot tell
+    halved : a function of the number of a step that returns how much it differs from two halves of
+        it, over the scales; None for a method that cannot tell
 
     A subclass defines ``begin(trajectory)``, which prepares the run; ``step(limit)``, which takes
     at most that many steps; and ``interpolate(n, times)``, which returns the states at an array of

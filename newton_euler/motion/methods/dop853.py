@@ -134,13 +134,13 @@ class Dop853(Stepper):
         self._kept = {}
         if step:
             self.tolerance = 1e300  # any step is accepted
-        # at the least what changes the time
+        # at least so long that the time changes
         self.hmax = step or max(trajectory.longest_part * span, 1e-13 * abs(self.goal))
         self.h = step or self._first_step()
 
     def _first_step(self):
         """A step in which the fastest state changes by half of its scale times tol**(1/8); states
-        that start from nothing, with a huge rate to scale, do not count.
+        that start from zero, whose rate is huge relative to the scale, do not count.
         """
         pairs = zip(self.rates, self.scales, strict=True)
         fastest = max((abs(k) / s for k, s in pairs if abs(k) < 1e3 * s), default=0.0)
@@ -187,7 +187,7 @@ class Dop853(Stepper):
         return self.code["one_step"](*self.f, start, t - start, x)
 
     def halved(self, n):
-        """By how much step n differs from two halves of it, over the scales."""
+        """How much step n differs from two halves of it, over the scales."""
         (t, h, *x), step = self.steps[n], partial(self.code["one_step"], *self.f)
         last = n + 1 == len(self.steps)
         begin, reached = (self.t, self.x) if last else (self.steps[n + 1][0], self.steps[n + 1][2:])

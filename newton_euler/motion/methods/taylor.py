@@ -190,8 +190,8 @@ class Taylor(Stepper):
         self._by_steps(inf)  # to see where it fails
 
     def _stalled(self, ta, before, done):
-        """True if the steps after the time ``before``, of which heyoka tells what it has ``done``,
-        hardly get on.
+        """True if the steps after the time ``before``, for which heyoka has returned ``done``,
+        hardly advance.
         """
         _, _, longest, steps, *_ = done
         self.calls, self.taken = self.calls + steps * ta.order, self.taken + steps

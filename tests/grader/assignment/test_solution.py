@@ -3,7 +3,7 @@
 import math
 import re
 from functools import cache
-from itertools import islice
+from itertools import combinations, islice
 
 import pytest
 import sympy
@@ -11,10 +11,10 @@ import sympy
 from exercises.catalogue import problem, select
 from exercises.catalogue.book_equations import own_number
 from exercises.catalogue.steps import steps
-from exercises.catalogue.variants import draw, flat
+from exercises.catalogue.variants import draw, flat, symbol_points
 from grader.assignment.derivations import component, derivations
 from grader.assignment.layout import laid_out
-from grader.assignment.lines import TOO_LONG, lines
+from grader.assignment.lines import TOO_LONG, WORD, lines
 from grader.assignment.notebook import typeset
 from grader.assignment.solution import worked_solution
 from grader.assignment.spelled import typeset_formulas
@@ -85,7 +85,7 @@ def test_a_cited_equation_stands_in_the_cited_section(p):
 
 
 @pytest.mark.parametrize("p", [p for p in ALL if any(a.of for a in p.answers)], ids=lambda p: p.id)
-def test_a_worked_solution_says_what_tells_a_word(p):
+def test_a_worked_solution_says_why_a_word_is_right(p):
     text = worked_solution(p, numbers(p, b"one"))
     for a in p.answers:
         if a.of:
@@ -94,9 +94,22 @@ def test_a_worked_solution_says_what_tells_a_word(p):
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_the_sum_of_the_terms_that_are_shown_is_shown_too(p):
+def test_the_sum_of_the_terms_that_are_shown_is_shown_too_and_no_table_twice(p):
     shown = {line.step.key for line in as_python(p, b"one")}
     assert {line.step.of for line in as_python(p, b"one")} <= {"", *shown}
+    text = worked_solution(p, numbers(p, b"one"), text=False)
+    tables = re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE)
+    assert len(tables) == len({*tables})
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_each_component_found_from_equations_stands_in_them(p):
+    told = ""
+    for line in as_python(p, b"one"):
+        told, s = " ".join([told, *line.together]), line.step
+        if (line.above or line.together) and s.is_vector and len(line.equal) == 1:
+            found = {component(s.key, n, 3) for n, x in enumerate(map(to_plain, s.value.c)) if x}
+            assert found <= {*NAME.findall(told)}, s.key
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
@@ -110,7 +123,11 @@ def test_no_fraction_stands_in_a_fraction_and_no_formula_in_its_description_too(
     for means, formula in re.findall(
         r"[,:] (\$[^$=]*\$)(?:, section [^:]*)?: \$[^$]* = ([^$]*)\$", text
     ):
-        assert letters(means) != letters(formula.partition(r"\ \text")[0]), means
+        formula = letters(formula.partition(r"\ \text")[0])
+        names = {x for x in letters(means) if not x.isdigit()}
+        assert letters(means) != formula, means
+        assert len(names) < 4 or not names <= {*formula}, means
+    assert r"\sqrt{\frac{1}{" not in text
 
 
 def groups(text):
@@ -142,13 +159,14 @@ def letters(latex):
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_a_term_has_no_name_of_what_is_equal_to_it_by_chance(p):
-    """As a component of another sum whose other terms are zero, or of a vector that is another term
-    of its sum.
+def test_a_term_is_not_named_after_a_quantity_that_equals_it_by_chance(p):
+    """As a component of another sum whose other terms are zero, of a vector that is another term of
+    its sum, or of an answer in another unit: H_O_y omega for -I_xy omega^2.
     """
     found = derivations(p, numbers(p, b"one"))
     shown = [line.step for line in as_python(p, b"one")]
     sums = {s.of for s in shown if s.of}
+    units = {s.key: s.unit for s in shown}
     vectors = {
         s.key: {component(s.key, n, 3) for n, x in enumerate(map(to_plain, s.value.c)) if x != 0}
         for s in shown
@@ -162,9 +180,87 @@ def test_a_term_has_no_name_of_what_is_equal_to_it_by_chance(p):
         # the components of its own sum may be unknowns of equations
         used = ({name.rpartition("_")[0] for name in names} & vectors.keys()) - {s.of}
         assert not used & sums, s.key
+        assert not {a.key for a in p.answers if a.key in used and a.unit != units[s.of]}, s.key
         if formulas and all(f.is_Symbol or f == 0 for f in formulas):
             assert not {(s.of, v) for v in used} & whole, s.key
             whole |= {(s.of, v) for v in used if vectors[v] <= names}
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_matrix_names_the_place_of_its_body_by_components_only(p):
+    """As m d_x d_y beside m d_x^2, and no m x_c d_y, where d_x is the given x_c."""
+    found = derivations(p, numbers(p, b"one"))
+    formulas = {key: x.formulas for key, x in found.items() if None not in x.formulas}
+    for key in (key for key, x in formulas.items() if len(x) == 9):
+        names = {x.name for f in formulas[key] for x in f.free_symbols}
+        for place in (k for k, x in formulas.items() if len(x) == 3):
+            same_body = place.split("_")[1:] == key.split("_")[1:] != []
+            given = [str(abs(f)) for f in formulas[place] if abs(f).is_Symbol and same_body]
+            assert not {f for f in given if given.count(f) == 1} & names, (key, place)
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_name_in_a_formula_is_the_one_that_its_place_asks_for(p):
+    """A term as -r theta_dot^2 e_r has no component of a vector, a point that turns has r omega^2
+    and not omega v, and a component of a turned vector has entries of its row of the matrix.
+    """
+    found = derivations(p, numbers(p, b"one"))
+    shown = {line.step.key: line.step for line in as_python(p, b"one")}
+    units, own, rows = dict(p.units), {}, {}
+    for key, s in ((key, s) for key, s in shown.items() if key in found):
+        count = len(found[key].formulas)
+        names = [component(key, n, count) for n in range(count)]
+        units |= dict.fromkeys(names, s.unit)
+        own |= dict(zip(names, found[key].formulas, strict=True))
+        rows |= {x: n // 3 for n, x in enumerate(names) if len(names) == 9 and s.unit == "1"}
+    vectors = {x for s in shown.values() if s.is_vector and s.unit != "1"
+               for x in (component(s.key, n, 3) for n in range(3))}  # fmt: skip
+    rates = {x for x, of in units.items() if powers(of) in ((0, 0, -1), (0, 1, -1))}
+    for key, x in ((key, x) for key, x in found.items() if key in shown):
+        for n, f in ((n, f) for n, f in enumerate(x.formulas) if f is not None):
+            used = {y.name for y in f.free_symbols}
+            if shown[key].term and r"\hat" in str(shown[key].term[1].terms.get(shown[key].term[0])):
+                assert not used & vectors, (key, f)
+            if len(x.formulas) == 3:
+                assert {rows[name] for name in used & rows.keys()} <= {n}, (key, f)
+            for term in sympy.Add.make_args(f):
+                number, product = term.as_coeff_Mul()
+                plain = abs(number) == 1 and not sympy.fraction(term)[1].has(sympy.Add)
+                factors = {y.name for y in product.args if y.is_Symbol and plain}
+                for v in (v for v in factors if v in own and powers(units[v]) == (0, 1, -1)):
+                    shared = factors & {str(y) for y in sympy.Mul.make_args(own[v])} & rates
+                    assert not shared, (key, f)
+
+
+def powers(stated_in):
+    return unit(stated_in).dimension.powers
+
+
+@pytest.mark.parametrize("p", [p for p in ALL if p.symbols], ids=lambda p: p.id)
+def test_a_result_has_positive_denominators_and_bars_where_they_are_needed(p):
+    points = [{n: float(x[k]) for n, x in symbol_points(p).items()} for k in range(8)]
+    for line in as_python(p, b"one"):
+        result = line.equal[-1].removesuffix(f" {line.step.unit}")
+        parts = re.split(r"[\[\],]+(?![^(]*\))", result) if line.reason != WORD else ()
+        for text in filter(str.strip, parts):
+            x = sympy.sympify(text, {n: sympy.Symbol(n, real=True) for n in p.symbols})
+            bars = [y.args[0] for y in x.atoms(sympy.Abs)]
+            negative = [y.base for y in x.atoms(sympy.Pow) if y.exp == -1 and y.base.is_Add]
+            for y in (*bars, *(-y for y in negative)):
+                at = ({s: point.get(s.name, s) for s in y.free_symbols} for point in points)
+                assert not all(y.subs(values).is_positive for values in at), text
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_an_answer_that_others_use_has_a_name(p):
+    found = derivations(p, numbers(p, b"one"))
+    formulas = (f for x in found.values() for f in x.formulas if f is not None)
+    used = {x.name for f in formulas for x in f.free_symbols}
+    for line in lines(p, numbers(p, b"one")):
+        assert line.name or not used & own_names(line), line.step.key
+        assert not re.fullmatch(r"\\mathbf\{\w\}", line.equal[0]) or any(
+            line.equal[0] == symbol(key, True) for key in found
+        ), line.step.key
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
@@ -181,10 +277,10 @@ def test_components_are_named_after_their_unit_vectors(p):
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_variable_of_integration_is_introduced(p):
-    told = " ".join([p.text, *(line.step.means for line in as_python(p, b"one"))])
+    introduced = " ".join([p.text, *(line.step.means for line in as_python(p, b"one"))])
     for line in as_python(p, b"one"):
         for name in re.findall(r"Integral\(.*?, \((\w+), ", " ".join(line.equal)):
-            assert re.search(rf"\b{name}\b", told), (line.step.key, name)
+            assert re.search(rf"\b{name}\b", introduced), (line.step.key, name)
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
@@ -198,11 +294,21 @@ def test_no_sum_has_two_common_factors_and_no_equation_has_two_leading_signs(p):
                 divided = any(sympy.fraction(y)[1].free_symbols for _, y in terms)
                 alike = len({abs(n) for n, _ in terms}) == 1
                 assert divided or not alike or len(shared - {1}) < 2, (key, x)
+                assert not [pair for pair in combinations(terms, 2) if are_one(*pair)], (key, x)
         for left, right in found.together:
             factors = {str(x) for x in sympy.Mul.make_args(left)} if right == 0 else set()
             assert not factors & {*p.units}, key
     for row in (row for line in as_python(p, b"one") for row in line.together):
         assert row.count("-") < 2 or re.match("[^-]|.*= [^-]", row), row
+
+
+def are_one(*terms):
+    """Whether two of several terms would be written as one: m d_x^2 + m d_y^2."""
+    (n, one), (m, other) = terms
+    shared = {*sympy.Mul.make_args(one)} & {*sympy.Mul.make_args(other)}
+    rest = [x / sympy.Mul(*shared) for x in (one, other)]
+    squares = all(x.is_Pow and x.exp > 0 for x in rest)
+    return abs(n) == abs(m) and shared - {1} and squares
 
 
 @pytest.mark.parametrize("name", ["7/15", "8/19", "9/1"])
@@ -360,7 +466,7 @@ def test_terms_are_those_of_the_own_chapter():
         assert "| --- |" not in worked_solution(later, numbers(later, b"one"))
 
 
-def test_what_is_equal_by_chance_has_no_name_of_another_quantity():
+def test_a_step_is_not_named_after_a_quantity_that_equals_it_by_chance():
     # of three rods, moments that are 4/3 and 1/2 of the second one's
     p = problem("8/17")
     assert found_by(p, "I_xx_BC") == found_by(p, "I_xy") == [{"m", "a"}]

@@ -16,7 +16,7 @@ pytestmark = pytest.mark.integration
 
 GIVENS = "from newton_euler.classroom import expect, given, receipt\nomega = 0.6\ngiven('0/16', omega=omega)"
 RECEIPT = 'expect("0/16", v_D="vector, mm/s", a_D="vector, mm/s^2")\nreceipt("0/16", globals())'
-OPEN = "OpenAnswer: 0/16: no answer yet for {}; what stays open costs its points"
+OPEN = "OpenAnswer: 0/16: no answer yet for {}; an open answer earns no points"
 STATES = {
     "untouched": ("v_D = None\na_D = None", OPEN.format("v_D, a_D")),
     "blank": ("", OPEN.format("v_D, a_D")),
@@ -91,7 +91,7 @@ SOME = sheet(
 )  # fmt: skip
 SOME["cells"] = [c for c in SOME["cells"] if c["id"] != "answer-6"]
 SHEETS = {
-    "untouched": (sheet([UNTOUCHED] * 3), ["Nothing is answered yet (3 open); what stays open cos"]),
+    "untouched": (sheet([UNTOUCHED] * 3), ["Nothing is answered yet (3 open); an open answer earn"]),
     "some": (
         SOME,
         ["Of 8: 1 answered, 2 open, 5 to correct", "0/0: v_D = [1, 2, 0.6] mm/s; a_D = [1, 2, 3]",

@@ -97,7 +97,6 @@ def test_a_text_that_cannot_be_written_leaves_nothing_behind(tmp_path):
 TEXTS = {
     "plain": b'{"a": [1, 2.5, "\xc3\xa9"], "a": [2]}',
     "a byte-order mark": b'\xef\xbb\xbf{"a": 1}',
-    "half a character": b'["\\ud800"]',
     "no number": b"[NaN]",
     "a large number": b"[123456789012345678901234567890e0]",
     "deep": b"[" * 900 + b"]" * 900,
@@ -116,6 +115,13 @@ def library(request, monkeypatch):
 @pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS)
 def test_json_is_read_as_by_the_standard_library(library, text):
     assert repr(load_json(text)) == repr(json.loads(text.decode("utf-8-sig")))
+
+
+def test_half_characters_are_replaced_in_names_too(library, tmp_path):
+    """No file takes them: as the name of an attached picture, one stopped grading."""
+    found = load_json(b'{"\\ud800": ["\\ud83d\\ude00", NaN, "\\\\udead"]}')
+    assert repr(found) == "{'?': ['😀', nan, '\\\\udead']}"
+    write_notebook(tmp_path / "a.ipynb", found)
 
 
 @pytest.mark.parametrize("text", [*BROKEN.values(), b"[" * 100_000], ids=[*BROKEN, "too deep"])

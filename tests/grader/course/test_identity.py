@@ -26,7 +26,7 @@ def test_ids_that_folders_can_have_are_taken(student):
 
 @pytest.mark.parametrize("student", [
     "", ".", "..", "a/b", "a\\b", "a+b", "*", "a?", "[a]", "a\nb", "a\0", " a", "a ", "-rf",
-    ".hidden", "a{b}", "x" * 101,
+    ".hidden", "a{b}", "x" * 101, "a\u202eb", "ada\u200b", "a\x9b2J", "\xad", "a\x7f", "\ud800",
 ])  # fmt: skip
 def test_ids_that_would_lead_elsewhere_are_refused(student):
     with pytest.raises(CourseError, match="cannot be a student id"):

@@ -88,6 +88,22 @@ def test_names_that_lead_elsewhere_or_fit_nobody_are_left_out_and_reported(named
     assert [p for p in after if p not in before and "gradebook" not in p.name] == []
 
 
+def test_a_name_that_is_no_name_loses_none_of_the_others(named, tmp_path):
+    """Python's own zipfile stops at an empty one; the patterns of platforms took minutes."""
+    long = f"{'_' * 60_000}.ipynb"
+    path = archive(tmp_path / "w.zip", {"ada.ipynb": "{}", long: "{}", "n.txt": ""})
+    raw = bytearray(path.read_bytes())
+    at = raw.rindex(b"n.txt")
+    # in the list of contents its name is made its comment
+    raw[at - 18 : at - 12] = b"\0\0\0\0\5\0"
+    path.write_bytes(raw)
+    found = take_in(named, "ch04", path)
+    assert {*found.taken} == {"ada"}
+    assert found.refused == [
+        (long, "its name has more than 500 characters"), ("", "not a notebook"),
+    ]  # fmt: skip
+
+
 @pytest.mark.parametrize("method", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
 def test_a_bomb_of_a_method_that_cannot_be_read_in_part_is_left_out(named, tmp_path, method):
     path = archive(tmp_path / "w.zip", {"ada.ipynb": "{}"})

@@ -96,6 +96,23 @@ def test_what_is_no_page_is_refused(whole, tmp_path, member, content):
         everything(written(tmp_path / "p", {**whole, member: content}))
 
 
+@pytest.mark.parametrize(("number", "missing"), [(6, 0), (5, 2), (4, 3)])
+def test_files_of_earlier_formats_are_read(whole, tmp_path, number, missing):
+    head, page = json.loads(whole["practice.json"]), json.loads(whole[MEMBER])
+    assert any(row[-2] for row in page["slips"])  # what a slip does
+    for name in ("labels", "slips") if missing else ():
+        page[name] = [row[:-missing] for row in page[name]]
+    made = {"practice.json": json.dumps(head | {"format": number}), MEMBER: json.dumps(page)}
+    everything(written(tmp_path / "p", whole | made))
+
+
+def test_a_slip_that_does_what_nobody_knows_is_refused(whole, tmp_path):
+    page = json.loads(whole[MEMBER])
+    page["slips"][0][-2] = "burns"
+    with pytest.raises(PracticeFileError, match="damaged"):
+        everything(written(tmp_path / "p", whole | {MEMBER: json.dumps(page)}))
+
+
 def test_a_damaged_archive_is_refused(whole, tmp_path):
     path = written(tmp_path / "p", whole)
     raw, rng, refused = path.read_bytes(), random.Random(2), 0
@@ -126,7 +143,8 @@ def test_codes_for_a_terminal_are_not_written_to_it(whole, tmp_path, capsys, pla
 
 
 def test_no_text_of_a_file_is_html_in_a_notebook(whole, tmp_path):
-    html, page = "<img src=x onerror=alert(1)><!-- $a<b$ </p>", json.loads(whole[MEMBER])
+    html = "<img src=x onerror=alert(1)><!-- $a<b$ </p>![seen](https://example.org/x.png)"
+    page = json.loads(whole[MEMBER])
     head = json.loads(whole["practice.json"])
     head["titles"]["4/16"][0] = page["variants"][0]["statement"] = html
     page["variants"][0]["solution"] = page["quantities"][0]["means"] = html
@@ -135,7 +153,14 @@ def test_no_text_of_a_file_is_html_in_a_notebook(whole, tmp_path):
     p = problems["4/16"]
     for shown in (problems, p, p.next_step(), p.next_step()):
         assert "< img" in (text := shown._repr_markdown_()) or "img" not in text
-        assert not re.search("<[a-z/!]", text)
+        assert not re.search(r"<[a-z/!]|!\[", text)
+
+
+def test_a_text_that_would_take_minutes_to_break_into_lines_is_refused(whole, tmp_path):
+    page = json.loads(whole[MEMBER])
+    page["variants"][0]["text"] = "a" * 4_000_000
+    with pytest.raises(PracticeFileError, match="has a text of 4000000 characters"):
+        everything(written(tmp_path / "p", whole | {MEMBER: json.dumps(page)}))
 
 
 BOMB = """

@@ -71,6 +71,16 @@ def test_a_count_goes_on_in_this_kernel_and_the_next(clock, monkeypatch, between
     assert check(seal(NUMBER, [2.5]), NUMBER, 2.5).right  # of another answer
 
 
+def test_what_another_kernel_counts_meanwhile_is_kept(clock, monkeypatch):
+    """While this one computes the hash of an answer."""
+    theirs = {"salt of another answer": {"wrong": ["a", "b"], "next": 2e9}}
+    monkeypatch.setattr(checks, "opens", lambda *_: checks.FILE.write_text(json.dumps(theirs)) < 0)
+    sealed = seal(NUMBER, [2.5])
+    assert check(sealed, NUMBER, 7.0).wrong == 1
+    kept = json.loads(checks.FILE.read_text())
+    assert {**theirs, sealed["salt"]: kept[sealed["salt"]]} == kept
+
+
 @pytest.mark.parametrize("entry", [
     None, [], {}, {"wrong": 5, "next": 0}, {"wrong": [], "next": 10**400},
     {"wrong": [], "next": math.nan}, {"wrong": [[]], "next": "x"},

@@ -56,7 +56,7 @@ def test_a_receipt_names_every_answer_that_cannot_be_read(problem):
 def test_an_unknown_problem_or_answer_is_reported(problem):
     with pytest.raises(
         AnswerError,
-        match=r"nothing is known of problem '9/99'; run the cells of the notebook from the top",
+        match=r"problem '9/99' has not been announced; run the cells of the notebook from the top",
     ):
         receipt("9/99", v=1)
     with pytest.raises(AnswerError, match="problem 0/7 does not ask for 'w'; it asks for v, speed"):
@@ -74,8 +74,8 @@ def test_answers_are_looked_up_where_names_are(problem):
 @pytest.mark.parametrize(
     ("answers", "words"),
     [
-        ({}, "0/7: no answer yet for v, speed; what stays open costs its points"),
-        ({"v": [1, 2, 3], "speed": None}, "0/7: no answer yet for speed; what stays open costs"),
+        ({}, "0/7: no answer yet for v, speed; an open answer earns no points"),
+        ({"v": [1, 2, 3], "speed": None}, "0/7: no answer yet for speed; an open answer earns"),
         ({"v": "1", "speed": None}, "0/7, v: expected a vector"),
     ],
 )

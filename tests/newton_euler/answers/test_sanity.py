@@ -1,4 +1,4 @@
-"""Answers that cannot be, whatever the key."""
+"""Answers that are impossible, whatever the key."""
 
 import pytest
 
@@ -101,6 +101,6 @@ def test_the_receipt_says_so_and_keeps_the_answer():
     expect("0/9", sane={"v": (0.1, 100)}, v="vector, m/s")
     found = receipt("0/9", v=[0, 5000, 0])
     assert "look again at v: its size is 5e+03 m/s" in repr(found)
-    assert "look at the units" in found.markdown
+    assert "check the units" in found.markdown
     assert found.answers == {"v": [0, 5000, 0]}
     assert "look again" not in repr(receipt("0/9", v=[0, 5, 0]))

@@ -150,7 +150,7 @@ WRONG = [
     ("expression, m", sympy.Derivative(sympy.Function("f")(theta), theta),
      "not among the functions"),
     ("expression, m", sympy.Piecewise((r, sympy.Contains(r, sympy.Integers)), (0, True)),
-     "the condition .* is not read"),
+     "the condition .* cannot be read"),
     ("vector, m", b"abc", "got the text b'abc'; write it without quotation marks"),
     ("number, m", lambda: 1.0, "which is a function: call it"),
     ("expression, m", sympy.Eq(theta, r), "an equation; give the side that is asked for"),

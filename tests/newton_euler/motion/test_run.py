@@ -382,7 +382,7 @@ def lorenz():
     return Model("Lorenz", {}, ("x", "y", "z"), rates)
 
 
-def test_auto_returns_the_more_accurate_of_what_it_was_refused():
+def test_auto_raises_the_more_accurate_of_its_refusals():
     """A motion that no float can follow: the error is that of .reached."""
     with pytest.raises(AccuracyError, match="the motion forgets its start") as refused:
         integrate(lorenz(), 60.0, (1.0, 1.0, 20.0))
