@@ -44,7 +44,9 @@ def work_integral(
     f : function of one number. Floats: by an adaptive quadrature to ``rtol``, relative to the
         integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f; likewise
         dimensions, moving and traced numbers. With symbols, or ``exact=True``: by SymPy
-    breaks : in order, where f has corners or jumps, or begins and ends a short pulse
+    breaks : in order, where f has corners or jumps. Of floats a pulse is seen if it is longer than
+        2 % of the distance between two of them; a shorter one may count as nothing, without a word,
+        unless breaks stand where it begins and ends
     Raises :class:`WorkError` where it does not converge, is not finite, or has no formula.
 
     >>> work_integral(lambda x: -200.0*x, 0.0, 0.1).value  # a spring, stretched from rest
