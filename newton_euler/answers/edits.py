@@ -13,7 +13,7 @@ from . import edits_of_givens as givens
 from . import edits_of_groups as groups
 from . import edits_of_operations as operations
 from . import edits_of_quantities as quantities
-from .causes import LEFT_OUT, REVERSED, Cause, computed
+from .causes import LEFT_OUT, RESCALED, REVERSED, Cause, computed
 from .formulas import (
     FIRST,
     LEAST,
@@ -217,7 +217,8 @@ def _of_wholes(answers, given, number):
             if -change in powers:
                 continue  # would cancel the factor itself: a slip in the product
             text = _of_power(name, max(powers, key=abs), change)
-            cause = computed(f"whole {op} {name}", text)
+            # without a name in a pair: one that mends the units of another is no mistake
+            cause = computed(f"whole {op} {name}", text, does=RESCALED)
             instead = {x.number: (op, x, number(step)) for x in components if x is not step}
             yield Edit(LESS, cause, instead)
 
