@@ -144,7 +144,7 @@ def burst(shell):
     Slider("azimuth", 35, 15, 75, 5, label="seen from", unit="°"),
     alt="Three equal rods at right angles: one along x through the origin, one upward from its "
     "one end, one along y from its other end. The centre of mass G lies near the origin, "
-    "outside of the rods.",
+    "outside the rods.",
     size=(5.6, 4.6),
 )
 def three_rods(ax, body, rods, azimuth):
@@ -251,7 +251,7 @@ def gravity_and_height():
     Slider("x", 0.5, -0.8, 0.8, 0.1, unit="m"),
     Slider("theta", 30, -60, 60, 5, label="θ", unit="°"),
     alt="A cart on a rail carries a pendulum. Two numbers, the place x of the cart and the angle "
-    "theta of the pendulum, tell where everything is, and each can be changed alone.",
+    "theta of the pendulum, fix where everything is, and each can be changed alone.",
     size=(6.4, 4.0),
 )
 def pendulum_on_cart(ax, x, theta):

@@ -130,7 +130,7 @@ def off_centre_film(build):
     Slider("psi", 0, 0, 360, 10, label="ψ", unit="°"),
     alt="A disk sits askew on its shaft, with its centre on the axis. The angular momentum H lies between "
     "the shaft and the normal of the disk; its rate is at right angles to both. The bearing "
-    "forces are opposite and equal, a couple that turns with the shaft; at 0 and 90 degrees there "
+    "forces are equal and opposite, a couple that turns with the shaft; at 0 and 90 degrees there "
     "is none.",
 )
 def bent_disk(ax, build, beta, psi):

@@ -58,7 +58,7 @@ MASTER_COPY = Words(
 OWN_COPY = Words("The copy of **{student}**.")
 INTRODUCTION = Words("""\
 Each problem has a cell for your work. It begins with names set to `None`; give each its value, in the unit that is written behind it, and run the
-cell below it: the **receipt** says whether your answer can be read (kind, shape, unit of a formula). {told}
+cell below it: the **receipt** says whether your answer can be read (kind, shape, unit of a formula). {notices}
 
 - Vectors are written `[x, y, z]`, in the frame named in the problem; a `Vector` of `newton_euler` is taken too. Angles go into `sin` and `cos` in
   radians.
@@ -240,7 +240,7 @@ def build_notebook(
     notices = [EXAM if exam else COMPARED if levels == {"none"} else HINTED]
     notices += [SEALED] * bool(levels - {None, "none"})
     limits = {"seconds": f"{seconds:g}", "total": f"{total:g}"}
-    text = _(INTRODUCTION, told="\n".join(_(x).strip() for x in notices), **limits)
+    text = _(INTRODUCTION, notices="\n".join(_(x).strip() for x in notices), **limits)
     text = f"# {title}\n\n{_(MASTER_COPY)}\n\n{text}"
     setup = SETUP if language() == ENGLISH else SETUP + SPEAKING.format(language=language())
     locked: NbgraderMetadata = {

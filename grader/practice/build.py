@@ -33,7 +33,7 @@ from .graded import same_for_all
 from .plain import plain
 from .quantities import KEPT, quantities, wrong_numbers
 from .relations import relations
-from .slips import slip_numbers
+from .slips import slip_numbers, without_formulas
 from .twins import sets_of_numbers, twin
 
 COLOURS = 64  # colours of a figure: a quarter of the bytes without a visible difference
@@ -80,7 +80,7 @@ def write_practice(
     help : the most that a student is shown, one of ``HELP``
     graded : {problem id: [numbers of a student's sheet]} of a course: answers in practice stay away
     from those of these sheets, and problems are left out if their answers are formulas or the same
-    for everybody
+    for everybody; mistakes are explained without formulas
     done : called after each problem
     rules : {problem id: {"tolerance", "help"}} of the sheets that ask for it; the lesser help
     counts
@@ -162,16 +162,20 @@ def page_of(
             file = f"{slug(name)}-{hashlib.sha256(figure).hexdigest()[:12]}{suffix}"
             figures[file] = figure  # a figure without numbers is stored once
             variants[-1]["figure"] = file
-    labels = _numbered(variants, "wrong")
-    slips = _numbered(variants, "slips")
+    labels, slips = _numbered(variants, "wrong"), _numbered(variants, "slips")
+    formulas = p.units if problem(name).symbols or graded is not None else ()
+
+    def said(text):
+        return stored(without_formulas(text, formulas))
+
     page = {
         "id": name, "language": language(), "title": p.title, "section": p.section,
         "where": stored(section(p.section)),
         "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "variants": variants,
-        "labels": [(key, *map(stored, astuple(c))) for key, c in labels],
-        "slips": [(key, rank, *map(stored, astuple(c)[1:])) for key, rank, c in slips],
+        "labels": [(key, *map(said, astuple(c))) for key, c in labels],
+        "slips": [(key, rank, *map(said, astuple(c)[1:])) for key, rank, c in slips],
         "book": sets[0] == problem(name).book_values, "help": help,
         "symbols": {n: p.notation[n] for n in p.givens},
     }  # fmt: skip

@@ -33,10 +33,10 @@ def shown(text: object) -> str:
     """A text for a cell of a table: without markup and control characters; of a very long one, as
     a student may call a file, the two ends.
     """
-    said = str(text)
-    if len(said) > MOST:
-        said = f"{said[: MOST // 2]} … {said[-MOST // 2 :]}"
-    return escape("".join(c if c.isprintable() else "\ufffd" for c in said))
+    line = str(text)
+    if len(line) > MOST:
+        line = f"{line[: MOST // 2]} … {line[-MOST // 2 :]}"
+    return escape("".join(c if c.isprintable() else "\ufffd" for c in line))
 
 
 def gradebook_table(results: Sequence[Result]) -> Table:

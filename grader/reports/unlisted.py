@@ -10,7 +10,7 @@ import numpy as np
 from exercises.catalogue import Problem
 from exercises.catalogue.variants import draw
 from newton_euler.answers.fit import EXACT, Fit
-from newton_euler.answers.slips import multiples, of_last_resort
+from newton_euler.answers.slips import multiples, of_last_resort, of_none
 from newton_euler.answers.tolerance import is_apart
 from newton_euler.answers.verdicts import Judged, explain
 
@@ -47,11 +47,12 @@ def _of_slips(p, values, rng):
     for slip in made(p, values, rng):
         exact = {k: _floats(points_of(p.answer(k), x)) for k, x in slip.answers.items()}
         digits = rng.choice(DIGITS)
+        whole = {k: _judged(p.answer(k), x, numbers) for k, x in exact.items()}
         judged = {k: _judged(p.answer(k), _written(x, digits), numbers) for k, x in exact.items()}
         for key in slip.wrong:
             finite = all(map(math.isfinite, exact[key][0]))
             if finite and judged[key].verdict == "wrong" and is_apart(exact[key], numbers.key[key]):
-                yield slip.kind, _outcome(p.answer(key), judged, numbers, exact[key], slip)
+                yield slip.kind, _outcome(p.answer(key), judged, numbers, whole, slip)
 
 
 def _floats(points):
@@ -86,7 +87,7 @@ def _judged(asked, given, numbers):
     return Judged("right" if right else "wrong", "", given)
 
 
-def _outcome(asked, judged, numbers, exact, slip):
+def _outcome(asked, judged, numbers, whole, slip):
     causes, earlier = _causes(asked, judged, numbers)
     if earlier:
         return "followed"
@@ -95,7 +96,7 @@ def _outcome(asked, judged, numbers, exact, slip):
     if slip.kind == LISTED:
         right = any((c.group, c.name) == ("listed", slip.name) for c in causes)
     else:
-        right = _gives(causes, exact, asked, numbers, judged)
+        right = _gives(causes, asked, numbers, whole)
     return "named" if right else "misnamed"
 
 
@@ -104,22 +105,26 @@ def _causes(asked, judged, numbers):
     return [c for c in why.causes if not c.is_observation], why.earlier
 
 
-def _gives(causes, exact, asked, numbers, judged):
-    """True if one of these causes gives exactly these numbers."""
-    key, kind = numbers.key[asked.key], asked.kind
+def _gives(causes, asked, numbers, whole):
+    """True if one of these causes gives exactly the numbers of an answer, ``whole`` has all their
+    digits.
+    """
+    key, kind, exact = numbers.key[asked.key], asked.kind, whole[asked.key].given
     fit = Fit(exact, kind.like(key, exact), kind.rtol)
-    models = [*numbers.wrong(asked.key), *kind.slips(fit)]
+    models = [*numbers.wrong(asked.key), *kind.slips(fit), *of_none(fit)]
     models += [*multiples(fit, kind.factors(asked.unit)), *of_last_resort(fit)]
     models += [(c, x) for c in causes for x in numbers.slips.of(asked.key, c)]
+    # also those in some components alone
+    models += [(c, x) for _, c, x in numbers.slips.near(asked.key, fit, kind)]
     models += [(c, numbers.book[asked.key]) for c in causes if c.group == "book"]
     models += [(c, numbers.key[c.name]) for c in causes if c.group == "exchanged"]
     gives = any(fit(kind.like(x, exact)) == EXACT for cause, x in models if cause in causes)
-    return gives or any(c in causes for c in _going_on(asked, numbers, fit, judged))
+    return gives or any(c in causes for c in _again(asked, numbers, whole))
 
 
-def _going_on(asked, numbers, fit, judged):
-    """The matching slips in computing on from the student's earlier answers."""
-    names = numbers.earlier.get(asked.key, ())
-    earlier = {n: judged[n].given for n in names if n in judged}
-    found = numbers.sequel(asked.key, earlier).near(asked.key, fit, asked.kind) if names else ()
-    return [cause.after(()) for _, cause, _ in found]
+def _again(asked, numbers, whole):
+    """The slips in going on and the two mistakes together that are found where all digits are
+    written, too: hardly any is by chance.
+    """
+    found, _ = _causes(asked, whole, numbers)
+    return [c for c in found if c.group in ("sequel", "both")]

@@ -94,12 +94,12 @@ def plural(one: str, several: str, n: int, /, **values: object) -> str:
     >>> plural("{n} problem", "{n} problems", 2)
     '2 problems'
     """
-    said = (one, several)[n != 1]
+    sentence = (one, several)[n != 1]
     if _chosen != ENGLISH:
         found = _catalogue(_chosen)
         forms = found.texts.get(one, ())
-        said = forms[found.form(n)] if len(forms) > 1 else said
-    return _filled(said, {"n": str(n), **_all_spoken(values)})
+        sentence = forms[found.form(n)] if len(forms) > 1 else sentence
+    return _filled(sentence, {"n": str(n), **_all_spoken(values)})
 
 
 def in_all(text: str) -> list[str]:
@@ -204,8 +204,8 @@ def speaking(name: str) -> Iterator[None]:
 
 
 class Catalogue:
-    """A catalogue: ``texts`` is {English: its forms in the language}, ``form`` which of them is
-    said of a number.
+    """A catalogue: ``texts`` is {English: its forms in the language}, ``form`` which of them
+    goes with a number.
     """
 
     def __init__(self, text: str):

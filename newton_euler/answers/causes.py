@@ -2,7 +2,6 @@
 them. The words complete "it fits a solution that …" and never contain a number of the key.
 """
 
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -12,6 +11,12 @@ from .tolerance import NEARLY
 WORDS = 30  # in a diagnosis, at most
 BRIEF = 20  # in two mistakes that are both named in full, at most
 ORDINALS = Words("first"), Words("second"), Words("third")
+# what a mistake does, where more than its words depends on it: leaves out a term or a quantity,
+# takes a given for zero, leaves out a component, reverses a term, takes its double or half, or has
+# a factor of 2 beside a quantity
+DOES = LEFT_OUT, ZERO, NO_COMPONENT, REVERSED, RESCALED, FACTOR_2 = (
+    "left out", "zero", "no component", "reversed", "rescaled", "two",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -28,6 +33,8 @@ class Cause:
         the reader's language
     where : where to read on in the book
     subject : shared by slips that are one and the same in other words: the last of them is named
+    does : what it does, one of :data:`DOES`, or ""
+    of : to what, in words; "" of a term without a name
     """
 
     group: str
@@ -35,6 +42,8 @@ class Cause:
     text: str = field(compare=False)
     where: str = field(default="", compare=False)
     subject: str = field(default="", compare=False)
+    does: str = field(default="", compare=False)
+    of: str = field(default="", compare=False)
 
     @property
     def what(self) -> str:
@@ -138,6 +147,7 @@ TRANSPOSED = slip(
 )
 SQUARED = slip("squared", Words("is the square of the answer: its root is asked for"))
 ROOT = slip("root", Words("is the square root of the answer: it was taken once too often"))
+UNIT_VECTOR = slip("unit", Words("gives the unit vector: its size is asked for as well"))
 INVERTED = slip("inverted", Words("is upside down: numerator and denominator are exchanged"))
 OFF_DIAGONAL = slip(
     "off diagonal",
@@ -217,7 +227,8 @@ def left_out_components(places: Sequence[int]) -> Cause:
     """Some components are zero."""
     one = Words("leaves out its {which} component: it is not zero here")
     several = Words("leaves out its {which} components: they are not zero here")
-    return slip(f"without {_ordinals(places)}", _of_places(places, one, several))
+    cause = slip(f"without {_ordinals(places)}", _of_places(places, one, several))
+    return replace(cause, does=NO_COMPONENT, of=_ordinals(places))
 
 
 def added_components(places: Sequence[int]) -> Cause:
@@ -225,11 +236,6 @@ def added_components(places: Sequence[int]) -> Cause:
     one = Words("has a {which} component, where there is none: check what points along it")
     several = Words("has {which} components, where there are none: check what points along them")
     return slip(f"more {_ordinals(places)}", _of_places(places, one, several))
-
-
-def is_left_out(cause: Cause) -> bool:
-    """True of a cause that says only that one component is zero."""
-    return cause in [left_out_components([n]) for n in range(len(ORDINALS))]
 
 
 def exchanged_components(places: Sequence[int]) -> Cause:
@@ -328,9 +334,9 @@ def both(first: Cause, second: Cause) -> Cause:
     """
     name, one, other = f"{first.name} + {second.name}", first.what, second.what
     text = Words("{first}, and also {second}: both change the answer", first=one, second=other)
-    if second == OPPOSITE_NUMBER and re.fullmatch("has .* with the opposite sign", one):
-        what = one.removeprefix("has ").removesuffix(" with the opposite sign")
-        return Cause("both", name, Words("has all but {term} with the opposite sign", term=what))
+    if second == OPPOSITE_NUMBER and first.does == REVERSED:
+        text = Words("has all but {term} with the opposite sign", term=first.of)
+        return Cause("both", name, text)
     if len(f"{one} {other}".split()) > BRIEF:
         short = min(one, other, key=lambda x: len(x.split())).partition(", ")[0]
         words, more = short.split()[: BRIEF - 3], short.split()[BRIEF - 3 :]
@@ -346,11 +352,6 @@ def in_this_part(cause: Cause) -> Cause:
     here = replace(cause, text=Words("in this part {cause}", cause=cause.text))
     words = sentence([here if here.where else here.at("section 1.1")]) or ""
     return here if len(words.split()) <= WORDS and here.why in words else cause
-
-
-def is_two(cause: Cause) -> bool:
-    """True of a factor of 2 beside a quantity."""
-    return " beside it: " in getattr(cause.text, "template", "")
 
 
 def in_components(cause: Cause, places: Sequence[int]) -> Cause:
@@ -382,20 +383,13 @@ def listed(name: str, text: str) -> Cause:
 def term_left_out(name: str, words: str) -> Cause:
     """A named term of a sum is missing."""
     text = Words("leaves out {term}: this term is not zero here", term=words)
-    return Cause("omitted", name, text)
+    return Cause("omitted", name, text, does=LEFT_OUT, of=words)
 
 
 def term_reversed(name: str, words: str) -> Cause:
     """A named term of a sum has the opposite sign."""
     text = Words("has {term} with the opposite sign: the equation adds it", term=words)
-    return Cause("term", f"{name} x -1", text)
-
-
-def left_out(cause: Cause) -> str:
-    """The term that a mistake leaves out; "" of any other mistake."""
-    template, values = getattr(cause.text, "template", ""), getattr(cause.text, "values", {})
-    found = re.match(r"leaves out {(term|quantity|names)}:", template)
-    return values[found[1]] if found else ""
+    return Cause("term", f"{name} x -1", text, does=REVERSED, of=words)
 
 
 def multiple_of(term: str) -> Cause:
@@ -420,9 +414,9 @@ def unconverted(given: str, unit: str) -> Cause:
     return Cause("unit", str(given), text)
 
 
-def computed(name: str, text: str, subject: str = "") -> Cause:
+def computed(name: str, text: str, subject: str = "", does: str = "", of: str = "") -> Cause:
     """A slip in one step of the computation; ``name`` identifies the step and the slip."""
-    return Cause("computed", name, text, subject=subject)
+    return Cause("computed", name, text, "", subject, does, of)
 
 
 def other_axes(place: int, frame: str) -> Cause:

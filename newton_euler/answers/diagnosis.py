@@ -8,7 +8,15 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from .causes import CORIOLIS_HALVED, ROUNDED, Cause, in_this_part, is_left_out
+from .causes import (
+    CORIOLIS_HALVED,
+    LEFT_OUT,
+    NO_COMPONENT,
+    ROUNDED,
+    ZERO,
+    Cause,
+    in_this_part,
+)
 from .fit import CLOSE, EXACT, LOOSE, Fit
 from .kinds import KINDS, Kind
 from .near import NO_SINGLES, Singles
@@ -142,7 +150,7 @@ def diagnose(
 def _says_little(cause, kind):
     """True of a cause that a slip may explain better: a factor, a zero, a formula of the book."""
     of_book = cause.group == "book" and kind.is_formula
-    return of_book or cause.group == "factor" or is_left_out(cause)
+    return of_book or cause.group == "factor" or cause.does == NO_COMPONENT
 
 
 class Hit(NamedTuple):
@@ -189,7 +197,7 @@ def _simplest(fit, near, elsewhere):
     hits = [(level, Hit(fit(x), cause, x)) for level, cause, x in near]
     if any(hit.cause.group == "unit" for _, hit in hits):
         # a number in a wrong unit may be nearly zero, or nearly the whole
-        hits = [(1 if "not zero here" in hit.cause.text else n, hit) for n, hit in hits]
+        hits = [(1 if hit.cause.does in (LEFT_OUT, ZERO) else n, hit) for n, hit in hits]
     best = max((hit.level for _, hit in hits), default=0)
     fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]
     found = [(n + elsewhere.contradicts(hit.cause), hit) for n, hit in fitting]

@@ -13,7 +13,7 @@ from . import edits_of_givens as givens
 from . import edits_of_groups as groups
 from . import edits_of_operations as operations
 from . import edits_of_quantities as quantities
-from .causes import Cause, computed
+from .causes import LEFT_OUT, REVERSED, Cause, computed
 from .formulas import (
     FIRST,
     LEAST,
@@ -83,13 +83,19 @@ def _edits(formulas):
     yield from groups.of_constants(steps, dimensions.get)
     yield from givens.of_one_unit(given, read, system)
     yield from givens.of_exchanged(given, read)
+    yield from givens.of_planes(s for s in steps if s.op in ("+", "-"))
     yield from givens.of_rates(anything, read)
     yield from _of_wholes(answers, given, number)
     yield from _of_unchanged(answers, given, read)
     yield from givens.of_lengths(given, read)
-    yield from givens.of_vectors({key: a.parts for key, a in answers.items()})
+    vectors = {key: a.parts for key, a in answers.items()}
+    yield from givens.of_vectors(vectors)
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
     yield from _of_differences(answers, numbers, formulas.stages, dimensions)
+    feet = own is US
+    g = unit("ft/s^2" if feet else "m/s^2").to_base(givens.G_OF_FEET if feet else givens.G, system)
+    masses = {n: s for n, s in numbers.items() if read[n].dimension == givens.MASS}
+    yield from givens.of_weights(vectors, masses, given.get("g", g), dimensions.get)
     yield from _of_stages(answers, formulas.stages, dimensions)
     yield from _of_angles(answers)
     leaves = {x for a in answers.values() for x in a.parts if isinstance(x, Step)}
@@ -115,6 +121,7 @@ def _edits(formulas):
     yield from quantities.of_densities(given, steps, dimensions.get)
     yield from quantities.of_squares(products, number, dimensions.get)
     yield from quantities.of_sums_squared(steps)
+    yield from quantities.of_differences_of_squares(steps)
     yield from groups.of_terms(steps, formulas.units)
     yield from groups.of_factors(products, number)
     for s, users in users_in.items():
@@ -172,8 +179,9 @@ def _number(dimensions, system, own, s):
 
 def _everywhere_and_once(s, place, slip, users):
     """The edit wherever the step is used, and in one use alone if there are several."""
-    rank, kind, words, expression = slip
-    cause = words if isinstance(words, Cause) else computed(f"{kind} {s.number} {place}", words)
+    rank, kind, words, expression, *does = slip
+    named = f"{kind} {s.number} {place}"
+    cause = words if isinstance(words, Cause) else computed(named, words, "", *does)
     yield Edit(rank, cause, {s.number: expression})
     if kind in (givens.TWICE, givens.HALF):
         return  # of one quantity, or a factor of one term
@@ -181,20 +189,23 @@ def _everywhere_and_once(s, place, slip, users):
     for user in users if len(users) <= MANY and rank <= LESS else ():
         once = (user.op, *(expression if a is s else a for a in user.args))
         name = f"{kind} {s.number} {place} {user.number}"
-        more, in_one_place = _in_one_place(cause, kind, user)
-        yield Edit(rank + more, computed(name, in_one_place), {user.number: once})
+        more, *in_one_place = _in_one_place(cause, kind, user)
+        yield Edit(rank + more, computed(name, *in_one_place), {user.number: once})
 
 
 def _in_one_place(cause, kind, user):
-    """The rank added to a slip in one use, and its words: a given that is zero or of the other sign
-    in one product makes the product so.
+    """The rank added to a slip in one use, its words and what it does: a given that is zero or of
+    the other sign in one product makes the product so.
     """
     term = described(user, "the term") if user.op in operations.PRODUCT else ""
     if term and kind == "zero":
-        return 1, Words("leaves out {term}: it is not zero here", term=term)
+        words = Words("leaves out {term}: it is not zero here", term=term)
+        return 1, words, "", LEFT_OUT, term
     if term and kind == "sign":
-        return ONCE, Words("has {term} with the opposite sign: it points the other way", term=term)
-    return ONCE, Words("{cause.what}, in one place: {cause.why}", cause=cause.text)
+        words = Words("has {term} with the opposite sign: it points the other way", term=term)
+        return ONCE, words, "", REVERSED, term
+    words = Words("{cause.what}, in one place: {cause.why}", cause=cause.text)
+    return ONCE, words, "", cause.does, cause.of
 
 
 def _of_wholes(answers, given, number):

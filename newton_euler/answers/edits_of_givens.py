@@ -1,6 +1,6 @@
 """Slips in the givens: one for another, twice or half of one, sign, unit, weight for mass."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, permutations, product
 from math import pi
 from typing import Any
@@ -8,8 +8,9 @@ from typing import Any
 from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import SI, US, Dimension, System, Unit, unit
-from .causes import Cause, computed, unconverted
+from .causes import FACTOR_2, LEFT_OUT, ZERO, Cause, computed, unconverted
 from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
+from .typed import terms_of
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
@@ -18,13 +19,17 @@ TWICE, HALF, ONE = "doubled", "halved", "one"
 G, G_OF_FEET = 9.81, 32.2  # of g, where the text gives none
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
+OF_TURNS = {"s": "min"}  # what a rate of turning is divided by
+
 SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inverted").template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
-Slip = tuple[int, str, Any, Any]  # rank, kind, words or cause, its replacement
+DimensionOf = Callable[[Step], Dimension | None]
+# rank, kind, words or cause, its replacement; of some what they do, and to what
+Slip = tuple[int, str, Any, Any] | tuple[int, str, Words, Any, str, str]
 
 
 def of_given(
@@ -58,10 +63,11 @@ def of_given(
     yield from _of_sign(s, own.dimension)
     rank = RARER if own.dimension == LENGTH else LESS
     twice = Words("takes twice {name}, or has a 2 too many beside it: {why}", name=name, why=is_it)
-    yield rank, TWICE, twice, ("*", s, 2.0)
+    yield rank, TWICE, twice, ("*", s, 2.0), FACTOR_2, name
     half = Words("takes half of {name}, or lacks a factor 2 beside it: {why}", name=name, why=is_it)
-    yield rank, HALF, half, ("*", s, 0.5)
-    yield LESS, "zero", Words("leaves out {name}: it is not zero here", name=name), ("*", s, 0.0)
+    yield rank, HALF, half, ("*", s, 0.5), FACTOR_2, name
+    words = Words("leaves out {name}: it is not zero here", name=name)
+    yield LESS, "zero", words, ("*", s, 0.0), ZERO, name
     yield (
         LESS,
         ONE,
@@ -133,6 +139,22 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
 
+def of_weights(
+    answers: Mapping[str, Sequence[Any]], masses: Mapping[str, Step], g: Any, of: DimensionOf
+) -> Iterator[Edit]:
+    """The weight of a given mass put into a component of a force, upward or downward."""
+    forces = {x: key for key, parts in answers.items() for x in parts if isinstance(x, Step)}
+    for (x, key), (name, m) in product(forces.items(), masses.items()):
+        if of(x) == FORCE:
+            words = Words(
+                "puts the weight {name}*g into {key}: look up what {key} consists of",
+                name=name, key=key,
+            )  # fmt: skip
+            for op in ("+", "-"):
+                cause = computed(f"{op} weight of {name} {x.number}", words)
+                yield Edit(LEAST, cause, {x.number: (op, x, ("*", m, g))})
+
+
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
     """A given used with its number in another unit."""
     name = s.args[0]
@@ -143,14 +165,14 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
     if _is_of_turns(own):
         yield SIMPLE, "2 pi", Words(TWO_PI, name=name), ("*", s, 0.5 / pi)
     for part in own.parts:
-        if part in CONFUSED:
-            other = CONFUSED[part]
+        over = own.is_of_turning and OF_TURNS.get(part)
+        if other := CONFUSED.get(part) or over:
             words = Words(
                 "takes {other} for {part} in {name}: it is given in {unit}",
                 other=other, part=part, name=name, unit=own.text,
             )  # fmt: skip
             ratio = unit(other).to_base(1.0, SI) / unit(part).to_base(1.0, SI)
-            yield LESS, f"confused {part}", words, ("*", s, ratio)
+            yield LESS, f"confused {part}", words, ("/" if over else "*", s, ratio)
         if part != own.text and unit(part).to_base(1.0, system) != 1:
             words = Words(
                 "does not convert the {part} in {name}: the rest is in other units",
@@ -177,6 +199,22 @@ def _ratios(own, system):
         if abs(there - 1) > 1e-9 and (other is SI or own.is_of_feet or other is system):
             found.add(ratio)
     return sorted(found)
+
+
+def of_planes(sums: Iterable[Step]) -> Iterator[Edit]:
+    """Of a sum of products of two givens, as a scalar product, both givens of one left out."""
+    for s in sums:
+        products = [x.args for _, x in terms_of(s) if isinstance(x, Step) and x.op == "*"]
+        pairs = [p for p in products if p[0] is not p[1] and all(map(_is_given, p))]
+        for a, b in pairs if len(pairs) > 1 else ():
+            names = joined(x.args[0] for x in (a, b))
+            words = Words("leaves out {names}: they are not zero here", names=names)
+            cause = computed(f"no {a.number} {b.number}", words, "", LEFT_OUT, names)
+            yield Edit(LESS, cause, {a.number: 0.0, b.number: 0.0})
+
+
+def _is_given(x):
+    return isinstance(x, Step) and x.op == "argument"
 
 
 def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
@@ -206,7 +244,8 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
         yield Edit(
             SIMPLE, computed(f"turned {names}", turned), {s.number: ("neg", s) for s in steps}
         )
-        yield Edit(SIMPLE, computed(f"no {names}", zero), {s.number: 0.0 for s in steps})
+        cause = computed(f"no {names}", zero, "", LEFT_OUT, names)
+        yield Edit(SIMPLE, cause, {s.number: 0.0 for s in steps})
 
 
 def _of_factors(steps):

@@ -9,7 +9,7 @@ from typing import Any
 from ..algebra.language import Words
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
-from .causes import computed
+from .causes import LEFT_OUT, REVERSED, computed
 from .formulas import LEAST, LESS, Edit, needed, users_of
 from .typed import Product, described, typed
 
@@ -54,8 +54,10 @@ def _of_terms(terms, words):
     name = " ".join(str(s.number) for s in terms)
     left_out = Words("leaves out {term}: it matters here", term=words)
     turned = Words("has {term} with the opposite sign: it points the other way", term=words)
-    yield Edit(LESS, computed(f"no terms {name}", left_out), {s.number: 0.0 for s in terms})
-    yield Edit(LEAST, computed(f"turned {name}", turned), {s.number: ("neg", s) for s in terms})
+    cause = computed(f"no terms {name}", left_out, "", LEFT_OUT, words)
+    yield Edit(LESS, cause, {s.number: 0.0 for s in terms})
+    cause = computed(f"turned {name}", turned, "", REVERSED, words)
+    yield Edit(LEAST, cause, {s.number: ("neg", s) for s in terms})
 
 
 def _sums(s, users):

@@ -1,5 +1,5 @@
 """Slips in single operations: a sign, a term, a factor, a square, sine for cosine. Each is (rank,
-kind, words, replacement).
+kind, words, replacement), and of terms what it does, and to which.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -11,13 +11,12 @@ from typing import Any
 from ..algebra.language import Words
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
-from .causes import Cause, computed
-from .edits_of_givens import LENGTH, NO_FIT, NOT_ONE
+from .causes import LEFT_OUT, RESCALED, REVERSED, computed
+from .edits_of_givens import LENGTH, NO_FIT, NOT_ONE, Slip
 from .edits_of_groups import neighbours
 from .formulas import LEAST, LESS, RARER, SIMPLE, Edit, needed
 from .typed import Product, described, is_given, typed
 
-Slip = tuple[int, str, str | Cause, Any]
 UNNAMED = Words("one term of a sum")
 AREA, INERTIA, ENERGY = Dimension(0, 2), Dimension(1, 2), Dimension(1, 2, -2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
@@ -64,19 +63,21 @@ def _of_sum(s):
         (b, a, ("+" if minus else "-", a, b)),
     ):
         several = isinstance(term, Step) and term.op in ("+", "-")
-        rank, what = LESS if several else SIMPLE, _term(term, s)
+        rank, name = LESS if several else SIMPLE, _term(term, s)
+        what = name or UNNAMED
         varies = is_given(term)
         turning = rank if varies else LESS
         words = Words("has {term} with the opposite sign: {why}", term=what, why=signs)
         if a is not b:  # of two equal terms nothing is left if one is reversed
-            yield turning, "sign", words, turned
-        yield rank, "term", Words("leaves out {term}: it is not zero here", term=what), left
+            yield turning, "sign", words, turned, REVERSED, name
+        words = Words("leaves out {term}: it is not zero here", term=what)
+        yield rank, "term", words, left, LEFT_OUT, name
         doubles = Words("doubles {term}: it counts once", term=what)
         halves = Words("halves {term}: it counts in full", term=what)
         kinds = (2.0, "doubles", doubles), (0.5, "halves", halves)
         for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
-            yield LESS, kind, words, (s.op, *scaled)
+            yield LESS, kind, words, (s.op, *scaled), RESCALED, name
         for factor in (4, 2, 0.5, 0.25) if not isinstance(term, Step) and term else ():
             words = Words(
                 "takes {other} for {term}: look up the number",
@@ -93,7 +94,7 @@ def _term(term, whole):
         if around:
             return Words("the {number} of {sum}", number=f"{term:g}", sum=around)
         return Words("the constant term of a sum")
-    return described(term, "the term") or UNNAMED
+    return described(term, "the term")
 
 
 def of_product(

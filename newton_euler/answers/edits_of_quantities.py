@@ -10,22 +10,21 @@ from typing import Any
 from ..algebra.language import Words, joined
 from ..algebra.trace import Step
 from ..algebra.units import Dimension
-from .causes import computed
-from .edits_of_givens import LENGTH, MASS
+from .causes import FACTOR_2, LEFT_OUT, computed
+from .edits_of_givens import LENGTH, MASS, DimensionOf
 from .edits_of_operations import parts_of
 from .formulas import LEAST, LESS, RARER, Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, repeats, terms_of, typed
 
-DimensionOf = Callable[[Step], Dimension | None]
 Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
 SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
-SCALED = {
-    -1.0: Words("takes {quantity} with the opposite sign: it points the other way").template,
-    2.0: Words("doubles {quantity}, or has a 2 too many beside it: it counts once").template,
-    0.5: Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full").template,
-    0.0: Words("leaves out {quantity}: it is not zero here").template,
-}
+TIMES = (
+    (-1.0, "", Words("takes {quantity} with the opposite sign: it points the other way")),
+    (2.0, FACTOR_2, Words("doubles {quantity}, or has a 2 too many beside it: it counts once")),
+    (0.5, FACTOR_2, Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full")),
+    (0.0, LEFT_OUT, Words("leaves out {quantity}: it is not zero here")),
+)
 
 
 def of_quantities(
@@ -41,8 +40,9 @@ def of_quantities(
         own = {x.number: x for x, _ in parts if isinstance(x, Step) and x.op != "argument"}
         if not any(users.get(x) for x in own.values()):
             continue
-        for factor, text in SCALED.items():
-            cause = computed(f"{factor} times {[*own]}", Words(text, quantity=words))
+        for factor, does, text in TIMES:
+            said = Words(text.template, quantity=words)
+            cause = computed(f"{factor} times {[*own]}", said, "", does, words)
             rank = LESS if factor or words in answers else RARER
             yield Edit(rank, cause, {n: ("*", x, factor) for n, x in own.items()})
         for other, instead in named if len(own) == len(parts) else ():
@@ -107,11 +107,19 @@ def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
             LESS, computed(f"added {name}", added), {x.number: ("+", *x.args) for x in parts}
         )
         yield Edit(LESS, computed(f"middle {name}", middle), {y.number: ("neg", y)})
+        products = [x.args[0] for x in parts]
+        if all(isinstance(x, Step) and x.op == "*" for x in products):
+            (a2, b3), (a3, b1), (a1, b2) = (x.args for x in products)
+            pairs = zip(parts, (a1, a2, a3), (b1, b2, b3), strict=True)
+            alone = Words("multiplies the components of {quantity} in pairs: "
+                          "a cross product is a vector of differences", quantity=words)  # fmt: skip
+            instead = {x.number: ("*", a, b) for x, a, b in pairs}
+            yield Edit(LESS, computed(f"pairs {name}", alone), instead)
 
 
 def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
     """The square of a sum, taken term by term."""
-    squared = {s: s.args[0] for s in steps if s.op == "*" and s.args[0] is s.args[1]}
+    squared = {s: s.args[0] for s in steps if _is_square(s)}
     for s, x in squared.items():
         named = typed(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
         if named:
@@ -121,6 +129,21 @@ def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
             )
             instead = {s.number: reduce(lambda a, b: ("+", a, b), squares)}
             yield Edit(LESS, computed(f"squares in {s.number}", words), instead)
+
+
+def of_differences_of_squares(steps: Iterable[Step]) -> Iterator[Edit]:
+    """The square of a difference for the difference of two squares."""
+    for s in steps:
+        squares = s.args if s.op == "-" and all(map(_is_square, s.args)) else ()
+        if squares:
+            less = ("-", *(x.args[0] for x in squares))
+            words = Words("squares the difference: the difference of the squares belongs there")
+            cause = computed(f"square of {s.number}", words)
+            yield Edit(LESS, cause, {s.number: ("*", less, less)})
+
+
+def _is_square(x):
+    return isinstance(x, Step) and x.op == "*" and x.args[0] is x.args[1]
 
 
 def _plain(x):

@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..algebra.late import np
-from .causes import Cause, in_components, is_two
+from .causes import FACTOR_2, Cause, in_components
 from .fit import Fit, rounding, written
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
@@ -132,7 +132,7 @@ class Slips:
             (level // 2, in_components(cause, wrong), _mixed(self._points(key, n), fit.key, right))
             for n in _near(mixed, fit, kind, ranked, CHANCE_IN_ONE)
             for level, cause in (ranked.slips[n],)
-            if not is_two(cause)  # named as a factor of these components
+            if cause.does != FACTOR_2  # named as a factor of these components
         ]
 
     def _points(self, key, place):

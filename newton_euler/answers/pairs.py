@@ -13,14 +13,13 @@ from functools import cached_property
 from itertools import chain
 from typing import Any
 
-from ..algebra.language import spoken
 from ..algebra.late import is_here, np
 from .causes import (
     INVERTED,
+    LEFT_OUT,
     OPPOSITE_NUMBER,
     Cause,
     both,
-    left_out,
     multiple_of,
     multiplied,
 )
@@ -113,7 +112,7 @@ class _Pairs:
         usable &= (abs(rows - key) > NOISE * size).any(axis=1)
         last = len(rows) - 1
         # a pair says nothing if its first mistake has no name
-        usable &= [spoken(UNNAMED) not in c.what for _, c in self.causes]
+        usable &= [bool(c.of or not c.does) for _, c in self.causes]
         usable[last] = len(key) == off.sum() or not key[~off].any()
         ratio = given[off] / key[off]
         alike = ratio.all() and np.ptp(ratio) <= 0.01 * abs(ratio).max()
@@ -213,10 +212,10 @@ class _Pairs:
         first, *ratios = [x / k for x, k in pairs if k] or [0.0]
         if all(abs(x - first) <= 0.01 * abs(first) for x in ratios):
             return ()  # a single number, or the whole is multiplied
-        terms = [(n, k, x) for k, (n, c) in enumerate(self.causes) if (x := left_out(c))]
+        terms = [(k, c.of) for k, (_, c) in enumerate(self.causes) if c.does == LEFT_OUT]
         if not terms or not NOISE * self.fit.first[2] < size < math.inf:
             return ()
-        places, near = [k for _, k, _ in terms], max(self.exactly * size, self.fit.rounding)
+        places, near = [k for k, _ in terms], max(self.exactly * size, self.fit.rounding)
         for last in (1, len(points)) if len(points) > 1 else (0,):
             keys, rows = zip(*(self.at(n) for n in points[: last + 1]), strict=True)
             key, off = np.concatenate(keys), np.concatenate(self.fit.given[: last + 1])
@@ -232,7 +231,7 @@ class _Pairs:
         chance = len(places) * (near / (AROUND * abs(off).max())) ** (shown - 1.0)
         is_met &= chance <= CHANCE
         largest = np.where(is_met, abs(changed).max(axis=1), 0).argmax()
-        return (multiple_of(terms[largest][-1]),) if is_met.any() else ()
+        return (multiple_of(terms[largest][1] or UNNAMED),) if is_met.any() else ()
 
     def _upside_down(self):
         if self.of_symbols and self.kind.length == 1:

@@ -92,7 +92,10 @@ def of_powers(fit: Fit) -> Models:
         return
     yield from _factors(fit, _ratio(fit), TENS)
     if len(fit.first[1]) > 2:
-        yield from left_out(fit) if len(fit.first[1]) == 3 else ()
+        if len(fit.first[1]) == 3:
+            yield from left_out(fit)
+            sizes = zip(fit.key, fit.sizes, strict=True)
+            yield causes.UNIT_VECTOR, tuple(tuple(x / (n or 1) for x in k) for k, n in sizes)
         return
     for cause, power in (causes.SQUARED, 2.0), (causes.ROOT, 0.5), (causes.INVERTED, -1.0):
         yield cause, tuple(tuple(_power(x, power) for x in point) for point in fit.key)

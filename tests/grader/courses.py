@@ -23,7 +23,7 @@ def environment(**more):
 
 
 def run(*command, cwd=None, timeout=180, **more):
-    """A command line: (exit code, everything it said)."""
+    """Run a command line: (exit code, all that it printed)."""
     done = subprocess.run(
         command, cwd=cwd, env=environment(**more), text=True, capture_output=True, timeout=timeout,
         check=False,
@@ -168,8 +168,8 @@ def gradebook_rows(course, assignment="ch04"):
                      g.needs_manual_grade)
                     for g in n.grades
                 ]  # fmt: skip
-                said = [(c.name, c.auto_comment, c.manual_comment) for c in n.comments]
-                rows += [(s.student.id, "comment", *c) for c in said]
+                texts = [(c.name, c.auto_comment, c.manual_comment) for c in n.comments]
+                rows += [(s.student.id, "comment", *c) for c in texts]
     return sorted(rows, key=repr)
 
 

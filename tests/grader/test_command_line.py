@@ -92,7 +92,7 @@ def test_figure_writes_a_contact_sheet_of_each_chapter(tmp_path):
     assert width / height == pytest.approx(2 * 5.2 / 4, rel=0.01)
 
 
-def test_figure_says_what_is_hard_to_read(tmp_path, monkeypatch):
+def test_figure_reports_what_is_hard_to_read(tmp_path, monkeypatch):
     """With 4/16 seen along one of its axes."""
     from newton_euler.drawing import Sketch
 

@@ -214,7 +214,7 @@ def _relative(a, b, sizes):
 
 
 def scales(sizes, natural):
-    """What differences are relative to: the largest size of each state on the way, and for states
+    """The scales of differences: the largest size of each state on the way, and for states
     that are nearly zero a thousandth of their natural size.
 
     A state that happens to be zero gets the round-off of those that it is coupled with. A
@@ -230,7 +230,7 @@ def _sizes(case, way):
 
 
 def natural_sizes(case, way, sizes):
-    """What the coupling to the other states makes of each: sum over j of |df_i/dx_j| size_j, over
+    """The size of each state that its coupling to the others gives it: sum over j of |df_i/dx_j| size_j, over
     the fastest rate of the linearised motion.
 
     That is independent of units, and says how large a state is that happens to be zero: the rate of

@@ -30,7 +30,7 @@ RUNS = [
 ]
 
 
-def test_what_an_answer_says_of_itself_is_what_the_run_says():
+def test_an_answer_of_the_chart_agrees_with_its_run():
     for a, r in zip(report.answers(RUNS[:4]), RUNS, strict=False):
         assert (a.kept, a.covered, a.silent) == (r.outcome == "met", r.covers, r.silent)
         assert a.effectivity == (r.ratio if r.ratio is None else pytest.approx(r.ratio))

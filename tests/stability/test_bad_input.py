@@ -1,4 +1,4 @@
-"""What does not belong where it is put is refused in words, and what is impossible as well: text,
+"""Arguments of a wrong kind are refused in words, and so are impossible ones: text,
 None, quantities with units, negative masses. The long run over all public names is
 ``python -m tests.fuzz``.
 """

@@ -36,7 +36,7 @@ def impact(n, e=E):
 
 
 @pytest.mark.parametrize("method", ["exact", "dop853"])
-def test_the_engine_finds_the_impacts_and_before_the_last_says_that_there_is_no_end_of_them(method):
+def test_the_engine_finds_the_impacts_and_reports_that_they_have_no_end(method):
     motion = dropped(BALL, _bounce, method=method)
     assert motion.ended.startswith("events follow each other without end: impact at t = 18.99999")
     assert "give then= a rule for what comes after" in motion.ended

@@ -288,7 +288,7 @@ def test_a_vector_that_comes_back_fits_those_here():
 
 
 def things():
-    """Results of the engine of many kinds, each with a function of what is to stay the same."""
+    """Results of many kinds, each with a function that returns what must stay the same."""
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", moving(0.3, rate=2.0, acceleration=0.5))
     body = arm.rotate(

@@ -128,7 +128,7 @@ def test_a_small_state_is_not_refused_where_round_off_leaves_it_as_accurate_as_a
     assert abs(found.end["dx"] / (2 * a) + math.sin(2.0)) <= found.error <= 1e-9
 
 
-def test_what_a_far_motion_reached_is_accurate_but_for_the_small_state():
+def test_a_far_motion_is_accurate_but_for_the_small_state():
     with pytest.raises(FarError) as refused:
         integrate(far_spring(6.4e6), 10.0, (6.4e6 + 1e-2, 0.0), 1e-9)
     found, a = refused.value.reached, (6.4e6 + 1e-2) - 6.4e6

@@ -127,7 +127,7 @@ def _wrong(p):
     found = {}
     for name, of in (("wrong", "labels"), ("slips", "slips")):
         labels = p._page[of]
-        found |= {labels[n][-3][0]: (labels[n], x) for n, x in p._variant[name]}
+        found |= {labels[n][3][0]: (labels[n], x) for n, x in p._variant[name]}
     return found.values()
 
 

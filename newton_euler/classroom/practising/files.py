@@ -12,11 +12,12 @@ from typing import Any
 from ...algebra.errors import NewtonEulerError
 from ...algebra.language import _, are_words
 from ...algebra.units import unit
+from ...answers.causes import DOES
 from ...answers.forms import kind_named
 from ...answers.messages import SpokenError, one_line
 from .programs import OPERATIONS
 
-FORMAT, READ = 5, (4, 5)  # a cause is words in 5, a text in 4
+FORMAT, READ = 6, (4, 5, 6)  # a cause is words from 5 on, a text in 4
 # the most that a student is shown: whether an answer is right and which mistake explains it; also
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
@@ -112,8 +113,9 @@ class PracticeFile:
                 all=", ".join(self.problems),
             )
         page: dict[str, Any] = self._json(f"{problem.replace('/', '-')}.json")
-        if _fits(page, EARLIER):
-            page |= {name: [[*row, ""] for row in page[name]] for name in ("labels", "slips")}
+        for shape, missing in EARLIER:
+            if _fits(page, shape):
+                page |= {n: [row + missing for row in page[n]] for n in ("labels", "slips")}
         fits = _fits(page, PAGE) and page.get("help", HELP[0]) in HELP
         if not fits or not _fits(page.get("language", ""), str) or not _is_whole(page):
             raise PracticeFileError(
@@ -138,16 +140,16 @@ VARIANT = {
     "right": {str: str | int | list}, "wrong": [(int, object)], "terms": {str: [TEXT]},
     "program": dict | None, "slips": [(int, list)],
 }  # fmt: skip
-LABEL = (str, str, str, TEXT, TEXT, TEXT)
-SLIP = (str, int, str, TEXT, TEXT, TEXT)
+LABEL = (str, str, str, TEXT, TEXT, TEXT, str, TEXT)
+SLIP = (str, int, str, TEXT, TEXT, TEXT, str, TEXT)
 PAGE = {
     **dict.fromkeys(("id", "title", "section", "chapter", "preamble", "figure"), str),
     "where": TEXT,
     "book": bool, "quantities": [QUANTITY], "variants": [VARIANT],
     "labels": [LABEL], "slips": [SLIP],
 }  # fmt: skip
-# in format 4 slips have no subjects
-EARLIER = PAGE | {"labels": [LABEL[:-1]], "slips": [SLIP[:-1]]}
+# before format 6 nothing says what a cause does, and to what; in 4 it has no subject either
+EARLIER = [(PAGE | {"labels": [LABEL[:-n]], "slips": [SLIP[:-n]]}, [""] * n) for n in (2, 3)]
 PROGRAM = {"operations": [list], "quantities": {str: list}, "earlier": {str: [str]}}
 
 
@@ -194,6 +196,7 @@ def _is_whole(page):
         and _fits(page.get("symbols", {}), {str: str})
         and not any(kind.is_formula for kind in kinds.values())
         and all(group != "axes" or place.isdecimal() for _, group, place, *_ in page["labels"])
+        and all(row[-2] in ("", *DOES) for row in (*page["labels"], *page["slips"]))
         and all(map(are_words, _texts(page)))
         and all(_is_variant(v, kinds, page) for v in page["variants"])
     )  # fmt: skip
@@ -202,8 +205,8 @@ def _is_whole(page):
 def _texts(page):
     """The texts of causes and terms."""
     yield page["where"]
-    for *_other, text, where, subject in (*page["labels"], *page["slips"]):
-        yield from (text, where, subject)
+    for *_other, text, where, subject, _does, of in (*page["labels"], *page["slips"]):
+        yield from (text, where, subject, of)
     for v in page["variants"]:
         yield from (text for texts in v["terms"].values() for text in texts)
 

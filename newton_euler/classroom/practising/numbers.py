@@ -75,7 +75,9 @@ class KeptNumbers:
         for label, numbers in self._variant["wrong"]:
             key, *cause = self._labels[label]
             if key in found:
-                found[key].append((Cause(*cause[:2], *map(self._read, cause[2:])), _point(numbers)))
+                group, name, *texts, subject, does, of = cause
+                known = group, name, *map(self._read, texts), *map(words, (subject, does, of))
+                found[key].append((Cause(*known), _point(numbers)))
         return found
 
     def _read(self, stored):
@@ -119,8 +121,8 @@ class KeptNumbers:
 
 
 class KeptSlips(Slips):
-    """The slips of one variant: ``labels`` of all, [key, rank, name, text, where], and the
-    numbers that these make, [place among the labels, numbers].
+    """The slips of one variant: ``labels`` of all, [key, rank, name, text, where,
+    subject, does, of], and the numbers that these make, [place among the labels, numbers].
     """
 
     def __init__(self, labels, kept):

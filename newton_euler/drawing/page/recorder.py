@@ -124,7 +124,7 @@ class Recorder:
         return size
 
     def _number(self, x):
-        """``x`` as a float; nan for what is none."""
+        """``x`` as a float; nan if it has no value as one."""
         try:
             return self._float(x)
         except (TypeError, ValueError, OverflowError):

@@ -16,8 +16,8 @@ def ids(**wanted):
 def test_an_entry_says_what_the_problem_says():
     for p in (problem("4/16"), problem("5/26"), problem("7/5")):
         e = entry(p)
-        said = e.id, e.section, e.sheets, e.answers
-        assert said == (p.id, p.section, sheets(p), len(p.answers))
+        row = e.id, e.section, e.sheets, e.answers
+        assert row == (p.id, p.section, sheets(p), len(p.answers))
         assert set(e.kinds) == {a.kind.name for a in p.answers}
         assert 1 <= e.difficulty <= 5
         assert e.minutes % 5 == 0 < e.minutes

@@ -52,6 +52,12 @@ def test_a_right_angle_beside_degrees_is_written_in_degrees():
     (m * g * a / b - m * g * b, "a*g*m/b - b*g*m"),
     (-m * a * g - m * a * h - m * b * g - m * b * h, "-m*(a + b)*(g + h)"),
     (a * (g + h) + b * (g + h) + m, "m + (a + b)*(g + h)"),
+    (g + m * a**2 + m * b**2, "g + m*(a**2 + b**2)"),
+    (0.4 * a**2 + 0.4 * b**2 - m, "0.4*(a**2 + b**2) - m"),
+    (a * b * (1 + m), "a*b*(1 + m)"),
+    (1 + sympy.cos(a) ** 2, "1 + cos(a)**2"),
+    (a * b + g, "g + a*b"),
+    (m**2 + 4, "m**2 + 4"),
     (3.5 * a**2 - 1.8 * a + 2, "3.5*a**2 - 1.8*a + 2"),
     (m * (6 * a + 3 * b), "3*m*(2*a + b)"),
     (2 * a * m + g**2, "g**2 + 2*a*m"),  # a name before a product

@@ -40,7 +40,7 @@ def test_a_text_stands_for_a_problem_or_a_range(text, found):
 
 
 @pytest.mark.parametrize("text", ["11/6-11/1", "4/3-5/1", "4/3-", "4/999", "ch99", "4/1-4/999"])
-def test_a_range_that_is_none_is_refused(text):
+def test_an_invalid_range_is_refused(text):
     with pytest.raises((CourseError, CatalogueError)):
         in_range(text)
 

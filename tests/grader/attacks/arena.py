@@ -72,7 +72,7 @@ class Arena:
     mark: str
     host: object = None
     before: dict = field(default_factory=dict)
-    said: str = ""
+    output: str = ""
     code: int = 0
     visitors: list = field(default_factory=list)
     jobs: list = field(default_factory=list)
@@ -129,7 +129,7 @@ def prepare(course, folder, names, honest=None):
 
 
 def run(arena, route, ordinary=False, sandbox=True, before="", students="*", timeout=900):
-    """Run a route; fills in what it says."""
+    """Run a route, and record its output."""
     log = arena.outside.parent / "jobs.txt"
     log.touch()
     request = {"route": route, "course": str(arena.course.path), "log": str(log),
@@ -148,7 +148,7 @@ def run(arena, route, ordinary=False, sandbox=True, before="", students="*", tim
     )  # fmt: skip
     arena.visitors = arena.host.visitors()
     arena.code = done.returncode
-    arena.said = (done.stdout + done.stderr).decode(errors="surrogateescape")
+    arena.output = (done.stdout + done.stderr).decode(errors="surrogateescape")
     arena.jobs = [float(line) for line in log.read_text().split()]
     return arena
 
@@ -161,7 +161,7 @@ def scores(arena):
 
 
 def files(folder):
-    """{path: what it is and holds} of all files below a folder; links are not followed."""
+    """{path: its type and content} of all files below a folder; links are not followed."""
     found = {}
     for place, names, others in os.walk(folder):
         for name in [*names, *others]:

@@ -17,14 +17,14 @@ class Attack:
     """An entry of a table.
 
     make : writes the submission, given a :class:`Scene`
-    said : words that the gradebook's comments or the run's output must hold
+    shown : words that the gradebook's comments or the run's output must hold
     readable : False if there is no notebook to be graded: the run says so
     caged : True if only the cage stops it; it is not tried where the instructor asks for none
     check : more that must hold, given the scene after the run
     """
 
     make: Callable
-    said: str = ""
+    shown: str = ""
     readable: bool = True
     caged: bool = False
     check: Callable = lambda scene: None

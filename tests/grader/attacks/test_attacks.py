@@ -67,7 +67,7 @@ def test_the_honest_ones_earn_all_that_is_to_be_had(arena):
     earned = {s: arena.scores.get(s, {}) for s in a.honest_students()}
     assert {s: {c: x.get(c) for c in FULL} for s, x in earned.items()} == dict.fromkeys(
         a.honest_students(), FULL
-    ), arena.said[-3000:]
+    ), arena.output[-3000:]
 
 
 @pytest.mark.parametrize("name", a.ATTACKS)
@@ -79,17 +79,17 @@ def test_it_earns_nothing(arena, name):
     assert sum(p or 0 for p in earned.values()) == 0, (earned, points(arena.course)[student])
     if not attack.readable:
         assert not earned or set(earned.values()) <= {None, 0.0}
-        assert re.search(rf"\b{student}\b", arena.said)
+        assert re.search(rf"\b{student}\b", arena.output)
     elif student not in arena.scores:
-        pytest.fail(f"it was not graded: {said_of(arena, student)}")
-    if attack.said:
+        pytest.fail(f"it was not graded: {lines_of(arena, student)}")
+    if attack.shown:
         comments = [c for _, _, c in points(arena.course)[student].values() if c]
-        assert attack.said in "\n".join(comments)
+        assert attack.shown in "\n".join(comments)
     attack.check(arena.scene(student))
 
 
-def said_of(arena, student):
-    return [line for line in arena.said.splitlines() if student in line]
+def lines_of(arena, student):
+    return [line for line in arena.output.splitlines() if student in line]
 
 
 def test_no_job_takes_longer_than_its_own_deadline(arena):
@@ -121,10 +121,10 @@ def test_nothing_is_changed_but_what_grading_writes(arena):
 
 
 def test_what_is_reported_has_no_terminal_codes_and_no_secret(arena):
-    assert not CONTROL.search(arena.said), CONTROL.search(arena.said)
+    assert not CONTROL.search(arena.output), CONTROL.search(arena.output)
     for secret in (a.SECRET, a.TOKEN, "hidden words"):
-        assert secret not in arena.said
-    lines = arena.said.splitlines()
+        assert secret not in arena.output
+    lines = arena.output.splitlines()
     assert not [x for x in lines if x.startswith(("ada 11", "Evil", "[AutogradeApp] done"))]
 
 
@@ -134,10 +134,10 @@ def test_what_students_may_read_holds_no_secret_and_nothing_of_a_neighbour(arena
     assert numbers
     book = points(arena.course)
     for name in arena.names:
-        said = "\n".join(c for _, _, c in book.get(a.STUDENTS[name], {}).values() if c)
+        text = "\n".join(c for _, _, c in book.get(a.STUDENTS[name], {}).values() if c)
         for secret in (a.SECRET, a.TOKEN, "hidden words", *numbers):
-            assert secret not in said, name
-        assert not CONTROL.search(said), name
+            assert secret not in text, name
+        assert not CONTROL.search(text), name
 
 
 def test_the_secret_is_in_no_file_that_was_written(arena):
@@ -168,8 +168,8 @@ def test_feedback_pages_hold_no_secret_and_nothing_that_runs(arena, request):
     quick = request.node.callspec.params["arena"] == "grade"
     students = "m15*" if quick else "*"  # the last ones are those that write texts
     a.run(arena, "generate_feedback", students=students, **arena.as_user)
-    assert arena.code == 0, arena.said[-3000:]
-    assert not CONTROL.search(arena.said)
+    assert arena.code == 0, arena.output[-3000:]
+    assert not CONTROL.search(arena.output)
     pages = (arena.course.path / "feedback").glob("m*/ch04/ch04.html")
     paths = [p for p in pages if p.parents[1].name in a.STUDENTS.values()]
     assert len(paths) >= (9 if quick else len(arena.names) / 2)
@@ -225,8 +225,8 @@ def test_where_namespaces_are_refused_nothing_runs_and_nobody_is_graded(released
     prepared = a.prepare(released, folder, names, honest=a.honest_students()[:2])
     found = a.run(prepared, route, before=a.REFUSED)
     try:
-        assert found.code == 1, found.said[-3000:]
-        assert "this machine refuses the cage for student code" in found.said
+        assert found.code == 1, found.output[-3000:]
+        assert "this machine refuses the cage for student code" in found.output
         assert {p for cells in a.scores(found).values() for p in cells.values()} <= {None}
         assert not list((found.course.path / "autograded").glob("*/ch04/ch04.ipynb"))
         assert a.processes(found.outside / "home") == []

@@ -105,7 +105,7 @@ def test_what_a_test_says_reaches_no_receipt_and_no_later_submission(harvester, 
     assert after["receipts"]["0/1"]["answers"].get("x") in (None, 0.0)
 
 
-DECEIVED = {  # by which a test can be passed: known, and said in the README
+DECEIVED = {  # by which a test can be passed: known, and in the README
     "an object that is equal to all": (
         "class Any:\n    def __eq__(self, _): return True\n    __hash__ = None\n"
         "def square(x): return Any()"

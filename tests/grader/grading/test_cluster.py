@@ -174,14 +174,14 @@ def test_nothing_of_a_student_and_no_secret_passes_the_scheduler(fresh, cluster)
     with wire.socket, dask.config.set({"distributed.comm.compression": None}):
         results = grade(fresh, "ch04", scheduler=wire.address, force=True)
     read = {p.read.encode() for r in results for s in r.scores.values() for p in s.parts}
-    said = {p.message.encode()[:30] for r in results for s in r.scores.values() for p in s.parts}
+    notes = {p.message.encode()[:30] for r in results for s in r.scores.values() for p in s.parts}
     ids = [r.student.encode() for r in results]
     assert len(ids) == 7
     assert len(read) > 10
     assert b"_grade" in wire.seen
     assert str(fresh.path).encode() in wire.seen
     private = {fresh.secret, fresh.secret.hex().encode(), b"SyntaxError", b"not on the roster"}
-    private |= {b"\x8c%c%b" % (len(i), i) for i in ids} | {b"mallory", b"cleo"} | said
+    private |= {b"\x8c%c%b" % (len(i), i) for i in ids} | {b"mallory", b"cleo"} | notes
     private |= {x for x in read if len(x) > 5}
     assert not [x for x in private if x in wire.seen]
 

@@ -72,9 +72,9 @@ def test_each_mistake_of_a_chapter_is_graded_and_named(chapter, tmp_path):
                     follows = "follows from your" in part.message
                     assert part.verdict == "wrong", where
                     assert part.points == 0 or follows, where
-                    told = [cause.text for cause in part.causes]
-                    named += p.mistakes[name] in told or follows
-                    if told and p.mistakes[name] not in told and not follows:
+                    listed = [cause.text for cause in part.causes]
+                    named += p.mistakes[name] in listed or follows
+                    if listed and p.mistakes[name] not in listed and not follows:
                         wrong.append(where)
     print(f"{chapter}: {made} wrong answers, {100 * named / made:.1f} % named")
     assert made > 30

@@ -155,6 +155,10 @@ TIMES = {
     "empty": lambda path: path.write_text(""),
     "bytes": lambda path: path.write_bytes(b"\xff\x00"),
     "long": lambda path: path.write_text("1" * 100_000),
+    # of one of a class, it stopped the grading of an exam
+    "a long zone": lambda path: path.write_text("2026-11-22 10:00:00 " + "A" * 300),
+    "a zone that is a file": lambda path: path.write_text("2026-11-22 10:00:00 ../../etc/passwd"),
+    "a zone that is a path": lambda path: path.write_text("2026-11-22 10:00:00 /etc/localtime"),
     "missing": lambda path: None,
 }
 
@@ -174,8 +178,13 @@ def test_numpy_is_not_what_nbgrader_needs_itself(fresh, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "text", ["2026-11-22 10:00:00.123 UTC", "2026-11-22 11:00:00.123 CET", "20261122T100000.123Z"]
-)
+    "text",
+    [
+        "2026-11-22 10:00:00.123 UTC", "2026-11-22 11:00:00.123 CET", "20261122T100000.123Z",
+        "2026-11-22 11:00:00.123 Europe/Berlin",
+        "2026-11-22T11:00:00.123+01:00", "2026-11-22 10:00:00", "2026-11-22 11:00:00.123 3600",
+    ],
+)  # fmt: skip
 def test_a_time_of_submission_is_read_in_utc(tmp_path, text):
     from grader.submission.timestamps import read_timestamp
 

@@ -96,6 +96,23 @@ def test_what_is_no_page_is_refused(whole, tmp_path, member, content):
         everything(written(tmp_path / "p", {**whole, member: content}))
 
 
+@pytest.mark.parametrize(("number", "missing"), [(6, 0), (5, 2), (4, 3)])
+def test_files_of_earlier_formats_are_read(whole, tmp_path, number, missing):
+    head, page = json.loads(whole["practice.json"]), json.loads(whole[MEMBER])
+    assert any(row[-2] for row in page["slips"])  # what a slip does
+    for name in ("labels", "slips") if missing else ():
+        page[name] = [row[:-missing] for row in page[name]]
+    made = {"practice.json": json.dumps(head | {"format": number}), MEMBER: json.dumps(page)}
+    everything(written(tmp_path / "p", whole | made))
+
+
+def test_a_slip_that_does_what_nobody_knows_is_refused(whole, tmp_path):
+    page = json.loads(whole[MEMBER])
+    page["slips"][0][-2] = "burns"
+    with pytest.raises(PracticeFileError, match="damaged"):
+        everything(written(tmp_path / "p", whole | {MEMBER: json.dumps(page)}))
+
+
 def test_a_damaged_archive_is_refused(whole, tmp_path):
     path = written(tmp_path / "p", whole)
     raw, rng, refused = path.read_bytes(), random.Random(2), 0

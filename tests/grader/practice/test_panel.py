@@ -76,7 +76,7 @@ def test_the_form_speaks_of_its_own_buttons(form, capsys):
     assert "nothing is left to find; New numbers takes other numbers" in output
     assert "p.check" not in output
     assert "p.new" not in output
-    assert "p.new() takes others" in repr(p)  # who types is told what to type
+    assert "p.new() takes others" in repr(p)  # typed input gets the method's name
 
 
 def test_help_begins_anew_with_each_problem_and_the_table_keeps_that_there_was_some(

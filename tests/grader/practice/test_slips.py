@@ -1,6 +1,7 @@
 """Slips in the computation, named in practice."""
 
 import json
+import re
 import zipfile
 
 import numpy as np
@@ -9,8 +10,11 @@ import pytest
 from exercises.catalogue import problem
 from exercises.catalogue.steps import steps
 from exercises.catalogue.variants import flat
+from grader.practice.build import page_of
+from grader.practice.slips import without_formulas
 from grader.scoring import score_receipt
 from grader.scoring.computation import perturbed, perturbed_steps
+from newton_euler.algebra.language import Words
 from newton_euler.answers.formulas import SIMPLE
 from newton_euler.classroom import practice
 
@@ -68,3 +72,25 @@ def test_a_file_holds_what_slips_give_and_not_the_formulas(practice_file):
         for place, numbers in variant["slips"]:
             assert 0 <= place < len(page["slips"])
             assert all(isinstance(x, float) for x in numbers)
+
+
+@pytest.mark.parametrize(("name", "graded"), [
+    ("4/10", None), ("8/8", None), ("9/8", None), ("7/6", None), ("4/18", []), ("4/40", []),
+])  # fmt: skip
+def test_no_words_of_mistakes_say_the_formula_of_what_is_graded(name, graded):
+    """In 4/10 the two terms that a slip may leave out were the answer, in 7/6 a listed mistake."""
+    page, _ = page_of(name, 2, "solution", graded, draw=lambda p, values: None)
+    said = json.dumps([row[3:] for row in page["slips"] + page["labels"]], ensure_ascii=False)
+    assert " in {names}" in said or "…" in said
+    symbol = rf"\b({'|'.join(problem(name).units)})\b"
+    assert not re.search(rf"{symbol}[*/^]|[*/]{symbol}", said), said
+
+
+@pytest.mark.parametrize(("formula", "shown"), [
+    ("2*m*g", "the term in m, g"), ("m + g", "the term in m, g"), ("-m/(2*g)", "the term in m, g"),
+    ("m", "the term m"), ("cos(m)", "the term cos(m)"), ("1/2", "the term 1/2"),
+    ("the well-known, m*g/2, m^2)", "the term the well-known, …, …"),
+    ("so that f = +m^2: read m's text.", "the term so that f = …: read m's text."),
+])  # fmt: skip
+def test_a_formula_is_called_by_the_names_in_it(formula, shown):
+    assert without_formulas(Words("the term {formula}", formula=formula), {"m", "g"}) == shown

@@ -30,7 +30,7 @@ def modules():
 # examples that need a library: they show arrays, mpmath's digits or what Matplotlib draws
 ARRAYS = (
     "Vector.to_array", "charts.axes.chart", "integration.integrate", "ladder", "ladders.smallest",
-    "legibility.faults", "measurements.honesty", "particles.projectile", "reference_solution",
+    "measurements.honesty", "particles.projectile", "reference_solution",
     "regime_maps", "scalars.with_extra_digits", "show.compare", "solution.Motion",
     "work_precision",
 )  # fmt: skip
@@ -40,11 +40,11 @@ for module in [*modules()][::step]:
     for test in doctest.DocTestFinder(exclude_empty=True).find(module, module.__name__):
         if test.name.endswith(arrays):
             continue
-        said = []
+        printed = []
         runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE)
         tried += bool(test.examples)
-        if runner.run(test, out=said.append).failed:
-            wrong.append("".join(said))
+        if runner.run(test, out=printed.append).failed:
+            wrong.append("".join(printed))
 assert not wrong, wrong[0]
 print(tried)
 """

@@ -27,7 +27,7 @@ def test_the_shares_are_printed_with_their_sum():
     assert named > 90
 
 
-def test_a_mistake_told_as_another_is_misnamed_and_one_taken_for_right_fails(monkeypatch):
+def test_a_mistake_named_as_another_is_misnamed_and_one_taken_for_right_fails(monkeypatch):
     p = problem("4/16")
     original = module.score_receipt
 

@@ -67,7 +67,7 @@ def is_silent(part):
 
 
 @pytest.mark.parametrize("name", [entry["problem"] for entry in ROWS])
-def test_what_is_named_is_what_was_done(name, parts):
+def test_the_mistake_named_is_the_one_that_was_made(name, parts):
     for did, says, part in parts[name]:
         assert part.verdict == "wrong"
         assert is_silent(part) or re.search(says, part.message), (did, part.message)

@@ -89,7 +89,7 @@ def descendants(of=None):
 
 
 def as_ordinary_user(command):
-    """The command line of ``command`` run by a user without privileges; skips where there is none."""
+    """The command line of ``command`` run by a user without privileges; skips where there is no such user."""
     if os.geteuid() != 0:
         return command
     user = ["setpriv", "--reuid=54321", "--regid=54321", "--clear-groups"]

@@ -181,7 +181,7 @@ if pandas:
 
 
 def _poly(e, *symbols):
-    """As a Poly; as it is where it is none, with a root or quotient of its symbols."""
+    """As a Poly; unchanged where it is no polynomial, with a root or quotient of its symbols."""
     try:
         return sympy.Poly(e, *symbols)
     except (BasePolynomialError, KeyError):

@@ -1,4 +1,4 @@
-"""Which wrong model gives a wrong answer: told if one alone fits, never for a right answer."""
+"""The wrong model behind a wrong answer: named if only one fits, never for a right answer."""
 
 import math
 from collections import Counter
@@ -77,7 +77,7 @@ def test_every_listed_mistake_earns_nothing_and_is_named_by_its_text_without_a_n
             assert texts(part)[0] == p.mistakes[name], (name, key)
             assert {c.group for c in part.causes[1:]} <= {"term"}, (name, key)
             assert part.message == f"not right; it fits a solution that {part.diagnosis}"
-        else:  # several fit: all are told, or those that fit better
+        else:  # several fit: all are named, or those that fit better
             own = {c.text for c in part.causes if c.group == "listed"}
             assert own <= {p.mistakes[m] for m in (name, *same)}, name
             assert p.mistakes[name] in texts(part), (name, key)
@@ -103,7 +103,7 @@ def vectors(kind="vector"):
     return [(p, a) for p in CH04 for a in p.answers if a.kind.name == kind]
 
 
-def told(p, a, given, value):
+def diagnosed(p, a, given, value):
     """The diagnosis of a Vector or numbers handed in for answer ``a``."""
     return part_of(p, given, a.key, trees(p, {a.key: list(flat(value))})[a.key])
 
@@ -126,7 +126,7 @@ def test_a_term_left_out_or_turned_is_named_from_the_ledger_or_a_listed_mistake(
             whole, math.hypot(*numbers)
         ):
             continue  # this term is too small to be missed
-        part = told(p, a, given, numbers)
+        part = diagnosed(p, a, given, numbers)
         assert part.points == 0
         near = 2 * tolerance.RTOL * math.hypot(*numbers)
         alike = [n for n, w in candidates.items() if math.dist(w, numbers) <= near]
@@ -164,7 +164,7 @@ def test_the_components_in_another_frame_and_a_transposed_rotation_are_reported(
             back = tuple(map(float, Vector(right.c, frame).components(right.frame)))
             for numbers in (there, back):
                 if math.dist(here, numbers) > 1.1 * SEPARATION * math.hypot(*here):
-                    part = told(p, a, given, numbers)
+                    part = diagnosed(p, a, given, numbers)
                     assert part.points == 0
                     found[part.diagnosis is not None] += 1
     assert found[True] >= 0.95 * sum(found.values()) > 0

@@ -1,5 +1,5 @@
 """A later answer that is right given the student's own wrong earlier one earns what the instructor
-set, and is told so.
+set, and a message says so.
 """
 
 from dataclasses import replace
@@ -43,7 +43,7 @@ def test_without_a_share_it_earns_nothing_and_is_reported():
     assert part.diagnosis == "follows from a wrong a"
 
 
-def test_the_instructors_share_is_earned_and_told():
+def test_the_instructors_share_is_earned_and_reported():
     part = robot(SIZE, points=8, follow_through=0.75)
     assert (part.points, part.out_of) == (3, 4)
     assert part.message == "not right; it follows from your a, which earns 3 of 4"
@@ -89,7 +89,7 @@ def test_an_answer_in_another_unit_of_the_sheet_follows_too():
 
 
 @pytest.mark.parametrize("share", [-0.1, 1.1, "half", float("nan")])
-def test_a_share_that_is_none_is_refused(share):
+def test_an_invalid_share_is_refused(share):
     with pytest.raises(ScoreError, match="follow_through must be"):
         robot(SIZE, follow_through=share)
 

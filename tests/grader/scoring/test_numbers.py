@@ -69,7 +69,7 @@ def test_numbers_that_the_problem_no_longer_gives_are_left_alone():
     assert Numbers(p, {**values, "gone": 1}).key == Numbers(p, values).key
 
 
-def test_the_books_numbers_are_not_told_to_whom_they_are_given():
+def test_the_books_numbers_are_no_mistake_on_a_sheet_that_has_them():
     p = problem("4/16")
     assert Numbers(p, p.book_values).book == {}
     assert Numbers(p, draw(p, b"any")).book == Numbers(p, p.book_values).key

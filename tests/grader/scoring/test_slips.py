@@ -199,8 +199,8 @@ def test_slips_in_formulas_are_named():
 
 
 def test_two_listed_mistakes_at_once_are_both_named():
-    """In vectors whose terms they are; where a simpler cause gives the same numbers, that is told,
-    and of numbers in few digits, as 66.0, nothing: these are met by chance.
+    """In vectors whose terms they are; a simpler cause that gives the same numbers is named
+    instead, and none for numbers in few digits, as 66.0, which are met by chance.
     """
     found = Counter()
     for p in NUMERIC:
@@ -228,7 +228,7 @@ def test_rates_added_as_numbers_are_reported():
     assert part.causes == (AS_SCALARS,)
 
 
-def test_what_no_mistake_explains_is_described_and_the_key_is_not_told():
+def test_an_unexplained_answer_is_described_and_the_key_is_not_revealed():
     p = problem("4/16")
     values = draw(p, b"described")
     (right,) = numbers_of(p, values).key["v_D"]

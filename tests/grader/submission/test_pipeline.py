@@ -6,7 +6,7 @@ from grader.grading import grade
 from tests.grader.courses import submit
 from tests.grader.submissions import work
 
-ANSWERS = {  # the cell of 4/16 (alpha_CD, v_D, a_D) or 4/1: what is said of it
+ANSWERS = {  # the cell of 4/16 (alpha_CD, v_D, a_D) or 4/1: the messages about it
     "wrong shape": (
         "v_D = [1, 2]",
         "v_D",

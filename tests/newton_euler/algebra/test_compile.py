@@ -472,7 +472,7 @@ def test_what_cannot_be_compiled_is_refused_while_tracing(f, error, message):
         compiled(f)
 
 
-def test_constants_that_are_none_are_refused():
+def test_values_that_are_no_constants_are_refused():
     with pytest.raises(ScalarError, match="pass it as an argument"):
         compiled(lambda x, m: m * x, m=np.array([1.0, 2.0]))
     with pytest.raises(ScalarError, match="has no argument 'backend'; it takes x"):

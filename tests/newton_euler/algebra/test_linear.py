@@ -73,7 +73,7 @@ def test_the_order_of_equations_and_their_units_do_not_matter(count, surplus, se
 
 @settings(max_examples=40)
 @given(st.integers(2, 5), st.integers(1, 2), st.integers(0, 10**6))
-def test_what_numbers_leave_open_is_what_the_rank_says(count, missing, seed):
+def test_the_unknowns_left_open_are_those_that_the_rank_leaves_open(count, missing, seed):
     """An unknown is determined if its unit vector lies in the row space, by singular values."""
     dice = np.random.default_rng(seed)
     A = dice.integers(-2, 3, size=(max(count - missing, 1), count)).astype(float)
@@ -97,7 +97,7 @@ def test_formulas_of_symbols_are_exact_and_unsimplified_ones_agree_with_sympy():
         assert sympy.simplify(mine.subs(point) - theirs.subs(point)) == 0
 
 
-def test_what_stands_alone_is_solved_first_and_stays_short():
+def test_an_unknown_that_stands_alone_is_solved_first_and_stays_short():
     m, g, mu, t = sympy.symbols("m g mu t")
     s = solve_linear(laws(m, g, mu, t))
     assert m * g * sympy.cos(t) == s.N

@@ -19,7 +19,7 @@ KNOWN = {
     "many turns": (lambda x: math.cos(200 * x), 0.0, 1.0, math.sin(200.0) / 200, ()),
     "a corner": (lambda x: abs(x - 0.3), 0.0, 1.0, 0.29, ()),
     "a jump": (lambda x: 1.0 if x > 0.3 else -2.0, 0.0, 1.0, 0.1, ()),
-    "a jump where it is said to be": (lambda x: 1.0 if x > 0.3 else -2.0, 0.0, 1.0, 0.1, (0.3,)),
+    "a jump at its stated place": (lambda x: 1.0 if x > 0.3 else -2.0, 0.0, 1.0, 0.1, (0.3,)),
     "a root at its start": (math.sqrt, 0.0, 4.0, 16 / 3, ()),
     "infinite at its start": (lambda x: x**-0.5, 0.0, 4.0, 4.0, ()),
     "a logarithm": (math.log, 0.0, 1.0, -1.0, ()),

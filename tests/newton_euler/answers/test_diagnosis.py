@@ -301,5 +301,5 @@ def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
         ("vector_expression", ((0.0, 2.0, 1.0),), ((1.0, 0.0, 0.0),), None),
     ],
 )  # fmt: skip
-def test_what_is_right_in_a_wrong_answer_is_told(kind, given, key, remark):
+def test_the_right_part_of_a_wrong_answer_is_named(kind, given, key, remark):
     assert KINDS[kind].observed(given, key) == remark

@@ -119,7 +119,7 @@ def of_vector(given, parts, unit="m", stages=(), kind="vector"):
     return " | ".join(c.text for c in causes)
 
 
-def test_components_from_another_origin_and_none_that_is_said_to_be_handed_back():
+def test_components_from_another_origin_are_named_and_no_given_as_the_whole_answer():
     parts = lambda p, q, **_: [p + 2 * q, q * q / p, 0 * p]
     middle = [("the middle", lambda p, q, **_: (p / 2, q / 2, 0))]
     right = [float(x) for x in parts(P, Q)]

@@ -3,8 +3,16 @@
 import numpy as np
 import pytest
 
-from newton_euler.algebra.language import Words
-from newton_euler.answers.causes import INVERTED, OPPOSITE_NUMBER, both, computed, listed
+from newton_euler.algebra.language import speaking
+from newton_euler.answers.causes import (
+    INVERTED,
+    LEFT_OUT,
+    OPPOSITE_NUMBER,
+    both,
+    computed,
+    listed,
+    term_reversed,
+)
 from newton_euler.answers.fit import Fit
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.near import NO_SINGLES, Singles
@@ -18,10 +26,14 @@ def points(*components):
     return tuple(zip(*(np.broadcast_to(x, A.shape).tolist() for x in components), strict=True))
 
 
+NAMELESS = computed("nameless", "leaves out one term of a sum", does=LEFT_OUT)
+
+
 def in_symbols(given, key, own, **slips):
     """The pair that gives a formula; ``own`` is what the problem's own mistake makes of it."""
     made = [points(x) for x in slips.values()]
-    causes = [(1, {"slip": SLIP, "other": OTHER}[name]) for name in slips]
+    causes = {"slip": SLIP, "other": OTHER, "nameless": NAMELESS}
+    causes = [(1, causes[name]) for name in slips]
     singles = Singles(causes, lambda n: [x[n] for x in made], of_symbols=True)
     kind = KINDS["expression"]
     fit = Fit(points(given), points(key), kind.rtol)
@@ -42,11 +54,21 @@ ROOT_OF = lambda x, y: np.sqrt(x**2 + y**2)
 def test_a_listed_mistake_and_a_slip_are_named_together(given, key, own, slip):
     assert in_symbols(given, key, own, slip=slip) == (both(LISTED, SLIP),)
     assert in_symbols(1.001 * given, key, own, slip=slip) == ()
+    assert in_symbols(given, key, own, nameless=slip) == ()
 
 
 def test_the_opposite_sign_and_a_fraction_upside_down_are_seen_beside_a_listed_mistake():
     assert in_symbols(-A, A * B, A) == (both(LISTED, OPPOSITE_NUMBER),)
     assert in_symbols(1 / A, A * B, A) == (both(LISTED, INVERTED),)
+
+
+@pytest.mark.parametrize(("language", "words"), [
+    ("en", "has all but the weight with the opposite sign"),
+    ("de", "alles außer the weight mit falschem Vorzeichen ansetzt"),
+])  # fmt: skip
+def test_one_term_reversed_of_an_answer_reversed_is_all_but_this(language, words):
+    with speaking(language):
+        assert both(term_reversed("g", "the weight"), OPPOSITE_NUMBER).what == words
 
 
 def test_two_slips_in_symbols_and_what_is_done_to_one_term_twice_are_no_pair():
@@ -145,7 +167,7 @@ def test_changes_that_are_powers_of_each_other_are_no_pair():
     assert of_number(4.8175 * root, 4.8175, [4.8175 * root**3], [(4.8175 / root**2,)]) == ()
 
 
-TERM = computed("term", Words("leaves out {term}: it is not zero here", term="the term b"))
+TERM = computed("term", "leaves out it", does=LEFT_OUT, of="the term b")
 
 
 def test_a_term_with_another_factor_is_seen_where_it_shows_twice_and_is_not_the_whole():
@@ -154,10 +176,10 @@ def test_a_term_with_another_factor_is_seen_where_it_shows_twice_and_is_not_the_
         fit = Fit(given, key, KINDS[kind].rtol)
         return [c.what for c in of_two(fit, KINDS[kind], [], lambda: singles, lambda c: False)]
 
-    told = ["all but the factor of the term b is right"]
-    assert multiple(points(A + 0.3 * B), points(A + B), points(A)) == told
+    expected = ["all but the factor of the term b is right"]
+    assert multiple(points(A + 0.3 * B), points(A + B), points(A)) == expected
     assert multiple(points(A + 0.3 * B * A), points(A + B), points(A)) == []
     assert multiple(points(0.3 * B), points(B), points(0 * A)) == []  # the whole
     key, without = ((3.12714, -4.21638, 1.87102),), ((2.12714, -2.21638, 1.87102),)
-    assert multiple(((3.32714, -4.61638, 1.87102),), key, without, "vector") == told
+    assert multiple(((3.32714, -4.61638, 1.87102),), key, without, "vector") == expected
     assert multiple(((3.32714, -4.61738, 1.87102),), key, without, "vector") == []

@@ -96,7 +96,7 @@ def texts(slips, key="x"):
     return " | ".join(cause.text for _, cause in slips.ranked(key).slips)
 
 
-def test_what_is_the_same_for_everyone_has_no_slips():
+def test_a_step_that_is_the_same_for_everyone_has_no_slips():
     """As the quarter turn of the axes in which the code writes an angle."""
     trace = Trace()
     a, c = trace.new("argument", "a"), trace.new("argument", "c")

@@ -1,4 +1,4 @@
-"""Answers that cannot be, whatever the key."""
+"""Answers that are impossible, whatever the key."""
 
 import pytest
 

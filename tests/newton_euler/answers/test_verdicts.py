@@ -123,7 +123,7 @@ def test_that_it_follows_comes_before_any_other_cause():
         {"v": None, "square": 36.0}, {"v": 0.0, "square": 0.0},
     ],
 )  # fmt: skip
-def test_what_does_not_follow_is_not_said_to(answers):
+def test_an_answer_that_does_not_follow_is_not_reported_as_following(answers):
     assert explained(Fall(), "square", answers).earlier == ()
 
 

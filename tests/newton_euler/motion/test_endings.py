@@ -1,4 +1,4 @@
-"""The words for a motion that cannot be followed: what is the matter, and what to write."""
+"""Messages on a motion that cannot be followed: the reason, and what to write."""
 
 import re
 
@@ -20,7 +20,7 @@ def motion_of(name, parameters, states, rates, start, t):
     return Model(name, parameters, states, rates), start, t
 
 
-STICKS = {  # what is written in the event, and the motion
+STICKS = {  # the text of the event, and the motion
     "s.v": motion_of("block", {"mu": 3.0}, ("x", "v"),
         lambda s, p, t: (s.v, where(s.v > 0, -p.mu, p.mu)), (0.0, 3.0), 3.0),
     "s.v - p.belt": motion_of("belt", {"belt": 1.0, "k": 4.0}, ("x", "v"),
@@ -94,7 +94,7 @@ NO_STICKING = {
 
 
 @pytest.mark.parametrize("name", NO_STICKING)
-def test_what_does_not_stick_is_not_said_to(name):
+def test_a_motion_that_does_not_stick_is_not_reported_as_sticking(name):
     rates, start, t, words, kind = NO_STICKING[name]
     with pytest.raises(kind, match=words) as refusal:
         integrate(Model("q", {}, ("x",), rates), t, start, rtol=1e-6, method="dop853")

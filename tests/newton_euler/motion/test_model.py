@@ -276,7 +276,7 @@ def test_a_quantity_is_known_by_its_attributes(attributes, found):
     assert not has_unit(np.float64(3.0))
 
 
-def test_numbers_in_sequences_are_an_array_and_what_is_none_is_named_alone():
+def test_numbers_in_sequences_are_an_array_and_the_one_bad_entry_is_named():
     assert real_numbers([[1, 2.5], (3, 4)], "numbers").tolist() == [[1.0, 2.5], [3.0, 4.0]]
     with pytest.raises(ModelError, match=r"^numbers; got 'x'$"):
         real_numbers([1.0, ["x"]], "numbers")

@@ -143,7 +143,7 @@ def test_steps_are_kept_if_they_are_limited(size):
 
 
 @pytest.mark.parametrize("k", [4.0, 4e6])
-def test_of_many_steps_so_many_are_made_at_a_time(monkeypatch, k):
+def test_many_steps_are_made_in_parts(monkeypatch, k):
     """And none is made twice, as it is where the motion does not get on."""
     monkeypatch.setattr(taylor, "MAX_STALLED_STEPS", 3)
     w = math.sqrt(k)

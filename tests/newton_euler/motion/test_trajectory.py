@@ -241,7 +241,7 @@ def test_of_a_motion_that_has_not_begun_no_natural_sizes_are_known():
 
 
 def test_a_state_that_was_nearly_zero_at_the_start_is_judged_by_the_motion():
-    """What its rate is at the start is nothing: it is driven by what is at rest until then."""
+    """Its rate at the start means nothing: it is driven by a state that is at rest until then."""
     rates = lambda s, p, t: (s.v, -s.x, 5.0 * s.x, 0.0)
     model = Model("driven", {}, ("x", "v", "y", "z"), rates)
     found = trajectory(run(model, (0.0, 1.0, 0.0, 0.0), 7.0))
@@ -325,7 +325,7 @@ def test_accumulating_events_are_compared_by_their_end_only():
     assert a.difference(b) == pytest.approx(0.5 / 4.0, rel=1e-3)  # they end at 2 and at 2.5
 
 
-def test_an_error_relative_to_a_state_that_is_next_to_zero_is_none():
+def test_a_state_next_to_zero_sets_no_scale_for_its_error():
     """It has no square: no step was small enough at the start."""
     model = Model("two decays", {}, ("x", "y"), lambda s, p, t: (-s.x, -s.y))
     motion = integrate(model, 1.0, (1.0, 2e-317), 1e-9, "dop853")

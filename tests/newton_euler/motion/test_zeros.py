@@ -90,7 +90,7 @@ def test_the_zeros_of_a_smooth_function_are_known_to_round_off_with_their_slopes
         (lambda x: np.expm1(x) - x, math.sqrt(2e-9), 1e-16, 1e-8),
     ],
 )
-def test_between_two_zeros_that_lie_close_together_none_is_missed(f, half, round_off, off, shift):
+def test_no_zero_is_missed_where_two_lie_close_together(f, half, round_off, off, shift):
     found = times(lambda t: f(t - 5.0) + shift, 0.0, 9.0, round_off=round_off)
     assert found == pytest.approx([5.0 - half, 5.0 + half] if shift < 0 else [], abs=off)
 

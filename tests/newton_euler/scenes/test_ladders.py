@@ -321,7 +321,7 @@ FIRST = oscillator("a", neglects=[by(lambda s, p, t: t)])
 LAST = oscillator("b", neglects=[by(lambda s, p, t: 0.1 * t)])
 
 
-def test_what_the_fullest_neglects_counts_for_all():
+def test_an_effect_that_the_fullest_model_neglects_counts_for_all():
     """Two equal models: one is as good as the other, and both are as good as the last one's bound."""
     assert smallest(hand_made(FIRST, LAST), 0.21).model.name == "a"
     with pytest.raises(ModelError, match=r"no model is as accurate as 0\.19; the errors may reach a: 2, b: 0\.2"):  # fmt: skip

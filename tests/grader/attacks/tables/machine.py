@@ -104,7 +104,7 @@ ELSEWHERE = {
             try: found.append(open(place).read(1000) if os.path.isfile(place) else os.listdir(place))
             except OSError: pass
         raise ValueError(found)
-    """, said=": []"),
+    """, shown=": []"),
     "keys in memory": code("""
         import gc, sys
         frame = sys._getframe()
@@ -122,7 +122,7 @@ ELSEWHERE = {
         found = [os.path.join(f, n) for f in ("/tmp", "/var/tmp", "/dev/shm", "/dev/mqueue")
                  if os.path.isdir(f) for n in os.listdir(f)]
         raise ValueError([p for p in found if os.path.isfile(p)])
-    """, said=": []", caged=True),
+    """, shown=": []", caged=True),
     "files of the instructor": code("""
         import os
         for place in ("$OUTSIDE/written", "$COURSE/written", "$COURSE/scores/ch04/written.json",

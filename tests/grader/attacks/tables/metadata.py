@@ -177,7 +177,7 @@ ATTACKS = {
     "twenty thousand cells": edited(many_cells),
     "one cell": edited(merged),
     "no cell": edited(no_cells),
-    "cells that are none": edited(strange_cells),
+    "things that are no cells": edited(strange_cells),
     "a kernel of its own": edited(kernel),
     "versions": edited(versions),
     "a picture in many places": edited(pictures),

@@ -106,7 +106,7 @@ REPLAYED = {
     "a neighbour's answers": neighbours("answer-"),
     "a neighbour's numbers and answers": neighbours("answer-", "givens-"),
     "the answers for the book's numbers": edited(
-        answers_of_the_book, said="this is the answer for the book's numbers"
+        answers_of_the_book, shown="this is the answer for the book's numbers"
     ),
     "the answers for another variant": edited(answers_of_nobody),
     "right answers in the cells of each other": edited(answers_under_the_wrong_problem),

@@ -56,7 +56,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("why", REFUSED)
-def test_where_none_can_be_made_there_is_none(machine, why):
+def test_where_no_group_can_be_made_there_is_none(machine, why):
     REFUSED[why](*machine)
     assert Group.make(processes=str(machine[0])) is None
 

@@ -94,7 +94,7 @@ def test_the_runs_that_earn_back_a_preparation_are_counted_by_their_size():
     assert "Against dop853 that is earned back by about 100 runs" in methods_caption(found)
 
 
-def test_only_what_every_repeat_says_is_in_the_caption():
+def test_the_caption_has_only_what_all_repeats_agree_on():
     """Of a pendulum on a machine that did other work: dop853 took 12 to 25 times as long, or 24."""
     times = {"taylor": [79, 75, 62, 39, 37], "dop853": [908, 866, 843, 883, 911]}
     quiet = times | {"taylor": [36, 36, 41, 36, 39]}

@@ -96,7 +96,7 @@ def test_the_chart_names_every_method_once_and_returns_the_front(ax):
     [((2e-6, 4e-6, 5e-6), ["surely", "cheap"]), ((2e-6, 4e-6, 6e-5), ["surely"])],
     ids=["all repeats agree", "one repeat contradicts"],
 )
-def test_only_what_every_repeat_says_is_ringed(ax, repeats, ringed):
+def test_only_ways_that_win_in_all_repeats_are_ringed(ax, repeats, ringed):
     """Two ways of equal errors: which one is cheaper must not hang on a single repeat."""
     points = [Measured("surely", 1e-9, 1e-2, repeats=(1e-9,) * 3)]
     points += [Measured("cheap", 4e-6, 1e-9, repeats=repeats)]

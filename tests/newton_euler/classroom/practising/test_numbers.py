@@ -30,10 +30,15 @@ def test_a_quantity_knows_its_kind_by_name():
 
 
 def test_right_numbers_are_points_and_wrong_ones_have_their_causes():
-    labels = [["a", "listed", "half", "takes half"], ["gone", "listed", "x", "…"]]
+    labels = [
+        [key, "listed", name, "takes half", "", "", "rescaled", "m"]
+        for key, name in (("a", "half"), ("gone", "x"))
+    ]
     found = numbers({"a": [3.0], "n": 2}, [[0, [1.5]], [1, [9.0]]], labels)
     assert found.key == {"a": ((3.0,),), "n": ((2,),)}
-    assert found.wrong("a") == [(Cause("listed", "half", ""), ((1.5,),))]
+    ((cause, points),) = found.wrong("a")
+    assert (cause, points) == (Cause("listed", "half", ""), ((1.5,),))
+    assert (cause.does, cause.of) == ("rescaled", "m")
     assert found.wrong("n") == []
 
 
