@@ -298,7 +298,7 @@ def weight_on_spring(m, stiffness):
             ax.plot(cm, [*map(V, x)], color=colour, ls=style, label=f"V of the {name}")
         ax.plot(cm, [*map(total, x)], color="black", label="V, the sum")
         ax.axhline(0, color="#555555", ls="-.", label="E = 0")
-        ax.vlines(stretch, total(now), 0, color=COLOURS[2], lw=5, label="T = E − V")
+        ax.plot([stretch] * 2, [total(now), 0], color=COLOURS[2], lw=5, label="T = E − V")
         ax.set(xlabel="x (cm)", ylabel="J", xlim=(cm[0], cm[-1]))
         ax.legend(frameon=False, fontsize=9, loc="upper left")
 

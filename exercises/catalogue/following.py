@@ -31,7 +31,7 @@ def earlier_answers(p: Problem) -> dict[str, tuple[str, ...]]:
 
 def follow(
     p: Problem, key: str, values: Mapping[str, Scalar], earlier: Mapping[str, tuple]
-) -> tuple:
+) -> tuple[Any, ...]:
     """The answer ``key`` that follows from ``earlier`` answers, as a tuple of numbers or a word.
 
     values : givens and symbols in the units of the text

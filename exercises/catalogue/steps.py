@@ -113,7 +113,9 @@ def is_zero(vector: Vector) -> bool:
     return all(is_numeric(x) and x == 0 for x in map(to_plain, vector.c))
 
 
-def steps(p, values, one=1.0, with_all_terms=False):
+def steps(
+    p: Problem, values: Mapping[str, Any], one: Any = 1.0, with_all_terms: bool = False
+) -> list[Step]:
     """The steps of problem ``p`` for ``values`` in the units of the text, each in its own unit,
     vectors with their frames. ``one`` as for :meth:`Problem.base`; ``with_all_terms`` adds the
     terms of the answers.

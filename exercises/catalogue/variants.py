@@ -152,7 +152,7 @@ def apart(wrong: Points, right: Points) -> bool:
     return sum(far) >= MAJORITY * len(far)
 
 
-def flat(answer: Any) -> tuple:
+def flat(answer: Any) -> tuple[Any, ...]:
     """An answer of any kind as a tuple of numbers: components, entries, bounds."""
     if isinstance(answer, (Vector, tuple, list)):
         return tuple(x for part in answer for x in flat(part))
@@ -216,7 +216,9 @@ def _compiled(problem_id):
     return traced(problem(problem_id), _evaluated)
 
 
-def traced(p: Problem, formula: Callable, more: Iterable[str] = ()) -> Callable | None:
+def traced(
+    p: Problem, formula: Callable[..., Any], more: Iterable[str] = ()
+) -> Callable[..., Any] | None:
     """``formula(p, values)`` as straight-line code, called with the values by name; None if problem
     ``p`` has no numbers, or answers that are words or counts. ``more`` names further values.
     """

@@ -14,7 +14,7 @@ def moments(diameter, normal):
 
 def of(body):
     I = body.inertia
-    return moments(I.moment("x"), I.moment("z"))
+    return moments(I.moment("z") / 2, I.moment("z"))
 
 
 def sheet(g):

@@ -28,12 +28,13 @@ def forces(g, F_x=None):
     ground, bar, B, O = engine(g)
     F_x = force_at_O(g, O.acceleration(ground)).dot(ground.i) if F_x is None else F_x
 
-    def laws(B_x, B_y, O_y):
-        at_B, at_O = ground.vector(B_x, B_y, 0), ground.vector(F_x, O_y, 0)
-        return equations_of_motion(bar, {"B": (at_B, B), "O": (at_O, O)}, ground)
+    def laws(B_x, B_y, O_x, O_y):
+        at_B, at_O = ground.vector(B_x, B_y, 0), ground.vector(O_x, O_y, 0)
+        of_rod = equations_of_motion(bar, {"B": (at_B, B), "O": (at_O, O)}, ground)
+        return {**of_rod, "piston": O_x - F_x}
 
     found = solve_linear(laws)
-    return {"F_B": ground.vector(found.B_x, found.B_y, 0), "F_O": ground.vector(F_x, found.O_y, 0)}
+    return {f"F_{end}": ground.vector(found[f"{end}_x"], found[f"{end}_y"], 0) for end in "BO"}
 
 
 def solve(g):

@@ -21,7 +21,7 @@ def solve(g):
 
 def steps(g):
     f_min = no_slip(g).F / (g.one * g.g)
-    return {"f_min": f_min, "a_Ga": with_slip(g, g.f_a).a, "a_Gb": no_slip(g).a}
+    return {"a_Gb": no_slip(g).a, "f_min": f_min, "a_Ga": with_slip(g, g.f_a).a}
 
 
 def prove(g):

@@ -22,7 +22,8 @@ def steps(g):
     ground, bracket, body, _ = scene(g)
     omega = body.frame.angular_velocity(ground).expressed_in(bracket)
     _, across, axial = body.inertia.moments
-    return {"omega_cone": omega, "I_G": across, "I_z": axial}
+    d = body.centre.position(body.frame).z
+    return {"omega_cone": omega, "d": d, "I_G": across, "I_z": axial}
 
 
 def prove(g):
@@ -44,7 +45,7 @@ def prove(g):
     middle = over_cone(lambda r: r)[2] / g.m
     I_G = over_cone(lambda r: [r[1] ** 2 + (r[2] - middle) ** 2])[0]
     omega = proofs.angular_velocity(orientation)
-    return {"H_O": H_O, "omega_cone": omega, "I_G": I_G, "I_z": I_z}
+    return {"H_O": H_O, "omega_cone": omega, "d": middle, "I_G": I_G, "I_z": I_z}
 
 
 def mistakes(g):

@@ -71,7 +71,7 @@ def block_steps(A, B, laws):
     is eliminated from ``laws``, the equations in words, for the acceleration of ``A`` toward its
     pulley.
     """
-    for b in (A, B):
+    for b in sorted((A, B), key=lambda b: b.name):
         yield Step(f"m_{b.name}", b.m, "slug", f"mass of {b.name}")
     for b in (A, B):
         if b.on_face:

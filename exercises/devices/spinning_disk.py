@@ -47,8 +47,8 @@ def momentum(d):
 def answers(d, couple):
     """H_O, its rate, and under ``couple`` the moment about O, which equals the rate (8.11)."""
     H = momentum(d)
-    Hdot = H.rate(d.ground)
-    return in_frame(d.arm, {"H_O": H, "Hdot_O": Hdot, couple: Hdot})
+    found = in_frame(d.arm, {"H_O": H, "Hdot_O": H.rate(d.ground)})
+    return {**found, couple: d.arm.vector(*found["Hdot_O"].components())}
 
 
 def force(d):

@@ -89,8 +89,9 @@ def _choices(found):
 
 
 def _is_along_axis(name, equation):
-    """Whether a term is a number times unit vectors in the equation."""
-    return r"\hat" in "".join(equation.terms.get(name, ()))
+    """Whether a term is a number times unit vectors, or has rates of components only."""
+    is_rate = (equation.kind, name) == ("rate", "relative")
+    return is_rate or r"\hat" in "".join(equation.terms.get(name, ()))
 
 
 @lru_cache(maxsize=400)
@@ -245,16 +246,22 @@ class _Deriver:
 
     def _keep_apart(self, key):
         """Keep out of the formula of a quantity those that equal a part of it by chance: of a term,
-        the components of a sum whose other terms are zero; all, if the problem asks for that.
+        the components of a sum whose other terms are zero, and of :meth:`_unlike` answers; all, if
+        the problem asks for that.
         """
         of = self.sum_of.get(key)
-        apart = self.sums | self.whole_terms.get(of, set()) if of else set()
+        apart = self.sums | self.whole_terms.get(of, set()) | self._unlike(of) if of else set()
         if key in self.along_axes:
             vectors = {other for other, parts in self.components.items() if len(parts) == 3}
             apart |= {other for other in vectors - {key} if self.traced.units[other] != "1"}
         apart = {*self.components} - {key} if key in self.of_givens else apart
         self.known.apart = {name for other in apart for name in self._names(other)}
         self.names.apart = apart | self.known.apart
+
+    def _unlike(self, of):
+        """The vectors among the answers that are in another unit than a sum, as H_O beside M_O."""
+        units, vectors = self.traced.units, (k for k in self.asked if k in self.traced.units)
+        return {k for k in vectors if len(self.components[k]) == 3 and units[k] != units[of]}
 
     def _explicit(self, formulas, names):
         """The formulas after solving a single linear equation, if there is one: its solution

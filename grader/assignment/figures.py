@@ -7,6 +7,7 @@ from exercises.catalogue import Problem
 from newton_euler.drawing import svg_of
 
 from .cells import Values
+from .legibility import faults
 
 SIZE = 5.2, 4.0  # inches
 COLUMNS = 5  # columns of a contact sheet
@@ -44,8 +45,6 @@ def figure_for_page(problem: Problem, values: Values) -> bytes | None:
 
 def figure_faults(problem: Problem, values: Values) -> list[str]:
     """What is hard to read in the figure of a problem, as sentences."""
-    from newton_euler.drawing.page.legibility import faults
-
     return faults(_drawn(problem, values))
 
 

@@ -106,10 +106,16 @@ class _Names:
     latex = False
 
     def _as_ordered_terms(self, expr, order=None):
-        """Terms in order, positive ones first, those of one name before products; beside decimals
-        only the first positive one, as in 3.5 t^2 - 1.8 t + 2.
+        """Terms in order, positive ones first, and of these a number, as in 1 + n but n^2 + 1, then
+        those of one name before products; beside decimals only the first positive one, as in
+        3.5 t^2 - 1.8 t + 2.
         """
         terms = super()._as_ordered_terms(expr, "lex")
+        others = [x for x in terms if not x.is_Rational]
+        powers = [x.as_coeff_Mul()[1].as_base_exp() for x in others]
+        square = len(expr.free_symbols) == 1 and any(b.is_Symbol and n != 1 for b, n in powers)
+        if all(x.free_symbols for x in others) and not square:
+            terms = [x for x in terms if x.is_Rational] + others
         if self.degrees:
             terms = [self._in_degrees(x) for x in terms]
         numbers = [x.as_coeff_Mul()[0] for x in terms]

@@ -3,6 +3,7 @@ the places of its signs and of the fractions of its sums.
 """
 
 from collections.abc import Iterable, Mapping
+from itertools import combinations
 from typing import Any
 
 from newton_euler.algebra.late import sympy
@@ -99,16 +100,16 @@ def _tidy(x, is_term=False):
 
 def _with_common_factors(x):
     """A sum as a product with the factors that all its terms share, which are then two at least,
-    or one beside squares, or a sine or a sum: m (a^2 + b^2)/12, (n - p) tan b, but m g + m a; of
-    many terms as a product of sums if that has half the names.
+    or one or a number beside squares, or a sine or a sum: m (a^2 + b^2)/12, (n - p) tan b, but
+    m g + m a; of many terms as a product of sums if that has half the names.
     """
     product = sympy.factor(x) if len(x.args) > 3 else x
     if 2 * _names_in(product) <= _names_in(x):
         return product
     x = _collected(x)
     terms = [term.as_coeff_Mul() for term in sympy.Add.make_args(x)]
-    number = abs(terms[0][0])
-    if len(terms) < 2 or any(abs(n) != number for n, _ in terms):
+    number = abs(terms[0][0]) if any(n > 0 for n, _ in terms) else terms[0][0]
+    if len(terms) < 2 or any(abs(n) != abs(number) for n, _ in terms):
         return x
     powers = [term.as_powers_dict() for _, term in terms]
     shared = [
@@ -116,19 +117,21 @@ def _with_common_factors(x):
         for base, power in powers[0].items()
         if power.is_Rational and all(other.get(base) == power for other in powers)
     ]
-    common = number * sympy.Mul(*shared)
-    rest = [n * term / common for n, term in terms]
-    squares = all(y.as_coeff_Mul()[1].is_Pow for y in rest)
+    rest = [sympy.sign(n / number) * term / sympy.Mul(*shared) for n, term in terms]
+    squares = all(y.as_coeff_Mul()[1].is_Pow for y in rest) and (shared or abs(number) != 1)
     bases = [y.as_base_exp()[0] for y in shared]
     sines = any(y.is_Add or y.is_Function or str(y).endswith(FUNCTIONS) for y in bases)
-    enough = len(shared) + (not number.is_Integer) >= 2 or squares or sines
-    if not shared or not enough or any(sympy.fraction(y)[1] != 1 for y in rest):
+    many = number.is_Rational and number.q > 1 and len(rest) > 3
+    enough = len(shared) + (not number.is_Integer) >= 2 or squares or sines or many
+    if not enough or any(sympy.fraction(y)[1] != 1 for y in rest):
         return x
-    return sympy.Mul(number, *shared, sympy.Add(*rest))
+    return sympy.Mul(number, *shared, sympy.Add(*rest), evaluate=bool(shared))
 
 
 def _collected(x):
-    """A sum with the terms that share a sum as a factor, but not all do, in one."""
+    """A sum with the terms that share a sum as a factor, but not all do, in one, and those of which
+    :func:`_with_common_factors` makes a product: I + m (a^2 + b^2).
+    """
     for factor in sorted((y for term in x.args for y in term.args if y.is_Add), key=str):
         those = [term for term in x.args if factor in term.args]
         if 1 < len(those) < len(x.args):
@@ -136,6 +139,15 @@ def _collected(x):
             sign = -1 if _is_other_way_round(shared, False) else 1
             collected = sympy.Mul(sign, factor, sign * shared)
             return collected + sympy.Add(*(y for y in x.args if y not in those))
+    kinds: dict[Any, list[Any]] = {}  # terms by the size of their number and by shared factors
+    for y in (y for y in x.args if not any(factor.is_Add for factor in y.args)):
+        number, factors = y.as_coeff_mul()
+        for shared in (*combinations(factors, 2), *combinations(factors, 1), ()):
+            kinds.setdefault((-len(shared), str((*shared, abs(number)))), []).append(y)
+    for _, those in sorted(kinds.items(), key=lambda kind: kind[0]):
+        part = _with_common_factors(sympy.Add(*those)) if 1 < len(those) < len(x.args) else x
+        if part.is_Mul:
+            return _collected(part + sympy.Add(*(y for y in x.args if y not in those)))
     return x
 
 

@@ -66,7 +66,7 @@ class Names:
                 self.scalars += [(symbol, numbers)] * (len(parts) == 1 and 0 not in numbers)
             if isinstance(inner, Step):
                 self.found.setdefault(x.number, {}).setdefault(key, {})[n] = symbol
-            if isinstance(inner, Step) and sign < 0 and inner.number not in self.fixed:
+            if isinstance(inner, Step) and sign < 0:
                 self.opposite.setdefault(inner.number, {}).setdefault(key, {})[n] = -symbol
 
     def look_at(self, key: str, parts: Sequence[Any]) -> None:
@@ -88,9 +88,9 @@ class Names:
 
     def of(self, x: Step) -> Any:
         """The name of a traced number, None if it has none."""
-        if x.number in self.fixed:
-            return self.fixed[x.number]
         candidates = self._candidates(x)
+        if x.number in self.fixed:
+            return self._component(candidates) or self.fixed[x.number]
         if not candidates or (x.op == "neg" and x.args[0].number in self.fixed):
             return None
         if self.size == 9 and not (candidates := self._in_place(candidates)):
@@ -109,6 +109,18 @@ class Names:
         if (self.size, self.sizes[key]) == (9, 3) and len(candidates[key]) > 1 and x.args:
             return None  # the axis is ambiguous
         return self._at_place(candidates[key], self.sizes[key])
+
+    def _component(self, candidates):
+        """In an entry of a matrix the component of the vector with its index that a given is, on
+        the axes of that entry, as d_y and d_z in I_xx; None if there are two.
+        """
+        own = [x for k, x in candidates.items() if self.indices and _indices(k) == self.indices]
+        if self.size != 9 or len(own) != 1:
+            return None
+        entry = {*divmod(self.place, 3)}
+        axes = {0, 1, 2} - entry if len(entry) == 1 else entry
+        found = [x for axis, x in own[0].items() if axis in axes]
+        return found[0] if len(found) == 1 else None
 
     def of_body(self, x: Any, factor: Any) -> Any:
         """The component at this place of the vector that has the index of a factor, as d_block_x

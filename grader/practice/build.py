@@ -80,7 +80,7 @@ def write_practice(
     help : the most that a student is shown, one of ``HELP``
     graded : {problem id: [numbers of a student's sheet]} of a course: answers in practice stay away
     from those of these sheets, and problems are left out if their answers are formulas or the same
-    for everybody
+    for everybody; mistakes are explained without formulas
     done : called after each problem
     rules : {problem id: {"tolerance", "help"}} of the sheets that ask for it; the lesser help
     counts
@@ -163,7 +163,7 @@ def page_of(
             figures[file] = figure  # a figure without numbers is stored once
             variants[-1]["figure"] = file
     labels, slips = _numbered(variants, "wrong"), _numbered(variants, "slips")
-    formulas = p.units if problem(name).symbols else ()
+    formulas = p.units if problem(name).symbols or graded is not None else ()
 
     def said(text):
         return stored(without_formulas(text, formulas))

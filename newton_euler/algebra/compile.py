@@ -98,7 +98,7 @@ class Recording(NamedTuple):
     defaults: dict
 
 
-def content(formula):
+def content(formula: "Recording | Compiled") -> tuple:
     """Steps and result of a :class:`Recording` or :class:`Compiled`, without its name: a key that
     is equal for equal formulas, which give equal texts and equal results.
     """
@@ -106,7 +106,7 @@ def content(formula):
     return tuple(formula.parameters), steps, leaves, formula.shape, tuple(formula.keys)
 
 
-def text_of(formula):
+def text_of(formula: "Recording | Compiled") -> "Compiled":
     """The :class:`Compiled` of a :class:`Recording`; one that is compiled as it is."""
     return formula if isinstance(formula, Compiled) else Compiled(*formula)
 
@@ -311,7 +311,7 @@ def _float(constant):
 
 
 @checked
-def compiled(f: Callable, **constants: Scalar) -> Compiled:
+def compiled(f: Callable[..., Any], **constants: Scalar) -> Compiled:
     """The formula ``f``, traced once into straight-line text, for many fast evaluations. The result
     takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name,
     and returns what ``f`` returns, a Vector as a triple of components. Arrays go by NumPy in

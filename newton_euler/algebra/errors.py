@@ -46,7 +46,7 @@ Tolerance = Annotated[float, "one real number that is not negative"]
 Accuracy = Annotated[float, "a relative error that floats can reach, from 1e-14 to below 1"]
 
 
-def checked(f: F, unchecked: tuple = ()) -> F:
+def checked(f: F, unchecked: tuple[str, ...] = ()) -> F:
     """The function ``f`` with its arguments checked by their annotations, except those named in
     ``unchecked``; of a class, its constructor.
 
@@ -349,7 +349,7 @@ _EXAMPLES = {
 }
 
 
-def words(kind):
+def words(kind: Any) -> str:
     """What an annotation asks for, in words."""
     members = _members(kind)
     if len(members) > 1:

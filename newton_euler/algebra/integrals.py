@@ -5,6 +5,7 @@ unit cube by products of Gauss rules, for numbers that SciPy's adaptive cubature
 from collections.abc import Callable, Sequence
 from functools import cache, lru_cache, wraps
 from itertools import count, pairwise, product
+from typing import Any
 
 from .errors import checked
 from .late import is_here, np, sympy
@@ -45,7 +46,9 @@ class WorkError(NewtonEulerError, ValueError):
 
 
 @checked
-def integral(f: Callable, start: Scalar, end: Scalar, breaks: Sequence[Scalar] = ()) -> Scalar:
+def integral(
+    f: Callable[..., Any], start: Scalar, end: Scalar, breaks: Sequence[Scalar] = ()
+) -> Scalar:
     """The integral of ``f`` from ``start`` to ``end``: floats and mpf to nearly their accuracy,
     many integrals at once of arrays, the dimension of dimensions, the rates of moving numbers, a
     step of a formula that is compiled, and of expressions a formula of SymPy.
@@ -164,15 +167,18 @@ def _tanh_sinh(f, start, end, sample):
         values = [s * step * width for s in sums]
         # the change at the last halving: the error is about its square, less than a round-off
         allowed = [1e-3 * sqrt(small) * max_abs(width * s * step) for s in sizes]
-        if before is not None and all(
-            max_abs(x - y) <= a for x, y, a in zip(values, before, allowed, strict=True)
-        ):
+        if before is not None and _settled(values, before, allowed):
             return tuple(values)
         before = values
     raise SingularError(
         f"the integral from {start!r} to {end!r} does not settle: the function must be smooth in "
         "between. Split it where it is not, with breaks=(...)"
     )
+
+
+def _settled(values, before, allowed):
+    """Whether no value differs from the one before by more than is allowed."""
+    return all(max_abs(x - y) <= a for x, y, a in zip(values, before, allowed, strict=True))
 
 
 def by_formula(f, start, end):
@@ -230,9 +236,7 @@ def over_cube(f, n):
         # the error falls geometrically: these have all digits if the last ones had a part of them
         # that is as large as the last order is of this one
         allowed = [1e-2 * small ** (last / order) * max_abs(size) for size in sizes]
-        if before is not None and all(
-            max_abs(x - y) <= a for x, y, a in zip(found, before, allowed, strict=True)
-        ):
+        if before is not None and _settled(found, before, allowed):
             return found
         before, last = found, order
     raise SingularError(

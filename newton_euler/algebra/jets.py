@@ -83,10 +83,8 @@ class Moving(_Own):
         )
 
     def __repr__(self):
-        return (
-            f"moving({shown(self.value)}, rate={shown(self.rate)}, "
-            f"acceleration={shown(self.acceleration)})"
-        )
+        rates = f"rate={shown(self.rate)}, acceleration={shown(self.acceleration)}"
+        return f"moving({shown(self.value)}, {rates})"
 
     @staticmethod
     def _of(x: Scalar) -> "Moving":
@@ -303,7 +301,7 @@ def _derived(x):
 
 
 @guided
-def at(f: Callable, t: Scalar) -> Moving:
+def at(f: Callable[..., Scalar], t: Scalar) -> Moving:
     """The function of time ``f`` at the instant ``t`` (s), of any kind, with its first and second
     rate, exact up to round-off. ``f`` uses the functions of this package.
 

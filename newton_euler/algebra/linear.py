@@ -16,6 +16,7 @@ from inspect import signature
 from math import prod
 from operator import add, mul
 from types import MappingProxyType
+from typing import Any
 
 from .errors import checked
 from .late import np
@@ -26,6 +27,7 @@ from .scalars import (
     Scalar,
     ScalarError,
     Scaled,
+    Triple,
     _Own,
     is_numeric,
     is_zero,
@@ -217,7 +219,7 @@ def _arguments(conditions):
 
 
 @checked
-def solve_rates(conditions: Callable, count: int) -> tuple:
+def solve_rates(conditions: Callable[..., Any], count: int) -> Triple:
     """The unknown rates that make ``conditions`` vanish, a tuple: rolling without slip, meshing
     gears, joints (4.4, 4.9). There may be more conditions than rates if they agree.
 

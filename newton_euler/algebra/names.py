@@ -3,7 +3,7 @@ in place of a call that does not fit. Python's own messages do not say it.
 """
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
 from importlib import import_module
 from importlib.util import find_spec
@@ -148,7 +148,7 @@ def guided(f: F) -> F:
     return call  # type: ignore[return-value]
 
 
-def misfit(f: Callable, args: tuple, named: dict) -> str:
+def misfit(f: Callable[..., Any], args: Sequence[Any], named: Mapping[str, Any]) -> str:
     """Why these arguments do not fit the function, and how to write them; "" where they do."""
     from inspect import Parameter, signature
 

@@ -25,6 +25,9 @@ INTERVALS = 400  # intervals: the most of an adaptive integral; each takes 21 va
 BOXES = {1: 4000, 2: 400, 3: 40}
 # places of the two Gauss rules on an interval, whose difference is the error of the coarser
 PLACES = 10, 21
+# parts in which each piece begins, so that of their 21 places none is farther from the next than
+# 1.1 % of it; odd, since an integrand has no value in the middle more often than elsewhere
+PARTS = 7
 
 
 def quadrature(f, start, end, rtol=1e-10, exact=False, breaks=()):
@@ -69,21 +72,22 @@ def _value(f, x):
 def _finite(f, x):
     value = _value(f, x)
     if not is_finite(value):
-        raise WorkError(f"the integrand is {to_plain(value)} at {short(x)}")
+        raise WorkError(f"the integrand is {value} at {short(x)}")
     return value
 
 
 def _adaptive(f, start, end, rtol, scale):
     import warnings
 
+    inner = [start + (end - start) * n / PARTS for n in range(1, PARTS)]
     try:
         from scipy.integrate import IntegrationWarning, quad
     except ModuleNotFoundError:
-        return _bisected(f, start, end, rtol, scale)
+        return _bisected(f, (start, *inner, end), rtol, scale)
     with warnings.catch_warnings():
         warnings.simplefilter("error", IntegrationWarning)
         try:
-            wanted = {"epsabs": rtol * scale, "epsrel": rtol, "limit": INTERVALS}
+            wanted = {"epsabs": rtol * scale, "epsrel": rtol, "limit": INTERVALS, "points": inner}
             return quad(lambda x: float(_finite(f, x)), start, end, **wanted)
         except IntegrationWarning as problem:
             raise _slow(start, end, rtol, str(problem).split(".")[0].strip()) from None
@@ -96,11 +100,11 @@ def _slow(start, end, rtol, why):
     )
 
 
-def _bisected(f, start, end, rtol, scale):
-    """The same by the engine alone: the interval with the largest error is halved until all errors
-    together are small enough.
+def _bisected(f, ends, rtol, scale):
+    """The same by the engine alone, from parts with these ``ends``: the one with the largest error
+    is halved until all errors together are small enough.
     """
-    parts = [_by_gauss(f, start, end)]
+    parts = sorted(_by_gauss(f, a, b) for a, b in pairwise(ends))
     while True:
         value, error = sum(part[3] for part in parts), -sum(part[0] for part in parts)
         if error <= rtol * max(scale, abs(value)):
@@ -108,7 +112,9 @@ def _bisected(f, start, end, rtol, scale):
         _, a, b, *_ = parts[0]
         middle = a + (b - a) / 2
         if len(parts) >= INTERVALS or not min(a, b) < middle < max(a, b):
-            raise _slow(start, end, rtol, f"{len(parts)} intervals leave an error of {error:.1g}")
+            raise _slow(
+                ends[0], ends[-1], rtol, f"{len(parts)} intervals leave an error of {error:.1g}"
+            )
         heapreplace(parts, _by_gauss(f, a, middle))
         heappush(parts, _by_gauss(f, middle, b))
 

@@ -142,7 +142,7 @@ class Reads:
         return x
 
 
-def reads_nothing(f):
+def reads_nothing(f: object) -> bool:
     """True for a function of a module of the engine: it reads nothing that changes."""
     return type(f) is FunctionType and f.__closure__ is None and _is_fixed_function(f, ENGINE)
 

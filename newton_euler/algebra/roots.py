@@ -26,7 +26,7 @@ STEPS = 2000  # some 15 are enough, a thousand if the function is flat at a root
 
 
 @checked
-def root(f: Callable, low: Scalar, high: Scalar) -> Scalar:
+def root(f: Callable[[Scalar], Scalar], low: Scalar, high: Scalar) -> Scalar:
     """The number between ``low`` and ``high`` at which ``f`` vanishes: a transcendental equation.
 
     f : continuous function of one number, whose signs at ``low`` and ``high`` differ
@@ -81,7 +81,7 @@ def _moving_root(f, low, high):
     slope = at(u, 1).rate - resting.rate
     if vanishes(slope):
         raise SingularError(
-            f"the root {to_plain(u)!r} has no rate: the function touches zero there, with slope 0"
+            f"the root {u!r} has no rate: the function touches zero there, with slope 0"
         )
     rate = -resting.rate / slope
     return Moving(u, rate, -at(u, rate).acceleration / slope)

@@ -39,6 +39,10 @@ else:
         """A number of any kind: float, array, mpf, expression."""
 
 
+Triple: TypeAlias = tuple[Scalar, ...]  # three of them: components, moments, coordinates
+Rows: TypeAlias = tuple[Triple, ...]  # three of them: a matrix
+
+
 class NewtonEulerError(Exception):
     """Base of the engine's errors; each is also the built-in error that fits it, as ValueError.
 
@@ -105,7 +109,7 @@ def outranks(x, kind):
     return isinstance(x, _Own) and x.rank > kind.rank
 
 
-def highest(values):
+def highest(values: Iterable[Scalar]) -> Any:
     """The one of these values, of the engine's kinds, that carries out an operation; or None."""
     own = [x for x in values if isinstance(x, _Own)]
     return max(own, key=lambda x: x.rank) if own else None
@@ -347,7 +351,7 @@ def shown(x: Scalar) -> str:
     return f"<expression of {many} operations>"
 
 
-def operations(x):
+def operations(x: Scalar) -> int:
     """The number of operations in the text of an expression; each part is visited once."""
     known: dict = {}
     waiting = [x]
@@ -573,7 +577,7 @@ def is_expression(x: Scalar) -> bool:
     return not is_numeric(x) and not isinstance(x, _Own)
 
 
-def promote(*values: Scalar) -> tuple:
+def promote(*values: Scalar) -> tuple[Scalar, ...]:
     """The values, each with the digits and instants of the others; others stay."""
     values = tuple(to_plain(scalar(x)) for x in values)
     if not all(map(is_numeric, values)):
@@ -663,7 +667,7 @@ def epsilon(like: Scalar = 0.0) -> Scalar:
     return +library.eps if library.__name__ == "mpmath" else 2.0**-52
 
 
-def unit_roundoff(values):
+def unit_roundoff(values: Iterable[Scalar]) -> Scalar:
     """The largest relative round-off among numbers of several kinds; integers have none."""
     rounded = (x for x in values if x is not ZERO and type(x) not in (int, Fraction))
     return max(map(epsilon, rounded), default=epsilon())

@@ -5,6 +5,7 @@ its user. On floats, what only one side of a choice needs is computed under an `
 import math
 import operator
 from itertools import takewhile
+from types import ModuleType
 from typing import Any
 
 from .integrals import integrals, over_cube
@@ -120,7 +121,7 @@ def _written(op, args, lazy):
     return op if op == "pi" else f"{op}({', '.join(args)})"
 
 
-def operations(library: Any) -> dict[str, Any]:
+def operations(library: ModuleType) -> dict[str, Any]:
     """The function of each operation of a trace, over math or NumPy."""
     functions = {n: getattr(library, n) for n in (*FUNCTIONS, "atan2") if hasattr(library, n)}
     return {

@@ -329,7 +329,7 @@ def unit(text: str) -> Unit:
 _unit = cache(Unit)
 
 
-def pint_name(unit_text):
+def pint_name(unit_text: str) -> str:
     """The name of a unit in pint, in which lb and oz are masses.
 
     >>> pint_name("lb*ft^2")

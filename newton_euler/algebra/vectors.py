@@ -7,7 +7,7 @@ the frame of the left one. A vector that theory writes as a sum keeps its terms 
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from functools import reduce
 from typing import Any, TypeAlias
@@ -33,6 +33,7 @@ from .scalars import (
     Scalar,
     ScalarError,
     Scaled,
+    Triple,
     allowed,
     atan2,
     clipped,
@@ -70,7 +71,7 @@ class FrameError(NewtonEulerError, ValueError):
 ZERO3 = (ZERO, ZERO, ZERO)
 
 
-def cross3(a, b):
+def cross3(a: Sequence[Scalar], b: Sequence[Scalar]) -> Triple:
     """a x b."""
     if a is ZERO3 or b is ZERO3:
         return ZERO3
@@ -83,14 +84,14 @@ def dot3(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def add3(a, b):
+def add3(a: Triple, b: Triple) -> Triple:
     """a + b."""
     if a is ZERO3:
         return b
     return a if b is ZERO3 else (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
-def sum3(triples):
+def sum3(triples: Iterable[Triple]) -> Triple:
     """The sum of any number of them."""
     return reduce(add3, triples, ZERO3)
 
@@ -100,7 +101,7 @@ def sub3(a, b):
     return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
-def three(values, what, error):
+def three(values: Any, what: str, error: type[Exception]) -> Triple:
     """The triple of three numbers; anything else is the ``error`` in place of ``what``."""
     with suppress(TypeError):
         if len(values) == 3:
@@ -190,7 +191,7 @@ class Vector(Scaled, NamedTerms):
     def __abs__(self):
         return self.norm()
 
-    def components(self, frame: Frame = None) -> tuple:
+    def components(self, frame: Frame = None) -> Triple:
         """The three components along the axes of ``frame`` (default: that it is expressed in)."""
         return tuple(map(to_plain, self.c if frame is None else self.expressed_in(frame).c))
 

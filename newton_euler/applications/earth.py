@@ -18,6 +18,7 @@ from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.scalars import (
     ZERO,
     Scalar,
+    Triple,
     cos,
     is_numeric,
     is_positive,
@@ -35,9 +36,6 @@ from ..kinematics.frames import Frame
 EARTH_RATE = 7.292115e-5  # rad/s: one turn in a sidereal day (WGS 84)
 EARTH_RADIUS = 6.371e6  # m: of the sphere of equal volume (IUGG)
 EARTH_GM = 3.986004418e14  # m^3/s^2: gravitational constant times mass (WGS 84)
-
-
-Triple = tuple  # three scalars, components along ground axes
 
 
 class EarthError(NewtonEulerError, ValueError):
@@ -84,9 +82,7 @@ def ground_frame(
 def _check_latitude(latitude):
     # 1.5708 is pi/2 rounded up
     if is_numeric(latitude) and max_abs(latitude) > 1.5708:
-        raise EarthError(
-            f"a latitude is from -pi/2 to pi/2 rad, as radians(45); got {to_plain(latitude)!r}"
-        )
+        raise EarthError(f"a latitude is from -pi/2 to pi/2 rad, as radians(45); got {latitude!r}")
 
 
 @checked
@@ -333,7 +329,7 @@ def projectile(
     latitude: Scalar,
     g: Scalar,
     rate: Scalar = EARTH_RATE,
-) -> tuple:
+) -> Triple:
     """The coordinates (east, north, up) of a shot at time ``t``, with the book's angles (6.25), to
     first order in the rotation.
 
@@ -471,7 +467,7 @@ def gradient_wind(
     square = f * f + 4 * pressure_gradient / radius
     if is_numeric(square) and max_abs(abs(square) - square) > 0:
         raise EarthError(
-            f"no steady wind: at radius {to_plain(radius)!r} the Coriolis acceleration balances an "
+            f"no steady wind: at radius {radius!r} the Coriolis acceleration balances an "
             f"outward gradient of at most {float(f * f * radius / 4):.3g}, not "
             f"{to_plain(-pressure_gradient)!r}; a high has a flat middle"
         )

@@ -140,13 +140,11 @@ def _check_moments(I0, I):
     if not is_numeric(I0):
         return
     if anywhere(to_plain(I0) <= 0):
-        raise GyroError(f"the transverse moment I0 must be positive, got {to_plain(I0)!r}")
+        raise GyroError(f"the transverse moment I0 must be positive, got {I0!r}")
     # a disk has I = 2 I0, up to round-off
     excess = to_plain(I - 2 * I0 - 1e-9 * I0)
     if is_numeric(I) and (anywhere(to_plain(I) < 0) or anywhere(excess > 0)):
-        raise GyroError(
-            f"no body has I = {to_plain(I)!r} and I0 = {to_plain(I0)!r}: 0 < I < 2 I0; exchanged?"
-        )
+        raise GyroError(f"no body has I = {I!r} and I0 = {I0!r}: 0 < I < 2 I0; exchanged?")
 
 
 def check_top(I0: Scalar, I: Scalar, spin: Scalar | None, omega_z: Scalar | None) -> None:
@@ -284,9 +282,7 @@ def _over_sine(theta, mgr, moment):
     s = sin(theta)
     # sin(pi) in floats is 1.2e-16, half an epsilon
     if vanishes(s, 4 * epsilon(s)):
-        raise GyroError(
-            f"no line of nodes at theta = {to_plain(theta)!r} to have a moment about: give mgr"
-        )
+        raise GyroError(f"no line of nodes at theta = {theta!r} to have a moment about: give mgr")
     return scalar(moment) / s
 
 
@@ -447,7 +443,7 @@ def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreeP
         raise GyroError("with I = I0 there is no precession: the body turns about a fixed axis")
     if vanishes(c, 4 * epsilon(c)) and not is_zero(spin):
         raise GyroError(
-            f"theta = {to_plain(theta)!r} is pi/2: H has no axial component, the spin must be zero"
+            f"theta = {theta!r} is pi/2: H has no axial component, the spin must be zero"
         )
     sense = where(to_plain(apart) > 0, "direct", "retrograde") if is_numeric(apart) else None
     tilt = atan(I * tan(theta) / I0)

@@ -293,9 +293,7 @@ def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tup
     z1, z2 = (scalar(z) for z in planes)
     apart = z2 - z1
     if _small(apart, 1e-13 * max(max_abs(z) if is_numeric(z) else 0.0 for z in (z1, z2))):
-        raise RotorError(
-            f"two different planes are needed; got {to_plain(z1)!r} and {to_plain(z2)!r}"
-        )
+        raise RotorError(f"two different planes are needed; got {z1!r} and {z2!r}")
     found = imbalance(body, A, B, about=A)
     U, P = found.static, found.dynamic
     return (P - U * z2) / apart, (U * z1 - P) / apart
@@ -324,8 +322,8 @@ def balancing_masses(
     for r in map(scalar, pair):
         if not is_positive(r):
             raise RotorError(
-                f"the radius of the balancing weights must be positive, got {to_plain(r)!r}: on "
-                "the axis a weight balances nothing"
+                f"the radius of the balancing weights must be positive, got {r!r}: on the axis a "
+                "weight balances nothing"
             )
     e, _ = shaft_axis(A, B, body.frame)
     needed = zip(corrections(body, A, B, planes), planes, pair, strict=True)

@@ -13,7 +13,6 @@ from ..algebra.scalars import (
     is_positive,
     max_abs,
     short,
-    to_plain,
     without_rates,
 )
 from ..kinematics.frames import Frame, Point
@@ -32,7 +31,7 @@ def positive(x: Scalar, what: str) -> None:
         return
     if not is_positive(x) or not is_finite(x):
         raise MassError(
-            f"{what} must be positive, got {to_plain(x)}; cut out by composite(..., removed=[...])"
+            f"{what} must be positive, got {x}; cut out by composite(..., removed=[...])"
         )
 
 
@@ -42,7 +41,7 @@ def not_negative(x: Scalar, what: str) -> None:
         return
     x = without_rates(x)
     if is_numeric(x) and not (is_finite(x) and max_abs(x - abs(x)) == 0):
-        raise MassError(f"{what} is zero or positive, got {to_plain(x)}")
+        raise MassError(f"{what} is zero or positive, got {x}")
 
 
 def triangle_inequality(moments: tuple, tolerance: float) -> None:
@@ -73,9 +72,7 @@ def _refuse_moment(moments, n):
 def check(I: Any, tolerance: float, slack: float) -> None:
     """Raises :class:`MassError` if no body can have ``I``, see :meth:`.inertia.Inertia.check`."""
     if I.mass is not None and is_numeric(I.mass) and not is_positive(I.mass):
-        raise MassError(
-            f"the mass must be positive, got {to_plain(I.mass)}; cut out by removed=[hole]"
-        )
+        raise MassError(f"the mass must be positive, got {I.mass}; cut out by removed=[hole]")
     if all(map(is_numeric, I.moments + I.products)):
         _check_integrals(I, tolerance, slack)
         if I.mass is not None and I.centre not in (None, I.point):
@@ -97,8 +94,8 @@ def _check_integrals(I, tolerance, slack):
         bound = squares[AXES.index(u)] * squares[AXES.index(v)]
         if _below(bound - product * product, -4 * small * largest):
             raise MassError(
-                f"no body has the product I_{u}{v} = {to_plain(product)} with these moments: its "
-                f"square is at most {to_plain(bound)}, the product of the integrals of {u}^2 and "
+                f"no body has the product I_{u}{v} = {product} with these moments: its "
+                f"square is at most {bound}, the product of the integrals of {u}^2 and "
                 f"{v}^2; check the sign convention and the units"
             )
     ab, bc, ca = I.products

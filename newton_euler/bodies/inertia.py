@@ -21,6 +21,7 @@ from ..algebra.ledger import NamedTerms, Terms, latex_number
 from ..algebra.names import guided
 from ..algebra.scalars import (
     ZERO,
+    Rows,
     Scalar,
     Scaled,
     clipped,
@@ -99,7 +100,7 @@ class Inertia(Scaled, NamedTerms):
         return (xx, -xy, -zx), (-xy, yy, -yz), (-zx, -yz, zz)
 
     @property
-    def matrix(self) -> tuple:
+    def matrix(self) -> Rows:
         """The inertia matrix (7.13): three rows of three, minus the products off the diagonal."""
         return tuple(tuple(to_plain(x) for x in row) for row in self._rows())
 

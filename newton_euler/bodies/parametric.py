@@ -18,6 +18,7 @@ from ..algebra.scalars import (
     ZERO,
     Scalar,
     SingularError,
+    Triple,
     epsilon,
     is_expression,
     is_numeric,
@@ -47,11 +48,11 @@ class IntegratedBody(Body):
 
 @checked
 def integrated(
-    position: Callable,
+    position: Callable[..., Triple],
     *limits: tuple,
     frame: Frame,
     mass: Scalar = None,
-    density: Scalar | Callable | None = None,
+    density: Scalar | Callable[..., Scalar] | None = None,
     exact: bool = False,
     rtol: Accuracy = 1e-10,
     name: str = "body",
@@ -120,9 +121,7 @@ def _check_given(limits, mass, density, name):
 
 def _check_mass(found, name):
     if is_numeric(found) and not is_positive(found):
-        raise MassError(
-            f"the mass of {name} is {to_plain(found)}, not positive: look at limits and density"
-        )
+        raise MassError(f"the mass of {name} is {found}, not positive: look at limits and density")
 
 
 def _tangents(position, parameters):

@@ -7,7 +7,7 @@ right-handed. Where moments are equal within round-off, the axes are nearest to 
 Expressions have no order, unless they are numbers times one common factor. If the matrix is
 diagonal the axes are those of the frame; if it has one product, its two axes (u, v) turn by half of
 atan2(-2 I_uv, I_uu - I_vv), the larger moment along the turned u; a full matrix gives real formulas
-with an arc cosine, ascending.
+with an arc cosine, ascending. Compiled, it is turned by Jacobi's rotations: moments may be equal.
 """
 
 from dataclasses import dataclass
@@ -17,6 +17,7 @@ from ..algebra.errors import Tolerance, checked
 from ..algebra.late import is_here, np, sympy
 from ..algebra.scalars import (
     ZERO,
+    Rows,
     acos,
     atan2,
     cos,
@@ -63,7 +64,7 @@ class Principal:
     turns: tuple = ()
 
     @property
-    def rotation(self) -> tuple:
+    def rotation(self) -> Rows:
         """The matrix whose columns are the principal axes, in the frame of the inertia."""
         return tuple(zip(*(axis.components() for axis in self.axes), strict=True))
 
@@ -171,7 +172,14 @@ def _by_numpy(matrices):
 
 
 def _by_rotations(rows):
-    """Moments and axes by Jacobi's rotations, each of which makes a product of two axes vanish."""
+    moments, axes = zip(*sorted(zip(*_rotated(rows), strict=True)), strict=True)
+    return list(moments), _canonical(moments, axes)
+
+
+def _rotated(rows):
+    """Moments and axes by Jacobi's rotations, each of which makes a product of two axes vanish; a
+    formula of real numbers also where moments are equal.
+    """
     zero = 0 * sum(x for row in rows for x in row)
     axes = [tuple(int(n == m) + zero for m in range(3)) for n in range(3)]
 
@@ -186,8 +194,7 @@ def _by_rotations(rows):
             tuple(c * x + s * y for x, y in zip(axes[u], axes[v], strict=True)),
             tuple(c * y - s * x for x, y in zip(axes[u], axes[v], strict=True)),
         )
-    moments, axes = zip(*sorted((entry(n, n), axis) for n, axis in enumerate(axes)), strict=True)
-    return list(moments), _canonical(moments, axes)
+    return [entry(n, n) for n in range(3)], axes
 
 
 def _canonical(values, axes):
@@ -247,7 +254,23 @@ def _of_expressions(rows):
     if all(is_numeric(x) for row in ratios for x in row):
         moments, axes = _of_numbers(ratios)
         return scale3(unit, moments), axes
-    return _block(rows, *coupled[0]) if len(coupled) == 1 else _of_full_matrix(rows)
+    if len(coupled) == 1:
+        return _block(rows, *coupled[0])
+    if library_of([x for row in rows for x in row]).__name__ in ("sympy", "symengine"):
+        return _of_full_matrix(rows)
+    return _ascending(*_rotated(rows))
+
+
+def _ascending(moments, axes):
+    """A formula of moments in order, of which traced ones have none; the axes right-handed."""
+    pairs = [(moment, *axis) for moment, axis in zip(moments, axes, strict=True)]
+    for n, m in ((0, 1), (1, 2), (0, 1)):
+        low, high = pairs[n], pairs[m]
+        right = low[0] <= high[0]
+        pairs[n] = tuple(where(right, a, b) for a, b in zip(low, high, strict=True))
+        pairs[m] = tuple(where(right, b, a) for a, b in zip(low, high, strict=True))
+    first, second = pairs[0][1:], pairs[1][1:]
+    return [moment for moment, *_ in pairs], (first, second, cross3(first, second))
 
 
 def _block(rows, u, v):

@@ -208,7 +208,7 @@ def wedge(
     flat = sector(radius, half_angle, middle, axis, toward, mass=m, name=name)
     added = [m * length**2 / 12] * 3
     added[axis_index(axis)[0]] = ZERO
-    return Body(name, m, flat.centre, add3(flat.inertia.moments, added))
+    return Body(name, m, flat.centre, add3(flat.inertia.moments, tuple(added)))
 
 
 @checked

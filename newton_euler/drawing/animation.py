@@ -129,7 +129,7 @@ class Animation:
 
 @checked
 def animate(
-    draw: Callable,
+    draw: Callable[..., object],
     times: Iterable[float],
     speed: float | None = None,
     size: Sequence[float] = (5, 4),

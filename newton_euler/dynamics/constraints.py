@@ -9,6 +9,7 @@ import random
 from collections import Counter
 from dataclasses import dataclass
 from operator import mul
+from typing import Any
 
 from ..algebra.errors import NewtonEulerError, Tolerance, checked
 from ..algebra.jets import Moving
@@ -65,10 +66,10 @@ class Freedom:
 
 @checked
 def degrees_of_freedom(
-    bodies: dict,
-    constraints: dict | None = None,
-    at: dict | None = None,
-    tolerance: Tolerance = 1e-9,
+    bodies: dict[str, str | int],
+    constraints: dict[str, Any] | None = None,
+    at: dict[str, Any] | None = None,
+    tolerance: Tolerance = 1e-09,
 ) -> Freedom:
     """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the number
     of coordinates less the rank of the Jacobian. Springs and weights are no constraints.

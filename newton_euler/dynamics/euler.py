@@ -160,7 +160,7 @@ def _check_principal(inertia, axes, law, instead):
     # 1e-12 of the moments: what a rotation to principal axes leaves as round-off
     small = 1e-12 * max((max_abs(x) for x in inertia.moments if is_numeric(x)), default=0.0)
     left = [
-        f"I_{name} = {to_plain(x)}"
+        f"I_{name} = {x}"
         for name, x in zip(("xy", "yz", "zx"), inertia.products, strict=True)
         if any(a in name for a in axes)
         and not (is_zero(x) or (is_numeric(x) and max_abs(x) <= small))

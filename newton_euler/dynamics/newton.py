@@ -34,7 +34,7 @@ FORCES = {f"{system}force" for system in ("", "intrinsic ", "polar ", "cylindric
 
 def _mass(m):
     if not is_positive(m) or not is_finite(m):
-        raise MassError(f"the mass must be positive and finite, got m = {to_plain(m)!r}")
+        raise MassError(f"the mass must be positive and finite, got m = {m!r}")
     return scalar(m)
 
 
@@ -71,7 +71,9 @@ def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
 
 
 @checked
-def path_force(m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar) -> tuple:
+def path_force(
+    m: Scalar, speed: Scalar, speed_rate: Scalar, flexure: Scalar
+) -> tuple[Scalar, Scalar]:
     """The force components (F_t, F_n) along the path (6.5), in the plane or in space: m v' and m
     v^2/rho, F_n toward the centre of curvature; ``flexure`` is 1/rho, theta'/v in the plane.
 
@@ -101,7 +103,7 @@ def acceleration_by(m: Scalar, **forces: Vector) -> Vector:
 
 
 @checked
-def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple:
+def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple[Scalar, Scalar]:
     """The rates (v', theta') of motion along a plane path (6.5): F_t/m and F_n/(m v), theta the
     direction of the velocity, positive toward F_n; :class:`SingularError` at rest.
 

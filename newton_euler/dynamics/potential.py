@@ -16,7 +16,9 @@ from ..algebra.quadrature import quadrature
 from ..algebra.scalars import (
     ZERO,
     NewtonEulerError,
+    Rows,
     Scalar,
+    Triple,
     is_finite,
     is_numeric,
     max_abs,
@@ -30,9 +32,10 @@ from ..algebra.vectors import FrameError, Vector
 from ..bodies.admissibility import not_negative, positive
 from ..kinematics.curvilinear_systems import gradient, tangents
 from ..kinematics.frames import Point
+from ..kinematics.paths import Path
 from ..kinematics.triads import norm3
 from .gravity import G_STANDARD, K
-from .work import magnitude, work_along
+from .work import Field, magnitude, work_along
 
 
 class NoPotential(WorkError):
@@ -106,7 +109,7 @@ def gravitational_potential(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar 
 
 
 @checked
-def conservative_force(V: Callable, P: Point) -> Vector:
+def conservative_force(V: Callable[..., Scalar], P: Point) -> Vector:
     """The force F = -grad V (11.16)-(11.18) of the potential ``V`` at the Point ``P``.
 
     V : formula of the coordinates by which P is given, rectangular or others, as for
@@ -121,7 +124,7 @@ def conservative_force(V: Callable, P: Point) -> Vector:
 
 
 @checked
-def jacobian(force: Callable, place: Sequence) -> tuple:
+def jacobian(force: Field, place: Sequence[Scalar]) -> Rows:
     """The derivatives dF_i/dx_j of a force field ``force(x, y, z)``, exact, three rows of three.
 
     >>> jacobian(lambda x, y, z: (x*y, 0, 2*z), (1.0, 3.0, 2.0))
@@ -132,7 +135,7 @@ def jacobian(force: Callable, place: Sequence) -> tuple:
 
 
 @checked
-def curl(force: Callable, place: Sequence) -> tuple:
+def curl(force: Field, place: Sequence[Scalar]) -> Triple:
     """The curl of a force field: (dF_z/dy - dF_y/dz, dF_x/dz - dF_z/dx, dF_y/dx - dF_x/dy).
 
     >>> curl(lambda x, y, z: (-y, x, 0), (1.0, 2.0, 3.0))
@@ -210,11 +213,11 @@ def _dot(F, line):
 
 @checked
 def find_potential(
-    force: Callable,
+    force: Field,
     base: Sequence[Scalar] = (0, 0, 0),
     box: Sequence[Sequence[Scalar]] = ((-1, 1),) * 3,
-    loops: Sequence[Callable] = (),
-    tolerance: Tolerance = 1e-9,
+    loops: Sequence[Path] = (),
+    tolerance: Tolerance = 1e-09,
 ) -> Potential:
     """The potential of a force field (11.16)-(11.18); :class:`NoPotential` if it has none.
 

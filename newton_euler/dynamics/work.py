@@ -15,21 +15,24 @@ consistent ones; in SI J and W. Velocities are those in an inertial frame.
 """
 
 from collections.abc import Callable, Sequence
+from typing import TypeAlias
 
 from ..algebra import WorkError
 from ..algebra.errors import Accuracy, checked
 from ..algebra.jets import Moving
 from ..algebra.ledger import Amount, summed
 from ..algebra.quadrature import quadrature
-from ..algebra.scalars import ZERO, Scalar, max_abs, probe, scalar, to_plain
+from ..algebra.scalars import ZERO, Scalar, Triple, max_abs, probe, scalar, to_plain
 from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point
-from ..kinematics.paths import along
+from ..kinematics.paths import Path, along
+
+Field: TypeAlias = Callable[..., Triple]  # of x, y, z
 
 
 @checked
 def work_integral(
-    f: Callable,
+    f: Callable[[Scalar], Scalar],
     start: Scalar,
     end: Scalar,
     rtol: Accuracy = 1e-10,
@@ -41,7 +44,9 @@ def work_integral(
     f : function of one number. Floats: by an adaptive quadrature to ``rtol``, relative to the
         integral of abs(f). Arrays and mpf: to nearly their accuracy, for a smooth f; likewise
         dimensions, moving and traced numbers. With symbols, or ``exact=True``: by SymPy
-    breaks : in order, where f has corners or jumps, or begins and ends a short pulse
+    breaks : in order, where f has corners or jumps. Of floats a pulse is seen if it is longer than
+        2 % of the distance between two of them; a shorter one may count as nothing, without a word,
+        unless breaks stand where it begins and ends
     Raises :class:`WorkError` where it does not converge, is not finite, or has no formula.
 
     >>> work_integral(lambda x: -200.0*x, 0.0, 0.1).value  # a spring, stretched from rest
@@ -55,14 +60,14 @@ def magnitude(x: Scalar) -> float:
     """The size of a number; of a SymPy expression that at sample values of its symbols."""
     value = probe(scalar(x))
     if value is None:
-        raise WorkError(f"{to_plain(x)!r} has no size to be compared; put numbers in")
+        raise WorkError(f"{x!r} has no size to be compared; put numbers in")
     return max_abs(value)
 
 
 @checked
 def work_along(
-    force: Callable,
-    path: Callable,
+    force: Field,
+    path: Path,
     start: Scalar,
     end: Scalar,
     rtol: Accuracy = 1e-10,
@@ -84,8 +89,7 @@ def work_along(
 
     if any(isinstance(x, Moving) for x in path(start)):
         raise WorkError(
-            "the path moves: work is done along a curve that is fixed. Freeze it at the instant, "
-            "or follow the point of application by work_in_time(force, velocity, ...)"
+            "the path moves: freeze it at the instant, or take work_in_time(force, velocity, ...)"
         )
 
     def component(n):

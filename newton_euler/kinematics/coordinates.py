@@ -18,6 +18,7 @@ from ..algebra.ledger import Terms
 from ..algebra.pickles import Computed
 from ..algebra.scalars import (
     ZERO,
+    Rows,
     Scalar,
     SingularError,
     atan2,
@@ -326,7 +327,7 @@ def _with_rates(make, q, frame, v, a):
 
 
 @checked
-def T_theta(theta: Scalar) -> tuple:
+def T_theta(theta: Scalar) -> Rows:
     """[T_theta] (3.34): from rectangular to cylindrical components; three rows.
 
     >>> T_theta(0.0)
@@ -336,7 +337,7 @@ def T_theta(theta: Scalar) -> tuple:
 
 
 @checked
-def T_phi(phi: Scalar) -> tuple:
+def T_phi(phi: Scalar) -> Rows:
     """[T_phi] (3.37): from cylindrical to spherical components; phi is the elevation.
 
     >>> T_phi(0.0)
@@ -346,7 +347,7 @@ def T_phi(phi: Scalar) -> tuple:
 
 
 @checked
-def T_theta_phi(theta: Scalar, phi: Scalar) -> tuple:
+def T_theta_phi(theta: Scalar, phi: Scalar) -> Rows:
     """[T_theta_phi] = [T_phi][T_theta] (3.36): from rectangular to spherical components.
 
     >>> T_theta_phi(0.0, 0.0)

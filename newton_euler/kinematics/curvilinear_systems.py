@@ -11,8 +11,10 @@ from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving, at, moving
 from ..algebra.scalars import (
     ZERO,
+    Rows,
     Scalar,
     SingularError,
+    Triple,
     integer_like,
     is_numeric,
     scalar,
@@ -28,7 +30,7 @@ from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
 def curvilinear(
     ground: Frame,
     name: str,
-    position: Callable,
+    position: Callable[..., Triple],
     q1: Scalar,
     q2: Scalar,
     q3: Scalar,
@@ -70,7 +72,7 @@ def curvilinear(
     return CoordinatePoint(name, ground, x, ground, local, q, factors, "curvilinear", terms)
 
 
-def tangents(position: Callable, q: Sequence[Scalar]) -> tuple:
+def tangents(position: Callable[..., Triple], q: Sequence[Scalar]) -> Rows:
     """dr/dq_1, dr/dq_2, dr/dq_3, triples, of the position at ``q``; moving if ``q`` is."""
     return tuple(tuple(_rate(x) for x in position(*_seeded(q, n))) for n in range(3))
 
@@ -106,7 +108,7 @@ def _check_axes(axes):
         if below_roundoff(1e-8, abs(cosine)):  # 1e-8: the root of the round-off of doubles
             raise SingularError(
                 f"the coordinates are not orthogonal here: e_{n + 1} . e_{m + 1} = "
-                f"{to_plain(cosine)}, expected 0; this method needs orthogonal ones"
+                f"{cosine}, expected 0; this method needs orthogonal ones"
             )
     if below_roundoff(dot3(axes[0], cross3(axes[1], axes[2])), ZERO):
         raise SingularError("the coordinates are left-handed: e_1 x e_2 = -e_3; exchange two")
@@ -141,7 +143,7 @@ def _vectors(parts, ground):
 
 
 @checked
-def gradient(f: Callable, P: Point) -> Vector:
+def gradient(f: Callable[..., Scalar], P: Point) -> Vector:
     """The gradient (A.22) of the scalar field ``f`` at the Point ``P``, the sum of (df/dq_i)/h_i
     e_i, by exact derivatives, along P's local axes or those of its frame.
 

@@ -639,7 +639,6 @@ def divided_by_length(axis: tuple, length: Scalar, error: type[Exception]) -> tu
     """The unit vector of an axis of known length; an error if that is zero at any instant."""
     if vanishes(length) or not is_finite(length):
         raise error(
-            f"the axis {tuple(map(to_plain, axis))} has no direction: its length is "
-            f"{to_plain(length)}; give a vector that is not zero"
+            f"the axis {axis} has no direction: its length is {length}; give one that is not zero"
         )
     return tuple(x / length for x in axis)

@@ -9,14 +9,17 @@ right-handed helix. A *path* is a function of one parameter that returns three c
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving, moving
 from ..algebra.ledger import Ledger
 from ..algebra.scalars import (
     ZERO,
+    Rows,
     Scalar,
     SingularError,
+    Triple,
     epsilon,
     integer_like,
     is_numeric,
@@ -28,9 +31,11 @@ from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3, su
 from .frames import Frame
 from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
 
+Path: TypeAlias = Callable[[Scalar], Triple]
+
 
 @checked
-def along(path: Callable, q: Scalar) -> tuple:
+def along(path: Path, q: Scalar) -> Triple:
     """The three moving coordinates of the point at ``q`` on the path, for ``ground.point("P",
     *along(path, q))`` (3.1)-(3.3); q is a moving parameter, or a time, with the rate 1.
 
@@ -42,7 +47,7 @@ def along(path: Callable, q: Scalar) -> tuple:
     return tuple(map(moving, _three(path(_running(q)))))
 
 
-def derivatives(path: Callable, q: Scalar) -> tuple:
+def derivatives(path: Path, q: Scalar) -> Rows:
     """The position at ``q``, a plain number, and its three derivatives by it, triples."""
     one = integer_like(1, q)  # a plain 1 divided by 3 would have 16 digits, however many q has
     orders = []
@@ -54,7 +59,7 @@ def derivatives(path: Callable, q: Scalar) -> tuple:
 
 
 @checked
-def at_speed(path: Callable, q: Scalar, speed: Scalar, speed_rate: Scalar = 0) -> Moving:
+def at_speed(path: Path, q: Scalar, speed: Scalar, speed_rate: Scalar = 0) -> Moving:
     """The parameter ``q`` with its rates, for a point that passes there with this speed (and its
     rate of change) in the direction of increasing q: with r_q = dr/dq, q' = nu/abs(r_q), and q''
     from nu' = q'' abs(r_q) + q'^2 (r_q . r_qq)/abs(r_q). :class:`SingularError` where r_q = 0.
@@ -192,7 +197,7 @@ def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path")
 
 
 @checked
-def frenet_along(path: Callable, q: Scalar, ground: Frame, name: str = "path") -> Frenet:
+def frenet_along(path: Path, q: Scalar, ground: Frame, name: str = "path") -> Frenet:
     """The intrinsic triad, flexure, torsion and components of a point moving along a path
     (3.4)-(3.13), by exact derivatives.
 

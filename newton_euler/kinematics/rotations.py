@@ -21,8 +21,10 @@ from collections.abc import Sequence
 from ..algebra.errors import NewtonEulerError, Tolerance, checked, checked_but
 from ..algebra.scalars import (
     ZERO,
+    Rows,
     Scalar,
     ScalarError,
+    Triple,
     atan2,
     cos,
     epsilon,
@@ -41,7 +43,7 @@ from ..algebra.vectors import Vector, cross3, dot3, scale3, three
 from .frames import Frame, Point, divided_by_length
 
 Matrix = Sequence[Sequence[Scalar]]  # three rows of three
-Triple = Sequence[Scalar] | Vector
+Components = Sequence[Scalar] | Vector  # along any axes
 
 
 class RotationError(NewtonEulerError, ValueError):
@@ -56,7 +58,7 @@ def _rows(R):
 
 
 @checked
-def transpose(R: Matrix) -> tuple:
+def transpose(R: Matrix) -> Rows:
     """The matrix with rows and columns exchanged; of a rotation the inverse (4.2).
 
     >>> transpose(((1, 2, 3), (4, 5, 6), (7, 8, 9)))
@@ -66,7 +68,7 @@ def transpose(R: Matrix) -> tuple:
 
 
 @checked
-def product(*matrices: Matrix) -> tuple:
+def product(*matrices: Matrix) -> Rows:
     """The matrix product of any number of 3 x 3 matrices, left to right as written.
 
     >>> product(((0, -1, 0), (1, 0, 0), (0, 0, 1)), ((2, 0, 0), (0, 3, 0), (0, 0, 4)))
@@ -80,7 +82,7 @@ def product(*matrices: Matrix) -> tuple:
 
 
 @checked
-def apply(R: Matrix, v: Triple) -> tuple:
+def apply(R: Matrix, v: Components) -> Triple:
     """The components R v, v a triple or a Vector: of the turned one, or the same in the fixed axes.
 
     >>> apply(((0, -1, 0), (1, 0, 0), (0, 0, 1)), (1.0, 2.0, 3.0))
@@ -101,7 +103,7 @@ def determinant(R: Matrix) -> Scalar:
 
 
 @checked
-def in_sequence(*rotations: Matrix) -> tuple:
+def in_sequence(*rotations: Matrix) -> Rows:
     """The one rotation that equals these, carried out in the order given, the axis of each in the
     fixed frame (4.2, 4.3): their product in the reverse order. With each axis in the frame turned
     by the earlier ones it is :func:`product` itself.
@@ -115,7 +117,7 @@ def in_sequence(*rotations: Matrix) -> tuple:
 
 
 @checked
-def direction_cosines(frame: Frame, ground: Frame) -> tuple:
+def direction_cosines(frame: Frame, ground: Frame) -> Rows:
     """The book's A (4.1), which takes components in ``ground`` to components in ``frame`` (4.7):
     the cosines of the angles between the axes of ``frame`` (rows) and of ``ground`` (columns).
 
@@ -131,7 +133,7 @@ def direction_cosines(frame: Frame, ground: Frame) -> tuple:
 
 
 @checked_but("axis")
-def rotation_matrix(axis: Triple, angle: Scalar) -> tuple:
+def rotation_matrix(axis: Components, angle: Scalar) -> Rows:
     """The matrix, three rows, of the turn by ``angle`` (rad) about ``axis``, right-handed (4.2).
 
     axis : three components of any length but zero (:class:`RotationError`), or a Vector; the same
@@ -237,7 +239,7 @@ def checked_rotation(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
 
 
 @checked_but("axis")
-def quaternion(axis: Triple, angle: Scalar) -> tuple:
+def quaternion(axis: Components, angle: Scalar) -> tuple[Scalar, ...]:
     """The unit quaternion (cos(angle/2), sin(angle/2) e) of a turn, as for :func:`rotation_matrix`.
 
     >>> quaternion((0, 0, 1), 0.0)
@@ -248,7 +250,7 @@ def quaternion(axis: Triple, angle: Scalar) -> tuple:
 
 
 @checked
-def quaternion_product(p: Sequence[Scalar], q: Sequence[Scalar]) -> tuple:
+def quaternion_product(p: Sequence[Scalar], q: Sequence[Scalar]) -> tuple[Scalar, ...]:
     """The quaternion p q: the turn q, then p about fixed axes, as the product of their matrices.
 
     >>> quaternion_product((0.6, 0.8, 0, 0), (0.6, -0.8, 0, 0))
@@ -265,7 +267,7 @@ def quaternion_product(p: Sequence[Scalar], q: Sequence[Scalar]) -> tuple:
 
 
 @checked
-def normalised(q: Sequence[Scalar]) -> tuple:
+def normalised(q: Sequence[Scalar]) -> tuple[Scalar, ...]:
     """The quaternion divided by its length, which drifts; :class:`RotationError` for length zero.
 
     >>> normalised((3.0, 0.0, 4.0, 0.0))
@@ -277,7 +279,7 @@ def normalised(q: Sequence[Scalar]) -> tuple:
 
 
 @checked
-def matrix_from_quaternion(q: Sequence[Scalar]) -> tuple:
+def matrix_from_quaternion(q: Sequence[Scalar]) -> Rows:
     """The rotation matrix of a quaternion of any length but zero.
 
     >>> matrix_from_quaternion((1.0, 0, 0, 1.0))
@@ -326,7 +328,7 @@ def quaternion_from_matrix(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
 
 
 @checked
-def quaternion_rate(q: Sequence[Scalar], omega: Triple) -> tuple:
+def quaternion_rate(q: Sequence[Scalar], omega: Components) -> tuple[Scalar, ...]:
     """The rate q' = q (0, omega)/2 for the angular velocity ``omega`` in rad/s.
 
     omega : *body* components, a triple or a Vector of the body's frame
@@ -347,9 +349,7 @@ def _four(q):
 
 def _checked_size(q, size):
     if vanishes(size) or not is_finite(size):
-        raise RotationError(
-            f"{tuple(map(to_plain, q))} is no rotation: its length must be finite and not zero"
-        )
+        raise RotationError(f"{q} is no rotation: its length must be finite and not zero")
     return size
 
 
@@ -357,7 +357,7 @@ def _checked_size(q, size):
 
 
 @checked
-def euler_matrix(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
+def euler_matrix(psi: Scalar, theta: Scalar, phi: Scalar) -> Rows:
     """The rotation matrix, body to ground, of Euler angles: T_phi T_theta T_psi transposed (10.10).
 
     >>> euler_matrix(0.0, 0.0, 0.0)[2]
@@ -374,7 +374,7 @@ def _about_z(angle):
 
 
 @checked_but("R")
-def euler_angles(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
+def euler_angles(R: Matrix, tolerance: Tolerance = 1e-09) -> Triple:
     """The angles (psi, theta, phi) in rad of a rotation matrix, body to ground: psi and phi in
     (-pi, pi], theta in [0, pi] (10.5)-(10.10).
 
@@ -403,7 +403,7 @@ def quaternion_from_euler(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
 
 
 @checked
-def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
+def euler_from_quaternion(q: Sequence[Scalar]) -> Triple:
     """The Euler angles of a quaternion of any length, as by :func:`euler_angles`.
 
     >>> [round(x, 12) for x in euler_from_quaternion(quaternion_from_euler(0.3, 0.2, 0.1))]
@@ -423,7 +423,7 @@ def euler_from_quaternion(q: Sequence[Scalar]) -> tuple:
 
 
 @checked
-def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Scalar]) -> tuple:
+def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Scalar]) -> Triple:
     """The angular velocity in body components (10.12) from ``rates`` = (psi', theta', phi').
 
     >>> euler_body_rates(0.0, 0.0, 0.0, (2.0, 0.5, 3.0))
@@ -439,7 +439,7 @@ def euler_body_rates(psi: Scalar, theta: Scalar, phi: Scalar, rates: Sequence[Sc
 
 
 @checked
-def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple:
+def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Components) -> Triple:
     """The rates (psi', theta', phi') in rad/s from the angles and the angular velocity ``omega`` in
     body components: (10.12) solved; :class:`RotationError` where sin(theta) is zero.
 
@@ -451,7 +451,7 @@ def euler_rates(psi: Scalar, theta: Scalar, phi: Scalar, omega: Triple) -> tuple
     s = sin(theta)
     if vanishes(s, 4 * epsilon(without_rates(s))):
         raise RotationError(
-            f"theta = {to_plain(theta)!r} rad: at theta = 0 and pi the axes of precession and "
+            f"theta = {theta!r} rad: at theta = 0 and pi the axes of precession and "
             "spin coincide and the rates of Euler's angles are not determined; use "
             "quaternion_rate, which is never singular, and compute the angles afterwards"
         )

@@ -2,6 +2,8 @@
 
 import math
 
+from ..algebra.late import is_here
+from .narrow import round_off_of_rates
 from .sizes import small, time_round_off
 
 # A run is compared with one of a coarser tolerance. If both are in the regime in which errors are
@@ -24,6 +26,8 @@ ROUND_OFF, SERIES_ROUND_OFF = 5e-14, 9e-15
 # the effect of round-off in the rates, 25 times a float's epsilon, in the start and in parameters,
 # which is the same in both runs.
 ROUND_OFF_OF_RATES = 5e-15
+# the largest tolerance at which round-off on the way may be more than what the difference shows
+TIGHT = 1e-13
 
 
 def reported_error(error, rtol):
@@ -59,7 +63,10 @@ def error_by_comparison(before, trajectory, method):
     more = _clock_error(trajectory)
     if method.series and traced.hazards:
         more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
-    return error_by_difference(difference, ratio, tolerance, regular, fine) + more
+    if tolerance <= TIGHT and (method.series or method.adaptive) and is_here("numpy"):
+        found = [round_off_of_rates(part.stepper) for part in trajectory.segments]
+        more = math.hypot(more, *found)
+    return math.hypot(error_by_difference(difference, ratio, tolerance, regular, fine), more)
 
 
 def _clock_error(trajectory):

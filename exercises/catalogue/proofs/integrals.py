@@ -2,11 +2,10 @@
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from typing import Any
 
 from mpmath import mp, mpf
 
-from .digits import DIGITS, Number, ProofError, entries, weighted
+from .digits import DIGITS, Number, ProofError, Value, entries, weighted
 
 LEVELS = 9  # of the rule; each halves the step
 ENOUGH = 10 ** (
@@ -15,8 +14,8 @@ ENOUGH = 10 ** (
 
 
 def integral(
-    f: Callable[[Number], Any], start: Number, end: Number, breaks: Sequence[Number] = ()
-) -> Any:
+    f: Callable[[Number], Value], start: Number, end: Number, breaks: Sequence[Number] = ()
+) -> Value:
     """The integral of ``f`` (a number, vector or matrix) from ``start`` to ``end``.
 
     f may have infinite slopes at the ends; ``breaks``, in order, are its corners and jumps between

@@ -10,16 +10,15 @@ ball, need a larger order.
 
 from collections.abc import Callable
 from functools import cache
-from typing import Any
 
 from mpmath import mp, mpf
 
-from .digits import DIGITS, Number, Points, Triple, weighted
+from .digits import DIGITS, Number, Points, Triple, Value, weighted
 
 ORDER = 4
 
 
-def mean(f: Callable[[Triple], Any], points: Points) -> Any:
+def mean(f: Callable[[Triple], Value], points: Points) -> Value:
     """The mean of ``f`` (number, vector, matrix) over mass points; times the mass, its integral."""
     with mp.workdps(DIGITS):
         return weighted([share for share, _ in points], [f(place) for _, place in points])

@@ -1,11 +1,10 @@
 """Derivatives of explicit motions, by central differences."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 from mpmath import mp, mpf
 
-from .digits import DIGITS, Matrix, Number, Triple, weighted
+from .digits import DIGITS, Matrix, Number, Triple, Value, weighted
 from .vectors import cross, plus, scaled, times, transposed
 
 # five-point rules at 50 digits: truncation 1e-36 times the fifth derivative, rounding 1e-32
@@ -23,7 +22,7 @@ def spun(axis: Sequence[Number], across: Sequence[Number], angle: Number) -> Mat
     return transposed([axis, turned, cross(axis, turned)])
 
 
-def rate(f: Callable[[Number], Any], t: Number = 0) -> Any:
+def rate(f: Callable[[Number], Value], t: Number = 0) -> Value:
     """df/dt of a number, vector or matrix as a function of time: five-point central difference."""
     with mp.workdps(DIGITS):
         h, t = mpf(STEP), mpf(t)
@@ -31,7 +30,7 @@ def rate(f: Callable[[Number], Any], t: Number = 0) -> Any:
         return weighted([w / (12 * h) for w in (1, -8, 8, -1)], values)
 
 
-def second_rate(f: Callable[[Number], Any], t: Number = 0) -> Any:
+def second_rate(f: Callable[[Number], Value], t: Number = 0) -> Value:
     """d2f/dt2, by a five-point central difference."""
     with mp.workdps(DIGITS):
         h, t = mpf(STEP), mpf(t)

@@ -1,11 +1,10 @@
 """Vectors as lists of three, matrices as lists of rows, rotation matrices multiplied out."""
 
 from collections.abc import Sequence
-from typing import Any
 
 from mpmath import mp, mpf
 
-from .digits import Matrix, Number, Triple
+from .digits import Matrix, Number, Triple, Value
 
 
 def rot(axis: str | Sequence[Number], angle: Number) -> Matrix:
@@ -23,7 +22,7 @@ def rot(axis: str | Sequence[Number], angle: Number) -> Matrix:
     ]
 
 
-def times(*factors: Any) -> Any:
+def times(*factors: Value) -> Value:
     """The product of matrices, or of matrices with a final vector."""
     *rest, out = factors
     for a in reversed(rest):

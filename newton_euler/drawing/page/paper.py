@@ -51,7 +51,7 @@ class Panel(Plots):
         if name.startswith("__"):
             raise AttributeError(name)
         if name[:4] == "set_" and name[4:] in SETTINGS:
-            return lambda value, **_: self.set(**{name[4:]: value})
+            return lambda x, *end, **_: self.set(**{name[4:]: (x, *end) if end else x})
         raise NeedsMatplotlib(f"a panel of a page has no {name}; take the axes of matplotlib")
 
 

@@ -156,11 +156,6 @@ class Plots:
         self._mark("line", [float(x)] * 2, [None, None], self._look(named))
 
     @_recorded
-    def vlines(self, x: float, low: float, high: float, **named: Any) -> None:
-        """Draw an upright line from ``low`` to ``high``."""
-        self._mark("line", [float(x)] * 2, [float(low), float(high)], self._look(named))
-
-    @_recorded
     def fill_between(self, x: Any, y: Any, base: Any = 0.0, **named: Any) -> None:
         """Fill the area between a curve and a level, or another curve, ``where`` so."""
         where = named.pop("where", None)
@@ -262,14 +257,6 @@ class Plots:
         self.set(xticks=[float(x) for x in ticks])
         if labels is not None:
             self.set(xticklabels=list(labels))
-
-    def set_ylim(self, low: Any, high: Any = None) -> None:
-        """The lowest and the highest y."""
-        self.set(ylim=low if high is None else (low, high))
-
-    def set_xlim(self, low: Any, high: Any = None) -> None:
-        """The first and the last x."""
-        self.set(xlim=low if high is None else (low, high))
 
 
 SETTINGS = {

@@ -56,7 +56,7 @@ def swing_out(
     c = weight_moment / (inertia_difference * (omega * omega))
     if is_numeric(c) and max_abs(c) > 1:
         raise GyroError(
-            f"at {to_plain(omega)} rad/s the body hangs straight down; it swings out above "
+            f"at {omega} rad/s the body hangs straight down; it swings out above "
             f"{to_plain(least_rate(weight_moment, inertia_difference))} rad/s"
         )
     return acos(c)

@@ -40,7 +40,7 @@ def test_metres_for_millimetres_are_doubted():
     sane = sane_answers(p)["v_D"]
     v = [0.0096 * x for x in (-1, 0.65, -0.37)]
     (doubt,) = doubts(Form("vector", "mm/s"), v, {}, sane)
-    assert "look at the units" in doubt
+    assert "check the units" in doubt
 
 
 def test_every_problem_has_its_bounds():

@@ -52,6 +52,12 @@ def test_a_right_angle_beside_degrees_is_written_in_degrees():
     (m * g * a / b - m * g * b, "a*g*m/b - b*g*m"),
     (-m * a * g - m * a * h - m * b * g - m * b * h, "-m*(a + b)*(g + h)"),
     (a * (g + h) + b * (g + h) + m, "m + (a + b)*(g + h)"),
+    (g + m * a**2 + m * b**2, "g + m*(a**2 + b**2)"),
+    (0.4 * a**2 + 0.4 * b**2 - m, "0.4*(a**2 + b**2) - m"),
+    (a * b * (1 + m), "a*b*(1 + m)"),
+    (1 + sympy.cos(a) ** 2, "1 + cos(a)**2"),
+    (a * b + g, "g + a*b"),
+    (m**2 + 4, "m**2 + 4"),
     (3.5 * a**2 - 1.8 * a + 2, "3.5*a**2 - 1.8*a + 2"),
     (m * (6 * a + 3 * b), "3*m*(2*a + b)"),
     (2 * a * m + g**2, "g**2 + 2*a*m"),  # a name before a product
@@ -130,6 +136,8 @@ def shown(name, key):
     ("3/27", "r_cyl", ["T_theta_xx*x + T_theta_xy*y", "T_theta_yx*x + T_theta_yy*y", "z"]),
     ("4/9", "x", ["a*sqrt((b**2 - rho**2)/(-a**2 + b**2))"]),  # the square of an earlier root
     ("6/11", "T", ["-F_x*cos(psi) + F_y*sin(psi)"]),  # without the unknown force of the slot
+    ("4/28", "a_r", ["-r_x*theta_dot**2", "0", "-r_z*theta_dot**2"]),  # not d sin(theta_1), -r_x
+    ("4/26", "alpha_drum_relative", ["0", "-P*e_z*theta_dot", "P*e_y*theta_dot"]),  # not omega_y
     ("2/5", "h", ["g*t_near**2/2 - t_near*v_0*cos(phi)", "g*t_far**2/2 - t_far*v_0*cos(phi)"]),
 ])  # fmt: skip
 def test_a_formula_is_written_as_a_teacher_does(name, key, formulas):

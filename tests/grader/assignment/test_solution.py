@@ -3,7 +3,7 @@
 import math
 import re
 from functools import cache
-from itertools import islice
+from itertools import combinations, islice
 
 import pytest
 import sympy
@@ -94,9 +94,22 @@ def test_a_worked_solution_says_why_a_word_is_right(p):
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_the_sum_of_the_terms_that_are_shown_is_shown_too(p):
+def test_the_sum_of_the_terms_that_are_shown_is_shown_too_and_no_table_twice(p):
     shown = {line.step.key for line in as_python(p, b"one")}
     assert {line.step.of for line in as_python(p, b"one")} <= {"", *shown}
+    text = worked_solution(p, numbers(p, b"one"), text=False)
+    tables = re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE)
+    assert len(tables) == len({*tables})
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_each_component_found_from_equations_stands_in_them(p):
+    told = ""
+    for line in as_python(p, b"one"):
+        told, s = " ".join([told, *line.together]), line.step
+        if (line.above or line.together) and s.is_vector and len(line.equal) == 1:
+            found = {component(s.key, n, 3) for n, x in enumerate(map(to_plain, s.value.c)) if x}
+            assert found <= {*NAME.findall(told)}, s.key
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
@@ -110,7 +123,10 @@ def test_no_fraction_stands_in_a_fraction_and_no_formula_in_its_description_too(
     for means, formula in re.findall(
         r"[,:] (\$[^$=]*\$)(?:, section [^:]*)?: \$[^$]* = ([^$]*)\$", text
     ):
-        assert letters(means) != letters(formula.partition(r"\ \text")[0]), means
+        formula = letters(formula.partition(r"\ \text")[0])
+        names = {x for x in letters(means) if not x.isdigit()}
+        assert letters(means) != formula, means
+        assert len(names) < 4 or not names <= {*formula}, means
     assert r"\sqrt{\frac{1}{" not in text
 
 
@@ -144,12 +160,13 @@ def letters(latex):
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_term_is_not_named_after_a_quantity_that_equals_it_by_chance(p):
-    """As a component of another sum whose other terms are zero, or of a vector that is another term
-    of its sum.
+    """As a component of another sum whose other terms are zero, of a vector that is another term of
+    its sum, or of an answer in another unit: H_O_y omega for -I_xy omega^2.
     """
     found = derivations(p, numbers(p, b"one"))
     shown = [line.step for line in as_python(p, b"one")]
     sums = {s.of for s in shown if s.of}
+    units = {s.key: s.unit for s in shown}
     vectors = {
         s.key: {component(s.key, n, 3) for n, x in enumerate(map(to_plain, s.value.c)) if x != 0}
         for s in shown
@@ -163,15 +180,30 @@ def test_a_term_is_not_named_after_a_quantity_that_equals_it_by_chance(p):
         # the components of its own sum may be unknowns of equations
         used = ({name.rpartition("_")[0] for name in names} & vectors.keys()) - {s.of}
         assert not used & sums, s.key
+        assert not {a.key for a in p.answers if a.key in used and a.unit != units[s.of]}, s.key
         if formulas and all(f.is_Symbol or f == 0 for f in formulas):
             assert not {(s.of, v) for v in used} & whole, s.key
             whole |= {(s.of, v) for v in used if vectors[v] <= names}
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+def test_a_matrix_names_the_place_of_its_body_by_components_only(p):
+    """As m d_x d_y beside m d_x^2, and no m x_c d_y, where d_x is the given x_c."""
+    found = derivations(p, numbers(p, b"one"))
+    formulas = {key: x.formulas for key, x in found.items() if None not in x.formulas}
+    for key in (key for key, x in formulas.items() if len(x) == 9):
+        names = {x.name for f in formulas[key] for x in f.free_symbols}
+        for place in (k for k, x in formulas.items() if len(x) == 3):
+            same_body = place.split("_")[1:] == key.split("_")[1:] != []
+            given = [str(abs(f)) for f in formulas[place] if abs(f).is_Symbol and same_body]
+            assert not {f for f in given if given.count(f) == 1} & names, (key, place)
+
+
+@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_name_in_a_formula_is_the_one_that_its_place_asks_for(p):
     """A term as -r theta_dot^2 e_r has no component of a vector, a point that turns has r omega^2
-    and not omega v, and a component of a turned vector has entries of its row of the matrix.
+    and not omega v, a component of a turned vector has entries of its row of the matrix, and no
+    scalar is two terms of a sum.
     """
     found = derivations(p, numbers(p, b"one"))
     shown = {line.step.key: line.step for line in as_python(p, b"one")}
@@ -185,6 +217,9 @@ def test_a_name_in_a_formula_is_the_one_that_its_place_asks_for(p):
     vectors = {x for s in shown.values() if s.is_vector and s.unit != "1"
                for x in (component(s.key, n, 3) for n in range(3))}  # fmt: skip
     rates = {x for x, of in units.items() if powers(of) in ((0, 0, -1), (0, 1, -1))}
+    alone = [(shown[key].of, f) for key, x in found.items() if key in shown and shown[key].of
+             for f in x.formulas if f is not None and f.is_Symbol and str(f) in {*found}]  # fmt: skip
+    assert len(alone) == len({*alone}), alone
     for key, x in ((key, x) for key, x in found.items() if key in shown):
         for n, f in ((n, f) for n, f in enumerate(x.formulas) if f is not None):
             used = {y.name for y in f.free_symbols}
@@ -234,9 +269,11 @@ def test_an_answer_that_others_use_has_a_name(p):
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_components_are_named_after_their_unit_vectors(p):
-    """A component along e_theta is a_theta, and not a_y."""
+    """A component along e_theta is a_theta, and not a_y; from axes to others turns T_12, not T_xy."""
     text = worked_solution(p, numbers(p, b"one"), text=False)
     for s in (line.step for line in as_python(p, b"one")):
+        if isinstance(s.value, (list, tuple)) and len(flat(s.value)) == 9 and s.unit == "1":
+            assert not any(symbol(f"{s.key}_{a}{b}") in text for a in "xyz" for b in "xyz")
         if s.is_vector and re.search(
             r"\be_|(polar|cylindrical|spherical) axes", s.value.frame.name
         ):
@@ -263,11 +300,21 @@ def test_no_sum_has_two_common_factors_and_no_equation_has_two_leading_signs(p):
                 divided = any(sympy.fraction(y)[1].free_symbols for _, y in terms)
                 alike = len({abs(n) for n, _ in terms}) == 1
                 assert divided or not alike or len(shared - {1}) < 2, (key, x)
+                assert not [pair for pair in combinations(terms, 2) if are_one(*pair)], (key, x)
         for left, right in found.together:
             factors = {str(x) for x in sympy.Mul.make_args(left)} if right == 0 else set()
             assert not factors & {*p.units}, key
     for row in (row for line in as_python(p, b"one") for row in line.together):
         assert row.count("-") < 2 or re.match("[^-]|.*= [^-]", row), row
+
+
+def are_one(*terms):
+    """Whether two of several terms would be written as one: m d_x^2 + m d_y^2."""
+    (n, one), (m, other) = terms
+    shared = {*sympy.Mul.make_args(one)} & {*sympy.Mul.make_args(other)}
+    rest = [x / sympy.Mul(*shared) for x in (one, other)]
+    squares = all(x.is_Pow and x.exp > 0 for x in rest)
+    return abs(n) == abs(m) and shared - {1} and squares
 
 
 @pytest.mark.parametrize("name", ["7/15", "8/19", "9/1"])

@@ -30,7 +30,7 @@ def modules():
 # examples that need a library: they show arrays, mpmath's digits or what Matplotlib draws
 ARRAYS = (
     "Vector.to_array", "charts.axes.chart", "integration.integrate", "ladder", "ladders.smallest",
-    "legibility.faults", "measurements.honesty", "particles.projectile", "reference_solution",
+    "measurements.honesty", "particles.projectile", "reference_solution",
     "regime_maps", "scalars.with_extra_digits", "show.compare", "solution.Motion",
     "work_precision",
 )  # fmt: skip

@@ -189,19 +189,34 @@ def test_diagonal_symbols_stay_where_they_are():
     assert "principal moments about origin of body: a, b, c" in str(p)
 
 
-def test_full_matrix_as_a_formula_agrees_with_numbers():
-    """Compiled, on arrays: real, ascending, right-handed."""
+@pytest.mark.parametrize(
+    "given",
+    [
+        (8.0, 11.2, 11.0, 3.0, 0.1, -3.0),
+        (2.0, 2.0, 2.0, 0.0, 0.0, 0.0),
+        (2.0, 2.0, 3.0, 0.0, 0.0, 0.0),
+        (3.0, 2.0, 4.0, 0.0, 0.0, 0.0),
+        (3.0, 3.0, 3.0, 1.0, 1.0, 1.0),
+    ],
+)
+def test_a_full_matrix_is_turned_by_a_compiled_formula_also_where_moments_are_equal(given):
+    """On floats and on arrays: ascending, right-handed. A closed form had no value, or the same
+    axis twice.
+    """
 
     def formula(a, b, c, d, e, f):
-        p = Inertia(Frame("body"), (a, b, c), (d, e, f)).principal()
-        return p.moments, tuple(p.axes)
+        I = Inertia(Frame("body"), (a, b, c), (d, e, f))
+        found = I.principal()
+        rows = *(axis.components() for axis in found.axes), *I.matrix
+        return *found.moments, *(x for row in rows for x in row)
 
-    given = (8.0, 11.2, 11.0, 3.0, 0.1, -3.0)
-    (moments, axes), known = compiled(formula)(*given), formula(*given)
-    assert close(moments, known[0], 1e-12)
-    for axis, other in zip(axes, known[1], strict=True):
-        assert angle_between(axis, other.components()) < 1e-12
-    assert abs(np.linalg.det(np.array(axes)) - 1) < 1e-12
+    run = compiled(formula)
+    for values in (run(*given), run(*np.transpose([given, given]))):
+        values = np.array([np.broadcast_to(x, 2)[-1] for x in values])
+        moments, axes, matrix = values[:3], *values[3:].reshape(2, 3, 3)
+        assert moments == pytest.approx(np.linalg.eigvalsh(matrix), rel=1e-14)
+        assert matrix @ axes.T == pytest.approx(axes.T * moments, abs=2e-14)
+        assert np.linalg.det(axes) == pytest.approx(1.0, rel=1e-14)
 
 
 def test_exact_numbers_with_equal_moments():

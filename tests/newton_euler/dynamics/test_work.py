@@ -6,6 +6,7 @@ Oracles: antiderivatives by hand, sums over short chords, and for power the rate
 """
 
 import math
+import sys
 
 import mpmath as mp
 import numpy as np
@@ -271,6 +272,17 @@ def test_a_force_with_a_jump_is_divided_there():
     with pytest.raises(WorkError, match="does not settle; divide it with breaks"):
         U(mp.mpf(1))
     assert abs(U(mp.mpf(1), breaks=(mp.mpf(turn),)) - (1 - 2 * mp.mpf(turn))) < 1e-28
+
+
+@pytest.mark.parametrize("middle", np.linspace(0.02, 0.98, 61))
+@pytest.mark.parametrize("scipy", [True, False])
+def test_a_pulse_of_two_percent_of_the_way_is_seen_wherever_it_is(monkeypatch, middle, scipy):
+    """Of 21 places on the whole way a third of them saw nothing."""
+    if not scipy:
+        monkeypatch.setitem(sys.modules, "scipy.integrate", None)
+    pulse = lambda x: max(0.0, 1 - (100 * (x - middle)) ** 2) ** 4
+    found = work_integral(pulse, 0.0, 1.0)
+    assert found.value == pytest.approx(0.01 * 256 / 315, rel=1e-6)
 
 
 def test_a_short_pulse_between_the_samples_is_missed_unless_it_is_named():

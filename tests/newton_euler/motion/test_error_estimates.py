@@ -25,6 +25,7 @@ from newton_euler.motion.error_estimates import (
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.run import Run
+from newton_euler.motion.solution import AccuracyError
 from newton_euler.motion.trajectory import Segment
 from tests.models import TAYLOR, kepler
 
@@ -124,6 +125,22 @@ def test_the_error_contains_what_the_clock_makes_of_a_force_in_time(method):
     assert method != "taylor" or errors[0] < 3e-8
 
 
+@pytest.mark.parametrize(
+    ("near", "c", "v"), [(2.9376e-5, 3.0186, 2.8582), (8.492e-5, 3.3079, 1.9994), (1e-2, 5.0, 1.0)]
+)
+def test_the_error_contains_the_round_off_of_a_small_distance_from_a_large_place(near, c, v):
+    """A bounce off a pole, by its energy: 1e-11 was off where 1e-12 was told."""
+    B = near * v * v / 2
+    pole = second_order("pole", {}, ("x",), lambda s, p, t: (-B / (c - s.x) ** 2,))
+    try:
+        motion = integrate(pole, 1.7 * c / v, (0.0, v), rtol=1e-12)
+    except AccuracyError:
+        assert near < 1e-2
+    else:
+        energy = (motion.end["dx"] ** 2 / 2 + B / (c - motion.end["x"])) / (v * v / 2 + B / c)
+        assert abs(energy - 1) / 2 < motion.error
+
+
 class Still:
     """A system whose rates do not depend on time, and have these places."""
 
@@ -138,6 +155,7 @@ def made(steps, tolerance=1e-12, difference=0.0, system=None, residuals=(0.0,), 
     parts = []
     for n, r in itertools.zip_longest(steps, residuals, fillvalue=0.0):
         of = {"step_times": range(n + 1), "scales": (1.0,), "residual": lambda r=r: r}
+        of |= {"taken": 0, "t": 0.0, "start": (0.0, (1.0,))}
         parts.append(Segment(system or Still(), SimpleNamespace(**of), 0.0, 1.0, (1.0,)))
     return SimpleNamespace(
         segments=parts, tolerance=tolerance, count=sum(steps), difference=lambda other: difference,

@@ -16,7 +16,6 @@ from newton_euler.motion.error_estimates import (
     ROUND_OFF_OF_RATES,
     SAFETY,
     SERIES_SAFETY,
-    error_by_comparison,
 )
 from newton_euler.motion.events import Event, EventError
 from newton_euler.motion.methods.table import METHODS
@@ -100,58 +99,43 @@ ORBIT = kepler()
 PERIAPSIS = 0.7, 0.0, 0.0, math.sqrt(1.3 / 0.7)  # of e = 0.3; after whole turns it is here again
 
 
-class Recorded(Run):
-    """A run that records the tolerances of its trajectories, and of those it compares with."""
-
-    def trajectory(self, method, tolerance, *more):
-        self.fine.append(tolerance)
-        return super().trajectory(method, tolerance, *more)
-
-    def compared(self, method, tolerance, *more):
-        self.others.append(tolerance)
-        return super().compared(method, tolerance, *more)
-
-
-def recorded(name, rtol, model=ORBIT, start=PERIAPSIS, t1=6 * math.pi, t0=0.0):
-    """The run, and its motion, also one that is refused."""
-    one = Recorded(prepared_model(model), t0, t1, start, rtol)
-    one.fine, one.others = [], []
+def reached(name, rtol, model=ORBIT, start=PERIAPSIS, t1=6 * math.pi, t0=0.0):
+    """The motion, also one that is refused, and how much all runs cost over the one returned."""
     try:
-        return one, one.by_name(name)
+        motion = run(model, t1, start, rtol, t0).by_name(name)
     except MotionError as refused:
-        return one, refused.reached
-
-
-def test_an_error_that_is_small_enough_needs_no_other_run():
-    one, motion = recorded("dop853", 1e-9, PENDULUM, START, 10.0)
-    assert len(one.fine) == len(one.others) == 1
-    assert 0 < motion.error < 1e-9
-
-
-@pytest.mark.parametrize(("method", "rtol", "compared"), [("dop853", 1e-6, 1), ("verlet", 1e-4, 2)])
-def test_the_tolerance_is_refined_until_the_error_is_small_enough(method, rtol, compared):
-    """A method of fixed step is compared with another run each time."""
-    one, motion = recorded(method, rtol)
-    assert len(one.fine) == 2
-    assert one.fine[1] <= 0.1 * one.fine[0]
-    assert len(one.others) == compared
-    assert motion.error <= rtol
-    assert max(abs(x - y) for x, y in zip(motion.end.values(), PERIAPSIS, strict=True)) < rtol
+        motion = refused.reached
+    return motion, motion.cost.calls / sum(part.stepper.calls for part in motion.segments)
 
 
 @pytest.mark.parametrize(
-    ("rtol", "t1", "least", "most"),
-    [(1e-6, 6 * math.pi, 0.0, 0.1), (1e-3, 400 * math.pi, 1e-3, 1e-3)],
+    ("method", "rtol", "turns", "least", "most"),
+    [
+        ("dop853", 1e-9, 1, 1.3, 1.7),  # one other run
+        ("dop853", 1e-6, 3, 2.0, 3.0),  # one refinement
+        ("dop853", 1e-3, 200, 2.0, 3.0),  # by what two coarse runs that are far apart say
+        ("verlet", 1e-4, 3, 1.3, 1.6),  # of fixed step: each is compared with another one
+        ("dop853", 1e-13, 3, 2.0, 3.0),  # refused
+    ],
 )
-def test_the_next_tolerance_aims_at_half_of_the_rtol_within_limits(rtol, t1, least, most):
-    """After 200 turns the first runs are so far apart that the limit decides."""
-    method, one = METHODS["dop853"], run(ORBIT, t1, PERIAPSIS, rtol)
-    tolerance = min(rtol / method.tolerance_ratio, method.max_tolerance)
-    before = one.compared(method, method.other(tolerance), tolerance)
-    error = error_by_comparison(before, one.trajectory(method, tolerance, before.sizes()), method)
-    first, second = recorded("dop853", rtol, t1=t1)[0].fine[:2]
-    assert first == tolerance
-    assert second / first == pytest.approx(min(max(rtol / 2 / error, least), most), rel=1e-6)
+def test_the_tolerance_is_refined_until_the_error_is_small_enough(method, rtol, turns, least, most):
+    motion, work = reached(method, rtol, t1=2 * math.pi * turns)
+    assert least < work < most
+    off = max(abs(x - y) for x, y in zip(motion.end.values(), PERIAPSIS, strict=True))
+    assert off < motion.error
+    assert (motion.error <= rtol) == (rtol > 1e-13)
+    assert motion.error > rtol / 1e4
+
+
+def test_what_no_tolerance_makes_smaller_is_tried_a_few_times():
+    """What the clock makes of a force at t = 1e9; a failure is not repeated."""
+    driven = second_order("driven", {}, ("x",), lambda s, p, t: (sin(2 * t) - s.x,))
+    motion, work = reached("dop853", 1e-6, driven, START, 1e9 + 1.0, 1e9)
+    assert 1e-6 < motion.error < 1e-3
+    assert 1 < work < 3
+    motion, work = reached("dop853", 1e-9, FALL, (1.0,), 1.0)
+    assert work < 2
+    assert motion.t_end == pytest.approx(0.5, abs=1e-6)
 
 
 @needs_heyoka
@@ -159,29 +143,6 @@ def test_a_series_for_comparison_knows_the_sizes_of_the_states_on_the_way():
     """The velocity of half a swing is zero at both ends."""
     found = run(SPRING, math.pi).compared(METHODS["taylor"], 1e-12, 1e-10)
     assert found.segments[0].stepper.scales == pytest.approx((1.0, 1.0), rel=1e-2)
-
-
-def test_at_the_least_tolerance_the_motion_is_refused_with_its_error():
-    one, motion = recorded("dop853", 1e-13)
-    assert one.fine[-1] == METHODS["dop853"].min_tolerance
-    assert one.others[-1] == 10 * one.fine[-1]
-    assert motion.error > 1e-13
-    apart = max(abs(x - y) for x, y in zip(motion.end.values(), PERIAPSIS, strict=True))
-    assert apart <= motion.error
-
-
-def test_five_tolerances_are_tried_at_most():
-    """What the clock makes of a force at t = 1e9 no tolerance makes smaller."""
-    driven = second_order("driven", {}, ("x",), lambda s, p, t: (sin(2 * t) - s.x,))
-    one, motion = recorded("dop853", 1e-6, driven, START, 1e9 + 1.0, 1e9)
-    assert one.fine == pytest.approx([1e-8, 1e-9, 1e-10, 1e-11, 1e-12])
-    assert motion.error > 1e-6
-
-
-def test_a_run_that_fails_is_not_repeated():
-    one, motion = recorded("dop853", 1e-9, FALL, (1.0,), 1.0)
-    assert len(one.fine) == 1
-    assert motion.t_end == pytest.approx(0.5, abs=1e-6)
 
 
 def test_a_motion_that_would_take_too_many_steps_is_not_begun_a_second_time():

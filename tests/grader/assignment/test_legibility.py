@@ -1,8 +1,10 @@
 """What makes a figure hard to read is found, and nothing else."""
 
 import pytest
+from matplotlib.figure import Figure
 
-from newton_euler.drawing.page.legibility import faults
+from grader.assignment.legibility import faults
+from newton_euler.drawing.vocabulary import draw, entries
 from tests.sketching import O, ground, sketch
 
 
@@ -44,3 +46,10 @@ def test_a_label_that_cannot_be_read_is_a_fault(end, at, names, offset, fault):
     for name in names:
         s.label(at, name, offset=offset)
     assert any(found.startswith(fault) for found in faults(s.ax))
+
+
+@pytest.mark.parametrize("entry", entries(), ids=lambda entry: entry.shows)
+def test_every_picture_of_the_page_of_sketches_can_be_read(entry):
+    ax = Figure(figsize=(2.8, 2.1)).add_axes((0.02, 0.02, 0.96, 0.96))
+    assert draw(entry, ax).ax is ax
+    assert faults(ax) == []

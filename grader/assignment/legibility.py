@@ -4,10 +4,10 @@ import math
 from itertools import combinations
 from typing import Any
 
-from ...algebra.vectors import sub3
-from .covered import Covered
-from .label_placement import placing_order
-from .recorder import sketches_on
+from newton_euler.algebra.vectors import sub3
+from newton_euler.drawing.page.covered import Covered
+from newton_euler.drawing.page.label_placement import placing_order
+from newton_euler.drawing.page.recorder import sketches_on
 
 ALIKE = 10  # degrees between two axes, as seen, below which they are hard to tell apart
 CROSSED = 3  # points on lines, 3 points of the page apart, that a label may cover
