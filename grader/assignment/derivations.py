@@ -89,8 +89,9 @@ def _choices(found):
 
 
 def _is_along_axis(name, equation):
-    """Whether a term is a number times unit vectors in the equation."""
-    return r"\hat" in "".join(equation.terms.get(name, ()))
+    """Whether a term is a number times unit vectors, or has rates of components only."""
+    is_rate = (equation.kind, name) == ("rate", "relative")
+    return is_rate or r"\hat" in "".join(equation.terms.get(name, ()))
 
 
 @lru_cache(maxsize=400)

@@ -133,6 +133,8 @@ class Known:
             shorter = formula.subs(other, name)
             if shorter == formula and not other.is_Add:
                 shorter = formula.subs(1 / other, 1 / name)
+            if shorter == formula and other.is_Mul:
+                shorter = formula.subs(-other, -name)
             if shorter.count_ops() < formula.count_ops() and not is_forced(name, other, shorter):
                 formula = shorter
         return formula

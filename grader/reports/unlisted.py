@@ -10,7 +10,7 @@ import numpy as np
 from exercises.catalogue import Problem
 from exercises.catalogue.variants import draw
 from newton_euler.answers.fit import EXACT, Fit
-from newton_euler.answers.slips import multiples, of_last_resort, of_none
+from newton_euler.answers.slips import multiples, of_components, of_none, of_powers
 from newton_euler.answers.tolerance import is_apart
 from newton_euler.answers.verdicts import Judged, explain
 
@@ -112,7 +112,7 @@ def _gives(causes, asked, numbers, whole):
     key, kind, exact = numbers.key[asked.key], asked.kind, whole[asked.key].given
     fit = Fit(exact, kind.like(key, exact), kind.rtol)
     models = [*numbers.wrong(asked.key), *kind.slips(fit), *of_none(fit)]
-    models += [*multiples(fit, kind.factors(asked.unit)), *of_last_resort(fit)]
+    models += [*multiples(fit, kind.factors(asked.unit)), *of_components(fit), *of_powers(fit)]
     models += [(c, x) for c in causes for x in numbers.slips.of(asked.key, c)]
     # also those in some components alone
     models += [(c, x) for _, c, x in numbers.slips.near(asked.key, fit, kind)]

@@ -26,7 +26,6 @@ from .slips import (
     is_rounded,
     multiples,
     of_components,
-    of_last_resort,
     of_none,
     of_powers,
     rates_as_scalars,
@@ -140,8 +139,9 @@ def diagnose(
     if found and all(c.group == "computed" for c in found):  # many of them give a mere factor
         found = *_first(bare(fit), fit, CLOSE), *found
     # a factor of some components, within the digits written: one slip goes before two
-    found = found or _first(of_components(fit), fit, CLOSE)
-    found = found or (_in_the_whole(fit, kind) if slips else ())
+    least = LOOSE if kind.is_formula else CLOSE
+    found = found or _first(of_components(fit), fit, least)
+    found = found or (_first(of_powers(fit), fit, least) if slips else ())
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
     found = found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
     return found or tuple(cause for cause, x in of_none(fit) if fit(x))
@@ -275,15 +275,6 @@ def _stages(
 def _first(models, fit, least):
     """The first cause that fits at least at this level."""
     return tuple(cause for cause, x in models if fit(x) >= least)[:1]
-
-
-def _in_the_whole(fit, kind):
-    """A factor of the whole, its square, root or inverse; for a single number, which meets factors
-    by chance, powers alone.
-    """
-    alone = kind.is_met_by_chance or (not kind.is_formula and sum(map(bool, fit.given[0])) < 2)
-    models = of_powers(fit) if alone else of_last_resort(fit)
-    return _first(models, fit, LOOSE if kind.is_formula else CLOSE)
 
 
 def _of_unlike_axes(models, fit):

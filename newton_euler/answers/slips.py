@@ -62,13 +62,6 @@ def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
     yield from _factors(fit, ratio, found)
 
 
-def of_last_resort(fit: Fit) -> Models:
-    """Factors that say little, and the inverse: named where nothing else explains an answer."""
-    if fit.index is not None:
-        yield from of_components(fit)
-        yield from of_powers(fit)
-
-
 def bare(fit: Fit) -> Models:
     """The key times a simple number, which many slips give."""
     ratio = 0.0 if fit.index is None else _ratio(fit)

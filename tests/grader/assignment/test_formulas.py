@@ -136,6 +136,8 @@ def shown(name, key):
     ("3/27", "r_cyl", ["T_theta_xx*x + T_theta_xy*y", "T_theta_yx*x + T_theta_yy*y", "z"]),
     ("4/9", "x", ["a*sqrt((b**2 - rho**2)/(-a**2 + b**2))"]),  # the square of an earlier root
     ("6/11", "T", ["-F_x*cos(psi) + F_y*sin(psi)"]),  # without the unknown force of the slot
+    ("4/28", "a_r", ["-r_x*theta_dot**2", "0", "-r_z*theta_dot**2"]),  # not d sin(theta_1), -r_x
+    ("4/26", "alpha_drum_relative", ["0", "-P*e_z*theta_dot", "P*e_y*theta_dot"]),  # not omega_y
     ("2/5", "h", ["g*t_near**2/2 - t_near*v_0*cos(phi)", "g*t_far**2/2 - t_far*v_0*cos(phi)"]),
 ])  # fmt: skip
 def test_a_formula_is_written_as_a_teacher_does(name, key, formulas):

@@ -202,7 +202,8 @@ def test_a_matrix_names_the_place_of_its_body_by_components_only(p):
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_name_in_a_formula_is_the_one_that_its_place_asks_for(p):
     """A term as -r theta_dot^2 e_r has no component of a vector, a point that turns has r omega^2
-    and not omega v, and a component of a turned vector has entries of its row of the matrix.
+    and not omega v, a component of a turned vector has entries of its row of the matrix, and no
+    scalar is two terms of a sum.
     """
     found = derivations(p, numbers(p, b"one"))
     shown = {line.step.key: line.step for line in as_python(p, b"one")}
@@ -216,6 +217,9 @@ def test_a_name_in_a_formula_is_the_one_that_its_place_asks_for(p):
     vectors = {x for s in shown.values() if s.is_vector and s.unit != "1"
                for x in (component(s.key, n, 3) for n in range(3))}  # fmt: skip
     rates = {x for x, of in units.items() if powers(of) in ((0, 0, -1), (0, 1, -1))}
+    alone = [(shown[key].of, f) for key, x in found.items() if key in shown and shown[key].of
+             for f in x.formulas if f is not None and f.is_Symbol and str(f) in {*found}]  # fmt: skip
+    assert len(alone) == len({*alone}), alone
     for key, x in ((key, x) for key, x in found.items() if key in shown):
         for n, f in ((n, f) for n, f in enumerate(x.formulas) if f is not None):
             used = {y.name for y in f.free_symbols}
@@ -265,9 +269,11 @@ def test_an_answer_that_others_use_has_a_name(p):
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_components_are_named_after_their_unit_vectors(p):
-    """A component along e_theta is a_theta, and not a_y."""
+    """A component along e_theta is a_theta, and not a_y; from axes to others turns T_12, not T_xy."""
     text = worked_solution(p, numbers(p, b"one"), text=False)
     for s in (line.step for line in as_python(p, b"one")):
+        if isinstance(s.value, (list, tuple)) and len(flat(s.value)) == 9 and s.unit == "1":
+            assert not any(symbol(f"{s.key}_{a}{b}") in text for a in "xyz" for b in "xyz")
         if s.is_vector and re.search(
             r"\be_|(polar|cylindrical|spherical) axes", s.value.frame.name
         ):
