@@ -6,10 +6,10 @@ from collections.abc import Collection
 from typing import Any
 
 from exercises.catalogue import Problem
+from grader.scoring.slips.typed import NOUNS
 from newton_euler.algebra.language import Words
-from newton_euler.answers.formulas import RARER, SIMPLE
 from newton_euler.answers.kinds import KINDS
-from newton_euler.answers.typed import NOUNS
+from newton_euler.answers.near import RARER, SIMPLE
 
 from ..assignment.cells import Values
 from ..scoring.computation import perturbed, perturbed_steps

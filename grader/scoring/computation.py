@@ -13,12 +13,12 @@ from exercises.catalogue.following import earlier_answers, follow_in_base
 from exercises.catalogue.tracing import traced_quantities
 from exercises.catalogue.variants import POINTS, flat
 from exercises.catalogue.wording import term_text
+from grader.scoring.slips.formulas import Formulas, Stage, Traced, needed, with_arguments
+from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler.algebra.compile import Compiled
 from newton_euler.algebra.language import Words, cached_by_language, spoken
 from newton_euler.algebra.trace import Step, Trace
 from newton_euler.algebra.units import unit
-from newton_euler.answers.formulas import Formulas, Stage, Traced, needed, with_arguments
-from newton_euler.answers.perturbed import Computation, Perturbed
 
 FEW = 7  # words that say what a quantity is
 

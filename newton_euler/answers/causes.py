@@ -10,6 +10,7 @@ from .tolerance import NEARLY
 
 WORDS = 30  # in a diagnosis, at most
 BRIEF = 20  # in two mistakes that are both named in full, at most
+UNNAMED = Words("one term of a sum")
 ORDINALS = Words("first"), Words("second"), Words("third")
 # what a mistake does, where more than its words depends on it: leaves out a term or a quantity,
 # takes a given for zero, leaves out a component, reverses a term, takes its double or half, or has

@@ -18,6 +18,9 @@ from .fit import Fit, rounding, written
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
 
+# ranks, the simplest first; the two of a pair are equally simple, the second is made less often
+FIRST, SIMPLE, RARER, LESS, LEAST = 1, 2, 3, 4, 6
+
 AROUND = 0.25  # of the size of an answer: where slips are counted
 ROUNDED = 1e-5  # of a number in a formula that was written in five digits
 CHANCE = 0.01  # by which a random answer may meet a slip that is named, where slips are many

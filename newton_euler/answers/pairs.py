@@ -18,16 +18,15 @@ from .causes import (
     INVERTED,
     LEFT_OUT,
     OPPOSITE_NUMBER,
+    UNNAMED,
     Cause,
     both,
     multiple_of,
     multiplied,
 )
-from .edits_of_operations import UNNAMED
 from .fit import Fit
-from .formulas import FIRST
 from .kinds import Kind
-from .near import AROUND, Singles
+from .near import AROUND, FIRST, Singles
 from .slips import PURE
 from .tolerance import NOISE, ROUND_OFF, Points
 

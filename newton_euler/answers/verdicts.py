@@ -11,10 +11,9 @@ from ..algebra.language import Words, _, joined, spoken
 from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
 from .diagnosis import Answered, Elsewhere, Model, diagnose
 from .forms import Form
-from .formulas import LESS, RARER
 from .frames import Toleranced, counted
 from .messages import one_line
-from .near import Slips
+from .near import LESS, RARER, Slips
 from .reading import Budget
 from .tolerance import Points
 from .trees import TreeError, in_words

@@ -15,7 +15,7 @@ from grader.practice.slips import without_formulas
 from grader.scoring import score_receipt
 from grader.scoring.computation import perturbed, perturbed_steps
 from newton_euler.algebra.language import Words
-from newton_euler.answers.formulas import SIMPLE
+from newton_euler.answers.near import SIMPLE
 from newton_euler.classroom import practice
 
 

@@ -8,16 +8,17 @@ from functools import reduce
 from math import pi
 from typing import Any
 
-from ..algebra.language import Words
-from ..algebra.trace import Step
-from ..algebra.units import Dimension
-from .causes import LEFT_OUT, RESCALED, REVERSED, computed
+from newton_euler.algebra.language import Words
+from newton_euler.algebra.trace import Step
+from newton_euler.algebra.units import Dimension
+from newton_euler.answers.causes import LEFT_OUT, RESCALED, REVERSED, UNNAMED, computed
+from newton_euler.answers.near import LEAST, LESS, RARER, SIMPLE
+
 from .edits_of_givens import LENGTH, NO_FIT, NOT_ONE, Slip
 from .edits_of_groups import neighbours
-from .formulas import LEAST, LESS, RARER, SIMPLE, Edit, needed
+from .formulas import Edit, needed
 from .typed import Product, described, is_given, typed
 
-UNNAMED = Words("one term of a sum")
 AREA, INERTIA, ENERGY = Dimension(0, 2), Dimension(1, 2), Dimension(1, 2, -2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}

@@ -7,14 +7,16 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from typing import Any
 
-from ..algebra.language import Words
-from ..algebra.late import np
-from ..algebra.linear import Solved
-from ..algebra.trace import Step
-from ..algebra.units import Dimension
-from .causes import computed
+from newton_euler.algebra.language import Words
+from newton_euler.algebra.late import np
+from newton_euler.algebra.linear import Solved
+from newton_euler.algebra.trace import Step
+from newton_euler.algebra.units import Dimension
+from newton_euler.answers.causes import computed
+from newton_euler.answers.near import LESS, SIMPLE
+
 from .edits_of_givens import LENGTH
-from .formulas import LESS, SIMPLE, Edit, needed
+from .formulas import Edit, needed
 from .typed import Product, described
 
 SLIPS = {

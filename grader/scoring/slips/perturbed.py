@@ -6,16 +6,17 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from ..algebra.compile import Compiled
-from ..algebra.late import np
-from ..algebra.scalars import to_plain
-from ..algebra.source import WITHIN, operations
-from ..algebra.trace import Inner, Step
-from ..algebra.units import unit
+from newton_euler.algebra.compile import Compiled
+from newton_euler.algebra.late import np
+from newton_euler.algebra.scalars import to_plain
+from newton_euler.algebra.source import WITHIN, operations
+from newton_euler.algebra.trace import Inner, Step
+from newton_euler.algebra.units import unit
+from newton_euler.answers.near import Ranked, Slips
+
 from .edits import edits_of
 from .edits_of_equations import entries, solution, square
 from .formulas import Edit, Formulas, needed, steps_in
-from .near import Ranked, Slips
 
 INFIX = {"+", "-", "*", "/", "**"}
 

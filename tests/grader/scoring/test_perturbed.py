@@ -6,16 +6,16 @@ import random
 
 import pytest
 
+from grader.scoring.slips.edits_of_equations import SLIPS, solution
+from grader.scoring.slips.formulas import Formulas, Stage, Traced
+from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler import cos, sin, sqrt
 from newton_euler.algebra.linear import Solved, solve_rates, solved_equations
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI, unit
 from newton_euler.answers.diagnosis import diagnose
-from newton_euler.answers.edits_of_equations import SLIPS, solution
-from newton_euler.answers.formulas import Formulas, Stage, Traced
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.near import NO_SLIPS
-from newton_euler.answers.perturbed import Computation, Perturbed
 
 UNITS = {"m": "kg", "g": "m/s^2", "s": "mm", "d": "mm", "alpha": "deg", "v": "km/h", "b": "m"}
 GIVEN = {"m": 2.3, "g": 9.81, "s": 0.71, "d": 0.26, "alpha": 0.61, "v": 3.1, "b": 1.7}

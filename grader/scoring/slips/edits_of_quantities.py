@@ -7,13 +7,15 @@ from functools import reduce
 from itertools import product
 from typing import Any
 
-from ..algebra.language import Words, joined
-from ..algebra.trace import Step
-from ..algebra.units import Dimension
-from .causes import FACTOR_2, LEFT_OUT, computed
+from newton_euler.algebra.language import Words, joined
+from newton_euler.algebra.trace import Step
+from newton_euler.algebra.units import Dimension
+from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, computed
+from newton_euler.answers.near import LEAST, LESS, RARER
+
 from .edits_of_givens import LENGTH, MASS, DimensionOf
 from .edits_of_operations import parts_of
-from .formulas import LEAST, LESS, RARER, Edit, Stage, Traced, needed, steps_in, users_of
+from .formulas import Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, repeats, terms_of, typed
 
 Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components

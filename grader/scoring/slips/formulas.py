@@ -3,16 +3,13 @@
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from ..algebra import scalars
-from ..algebra.linear import Solved
-from ..algebra.scalars import NewtonEulerError
-from ..algebra.source import operations
-from ..algebra.trace import Step, Trace
-from ..algebra.units import Dimension, System, Unit
-from .causes import Cause
-
-# ranks, the simplest first; the two of a pair are equally simple, the second is made less often
-FIRST, SIMPLE, RARER, LESS, LEAST = 1, 2, 3, 4, 6
+from newton_euler.algebra import scalars
+from newton_euler.algebra.linear import Solved
+from newton_euler.algebra.scalars import NewtonEulerError
+from newton_euler.algebra.source import operations
+from newton_euler.algebra.trace import Step, Trace
+from newton_euler.algebra.units import Dimension, System, Unit
+from newton_euler.answers.causes import Cause
 
 
 class Traced(NamedTuple):

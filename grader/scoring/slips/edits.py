@@ -4,30 +4,19 @@ from functools import partial
 from math import pi
 from typing import Any
 
-from ..algebra.language import Words
-from ..algebra.source import WITHIN
-from ..algebra.trace import Step
-from ..algebra.units import SI, US, Dimension, unit
+from newton_euler.algebra.language import Words
+from newton_euler.algebra.source import WITHIN
+from newton_euler.algebra.trace import Step
+from newton_euler.algebra.units import SI, US, Dimension, unit
+from newton_euler.answers.causes import LEFT_OUT, RESCALED, REVERSED, Cause, computed
+from newton_euler.answers.near import FIRST, LEAST, LESS, RARER, SIMPLE
+
 from . import edits_of_equations as equations
 from . import edits_of_givens as givens
 from . import edits_of_groups as groups
 from . import edits_of_operations as operations
 from . import edits_of_quantities as quantities
-from .causes import LEFT_OUT, RESCALED, REVERSED, Cause, computed
-from .formulas import (
-    FIRST,
-    LEAST,
-    LESS,
-    RARER,
-    SIMPLE,
-    Edit,
-    Formulas,
-    Stage,
-    dimensions_of,
-    needed,
-    steps_in,
-    users_of,
-)
+from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
 from .typed import Product, described, repeats
 
 MANY = 8  # uses of a step, beyond which single uses are not tried

@@ -5,8 +5,8 @@ short enough for a sentence.
 from fractions import Fraction
 from typing import Any
 
-from ..algebra.language import Words
-from ..algebra.trace import Step
+from newton_euler.algebra.language import Words
+from newton_euler.algebra.trace import Step
 
 FUNCTIONS = {"sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs"}
 SHORT = 24  # letters of a formula that is named in a sentence

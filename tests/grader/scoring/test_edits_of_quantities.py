@@ -7,13 +7,13 @@ import random
 
 import pytest
 
+from grader.scoring.slips.formulas import Formulas, Stage, Traced
+from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler import asin
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI
 from newton_euler.answers.diagnosis import diagnose
-from newton_euler.answers.formulas import Formulas, Stage, Traced
 from newton_euler.answers.kinds import KINDS
-from newton_euler.answers.perturbed import Computation, Perturbed
 
 UNITS = {
     "m": "kg", "m1": "kg", "m2": "kg", "m3": "kg", "rho": "kg/m", "L": "m", "d": "m",

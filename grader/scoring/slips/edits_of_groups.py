@@ -6,11 +6,13 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from ..algebra.language import Words
-from ..algebra.trace import Step
-from ..algebra.units import Dimension
-from .causes import LEFT_OUT, REVERSED, computed
-from .formulas import LEAST, LESS, Edit, needed, users_of
+from newton_euler.algebra.language import Words
+from newton_euler.algebra.trace import Step
+from newton_euler.algebra.units import Dimension
+from newton_euler.answers.causes import LEFT_OUT, REVERSED, computed
+from newton_euler.answers.near import LEAST, LESS
+
+from .formulas import Edit, needed, users_of
 from .typed import Product, described, typed
 
 PRODUCT, SUM = ("*", "/"), ("+", "-")

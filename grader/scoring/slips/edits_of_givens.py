@@ -5,11 +5,13 @@ from itertools import combinations, permutations, product
 from math import pi
 from typing import Any
 
-from ..algebra.language import Words, joined
-from ..algebra.trace import Step
-from ..algebra.units import SI, US, Dimension, System, Unit, unit
-from .causes import FACTOR_2, LEFT_OUT, ZERO, Cause, computed, unconverted
-from .formulas import LEAST, LESS, RARER, SIMPLE, Edit
+from newton_euler.algebra.language import Words, joined
+from newton_euler.algebra.trace import Step
+from newton_euler.algebra.units import SI, US, Dimension, System, Unit, unit
+from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, ZERO, Cause, computed, unconverted
+from newton_euler.answers.near import LEAST, LESS, RARER, SIMPLE
+
+from .formulas import Edit
 from .typed import terms_of
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
