@@ -12,8 +12,7 @@ from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler import asin
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI
-from newton_euler.answers.diagnosis import diagnose
-from newton_euler.answers.kinds import KINDS
+from tests.grader.scoring.traced import heard
 
 UNITS = {
     "m": "kg", "m1": "kg", "m2": "kg", "m3": "kg", "rho": "kg/m", "L": "m", "d": "m",
@@ -57,11 +56,7 @@ def named(key, wrong, slips=None):
     formula, *_ = CASES[key]
     given = {**GIVEN, "n": n * RPM, "N": N * RPM}
     slips = slips or slips_of(key)
-    causes = diagnose(
-        ((float(f"{wrong:.7g}"),),), ((float(formula(**given)),),), [], KINDS["number"],
-        slips=lambda fit, kind: slips.near("x", fit, kind),
-    )  # fmt: skip
-    return " | ".join(c.text for c in causes)
+    return heard(slips, [f"{wrong:.7g}"], [formula(**given)])
 
 
 @pytest.mark.parametrize(
@@ -112,11 +107,7 @@ def of_vector(given, parts, unit="m", stages=(), kind="vector"):
     computed = [Stage(words, "", f(**arguments), words) for words, f in stages]
     answers = {"x": Traced(parts(**arguments), unit)}
     slips = Perturbed(Computation(Formulas(answers, VECTOR, SI, computed)), values)
-    key = tuple(map(float, parts(**values)))
-    causes = diagnose(
-        (given,), (key,), [], KINDS[kind], slips=lambda fit, kind: slips.near("x", fit, kind)
-    )
-    return " | ".join(c.text for c in causes)
+    return heard(slips, given, parts(**values), kind)
 
 
 def test_components_from_another_origin_are_named_and_no_given_as_the_whole_answer():

@@ -13,9 +13,8 @@ from newton_euler import cos, sin, sqrt
 from newton_euler.algebra.linear import Solved, solve_rates, solved_equations
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI, unit
-from newton_euler.answers.diagnosis import diagnose
-from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.near import NO_SLIPS
+from tests.grader.scoring.traced import heard
 
 UNITS = {"m": "kg", "g": "m/s^2", "s": "mm", "d": "mm", "alpha": "deg", "v": "km/h", "b": "m"}
 GIVEN = {"m": 2.3, "g": 9.81, "s": 0.71, "d": 0.26, "alpha": 0.61, "v": 3.1, "b": 1.7}
@@ -47,15 +46,7 @@ def perturbed():
 
 
 def named(perturbed, key, given):
-    right = FORMULAS[key](**GIVEN)
-    causes = diagnose(
-        ((given,),),
-        ((float(right),),),
-        [],
-        KINDS["number"],
-        slips=lambda fit, kind: perturbed.near(key, fit, kind),
-    )
-    return " | ".join(c.text for c in causes)
+    return heard(perturbed, [given], [FORMULAS[key](**GIVEN)], key=key)
 
 
 m, g, s, d, alpha, v, b = GIVEN.values()
@@ -148,11 +139,8 @@ def of_three(given):
     parts = [a / 3 + c / 2, a * c / (a + c), sqrt(a * a + c * c)]
     slips = computation({"x": Traced(parts, "m")}, LENGTHS)
     key = (A / 3 + C / 2, A * C / (A + C), math.hypot(A, C))
-    points = tuple(k if x is None else float(f"{x:.5g}") for x, k in zip(given, key, strict=True))
-    causes = diagnose(
-        (points,), (key,), [], KINDS["vector"], slips=lambda fit, kind: slips.near("x", fit, kind)
-    )
-    return " | ".join(c.text for c in causes)
+    points = [k if x is None else f"{x:.5g}" for x, k in zip(given, key, strict=True)]
+    return heard(slips, points, key, "vector")
 
 
 def test_a_slip_in_some_components_alone_is_named_there():
@@ -185,12 +173,7 @@ def test_ratios_roots_and_differences(parts, wrong, words):
     trace = Trace()
     given = [trace.new("argument", n) for n in LENGTHS]
     slips = computation({"x": Traced([parts(*given)], "m")}, dict.fromkeys(LENGTHS, "m"))
-    right = float(parts(A, C, K))
-    causes = diagnose(
-        ((float(f"{wrong:.6g}"),),), ((right,),), [], KINDS["number"],
-        slips=lambda fit, kind: slips.near("x", fit, kind),
-    )  # fmt: skip
-    assert words in " | ".join(c.text for c in causes)
+    assert words in heard(slips, [f"{wrong:.6g}"], [parts(A, C, K)])
 
 
 def test_random_numbers_are_hardly_ever_named(perturbed):

@@ -21,10 +21,6 @@ REASON = (
 )
 
 
-def numbers(p):
-    return Numbers(p, draw(p, b"words") if p.givens else {})
-
-
 def general(p, n):
     """The causes of a problem that are no slips in its computation."""
     found = {c for a in p.answers for c, _ in n.wrong(a.key) if c.group != "rate"}
@@ -38,11 +34,12 @@ def slips(p, n):
     return {cause for r in ranked if r for _, cause in r.slips}
 
 
-def faults(p, n, found):
+def faults(p, causes_of):
     """The sentences that are too long, or leave out why or where."""
+    n = Numbers(p, draw(p, b"words") if p.givens else {})
     own = steps(p, {**n.sample, **p.sympy_symbols()})
     sections = {p.section, *(s.section for s in own)}
-    for cause in found:
+    for cause in causes_of(p, n):
         cause = cause if cause.where else cause.at(n.where)
         words = sentence([cause])
         has_reason = cause.why in words if cause.why else re.search(REASON, cause.text)
@@ -56,23 +53,14 @@ def faults(p, n, found):
 
 @pytest.mark.parametrize("chapter", chapters())
 def test_a_diagnosis_says_what_why_and_where_in_thirty_words(chapter):
-    found = []
-    for p in problems(chapter):
-        n = numbers(p)
-        found += faults(p, n, general(p, n))
-    for p in problems(chapter)[:1]:
-        found += faults(p, n := numbers(p), slips(p, n))
-    assert not found, "\n".join(found[:20])
+    assert not [x for p in problems(chapter) for x in faults(p, general)][:20]
+    assert not [*faults(problems(chapter)[0], slips)][:20]
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("chapter", chapters())
 def test_each_slip_in_a_computation_says_what_why_and_where(chapter):
-    found = []
-    for p in problems(chapter):
-        n = numbers(p)
-        found += faults(p, n, slips(p, n))
-    assert not found, "\n".join(found[:20])
+    assert not [x for p in problems(chapter) for x in faults(p, slips)][:20]
 
 
 GENERAL = [
