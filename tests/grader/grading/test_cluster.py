@@ -213,6 +213,7 @@ def dying(victims, monkeypatch):
     monkeypatch.setattr(grading, "_examine", examine)
 
 
+@pytest.mark.slow  # where others share the cores, a worker may take longer to start than it may
 def test_others_do_the_work_of_a_worker_that_dies_until_all_have_died(
     fresh, cluster, course, monkeypatch
 ):
