@@ -55,17 +55,6 @@ def test_the_tallies_of_the_chart_are_the_lines_of_the_table():
         assert [t.met, t.covers, t.ratio] == pytest.approx([x.met, x.covers, x.ratio], nan_ok=True)
 
 
-def test_the_chart_is_written_beside_the_table_unless_there_is_no_run(tmp_path):
-    class Found:
-        case, runs, changes, dropped, condition = "pendulum/0/0", RUNS, [], "", 1.0
-
-    report.write(tmp_path / "some", [Found], report.table(RUNS))
-    assert (tmp_path / "some" / "honesty.png").read_bytes()[1:4] == b"PNG"
-    Found.runs = []
-    report.write(tmp_path / "none", [Found], [])
-    assert not (tmp_path / "none" / "honesty.png").exists()
-
-
 def test_the_table_counts_what_it_states(tmp_path):
     base = replace(MET, error=1e-7, unitless=1e-7, inside=5e-6, estimate=1e-6)
     runs = [
@@ -88,6 +77,10 @@ def test_the_table_counts_what_it_states(tmp_path):
     report.write(tmp_path, [found], [one, total])
     with open(tmp_path / "table.csv") as file:
         assert [row["silent"] for row in csv.DictReader(file)] == ["1", "1"]
+    assert (tmp_path / "honesty.png").read_bytes()[1:4] == b"PNG"
+    found.runs = []
+    report.write(tmp_path / "none", [found], [])
+    assert not (tmp_path / "none" / "honesty.png").exists()
 
 
 def test_one_command_prints_the_table_and_what_reproduces_the_worst(tmp_path):

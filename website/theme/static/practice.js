@@ -202,7 +202,9 @@ addEventListener("DOMContentLoaded", () => {
   };
 
   const show = async (fresh) => {
+    const asked = problem; // another may be chosen while this one is on its way
     const p = await call("show", { new: fresh });
+    if (problem !== asked) return;
     number = p.number;
     last = undefined;
     if (fresh || contents) {
@@ -210,6 +212,7 @@ addEventListener("DOMContentLoaded", () => {
       const title = contents ? [el("h2", {}, `${p.id} ${p.title}`)] : [];
       static_.replaceChildren(...title, lead, ...(p.figure ? [picture(p.figure, p.words)] : []), ...rest);
       await typeset(static_);
+      if (problem !== asked) return;
     }
     const answers = p.answers.map(field), steps = p.steps.map(field);
     const hint = el("div", { class: "said" }), solved = el("div", { class: "said" });
