@@ -81,10 +81,10 @@ def _edits(formulas):
     yield from givens.of_vectors(vectors)
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
     yield from _of_differences(answers, numbers, formulas.stages, dimensions)
-    feet = own is US
-    g = unit("ft/s^2" if feet else "m/s^2").to_base(givens.G_OF_FEET if feet else givens.G, system)
     masses = {n: s for n, s in numbers.items() if read[n].dimension == givens.MASS}
-    yield from givens.of_weights(vectors, masses, given.get("g", g), dimensions.get)
+    yield from givens.of_weights(
+        vectors, masses, given.get("g", _gravity(own, system)), dimensions.get
+    )
     yield from _of_stages(answers, formulas.stages, dimensions)
     yield from _of_angles(answers)
     leaves = {x for a in answers.values() for x in a.parts if isinstance(x, Step)}
@@ -131,6 +131,13 @@ def _edits(formulas):
             slips += operations.of_product(s, number, dimensions.get)
         for n, slip in enumerate(slips):
             yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in unwritten])
+
+
+def _gravity(own, system):
+    """g in base units, where the text does not give it."""
+    if own is US:
+        return unit("ft/s^2").to_base(givens.G_OF_FEET, system)
+    return unit("m/s^2").to_base(givens.G, system)
 
 
 def _unwritten(users_in):

@@ -207,7 +207,7 @@ def of_planes(sums: Iterable[Step]) -> Iterator[Edit]:
     """Of a sum of products of two givens, as a scalar product, both givens of one left out."""
     for s in sums:
         products = [x.args for _, x in terms_of(s) if isinstance(x, Step) and x.op == "*"]
-        pairs = [p for p in products if p[0] is not p[1] and all(map(_is_given, p))]
+        pairs = [p for p in products if p[0] is not p[1] and all(map(_is_argument, p))]
         for a, b in pairs if len(pairs) > 1 else ():
             names = joined(x.args[0] for x in (a, b))
             words = Words("leaves out {names}: they are not zero here", names=names)
@@ -215,7 +215,7 @@ def of_planes(sums: Iterable[Step]) -> Iterator[Edit]:
             yield Edit(LESS, cause, {a.number: 0.0, b.number: 0.0})
 
 
-def _is_given(x):
+def _is_argument(x):
     return isinstance(x, Step) and x.op == "argument"
 
 
