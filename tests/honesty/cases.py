@@ -1,4 +1,4 @@
-"""A case: one motion of a random model, and what its reference needs to know about it."""
+"""A case: one motion of a random model, with the data its reference needs."""
 
 import math
 from collections.abc import Callable
@@ -7,8 +7,8 @@ from random import Random
 from types import SimpleNamespace
 from typing import NamedTuple
 
-FRACTIONS = (0.13, 0.37, 0.71, 1.0)  # of the time: where states are compared, the end last
-DRAWS = 3  # of each family, for each seed
+FRACTIONS = (0.13, 0.37, 0.71, 1.0)  # of the duration, at which states are compared, the end last
+DRAWS = 3  # cases per family and seed
 FAMILIES = {}  # by name, filled by the decorator below
 HOLDOUT = {}  # families of the holdout, which nobody mends the engine by
 
@@ -80,12 +80,12 @@ class Case:
 
     @property
     def count(self):
-        """How many motions it is."""
+        """The number of motions."""
         numbers = (*self.start, *self.model.parameters.values())
         return max([1, *(len(x) for x in numbers if getattr(x, "shape", ()))])
 
     def member(self, k):
-        """One of many motions, as a case of its own."""
+        """One of many motions, as a separate case."""
         if self.count == 1:
             return self
 
@@ -95,7 +95,7 @@ class Case:
         return replace(self, model=model, start=start, name=f"{self.name}[{k}]")
 
     def explain(self):
-        """What reproduces it: the call, in numbers."""
+        """The call that reproduces the case, with its numbers."""
         parameters = ", ".join(f"{n}={x!r}" for n, x in self.model.parameters.items())
         of = f"{self.name}: {self.model.name!r} with {parameters or 'no parameters'}"
         return f"{of}; t = {self.span!r}; start {self.start!r}"
@@ -133,7 +133,7 @@ def draw(name, seed, number):
 
 
 class Log(NamedTuple):
-    """A range in which a number is drawn so that its logarithm is evenly distributed."""
+    """A range from which a number is drawn log-uniformly."""
 
     low: float
     high: float
@@ -148,7 +148,7 @@ class Draws(Random):
     """
 
     def decades(self, low, high):
-        """A number whose logarithm is evenly distributed."""
+        """A log-uniform random number."""
         return math.exp(self.uniform(math.log(low), math.log(high)))
 
     def either(self, x):

@@ -52,7 +52,7 @@ def pendulum(mp, k, theta, omega, t):
 
 
 def pendulum_zeros(mp, k, theta, omega, t):
-    """The times until t at which a pendulum that swings to and fro passes its lowest place."""
+    """The times up to t at which a swinging pendulum passes its lowest point."""
     m, phase, rate = _pendulum(mp, k, theta, omega)
     half = 2 * mp.ellipk(m)
     first = int(mp.floor(phase / half)) + 1

@@ -1,4 +1,4 @@
-"""What the tests of the harness share."""
+"""Fixtures shared by the tests of the harness."""
 
 import pytest
 
@@ -11,7 +11,7 @@ from tests.once import common
 
 @pytest.fixture(scope="session")
 def cache(tmp_path_factory):
-    """The folder of the references of this run."""
+    """The folder of reference solutions for this run."""
     return common(tmp_path_factory) / "references"
 
 

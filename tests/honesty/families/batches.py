@@ -55,7 +55,7 @@ def many_relaxations(rng):
 
 @family("batch", "kinked")
 def many_falls(rng):
-    """Bodies thrown upwards with drag v |v|, light and heavy ones."""
+    """Light and heavy bodies thrown upwards with drag v |v|."""
     n = rng.choice(COUNTS)
     parameters = {"g": 9.81, "c": _drawn(rng, n, Log(1e-3, 0.5))}
     rates = lambda s, p, t: (s.v, -p.g - p.c * abs(s.v) * s.v)

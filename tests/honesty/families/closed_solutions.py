@@ -81,7 +81,7 @@ def zeros_of_a_spring_by_its_closed_form(rng):
 
 @family("events", "closed form")
 def zeros_of_a_pendulum_by_its_closed_form(rng):
-    """A pendulum to T = 30 to 3000; every passage of the lowest place is to be found."""
+    """A pendulum to T = 30 to 3000; every passage of the lowest point must be found."""
     model, _ = _pendulum(rng)
     T, theta = rng.values(Log(30.0, 3000.0), (0.2, 2.8))
 

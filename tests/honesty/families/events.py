@@ -29,7 +29,7 @@ def zeros_of_a_spring(rng):
 
 @family("events", "long")
 def zeros_of_a_pendulum(rng):
-    """It passes its lowest place hundreds of times; every passage is to be found."""
+    """A pendulum passes its lowest point hundreds of times; every passage must be found."""
     k, T, theta = rng.values(Log(0.5, 20.0), Log(100.0, 3000.0), (0.2, 2.8))
 
     def times(mp, s, p):
