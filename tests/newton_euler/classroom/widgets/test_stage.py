@@ -23,7 +23,7 @@ def stage(draw, samples, **options):
 
 
 def lines(picture, colour):
-    """The places of each line of one colour on the page, in points."""
+    """The position of each line of one colour on the page, in points."""
     groups = ElementTree.fromstring(picture).iter(f"{NAME}g")
     paths = [path for group in groups if group.get("stroke") == colour for path in group]
     numbers = [re.findall(r"-?[\d.]+", path.get("d")) for path in paths]
