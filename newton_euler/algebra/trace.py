@@ -196,7 +196,7 @@ class Step(_Own):
     __hash__ = object.__hash__
 
 
-Step.__array_ufunc__ = _NoUfunc()
+Step.__array_ufunc__ = _NoUfunc()  # type: ignore[attr-defined]
 
 
 def _negated(x):
