@@ -1,5 +1,5 @@
-"""What is traced once computes what the formula computes, on every kind of number and by every
-backend.
+"""A formula traced once computes what the formula itself computes, on every kind of number and with
+every backend.
 """
 
 import importlib.util
@@ -98,7 +98,7 @@ def with_backends(*names):
     return pytest.mark.parametrize("backend", names, indirect=True)
 
 
-# -- the same numbers
+# -- the same values
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -233,7 +233,7 @@ def test_solve_rates_inside_a_formula():
     assert compiled(spin)(np.array([2.0, 3.0]), 0.5)[0].tolist() == [4.0, 6.0]
 
 
-# -- what becomes of the steps
+# -- how the steps are simplified
 
 
 def test_common_subexpressions_are_computed_once():
@@ -494,7 +494,7 @@ def test_warnings_of_numpy_are_not_hidden():
 
 
 def test_results_through_heyoka_are_not_touched_by_the_next_call_nor_by_other_lengths():
-    """Blocks go through a buffer that is kept between calls."""
+    """Blocks pass through a buffer that is kept between calls."""
     pytest.importorskip("heyoka")
     f = compiled_by("heyoka", lambda x, a: (x * a, x + a))
     lengths = (5, 1 << 15, (1 << 15) + 7, 5)
@@ -509,7 +509,7 @@ def test_results_through_heyoka_are_not_touched_by_the_next_call_nor_by_other_le
 
 
 class Paused(Moving):
-    """A moving number whose products wait until the other thread is as far."""
+    """A moving number whose products wait until the other thread has come as far."""
 
     barrier = threading.Barrier(2, timeout=10)
 
