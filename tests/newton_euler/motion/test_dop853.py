@@ -102,7 +102,7 @@ def test_the_last_step_ends_at_the_goal_though_the_time_is_rounded(t0, t1):
 
 
 def test_steps_keep_the_tolerance_with_little_to_spare():
-    """The true error of a step of the decay is close to the tolerance: steps are as long as allowed."""
+    """The largest true error of a step is little less than the tolerance allows."""
     one = run(DECAY, (1.0,), t1=3.0)
     one.step()
     ends = [*one.steps[1:], (one.t, None, *one.x)]
