@@ -6,6 +6,7 @@ import importlib.util
 import math
 import threading
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from fractions import Fraction
 
 import mpmath
@@ -565,3 +566,19 @@ def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
 def test_what_a_traced_value_does_not_have_is_refused_with_the_line(f):
     with pytest.raises(ScalarError, match=r"in .*: a formula is traced without values"):
         compiled(f)
+
+
+@pytest.mark.parametrize("error", [
+    TypeError("a ufunc of 'Step'"), IndexError("only integers, slices"),
+    ValueError("could not convert string to float: '<traced x>'"),
+])  # fmt: skip
+def test_what_a_function_of_the_caller_raises_is_left_as_it_is(error):
+    def raising(x):
+        with suppress(TypeError):
+            np.sin(x)
+        raise error
+
+    for f in (raising, lambda x: np.apply_along_axis(raising, 0, np.array([x, x]))):
+        with pytest.raises(type(error)) as caught:
+            compiled(f)
+        assert caught.value is error
