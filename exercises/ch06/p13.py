@@ -95,4 +95,4 @@ def draw(g, ax):
     s.arc(A, -ground.k, B, label=r"$\theta$")
     s.dimension(A, B, label="L", offset=0.2 * g.L)
     s.label((-wide / 2, 0, high), "A")
-    s.label(B, "B", offset=(0, 0))
+    s.label(B, "B", offset=(-5, -5))

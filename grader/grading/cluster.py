@@ -3,9 +3,9 @@
 The workers reach the course folder under the same path as the grader, on a shared file system, and
 have the same version of the checkout installed. Whatever else a run needs, and what each submission
 came to, is in that folder while it lasts, readable by its owner alone: what passes the scheduler
-is the path of the folder, a fingerprint, numbers that stand for submissions and random names of
-files. A worker does everything for a submission but write the gradebook, which the grader does.
-When a worker dies, Dask reassigns its submissions.
+is the path of the folder, a fingerprint and numbers that stand for submissions. A worker does
+everything for a submission but write the gradebook, which the grader does. When a worker dies, Dask
+reassigns its submissions.
 """
 
 import atexit
@@ -164,10 +164,11 @@ def _graded(client, shared, roster, students, ahead, progress):
     while waiting or started:
         while waiting and len(started) < ahead:
             n = waiting.pop()
-            started[client.submit(_grade, shared, n, pure=False)] = students[n]
+            started[client.submit(_grade, shared, n, pure=False)] = n
         for future in _finished(client, list(started)):
-            student = started.pop(future)
-            found[student] = _outcome(future, student, shared)
+            n = started.pop(future)
+            student = students[n]
+            found[student] = _outcome(future, n, student, shared)
             progress(found[student][0])
     return found
 
@@ -188,15 +189,18 @@ def _finished(client, futures):
     raise CourseError(f"all workers of the cluster have died; {NEW_WORKERS}, then {KEPT}")
 
 
-def _outcome(future, student, shared):
+def _outcome(future, n, student, shared):
+    path = Path(shared.folder, str(n))  # never a name from the worker, which could be any file's
     try:
-        path = Path(shared.folder, future.result())
+        future.result()
         outcome = pickle.loads(path.read_bytes())
         path.unlink()
-        return outcome
     except Exception as error:  # Dask gives up after several workers have died with a submission
-        why = f"could not be graded: its worker failed ({type(error).__name__}: {error})"
+        outcome = f"{type(error).__name__}: {error}"
+    if isinstance(outcome, str):
+        why = f"could not be graded: its worker failed ({outcome})"
         return Result(student, problem=why), None
+    return outcome
 
 
 # -- on a worker
@@ -210,16 +214,24 @@ def _examine(shared):
     try:
         _run_of(shared)
         return True, _harvester(shared).sandbox_state
-    except (CourseError, HarvestError) as error:
+    except (CourseError, HarvestError) as error:  # they name the course's path, no student
         return False, str(error)
+    except Exception as error:
+        return False, type(error).__name__
 
 
 def _grade(shared, n):
-    """The name of the file with the result of the ``n``-th submission."""
-    run, students = _run_of(shared)
-    outcome, name = run.grade(students[n], _harvester(shared)), secrets.token_hex()
-    write_bytes(Path(shared.folder, name), pickle.dumps(outcome))
-    return name
+    """Write the result of the ``n``-th submission, or the text of an error, into the shared folder;
+    Dask would send an exception with its text, which may name a student, through the scheduler.
+    """
+    try:
+        run, students = _run_of(shared)
+        data = pickle.dumps(run.grade(students[n], _harvester(shared)))
+    except Exception as error:
+        data = pickle.dumps(f"{type(error).__name__}: {error}")
+    own = Path(shared.folder, secrets.token_hex())  # Dask may have given ``n`` to another, too
+    write_bytes(own, data)
+    own.replace(own.with_name(str(n)))
 
 
 @lru_cache(maxsize=1)

@@ -13,8 +13,8 @@ import sys
 from collections.abc import Callable
 from functools import cached_property
 from importlib import import_module, util
+from itertools import takewhile
 from operator import itemgetter
-from traceback import walk_tb
 from typing import Any, NamedTuple
 
 from . import scalars
@@ -38,7 +38,7 @@ from .scalars import (
     without_rates,
 )
 from .source import RESERVED, WITHOUT_HEYOKA, generate, runtime_names
-from .trace import NO_VALUE, Inner, Step, Trace, keys_of, packed, unpacked
+from .trace import NO_VALUE, Inner, NoValueError, Step, Trace, asked_by, keys_of, packed, unpacked
 
 # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
 # measured)
@@ -329,28 +329,33 @@ def compiled(f: Callable[..., Any], **constants: Scalar) -> Compiled:
     return Compiled(*recorded(f, **constants))
 
 
-# what Python, NumPy and mpmath say, which have no class of their own for these errors
-_OF_STEPS = {
-    TypeError: ("ufunc", "'Step'", "cannot create mpf from <traced "),
-    IndexError: ("only integers, slices",),
-    ValueError: ("could not convert string to float: '<traced ",),
-}
-
-
 def _lacked_values(error):
     """True if this error arose because a traced value has no number: as the value itself says, or
-    Python, or a function of NumPy or SciPy that had one.
+    what asked for the number, or a function of NumPy, SciPy or mpmath that had the value.
     """
     if isinstance(error, NewtonEulerError):
-        return str(error) == NO_VALUE
-    if any(text in str(error) for text in _OF_STEPS.get(type(error), ())):
+        return isinstance(error, NoValueError)
+    *_, last = _tracebacks(error)
+    if asked_by(last.tb_frame, last.tb_lasti):
         return True
-    if any(map(_traced, (getattr(error, "obj", None), *error.args))):  # of s.real_part, data[s]
+    # of s.real_part, np.sqrt([s, 1]), data[s]
+    if any(map(_traced, (getattr(error.__cause__ or error, "obj", None), *error.args))):
         return True
-    for frame, _ in walk_tb(error.__traceback__):
-        if frame.f_globals.get("__name__", "").partition(".")[0] in ("numpy", "scipy"):
-            return any(map(_traced, frame.f_locals.values()))
-    return False
+    frames = [at.tb_frame for at in _tracebacks(error)]
+    raised = takewhile(_of_a_library, reversed(frames))
+    return any(_traced(x) for frame in raised for x in frame.f_locals.values())
+
+
+def _tracebacks(error):
+    at = error.__traceback__
+    while at:
+        yield at
+        at = at.tb_next
+
+
+def _of_a_library(frame):
+    package = frame.f_globals.get("__name__", "").partition(".")[0]
+    return package in ("numpy", "scipy", "mpmath")
 
 
 def _traced(x):

@@ -2,6 +2,7 @@
 is traced cannot branch on a value; it chooses by :func:`newton_euler.algebra.scalars.where`.
 """
 
+import sys
 import threading
 from inspect import unwrap
 
@@ -14,6 +15,45 @@ NO_VALUE = (
     "from newton_euler, not from math or numpy; in place of numpy.interp and scipy.interpolate it "
     "takes table(ts, values), and in place of numpy.linalg solve_linear and sqrt(x*x + y*y)"
 )
+
+
+class NoValueError(ScalarError):
+    """A traced value was asked for its number."""
+
+    def __init__(self):
+        super().__init__(NO_VALUE)
+
+
+class _Text(str):
+    """The text of a traced value, which has no number either."""
+
+    __slots__ = ()
+
+    def __float__(self):
+        raise NoValueError
+
+    __int__ = __float__
+
+
+_asked = threading.local()  # .place: code and instruction that last asked for what no step has
+
+
+def _note(frame):
+    _asked.place = frame.f_code, frame.f_lasti
+
+
+def asked_by(frame, instruction):
+    """True if a traced value was last asked for what it does not have by this instruction."""
+    return getattr(_asked, "place", None) == (frame.f_code, instruction)
+
+
+class _NoUfunc:
+    """``__array_ufunc__`` of traced values, None: NumPy then refuses, and does not say which value
+    it refused.
+    """
+
+    def __get__(self, step, kind):
+        _note(sys._getframe(1))
 
 
 def _comparison(name):
@@ -32,7 +72,7 @@ class Step(_Own):
         self.trace, self.op, self.args, self.number = trace, op, args, number
 
     def __repr__(self):
-        return f"<traced {self.args[0] if self.op == 'argument' else self.op}>"
+        return _Text(f"<traced {self.args[0] if self.op == 'argument' else self.op}>")
 
     # A minus sign moves outward until it becomes a subtraction or cancels; rounding is symmetric,
     # so none of these moves changes a bit.
@@ -138,17 +178,25 @@ class Step(_Own):
         return self.trace.step("table", self, table)
 
     def _no_value(self, *_):
-        raise ScalarError(NO_VALUE)
+        _note(sys._getframe(1))  # NumPy raises an error of its own for this one
+        raise NoValueError
 
     __bool__ = __float__ = __complex__ = __int__ = __index__ = __round__ = _no_value
     __trunc__ = __floor__ = __ceil__ = __divmod__ = __rdivmod__ = __invert__ = _no_value
     __mod__ = __rmod__ = __floordiv__ = __rfloordiv__ = _no_value
+    __matmul__ = __rmatmul__ = __getitem__ = _no_value
     __and__ = __rand__ = __or__ = __ror__ = __xor__ = __rxor__ = _no_value
+
+    def __format__(self, spec):
+        return self._no_value() if spec else repr(self)
 
     def __eq__(self, other):
         return self is other or self._no_value()
 
     __hash__ = object.__hash__
+
+
+Step.__array_ufunc__ = _NoUfunc()  # type: ignore[attr-defined]
 
 
 def _negated(x):

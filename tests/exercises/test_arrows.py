@@ -10,7 +10,7 @@ FLOORS = ("exercises.catalogue", "exercises.tools", "exercises.devices")  # chap
 
 
 def floor(module):
-    """The height of a module: the catalogue 0, the chapters highest."""
+    """The layer of a module: the catalogue is 0, the chapters are the highest."""
     below = (n for n, name in enumerate(FLOORS) if f"{module}.".startswith(f"{name}."))
     return next(below, len(FLOORS))
 

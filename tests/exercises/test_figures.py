@@ -1,6 +1,4 @@
-"""What single figures show: rotations as rotations, slopes that are hatched, axles and faces that can
-be seen.
-"""
+"""Single figures: rotations drawn as rotations, slopes hatched, axles and faces visible."""
 
 import numpy as np
 import pytest
@@ -60,7 +58,7 @@ def test_the_axle_of_the_rolling_disk_is_in_front_of_the_disk(problem_id, seed):
 
 @pytest.mark.parametrize("seed", range(12))
 def test_4_31_shows_the_end_face_on_which_P_is(seed):
-    """At a third of its true width or more, whatever the velocity is."""
+    """At least a third of its true width, whatever the velocity."""
     _, sketch = drawn("4/31", seed)
     (face,) = [s for s in sketch.drawn.strokes if s.styles == ("top",)]
     assert sketch.drawn.depth(face.normal) / np.linalg.norm(face.normal) > 1 / 3
@@ -111,5 +109,5 @@ def test_rates_and_forces_that_are_given_are_drawn(problem_id, rates):
     ("4/34", ""), ("4/37", ""), ("4/40", "A"), ("4/41", "B"), ("4/42", "ABC"), ("4/43", "ABD"),
 ])  # fmt: skip
 def test_problems_with_one_machine_show_their_own_points(problem_id, points):
-    """A point that the text does not name leads nowhere."""
+    """A label for a point that the text does not name helps nobody."""
     assert drawn_texts(problem_id) & set("ABCD") == set(points)

@@ -34,7 +34,7 @@ def test_every_code_has_its_text_and_every_text_its_code(name):
 
 
 def without_the_engine(prove):
-    """The proof, which fails where it makes a frame or a vector of the engine."""
+    """The proof, which fails if it uses a frame or a vector of the engine."""
 
     def forbidden(*_, **__):
         raise AssertionError("the proof makes a frame or a vector of the engine")
@@ -54,7 +54,7 @@ def test_problem(p, seeds, monkeypatch):
     """In floats and in 50 digits, without the engine; right in its units, mistakes off the key;
     its figure complete. CI runs it with three sets of numbers in place of one.
     """
-    # the code first: a module may make its axes when it is loaded
+    # import the code first: a module may make its axes on import
     monkeypatch.setattr(p.code, "prove", without_the_engine(p.code.prove))
     assert check(p, seeds) + missing_in_figure(p) == []
 
@@ -103,7 +103,7 @@ def test_formulas_are_exact_and_short(p):
 
 
 def is_the_same(p, x, y):
-    """Equal, or, for roots whose radicand is no square to SymPy, of equal squares and numbers."""
+    """Equal; or, for roots that SymPy cannot simplify, equal in their squares and numerically."""
     if sympy.simplify(sympy.expand_trig(x - y)) == 0:
         return True
     numbers = symbol_values(p, random.Random(1))

@@ -1,5 +1,5 @@
-"""Typical slips of those who write their first problem: each is an edit of a good problem, and is
-found with words that say where it is and what to do.
+"""Typical slips of authors in their first problem: each is an edit of a good problem, and the
+message says where it is and what to do.
 """
 
 import contextlib
@@ -22,7 +22,7 @@ GOOD = Path(__file__).with_name("own_problems")
 
 @contextlib.contextmanager
 def place(folder):
-    """The problems in this folder are known, and forgotten again."""
+    """Register the problems in this folder, and remove them afterwards."""
     path = list(exercises.__path__)
     names = places.use(folder)
     try:

@@ -40,7 +40,7 @@ def test_the_first_order_of_6_22_is_right_to_a_millimetre_to_the_east_at_300_met
 
 
 def test_a_flight_that_is_seen_from_the_stars_has_the_centrifugal_part_too():
-    """At the equator, let go at rest: up by R omega^2 t^2/2, which to first order is nothing."""
+    """Released at rest at the equator: it rises by R omega^2 t^2/2, of second order in omega."""
     g = problem("6/22").base({"v_0": 1.0, "g": 9.81, "omega_e": 1e-4, "lat": 0.0})
     x, y, z = flight(g, [0, 0, 0])(mp.mpf(1), mp.mpf(1))
     assert float(z + g.g / 2) == pytest.approx(6.4e6 * 1e-8 / 2, rel=1e-3)

@@ -78,7 +78,7 @@ FUNCTIONS = {"cosine": math.cos, "sine": math.sin, "tangent": math.tan, "square"
 
 @by_id
 def test_no_step_leaves_only_a_key_of_the_calculator_to_press(p):
-    """A step that is a function of one answer alone, as its cosine, gives it away."""
+    """A step that is a function of one answer alone, such as its cosine, gives it away."""
     listed, asked = sheets(p)[0]
     scalars = [(n, k) for n, (x, _) in listed.items() for k, y in asked.items()
                if len(x) == len(y) == 1]  # fmt: skip
@@ -93,7 +93,7 @@ def test_no_step_leaves_only_a_key_of_the_calculator_to_press(p):
 
 @by_id
 def test_a_step_has_a_name_to_read(p):
-    """A symbol or a word, and no formula without its signs, as BxC or dRdt."""
+    """A symbol or a word, not a formula stripped of its signs, such as BxC or dRdt."""
     for s in listed_steps(p, p.base(values(p, 1))):
         assert not re.search(r"[a-z][A-Z]|[A-Z]x[A-Z]|^to$", s.key.partition("_")[0]), s.key
 
@@ -107,7 +107,7 @@ def traced(x):
 
 @by_id
 def test_no_step_is_computed_from_the_last_answer(p):
-    """From an earlier answer it may be: it leads to the next."""
+    """It may follow from an earlier answer, which leads to the next."""
     trace = Trace()
     g = p.base({n: trace.new("argument", n) for n in p.units})
     listed, asked = listed_steps(p, g), [traced(x) for x in p.code.solve(g).values()]

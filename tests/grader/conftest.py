@@ -1,5 +1,5 @@
-"""One small course, built once: five problems, six students who did what the demo's students do,
-and what they handed in.
+"""One small course, built once: five problems, six students who work as the demo's students
+do, and their submissions.
 """
 
 import contextlib
@@ -14,7 +14,7 @@ from tests.grader.instructors_cells import OWN
 from tests.once import once
 
 PROBLEMS = ("4/1", "4/2", "4/10", "4/16", "4/31")
-NBGRADER = (  # what nbgrader 0.9 on SQLAlchemy 2.1 and nbconvert say, without harm
+NBGRADER = (  # harmless warnings of nbgrader 0.9 on SQLAlchemy 2.1 and of nbconvert
     "ignore::sqlalchemy.exc.SAWarning",
     "ignore::DeprecationWarning:nbgrader",
     "ignore::DeprecationWarning:nbconvert",
@@ -48,19 +48,19 @@ def demo_course(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def course(demo_course):
-    """The demo's course; tests read it and leave it as it is."""
+    """The demo's course, which tests only read."""
     return demo_course["course"]
 
 
 @pytest.fixture
 def fresh(course, tmp_path):
-    """A copy of the course with all submissions and the gradebook, to do something to."""
+    """A copy of the course, with all submissions and the gradebook, that a test may change."""
     return copy_of(course, tmp_path / course.path.name)
 
 
 @pytest.fixture
 def ungraded(fresh):
-    """A copy of the course in which nobody has handed in yet."""
+    """A copy of the course before anybody has handed in."""
     return emptied(fresh)
 
 
@@ -83,7 +83,7 @@ def mixed(mixed_course, tmp_path):
 
 @pytest.fixture(scope="session")
 def harvester():
-    """One worker with the cage."""
+    """One sandboxed worker."""
     from grader.sandbox import Harvester
 
     with Harvester(1) as h:
@@ -91,7 +91,7 @@ def harvester():
 
 
 class _Shared(contextlib.nullcontext):
-    """The session's harvester in place of one for every call of grade: it costs no start."""
+    """One harvester for the session, so that no call of grade has to start its own."""
 
     def __init__(self, harvester):
         super().__init__(self)
@@ -101,7 +101,7 @@ class _Shared(contextlib.nullcontext):
 
 @pytest.fixture
 def one_harvester_for_all(monkeypatch, harvester):
-    """grade(…) uses the session's worker, unless it is to run without a cage."""
+    """grade(…) uses the session's worker, unless it is to run without a sandbox."""
     from grader.grading import run as grading
     from grader.sandbox import Harvester
 
@@ -111,7 +111,7 @@ def one_harvester_for_all(monkeypatch, harvester):
 
 
 class _Here(contextlib.nullcontext):
-    """In place of a pool of processes: the work is done in this one."""
+    """Stands in for a pool of processes: does the work in this one."""
 
     def __init__(self, *_):
         super().__init__(self)
@@ -123,7 +123,7 @@ class _Here(contextlib.nullcontext):
 
 @pytest.fixture(scope="session")
 def drawn_once():
-    """The drawing of figures, each once in a session: the copies of a course have its numbers."""
+    """Draws each figure once in a session: copies of a course share its numbers."""
     from grader.assignment import personal
 
     return functools.cache(personal._draw)

@@ -1,4 +1,4 @@
-"""Helps for the tests of the grader: command lines, gradebooks, submissions."""
+"""Helpers for the tests of the grader: command lines, gradebooks, submissions."""
 
 import atexit
 import contextlib
@@ -16,14 +16,14 @@ REPOSITORY = Path(__file__).parents[2]
 
 
 def environment(**more):
-    """This Python's nbgrader, this repository's grader, nobody's configuration."""
+    """An environment with this Python's nbgrader, this grader and no user's configuration."""
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     own = {"PATH": path, "PYTHONPATH": str(REPOSITORY), "JUPYTER_NO_CONFIG": "", "COLUMNS": "200"}
     return {**os.environ, **own, **more}
 
 
 def run(*command, cwd=None, timeout=180, **more):
-    """Run a command line: (exit code, all that it printed)."""
+    """Run a command line: (exit code, everything it printed)."""
     done = subprocess.run(
         command, cwd=cwd, env=environment(**more), text=True, capture_output=True, timeout=timeout,
         check=False,
@@ -37,7 +37,7 @@ def grader(*arguments, **options):
 
 
 def ran(done):
-    """The output of a command line that must have ended well."""
+    """The output of a command line that must succeed."""
     code, out = done
     assert code == 0, out
     return out
@@ -58,7 +58,7 @@ def nbgrader(*arguments, cwd, timeout=180, memory=None, **more):
 
 
 def _nbgrader(arguments, cwd, variables, output, memory):
-    """In the fork: become what a new process of nbgrader's command line would be."""
+    """In the fork: reset the state to that of a new process of nbgrader's command line."""
     if memory:
         resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     with open(output, "wb", buffering=0) as f:
@@ -109,7 +109,7 @@ def released_sheet(course, assignment="ch04"):
 
 
 def submit(course, student, notebook, assignment="ch04", name=None):
-    """Put a notebook (dict, or text as it is) where nbgrader collect would."""
+    """Put a notebook (a dict, or its raw text) where nbgrader collect would."""
     folder = course.path / "submitted" / student / assignment
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{name or assignment}.ipynb"
@@ -120,7 +120,7 @@ def submit(course, student, notebook, assignment="ch04", name=None):
 
 
 def change_source(course, change, assignment="ch04", copies=True):
-    """``change(cells)`` of the source notebook, generated again with the personal copies."""
+    """Apply ``change(cells)`` to the source notebook and generate the personal copies again."""
     from grader.assignment import make_personal_copies
 
     path = course.source(assignment)
@@ -134,13 +134,13 @@ def change_source(course, change, assignment="ch04", copies=True):
 
 
 def append_config(course, text):
-    """Add settings of the instructor's to the configuration of a course."""
+    """Add the instructor's own settings to the configuration of a course."""
     with open(course.path / "nbgrader_config.py", "a") as f:
         f.write(f"\n{text}\n")
 
 
 def late_policy(course, penalty):
-    """Name a plugin of the instructor's; ``penalty``: Python of score and total_seconds_late."""
+    """Install a late-submission plugin; ``penalty``: Python in score and total_seconds_late."""
     path = course.path / "my_policy.py"
     if not path.exists():
         append_config(
@@ -157,7 +157,7 @@ def late_policy(course, penalty):
 
 
 def gradebook_rows(course, assignment="ch04"):
-    """All that the gradebook holds of an assignment's submissions, in an order of its own."""
+    """Everything in the gradebook on an assignment's submissions, in a fixed order."""
     rows = []
     with course.gradebook() as book:
         for s in book.assignment_submissions(assignment):
@@ -184,7 +184,7 @@ def give(course, student, cell, points, extra, comment, assignment="ch04"):
 
 
 def copy_of(course, folder):
-    """An independent copy of a course, with the same secret, to do something to."""
+    """An independent copy of a course, with the same secret, that a test may change."""
     from grader.course import Course
 
     left_out = shutil.ignore_patterns("exchange", "homes", "autograded", "feedback", "scores")
@@ -205,7 +205,7 @@ def forget(course, *students):
 
 
 def emptied(course):
-    """The course, in which nobody has handed in any more."""
+    """The course with all submissions removed."""
     shutil.rmtree(course.path / "submitted")
     forget(course)
     return course

@@ -33,7 +33,7 @@ def formulas(p):
 
 
 def secrets_in(text, course, student):
-    """What of the key, the mistakes and the secret stands in a text."""
+    """The parts of the key, the mistakes and the secret that a text contains."""
     everywhere = re.sub(r"[A-Za-z0-9+/=]{200,}", "", text)  # pictures
     secret = {*keys(course, student), *keys(course, "the book"), *WORDS, course.secret.hex()}
     for p in problems_of(released_sheet(course)):

@@ -6,7 +6,7 @@ from grader.assignment import problems_of
 from grader.demo import sample_students as sample
 from tests.grader.courses import read
 
-# what the course's students have, besides dan, whose notebook the tests change
+# points of the course's students but dan, whose notebook the tests change
 RIGHT = {"ada": 11, "ben": 6, "cleo": 4, "eve": 9, "mallory": 0}
 
 
@@ -55,12 +55,12 @@ def as_lines(cells):
 
 
 def bare(cells):
-    """As an editor leaves them that keeps texts only."""
+    """The notebook as saved by an editor that keeps only the text of cells."""
     return [{"cell_type": c["cell_type"], "metadata": {}, "source": c["source"]} for c in cells]
 
 
 def bare_with_a_copy(cells):
-    """And a student's own cell that begins as the answer cell does, whose metadata are there."""
+    """The whole notebook after a student's bare cell that begins like the answer cell."""
     own = next(c for c in cells if c["id"] == "answer-4-16")
     (copy,) = bare([own])
     return [{**copy, "source": copy["source"] + "\na_D = 1"}, *cells]
@@ -110,7 +110,7 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, words of its note)
 
 
 class Named:
-    """A course in which whoever is asked for is this student."""
+    """A course in which every look-up of a student finds this one."""
 
     def __init__(self, course, student):
         self.course, self.student = course, student

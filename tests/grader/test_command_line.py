@@ -1,4 +1,4 @@
-"""``python -m grader``: teaches, answers, and reports errors in one sentence with exit code 2."""
+"""``python -m grader``: its help, its output, and errors in one sentence with exit code 2."""
 
 import json
 import shutil
@@ -191,7 +191,7 @@ def test_the_demo_can_be_run_again_in_its_folder(tmp_path, monkeypatch):
 
 
 class Last:
-    """Raises as it goes, where Python ignores it."""
+    """Raises when it is deleted, where Python ignores the error."""
 
     def __del__(self):
         raise KeyboardInterrupt

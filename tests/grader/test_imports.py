@@ -22,7 +22,7 @@ FILES = {
 }
 OURS = sorted(name for name in FILES if name.split(".")[0] in ("grader", "website"))
 BELOW = ("newton_euler", "exercises")
-ORDER = (  # what is lower comes first; the website lists what is higher first
+ORDER = (  # lowest first; the website's own list has the highest first
     *BELOW,
     *(f"grader.{name}" for name in re.findall(r"(?m)^    (\w+) ", grader.__doc__)),
     "grader.nbgrader_config",
@@ -42,13 +42,13 @@ def place(module):
 
 
 def climbing(module, source=None):
-    """The imports of a module that go up."""
+    """The imports of a module from a higher part."""
     found = [target for target, _ in imports(module, FILES, source)]
     return [t for t in found if place(t) and ORDER.index(place(t)) > ORDER.index(place(module))]
 
 
 def by_text(source):
-    """The modules of ours that a text imports by a name in a string, where nobody looks for it."""
+    """Our modules that a text imports by a name in a string, which no search for imports finds."""
     calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
     named = [c.args[0] for c in calls if ast.unparse(c.func).endswith("import_module") and c.args]
     texts = [a.value for a in named if isinstance(a, ast.Constant)]

@@ -48,7 +48,7 @@ def test_an_own_problem_is_built_graded_and_taken_into_the_next_year(course, tmp
         (path,) = make_personal_copies(c, "hw1", workers=1).values()
         numbers = c.values("hw1", "ada", [problem("bead/1"), problem("4/3")])
         submit(c, "ada", answered(path, numbers), "hw1")
-    ran(grader("grade", "hw1", "--course", course))  # a process that knows of course.json alone
+    ran(grader("grade", "hw1", "--course", course))  # a process that knows only course.json
     cells = points(c, "hw1")["ada"]
     assert cells["answer-bead-1"][0] == 4
     assert cells["answer-4-3"][0] == len(problem("4/3").answers)
@@ -126,7 +126,7 @@ def test_an_error_in_an_own_problem_is_a_sentence_here_and_in_other_processes(
 
 
 def test_an_error_of_python_that_lost_its_attributes_on_the_way_still_has_its_line():
-    """As by Dask, which sends errors in its own way wherever it was imported."""
+    """As Dask does, which pickles errors in its own way once it is imported."""
     error = SyntaxError("invalid syntax", ("/course/bead/p01.py", 14, 8, "def", 14, 9))
     error.msg = error.filename = error.lineno = None
     assert explained("bead/1", error) == "bead/p01.py, line 14: invalid syntax"
@@ -136,7 +136,7 @@ def test_an_error_of_python_that_lost_its_attributes_on_the_way_still_has_its_li
     ("where", "message"), [("own", "1 passed, 0 failed"), ("site-packages", "install -e")]
 )
 def test_a_package_of_problems_is_known_by_its_entry_point(tmp_path, where, message):
-    """Among the libraries, where the code of students may read, it is refused."""
+    """It is refused among the libraries, which students' code may read."""
     home = tmp_path / where
     shutil.copytree(GOOD, home / "our_problems")
     (home / "our_problems/__init__.py").touch()

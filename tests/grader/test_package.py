@@ -47,7 +47,7 @@ except ImportError as error:
 
 @pytest.fixture
 def shell(tmp_path):
-    """A function that runs a line of the shell in an empty environment, in a folder of its own."""
+    """A function that runs a shell command in an empty environment, in its own folder."""
     assert run(sys.executable, "-m", "venv", str(tmp_path / "venv"))[0] == 0
 
     def typed(line, cwd=tmp_path):
@@ -89,7 +89,7 @@ def test_the_engine_in_a_repository_of_its_own_is_installed_by_its_address(shell
 @pytest.mark.slow
 @pytest.mark.integration
 def test_practice_needs_the_wheel_alone(shell, tmp_path):
-    """In a new environment, with what the wheel asks for and nothing else."""
+    """In a new environment, with the wheel's dependencies and nothing else."""
     write_practice(tmp_path / "one.practice", [problem("4/16")], count=2, workers=1)
     (tmp_path / "practice.py").write_text(PRACTICE)
     shell(f"pip install -q {built(tmp_path)}")

@@ -20,7 +20,7 @@ BLOCKS = re.findall(
 
 
 def as_ordinary_user(script, home, cwd=REPOSITORY):
-    """Run a script of the shell without any right of root; returns its output."""
+    """Run a shell script without root's privileges; returns its output."""
     command = ["bash", "-euo", "pipefail", "-c", script]
     if os.geteuid() == 0:
         if not shutil.which("unshare"):

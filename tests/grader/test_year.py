@@ -51,7 +51,7 @@ class Seen(Page):
         def clicked():
             for e in self.all(css):
                 if e.is_displayed() and text in e.text:
-                    with suppress(WebDriverException):  # something lies over it for now
+                    with suppress(WebDriverException):  # covered by something for now
                         e.click()
                         return True
             return False
@@ -75,7 +75,7 @@ class Seen(Page):
         keys.send_keys(text).perform()
 
     def manages(self, teacher, step, page="manage_assignments"):
-        """A step in a list of the formgrader, which says that it went well."""
+        """Run a step from a list of the formgrader, which must report success."""
         self.go(teacher, f"formgrader/{page}")
         self.click(f".{step} a")
         self.reads("Successfully", css=".modal-body")

@@ -1,4 +1,4 @@
-"""The rooms of the engine: who may import whom, and what a stranger finds in the listing."""
+"""The rooms of the engine: which may import which, and what a newcomer finds in the listing."""
 
 import ast
 import importlib
@@ -35,7 +35,7 @@ def tree_of(module):
 
 
 def faulty(check):
-    """{module: what the check finds wrong in it}."""
+    """{module: what the check finds wrong with it}."""
     found = {module: check(module) for module in FILES}
     return {module: wrong for module, wrong in found.items() if wrong}
 
@@ -93,7 +93,7 @@ def folder_graph(edges):
 
 
 def test_no_folders_import_each_other_in_a_circle():
-    """A folder inside a room is a floor: the files above use it, and it uses none of them."""
+    """A folder inside a room is a floor: the files above use it, and it uses none of the files."""
     found = [(m, target) for m in FILES for target, _ in imports(m, FILES) if target in FILES]
     gathering = {m for m in FILES if FILES[m].name == "__init__.py"}
     assert circle(folder_graph(e for e in found if not gathering & {*e})) is None
@@ -109,8 +109,8 @@ EVERY = [m for m in sorted(FILES) if not m.endswith("__main__")]
     "first", [PACKAGES, pytest.param(EVERY, marks=pytest.mark.slow)], ids=["packages", "all"]
 )
 def test_every_module_can_be_imported_first(first):
-    """Each in a fork of a process that has imported none, so that no order of imports is hidden; a
-    module comes after its package in any case.
+    """Each is imported in a fork of a process that has imported none, so no order of imports hides
+    an error. A module always comes after its package.
     """
     program = f"""
 import os, sys
@@ -134,7 +134,7 @@ def public_names(package):
     names = {name for _, name in imports(package, FILES) if name} | set(
         defined(tree_of(package).body)
     )
-    names -= {"guide", "unknown"}  # which answer for what they do not have
+    names -= {"guide", "unknown"}  # they answer for names that the package lacks
     return {n for n in names | set(_stub_names(package)) if not n.startswith("_")}
 
 
@@ -224,7 +224,7 @@ s.ax.figure.savefig(io.BytesIO())"""
     ids=["importing the engine", "a motion", "floats, arrays and tracing", "a figure"],
 )  # fmt: skip
 def test_none_of_the_heavy_libraries_is_loaded_before_it_is_needed(program, needed):
-    """What a student waits for is import time."""
+    """Students wait while the imports run."""
     program = f"import sys\n{program}\nprint(*(m for m in {HEAVY.split()} if m in sys.modules))"
     out = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True

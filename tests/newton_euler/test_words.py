@@ -1,4 +1,4 @@
-"""What a student mistypes is answered with what to write."""
+"""A student's slip in typing is answered with what to write."""
 
 import importlib
 import inspect
@@ -21,7 +21,7 @@ v, a, omega = P.velocity(ground), P.acceleration(ground), arm.angular_velocity(g
 F = resultant_force(2.0, a)
 
 REFUSED = [
-    # what the engine knows of a vector
+    # what the engine knows about a vector
     (lambda: v.explain("m/s^2"), "the velocity of P in ground.*, in m/s: .* in 'm/s\\^2'"),
     (lambda: F.explain("kg"), "the force .*, in N: it cannot be explained in 'kg'"),
     (lambda: omega.explain("m/s"), "the angular velocity of arm in ground, in rad/s"),
@@ -29,14 +29,14 @@ REFUSED = [
     (lambda: a - v, "cannot add the velocity of P .*, in m/s, to the acceleration of P"),
     (lambda: -v + a.expressed_in(ground), "cannot add the acceleration"),
     (lambda: Q.velocity(ground) - Q.acceleration(ground), "cannot add the acceleration, in m/s"),
-    # no number
+    # not a number
     (lambda: moving(1.0, rate=None), "the rate is None, which is no number.* leave rate= out"),
     (lambda: ground.rotate("b", "z", rate=None), "the rate is None"),
     (lambda: ground.rotate("b", "z", 0.1, 0.2, None), "the acceleration is None"),
     (lambda: moving(np.float64("nan")), "the value is nan"),
     (lambda: ground.point("A", nan, 0, 0), "the value is nan"),
     (lambda: ground.vector(0, None, 0), "the value is None"),
-    # functions of others
+    # functions of other libraries
     (lambda: np.sin(m), r"np.sin .*: write sin\(...\) of newton_euler"),
     (lambda: np.arccos(m), r"np.arccos .*: write acos\("),
     (lambda: np.arctan2(m, 1.0), r"np.arctan2 .*: write atan2\("),
@@ -87,7 +87,7 @@ def test_an_import_says_where_the_name_lives(line):
 
 
 def test_what_has_a_meaning_stays():
-    """A product may be anything: of a velocity with a time, of an acceleration with a mass."""
+    """A product may have any meaning: velocity times time, or acceleration times mass."""
     s, other = 0.5, ground.rotate("arm", "z", rate=1.0).point("P", 1.0, 0, 0)
     total = (v * s + a * s**2 / 2).expressed_in(arm)
     assert total == arm.vector(3.0 - 3.0, 0, 0) + v * s + a * s * s / 2 - arm.vector(0.0, 0, 0)
@@ -113,7 +113,7 @@ def public_functions():
 
 
 def in_words(f):
-    """Whether a call with an argument that there is not is refused in the engine's words."""
+    """Whether a call with an unknown argument is refused in the engine's words."""
     try:
         f(zzz=1)
     except NewtonEulerError:

@@ -1,4 +1,4 @@
-"""A browser without a screen, a server of files, and what the browser says."""
+"""A headless browser, a file server, and the browser's log."""
 
 import json
 import threading
@@ -15,12 +15,12 @@ LONG = 180  # seconds: for a busy machine
 
 
 def script(name):
-    """A script of JavaScript for the browser's page."""
+    """A JavaScript file for the browser's page."""
     return (SCRIPTS / f"{name}.js").read_text(encoding="utf-8")
 
 
 class Quiet(SimpleHTTPRequestHandler):
-    """A server of files that prints nothing, and lets other sites read them."""
+    """A silent file server that lets other sites read its files."""
 
     def log_message(self, *_):
         pass
@@ -32,7 +32,7 @@ class Quiet(SimpleHTTPRequestHandler):
 
 @contextmanager
 def served(folder):
-    """A folder on this machine, while the block runs: "http://127.0.0.1:PORT"."""
+    """Serve a folder on this machine while the block runs: "http://127.0.0.1:PORT"."""
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder)))
     thread = threading.Thread(target=server.serve_forever)
     thread.start()
@@ -54,12 +54,12 @@ def emulated(driver, theme="", media="", reduced=""):
 
 
 def complaints(driver):
-    """What the console has printed since it was asked before."""
+    """What the console has printed since the last call."""
     return [x["message"] for x in driver.get_log("browser") if x["level"] in ("SEVERE", "WARNING")]
 
 
 def requests(driver):
-    """The addresses that were asked for since the last time."""
+    """The addresses requested since the last call."""
     messages = (json.loads(x["message"])["message"] for x in driver.get_log("performance"))
     sent = (m["params"] for m in messages if m["method"] == "Network.requestWillBeSent")
     return [p["request"]["url"] for p in sent]

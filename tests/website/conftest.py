@@ -1,4 +1,4 @@
-"""The site of what is there, and of a notebook with everything that a chapter may hold."""
+"""The site of the real chapters, with a notebook that has everything a chapter may hold."""
 
 import os
 import shutil
@@ -12,14 +12,14 @@ from tests.once import once
 from tests.website import sample
 from tests.website.browser import LONG, served
 
-# it measures for minutes: its page is built without outputs
+# it runs for minutes: its page is built without outputs
 NOT_RUN = {"speed_and_accuracy"}
 PRACTISED = ["ch04"]  # the problems that are checked on their pages: half a minute for all
 
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory):
-    """The folder of the built pages; SITE=folder looks at one that was built before."""
+    """The folder of the built pages; SITE=folder uses one that was built before."""
     if built := os.environ.get("SITE"):
         return Path(built)
     pytest.importorskip("myst_nb", reason="the site wants pip install -e '.[site]'")
@@ -43,14 +43,14 @@ def site(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def address(site):
-    """The site on this machine."""
+    """The address of the site on this machine."""
     with served(site) as found:
         yield found
 
 
 @pytest.fixture(scope="module")
 def driver(tmp_path_factory):
-    """A browser without a screen."""
+    """A headless browser."""
     with chromium(tmp_path_factory.mktemp("browser"), "1300,900") as found:
         found.set_script_timeout(LONG)
         yield found

@@ -1,4 +1,4 @@
-"""A page of feedback on one problem, without a course, in the language that is spoken."""
+"""A page of feedback on one problem, without a course, in the current language."""
 
 from pathlib import Path
 

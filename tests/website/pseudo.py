@@ -1,5 +1,5 @@
-"""A language that nobody speaks: English in letters of another width, so that what is said without
-the catalogue stands out, as in a room full of strangers.
+"""A pseudo-language: English in full-width letters, so that text that bypasses the catalogue
+stands out.
 """
 
 import html

@@ -116,7 +116,7 @@ def test_a_package_that_is_not_here_is_missed_by_those_only_that_use_it():
 
 
 def test_names_that_a_later_cell_binds_anew_do_not_part_what_belongs_together(page):
-    """Two frames of one name, in one tree: run in order, and out of it."""
+    """Two frames of one name, in one tree: cells run in order, and out of order."""
     notebook = [
         "from newton_euler import Frame\nground = Frame('ground')\narm = ground.rotate('arm', 'z', rate=2.0)",
         "first = arm.angular_velocity(ground)",

@@ -20,10 +20,10 @@ CALL = """
 const [name, args, done] = arguments;
 engine.call(name, args).then((value) => done({value}), (error) => done({error: error.message}));
 """
-# the addresses of what is there without a network
+# the addresses that are available offline
 STORE = """(caches.open("newton-euler").then((store) => store.keys())
   .then((all) => (window.stored = all.map(({url}) => url))), window.stored || [])"""
-# whether the new first page is
+# whether the new first page is cached
 KEPT = """(window.looked ??= caches.match(location.href).then((r) => r?.text())
   .then((text) => (window.looked = /has changed/.test(text) || undefined))) === true"""
 DRAG = script("move_a_slider")
@@ -47,7 +47,7 @@ def _with_engine(site):
 
 
 def called(driver, name, **arguments):
-    """What a function of website/browser gives to the page: {"value": …} or {"error": words}."""
+    """What a function of website/browser returns to the page: {"value": …} or {"error": words}."""
     return driver.execute_async_script(CALL, name, arguments)
 
 
@@ -190,7 +190,7 @@ def test_numpy_is_fetched_from_its_address_once_a_reader_asks_and_words_say_why_
     complaints(driver)  # of the file that was not there
 
 
-@pytest.mark.slow  # two minutes
+@pytest.mark.slow  # takes two minutes
 def test_every_figure_with_sliders_moves(site, driver, address):
     moved, still = 0, []
     for path in sorted(site.glob("chapters/*.html")):

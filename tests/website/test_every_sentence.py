@@ -1,5 +1,5 @@
-"""Nothing that a student meets is said without the catalogue: a language that nobody speaks is
-spoken, and what is English all the same is found.
+"""Every text that a student sees comes from the catalogue: with a pseudo-language switched on,
+whatever is still English is found.
 """
 
 import json
@@ -27,7 +27,7 @@ from website import contents, problem_index, problem_pages, translations
 from website.browser import practice as page
 
 PROBLEMS = "4/16", "9/4", "2/4", "5/19"  # a sum of terms, a word, an interval, a count
-NAMES = {  # what is code, a file or a unit wherever it stands
+NAMES = {  # code, files and units, wherever they stand
     *["None", "Python", "NumPy", "nbgrader", "CSV", "rad", "deg", "sin", "cos", "sqrt", "omega", "alpha", "beta", "theta", "phi"],
     *["practice", "notebook", "grader", "json", "newton_euler", "Newton", "Euler", "ada", "Vector", "Frame", "SymPy"],
 }  # fmt: skip
@@ -62,7 +62,7 @@ def spoken(wide_folder, monkeypatch):
 
 
 def names_of(*numbers):
-    """The names that the code of these problems has."""
+    """The names in the code of these problems."""
     found = set(NAMES)
     for p in map(problem, numbers):
         found |= {*p.units, *(a.key for a in p.answers), *p.steps, *p.mistakes}

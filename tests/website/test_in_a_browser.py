@@ -45,7 +45,7 @@ def test_a_search_finds_a_word(site, address, driver, kind):
     driver.get(f"{address if kind == 'server' else site.as_uri()}/search.html?q=Coriolis")
     results = "[...document.querySelectorAll('#search-results li')]"
     wait(driver, "document.body.textContent.includes('Search finished')", "the end of the search")
-    if kind == "server":  # a page that was opened as a file reads no others
+    if kind == "server":  # a page opened as a file cannot read others
         excerpts = (
             f"{results}.every((li) => li.matches('.kind-object') || li.querySelector('.context'))"
         )

@@ -1,4 +1,4 @@
-"""Packages of npm: what is kept is checked, and a build goes on where they are out of reach."""
+"""Packages of npm: cached ones are checked, and a build goes on if npm cannot be reached."""
 
 import base64
 import hashlib

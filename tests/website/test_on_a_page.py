@@ -23,7 +23,7 @@ def call(function, **arguments):
 
 @pytest.fixture(scope="module")
 def opened(practice_file):
-    """The problems of a file that a page has handed over."""
+    """The problems of a file that a page has passed in."""
     return call("load", name="some", data=b64encode(practice_file.read_bytes()).decode())["value"]
 
 

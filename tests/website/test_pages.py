@@ -1,4 +1,4 @@
-"""The files of the site: links, anchors, what stands in them and what must not."""
+"""The files of the site: links, anchors, and what they must and must not contain."""
 
 import os
 import re
@@ -47,7 +47,7 @@ def pages(site):
 
 
 def goes_nowhere(path, link):
-    """True for an address within the site without a file or without its anchor."""
+    """True for an address within the site whose file or anchor is missing."""
     parts = urlsplit(link)
     if parts.scheme in ("http", "https", "data", "mailto"):
         return False
@@ -146,7 +146,7 @@ def test_no_problem_page_names_a_mistake(site):
 
 
 def keys(p):
-    """The numbers of the answers that nobody writes by chance: four digits and more."""
+    """The numbers of the answers too long to match by chance: four digits and more."""
     from newton_euler.algebra.vectors import Vector
 
     def numbers(value):

@@ -1,4 +1,4 @@
-"""Pictures within a page as files beside it."""
+"""Pictures embedded in a page, moved to files beside it."""
 
 import io
 import re

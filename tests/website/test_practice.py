@@ -45,7 +45,7 @@ def phone(site, driver):
 
 
 def practise(driver, page):
-    """Open the form of a problem page, whoever has practised before."""
+    """Open the form of a problem page, whether or not anybody has practised before."""
     driver.get(page)
     driver.execute_script(
         "if (!localStorage['newton-euler.practises']) document.querySelector('.practice button').click()"
@@ -252,7 +252,7 @@ def operation(*words):
 
 
 def acting(page):
-    """The change that puts ``ACTS`` wherever a page has a text for readers."""
+    """The change that puts ``ACTS`` into every text that readers see."""
     page["preamble"] = page["title"] = page["figure"] = ACTS
     for q in page["quantities"]:
         q["means"] = q["latex"] = ACTS

@@ -4,17 +4,21 @@ is killed; what is not fit is refused, and nothing is left running.
 
 import contextlib
 import os
+import pickle
+import re
 import signal
 import socket
 import subprocess
 import sys
 import threading
 import time
+from unittest import mock
 
 import pytest
 
 from grader.course import Course, CourseError
-from grader.grading import grade
+from grader.grading import Result, grade
+from grader.grading import cluster as grading
 from tests.grader.courses import command, environment, gradebook_rows, ran, submit
 from tests.grader.grading.test_histories import notebooks
 from tests.grader.submissions import DAMAGED
@@ -163,33 +167,37 @@ class Wire:
                 theirs.sendall(data)
 
 
-def test_nothing_of_a_student_and_no_secret_passes_the_scheduler(fresh, cluster):
+@pytest.fixture(scope="module")
+def wired(cluster):
+    """A wire with one worker."""
     import dask.config
 
     wire = Wire(cluster.address)
     worker = dask_process("worker", wire.address, "--nthreads", 1, "--no-nanny", **PLAIN)
     cluster.workers.append(worker)
     cluster.client(lambda c: c.wait_for_workers(len(cluster.living()), timeout=60))
-    submit(fresh, "zoe", DAMAGED["empty"][0])
     with wire.socket, dask.config.set({"distributed.comm.compression": None}):
-        results = grade(fresh, "ch04", scheduler=wire.address, force=True)
+        yield wire
+
+
+def test_nothing_of_a_student_and_no_secret_passes_the_scheduler(fresh, wired):
+    submit(fresh, "zoe", DAMAGED["empty"][0])
+    results = grade(fresh, "ch04", scheduler=wired.address, force=True)
     read = {p.read.encode() for r in results for s in r.scores.values() for p in s.parts}
     notes = {p.message.encode()[:30] for r in results for s in r.scores.values() for p in s.parts}
     ids = [r.student.encode() for r in results]
     assert len(ids) == 7
     assert len(read) > 10
-    assert b"_grade" in wire.seen
-    assert str(fresh.path).encode() in wire.seen
+    assert b"_grade" in wired.seen
+    assert str(fresh.path).encode() in wired.seen
     private = {fresh.secret, fresh.secret.hex().encode(), b"SyntaxError", b"not on the roster"}
     private |= {b"\x8c%c%b" % (len(i), i) for i in ids} | {b"mallory", b"cleo"} | notes
     private |= {x for x in read if len(x) > 5}
-    assert not [x for x in private if x in wire.seen]
+    assert not [x for x in private if x in wired.seen]
 
 
 def test_a_worker_that_sees_another_course_is_refused(fresh, two_workers, monkeypatch):
-    from grader.grading import cluster
-
-    monkeypatch.setattr(cluster, "_code", lambda: "another version")
+    monkeypatch.setattr(grading, "_code", lambda: "another version")
     with pytest.raises(CourseError, match=r"tcp://.* cannot grade: .* another version of the che"):
         grade(fresh, "ch04", scheduler=two_workers.address)
     monkeypatch.undo()
@@ -198,10 +206,42 @@ def test_a_worker_that_sees_another_course_is_refused(fresh, two_workers, monkey
         grade(Course(fresh.path), "ch04", scheduler=two_workers.address)
 
 
+def raising(grade, _):
+    """A worker's ``_grade`` where each submission raises an error that names it."""
+
+    def of_one(run, student, harvester):
+        raise OSError(f"submitted/{student} cannot be read")
+
+    def raise_there(shared, n):
+        with mock.patch("grader.grading.cluster.Run.grade", of_one):
+            return grade(shared, n)
+
+    return raise_there
+
+
+def lying(_, file):
+    """A worker's ``_grade`` that names a file of somebody else as its result."""
+    return lambda shared, n: str(file)
+
+
+@pytest.mark.parametrize(
+    ("worker", "problem"), [(raising, r"OSError: submitted/ada cannot"), (lying, "FileNotFoundErr")]
+)
+def test_a_worker_that_fails_sends_no_text_and_names_no_file(
+    fresh, wired, monkeypatch, tmp_path, worker, problem
+):
+    other = tmp_path / "other"
+    other.write_bytes(pickle.dumps((Result("ada"), None)))
+    monkeypatch.setattr(grading, "_grade", worker(grading._grade, other))
+    results = grade(fresh, "ch04", scheduler=wired.address, force=True)
+    assert all("its worker failed" in r.problem for r in results)
+    assert re.search(problem, results[0].problem)
+    assert not [r.student for r in results if f"submitted/{r.student}".encode() in wired.seen]
+    assert other.exists()
+
+
 def dying(victims, monkeypatch):
     """The next run's first check kills these workers."""
-    from grader.grading import cluster as grading
-
     pids = [worker.pid for worker in victims]
 
     def examine(shared):

@@ -20,7 +20,7 @@ ROOT = Path(__file__).parents[3]
 
 
 def run(*arguments):
-    """Its exit code."""
+    """The exit code of the command."""
     with pytest.raises(SystemExit) as end:
         main(arguments, prog_name="python -m newton_euler.accuracy")
     return end.value.code

@@ -1,4 +1,4 @@
-"""measurements/honesty.py, charts/honesty.py: what counts as a promise kept, what is drawn where, and the command."""
+"""Honesty, measured and drawn: when a promise is kept, what is drawn where, and the command."""
 
 import csv
 import math
@@ -29,7 +29,7 @@ SCENE = "sphere on an incline"
 
 
 def fake(answers):
-    """A reference whose methods answer (true error, estimate) or an exception, as in the table."""
+    """A reference whose methods give (true error, estimate) or an exception, as tabulated."""
 
     class Fake:
         def __init__(self, scene):
@@ -92,7 +92,7 @@ def test_tallies_count_by_method(liar):
     auto, dop853 = sorted(tallies(liar), key=lambda t: t.method)
     assert (auto.runs, auto.silent, auto.refused, auto.failed) == (3, 1, 0, 0)
     assert (auto.met, auto.covers) == (pytest.approx(1 / 3), pytest.approx(2 / 3))
-    assert auto.ratio == pytest.approx(5 / 3)  # of 2, 5/3 and 2.5e-7
+    assert auto.ratio == pytest.approx(5 / 3)  # the median of 2, 5/3 and 2.5e-7
     assert (dop853.runs, dop853.silent, dop853.refused, dop853.failed) == (3, 0, 1, 0)
     assert (dop853.met, dop853.covers, dop853.ratio) == (1.0, 1.0, pytest.approx(3.0))
 
@@ -145,7 +145,7 @@ def test_costs_are_relative_to_the_cheapest_that_kept_its_word_on_the_same_probl
     refused = ((1e-9, "b"), (5.0, "c"))
     answers += [answer("slow", cost=x, absent=REFUSED, problem=of) for x, of in refused]
     found = relative_costs(answers)
-    # where none kept its word, to the cheapest of all; a refusal sets no standard
+    # where none kept its promise, relative to the cheapest of all; a refusal sets no standard
     assert [a.cost for a in found[:5]] == [pytest.approx(x) for x in (0.05, 1.0, 4.0, 1.0, 3.0)]
     assert math.isnan(found[-1].cost)
 
@@ -187,7 +187,7 @@ def test_the_csv_has_a_line_for_every_run(tmp_path):
 
 
 def drawn(answers):
-    """The four axes of the chart, which is rendered."""
+    """The four axes of the rendered chart."""
     figure = Figure()
     draw_honesty(answers, figure, "title")
     figure.canvas.draw()
@@ -195,7 +195,7 @@ def drawn(answers):
 
 
 def marks(ax):
-    """The places of all marks of runs, as (x, number of the row)."""
+    """The positions of all marks of runs, as (x, number of the row)."""
     return sorted((x, round(y)) for points in ax.collections for x, y in points.get_offsets())
 
 
@@ -207,7 +207,7 @@ def test_a_broken_promise_lies_beyond_the_line_in_its_row_and_a_kept_one_before(
     cost, promise, estimate, _ = drawn(liar)
     rows = [t.get_text() for t in cost.get_yticklabels()]
     auto, dop853 = rows.index("auto"), rows.index("dop853")
-    # the refused run of dop853 stands beyond the edge
+    # the refused run of dop853 is drawn beyond the edge
     assert marks(promise) == [
         (pytest.approx(0.1), dop853),
         (pytest.approx(0.1), dop853),

@@ -1,11 +1,12 @@
-"""What is traced once computes what the formula computes, on every kind of number and by every
-backend.
+"""A formula traced once computes what the formula itself computes, on every kind of number and with
+every backend.
 """
 
 import importlib.util
 import math
 import threading
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from fractions import Fraction
 
 import mpmath
@@ -97,7 +98,7 @@ def with_backends(*names):
     return pytest.mark.parametrize("backend", names, indirect=True)
 
 
-# -- the same numbers
+# -- the same values
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -232,7 +233,7 @@ def test_solve_rates_inside_a_formula():
     assert compiled(spin)(np.array([2.0, 3.0]), 0.5)[0].tolist() == [4.0, 6.0]
 
 
-# -- what becomes of the steps
+# -- how the steps are simplified
 
 
 def test_common_subexpressions_are_computed_once():
@@ -493,7 +494,7 @@ def test_warnings_of_numpy_are_not_hidden():
 
 
 def test_results_through_heyoka_are_not_touched_by_the_next_call_nor_by_other_lengths():
-    """Blocks go through a buffer that is kept between calls."""
+    """Blocks pass through a buffer that is kept between calls."""
     pytest.importorskip("heyoka")
     f = compiled_by("heyoka", lambda x, a: (x * a, x + a))
     lengths = (5, 1 << 15, (1 << 15) + 7, 5)
@@ -508,7 +509,7 @@ def test_results_through_heyoka_are_not_touched_by_the_next_call_nor_by_other_le
 
 
 class Paused(Moving):
-    """A moving number whose products wait until the other thread is as far."""
+    """A moving number whose products wait until the other thread has come as far."""
 
     barrier = threading.Barrier(2, timeout=10)
 
@@ -565,3 +566,19 @@ def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
 def test_what_a_traced_value_does_not_have_is_refused_with_the_line(f):
     with pytest.raises(ScalarError, match=r"in .*: a formula is traced without values"):
         compiled(f)
+
+
+@pytest.mark.parametrize("error", [
+    TypeError("a ufunc of 'Step'"), IndexError("only integers, slices"),
+    ValueError("could not convert string to float: '<traced x>'"),
+])  # fmt: skip
+def test_what_a_function_of_the_caller_raises_is_left_as_it_is(error):
+    def raising(x):
+        with suppress(TypeError):
+            np.sin(x)
+        raise error
+
+    for f in (raising, lambda x: np.apply_along_axis(raising, 0, np.array([x, x]))):
+        with pytest.raises(type(error)) as caught:
+            compiled(f)
+        assert caught.value is error

@@ -1,5 +1,5 @@
-"""An error of the caller's own function reaches the caller as raised; one that a wrong argument
-causes inside the engine is raised in words.
+"""An error in the caller's own function reaches the caller as raised; an error that a wrong
+argument causes inside the engine is raised in words.
 """
 
 from typing import Literal
@@ -13,7 +13,7 @@ from newton_euler.algebra.errors import ArgumentError, checked, checked_words
 from newton_euler.algebra.scalars import DivisionError, RangeError, Scalar, ScalarError
 from newton_euler.dynamics import audit, work_along, work_integral
 
-# texts of Python and NumPy for arguments that do not fit
+# errors of Python and NumPy for unsuitable arguments
 ERRORS = [
     IndexError("tuple index out of range"),
     TypeError("f() takes 1 positional argument but 2 were given"),
@@ -72,7 +72,7 @@ def ratio(a: Scalar, b: Scalar = 2.0, *more: Scalar, f=None, **others: Scalar) -
 
 
 def test_an_error_in_the_engine_names_the_function_and_its_arguments():
-    # this file stands for the engine here: `ratio` without a function of its user
+    # this file stands in for the engine: `ratio` calls no function of the user
     ratio.__wrapped__.__globals__["__name__"] = "newton_euler.of_a_test"
     try:
         with pytest.raises(DivisionError, match=r"ratio\(1.0, 0.0\) has no value: float division"):

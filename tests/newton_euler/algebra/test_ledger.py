@@ -1,4 +1,4 @@
-"""Sums with named terms: no term is lost by its name, and amounts compare as their values do."""
+"""Sums with named terms: no term is lost through its name; amounts compare like their values."""
 
 import pickle
 from operator import eq, ge, gt, le, lt, ne
@@ -25,7 +25,7 @@ def total(pairs):
 
 
 def along_x(pairs):
-    """The sum of forces of these sizes along x."""
+    """The sum of named forces along x, from pairs (name, size)."""
     forces = [(name, ground.vector(float(x), 0, 0)) for name, x in pairs]
     return named_sum("resultant", "", forces, ground)
 

@@ -1,5 +1,5 @@
-"""Named linear equations: values, what they leave open, what they repeat, what contradicts what;
-over every kind of number.
+"""Named linear equations over every kind of number: values, unknowns left open, repetitions, and
+contradictions.
 """
 
 import itertools
@@ -58,7 +58,7 @@ def test_regular_systems_give_the_solution_they_were_made_from(kind, count):
 @given(st.integers(2, 5), st.integers(0, 3), st.integers(0, 10**6))
 @example(2, 2, 39)  # the first two equations are 10^-10 of the others
 def test_the_order_of_equations_and_their_units_do_not_matter(count, surplus, seed):
-    """Multiplied by powers of ten, shuffled, with sums of them added."""
+    """The equations are multiplied by powers of ten and shuffled, with sums of them added."""
     dice = np.random.default_rng(seed)
     A = dice.integers(-4, 5, size=(count, count)) + 9 * np.eye(count)
     wanted = dice.normal(size=count)
@@ -67,7 +67,7 @@ def test_the_order_of_equations_and_their_units_do_not_matter(count, surplus, se
     rows = (mixed * scale[:, None])[dice.permutation(len(mixed))]
     s = solve_linear(system(rows.tolist(), (rows @ wanted).tolist()), NAMES[:count])
     assert close(tuple(s), tuple(wanted), 1e-11)
-    trivial = sum(1 for row in rows if not row.any())  # 0 = 0 is not mentioned
+    trivial = sum(1 for row in rows if not row.any())  # 0 = 0 is not reported
     assert len(s.redundant) == surplus - trivial
 
 
@@ -129,7 +129,7 @@ def test_more_symbols_than_cramer_takes_are_eliminated(count):
 
 
 def test_a_zero_that_only_simplification_would_see_is_no_pivot():
-    """sin^2 + cos^2 - 1 stands before B in both: it must be seen as 0 by its value, not divided by."""
+    """sin^2 + cos^2 - 1 multiplies B: its value must show that it is 0, no divisor."""
     t, m = sympy.symbols("t m")
     hidden = sympy.sin(t) ** 2 + sympy.cos(t) ** 2 - 1
     s = solve_linear(lambda A, B: {"p": hidden * B + A - m, "q": A + B - 3 * m})
@@ -187,7 +187,7 @@ def test_equations_of_different_units_prove_their_units():
 
 
 def test_a_statically_indeterminate_beam_reports_what_it_knows():
-    """Pins at both ends: the forces along the beam are open, their sum is not."""
+    """With pins at both ends the forces along the beam are undetermined, but their sum is known."""
     ground = Frame("ground")
 
     def pinned(A_x, A_y, B_x, B_y):
@@ -251,7 +251,7 @@ def test_rounding_is_neither_a_pivot_nor_a_contradiction():
 
 
 def test_small_units_are_no_rounding():
-    """A watch wheel in SI: moments of inertia of 1e-12 with forces and lengths of order 1e-3."""
+    """A watch wheel in SI units: a moment of inertia of 1e-12, lengths and forces of order 1e-3."""
     moment = lambda F, alpha: 1e-12 * alpha - 1e-3 * F
     s = solve_linear(lambda F, alpha: {"moment": moment(F, alpha), "rolling": 1e-3 * alpha - 5.0})
     assert s.alpha == pytest.approx(5e3)

@@ -1,4 +1,4 @@
-"""quadrature.py without SciPy: integrals of floats by the engine alone, and what it says of their error."""
+"""quadrature.py without SciPy: integrals of floats by the engine alone, and their errors."""
 
 import math
 import sys

@@ -1,4 +1,4 @@
-"""One root over every kind of number, against equations with known solutions."""
+"""One root, over every kind of number, against equations with known solutions."""
 
 import math
 import pickle
@@ -15,7 +15,7 @@ LENGTH, TIME = Dimension(0, 1, 0), Dimension(0, 0, 1)
 
 
 def rod_angle(length, radius, crank):
-    """Of a slider crank: length sin(b) = radius sin(crank)."""
+    """The angle b of the rod of a slider crank: length sin(b) = radius sin(crank)."""
     return root(lambda b: length * sin(b) - radius * sin(crank), -1.5, 1.5)
 
 
@@ -50,7 +50,7 @@ def test_no_place_outside_the_bracket_is_asked_for():
 
 
 def asked(f):
-    """The function and the places at which it is asked."""
+    """The function, and the list of points at which it is evaluated."""
     places = []
 
     def counted(x):
@@ -155,7 +155,7 @@ def test_what_has_no_root_is_refused_in_words():
 
 @pytest.mark.parametrize(("square", "low", "high"), [(2, 0, 2), (6, "1/10", 10)])
 def test_exact_numbers_without_symbols_have_a_root_in_floats(square, low, high):
-    """Fractions of SymPy would grow without end."""
+    """SymPy's fractions would grow without end."""
     found = root(lambda x: x * x - square, sympy.Rational(low), sympy.Rational(high))
     assert type(found) is float
     assert found == pytest.approx(square**0.5, rel=1e-15)

@@ -125,7 +125,7 @@ def test_equal_tables_are_one_step_and_others_are_not():
     assert f == same
     assert hash(f) == hash(same)
     assert f != other != f.derivative()
-    assert compiled(lambda x: f(x) - same(x) + other(x)).source.count("(x)") == 3  # one is its head
+    assert compiled(lambda x: f(x) - same(x) + other(x)).source.count("(x)") == 3  # one in its def
     assert copy.deepcopy(f) == pickle.loads(pickle.dumps(f)) == f
 
 

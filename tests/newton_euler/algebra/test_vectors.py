@@ -105,8 +105,8 @@ def test_equal_vectors_are_equal_and_others_are_not():
     turned = ground.rotate("turned", "z", angle=0.3)
     a = ground.vector(1.0, 2.0, 2.0)
     assert a == ground.vector(1, 2, 2)
-    assert a != ground.vector(1.0, 2.0, 2.0 + 1e-11)  # in one frame to the last digit
-    assert a == a.expressed_in(turned)  # in two up to round-off
+    assert a != ground.vector(1.0, 2.0, 2.0 + 1e-11)  # in one frame, compared to the last digit
+    assert a == a.expressed_in(turned)  # in two frames, compared up to round-off
     assert a != ground.vector(1.0, 2.0, 2.001).expressed_in(turned)
     assert a != elsewhere.vector(1.0, 2.0, 2.0)
     assert (a == 3.0, a == (1.0, 2.0, 2.0)) == (False, False)
@@ -214,7 +214,7 @@ def test_explain_shows_latex_in_jupyter():
 
 
 def test_no_underscore_of_a_name_stands_bare_in_latex():
-    """MathJax shows a formula with one as an error."""
+    """MathJax shows a formula with a bare underscore as an error."""
     wheel = ground.rotate("wheel_1", "z", rate=2.0).rotate("disk_2", "x", rate=1.0)
     P = wheel.point("P_1", 1.0, 0, 0)
     motion = (wheel.angular_acceleration(ground), P.velocity(ground), P.acceleration(ground))

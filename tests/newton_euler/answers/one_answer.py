@@ -1,4 +1,4 @@
-"""Reads one answer of a receipt, for the tests of all that reading is made of."""
+"""Reads one answer of a receipt, for the tests of every step of reading."""
 
 import sympy
 
@@ -12,7 +12,7 @@ r, omega, theta = sympy.symbols("r omega theta", real=True)
 
 
 def one(form, value, symbols=None):
-    """What is read of one answer; raises AnswerError if it cannot be."""
+    """What a receipt reads in one answer; raises AnswerError if it cannot be read."""
     read, faults = record({"x": Form.read(form)}, symbols or {}, {"x": value})
     if faults:
         raise AnswerError(faults["x"])

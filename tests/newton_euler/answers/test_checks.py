@@ -1,4 +1,4 @@
-"""Answers that a receipt checks against a seal: the first are free, guessing takes time."""
+"""Answers that a receipt checks against a seal: the first tries are free, guessing costs time."""
 
 import json
 import math
@@ -68,11 +68,11 @@ def test_a_count_goes_on_in_this_kernel_and_the_next(clock, monkeypatch, between
     checks.FILE.write_text(kept)
     monkeypatch.setattr(checks, "_kept", {})
     assert check(sealed, NUMBER, 2.5).right is None
-    assert check(seal(NUMBER, [2.5]), NUMBER, 2.5).right  # of another answer
+    assert check(seal(NUMBER, [2.5]), NUMBER, 2.5).right  # another answer is still checked
 
 
 def test_what_another_kernel_counts_meanwhile_is_kept(clock, monkeypatch):
-    """While this one computes the hash of an answer."""
+    """The other kernel writes while this one computes the hash of an answer."""
     theirs = {"salt of another answer": {"wrong": ["a", "b"], "next": 2e9}}
     monkeypatch.setattr(checks, "opens", lambda *_: checks.FILE.write_text(json.dumps(theirs)) < 0)
     sealed = seal(NUMBER, [2.5])
@@ -103,7 +103,7 @@ def test_a_clock_set_back_does_not_lock_a_student_out(clock):
 
 
 def test_a_seal_of_another_version_says_nothing():
-    """As in copies that were handed out before an update."""
+    """Copies handed out before an update hold such seals."""
     assert check({"salt": "00", "size": 1, "hashes": ["a"]}, NUMBER, 2.5) is None
     assert check({"salt": "00", "hashes": ["a"]}, KINDS["choice"], "stable") is None
 

@@ -1,4 +1,4 @@
-"""Which wrong model explains a wrong answer: by the identity of causes, not by their words."""
+"""Which wrong model explains a wrong answer: causes are compared by identity, not by words."""
 
 import math
 
@@ -77,7 +77,7 @@ def test_of_two_models_that_are_near_the_one_that_fits_all_digits_is_named():
 
 
 def test_a_term_with_the_numbers_of_a_listed_mistake_is_named_after_it():
-    """Unless it is left out, which is the same mistake in other words."""
+    """A term left out is the exception: it is the same mistake in other words."""
     term = term_reversed("y", "the term y")
     assert diagnose(MODEL, KEY, [(term, MODEL), (TURNS, MODEL)]) == (TURNS, term)
     left_out = term_left_out("y", "the term y")
@@ -125,7 +125,7 @@ def test_a_pair_is_named_only_if_no_other_pair_and_no_single_mistake_gives_the_s
 
 
 def test_what_is_listed_is_named_beside_others_with_the_same_numbers_however_many():
-    """Also a vector that is left with round-off for zero."""
+    """This includes a vector with round-off in place of zero."""
     contradicted = Elsewhere(lambda: [part(True, KEY, [(TURNS, MODEL)])])
     general = [(answer_to(name), MODEL) for name in "abc"]
     found = diagnose(MODEL, KEY, [*general, (TURNS, MODEL)], elsewhere=contradicted)
@@ -213,7 +213,7 @@ def part(right, given, wrong):
 
 
 def test_a_cause_that_a_right_part_contradicts_is_named_last_and_in_this_part():
-    """It would show there; a term can be left out of one part alone."""
+    """The cause would show there too; but a term can be left out of one part alone."""
     reworded = listed("turns", "turns y, as they say here")
     other = Elsewhere(lambda: [part(True, KEY, [(reworded, MODEL)])])
     found = diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=other)
@@ -241,7 +241,7 @@ def test_of_equal_causes_the_one_that_explains_another_wrong_part_is_named():
 
 
 def test_the_distance_that_is_called_near_is_the_one_of_the_rule():
-    """3 % in the words and in the comparison."""
+    """It is 3 % in both the words and the comparison."""
     vector = KINDS["vector"]
     assert "within 3 % of" in NEAR.text
     assert vector.observed(((3.0 * 1.029, 4.0 * 1.029, 0.0),), KEY) == NEAR
@@ -274,7 +274,7 @@ def test_a_zero_vector_does_not_leave_out_one_component():
 
 
 def test_a_formula_fits_as_loosely_as_at_its_worst_point():
-    """Loose at one point and exact at the next: a model that fits exactly goes before it."""
+    """Loose at one point, exact at the next: a model that fits exactly comes first."""
     key, given = ((1.0,), (2.0,)), ((3.0,), (5.0,))
     loose = ((3.0 * (1 + 2e-5),), (5.0,))
     for points, level in ((given, EXACT), (loose, LOOSE), (loose[::-1], 0)):

@@ -25,12 +25,12 @@ class Asked:
 
 
 def along(axes):
-    """The wrong models of the key along these axes, {place: points}."""
+    """The wrong models that give the key along other axes, from {place: points}."""
     return lambda: [(other_axes(place, "another frame"), x) for place, x in axes.items()]
 
 
 def turned(components, *turns):
-    """The readings of a vector with these components in a frame of this many turns."""
+    """The readings of a vector with these components in a frame made by these turns."""
     frame = Frame("ground")
     for axis, angle in turns:
         frame = frame.rotate("mine", axis, angle=angle, rate=1.0)
@@ -38,7 +38,7 @@ def turned(components, *turns):
 
 
 def readings(vector):
-    """The components of a vector as a receipt has them, a point each."""
+    """The components of a vector as a receipt reads them, one point per frame."""
     tree = one("vector, m", vector)
     return [(tuple(x),) for x in (tree.values() if isinstance(tree, dict) else [tree])]
 
@@ -57,7 +57,7 @@ def test_of_all_patterns_of_sign_in_frames_of_half_a_turn_one_is_right(axes):
     [("z", 0.7)], [("z", 0.7), ("-x", 2.1)], [("z", math.pi)], [("x", math.pi / 2), ("y", 0.2)],
 ])  # fmt: skip
 def test_a_vector_is_right_in_whatever_frame_it_is_given(turns):
-    """As its components in the ground say."""
+    """Its components in the ground decide."""
     frame = ground = Frame("ground")
     for axis, angle in turns:
         frame = frame.rotate("arm", axis, angle=angle, rate=1.0)
@@ -67,7 +67,7 @@ def test_a_vector_is_right_in_whatever_frame_it_is_given(turns):
 
 
 def test_the_axes_asked_for_may_be_those_of_a_frame_that_turns():
-    """The rest of the components are then those along the problem's other axes."""
+    """The other components are then those along the problem's other axes."""
     quarter = turned(KEY[0], ("z", math.pi / 2))
     ground = quarter[1]
     assert counted(quarter, KEY, Asked(), along({0: ground})) == KEY
@@ -90,15 +90,15 @@ def test_but_not_so_that_its_components_are_another_guess(axis):
 
 @pytest.mark.parametrize("axes", [{}, {0: ARM}])
 def test_nor_so_that_they_are_a_known_mistake(axes):
-    """As those turned the wrong way, by a frame of twice the angle."""
+    """Such a mistake is a turn the wrong way, undone by a frame of twice the angle."""
     given = turned(KEY[0], ("z", 0.7))
     mistake = turned_the_wrong_way(1, "the arm"), given[1]
     assert counted(given, KEY, Asked(), lambda: [*along(axes)(), mistake]) is None
 
 
 def test_of_directions_in_a_chain_of_frames_at_most_two_are_guesses():
-    """Those in a frame of the student's own and in the ground that the student placed; what lies
-    between is neither.
+    """Only the components in the student's own frame and in the ground the student placed are
+    guesses; the frames between are neither.
     """
     steps = [("z", 0.5), ("z", 0.6), ("z", 0.7)]
     passed = 0

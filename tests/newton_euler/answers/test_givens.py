@@ -21,11 +21,11 @@ RECEIPTS = {
 
 @pytest.fixture
 def shell(monkeypatch):
-    """A shell of IPython in which cells are run, each with an id as in Jupyter."""
+    """An IPython shell in which cells are run, each with an id as in Jupyter."""
     interactive = pytest.importorskip("IPython.core.interactiveshell").InteractiveShell
     monkeypatch.setattr(givens, "_given", {})
-    monkeypatch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # which it replaces
-    monkeypatch.delenv("VIRTUAL_ENV", raising=False)  # it warns where that is another Python's
+    monkeypatch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # the shell replaces it
+    monkeypatch.delenv("VIRTUAL_ENV", raising=False)  # IPython warns if another Python owns it
     config = Config({"HistoryManager": {"enabled": False}})
     shell = interactive.instance(config=config)
     shell.user_ns.clear()
@@ -65,7 +65,7 @@ def test_numbers_of_another_problem_are_reported_with_both_values(shell):
     assert run(shell, *cells) == ""
     assert run(shell, ANSWER, "receipt 4/16") == STALE
     assert "look again: a_D was computed" in repr(shell.user_ns["r"])
-    assert run(shell, "givens 4/16", "receipt 4/16") == STALE  # not computed again yet
+    assert run(shell, "givens 4/16", "receipt 4/16") == STALE  # not yet computed again
     assert run(shell, ANSWER, "receipt 4/16") == ""
 
 

@@ -1,4 +1,4 @@
-"""The kinds of answers, found by name; and of the direction all that it does otherwise."""
+"""The kinds of answers, found by name, and everything that the direction does differently."""
 
 import copy
 import math

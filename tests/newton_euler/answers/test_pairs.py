@@ -1,4 +1,4 @@
-"""Two mistakes at once: which are named, and that guesses are not."""
+"""Two mistakes at once: which pairs are named, and that guesses are not."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ NAMELESS = computed("nameless", "leaves out one term of a sum", does=LEFT_OUT)
 
 
 def in_symbols(given, key, own, **slips):
-    """The pair that gives a formula; ``own`` is what the problem's own mistake makes of it."""
+    """The pair that gives a formula; ``own`` is the key with the problem's own mistake."""
     made = [points(x) for x in slips.values()]
     causes = {"slip": SLIP, "other": OTHER, "nameless": NAMELESS}
     causes = [(1, causes[name]) for name in slips]
@@ -72,7 +72,7 @@ def test_one_term_reversed_of_an_answer_reversed_is_all_but_this(language, words
 
 
 def test_two_slips_in_symbols_and_what_is_done_to_one_term_twice_are_no_pair():
-    """Of strangers' answers that two slips met, a third had other causes."""
+    """A third of the strangers' answers that matched two slips had other causes."""
     given, key, slip = A, A + A * B + B**2, A + A * B
     assert in_symbols(given, key, B, slip=slip, other=A + B**2) == ()
     reversed_ = A + A * B - B**2
@@ -80,7 +80,7 @@ def test_two_slips_in_symbols_and_what_is_done_to_one_term_twice_are_no_pair():
 
 
 def test_two_numbers_as_factors_are_no_pair():
-    """A guess of the right form is met by these as well."""
+    """Two such factors would also explain a mere guess of the right form."""
     assert in_symbols(A * B * 3 / 2, A * B, A * B * 3, slip=A * B / 2) == ()
 
 
@@ -90,7 +90,7 @@ def test_factors_of_one_component_are_not_added_and_nothing_is_added_to_nothing(
 
 
 def test_a_component_may_be_zero_at_some_points():
-    """As one that changes its sign on the way: nothing is divided by it there."""
+    """A component that changes sign is an example: nothing is divided by it where it is zero."""
     kind, zero = KINDS["vector_expression"], np.where(A < 1.2, 0.0, B)
     key, given = points(A + B, zero, A * B), points(A, zero, A)
     own, slip = points(A, zero, A * B), points(A + B, zero, A)
@@ -117,7 +117,7 @@ def test_numbers_are_named_where_two_components_are_wrong_with_the_digits_that_w
     assert of_numbers((5.418, -2.204, 1.871), own, [slip]) == (both(LISTED, SLIP),)
     assert of_numbers((5.0, -2.0, 2.0), own, [slip]) == ()
     assert of_numbers((5.43, -2.204, 1.871), own, [slip]) == ()
-    one = (4.018, -4.216, 1.871)  # in one component alone, which is met by one of many
+    one = (4.018, -4.216, 1.871)  # wrong in one component, which one of many slips could match
     many = [(3.1 + n / 99, -4.216, 1.871) for n in range(99)]
     assert of_numbers((6.309, -4.216, 1.871), own, [one]) == (both(LISTED, SLIP),)
     assert of_numbers((6.309, -4.216, 1.871), own, [one, *many]) == ()
@@ -132,7 +132,7 @@ def test_random_vectors_are_hardly_ever_two_mistakes():
 
 
 def test_a_mistake_that_the_other_undoes_does_not_count():
-    own, slip = (5.418, -2.108, 1.871), (3.127, -6.324, 1.871)  # their sum in y is the right one
+    own, slip = (5.418, -2.108, 1.871), (3.127, -6.324, 1.871)  # their sum in y is right
     assert of_numbers((5.418, -4.216, 1.871), own, [slip]) == ()
 
 

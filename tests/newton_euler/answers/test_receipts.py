@@ -122,7 +122,7 @@ def test_a_hint_stands_in_the_receipt_and_names_the_component():
 
 
 def test_a_receipt_in_a_notebook_is_typeset(problem, monkeypatch):
-    """Names as the statement prints them, formulas with fractions and roots, raised units."""
+    """Names appear as in the statement, formulas with fractions and roots, units with exponents."""
     expect("0/11", {"tilt": "rad", "d": "m"}, notation={"tilt": r"\gamma"},
            b_dot="expression, m", v_D="vector, mm/s")  # fmt: skip
     tilt, d = symbols("tilt d")

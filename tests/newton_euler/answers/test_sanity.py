@@ -88,7 +88,7 @@ def test_a_formula_of_a_magnitude_is_that_of_the_vector_beside_it():
     ("x", "fine"), [(5.0, True), (0.05, False), (200.0, False), (0.0, True), (-5.0, True)]
 )
 def test_a_size_lies_between_what_the_givens_allow(x, fine):
-    """Zero is no question of units."""
+    """A wrong unit cannot make an answer zero."""
     assert (doubts(Form("number", "m"), x, {}, (0.1, 100)) == []) is fine
 
 

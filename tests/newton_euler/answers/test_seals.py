@@ -57,7 +57,7 @@ def test_a_receipt_says_it_only_where_a_seal_is(monkeypatch):
         "0/8", omega=2.0, sealed={"v": seal(KINDS["number"], [2.5]), "n": seal(KINDS["count"], 3)}
     )
     assert "v is right; n is not right." in repr(receipt("0/8", v=2.5, n=4))
-    monkeypatch.setenv("NBGRADER_EXECUTION", "cage")  # grading does without
+    monkeypatch.setenv("NBGRADER_EXECUTION", "cage")  # no seals are checked in grading
     assert "right" not in repr(receipt("0/8", v=2.5, n=4))
     monkeypatch.delenv("NBGRADER_EXECUTION")
     given("0/8", omega=2.0)

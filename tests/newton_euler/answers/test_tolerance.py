@@ -41,7 +41,7 @@ def test_a_vector_may_be_half_a_percent_of_its_magnitude_off_in_any_direction(
 
 
 def test_the_limits_themselves_are_right():
-    """The size that counts as zero, and the components that count as round-off, with equality."""
+    """The limits of the size that counts as zero and of components that count as round-off."""
     assert verdict("number", 0.0, (1e-3,), atol=1e-3) == "right"
     assert verdict("number", 2e-3, (1e-3,), atol=1e-3) == "right"
     assert verdict("vector", [1.5, 1000.0, 0], (1.0, 1000.0, 0.0)) == "right"
@@ -52,9 +52,9 @@ def test_the_limits_themselves_are_right():
     [
         *(("number", (0.0,), x, "right") for x in (0, 0.9e-6, -0.9e-6, 1e-300)),
         *(("number", (0.0,), x, "wrong") for x in (1.1e-6, 1)),
-        ("vector", (1000.0, 0.0, 0.0), [1000.0, 4.9, 0], "right"),  # measured by the whole vector
+        ("vector", (1000.0, 0.0, 0.0), [1000.0, 4.9, 0], "right"),  # relative to the whole vector
         ("vector", (1000.0, 0.0, 0.0), [1000.0, 5.1, 0], "wrong"),
-        ("vector", (1.0, 1e-12, -1e-17), [1.0, 0, 0], "right"),  # components of round-off
+        ("vector", (1.0, 1e-12, -1e-17), [1.0, 0, 0], "right"),  # components that are round-off
         ("interval", (0.1, 100.0), [0.1004, 100.4], "right"),  # each bound by itself
         ("interval", (0.1, 100.0), [0.4, 100.0], "wrong"),
         ("number", (math.inf,), 1e308, "wrong"),
@@ -79,7 +79,7 @@ def test_the_absolute_tolerance_of_a_problem_is_used_where_the_key_is_zero():
     ("share", "expected"), [(0.6, "right"), (0.4, "wrong"), (0, "wrong"), (-1, "wrong")]
 )
 def test_a_small_component_may_be_off_by_half_of_itself_and_no_more(n, share, expected):
-    """Rounding the terms of a small difference may; leaving it out, or its sign, may not."""
+    """Rounding the terms of a small difference is fine; losing it or its sign is not."""
     key = [1000.0, 1000.0]
     key[n] = 0.5
     tree = [*key, 0]
@@ -129,7 +129,7 @@ def test_a_formula_whose_key_is_zero_has_its_absolute_tolerance():
 
 
 def test_a_right_component_of_few_digits_does_not_make_the_others_coarse():
-    """3.3 is 3.3000; of two models of the last component, one is met in the digits written."""
+    """3.3 counts as 3.3000; one of two models of the last component agrees to the digits given."""
     fit = Fit(((4.0825, 3.3, 1.3519),), ((4.08251, 3.3, 1.9),), 0.01)
     assert fit(((4.08251, 3.3, 1.35188),)) == CLOSE
     assert fit(((4.08251, 3.3, 1.3819),)) == 0

@@ -1,4 +1,4 @@
-"""Numbers and vectors of every library are read; of what cannot be read the error says what to write."""
+"""Numbers and vectors of every library are read; for the rest the error says what to write."""
 
 import math
 import re
@@ -138,7 +138,7 @@ WRONG = [
     ("interval, m", 1.0, "expected an interval, two numbers as in"),
     ("count", 2.5, "expected a whole number; got 2.5"),
     ("count", True, "expected a whole number; got True"),
-    ("count", 10**5000, "expected a whole number; got an object of int"),  # no JSON takes it
+    ("count", 10**5000, "expected a whole number; got an object of int"),  # too long for JSON
     ("choice: stable | unstable", "Stabel", "expected one of 'stable', 'unstable'; got 'Stabel'"),
     ("choice: stable | unstable", 1, "expected one of 'stable', 'unstable'; got '1'"),
     ("choice: stable | unstable", np.array([1, 2]), "expected one of"),
@@ -173,7 +173,7 @@ def test_what_cannot_be_read_is_reported_with_what_was_expected_and_what_came(fo
 
 
 class Hostile:
-    """An object that fails at whatever is done with it."""
+    """An object that raises an error whatever is done with it."""
 
     def __getattr__(self, name):
         raise RuntimeError(f"no {name}")
@@ -201,7 +201,7 @@ def test_a_vector_is_read_in_its_own_frame_and_in_the_ground():
         "arm": [2.0, 0.0, 0.0],
         "ground": pytest.approx([0.0, 2.0, 0.0]),
     }
-    still = ground.rotate("still", "z", rate=1.0)  # its axes are those of the ground now
+    still = ground.rotate("still", "z", rate=1.0)  # at this instant its axes are the ground's
     assert one("vector, m", 2.0 * still.i) == [2.0, 0.0, 0.0]
 
 
@@ -211,7 +211,7 @@ def test_a_vector_is_read_in_the_frames_between_too():
     read = one("vector, m", 2.0 * rod.i)
     assert list(read) == ["rod", "ground", "arm"]
     assert read["arm"] == pytest.approx([0, 2, 0])
-    back = arm.rotate("back", "-z", angle=math.pi / 2)  # its axes are those of the ground
+    back = arm.rotate("back", "-z", angle=math.pi / 2)  # its axes are the ground's
     assert list(one("vector, m", 2.0 * back.i)) == ["back", "ground", "arm"]
     assert one("vector, m", 2.0 * back.k) == [0, 0, 2.0]
     deep = rod

@@ -1,4 +1,4 @@
-"""Verdicts on a made-up problem: what is right, what follows from earlier answers, in which words."""
+"""Verdicts on a made-up problem: what is right, what follows from earlier answers, the words."""
 
 import types
 
@@ -91,7 +91,7 @@ def test_an_answer_that_follows_from_a_wrong_one_is_recognised():
 
 
 class There(Fall):
-    """The speeds at two places, and at a third where it rests."""
+    """The speeds at two places, and at a third place where the body is at rest."""
 
     def __init__(self):
         super().__init__()
@@ -128,7 +128,7 @@ def test_an_answer_that_does_not_follow_is_not_reported_as_following(answers):
 
 
 class Two(Fall):
-    """The square follows from two answers, of which one may be unreadable."""
+    """The square follows from two answers, one of which may be unreadable."""
 
     def __init__(self):
         super().__init__()
@@ -149,8 +149,8 @@ class Two(Fall):
      ({}, ("v",))],
 )  # fmt: skip
 def test_nothing_follows_from_an_answer_that_was_not_read(others, earlier):
-    """Not even where the others are wrong and alone would give it; one that was not asked for is
-    taken as right.
+    """This holds even if the other answers are wrong and alone would give it. An answer that was
+    not asked for is taken as right.
     """
     answers = {"v": 6.0, "square": 36.0, **others}
     assert explained(Two(), "square", answers).earlier == earlier

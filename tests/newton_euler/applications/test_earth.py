@@ -17,7 +17,7 @@ from newton_euler.dynamics.newton import relative_acceleration
 from newton_euler.kinematics import along
 from tests.kinds import close, every_kind, first, numbers, within
 
-BOOK_RATE, BOOK_RADIUS = 0.727e-4, 6.378e6  # rad/s, m: as the book has them
+BOOK_RATE, BOOK_RADIUS = 0.727e-4, 6.378e6  # rad/s, m: as in the book
 LENGTH, SPEED, GRAVITY = (Dimension(0, 1, -n) for n in range(3))
 RATE = Dimension(0, 0, -1)
 
@@ -25,7 +25,7 @@ small = within(1e-13, 26)
 
 
 def site(kind, latitude="0.8"):
-    """Ground axes, latitude, rate (so large that its square is seen), radius, g."""
+    """Ground axes, latitude, rate (so large that its square shows), radius, g."""
     latitude, rate, radius, g = numbers(kind, latitude, "0.01", 2000, "9.81")
     ground = e.ground_frame(e.earth_frame(Frame("stars"), rate), latitude, radius=radius)
     return ground, latitude, rate, radius, g
@@ -38,7 +38,7 @@ def test_constants_agree_with_each_other_and_with_the_book():
 
 
 def test_ground_axes_point_east_north_and_up():
-    """Against longitude and latitude on a sphere, among axes with z to the north pole."""
+    """Against longitude and latitude on a sphere, in axes with z toward the north pole."""
     stars, latitude, longitude = Frame("stars"), 0.7, 2.1
     ground = e.ground_frame(e.earth_frame(stars), latitude, longitude, radius=2.0)
     c, s, C, S = math.cos(longitude), math.sin(longitude), math.cos(latitude), math.sin(latitude)
@@ -89,7 +89,7 @@ def test_eqn_6_12_acceleration_of_a_place_on_the_earth(kind):
 
 
 def test_eqn_6_14_the_rotation_neglected_and_the_error_of_it():
-    """At most 0.35 % of the weight, at the equator: 0.344 with the book's data."""
+    """The error is at most 0.35 % of the weight, at the equator: 0.344 % with the book's data."""
     still = e.ground_frame(e.earth_frame(Frame("stars"), 0), 0.7)
     assert e.support_force(2.0, 9.81, still).components() == (0, 0, 19.62)
     earth, errors = e.earth_frame(Frame("stars"), BOOK_RATE), []
@@ -186,7 +186,7 @@ def launched(kind, rate=None):
 
 
 def shot(rate="0.0001"):
-    """Launch, gravity and omega of a shot, of mpf; gravity leans a little."""
+    """Launch, gravity and omega of a shot, as mpf; gravity leans a little."""
     launch, g, omega, _ = launched("mpmath", numbers("mpmath", rate))
     return launch, g + g.frame.vector(0, mp.mpf("-0.02"), 0), omega
 
@@ -223,7 +223,7 @@ def test_eqns_6_22_to_6_24_integrals_to_first_order(kind):
 
 
 def test_eqn_6_24_is_right_to_the_first_order():
-    """Its error falls by 4 where the rate is halved, and is (2 omega t)^2/6 of the way or less."""
+    """Halving the rate divides the error by 4; it is at most (2 omega t)^2/6 of the distance."""
     t, error = mp.mpf(60), []
     for rate in ("0.0002", "0.0001"):
         launch, g, omega = shot(rate)
@@ -259,7 +259,7 @@ def test_eqns_6_26_6_27_and_6_29_flight_time_and_range(kind):
 
 
 def test_eqns_6_30_and_6_31_are_the_first_order_of_the_range():
-    """Differentiated by the rate at 0, over symbols."""
+    """The range is differentiated by the rate at rate 0, over symbols."""
     v0, phi, g, w = sympy.symbols("v0 phi g omega", positive=True)
     zero = sympy.Integer(0)
     t = e.flight_time(v0, zero, phi, zero, g, w)

@@ -124,7 +124,7 @@ def test_eqn_10_22_10_23_and_10_27_moment_by_its_terms(kind):
 
 
 def spun(angles):
-    """Of (10.24) and (10.25): theta and its rates, psi', psi'', omega_z and its rate (10.26)."""
+    """The variables of (10.24) to (10.26): theta, its rates, psi', psi'', omega_z and its rate."""
     (_, dpsi, ddpsi), (theta, dtheta, ddtheta), (_, dphi, ddphi) = angles.values()
     wz, dwz = dphi + dpsi * cos(theta), ddphi + ddpsi * cos(theta) - dpsi * dtheta * sin(theta)
     return theta, dtheta, ddtheta, dpsi, ddpsi, wz, dwz
@@ -141,7 +141,7 @@ def test_eqn_10_24_10_25_10_26_moment_in_euler_angles_and_in_its_shortest_form(k
     assert close(M, (x, y, I * dwz), small(kind))
     x = I0 * (ddtheta - dpsi * dpsi * s * c) + I * wz * dpsi * s
     y = I0 / s * (ddpsi * s * s + 2 * dpsi * dtheta * s * c) - I * dtheta * wz
-    assert close(M, (x, y, I * dwz), small(kind))  # in its shortest form
+    assert close(M, (x, y, I * dwz), small(kind))  # the shortest form
     assert close(body.angular_velocity(ground).components(body.parent)[2], wz, small(kind))
 
 
@@ -259,7 +259,7 @@ def slow_root_to_60_digits(I0, I, theta, spin, mgr):
 
 @pytest.mark.parametrize("difference", [1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 0.0, -1e-12, -1e-6])
 def test_eqn_10_33_does_not_cancel_where_the_printed_form_does(difference):
-    """The printed root is off by 3e-10, 6e-7, 1e-3, 100 % at 1e-6, 1e-9, 1e-12, 1e-15."""
+    """At 1e-6, 1e-9, 1e-12, 1e-15 the printed root is wrong by 3e-10, 6e-7, 1e-3, 100 %."""
     I0, I, theta, spin, mgr = 1.0, 1.0 - difference, 1.0, 3.0, 2.0
     found = steady_precession(I0, I, theta, spin=spin, mgr=mgr)
     true = slow_root_to_60_digits(I0, I, theta, spin, mgr)
@@ -303,7 +303,7 @@ def test_both_rates_satisfy_the_quadratic_to_round_off(I0, part, theta, spin, mg
 
 @every_kind
 def test_at_discriminant_zero_both_rates_are_one(kind):
-    """I0 = 2, I = 1, theta = 0, mgr = 4: I phi' = 4 is the least."""
+    """For I0 = 2, I = 1, theta = 0, mgr = 4 the least I phi' is 4."""
     I0, I, zero, mgr, spin = numbers(kind, 2, 1, 0, 4, 4)
     if kind != "array":
         found = steady_precession(I0, I, zero, spin=spin, mgr=mgr)
@@ -475,7 +475,7 @@ def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, prec
     assert found.theta_min - 1e-14 <= theta <= found.theta_max + 1e-14
     I, mgr, theta, rate, dpsi, wz = map(mp.mpf, (I, mgr, theta, theta_rate, precession, wz))
     true = nutation(mp.mpf(1), I, mgr, theta, rate, dpsi, omega_z=wz)
-    # through the vertical, where the scale below is infinite, goes another test
+    # another test goes through the vertical, where the scale below is infinite
     assume(min(mp.sin(true.theta_min), mp.sin(true.theta_max)) > 1e-9)
     scale = 1 + 1 / abs(mp.sin(true.theta_min)) + 1 / abs(mp.sin(true.theta_max))
     assert abs(found.theta_min - true.theta_min) < 1e-7
@@ -488,7 +488,7 @@ def test_limits_of_nutation_have_the_energy_of_the_start(theta, theta_rate, prec
 
 
 def test_small_nutations_keep_their_digits():
-    """Displaced by 1e-9 rad/s: the roots of f in cos(theta) would be good to 1e-8 only."""
+    """Displaced by 1e-9 rad/s: the roots of f in cos(theta) would be good only to 1e-8."""
     I0, I, mgr, theta, wz = 0.6, 0.25, 1.5, 0.9, 20.0
     found = steady_precession(I0, I, theta, omega_z=wz, mgr=mgr)
     rate = 1e-9

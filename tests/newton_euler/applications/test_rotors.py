@@ -1,4 +1,4 @@
-"""Chapter 9: reactions of a rotor against mass points in explicit motion; balance and balancing."""
+"""Chapter 9: rotor reactions against mass points in explicit motion; balance and balancing."""
 
 import math
 
@@ -26,7 +26,7 @@ small = within(1e-13, 26)
 
 
 def points_of_a_rotor():
-    """Masses and places in the axes of the shaft, and the same as a Body."""
+    """Masses and their positions along the axes of the shaft, and the same rotor as a Body."""
     shaft_points = [(2, (1, 2, -1)), (1, (-2, 1, 3)), (3, (1, -1, 2)), (1, (0, 2, 1))]
     return [(mp.mpf(m), tuple(mp.mpf(x) / 10 for x in r)) for m, r in shaft_points]
 
@@ -90,7 +90,7 @@ def test_the_state_of_balance(state, parts):
 
 @pytest.mark.parametrize(("offset", "static"), [(0.9e-6, True), (1.1e-6, False)])
 def test_static_balance_on_both_sides_of_its_tolerance(offset, static):
-    k = math.sqrt((0.02 + 0.01 + 0.01) / 2)  # of a disk of radius 0.2 about its centre
+    k = math.sqrt((0.02 + 0.01 + 0.01) / 2)  # disk of radius 0.2, about its centre
     body, A, B = on_x(lambda s: disk(0.2, s.point("G", 0, offset * k, 0), "x", mass=1.0))
     assert balance(body, A, B, tolerance=1e-6).static is static
 

@@ -1,4 +1,4 @@
-"""How far moments, products and masses may miss what some body has: by rounding, and no further."""
+"""How far moments, products and masses may miss those of a real body: by rounding, no further."""
 
 from itertools import permutations
 from types import SimpleNamespace
@@ -15,7 +15,7 @@ TOLERANCE, SLACK = 1e-3, 0.01
 
 
 def refused(moments, products=(0.0, 0.0, 0.0), tolerance=0.0, slack=0.0):
-    """The words in which these are refused, "" if they are not."""
+    """The words in which these moments and products are refused, "" if they are accepted."""
     I = SimpleNamespace(moments=moments, products=products, mass=None, matrix="M")
     try:
         check(I, tolerance, slack)
@@ -34,7 +34,7 @@ def test_a_flat_body_is_admissible_without_any_tolerance():
 @pytest.mark.parametrize("order", [*permutations(range(3))])
 @pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])
 def test_the_triangle_inequality_holds_to_the_tolerance_of_the_largest_moment(order, size):
-    """(I_1 + I_2 - I_3)/2 is an integral of a square; here that is -miss."""
+    """(I_1 + I_2 - I_3)/2 is the integral of a square; here it is -miss."""
     for miss, fits in ((0.99, True), (1.01, False)):
         miss *= TOLERANCE * 2.0
         sorted_ = (0.7, 1.3, 2.0 + 2 * miss)
@@ -96,7 +96,7 @@ def test_the_determinant_may_miss_by_rounding_too(signs, tolerance, slack, small
 
 
 def test_the_determinant_counts_every_moment_and_product():
-    """Of a body that is not quite one the smallest eigenvalue is negative."""
+    """If no body has such a matrix, its smallest eigenvalue is negative."""
     import numpy as np
 
     rng = np.random.default_rng(5)
@@ -118,7 +118,7 @@ def test_after_a_subtraction_that_leaves_nothing_its_round_off_is_no_product():
 
 
 def about_origin(miss, tolerance, distance=1.0, mass=1.0):
-    """A particle at a distance, its moments too small by the part miss."""
+    """A particle at a distance, with moments too small by the fraction ``miss``."""
     body = Frame("body")
     own = mass * distance * distance * (1 - miss)
     Q = body.point("Q", distance, 0.0, 0.0)
@@ -171,7 +171,7 @@ def test_the_round_off_of_a_mass_at_points_is_that_of_its_moments():
 
 @pytest.mark.parametrize("far", [0.0, 1e3, 1e6])
 def test_a_body_of_which_nearly_all_is_cut_out_has_the_slack_of_what_was_subtracted(far):
-    """A ring as thin as 1e-9 of its radius, also far from the point that its moments refer to."""
+    """A ring as thin as 1e-9 of its radius, near and far from the point its moments refer to."""
     sheet = Frame("sheet")
     O = sheet.point("O", far, far, 0.0)
     whole, hole = (
@@ -181,7 +181,7 @@ def test_a_body_of_which_nearly_all_is_cut_out_has_the_slack_of_what_was_subtrac
 
 
 def test_a_hole_that_is_a_little_too_large_is_no_round_off():
-    """Its moments exceed those of the sheet by 1e-6 of them, while its mass is less."""
+    """Its moments exceed those of the sheet, while its mass is less."""
     sheet = Frame("sheet")
     whole = disk(1.0, sheet, "z", mass=1.0)
     hole = disk(1.01, sheet, "z", mass=0.99, name="hole")

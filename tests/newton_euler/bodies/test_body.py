@@ -41,7 +41,7 @@ small = within(40 * EPS, 26)
 
 
 def points(seed=1, count=7):
-    """Masses and places, exact fractions, spread without symmetry."""
+    """Masses and positions, exact fractions, without symmetry."""
     dice = random.Random(seed)
     place = lambda: tuple(Fraction(dice.randint(-20, 20), 10) for _ in range(3))
     return [(Fraction(dice.randint(1, 30), 10), place()) for _ in range(count)]
@@ -284,7 +284,7 @@ def test_eqn_7_24_to_7_26_parallel_axes_between_any_two_points(kind):
         assert close(whole.inertia.about(point).matrix, matrix_of(cloud, r), tiny)
         assert close(whole.about(point).matrix, matrix_of(cloud, r), tiny)
     I = Inertia(P, whole.about(P).moments, whole.about(P).products, m, G)
-    moved = I.about(Q)  # neither is G
+    moved = I.about(Q)  # neither P nor Q is G
     assert close(moved.matrix, matrix_of(cloud, places[1]), tiny)
     assert close(moved.about(P).matrix, I.matrix, tiny)
     d2, d1 = G - Q, G - P
@@ -295,7 +295,7 @@ def test_eqn_7_24_to_7_26_parallel_axes_between_any_two_points(kind):
 
 
 def test_going_far_away_and_back_loses_no_more_than_the_far_matrix_has():
-    """Of m d^2 = 1e6 the entries of order 1 keep the round-off, 1e-10, and no more."""
+    """Entries of order 1 keep only the round-off of m d^2 = 1e6, which is 1e-10."""
     body, _, whole = cloud_in("float")
     far = whole.inertia.about(body.point("far", 200.0, 200.0, 200.0))
     assert close(far.about(whole.centre).matrix, whole.inertia.matrix, 4 * EPS * max(far.moments))
@@ -328,7 +328,7 @@ def test_moment_about_any_axis_is_the_sum_of_squared_distances(kind):
 def test_a_matrix_in_turned_axes_is_that_of_the_turned_points(kind):
     body, cloud, whole = cloud_in(kind)
     turned = body.rotate("turned", numbers(kind, 1, 2, 2), numbers(kind, "-1.1"))
-    if kind != "sympy":  # whose evalf takes minutes for nested turns
+    if kind != "sympy":  # SymPy's evalf takes minutes for nested turns
         turned = turned.rotate("twice", "z", numbers(kind, "0.7"))
     I, R, tiny = whole.about(body), turned.rotation(body), small(kind, 200)
     there = I.expressed_in(turned)
@@ -407,7 +407,7 @@ def test_it_shows_as_a_matrix():
     assert shown == "Inertia(((2.0, 0, 0), (0, 3.0, 0), (0, 0, 4.0)) about origin of b in b)"
 
 
-# -- what is refused, and in which words
+# -- refusals, and their words
 
 
 UNIT = (1.0, 1.0, 1.0)
@@ -443,7 +443,7 @@ def test_what_no_body_has_and_what_is_missing_is_refused_in_words(make, words):
 
 
 def test_a_matrix_with_the_other_sign_exists_and_its_terms_have_names():
-    """A rod along (1, 1, 1) with some flesh."""
+    """A rod along (1, 1, 1) with some thickness."""
     body = Frame("body")
     assert Inertia(body, (2.0, 2.0, 2.0), (0.8, 0.8, 0.8))
     with pytest.raises(TermError, match="no term 'coriolis'; the terms are own, transfer"):

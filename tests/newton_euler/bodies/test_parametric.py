@@ -1,5 +1,5 @@
-"""Bodies by integration (5.12), (5.13), (7.10), against Appendix B and mpmath; what does not
-converge is refused.
+"""Bodies by integration (5.12), (5.13), (7.10), against Appendix B and mpmath; integrals that do
+not converge are refused.
 """
 
 import math

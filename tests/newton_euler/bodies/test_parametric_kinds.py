@@ -31,7 +31,7 @@ def half_disk_by_hand(R, m):
 
 
 def plate(b, h, rho):
-    """The right triangle with legs b and h, of a density that grows along x."""
+    """The right triangle with legs b and h, with a density that grows along x."""
     legs = (0, b), (0, lambda x: h * (1 - x / b))
     return summary(lambda x, y: (x, y, 0), *legs, density=lambda x, y, z: rho * (1 + x / b))
 

@@ -55,7 +55,7 @@ def test_eqn_7_20_the_moments_are_the_roots_of_the_characteristic_equation(kind)
 
 
 def test_eqn_7_21_pairs_of_masses_opposite_an_axis():
-    """Opposite k, at any heights: k is principal; three or more make two moments equal."""
+    """Pairs across k, at any height, make k principal; three or more make two moments equal."""
     frame, parts = Frame("body"), []
     for n, (m, r, z) in enumerate([(2.0, 0.5, 0.3), (1.0, 1.5, -0.8)]):
         for a in (n + k * math.pi / 2 for k in range(4)):
@@ -65,7 +65,7 @@ def test_eqn_7_21_pairs_of_masses_opposite_an_axis():
     assert (s.kind, s.axes) == ("top", ("x", "y", "z"))
     assert close(s.axis, (0, 0, 1), 1e-15)
     pair = [particle(1.0, frame.point("P", x, 2 * x, 0.4)) for x in (-1.0, 1.0)]
-    # one pair: k is principal, the others not
+    # one pair: only k is principal
     assert composite("pair", pair).about(frame).symmetry().axes == ("z",)
 
 
@@ -143,7 +143,7 @@ def test_a_sphere_keeps_the_axes_of_the_frame():
 @pytest.mark.parametrize("axis", [(1, 1, 1), (1, 2, 0.5), (0.36, -0.48, 0.8)])
 @pytest.mark.parametrize("moments", [(2.0, 2.0, 3.0), (2.0, 3.0, 3.0), (2.0, 2.0, 2.0)])
 def test_axes_of_equal_moments_do_not_move_when_last_digits_do(moments, axis):
-    """Those of a general routine turn by more than 20 degrees."""
+    """The axes of a general routine would turn by more than 20 degrees."""
     axes = [a.components() for a in tilted(moments, axis, 0.8)[0].principal().axes]
     for seed in range(6):
         again = tilted(moments, axis, 0.8, noise=4e-16, seed=seed)[0].principal()
@@ -200,8 +200,8 @@ def test_diagonal_symbols_stay_where_they_are():
     ],
 )
 def test_a_full_matrix_is_turned_by_a_compiled_formula_also_where_moments_are_equal(given):
-    """On floats and on arrays: ascending, right-handed. A closed form had no value, or the same
-    axis twice.
+    """Ascending and right-handed, on floats and on arrays. A closed form once had no value, or gave
+    the same axis twice.
     """
 
     def formula(a, b, c, d, e, f):

@@ -1,4 +1,4 @@
-"""Appendix B and its relatives, every one against Gauss-Legendre quadrature over a parametrisation
+"""Appendix B and related solids, each against Gauss-Legendre quadrature over a parametrisation
 with its own area or volume element.
 """
 
@@ -30,7 +30,7 @@ TURN = (-math.pi, math.pi)
 
 
 def fan(radii, angles, length=None):
-    """Ring, disk, sector normal to x, toward y; a curve for one radius, thick by a length."""
+    """Ring, disk or sector normal to x, toward y; a curve for one radius, thick by ``length``."""
     others = ([radii] if isinstance(radii, tuple) else []) + ([side(length)] if length else [])
     (a, *others), w = gauss(angles, *others)
     r = others[0] if isinstance(radii, tuple) else radii
@@ -114,7 +114,7 @@ def integrals(points):
 
 @every_solid
 def test_appendix_B_by_quadrature(name):
-    """Content, centre and matrix for a unit density; the cone's at its apex, as in the book."""
+    """Content, centre and matrix for unit density; for the cone about its apex, as in the book."""
     given, sample = TABLE[name]
     frame = Frame("solid")
     body = make(name, frame, *given, density=1.0)
@@ -145,8 +145,8 @@ def test_appendix_B_on_every_kind_of_number(name, kind):
         assert close(body.inertia.moments, exact.inertia.moments, 1e-27)
 
 
-ROUND = ("sphere", "spherical shell")  # have no axis
-FANS = ("arc", "sector", "half ring", "half disk", "wedge")  # point along another one
+ROUND = ("sphere", "spherical shell")  # these have no axis
+FANS = ("arc", "sector", "half ring", "half disk", "wedge")  # these point along another axis
 
 
 @pytest.mark.parametrize("name", [n for n in TABLE if n not in ROUND])

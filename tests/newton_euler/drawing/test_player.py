@@ -1,4 +1,4 @@
-"""animation.py: an animation as a page by itself, in a notebook, and as a GIF."""
+"""animation.py: an animation as a page of its own, in a notebook, and as a GIF."""
 
 import base64
 import io

@@ -25,7 +25,7 @@ def page(tmp_path):
 
 
 def reads(driver):
-    """The time of the motion and that of the clock, in seconds."""
+    """The time of the motion and the time of the clock, in seconds."""
     return driver.execute_script(
         "return [parseFloat(document.querySelector('output').textContent.slice(4)), "
         "performance.now() / 1000]"

@@ -1,4 +1,4 @@
-"""Drawing: to scale and right-handed, finished by itself, mistakes output in words."""
+"""Drawing: to scale, right-handed, finished automatically, and mistakes reported in words."""
 
 import io
 import math

@@ -1,4 +1,4 @@
-"""Degrees of freedom (5.11), (5.28), Table 5-1: counted by rank, against the numbers of Chapter 5;
+"""Degrees of freedom (5.11), (5.28), Table 5-1: counted by rank, against the counts of Chapter 5;
 redundant, singular and impossible constraints.
 """
 
@@ -64,7 +64,7 @@ def test_the_count_does_not_depend_on_the_configuration(angle):
 
 @pytest.mark.parametrize(("L", "factor"), [(1.0, 1.0), (1e6, 1.0), (1.0, 1e6), (1e-3, 1e-6)])
 def test_the_count_does_not_depend_on_units(L, factor):
-    """In metres and micrometres, the constraint in square metres or times a million."""
+    """Lengths in metres or micrometres; the constraint in square metres or a million times that."""
     rod = lambda P: factor * (squared(P, (0, 0, 0)) - L * L)
     assert count({"P": "particle"}, {"rod": rod, "plane": lambda P: P[1]}) == 1
 
@@ -79,7 +79,7 @@ def four_bar(crank, coupler, follower, base):
 
 
 def test_four_bar_linkage_and_a_redundant_parallel_bar():
-    """The fifth bar of a double parallelogram: counting equations gives 0, and it moves."""
+    """A double parallelogram has a fifth bar: counting equations gives 0, yet it moves."""
     bodies, joints = four_bar(1.0, 2.5, 2.0, 3.0)
     found = degrees_of_freedom(bodies, joints)
     assert (found.count, found.unknowns, found.rank, found.redundant) == (1, 9, 8, {})
@@ -97,7 +97,7 @@ def test_two_constraints_in_one_need_not_all_be_redundant():
 
 
 def test_a_dead_point_is_singular():
-    """Four-bar linkage as a flat parallelogram: instantly two degrees of freedom, one nearby."""
+    """A flat parallelogram of four bars: two degrees of freedom at that instant, one nearby."""
     bodies, joints = four_bar(1.0, 2.0, 1.0, 2.0)
     flat = {"c": (0.0, 0.0, 0.0), "r": (1.0, 0.0, 0.0), "f": (3.0, 0.0, 3.141592653589793)}
     found = degrees_of_freedom(bodies, joints, at=flat)
@@ -110,7 +110,7 @@ def test_a_dead_point_is_singular():
 
 def test_forces_are_no_constraints():
     free = {"A": HEIGHT, "B": HEIGHT}
-    assert count(free) == count(free, {}) == 2  # springs and dampers have no place in the call
+    assert count(free) == count(free, {}) == 2  # the call takes no springs or dampers
 
 
 @pytest.mark.parametrize(("constraints", "match"), [
@@ -146,6 +146,6 @@ def test_a_wrong_kind_or_place_is_refused(kind, at, match):
 def test_the_refusal_says_how_to_pass_a_configuration():
     with pytest.raises(ConstraintError, match=r"If not, pass one as at=\{'P': \.\.\.\}"):
         degrees_of_freedom({"P": "particle on line"}, {"a": lambda P: P[0] ** 2 + 1})
-    # Newton's method is caught by the minimum at 0
+    # Newton's method gets stuck at the minimum at 0
     far = {"far": lambda P: (P[0] ** 2 + 4) * (P[0] - 1e3)}
     assert count({"P": "particle on line"}, far, at={"P": (1e3,)}) == 0

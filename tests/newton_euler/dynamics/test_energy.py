@@ -1,7 +1,7 @@
 """Chapter 11, (11.12)-(11.14), (11.26)-(11.33), (11.36)-(11.53): kinetic energy, its rate, and the
 energy equation as an audit.
 
-The oracle of a rigid body is a handful of mass points in explicit motion: rotation matrices as
+The oracle for a rigid body is a handful of mass points in explicit motion: rotation matrices as
 functions of time, differentiated by the product rule. No omega x r, no inertia matrix, no Euler
 equation.
 """
@@ -53,7 +53,7 @@ from tests.kinds import LENGTH, MASS, TIME, close, every_kind, number, numbers, 
 
 ENERGY = MASS * LENGTH**2 / TIME**2
 I, K = (1, 0, 0), (0, 0, 1)
-# mass and place in the body
+# mass and position in the body
 POINTS = (
     (2, (1, "0.5", 0)),
     (1, ("-0.5", 1, "0.25")),
@@ -85,7 +85,7 @@ class Tumbling:
         return self.v * t, self.v * t * t, -self.v * t
 
     def place(self, r):
-        """Rectangular coordinates in the ground, moving, of the point at r in the body."""
+        """Rectangular ground coordinates, as moving numbers, of the point at r in the body."""
 
         def where(t):
             pitch, yaw = rotation_matrix(I, self.pitch(t)), rotation_matrix(K, self.yaw(t))
@@ -100,7 +100,7 @@ class Tumbling:
         return sum(m * s for m, s in zip(self.masses, squares, strict=True)) / 2
 
     def centre(self):
-        """G in the ground, moving."""
+        """The position of G in the ground, as moving numbers."""
         total = sum(self.masses)
         parts = [[m * x for x in c] for m, c in zip(self.masses, self.moved, strict=True)]
         return [sum(column) / total for column in zip(*parts, strict=True)]
@@ -204,7 +204,7 @@ def test_eqn_11_50_angular_momentum_in_plane_motion_leans_with_the_products(kind
     frame = ground.rotate("plate", "z", rate=w)
     body = Body("plate", w, frame, Inertia(frame, (Ixx, Iyy, Izz), (0, Iyz, Ixz), tolerance=None))
     assert close(body.angular_momentum(ground), (-Ixz * w, -Iyz * w, Izz * w), small(kind))
-    # the products drop out
+    # the products of inertia drop out
     assert close(kinetic_energy(body, ground).value, Izz * w * w / 2, 10 * small(kind))
 
 
@@ -230,7 +230,7 @@ def test_eqn_11_52_about_a_fixed_point(kind):
     scene = Tumbling(kind, fixed=True)
     body, ground = scene.body(), scene.ground
     expected = scene.kinetic().value
-    # as a point of the body, and as one of the ground
+    # as a point of the body, and as a point of the ground
     for B in (body.frame.point("B", 0, 0, 0), ground.origin):
         T = kinetic_energy_about(body, B, ground)
         assert close(T.value, expected, small(kind))
@@ -246,7 +246,7 @@ def rolling_wheel():
 
 
 def test_eqn_11_52_about_the_contact_of_a_rolling_wheel():
-    """At rest at the instant is enough."""
+    """The contact need only be at rest at the instant."""
     ground, wheel = rolling_wheel()
     T = kinetic_energy_about(wheel, ground.point("contact", 0, 0, 0), ground)
     assert T.value == pytest.approx(0.75 * 3.0 * 2.0**2, rel=1e-14)
@@ -346,7 +346,7 @@ def test_eqn_11_37_41_46_47_integrated_forces_and_moments_give_the_gain_of_kinet
 
 
 class Driven:
-    """A mass in a plane motion under weight and spring; what else drives it follows from m a."""
+    """A mass in plane motion under weight and a spring; any other force follows from m a."""
 
     def __init__(self, kind):
         self.m, self.g, self.K, self.end = numbers(kind, 2, "9.81", 20, "0.75")
@@ -398,7 +398,7 @@ def test_eqn_11_28_29_30_31_48_the_change_of_T_is_potential_lost_and_work_done(k
     balance = d.audit(kind)
     lost = -sum(balance.potentials.values())
     assert close(balance.kinetic, lost + balance.works["motor"], tiny)
-    assert close(balance.energy, balance.works["motor"], tiny)  # of E: the other forces alone
+    assert close(balance.energy, balance.works["motor"], tiny)  # E: other forces alone
     assert close(balance.residual, 0, tiny)
     assert balance.balances()
     by_hand = d.kinetic(d.end) + d.weight(d.end) - d.weight(0 * d.end) + d.spring(d.end)
@@ -407,7 +407,7 @@ def test_eqn_11_28_29_30_31_48_the_change_of_T_is_potential_lost_and_work_done(k
 
 @every_kind
 def test_eqn_11_32_49_without_them_E_is_constant(kind):
-    """A mass on a spring, hung up: x = a cos(n t) about rest, n^2 = K/m."""
+    """A mass hangs on a spring: x = a cos(n t) about equilibrium, n^2 = K/m."""
     m, g, a, t = numbers(kind, 2, "9.81", "0.5", "1.5")
     n = 0 * m + 3
     K = m * n * n

@@ -1,4 +1,4 @@
-"""Euler's equations (8.12)-(8.19): the moment of a motion, and the motion of a moment."""
+"""Euler's equations (8.12)-(8.19): the moment for a motion, and the motion under a moment."""
 
 import pytest
 
@@ -61,7 +61,7 @@ def test_eqn_8_13_8_14_euler_s_equations(kind):
 
 @every_kind
 def test_eqn_8_12_solved_for_the_angular_acceleration(kind):
-    """The moment of a motion gives alpha back, in principal axes and others."""
+    """The moment for a motion gives alpha back, in principal axes and in others."""
     ground, brick = spinning_brick(kind)
     for body in (brick, free_body(kind)[2]):
         top = body.frame.tree[0] if body is not brick else ground
@@ -73,7 +73,7 @@ def test_eqn_8_12_solved_for_the_angular_acceleration(kind):
 
 @every_kind
 def test_a_symmetric_body_in_the_frame_that_precesses_without_spinning(kind):
-    """Omega != omega: the formulas have no spin angle."""
+    """Here Omega != omega, and the formulas contain no spin angle."""
     psi, theta, spin, rate, nutation = numbers(kind, "0.3", "1.1", 7, "0.9", "-0.4")
     ground, tiny = Frame("ground"), 10 * small(kind)
     frame = ground.rotate("precessing", "z", psi, rate).rotate("nodes", "x", theta, nutation)

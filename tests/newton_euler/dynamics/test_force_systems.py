@@ -17,7 +17,7 @@ small = within(1e-13, 26)
 
 
 def system(kind):
-    """Three forces and a couple, in the ground and in a frame that is turned and moved."""
+    """Three forces and a couple, in the ground and in a frame turned and displaced from it."""
     shop = Frame("ground")
     angle, x, y, z = numbers(kind, "0.3", 1, -2, "1/2")
     bench = shop.rotate("bench", "z", angle=angle, origin=shop.point("bench", x, y, z))
@@ -99,7 +99,7 @@ def test_a_system_without_forces_has_a_frame_and_a_text():
 
 
 def test_forces_may_hold_unknowns():
-    """Three legs of a table carry its weight: forces as unknowns in the conditions of balance."""
+    """The forces in three legs that carry a table are unknowns in the equations of equilibrium."""
     legs = [ground.point("leg", *x, 0) for x in ((0, 0), (2.0, 0), (0, 3.0))]
     weight = ground.vector(0, 0, -60.0), ground.point("G", 0.5, 1.0, 0)
 

@@ -1,4 +1,4 @@
-"""Gravitation and weight (5.20)-(5.27); the oracle of the attraction of a planet is the sum over
+"""Gravitation and weight (5.20)-(5.27); the oracle for the attraction of a planet is the sum over
 its mass points.
 """
 
@@ -33,7 +33,7 @@ def test_eqn_5_20_and_5_21_two_particles_attract_each_other_with_opposite_forces
     on_a, on_b, way = gravitation(a, b, K=k), gravitation(b, a, K=k), b.centre - a.centre
     assert close(on_a, -on_b, small(kind))
     assert close(on_a.cross(way), (0, 0, 0), small(kind))  # along the line that joins them
-    assert np.all(number(on_a.dot(way)) > 0)  # toward the other
+    assert np.all(number(on_a.dot(way)) > 0)  # toward the other body
     square, force = x * x + y * y, on_a.norm()
     assert close(force * square, k * m1 * m2, small(kind, 10))
     assert close(force * force, attraction(m1, m2, 1, k) ** 2 / (square * square), small(kind, 10))
@@ -52,7 +52,7 @@ def test_eqn_5_22_and_5_23_the_field_of_a_planet_is_the_force_on_a_unit_mass(kin
 
 
 def test_a_radially_symmetric_planet_attracts_like_a_particle():
-    """(5.22) against the sum over the mass points of a ball of density falling outward."""
+    """(5.22) against the sum over the mass points of a ball whose density falls outward."""
     nodes, w = np.polynomial.legendre.leggauss(40)
     r, wr = (nodes + 1) / 2, w / 2
     mu, wm = nodes, w  # cosine of the angle from the direction of P
@@ -71,7 +71,7 @@ def test_eqn_5_24_gravity_from_mass_and_radius(kind):
 
 
 def test_eqn_5_24_gives_the_book_s_gravity_of_the_earth():
-    """Between the largest and the smallest radius; the book has 9.79 to 9.83 m/s^2."""
+    """From the largest to the smallest radius; the book has 9.79 to 9.83 m/s^2."""
     least, mean = (gravity_at_surface(5.972e24, radius) for radius in (6378.137e3, 6371e3))
     assert 9.79 < least < mean < 9.833
     assert abs(gravity_at_surface(5.972e24, 6371e3) - 9.818) < 1e-3

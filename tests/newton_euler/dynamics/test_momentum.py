@@ -1,4 +1,4 @@
-"""Chapter 8, (8.1)-(8.21) and its examples. The oracle is a body of mass points in explicit motion."""
+"""Chapter 8, (8.1)-(8.21), with examples. The oracle: a body of mass points in explicit motion."""
 
 import pytest
 
@@ -18,8 +18,8 @@ small = within(1e-12, 20)
 
 
 def expected(kind, q, about, part, differences):
-    """The sum of d_i x m_i times a rate of d_i (``differences``) or of the place of each particle, in
-    components of the ground: explicit places, differentiated by the product rule.
+    """The sum of d_i x m_i times a rate of d_i (``differences``) or of each particle's position, in
+    ground components: explicit positions, differentiated by the product rule.
     """
     like = "array" if kind == "array" else "mpmath"
     a, b, c, t = q if kind == "array" else map(number, q)
@@ -73,7 +73,7 @@ def test_eqn_8_8_8_9_8_10_8_11_moment_of_motion_about_any_point_is_that_of_the_p
         M = resultant_moment(body, ground, points.get(about), via)
         assert close(M.components(ground), by_particles, 10 * small(kind))
         if kind == "sympy":
-            # the formula of H differentiated term by term is long; the other kinds show that it
+            # H differentiated term by term is a long formula; the other kinds show that it
             # agrees
             continue
         H, via = angular_momentum(body, ground, points.get(about)), via or body.frame
@@ -112,7 +112,7 @@ def test_eqn_8_1_to_8_3_places_and_rates_relative_to_b(kind):
 
 @every_kind
 def test_eqn_8_21_newton_euler_equations_vanish_for_the_forces_of_the_motion(kind):
-    """Each particle is carried by its own force m_i a_i."""
+    """Each particle is driven by its own force m_i a_i."""
     ground, _, body, points, _ = free_body(kind)
     forces = ForceSystem(
         {p.name: (p.centre.acceleration(ground) * p.mass, p.centre) for p in body.parts}, ground
@@ -172,7 +172,7 @@ def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
 def test_a_symbol_with_an_index_stands_in_braces_before_the_index_that_says_of_what():
     ground, _, body, points, _ = free_body("float")
     latex = resultant_moment(body, ground, points["any"]).explain().latex
-    assert r"{\mathbf{M}_B}_{\text{of body" in latex  # MathJax refuses a double index
+    assert r"{\mathbf{M}_B}_{\text{of body" in latex  # MathJax refuses a double subscript
 
 
 def test_explanations_name_the_equation_and_its_terms():

@@ -46,7 +46,7 @@ small = within(1e-13, 26)
 
 
 def coordinates(kind):
-    """Mass, instant, and three functions of time that never vanish together with their rates."""
+    """Mass, instant, and three functions of time, none of which vanishes together with its rate."""
     m, t, a, b, c = numbers(kind, "2.5", "0.5", "1.5", "-0.4", "0.7")
     x, y = (lambda t: a + b * t + t * t), (lambda t: c + a * t - b * t * t)
     return m, t, x, y, (lambda t: b + c * t + c * t * t * t)
@@ -134,7 +134,7 @@ def test_forces_along_curved_coordinates_may_come_as_components_or_as_vectors():
 
 @every_kind
 def test_eqn_6_10_force_by_way_of_a_moving_frame_and_what_is_seen_there(kind):
-    """Origin, turn, and relative motion all accelerate."""
+    """The origin, the turn and the relative motion all accelerate."""
     m, t, x, angle, y = coordinates(kind)
     ground = Frame("ground")
     disk = ground.rotate(
@@ -168,7 +168,7 @@ def test_the_terms_of_a_force_print_with_the_number_of_their_equation():
     seen = relative_acceleration(1.0, Q, ground, spring=-5.0 * disk.i).explain()
     assert "equation (6.10)" in str(seen)
     assert r"\tag{6.10}" in seen.latex
-    # MathJax refuses a second index of a symbol without braces
+    # MathJax refuses a second subscript on a symbol without braces
     assert r"{\mathbf{a}_2}_{\text{spring}}" in seen.latex
     assert "(6.10)" in str(resultant_force(2.0, Q.acceleration(ground)).explain())
     R = reaction(2.0, ground.vector(0, 0, 1.0), weight=-19.62 * ground.k)

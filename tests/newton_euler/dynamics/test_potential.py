@@ -1,4 +1,4 @@
-"""Chapter 11, (11.15)-(11.20), (11.34), (11.35): potentials given and found, and why there is none.
+"""Chapter 11, (11.15)-(11.20), (11.34), (11.35): potentials given, found, or missing, and why.
 
 Oracles: derivatives by SymPy, potentials by hand, and the work along paths that wind.
 """
@@ -31,17 +31,17 @@ small = within(1e-12, 26)
 
 
 def hill(x, y, z):
-    """A potential with every cross-derivative."""
+    """A potential whose cross-derivatives are all nonzero."""
     return x * x * y + y * z**3 - 2 * x * z
 
 
 def down_hill(x, y, z):
-    """Minus its gradient, by hand."""
+    """Minus the gradient of ``hill``, by hand."""
     return -(2 * x * y - 2 * z), -(x * x + z**3), -(3 * y * z * z - 2 * x)
 
 
 def exactly(V, kind, *place):
-    """V at a place; with SymPy by its formula."""
+    """V at a point; with SymPy from the formula of V."""
     if kind != "sympy":
         return V(*place)
     names = sympy.symbols("x y z", real=True)
@@ -49,7 +49,7 @@ def exactly(V, kind, *place):
 
 
 def vortex(x, y, z):
-    """No curl, but a hole on the z axis: the work 2 pi in every turn round it."""
+    """A field without curl but with a hole, the z axis: each turn round it does the work 2 pi."""
     square = x * x + y * y
     return -y / square, x / square, 0
 
@@ -65,7 +65,7 @@ def test_eqn_11_16_11_17_the_force_is_minus_the_gradient_of_the_partial_derivati
 
 @every_kind
 def test_eqn_11_18_in_spherical_coordinates(kind):
-    """V = -1/R^2: the force is -2/R^3 along e_R, wherever."""
+    """V = -1/R^2: the force is -2/R^3 along e_R everywhere."""
     R, theta, phi = numbers(kind, 2, "0.5", "0.25")
     P = spherical(Frame("ground"), "P", R, theta, phi)
     F = conservative_force(lambda R, theta, phi: -1 / (R * R), P)
@@ -89,7 +89,7 @@ def test_eqn_11_15_11_20_work_and_the_sum_of_its_components_are_the_potential_lo
         U = work_along(down_hill, path, 0, q, exact=kind == "sympy")
         for work in (U.value, U.terms["x"] + U.terms["y"] + U.terms["z"]):
             assert close(work, hill(0, 0, 1) - hill(*path(q)), 10 * small(kind))
-        if kind != "array":  # where the ends differ from instant to instant
+        if kind != "array":  # in an array the ends differ between instants
             assert close(U.value, lost, small(kind))
 
 
@@ -106,7 +106,7 @@ def test_eqn_11_34_11_35_the_potential_of_weight_and_spring_is_minus_their_work(
 
 @every_kind
 def test_eqn_11_35_a_slant_spring_pulls_along_its_line(kind):
-    """The gradient of V by the place of one end is the tension, towards the other one."""
+    """The gradient of V at one end gives the tension, toward the other end."""
     K, l0, x, y = numbers(kind, 20, "1.5", 3, 4)
     ground = Frame("ground")
     P, V = ground.point("P", x, y, 0), lambda x, y, z: spring_between(K, l0, (0, 0, 0), (x, y, z))
@@ -178,7 +178,7 @@ def test_both_sides_of_the_tolerance_of_the_curl(curl_part, conservative):
 
 
 def test_a_hole_in_the_region_is_found_by_a_loop_round_it():
-    """Without curl, and still without potential: the naive test of (11.18) passes on the vortex."""
+    """The vortex has no curl, yet no potential: the naive test of (11.18) passes on it."""
     box = ((-1, 1), (-1, 1), (0, 1))
     assert max(map(abs, curl(vortex, (0.3, -0.4, 0.5)))) < 1e-15
     circle = lambda s: (0.8 * cos(2 * math.pi * s), 0.9 * sin(2 * math.pi * s), 0.5)
@@ -187,7 +187,7 @@ def test_a_hole_in_the_region_is_found_by_a_loop_round_it():
     ) as refused:
         find_potential(vortex, base=(1, 0, 0), box=box, loops=[circle])
     assert refused.value.circulation == pytest.approx(2 * math.pi)
-    # a region that does not go round it
+    # a region that does not surround the hole
     V = find_potential(vortex, base=(1, 0, 0), box=((0.5, 1), (-1, 1), (0, 1)))
     assert V(1.0, 1.0, 0.0) == pytest.approx(-math.pi / 4)
     assert at(lambda t: -atan2(t, 1 + 0 * t), 1.0).rate == pytest.approx(

@@ -22,14 +22,14 @@ LOADS = st.lists(st.tuples(NAMES, TRIPLES, TRIPLES | st.none()), min_size=1, max
 
 
 def system(loads, ground):
-    """Forces at points, and a couple where there is no point."""
+    """Forces at points; a load without a point is a couple."""
     force = lambda name, v, r: Force(ground.vector(*v), ground.point("P", *r), name)
     couple = lambda name, v: Couple(ground.vector(*v), name)
     return [force(name, v, r) if r else couple(name, v) for name, v, r in loads]
 
 
 def added(parts, ground):
-    """As one, in pairs, nested to the left and to the right, with their order kept."""
+    """The parts added at once, from the left, from the right, and in halves, in the same order."""
     one = [ForceSystem([part], ground) for part in parts]
     left = right = ForceSystem([], ground)
     for first, last in zip(one, one[::-1], strict=True):

@@ -1,7 +1,7 @@
 """Chapter 11, (11.1)-(11.11), 11.4, 11.13: work by each of its integrals, power, couples; where an
 integral fails.
 
-Oracles: antiderivatives by hand, sums over short chords, and for power the rate of the kinetic
+Oracles: antiderivatives by hand, sums over short chords, and for power the rate of kinetic
     energy of an explicit motion.
 """
 
@@ -39,7 +39,7 @@ def swirl(x, y, z):
 
 
 def helix(a, c):
-    """Of radius a, rising c per radian: on it swirl does the work a^2 + c^2 q for each unit of q."""
+    """A helix of radius a rising c per radian; swirl does the work a^2 + c^2 q per unit of q."""
     return lambda q: (a * cos(q), a * sin(q), c * q)
 
 
@@ -66,7 +66,7 @@ def test_eqn_11_2_work_in_time_is_that_along_the_path_however_fast_it_is_run_thr
 
 @every_kind
 def test_eqn_11_3_work_is_the_integral_of_the_tangential_component_over_the_arc(kind):
-    a, c, q = numbers(kind, "1.5", 2, "0.75")  # a wire of length 5/2 for each radian
+    a, c, q = numbers(kind, "1.5", 2, "0.75")  # a wire of length 5/2 per radian
     path, stretch = helix(a, c), sqrt(a * a + c * c)
 
     def F_t(s):
@@ -114,7 +114,7 @@ def test_eqn_11_6_the_work_of_a_constant_force_needs_no_path(kind):
 def test_eqn_11_7_the_work_of_a_weight(kind):
     m, g, z0, z1 = numbers(kind, 2, "9.81", "1.5", "0.25")
     ground = Frame("ground")
-    turned = ground.rotate("turned", "x", m)  # points of another frame will do
+    turned = ground.rotate("turned", "x", m)  # points of another frame serve as well
     start, end = ground.point("A", 1, 1, z0), turned.point("B", 0, sin(m) * z1, cos(m) * z1)
     U = constant_force_work(-m * g * ground.k, start, end)
     assert close(U.value, m * g * (z0 - z1), 10 * small(kind))
@@ -177,7 +177,7 @@ def test_eqn_11_10_a_couple_has_the_power_of_its_moment(kind):
 
 @every_kind
 def test_eqn_11_11_a_couple_in_the_plane_over_time_and_over_the_angle(kind):
-    """M = c sin(theta) while theta = t^2."""
+    """M = c sin(theta), with theta = t^2."""
     c, t = numbers(kind, 3, "1.25")
     exact = kind == "sympy"
     M, omega = lambda t: (0, 0, c * sin(t * t)), lambda t: (0, 0, 2 * t)
@@ -191,11 +191,11 @@ def test_section_11_13_forces_between_two_points_of_a_body_do_no_work(kind):
     ground, _, C, D, _ = tumbling(kind)
     line = D - C
     assert close(pair_power(3 * line, D, C, ground), 0, small(kind))
-    assert not close(power(3 * line, D, ground), 0, 1e-3)  # each of them alone does
+    assert not close(power(3 * line, D, ground), 0, 1e-3)  # each force alone does work
 
 
 def test_section_11_13_between_two_bodies_they_do():
-    """A stretching spring: its power is minus the tension times the rate of the distance."""
+    """The power of a stretching spring is minus the tension times the rate of the distance."""
     ground = Frame("ground")
     A, B = ground.point("A", 0, 0, 0), ground.point("B", moving(3.0, 2.0), moving(4.0, -1.0), 0)
     rate = (3.0 * 2.0 - 4.0 * 1.0) / 5.0
@@ -263,7 +263,7 @@ def test_an_amount_explains_itself():
 
 
 def test_a_force_with_a_jump_is_divided_there():
-    """Friction that turns its sign: the rule for mpf refuses, adaptive quadrature does not."""
+    """Friction changes sign: the rule for mpf refuses, adaptive quadrature does not."""
     turn = math.sqrt(0.1)
     force = lambda x: -1 if x < turn else 1
     U = lambda one, **breaks: work_integral(force, 0 * one, one, **breaks).value
@@ -277,7 +277,7 @@ def test_a_force_with_a_jump_is_divided_there():
 @pytest.mark.parametrize("middle", np.linspace(0.02, 0.98, 61))
 @pytest.mark.parametrize("scipy", [True, False])
 def test_a_pulse_of_two_percent_of_the_way_is_seen_wherever_it_is(monkeypatch, middle, scipy):
-    """Of 21 places on the whole way a third of them saw nothing."""
+    """With 21 points on the whole path, a third of these pulses were missed."""
     if not scipy:
         monkeypatch.setitem(sys.modules, "scipy.integrate", None)
     pulse = lambda x: max(0.0, 1 - (100 * (x - middle)) ** 2) ** 4
@@ -286,7 +286,7 @@ def test_a_pulse_of_two_percent_of_the_way_is_seen_wherever_it_is(monkeypatch, m
 
 
 def test_a_short_pulse_between_the_samples_is_missed_unless_it_is_named():
-    """The naive way fails silently; the docstring of work_integral says so, and what to do."""
+    """The naive way fails silently; work_integral's docstring says so, and what to do."""
     pulse = lambda t: 1e6 if 0.40001 < t < 0.400011 else 0.0
     assert work_integral(pulse, 0.0, 1.0).value == 0
     assert work_integral(pulse, 0.0, 1.0, breaks=(0.40001, 0.400011)).value == pytest.approx(
@@ -324,7 +324,7 @@ def test_power_asks_for_what_belongs_together():
 
 
 def spring_work(k, x):
-    """Of a spring along a quarter of a circle of radius x: -k x^2/2 times 1 - (sqrt 2 - 1)^2."""
+    """Work of a spring along a quarter circle of radius x: -k x^2/2 times 1 - (sqrt 2 - 1)^2."""
     return work_along(
         lambda X, Y, Z: (-k * X, -k * Y / 3, 0), lambda a: (x * cos(a), x * sin(a), 0), 0.0, 1.5
     ).value
@@ -347,7 +347,7 @@ def test_the_work_along_a_path_of_arrays_moving_and_traced_numbers():
 
 
 def test_a_path_that_moves_is_refused():
-    """Its derivatives by the parameter and those by time cannot be distinguished."""
+    """Derivatives with respect to the parameter and to time could not be told apart."""
     with pytest.raises(WorkError, match=r"the path moves.*work_in_time"):
         spring_work(100.0, moving(0.2, rate=0.1))
 
@@ -356,7 +356,7 @@ def test_the_work_along_a_path_of_dimensions_is_an_energy():
     force, length = Dimension(1, 1, -2), Dimension(0, 1, 0)
     assert spring_work(force / length, length) == force * length
     twist = lambda x, y, z: (force / length * y, -force / length * x, 0)
-    side = work_along(twist, lambda s: (length * s, 0, 0), 0.0, 1.0)  # along which y is 0
+    side = work_along(twist, lambda s: (length * s, 0, 0), 0.0, 1.0)  # y is 0 along it
     other = work_along(twist, lambda s: (length, length * s, 0), 0.0, 1.0)
     assert side.value == 0
     assert side.value + other.value == force * length

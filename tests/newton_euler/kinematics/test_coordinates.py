@@ -36,12 +36,12 @@ SYSTEMS = {
 
 every_system = pytest.mark.parametrize("system", SYSTEMS)
 EPS = 2.0**-52
-moderate = st.floats(-3, 3).map(lambda x: x if abs(x) > 1e-300 else 0.0)  # below, digits are lost
+moderate = st.floats(-3, 3).map(lambda x: x if abs(x) > 1e-300 else 0.0)  # smaller ones lose digits
 small = within(2e-14, 26)
 
 
 def motion(kind):
-    """Coordinates, rates and second rates, all of them different and none of them small."""
+    """Coordinates, rates and second rates, all different and none small."""
     rows = ("1.3", "0.7", "0.4"), ("0.5", "-0.9", "1.1"), ("0.3", "0.8", "-0.6")
     return [numbers(kind, *row) for row in rows]
 
@@ -73,7 +73,7 @@ def test_motion_is_that_written_out_is_the_sum_of_its_terms_and_gives_its_coordi
 @settings(max_examples=60)
 @given(st.lists(moderate, min_size=9, max_size=9))
 def test_magnitudes_are_the_same_in_rectangular_cylindrical_and_spherical_components(x):
-    """(3.16), (3.17); and the ways from rectangular to either system and back end where they began."""
+    """(3.16), (3.17); and converting from rectangular to either system and back changes nothing."""
     ground = Frame("ground")
     P = ground.point("P", *(moving(*x[n::3]) for n in range(3)))
     r, v, a = P.position(ground), P.velocity(ground), P.acceleration(ground)

@@ -1,5 +1,5 @@
-"""Any orthogonal coordinates by the five-step method, and gradients: against systems known
-otherwise, and where coordinates are singular.
+"""Any orthogonal coordinates by the five-step method, and gradients: against systems known by other
+means, and where coordinates are singular.
 """
 
 import math
@@ -54,7 +54,7 @@ def toroidal(s, theta, phi):
 ALL = [in_space, about_z, parabolic, elliptic, toroidal]
 
 
-# exact, the others take SymPy minutes
+# done exactly, the others take SymPy minutes
 CASES = [(kind, f) for f in ALL for kind in KINDS if kind != "sympy" or f in (about_z, parabolic)]
 every_case = pytest.mark.parametrize(("kind", "position"), CASES)
 small = within(1e-13, 25)
@@ -81,7 +81,7 @@ def test_section_3_4_the_steps_give_the_motion_written_out_and_differentiated(ki
     assert close(v.components(), h_times_rate, tiny)
     assert close(v.without(), v, tiny)
     assert close(a.without(), a, tiny)
-    # by the basic kinematic equation with the turning of the local axes
+    # by the basic kinematic equation, with the turning of the local axes
     assert close(v.rate(ground), a, tiny)
     axes = P.local.i, P.local.j, P.local.k
     assert close([[e.dot(f) for f in axes] for e in axes], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), tiny)
@@ -149,7 +149,7 @@ def test_near_the_axis_unit_vectors_are_right_to_the_last_digits(off):
 def test_near_the_pole_unit_vectors_are_right_and_rates_as_good_as_the_elevation_is(
     off, tolerance_
 ):
-    """The float next to pi/2 - off is off by up to 1e-16/off of its distance."""
+    """The float nearest to pi/2 - off has a relative error of up to 1e-16/off from the pole."""
     ground = Frame("ground")
     P = curvilinear(ground, "P", in_space, 1.0, 0.5, math.pi / 2 - off)
     assert close(P.local.j.components(ground), (-math.sin(0.5), math.cos(0.5), 0), 4e-16)

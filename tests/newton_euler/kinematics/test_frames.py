@@ -29,7 +29,7 @@ from tests.kinds import KINDS, close, compiled_by, every_kind, number, numbers, 
 from tests.turning import DIGITS, angular_acceleration, angular_velocity, rate, rot, second_rate
 from tests.turning import cross as cross50
 
-# what tests.kinds does to a number, instant by instant
+# the factors by which tests.kinds scales a number, instant by instant
 SCALES = {"float": (1.0,), "array": (1.0, 1.0625, 0.875), "mpmath": (1,), "sympy": (1,)}
 FAST_KINDS = ("float", "array", "mpmath")
 AXES = ["x", "y", "z", "-x", "-y", "-z", (1, 1, 1), (1, 2, -2), (0, 3, 4), (-2, 1, 1)]
@@ -40,7 +40,7 @@ def decimals(rng, count, largest=2.0):
 
 
 def random_tree(seed, count):
-    """Each hung into an earlier one (mostly the last), with any axis and a moving origin."""
+    """Each frame hangs on an earlier one, mostly the last, with any axis and a moving origin."""
     rng, tree = random.Random(seed), []
     for n in range(count):
         parent = n if rng.random() < 0.7 else rng.randrange(n + 1)
@@ -54,7 +54,7 @@ def chain(seed, count):
 
 
 def in_engine(tree, kind, faster=1):
-    """The frames of a tree, ground first; ``faster``: a factor of all angles."""
+    """The frames of a tree, ground first; ``faster`` multiplies all angles."""
     coordinate = lambda v: moving(*numbers(kind, *v))
     frames = [Frame("f0")]
     for n, s in enumerate(tree, start=1):
@@ -72,7 +72,7 @@ class Explicit:
 
     def __init__(self, tree, scale=1):
         self.tree, self.scale = tree, mpf(scale)
-        self.R, self.X = cache(self.R), cache(self.X)  # asked for again by each frame above
+        self.R, self.X = cache(self.R), cache(self.X)  # each frame above asks for them again
 
     def course(self, v, t):
         value, rate_, acceleration = (mpf(str(x)) * self.scale for x in v)
@@ -160,7 +160,7 @@ def test_eqn_4_15_and_4_27_and_2_22_rate_of_a_moving_vector_seen_from_any_frame(
 
 @pytest.mark.parametrize("seed", range(3))
 def test_eqn_4_15_twice_with_two_observers(seed):
-    """The rate seen from k of the rate seen from j."""
+    """The rate, seen from k, of the rate seen from j."""
     tree = random_tree(seed, 4)
     frames, e = in_engine(tree, "mpmath"), Explicit(tree)
     for j, k in ((0, 0), (0, 2), (3, 1), (4, 0), (1, 4), (4, 4)):
@@ -258,8 +258,8 @@ def test_eqn_4_18_terms_nest_down_to_the_ground():
     while a.terms:
         assert close(sum(a.terms.values()), a, 1e-10)
         a, depth = a.terms["origin"], depth + 1
-    # origin of f3 by way of f2, of f2 by way of f1, of f1 in the ground, where nothing is left to
-    # split
+    # origin of f3 by way of f2, of f2 by way of f1, and of f1 in the ground, where nothing is
+    # left to split
     assert depth == 3
     assert close(a.components(frames[0]), (0.2, 0.1, -0.1))
 
@@ -334,7 +334,7 @@ def test_eqn_4_19_to_4_24_angular_velocity_and_acceleration_between_any_two_fram
 @pytest.mark.parametrize("count", [2, 3, 4, 5, 6])
 @pytest.mark.parametrize("kind", FAST_KINDS)
 def test_eqn_4_25_and_4_26_and_the_rule_for_n_frames(kind, count):
-    """The sum of the relative ones and of all products of an inner with an outer rate."""
+    """The sum of the relative accelerations and of all products of an inner and an outer rate."""
     frames = in_engine(chain(count, count), kind)
     ground, last = frames[0], frames[-1]
     alpha = last.angular_acceleration(ground)
@@ -630,7 +630,7 @@ def test_points_and_frames_show_what_they_are():
 
 @pytest.fixture
 def without_collector():
-    """What is freed here is freed at once, as soon as nothing refers to it."""
+    """Without the collector an object is freed only when nothing refers to it, and then at once."""
     gc.disable()
     yield
     gc.enable()
@@ -672,7 +672,7 @@ def test_a_frame_keeps_those_above_it_and_those_of_a_result_are_in_its_tree():
     assert arm.tree == a.frame.tree[0].tree == [ground, arm, rod, twig]
     del rod, twig
     gc.collect()
-    # the terms of the acceleration know them
+    # the terms of the acceleration keep the frames
     assert [f.name for f in a.frame.tree] == ["ground", "arm", "rod"]
 
 
@@ -722,7 +722,7 @@ def test_a_whole_number_beyond_a_turn_asks_whether_degrees_are_meant(angle):
     with pytest.warns(AngleWarning, match=r"boom is .* rad.*degrees\? Write radians") as found:
         boom = Frame("ground").rotate("boom", "z", angle)
     assert found[0].filename == __file__
-    assert boom.angle.value == angle  # it is taken as it stands
+    assert boom.angle.value == angle  # used as given
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Intrinsic components: the Frenet triad of space curves, the sign of torsion, and lines,
+"""Intrinsic components: the Frenet triad of space curves, the sign of torsion, and straight lines,
 inflections and rest. Equations: test_ch02, test_ch03.
 """
 
@@ -88,7 +88,7 @@ def test_torsion_has_the_sign_of_the_book():
 
 
 def test_a_fraction_in_a_path_is_as_exact_as_the_parameter():
-    """1/3 between the jets of a 30 digit number must not be the float 0.333…"""
+    """1/3 among the jets of a 30-digit number must not become the float 0.333…"""
     q, small = mp.mpf("0.7"), mp.mpf(10) ** -28
     known = (q, q * q, q**3 / 3), (1, 2 * q, q * q), (0, 2, 2 * q), (0, 0, 2)
     assert close(derivatives(twisted, q), known, small)
@@ -146,7 +146,7 @@ def test_on_a_straight_line_rounding_is_not_taken_for_a_normal(line):
 
 
 def test_a_straight_line_in_polar_components_is_seen_from_its_ledger():
-    """r'' and r theta'^2 cancel: what is left, 1e-16 of them, is no acceleration."""
+    """r'' and r theta'^2 cancel: the remaining 1e-16 of them is no acceleration."""
     dice = random.Random(2)
     for _ in range(200):
         angle, off, ahead = dice.uniform(0, 7), dice.uniform(0.1, 3), dice.uniform(-5, 5)
@@ -164,7 +164,7 @@ def test_near_an_inflection_curvature_is_exact_and_at_it_refused(x):
     for side in (1, -1):
         here = frenet_along(cubic, side * x, ground)
         assert abs(here.flexure / (6 * x / (1 + 9 * x**4) ** 1.5) - 1) < 4 * EPS
-        assert here.e_n.components(ground)[1] * side > 0.99  # it jumps to the other side
+        assert here.e_n.components(ground)[1] * side > 0.99  # e_n jumps to the other side
     for q in (0.0, mp.mpf(0), sympy.Integer(0), np.array([1.0, 0.0])):
         with pytest.raises(SingularError, match="straight here"):
             frenet_along(cubic, q, ground)
@@ -260,12 +260,12 @@ def test_eqn_2_13_radius_of_curvature_of_a_graph(kind):
 
 
 def twisted_cubic(q):
-    """A space curve, all of whose derivatives are easy to write out."""
+    """A space curve whose derivatives are all easy to write out."""
     return q, q * q, q**3
 
 
 def by_arc_length(kind, f, t, speed):
-    """The derivative by arc length of a triple of functions of the time."""
+    """The derivative with respect to arc length of a triple of functions of time."""
     return tuple(rate / speed for rate in rates(f, t))
 
 
@@ -303,7 +303,7 @@ def test_eqn_3_4_to_3_8_the_triad_by_its_definitions(kind):
 
 @every_kind
 def test_eqn_3_9_to_3_11_torsion_and_the_frenet_formulas(kind):
-    """By the definitions along the path, and by the turning of the engine's triad."""
+    """Checked by the definitions along the path, and by the turning of the engine's triad."""
     t = numbers(kind, "0.6")
     here = frenet_along(twisted_cubic, t, ground)
     f, tau = here.flexure, here.torsion

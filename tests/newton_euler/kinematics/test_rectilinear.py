@@ -45,7 +45,7 @@ def test_terminal_speed_is_approached_and_never_reached():
     for missing in (1e-3, 1e-6):
         t, _ = from_speed(lambda v: 2.0 - v, 2.0 - missing, v0=0.0)
         assert abs(t - math.log(2 / missing)) < 1e-15 / missing
-    # 2 - v has lost half of its digits there
+    # there 2 - v has lost half of its digits
     with pytest.raises(SingularError, match="does not settle"):
         from_speed(lambda v: 2.0 - v, 2.0 - 1e-9, v0=0.0)
     with pytest.raises(SingularError, match="not reached"):
@@ -80,7 +80,7 @@ def slides(t, c, k):
 
 
 def brakes(v, v0, c):
-    """The time and the way from v0 to v under a(v) = -c v^2."""
+    """The time and the distance from v0 to v under a(v) = -c v^2."""
     return from_speed(lambda u: -c * u * u, v, v0)
 
 

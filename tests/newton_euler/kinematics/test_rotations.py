@@ -1,5 +1,5 @@
-"""Chapter 4, (4.1)-(4.14) and the example of 4.5; (10.1)-(10.12); quaternions; how accurate reading
-a rotation is.
+"""Chapter 4, (4.1)-(4.14) and the example of 4.5; (10.1)-(10.12); quaternions; the accuracy of
+reading a rotation.
 """
 
 import itertools
@@ -63,7 +63,7 @@ def spinning(kind, origin=None):
     """Ground, a body turned three ways and moving in all of them, and its matrix as a function of
     time, with the instant t.
 
-    The matrix is made of Rodrigues' formula and the product rule alone: no composition of rates, no
+    The matrix comes from Rodrigues' formula and the product rule alone: no composition of rates, no
     omega x r.
     origin : velocity of the body's origin in the ground; default: at rest
     """
@@ -220,7 +220,7 @@ def test_eqn_4_12_angular_acceleration_is_the_rate_of_the_angular_velocity(kind)
 
 
 def rolling_cone(h, r, nu):
-    """Line of contact along I: ground, cone, P highest on the base, rate of the line."""
+    """Ground, cone, highest point P of the base, rate of the line of contact (along I)."""
     ground = Frame("ground")
 
     def placed(line_rate, spin):
@@ -255,7 +255,7 @@ def test_example_4_5_cone_rolling(kind):
 
 
 def test_example_4_5_cone_rolling_as_a_formula():
-    """Over symbols the engine gives the book's three formulas."""
+    """With symbols the engine gives the book's three formulas."""
     h, r, nu = sympy.symbols("h r nu", positive=True)
     ground, cone, P, _ = rolling_cone(h, r, nu)
     omega = cone.angular_velocity(ground).components(ground)
@@ -277,7 +277,7 @@ def test_axis_and_angle_of_exact_numbers_are_exact():
 
 
 def true_matrix(axis, angle):
-    """In 60 digits by the exponential series: it shares no formula with the engine."""
+    """The matrix to 60 digits by the exponential series: no formula is shared with the engine."""
     x, y, z = axis
     with mp.workdps(60):
         spin = mp.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]]) * (
@@ -292,7 +292,7 @@ AXES = [(1, 2, 3), (-2, 1, 0.5), (0.1, -3, 0.2), (1e-3, 1, -1), (0, 0, 1), (3, -
 @pytest.mark.parametrize("distance", [1, 1e-1, 1e-3, 1e-6, 1e-8, 1e-10, 1e-13, 4e-15])
 @pytest.mark.parametrize("end", [0, 1], ids=["near 0", "near pi"])
 def test_axis_and_angle_are_accurate_to_round_off_near_0_and_pi(end, distance):
-    """Angle within 4 round-offs of itself, axis within 4 of 1, from a rounded matrix."""
+    """Read from a rounded matrix: the angle to 4 of its round-offs, the axis to 4 of those of 1."""
     for axis in AXES:
         with mp.workdps(60):
             angle = end * mp.pi + (-1) ** end * mp.mpf(distance)
@@ -320,7 +320,7 @@ def test_tiny_angles_keep_their_axis():
 
 @pytest.mark.parametrize("axis", [v for v in itertools.product((-1, 0, 1), repeat=3) if any(v)])
 def test_at_pi_the_first_component_of_the_axis_is_positive(axis):
-    """Whatever round-off does to the matrix."""
+    """This holds whatever round-off does to the matrix."""
     first = next(x for x in axis if x)
     wanted = [x * first / math.sqrt(sum(map(abs, axis))) for x in axis]
     noise = np.random.default_rng(7).uniform(-2 * EPS, 2 * EPS, (20, 3, 3))
@@ -336,7 +336,7 @@ def test_without_rotation_the_z_axis_stands_for_the_axis():
 
 
 def test_arrays_are_read_instant_by_instant():
-    """All four ways to the quaternion, both signs, and no angle at all."""
+    """All four branches of the quaternion, both signs, and no rotation at all."""
     rng = np.random.default_rng(1)
     angle = np.concatenate([[0.0, math.pi, 1e-9, math.pi - 1e-9], rng.uniform(0, 2 * math.pi, 200)])
     axis = rng.normal(size=(3, angle.size))
@@ -412,7 +412,7 @@ laws = settings(max_examples=100)
 def test_a_rotation_matrix_is_orthogonal_turns_right_handed_and_keeps_its_axis(axis, angle):
     R = rotation_matrix(axis, angle)
     assert close(product(transpose(R), R), UNIT, 12 * EPS)
-    assert abs(determinant(R) - 1) < 12 * EPS  # 9 were found
+    assert abs(determinant(R) - 1) < 12 * EPS  # at most 9 were found
     assert close(apply(R, axis), axis, 12 * EPS)
     ground = Frame("ground")
     assert close(R, ground.rotate("body", axis, angle).rotation(ground), 12 * EPS)
@@ -541,7 +541,7 @@ def test_euler_angles_come_back(kind):
         R = [[number(x) for x in row] for row in R]
     found = euler_angles(R)
     assert np.min(found[1]) >= 0
-    # an array holds an angle beyond pi, which comes back in (-pi, pi]
+    # the array holds an angle beyond pi, which is read back in (-pi, pi]
     whole = 2 * math.pi if kind == "array" else 2 * mp.pi
     turns = [(f - number(a)) / whole for f, a in zip(found, angles, strict=True)]
     nearest = np.round if kind == "array" else mp.nint
@@ -565,7 +565,7 @@ def test_at_the_poles_psi_has_all_and_phi_is_zero(end, sign):
 @pytest.mark.parametrize("theta", [1e-3, 1e-6, 1e-9, 1e-12])
 @pytest.mark.parametrize("end", [0, 1], ids=["near 0", "near pi"])
 def test_near_the_poles_theta_and_the_sum_of_the_angles_stay_accurate(theta, end):
-    """Theta within 4 round-offs of itself, psi +- phi within 8 of 1 rad."""
+    """Theta is right to 4 of its round-offs, psi +- phi to 8 round-offs of 1 rad."""
     for psi, phi in [(0.3, 0.4), (-1.0, 2.5), (1.7, 0.1)]:
         with mp.workdps(60):
             true = end * mp.pi + (-1) ** end * mp.mpf(theta)

@@ -1,4 +1,4 @@
-"""What a series may not notice, read from the rates."""
+"""What a series may miss, read from the rates."""
 
 import pytest
 
@@ -8,7 +8,7 @@ from newton_euler.motion.prepared import prepared_model
 
 
 def traced(rate):
-    """Of a model with the states x and y, and the parameters k > 0 and m < 0."""
+    """The traced rate of a model with states x and y, and parameters k > 0 and m < 0."""
     rates = lambda s, p, t: (rate(s, p, t), 0.0 * s.y)
     return prepared_model(Model("any", {"k": 2.0, "m": -2.0}, ("x", "y"), rates)).traced
 
@@ -40,7 +40,7 @@ SQUARES = lambda s: s.x * s.x + s.y * s.y
         lambda s, p, t: s.x**2 + s.x**-3,
         lambda s, p, t: s.x**3,
         lambda s, p, t: sqrt(p.k) * asin(p.k / 4) * exp(p.k) * p.k**0.5 * s.x,
-        # in a denominator, also of another term, and as its factor
+        # the same root in a denominator, also of another term, and as a factor there
         lambda s, p, t: 1 / sqrt(s.x),
         lambda s, p, t: sqrt(s.x) + 1 / s.x,
         lambda s, p, t: s.x / sqrt(SQUARES(s)),
@@ -85,13 +85,13 @@ def test_what_a_series_sees_is_no_hazard(rate):
         (lambda s, p, t: tanh(s.x) + sqrt(s.y), ["sqrt", "tanh"]),
         (lambda s, p, t: 2.0 ** (-s.x), ["pow"]),
         (lambda s, p, t: 1 / asin(s.x), ["asin"]),
-        # another is in the denominator
+        # something else is in the denominator
         (lambda s, p, t: sqrt(s.x) / (s.x + s.y), ["sqrt"]),
         (lambda s, p, t: s.x / sqrt(s.y) + sqrt(s.x), ["sqrt"]),
         (lambda s, p, t: sqrt(s.x) * s.x**2, ["sqrt"]),
         (lambda s, p, t: sqrt(s.x) + s.y**-2, ["sqrt"]),
         (lambda s, p, t: s.x**0.5 + s.y**-0.5, ["**"]),
-        # may be zero, or less
+        # may be zero or negative
         (lambda s, p, t: sqrt(s.x * s.x - 1), ["sqrt"]),
         (lambda s, p, t: sqrt(1 - s.x * s.x), ["sqrt"]),
         (lambda s, p, t: sqrt(1 + s.x), ["sqrt"]),
@@ -117,7 +117,7 @@ def test_what_the_rates_do_not_need_is_no_hazard():
 
 
 def test_an_exponential_that_is_never_zero_is_one_hazard_not_two():
-    """Its root has no branch point on the way, but it may be hidden itself."""
+    """Its root has no branch point on the way, but the exponential itself may be hidden."""
     assert hazards(traced(lambda s, p, t: sqrt(exp(s.x)))) == ["exp"]
     assert hazards(traced(lambda s, p, t: sqrt(cosh(s.x)))) == ["cosh"]
     assert hazards(traced(lambda s, p, t: sqrt(1 + exp(s.x)))) == ["exp"]

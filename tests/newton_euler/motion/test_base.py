@@ -1,5 +1,5 @@
 """What all methods of integration share: where steps end, which step a time lies in, and when a run
-that does not get on is refused.
+that makes no progress is refused.
 """
 
 import math
@@ -28,7 +28,7 @@ class _Counted(Stepper):
 
 
 def stepper(*times, goal=10.0, x=(7.0, 8.0), **options):
-    """One that has taken steps to these times."""
+    """A stepper that has taken steps to these times."""
     one = begun(_Counted, None, x, goal, times[0], **{"max_steps": 1e300} | options)
     one.step_times, one.t = list(times), times[-1]
     one.steps = [("length", t, n) for n, t in enumerate(times[:-1])]
@@ -55,11 +55,11 @@ def test_a_time_between_two_steps_is_in_the_later_one_and_those_outside_in_the_n
     assert [one.state_at(t) for t in times] == [*zip(times, numbers, strict=True)]
 
 
-# -- runs that do not get on
+# -- runs that make no progress
 
 
 def gone(long, short, length, unit=1.0):
-    """Steps of a unit of time, then shorter ones, each number looked at by itself."""
+    """A stepper checked after ``long`` steps of a unit of time and again after ``short`` ones."""
     one = stepper(0.0, goal=1e6)
     for count, h in ((long, unit), (short, length * unit)):
         one.step_times += (one.t + h * np.arange(1, count + 1)).tolist()
@@ -73,9 +73,9 @@ def test_many_steps_far_shorter_than_the_longest_are_refused(unit):
     gone(MAX_STALLED_STEPS, MAX_STALLED_STEPS, 1.01 * STALLED_RATIO, unit)
     with pytest.raises(StepError, match=f"2000 steps took only {0.02 * unit:.1g} of time"):
         gone(MAX_STALLED_STEPS, MAX_STALLED_STEPS, 0.99 * STALLED_RATIO, unit)
-    # the longest may be among them
+    # the longest step may be among those looked at
     gone(1, MAX_STALLED_STEPS - 1, 0.5 * STALLED_RATIO)
-    # all alike, none is
+    # equal steps are fine however short they are
     gone(0, MAX_STALLED_STEPS, 1e-9)
 
 
@@ -91,7 +91,7 @@ def test_a_motion_that_needs_far_too_many_steps_is_refused_with_how_far_it_can_g
         one.check_length(20)
     words = "about 2e+02 steps would be needed to reach t = 15; 1e+02 are possible, which is up to about"
     assert str(refused.value).startswith(f"{words} t = 1e+01")
-    stepper(5.0, goal=15.0, max_steps=100).check_length(20)  # nothing is known yet
+    stepper(5.0, goal=15.0, max_steps=100).check_length(20)  # no step yet, so no forecast
 
 
 def test_progress_is_also_that_of_the_whole_motion():

@@ -1,4 +1,4 @@
-"""Many motions at once: which of them vouch for which, and that each is as accurate as asked."""
+"""Many motions at once: which motions vouch for which, and that each is as accurate as asked."""
 
 import math
 from types import SimpleNamespace
@@ -84,7 +84,7 @@ def test_motions_without_a_finite_end_stand_for_nobody_else(bad):
 
 
 def together(begins, ends):
-    """For each motion the least number of those that it shares a representative with."""
+    """For each motion, the lowest number among the motions that share its representative."""
     _, group = _representatives(begins, ends)
     _, first = np.unique(group, return_index=True)
     return first[group].tolist()
@@ -103,15 +103,15 @@ def test_the_size_of_a_state_is_that_of_its_end_whichever_way_it_points():
 
 
 def test_a_state_that_is_zero_at_both_ends_is_judged_by_the_others_as_far_as_it_is_like_them():
-    """The second state ends at 0 or 1e-8, and once at 1e-7; the motions from number 10 on are small
-    beside the others in their first state, so that for them 1e-8 is not small. The third state is
+    """The second state ends at 0 or 1e-8, and once at 1e-7. From number 10 on the first state is a
+    thousandth of what it was before, so that 1e-8 is not small beside it. The third state is
     always zero.
     """
     begins, ends = np.zeros((3, 20)), np.zeros((3, 20))
     begins[0] = ends[0] = [1e-6] * 10 + [1e-9] * 10
     ends[1] = [0.0, 1e-8] * 10
     ends[1, 9] = 1e-7
-    # whichever stands in the middle of a block, what is not small is not together
+    # whichever motion stands in the middle of a block, states that are not small do not join it
     assert together(begins, ends) == [0] * 9 + [9] + [10, 11] * 5
 
 
@@ -206,8 +206,8 @@ def test_the_errors_of_a_batch_of_closed_forms_are_those_asked_for(count):
     assert motions.method.name == "exact"
     assert motions.times.tolist() == [1.0, 2.0, 3.0, 4.0, 5.0]
     assert abs(motions.states["x"] - np.cos(w[:, None] * (motions.times - 1.0))).max() < 1e-13
-    assert (motions.error == motions.rtol).all()  # no more is known
-    assert motions.cost.calls == 5  # none of them was made by itself
+    assert (motions.error == motions.rtol).all()  # nothing closer is known
+    assert motions.cost.calls == 5  # no motion was computed by itself
 
 
 def test_closed_forms_are_judged_at_their_starts_and_ends_with_something_to_spare(monkeypatch):
@@ -226,7 +226,7 @@ def test_closed_forms_are_judged_at_their_starts_and_ends_with_something_to_spar
 
 
 def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypatch):
-    """Here those of the faster spring, for which the second number stands."""
+    """Here these are the motions of the faster spring, which have the second number."""
     monkeypatch.setattr(
         batch, "known_accurate", lambda system, *_: system.model.parameters["k"] == 1.0
     )
@@ -256,8 +256,8 @@ def fresh():
 @pytest.mark.parametrize(
     ("model", "count", "method", "found"),
     [
-        (SPRING, 2, "dop853", "dop853"),  # though it has a closed form
-        (fresh(), 3, "auto", "dop853"),  # as for one
+        (SPRING, 2, "dop853", "dop853"),  # although it has a closed form
+        (fresh(), 3, "auto", "dop853"),  # as for one motion
         pytest.param(PENDULUM, MIN_HEYOKA_BATCH, "auto", "taylor", marks=needs_heyoka),
     ],
 )
@@ -275,7 +275,7 @@ def test_many_motions_are_made_by_the_method_asked_for_or_worth_it(model, count,
     ],
 )
 def test_motions_that_stop_on_the_way_are_reported_with_those_that_do_not(starts, words, stopped):
-    """x' = -1/x comes to zero at x0^2/2."""
+    """With x' = -1/x, x reaches zero at t = x0^2/2."""
     x = np.array(starts)
     with pytest.raises(AccuracyError, match=words) as refused:
         integrate(FALL, 1.0, (x,), method="dop853", samples=[0.0, 0.25, 1.0])
@@ -311,9 +311,9 @@ def test_the_errors_by_the_clock_are_those_of_each_motion_or_a_bound_of_them():
     found = _clock_errors(system, t0, t1, ends, w[None], sizes, 0.0)
     assert found == pytest.approx(each, rel=1e-9, abs=0.0)
     bounds = _clock_errors(system, t0, t1, ends, w[None], sizes, 1.0)
-    # the rate of these springs is 1/s, and the time 4 s
+    # the rate of these springs is 1/s, the time is 4 s
     assert bounds == pytest.approx(4 * found, rel=0.01, abs=0.0)
-    # nothing is known about a motion that has no end
+    # a motion without an end has no bound
     ends[:, 1] = math.nan
     assert _clock_errors(system, t0, t1, ends, w[None], sizes, 1.0)[[0, 2]].tolist() == [
         bounds[0],
@@ -325,7 +325,7 @@ def test_the_errors_by_the_clock_are_those_of_each_motion_or_a_bound_of_them():
 @needs_heyoka
 @pytest.mark.parametrize("names", ["", "p", "pq"])
 def test_a_batch_takes_any_number_of_parameters(names):
-    """x' = -(p + q) x, of the parameters that there are."""
+    """x' = -(p + q) x, with whichever parameters there are."""
     rates = lambda s, p, t: (-(1.0 + sum(getattr(p, n) for n in names)) * s.x,)
     values = {n: np.array([0.25, 0.5, 0.75]) for n in names}
     model = Model("fading", dict.fromkeys(names, 1.0), ("x",), rates)
@@ -335,7 +335,7 @@ def test_a_batch_takes_any_number_of_parameters(names):
     assert found.states["x"][:, -1] == pytest.approx(exact, rel=1e-9)
 
 
-# x'' = x from (1, -1): what is off at the start grows as exp(t), and the error is known
+# x'' = x from (1, -1): an error at the start grows as exp(t), so the error is known
 SADDLE = second_order("saddle", {}, ("x",), lambda s, p, t: (s.x,))
 GROWN = ROUND_OFF_OF_RATES * math.exp(15.0)
 
@@ -349,7 +349,7 @@ def test_the_errors_of_a_batch_contain_the_round_off_of_its_start(rtol, safety):
 
 @needs_heyoka
 def test_motions_alike_are_vouched_for_by_one_that_has_something_to_spare():
-    """At the smaller rtol all are compared, not one batch of them."""
+    """At the smaller rtol all the motions are compared, not just one batch of them."""
     x = np.linspace(1.0, 1.001, 64)
     least = SPARE * 1.03 * GROWN
     spare, none = (integrate(SADDLE, 15.0, (x, -x), f * least, "taylor") for f in (1.1, 0.9))
@@ -369,8 +369,8 @@ def test_a_motion_vouches_only_for_those_close_to_it(width, compared):
 
 @needs_heyoka
 def test_a_motion_vouches_for_a_smaller_state_by_the_size_of_that():
-    """Light that passes a spot at distances of which one has a hundredth of the other's dose: by
-    the error of the larger one smaller ones were off 3.5 times.
+    """Motions that pass a spot of light: the farthest gets a hundredth of the nearest one's dose.
+    Judged by the larger dose, the smaller ones were once wrong by 3.5 times the tolerance.
     """
 
     def rates(s, p, t):
@@ -393,14 +393,14 @@ def test_a_state_that_is_zero_at_the_ends_of_a_motion_is_as_large_as_on_the_way(
     assert (motions.error < 1e-11).all()
     assert motions.cost.calls < 2 * integrate(spring, 3.0, (0 * v, v), 1e-9, "taylor").cost.calls
     still = integrate(spring.changed(), 3.0, (0 * v, 0 * v), 1e-9, "taylor")
-    assert (still.error < 1e-12).all()  # nor is a state that is zero all the time refused
+    assert (still.error < 1e-12).all()  # a state that is always zero is not refused either
 
 
 @needs_heyoka
 @pytest.mark.parametrize("count", [1, 3, 8, 9])  # heyoka takes 2, 4 or 8 at once
 @pytest.mark.parametrize("times", [[0.0, 1.0], [1.0], [0.5, 1.0], [0.0, 0.5, 1.0]], ids=str)
 def test_where_some_motions_stop_on_the_way_the_others_go_on(times, count):
-    """x' = -1/x comes to zero at x0^2/2: every third of these at 0.5 s."""
+    """With x' = -1/x, x reaches zero at t = x0^2/2: for every third of these at 0.5 s."""
     system = PreparedModel(FALL)
     starts = np.where(np.arange(count) % 3 == 1, 0.7, 3.0)[None]
     p, times = np.zeros((0, count)), np.array(times)

@@ -32,7 +32,7 @@ def test_values_and_slopes_of_polynomials_are_those_of_numpy():
         numpys.chebval(x, numpys.chebder(c)) for x, c in zip(PLACES, POLYNOMIALS, strict=True)
     ]
     assert derivatives_at(POLYNOMIALS, PLACES) == pytest.approx(slopes)
-    # what follows the coefficients are the checks
+    # the checks follow the coefficients
     longer = np.hstack([POLYNOMIALS, np.ones((5, 3))])
     assert derivatives_at(longer, PLACES) == pytest.approx(slopes)
 

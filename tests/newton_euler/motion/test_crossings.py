@@ -59,7 +59,7 @@ def test_steps_end_at_every_change_of_a_spring(tolerance):
 
 
 def test_the_error_of_such_steps_is_proportional_to_their_tolerance():
-    """A hundred times across two springs, back at the start; across kinks it is not."""
+    """Two springs, back at the start after a hundred crossings; steps across kinks do worse."""
     errors = []
     for tolerance in (1e-7, 1e-9, 1e-11):
         trajectory = stopping(TWO_SPRINGS, 15 * math.pi, (1.0, 0.0), tolerance)
@@ -71,7 +71,7 @@ def test_the_error_of_such_steps_is_proportional_to_their_tolerance():
 @pytest.mark.parametrize(("rate", "width"), [(320.0, 0.003), (5.0, 0.2), (1.0, 1.0)])
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
 def test_a_jump_moves_a_state_that_was_zero(rate, width, rtol):
-    """It was refused: no error is small relative to nothing."""
+    """This was once refused: no error is small relative to zero."""
     touched = lambda s, p: where(s.x > p.c, where(s.x < p.c + p.w, p.r, 0.0), 0.0)
     model = Model("hair", {"r": rate, "c": 6.07, "w": width}, ("x", "q"),
                   lambda s, p, t: (2.1, touched(s, p)))  # fmt: skip
@@ -80,7 +80,7 @@ def test_a_jump_moves_a_state_that_was_zero(rate, width, rtol):
 
 
 def test_a_step_whose_error_estimate_is_small_by_chance_counts_for_what_its_halves_differ():
-    """A disc of wet ice: within it the speed falls by A for each metre of the chord."""
+    """A disc of wet ice: within it the speed falls by A per metre of the chord."""
     A, R, start = 1.9939835721474755, 0.19590363586154277, (-1.9241012668165525, 1.9880880989080059)
     u, v, T = 0.5210057588496027, -0.5696466544492487, 7.386103643326437
 
@@ -106,7 +106,7 @@ def test_a_motion_that_slides_is_refused_with_what_to_write():
 
 @pytest.mark.parametrize("w", [0.06, 0.07, 0.08, 0.2])
 def test_a_run_that_steps_over_a_resistance_does_not_contradict_one_that_has_seen_it(w):
-    """By the time that each speed takes: it was refused, with an error of 6e-3."""
+    """Judged by the time to reach each speed. This was once refused, with an error of 6e-3."""
     g, vc, A = 9.81, 20.0, 9.0
     rates = lambda s, p, t: (g - A * exp(-(((s.v - vc) / w) ** 2)),)
     motion = integrate(Model("resistance", {}, ("v",), rates), 4.0, (0.0,), 1e-12, "dop853")

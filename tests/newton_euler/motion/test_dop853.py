@@ -18,10 +18,10 @@ TOL = 1e-8
 
 
 def run(model=SPRING, start=(1.0, 0.0), t1=5.0, **options):
-    """One that has not begun; of its right-hand side ``counted`` says how often it was called."""
+    """A run that has not begun; ``counted`` is how often its right-hand side was called."""
     one = begun(Dop853, prepared_model(model), start, t1, **options)
     f, constants = one.f
-    one.counted = 1  # of begin()
+    one.counted = 1  # the call of begin()
 
     def counting(*given):
         one.counted += 1
@@ -61,7 +61,7 @@ def test_no_step_is_longer_than_its_part_of_the_time():
         one = run(slow, (1.0, 1.0), t0=t0, longest_part=part)
         one.step()
         assert max(lengths(one)) == pytest.approx(part * (5.0 - t0), rel=1e-12)
-    # not so short that it would not change the time
+    # long enough to change the time
     assert run(slow, (1.0, 1.0), t0=-1e9 - 1e-6, t1=-1e9).hmax == pytest.approx(1e-4)
 
 
@@ -70,11 +70,11 @@ def test_a_step_grows_and_shrinks_between_its_bounds():
     one.step(3)
     before, _, x = one.steps[-1]
     one.step(1)
-    # from far too short
+    # from a step far too short
     one.h = 1e-9
     one.step(2)
     assert one.h == pytest.approx(GROW**2 * 1e-9, rel=1e-12)
-    # from far too long, as often as it takes
+    # from a step far too long, as often as it takes
     one.h, calls = 100.0, one.counted
     one.step(1)
     tries = (one.counted - calls) // 12
@@ -102,7 +102,7 @@ def test_the_last_step_ends_at_the_goal_though_the_time_is_rounded(t0, t1):
 
 
 def test_steps_keep_the_tolerance_with_little_to_spare():
-    """The error of a step, by its decay, over the tolerance: the steps are as long as it allows."""
+    """The largest true error of a step is little less than the tolerance allows."""
     one = run(DECAY, (1.0,), t1=3.0)
     one.step()
     ends = [*one.steps[1:], (one.t, None, *one.x)]
@@ -150,7 +150,7 @@ def test_every_call_of_the_right_hand_side_is_counted_and_a_step_is_interpolated
 
 
 def test_a_step_to_a_time_is_more_accurate_than_the_interpolation():
-    """In the middle of a step of the spring, against its closed form from the begin of the step."""
+    """In the middle of a step of the spring, against its closed form from the start of the step."""
     one = run(step=0.2)
     one.step()
     begin, h, x, v = one.steps[3]

@@ -1,4 +1,4 @@
-"""Messages on a motion that cannot be followed: the reason, and what to write."""
+"""Messages about a motion that cannot be followed: the reason, and what to write."""
 
 import re
 
@@ -57,7 +57,7 @@ def test_a_motion_that_sticks_is_refused_with_the_event_to_write(event, rtol):
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_an_exponential_that_is_too_large_is_named(sign):
-    """A valve that opens over a millimetre: exp(3000) on one of its sides."""
+    """A valve that opens over a millimetre gives exp(3000) on one of its sides."""
     rates = lambda s, p, t: (1.0, 1 / (1 + exp(sign * (s.x - 3.0) / 1e-3)))
     with pytest.raises(MotionError, match=r"too large for a float.* 1/\(1 \+ exp\(x\)\)"):
         integrate(Model("valve", {}, ("x", "q"), rates), 10.0, (0.0, 0.0))

@@ -1,4 +1,4 @@
-"""The error of a run, predicted from its difference to one of another tolerance."""
+"""The error of a run, predicted from its difference from a run with another tolerance."""
 
 import itertools
 import math
@@ -33,7 +33,7 @@ PENDULUM = second_order("pendulum", {}, ("a",), lambda s, p, t: (-sin(s.a),))
 START = (1.0, 0.0)
 
 
-ORBIT = kepler()  # of e = 0.3: three turns end at the start
+ORBIT = kepler()  # e = 0.3: three orbits end at the start
 PERIAPSIS = 0.7, 0.0, 0.0, math.sqrt(1.3 / 0.7)
 DRIVEN = Model("driven", {"n": 2.0}, ("x",), lambda s, p, t: (cos(p.n * t) * s.x,))
 
@@ -56,8 +56,8 @@ def growth(n):
 def test_the_prediction_covers_the_true_error_also_where_it_is_tight(
     model, method, rtol, start, t, end
 ):
-    """By closed forms; of 240 runs of 14 models those in which the true error is more than half of
-    the predicted one, as it is in few.
+    """Of 240 runs of 14 models with closed forms, these few have a true error of more than half
+    the predicted one.
     """
     method, run = METHODS[method], Run(prepared_model(model), 0.0, t, start, rtol)
     tolerance = min(rtol / 100, method.max_tolerance)
@@ -79,11 +79,11 @@ def test_the_error_of_a_fine_run_is_a_power_of_the_ratio_of_the_tolerances():
 @pytest.mark.parametrize(
     ("given", "found"),
     [
-        # no error is below the tolerance nor below round-off
+        # no error is below the tolerance or below round-off
         ((0.0, 1e-3, 1e-7), 1e-7),
         ((0.0, 1e-3, 0.0), ROUND_OFF),
         ((0.0, 54.0, 1e-7), SERIES_ROUND_OFF),
-        # beside a more accurate run the difference is the error; of equal tolerances neither is
+        # the difference from a more accurate run is the error; at equal tolerances neither run is
         ((1e-8, 54.0, 1e-3), SERIES_SAFETY * 1e-8),
         ((1e-8, 1.5, 1e-3), SERIES_SAFETY * 1e-8),
         ((1e-8, 1.0, 1e-12), SAFETY * 1e-8),
@@ -118,7 +118,7 @@ def test_where_formulas_change_the_prediction_is_the_cautious_one(monkeypatch, w
 
 @pytest.mark.parametrize("method", ["dop853", "scipy RK45", TAYLOR])
 def test_the_error_contains_what_the_clock_makes_of_a_force_in_time(method):
-    """x' = sin(w t) at t = 1e9: the time is known to 1e-7 s."""
+    """Under sin(w t) at t = 1e9: there the time is known only to 1e-7 s."""
     model = second_order("driven", {"w": 2.0}, ("x",), lambda s, p, t: (sin(p.w * t) - s.x,))
     errors = [integrate(model, (t0, t0 + 2.0), START, 1e-5, method).error for t0 in (0.0, 1e9)]
     assert errors[1] > 1e-7
@@ -129,7 +129,7 @@ def test_the_error_contains_what_the_clock_makes_of_a_force_in_time(method):
     ("near", "c", "v"), [(2.9376e-5, 3.0186, 2.8582), (8.492e-5, 3.3079, 1.9994), (1e-2, 5.0, 1.0)]
 )
 def test_the_error_contains_the_round_off_of_a_small_distance_from_a_large_place(near, c, v):
-    """A bounce off a pole, by its energy: 1e-11 was off where 1e-12 was told."""
+    """A bounce off a pole, judged by its energy: 1e-12 was reported where the error was 1e-11."""
     B = near * v * v / 2
     pole = second_order("pole", {}, ("x",), lambda s, p, t: (-B / (c - s.x) ** 2,))
     try:
@@ -142,7 +142,7 @@ def test_the_error_contains_the_round_off_of_a_small_distance_from_a_large_place
 
 
 class Still:
-    """A system whose rates do not depend on time, and have these places."""
+    """A system whose rates do not depend on time, with the given surprises and hazards."""
 
     autonomous = True
 
@@ -151,7 +151,7 @@ class Still:
 
 
 def made(steps, tolerance=1e-12, difference=0.0, system=None, residuals=(0.0,), stopping=False):
-    """A trajectory of this many steps in each segment."""
+    """A trajectory with the given number of steps in each segment."""
     parts = []
     for n, r in itertools.zip_longest(steps, residuals, fillvalue=0.0):
         of = {"step_times": range(n + 1), "scales": (1.0,), "residual": lambda r=r: r}
@@ -164,7 +164,7 @@ def made(steps, tolerance=1e-12, difference=0.0, system=None, residuals=(0.0,), 
 
 
 def is_regular(method, coarse, fine, ratio=1e-3):
-    """True if the prediction is that of runs in the regime of small errors."""
+    """True if the prediction is the one for runs in the regime of small errors."""
     before, after = made(coarse, 1e-12 / ratio, 1e-4), made(fine)
     found = error_by_comparison(before, after, METHODS[method])
     given = [
@@ -178,7 +178,7 @@ def test_few_steps_are_not_in_the_regime_of_small_errors(method):
     for steps, regular in ((MIN_STEPS - 1, False), (MIN_STEPS, True)):
         assert is_regular(method, [steps], [100]) == regular
         assert is_regular(method, [steps - 3, 3], [100]) == regular
-    assert is_regular("taylor", [1], [1])  # of a series the tolerance sets the order, not the steps
+    assert is_regular("taylor", [1], [1])  # in a series the tolerance sets the order, not the steps
 
 
 @pytest.mark.parametrize(
@@ -198,7 +198,7 @@ def test_few_steps_are_not_in_the_regime_of_small_errors(method):
 def test_steps_that_do_not_grow_by_the_order_are_not_in_the_regime(coarse, fine, regular):
     fine = [int(n) for n in fine]
     assert is_regular("dop853", coarse, fine) == regular
-    if sum(coarse) >= MIN_STEPS:  # of a fixed step they follow from the tolerance
+    if sum(coarse) >= MIN_STEPS:  # with a fixed step the number of steps follows from the tolerance
         assert is_regular("yoshida8", coarse, fine)
 
 
@@ -227,5 +227,5 @@ def test_where_a_series_may_not_see_all_of_the_rates_its_worst_residual_counts()
 def test_the_reported_error_has_more_safety_but_is_not_above_the_rtol():
     assert reported_error(1e-9, 1e-6) == pytest.approx(3e-9)
     assert reported_error(5e-7, 1e-6) == 1e-6
-    assert reported_error(2e-6, 1e-6) == 2e-6  # refused: as it is
+    assert reported_error(2e-6, 1e-6) == 2e-6  # refused: reported unchanged
     assert math.isnan(reported_error(math.nan, 1e-6))

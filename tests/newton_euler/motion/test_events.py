@@ -1,4 +1,4 @@
-"""Which zeros of a function are events, along a motion whose every state is known."""
+"""Which zeros of a function are events, along a motion whose states are all known."""
 
 import math
 
@@ -86,7 +86,7 @@ def test_sums_of_oscillations_change_sign_as_often_as_a_fine_grid_shows(parts):
     x = sum(a * (np.cos(t) * np.cos(w * t + f) - np.sin(t) / 3) for w, f, a in parts)
     change = np.flatnonzero(np.sign(x[1:]) * np.sign(x[:-1]) < 0)
     found = times(g, 10.0)
-    # where it just touches zero the grid is no judge
+    # a grid cannot judge where the function just touches zero
     turn = np.flatnonzero((np.diff(x)[1:] * np.diff(x)[:-1] < 0) & (abs(x[1:-1]) < 1e-6))
     if not len(turn) and min(abs(x[0]), abs(x[-1])) > 1e-6:
         assert len(found) == len(change)
@@ -130,7 +130,7 @@ def test_events_come_in_order_and_those_that_end_the_segment_last():
 
 
 def test_a_step_without_length_has_no_events_and_the_start_is_that_of_the_next():
-    """Beside the goal a step may be shorter than the last digit of the time."""
+    """Close to the goal a step may be shorter than the last digit of the time."""
     steps = _Steps()
     steps.step_times = [0.0, 0.0, 10.0]
     locator = EventLocator(Event(lambda t, x: x * (x - 5)), steps, True)
@@ -139,7 +139,7 @@ def test_a_step_without_length_has_no_events_and_the_start_is_that_of_the_next()
 
 
 def test_what_comes_after_the_end_is_not_looked_for():
-    """There the other function has thousands of millions of zeros."""
+    """After the end the other function has billions of zeros."""
     wild = lambda t, x: np.where(x < 2, 1.0, np.sin(1e9 * x))
     events = [Event(lambda t, x: x - 1, terminal=True), Event(wild)]
     locators = [EventLocator(event, _Steps(), False) for event in events]
@@ -171,7 +171,7 @@ def test_events_a_few_round_offs_apart_are_at_one_time(t):
 
 
 class _Rough(_Steps):
-    """The interpolation is ahead by this much."""
+    """A step whose interpolation is ahead by a given amount."""
 
     def __init__(self, ahead):
         self.ahead = ahead
@@ -196,12 +196,12 @@ def test_a_jump_is_where_the_more_accurate_states_have_it(ahead, size):
 @pytest.mark.parametrize("ahead", [0.1, -0.1])
 @pytest.mark.parametrize("function", [lambda t, x: x - 5, lambda t, x: np.where(x < 5, -1.0, 2.0)])
 def test_states_that_are_far_from_the_interpolation_move_no_event(function, ahead):
-    """More than a thousandth of the step: it is not for Newton's method."""
+    """A shift of more than a thousandth of the step is not left to Newton's method."""
     assert found_in_step(function, steps=_Rough(ahead)) == pytest.approx([5.0 - ahead], abs=1e-12)
 
 
 def test_an_event_beside_the_end_of_a_step_stays_in_it():
-    """It may be that of the next step as well, and the states of the two differ."""
+    """The next step may find the same event, and the states of the two steps differ."""
     assert found_in_step(lambda t, x: x - 10, steps=_Rough(1e-3)) == [10.0]
 
 
@@ -230,7 +230,7 @@ def test_what_a_function_refuses_on_the_way_is_raised_as_it_is(closed):
 
 @pytest.mark.parametrize("method", ["exact", "dop853", TAYLOR])
 def test_a_ball_in_a_corner_bounces_off_both_walls(method):
-    """Two events at one time: each has its then."""
+    """Of two events at one time, each applies its own ``then``."""
     exact = lambda s, p, t: (s.x + s.u * t, s.y + s.v * t, s.u, s.v)
     ball = Model(
         "ball", {}, ("x", "y", "u", "v"), lambda s, p, t: (s.u, s.v, 0.0, 0.0), exact=exact

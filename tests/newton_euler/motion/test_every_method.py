@@ -1,4 +1,4 @@
-"""What every method of integration keeps to: the steps asked for, stops, and what it tells of them."""
+"""What every method of integration obeys: the steps asked for, stops, and what it reports."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ BY_STOPS = {
     "taylor": pytest.param(Taylor, marks=needs_heyoka),
 }
 EVERY = {**BY_STOPS, "splitting": splitting(4, False)}
-STEPPED = {name: kind for name, kind in EVERY.items() if name != "taylor"}  # one after the other
+STEPPED = {name: kind for name, kind in EVERY.items() if name != "taylor"}  # these go step by step
 
 
 def over(kinds):
@@ -26,7 +26,7 @@ def over(kinds):
 
 
 def run(method, t1=5.0, **options):
-    """One that has not begun, on x'' = -4 x from 1."""
+    """A run that has not begun, of x'' = -4 x from x = 1."""
     floors = {} if method is Taylor else {"floors": (1e-3, 1e-3)}
     fixed = {} if method is not EVERY["splitting"] else {"step": 0.1}
     return begun(method, prepared_model(SPRING), (1.0, 0.0), t1, **floors, **fixed, **options)

@@ -24,7 +24,7 @@ from tests.models import begun
 
 
 def spring(off=lambda t: 0.0 * t, part=1.0):
-    """With a formula for its place that is wrong by this much, or by this factor."""
+    """A spring whose formula for the position is wrong by ``off``, or by the factor ``part``."""
 
     def solution(s, p, t):
         x, v = part * s.x, part * s.v
@@ -58,7 +58,7 @@ def test_where_nothing_changes_the_pace_is_that_of_the_time(t, pace):
 
 
 def test_sizes_and_pace_are_the_largest_on_the_way():
-    """At both ends of a whole turn the velocity is zero."""
+    """The velocity is zero at both ends of a whole turn."""
     start, t = (2.0, 0.0), 2 * math.pi
     size, pace = _size_and_pace(spring(), t, start, start)
     assert size == pytest.approx([2.0, 2.0], rel=0.02)
@@ -94,7 +94,7 @@ def test_a_formula_that_does_not_start_at_the_start_has_that_error():
     "off",
     [
         lambda t: 1e-7 * t,
-        # small at the start, and later not large enough for what is then left by the phase
+        # small at the start, and later too small beside what the phase leaves by then
         lambda t: 1e-6 * where(t < 1, t * t, 2 * t - 1),
         lambda t: 1e-6 * where(t < 3, 0.0 * t, (t - 3) ** 2),
     ],
@@ -102,7 +102,7 @@ def test_a_formula_that_does_not_start_at_the_start_has_that_error():
 )
 @pytest.mark.parametrize("t", [8.0, 20.0])
 def test_a_formula_that_is_a_little_wrong_is_found_by_its_rates(off, t):
-    """By at least as much as it is wrong at the end."""
+    """The residual is at least as large as the error of the formula at the end."""
     found = residual_of(spring(off), t)
     assert found[0] > 1e-7
     assert found[0] >= off(t)
@@ -110,7 +110,7 @@ def test_a_formula_that_is_a_little_wrong_is_found_by_its_rates(off, t):
 
 @pytest.mark.parametrize("small", [1e-3, 1e-6, 5e-7, 2e-7, 1e-7, 3e-8, 1e-13, 0.0])
 def test_a_formula_that_is_the_same_for_all_numbers_near_but_not_right_is_found(small):
-    """A ship under constant force, c^2/a (sqrt(1 + (a t/c)^2) - 1): a t^2/2 for a small force."""
+    """A spaceship under constant force: c^2/a (sqrt(1 + (a t/c)^2) - 1); a t^2/2 if it is small."""
     rates = lambda s, p, t: (s.v / sqrt(1 + (small * s.v) ** 2), 1 + 0 * s.v)
 
     def exact(s, p, t):

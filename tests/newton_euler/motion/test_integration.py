@@ -85,7 +85,7 @@ def test_parameters_with_which_the_rates_have_no_value_end_it_in_words(method):
         integrate(model, 1.0, (1.0,), 1e-6, method)
 
 
-# -- runs that are prepared
+# -- prepared runs
 
 
 @pytest.mark.parametrize("method", ["auto", "exact", TAYLOR, "dop853", "verlet"])
@@ -111,7 +111,7 @@ def test_a_prepared_run_takes_the_fastest_method(model, method):
 @pytest.mark.parametrize("method", ["exact", TAYLOR])
 def test_a_prepared_run_is_no_integration_if_it_need_not_be(method, monkeypatch):
     run = prepare(oscillator(), 1e-7, method)
-    run(3.0, (1.0, 0.0))  # a first series is compared with another one
+    run(3.0, (1.0, 0.0))  # the first series is compared with another one
     monkeypatch.setattr("newton_euler.motion.integration.Run", None)
     for start in (1.0, 1.001):
         assert run(3.0, (start, 0.0))[0] == pytest.approx(start * math.cos(6.0), abs=1e-7)
@@ -119,7 +119,7 @@ def test_a_prepared_run_is_no_integration_if_it_need_not_be(method, monkeypatch)
 
 @needs_heyoka
 def test_the_finer_series_of_a_long_run_vouches_for_no_other():
-    """The same start again, by fewer terms, was off 6 times what was asked."""
+    """The same start again, with fewer terms, was once wrong by 6 times the tolerance."""
     run = prepare(oscillator(exact=False), 1e-3, "taylor")
     for start in (1.0, 1.0, 1.003):
         end = run(1.5e5, (start, 0.0))[0]
@@ -132,7 +132,7 @@ def test_a_prepared_run_into_a_singular_place_says_so(method):
     assert run(0.4, (1.0,))[0] == pytest.approx(math.sqrt(0.2), rel=1e-5)
     with pytest.raises(MotionError, match="could not be followed beyond t = 0"):
         run(2.0, (1.0,))
-    # and it is as good as before
+    # afterwards the run works as before
     assert run(0.4, (1.0,))[0] == pytest.approx(math.sqrt(0.2), rel=1e-5)
 
 

@@ -10,7 +10,7 @@ from newton_euler.motion.knots import INTERVALS, knots
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
 
-WIDTH = 10.0 / INTERVALS  # of an interval of the motions here
+WIDTH = 10.0 / INTERVALS  # of one interval, in the motions below
 
 
 def at(force, t0=0.0, t1=10.0, **parameters):
@@ -43,7 +43,7 @@ def test_without_a_pulse_nothing_stops_the_motion(name):
 @pytest.mark.parametrize("width", [1e-3, 1e-2, 0.1])
 @pytest.mark.parametrize("factor", [1.0, 1e-9, -1e12])
 def test_a_pulse_has_a_beginning_and_an_end(width, factor):
-    """Both lie where it is round-off of its height: exp(-36) is 2e-16."""
+    """Both lie where the pulse has fallen to round-off of its height: exp(-36) is 2e-16."""
     begin, end = at(lambda s, p, t: factor * bump(t, 5.0, width))
     assert 5.0 - 6.5 * width - WIDTH <= begin <= 5.0 - 4.5 * width
     assert 5.0 + 4.5 * width <= end <= 5.0 + 6.5 * width + WIDTH
@@ -74,14 +74,14 @@ def test_two_pulses_of_one_function_have_two_ends_each():
     ("states", "rates", "count"),
     [
         ("x", lambda s, p, t: (bump(t, 5.0, 0.01),), 2),
-        ("xy", lambda s, p, t: (bump(t, 5.0, 0.01), 1.0), 2),  # beside a number
+        ("xy", lambda s, p, t: (bump(t, 5.0, 0.01), 1.0), 2),  # the other rate is a number
         ("x", lambda s, p, t: (bump(t - s.x, 5.0, 0.01),), 0),  # of time and a state together
     ],
 )
 def test_a_rate_of_time_alone_is_looked_at(states, rates, count):
     system = prepared_model(Model("any", {}, tuple(states), rates))
     assert len(knots(system, 0.0, 10.0)) == count
-    assert knots(system, 0.0, 10.0) is knots(system, 0.0, 10.0)  # looked for once
+    assert knots(system, 0.0, 10.0) is knots(system, 0.0, 10.0)  # searched for only once
 
 
 def test_a_force_that_has_no_value_at_these_parameters_stops_nothing():
@@ -110,7 +110,7 @@ def test_a_pulse_that_lasts_to_the_end_has_no_end_and_one_from_the_start_no_begi
 
 @pytest.mark.parametrize(("gap", "count"), [(3, 2), (4, 4)])
 def test_a_quiet_of_few_intervals_does_not_count(gap, count):
-    """Two pulses of one interval each, with this many quiet ones between them."""
+    """Two pulses of one interval each, with ``gap`` quiet intervals between them."""
     first, second = (5000.5 * WIDTH, (5000.5 + 1 + gap) * WIDTH)
     force = lambda s, p, t: where(t * t > first**2, 1.0, 0.0) + where(t * t > second**2, 1.0, 0.0)
     assert len(at(force)) == count
@@ -118,7 +118,7 @@ def test_a_quiet_of_few_intervals_does_not_count(gap, count):
 
 def test_more_than_a_thousand_pulses_are_an_oscillation():
     def comb(pulses):
-        # exp(-1e3 (1 - cos)) : pulses of a width of 1/20 of their distance
+        # exp(-1e3 (1 - cos)): pulses whose width is 1/20 of their spacing
         return lambda s, p, t: exp(1e3 * (cos(2 * math.pi * pulses * t / 10.0) - 1))
 
     assert len(at(comb(300))) > 500
@@ -146,7 +146,7 @@ def test_parameters_are_those_of_the_model():
 
 
 STEPS = [0.0, 1.5, 1.6, 7.0, 12.0]
-CLOCKS = {  # the place at which a table is read, and the times at which it comes to its places
+CLOCKS = {  # the argument at which a table is read, and the times at which it reaches a step
     "time": (lambda s, p, t: t, (1.5, 1.6, 7.0)),
     "later": (lambda s, p, t: t - 2.0, (2.0, 3.5, 3.6, 9.0)),
     "slower": (lambda s, p, t: (1 + t * p.q) / 2 + 3.0, (7.0,)),

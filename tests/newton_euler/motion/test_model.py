@@ -1,5 +1,5 @@
-"""The record of a scene's equations of motion: what it answers, over every kind of number, and what
-it refuses, in words.
+"""The record of a scene's equations of motion: its answers over every kind of number, and its
+refusals in words.
 """
 
 import math

@@ -1,4 +1,4 @@
-"""Brakes of a millimetre and blows of a millisecond: the speed that they take is known exactly."""
+"""Brakes a millimetre wide, blows a millisecond long: the speed they take is known exactly."""
 
 import importlib.util
 import math
@@ -17,7 +17,7 @@ from newton_euler.motion.trajectory import Trajectory
 needs_heyoka = pytest.mark.skipif(
     importlib.util.find_spec("heyoka") is None, reason="heyoka is not installed"
 )
-# what each takes of the speed, over its strength and its width
+# the speed that each takes, over its strength and its width
 BRAKES = {
     "gauss": (lambda z: exp(-z * z), math.sqrt(math.pi)),
     "quotient": (lambda z: 1 / (1 + z * z) ** 4, 5 * math.pi / 16),
@@ -28,7 +28,7 @@ BRAKES = {
 
 
 def brake(kind, w, speed=1.0, taken=0.2):
-    """A way of 10 m with a brake at 5.3 m, and the speed after it."""
+    """A path of 10 m with a brake at 5.3 m, and the speed after the brake."""
     shape, area = BRAKES[kind]
     parameters = {"A": taken / (w * area), "w": w, "c": 5.3}
     drag = lambda s, p, t: (-p.A * shape((s.x - p.c) / p.w) * s.dx,)
@@ -61,7 +61,7 @@ def test_every_runge_kutta_method_sees_it(kind, method):
 def test_it_is_seen_wherever_in_a_step_it_lies(kind):
     speeds = np.linspace(1.0, 1.1, 60).tolist()
     errors = [error_at(kind, 1e-3, "dop853", 1e-4, speed)[0] for speed in speeds]
-    assert max(errors) < 2e-4  # unseen it is 0.2
+    assert max(errors) < 2e-4  # 0.2 if the brake is not seen
     assert sum(error > 1e-4 for error in errors) <= 1
 
 
@@ -78,7 +78,7 @@ SPOTS = {  # and what each gives, passed at a distance whose square, over its wi
 def test_a_spot_in_the_plane_narrower_than_the_error_of_the_way_is_seen_or_refused(
     kind, width, beside
 ):
-    """Two oscillations lead through it, or past its centre at half of its width."""
+    """Two oscillations lead through the spot, or past its centre at half of its width."""
     shape, area = SPOTS[kind]
 
     def rates(s, p, t):
@@ -112,7 +112,7 @@ def test_a_series_sees_it_or_is_refused(kind):
 
 
 def test_each_of_many_passages_is_seen():
-    """A wheel that is braked at one angle in every turn, a dozen times."""
+    """A wheel is braked at one angle in each of a dozen turns."""
     w, lost = 1e-3, 0.01
     model = second_order(
         "wheel",
@@ -137,7 +137,7 @@ def test_a_blow_beside_a_sine_and_a_clock_that_is_a_state():
 @needs_heyoka
 @pytest.mark.parametrize("kind", ["gauss", "quotient", "slope of tanh"])
 def test_what_is_met_in_the_middle_of_the_motion_is_seen_by_a_series(kind):
-    """A loss about one energy, which decays to it in half of the time."""
+    """A loss around one energy, to which the energy decays in half of the time."""
     shape, c, w = BRAKES[kind][0], 0.04, 1e-5
     parameters = {"c": c, "A": 0.2, "w": w}
 

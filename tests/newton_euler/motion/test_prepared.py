@@ -1,4 +1,4 @@
-"""A model prepared for integration: its functions on floats, and what has no value."""
+"""A model prepared for integration: its functions on floats, and where they have no value."""
 
 import math
 

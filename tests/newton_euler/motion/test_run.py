@@ -63,8 +63,8 @@ def start_of(trajectory):
     [(1e-4, 1 / (SAFETY * 1e-3**REGULAR), 1e-2), (1e-9, 1 / SERIES_SAFETY, 0.0)],
 )
 def test_the_run_that_another_is_compared_with_starts_a_little_beside(coarse, part, rel):
-    """So that what is predicted contains round-off of the rates: times the factor of the
-    prediction, the shift is that. Every second state is shifted the other way.
+    """This puts the round-off of the rates into the prediction: the shift times the factor of the
+    prediction equals it. Every second state is shifted the other way.
     """
     assert 20 < ROUND_OFF_OF_RATES / 2.0**-52 < 30
     start = (1.0, 2.0, 1.0, 2.0, 1.0)
@@ -79,7 +79,7 @@ def test_the_run_that_another_is_compared_with_starts_a_little_beside(coarse, pa
 
 
 def test_with_events_it_starts_at_the_same_place():
-    """It may lie on the surface of one."""
+    """The start may lie on the surface of an event."""
     one = run(state=(1.0, 2.0), events=(Event(lambda s, p, t: s.a - 1.0),))
     assert start_of(one.compared(METHODS["dop853"], 1e-4, 1e-7)) == (1.0, 2.0)
 
@@ -96,11 +96,11 @@ def test_all_runs_are_counted_in_the_cost():
 
 
 ORBIT = kepler()
-PERIAPSIS = 0.7, 0.0, 0.0, math.sqrt(1.3 / 0.7)  # of e = 0.3; after whole turns it is here again
+PERIAPSIS = 0.7, 0.0, 0.0, math.sqrt(1.3 / 0.7)  # e = 0.3; back here after whole orbits
 
 
 def reached(name, rtol, model=ORBIT, start=PERIAPSIS, t1=6 * math.pi, t0=0.0):
-    """The motion, also one that is refused, and how much all runs cost over the one returned."""
+    """The motion, refused or not, and the cost of all runs over that of the one returned."""
     try:
         motion = run(model, t1, start, rtol, t0).by_name(name)
     except MotionError as refused:
@@ -113,8 +113,8 @@ def reached(name, rtol, model=ORBIT, start=PERIAPSIS, t1=6 * math.pi, t0=0.0):
     [
         ("dop853", 1e-9, 1, 1.3, 1.7),  # one other run
         ("dop853", 1e-6, 3, 2.0, 3.0),  # one refinement
-        ("dop853", 1e-3, 200, 2.0, 3.0),  # by what two coarse runs that are far apart say
-        ("verlet", 1e-4, 3, 1.3, 1.6),  # of fixed step: each is compared with another one
+        ("dop853", 1e-3, 200, 2.0, 3.0),  # from two coarse runs that are far apart
+        ("verlet", 1e-4, 3, 1.3, 1.6),  # fixed step: each run is compared with another one
         ("dop853", 1e-13, 3, 2.0, 3.0),  # refused
     ],
 )
@@ -128,7 +128,7 @@ def test_the_tolerance_is_refined_until_the_error_is_small_enough(method, rtol, 
 
 
 def test_what_no_tolerance_makes_smaller_is_tried_a_few_times():
-    """What the clock makes of a force at t = 1e9; a failure is not repeated."""
+    """The round-off of the time at t = 1e9 limits the accuracy; a failed run is not repeated."""
     driven = second_order("driven", {}, ("x",), lambda s, p, t: (sin(2 * t) - s.x,))
     motion, work = reached("dop853", 1e-6, driven, START, 1e9 + 1.0, 1e9)
     assert 1e-6 < motion.error < 1e-3
@@ -140,7 +140,7 @@ def test_what_no_tolerance_makes_smaller_is_tried_a_few_times():
 
 @needs_heyoka
 def test_a_series_for_comparison_knows_the_sizes_of_the_states_on_the_way():
-    """The velocity of half a swing is zero at both ends."""
+    """The velocity is zero at both ends of half a swing."""
     found = run(SPRING, math.pi).compared(METHODS["taylor"], 1e-12, 1e-10)
     assert found.segments[0].stepper.scales == pytest.approx((1.0, 1.0), rel=1e-2)
 
@@ -159,7 +159,7 @@ def test_a_motion_that_would_take_too_many_steps_is_not_begun_a_second_time():
 def test_the_errors_of_many_steps_add_up_so_the_steps_of_a_long_motion_are_the_best(
     method, t, samples
 ):
-    """Also of whole periods, at whose equal parts the speed is zero."""
+    """This includes whole periods, where the speed is zero at equal parts of the time."""
     model = second_order("spring", {"k": 1.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
     one = run(model, t, (1.0, 0.0), samples=samples, rtol=1e-6)
     motion = one.by_name(method)
@@ -175,12 +175,12 @@ def test_where_no_method_is_accurate_after_a_long_time_no_other_is_tried():
     one.rtol = 1e-12
     with pytest.raises(AccuracyError):
         one.by_name("auto")
-    assert one.calls < 1e8  # DOP853 would need 12 for each of 1e7 steps
+    assert one.calls < 1e8  # DOP853 would need 12 calls for each of 1e7 steps
 
 
 @pytest.fixture
 def clock(monkeypatch):
-    """A function that sets the clock: it advances by this many seconds each time it is read."""
+    """A function that sets how many seconds the clock advances each time it is read."""
 
     def set_to(step):
         times = itertools.count(1e5, step)
@@ -232,7 +232,7 @@ def test_the_seconds_of_the_cost_begin_with_the_run(clock):
 
 
 class Auto(Run):
-    """A run by methods whose outcome is given by name: a motion, or what they raise."""
+    """A run whose methods have given outcomes: {name: a motion, or what the method raises}."""
 
     def candidates(self):
         names = [name.split() for name in self.outcomes if name != "exact"]
@@ -283,7 +283,7 @@ def stopped(error):
          "inaccurate series", "series that stops", "Runge-Kutta that stops after an inaccurate one"],
 )  # fmt: skip
 def test_auto_goes_on_until_a_method_is_accurate(first, steps, second):
-    """After a closed form that is not accurate, few steps are tried."""
+    """After a closed form that is not accurate, only a few steps are tried."""
     one = auto(first | second)
     assert [one.by_name("auto")] == one.tried[-1:]
     assert one.tried == list(first)
@@ -295,7 +295,7 @@ def test_auto_goes_on_until_a_method_is_accurate(first, steps, second):
     [
         ({"exact": EventError("no number"), "dop853": 1}, 1, "no number"),
         ({"dop853 watched": stopped(0.1), "taylor": 1}, 1, r"stopped with 0\.1"),
-        # of several the most accurate is raised
+        # of several refusals the most accurate is raised
         ({"taylor": inaccurate(1e-3), "dop853": inaccurate(1e-5)}, 2, "error 1e-05"),
         ({"taylor": inaccurate(1e-5), "dop853": inaccurate(1e-3)}, 2, "error 1e-05"),
         ({"taylor": inaccurate(1e-3), "dop853": stopped(1e-5)}, 2, r"error 0\.001"),
@@ -377,13 +377,13 @@ def test_auto_without_heyoka_is_runge_kutta(monkeypatch):
 
 
 def lorenz():
-    """A model whose motions forget their starts in some tens of seconds."""
+    """A model whose motions forget their starts within some tens of seconds."""
     rates = lambda s, p, t: (10 * (s.y - s.x), s.x * (28 - s.z) - s.y, s.x * s.y - 8 / 3 * s.z)
     return Model("Lorenz", {}, ("x", "y", "z"), rates)
 
 
 def test_auto_raises_the_more_accurate_of_its_refusals():
-    """A motion that no float can follow: the error is that of .reached."""
+    """No float can follow this motion: the reported error is that of .reached."""
     with pytest.raises(AccuracyError, match="the motion forgets its start") as refused:
         integrate(lorenz(), 60.0, (1.0, 1.0, 20.0))
     assert refused.value.reached.error > 0.05
@@ -402,7 +402,7 @@ def test_a_second_run_close_to_a_verified_one_is_not_compared_again():
     assert callable(motion.estimate)
     assert again.calls < first.calls
     assert 0 < motion.error <= 1e-9
-    # with events each is
+    # with events each run is compared
     events = (Event(lambda s, p, t: s.a),)
     for other in (run(model, events=events), run(model, state=(2.0, 0.0))):
         assert not callable(other.by_name("taylor").estimate)
@@ -410,7 +410,7 @@ def test_a_second_run_close_to_a_verified_one_is_not_compared_again():
 
 @needs_heyoka
 def test_a_run_that_an_event_ended_early_does_not_vouch_for_the_whole_time():
-    """Up to t = 1 it is accurate, to t = 40 no run can be."""
+    """Up to t = 1 the run is accurate; up to t = 40 no run can be."""
     model, start = lorenz(), (1.0, 1.0, 20.0)
     early = Event(lambda s, p, t: t - 1.0, terminal=True)
     assert integrate(model, 40.0, start, 1e-9, "taylor", early).error < 1e-9
@@ -457,7 +457,7 @@ def test_a_closed_form_is_returned_with_its_error():
 
 def test_a_closed_form_that_gives_way_to_a_model_without_one_is_refused():
     event = Event(lambda s, p, t: s.x, then=lambda s, p, t: (PENDULUM, (s.x, s.dx)))
-    for rtol in (1e-9, 1e-15):  # also where it would not be accurate either
+    for rtol in (1e-9, 1e-15):  # also where the closed form would not be accurate either
         with pytest.raises(ModelError, match="it becomes a model without one; take") as refused:
             run(SPRING, 8.0, START, rtol, events=(event,)).by_name("exact")
         assert type(refused.value) is ModelError
@@ -465,7 +465,7 @@ def test_a_closed_form_that_gives_way_to_a_model_without_one_is_refused():
 
 
 def test_the_closed_forms_of_all_segments_are_judged():
-    """The second has the phase of 1e9 s."""
+    """The second segment has the phase of 1e9 s."""
     exact = lambda s, p, t: (s.x + t * s.dx, s.dx)
     slow = second_order("slow", {}, ("x",), lambda s, p, t: (0.0 * s.x,), exact=exact)
     event = Event(lambda s, p, t: t - 1.0, then=lambda s, p, t: (SPRING, (1.0, 0.0)))
@@ -500,7 +500,7 @@ def test_a_refusal_says_what_can_be_had(error, words):
 
 @pytest.mark.parametrize("ulps", [1, 2, 3, 11])
 def test_a_time_of_a_few_roundings_ends(ulps):
-    """It hung: a step that is less than a rounding of the time does not change it."""
+    """This once hung: a step shorter than a rounding of the time does not change the time."""
     begin, end = 3.0 - ulps * 2.0**-51, 3.0 + ulps * 2.0**-51
     try:
         motion = integrate(DRIFT, (begin, end), (0.0, 1.0), 0.5, "dop853")
@@ -514,7 +514,7 @@ def test_a_time_of_a_few_roundings_ends(ulps):
 
 @pytest.mark.parametrize(("k", "periods"), [(4.0, 1), (9.0, 2), (2.0, 4)])
 def test_a_spring_of_two_stiffnesses_is_known_to_be_back_after_its_periods(k, periods):
-    """To 1e-12, where the difference from a coarser run is a hundred times the error."""
+    """Known to 1e-12, where the difference from a coarser run is a hundred times the error."""
     model = second_order(
         "two", {"k": k}, ("x",), lambda s, p, t: (-where(s.x > 0, p.k, 1.0) * s.x,)
     )
@@ -524,7 +524,7 @@ def test_a_spring_of_two_stiffnesses_is_known_to_be_back_after_its_periods(k, pe
 
 
 def test_what_the_first_run_passed_over_counts_by_the_size_that_the_next_one_finds():
-    """A dose that was 1e-120 before: relative to that 2000 steps were not enough."""
+    """The dose was 1e-120 before: relative to that, 2000 steps were not enough."""
     light = lambda s, p, t: (1.89, 4.8 * exp(-((s.x - 2860.5) ** 2) / 5.2))
     model = Model("light on the way", {}, ("x", "dose"), light)
     motion = integrate(model, 1530.0, (0.0, 0.0), 1e-9, "dop853")

@@ -1,4 +1,4 @@
-"""SciPy's methods as steppers: what they are asked for, where their steps end, what they cost."""
+"""SciPy's methods as steppers: what they are given, where their steps end, what they cost."""
 
 from types import SimpleNamespace
 
@@ -17,7 +17,7 @@ NAMES = "DOP853", "RK45", "LSODA", "Radau"
 
 
 def run(name="RK45", t1=5.0, start=(1.0, 0.0), model=SPRING, **options):
-    """One that has not begun; ``counted`` says how often its right-hand side was called."""
+    """A run that has not begun; ``counted`` is how often its right-hand side was called."""
     system, counted = prepared_model(model), []
 
     def counting(*given):
@@ -38,7 +38,7 @@ def test_a_step_keeps_the_tolerance_of_each_state_over_its_scale_and_its_round_o
     one = run(start=(3.0, 0.0), noise=(1e-5, 0.0))
     assert one.solver.rtol == 1e-8
     assert list(one.solver.atol) == pytest.approx([3e-8 + 1e-5, 1e-11])
-    assert run(tolerance=1e-15).solver.rtol == 2.3e-14  # SciPy takes no less
+    assert run(tolerance=1e-15).solver.rtol == 2.3e-14  # SciPy accepts nothing smaller
 
 
 def test_no_step_is_longer_than_its_part_of_the_time():
@@ -51,7 +51,7 @@ def test_no_step_is_longer_than_its_part_of_the_time():
 @pytest.mark.parametrize("name", ["DOP853", "RK45", "LSODA"])
 @pytest.mark.parametrize("stops", [(), (1.0, 2.5)])
 def test_every_call_is_counted(name, stops):
-    """Radau's differences for its matrix are not, by SciPy itself."""
+    """SciPy itself does not count the differences that Radau takes for its matrix."""
     one = run(name, stops=stops)
     one.step()
     assert one.calls == len(one.counted)
@@ -66,7 +66,7 @@ def test_every_call_is_counted(name, stops):
     ids=["root", "quotient", "infinite"],
 )
 def test_where_the_rates_have_no_value_no_run_begins(name, step, rate):
-    """SciPy's Runge-Kutta methods would look for their first step without end."""
+    """SciPy's Runge-Kutta methods would search for their first step forever."""
     model = Model("any", {}, ("x",), lambda s, p, t: (rate(s, p, t),))
     with pytest.raises((ArithmeticError, ValueError)):
         run(name, start=(-1.0,), model=model, step=step)

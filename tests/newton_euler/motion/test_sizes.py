@@ -1,4 +1,4 @@
-"""Sizes of states, from the coupling to the others; what a clock of large numbers makes of rates."""
+"""Sizes of states, from their coupling to the others; what the round-off of a large time does."""
 
 import math
 
@@ -34,7 +34,7 @@ def test_an_oscillator_has_the_sizes_of_its_amplitudes_in_every_unit(w, unit):
 
 
 def test_a_state_that_is_zero_is_as_large_as_the_others_make_it():
-    """At its start the place is zero: what the velocity would make of it, and that of itself."""
+    """The position starts at zero: its size is what the velocity would make of it."""
     point, w = (0.0, (0.0, 6.0)), 3.0
     natural, _ = natural_sizes(oscillator(w), [point], (0.0, 6.0), 1e9)
     assert natural[0] == pytest.approx(2.0, rel=1e-3)
@@ -42,12 +42,12 @@ def test_a_state_that_is_zero_is_as_large_as_the_others_make_it():
 
 @pytest.mark.parametrize("size", [1e-9, 1e9])
 def test_the_step_of_a_difference_is_small_beside_the_size_of_the_state(size):
-    """v' = -sin(x/size): at zero its slope is 1/size, and no step of 1e-6 alone shows that."""
+    """v' = -sin(x/size) has slope 1/size at zero, which a fixed step of 1e-6 would not show."""
     rates = system(lambda s, t: (s.v, -sin(s.x / size)))
     points, span = [(0.0, (0.0, size**0.5))], 1e9
     known, _ = natural_sizes(rates, points, (size, size**0.5), span)
     assert known == pytest.approx((size, size**0.5), rel=1e-3, abs=0.0)
-    # also where the size is not known, but follows from the velocity
+    # also where the size is not given but follows from the velocity
     found, _ = natural_sizes(rates, points, (0.0, size**0.5), span)
     assert found[0] == pytest.approx(size, rel=1e-2, abs=0.0)
 
@@ -71,7 +71,7 @@ class Counted:
 def test_a_second_look_is_only_for_zero_states_that_turn_out_to_be_very_small_or_large(
     sizes, looks
 ):
-    """A look at an oscillator takes its rates once, and once more beside each state."""
+    """One look at an oscillator takes its rates once, and once more beside each state."""
     counted = Counted(oscillator(1.0))
     natural_sizes(counted, [(0.0, sizes)], sizes, 1e9)
     assert counted.count == 3 * looks
@@ -86,9 +86,9 @@ def test_a_state_that_begins_at_the_end_of_its_domain_is_moved_into_it():
 @pytest.mark.parametrize(
     ("rates", "x", "sizes", "span", "found"),
     [
-        # x' = x + y - z: 4 over the rate of the motion
+        # x' = x + v - s: 4 over the rate of the motion
         (lambda s, t: (s.x + s.v - s.z, 0.0 * s.x, 0.0 * s.x), (1.0, 1.0, 2.0), (1.0, 1.0, 2.0), 1e9, (4.0, 0.0, 0.0)),
-        # v = 2 for 5 s: 10, though nothing turns or decays
+        # v = 2 for 5 s: 10, although nothing turns or decays
         (lambda s, t: (s.v, 0.0 * s.x, 0.0 * s.x), (0.0, 2.0, 0.0), (0.0, 2.0, 0.0), 5.0, (10.0, 0.0, 0.0)),
         (lambda s, t: (sqrt(s.x), 0.0 * s.v, 0.0 * s.v), (-1.0, 0.0, 0.0), (1.0, 1.0, 1.0), 1.0, (0.0, 0.0, 0.0)),
     ],
@@ -101,7 +101,7 @@ def test_natural_sizes_are_terms_over_the_rate_of_the_motion(rates, x, sizes, sp
 
 
 def test_the_smallest_of_all_points_counts():
-    """The rates are v x: it is at the first point that they change least."""
+    """The rate is v x, which changes least at the first point."""
     rates = system(lambda s, t: (s.v * s.x, 0.0 * s.x))
     points = [(0.0, (1.0, 1.0)), (1.0, (4.0, 1.0)), (2.0, (2.0, 1.0))]
     found = [natural_sizes(rates, [point], (4.0, 1.0), 0.01)[0][0] for point in points]
@@ -117,7 +117,7 @@ def test_a_point_without_rates_beside_it_is_left_out():
 
 
 def test_beside_a_jump_the_slope_is_that_of_the_other_side():
-    """Else dry friction at rest would make the velocity as large as its jump over a step."""
+    """Otherwise dry friction at rest would give the velocity the size of its jump over a step."""
     for sign in (1.0, -1.0):
         rates = system(lambda s, t, a=sign: (s.v, where(a * s.v > 0, -7.0, 7.0) - 4.0 * s.v))
         natural, _ = natural_sizes(rates, [(0.0, (1.0, 0.0))], (1.0, 1.0), 1.0)
@@ -125,12 +125,12 @@ def test_beside_a_jump_the_slope_is_that_of_the_other_side():
 
 
 def test_the_time_counts_by_how_the_rates_change_with_it():
-    """x' = 5 t: at t = 8 they change by 5 a second; times 8 s, over a rate of 1/2 s."""
+    """x' = 5 t changes by 5 per second, at t = 8 s: 5 times 8 s, over a rate of 1/2 s."""
     rates = system(lambda s, t: (5.0 * t, -s.v))
     natural, with_time = natural_sizes(rates, [(8.0, (1.0, 1.0))], (1.0, 3.0), 0.5)
     assert natural == pytest.approx((0.0, 1.5), rel=1e-6)
     assert with_time == pytest.approx((20.0, 1.5), rel=1e-6)
-    # the largest of several, whichever way they change
+    # the largest change counts, whatever its sign
     falling = system(lambda s, t: (-5.0 * t, -s.v))
     points = [(8.0, (1.0, 1.0)), (0.0, (1.0, 1.0))]
     assert natural_sizes(falling, points, (1.0, 3.0), 0.5)[1] == pytest.approx(
@@ -156,7 +156,7 @@ def test_the_spectral_radius_is_about_that_of_the_absolute_values(matrix):
     exact = max(abs(np.linalg.eigvals(abs(a))))
     columns = a.T.tolist()
     assert _spectral_radius(columns, [1.0] * len(a)) == pytest.approx(exact, rel=0.02)
-    # in other units it is the same
+    # other units give the same
     scale = np.array([1e6, 1.0, 1e-3])[: len(a)]
     columns = (a * scale[:, None] / scale).T.tolist()
     assert _spectral_radius(columns, scale.tolist()) == pytest.approx(exact, rel=0.02)
@@ -173,7 +173,7 @@ def test_no_time_in_the_rates_no_error_by_it():
 
 @pytest.mark.parametrize("t", [1.0, 1e9])
 def test_the_round_off_of_the_time_moves_the_phase_of_a_force(t):
-    """x' = sin(w t): in one second as far as w t round-offs of it, relative to the size."""
+    """x' = sin(w t): in one second x moves by w t round-offs, relative to its size."""
     w, size = 2.0, 0.5
     driven = system(lambda s, t: (sin(w * t), 0.0 * s.v))
     found = time_round_off(driven, t, (0.3, 1.0), (size, 1.0), 1.0)

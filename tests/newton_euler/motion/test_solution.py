@@ -20,7 +20,7 @@ def drift(t=5.0, **options):
 
 
 def leap(**options):
-    """At x = 3 it is set to 10 and goes on twice as fast, as another model."""
+    """At x = 3 the state is set to 10 and goes on twice as fast, in another model."""
     event = Event(lambda s, p, t: s.x - 3.0, then=lambda s, p, t: (OTHER, (10.0, 2 * s.v)))
     return drift(events=event, **options)
 
@@ -101,7 +101,7 @@ def drift_of(invariant, start=-1.0, **options):
 def test_the_drift_is_the_largest_change_over_the_largest_value():
     assert drift_of(lambda s, p, t: s.x) == {"it": pytest.approx(4.0 / 3.0)}
     assert drift_of(lambda s, p, t: -s.x) == {"it": pytest.approx(4.0 / 3.0)}
-    # not over the last one, nor over the change itself
+    # neither over the last value nor over the change itself
     assert drift_of(lambda s, p, t: 10.0 + s.x * (2.0 - s.x), samples=5)["it"] == pytest.approx(
         4 / 11
     )

@@ -26,7 +26,7 @@ def model(rates, *states):
 
 
 def run(order=4, t1=5.0, step=0.1, start=(1.0, 0.0), model=SPRING, tolerance=1e-6, **options):
-    """One that has not begun."""
+    """A run that has not begun."""
     options |= {"step": step, "tolerance": tolerance}
     return begun(splitting(order, len(start) == 3), prepared_model(model), start, t1, **options)
 
@@ -41,10 +41,10 @@ def run(order=4, t1=5.0, step=0.1, start=(1.0, 0.0), model=SPRING, tolerance=1e-
         (lambda s, p, t: (s.u, s.v, s.y - s.x, s.x), "xyuv", ((0, 1), (2, 3))),
         (lambda s, p, t: (s.u, s.x, s.v, s.y), "xuyv", ((0, 2), (1, 3))),
         (lambda s, p, t: (s.x, 2.0, s.v, s.y), "vxyz", ((0, 3), (1, 2))),
-        # one that does not belong to the others, and one that nothing depends on
+        # a state unconnected to the others, and a state that no rate depends on
         (lambda s, p, t: (1.0, s.v, -s.x), "zxv", ((0, 1), (2,))),
         (lambda s, p, t: (s.v, -s.x, s.x), "xvz", ((0,), (1, 2))),
-        # one that is met only through another
+        # a state connected only through another one
         (lambda s, p, t: (s.w, s.w, s.x + s.y), "xyw", ((0, 1), (2,))),
         (lambda s, p, t: (s.v, -s.x - s.v), "xv", None),
         (lambda s, p, t: (s.y, s.z, s.x), "xyz", None),
@@ -67,23 +67,23 @@ def test_the_moments_of_a_free_body_are_read_from_its_rates(moments):
 
 
 def euler(a, b, c, more=lambda s: 0.0):
-    """Rates as those of a body, with any constants."""
+    """Rates of the form of Euler's equations, with any constants."""
     return model(lambda s, p, t: (a * s.y * s.z + more(s), b * s.z * s.x, c * s.x * s.y), *"xyz")
 
 
 @pytest.mark.parametrize(
     "system",
     [
-        euler(1.0, 1.0, 1.0),  # some moment is zero
-        euler(0.5, 0.5, -0.2),  # of two equations the third is not true
+        euler(1.0, 1.0, 1.0),  # one moment of inertia is zero
+        euler(0.5, 0.5, -0.2),  # two equations hold, the third does not
         euler(0.5, 0.5, -0.8 + 1e-9),
         euler(0.5, 0.5, -0.8 - 1e-9),
-        euler(1.0, 2.0, -1.0),  # those of -1, 2 and 3
+        euler(1.0, 2.0, -1.0),  # these belong to moments of -1, 2 and 3
         euler(0.5, 0.5, -0.8, lambda s: 1e-9 * s.y * s.y),
         euler(0.5, 0.5, -0.8, lambda s: 1.0),
         euler(0.5, 0.5, -0.8, lambda s: 0.1 * s.x),
         euler(0.5, 0.5, -0.8, lambda s: 1 / (s.y - 1)),
-        # what looks like them at a state or two, or at the start
+        # rates that look like Euler's at a state or two, or at the start
         euler(0.5, 0.5, -0.8, lambda s: (s.y - 1) * (s.z - 1)),
         euler(0.5, 0.5, -0.8, lambda s: (s.x - 1) * (s.x - 2)),
         model(
@@ -146,7 +146,7 @@ def test_where_nothing_changes_the_step_is_a_part_of_the_time():
 
 
 def test_a_state_that_starts_at_zero_has_no_size_for_a_step():
-    """Its scale is only what it is judged by."""
+    """Its scale serves only to judge its error."""
     fast = Model("fast", {}, ("x", "y"), lambda s, p, t: (1.0 + 0 * s.y, 1e6 * s.x))
     for y, times in ((0.0, 2.0), (1.0, 1e-3)):
         options = {"floors": (0.0, 1e-3), "t1": 8.0, "tolerance": 1e-4}

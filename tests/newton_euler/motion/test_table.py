@@ -1,4 +1,4 @@
-"""The methods as values: which run another is compared with, and why a method cannot be used."""
+"""The methods as values: which run a run is compared with, and why a method cannot be used."""
 
 import pickle
 
@@ -26,7 +26,7 @@ def test_runge_kutta_is_compared_with_a_coarser_run_but_not_with_one_that_tells_
 
 
 def test_a_series_is_compared_with_a_finer_one_as_long_as_there_is_one():
-    """Two orders: a little less than a factor e^4."""
+    """The series are two orders apart: a little less than a factor e^4."""
     assert SERIES.other(1e-6) == pytest.approx(1e-6 / 54)
     assert SERIES.other(LEVELS[-2]) == pytest.approx(54 * LEVELS[-2])
     assert level_of(SERIES.other(LEVELS[3])) == LEVELS[5]

@@ -1,5 +1,5 @@
-"""Heyoka's series: its levels of accuracy, the integrators that are kept, and each of the ways by
-which a run goes to its goal.
+"""Heyoka's series: its levels of accuracy, the integrators that are kept, and each way in which
+a run reaches its goal.
 """
 
 import math
@@ -29,7 +29,7 @@ SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,
 
 
 UNKNOWN = Model("unknown", {}, ("r",), lambda s, p, t: (1 / s.r - 1 / s.r**3,))
-# a begin and an end, so that begin + (end - begin) is not the end
+# pairs (begin, end) for which begin + (end - begin) is not end in floats
 ROUNDED = [(-0.9, 0.3), (-2.0, 0.7), (-3.9, -1.8), (-3.6, -1.2)]
 
 
@@ -38,7 +38,7 @@ def swing(t, size=1.0):
 
 
 def series(t1=5.0, size=1.0, model=SPRING, start=None, **options):
-    """A run that has not begun; that of the spring starts at rest."""
+    """A run that has not begun; by default the spring starts at rest."""
     start = start or (size, 0.0)
     usual = {"tolerance": LEVELS[-1], "units": (size,) * len(start)}
     return begun(Taylor, prepared_model(model), start, t1, **usual | options)
@@ -118,7 +118,7 @@ def test_each_way_to_the_goal_is_the_same_motion(way, size):
     assert one.t == 5.0
     assert one.step_times == [0.0, 5.0]
     assert one.x == pytest.approx(swing(5.0, size), abs=1e-14 * size)
-    # the scales are those of the ends of steps, or of samples
+    # the scales come from the ends of steps, or from samples
     assert one.scales[0] == pytest.approx(size, rel=1e-14)
     assert one.calls > 100
     for times in ([0.0, 0.3, 3.0], [3.0, 0.3], [3.0], [1.0, 2.0], [0.5, 4.0], np.linspace(0, 5, 7)):
@@ -144,14 +144,14 @@ def test_steps_are_kept_if_they_are_limited(size):
 
 @pytest.mark.parametrize("k", [4.0, 4e6])
 def test_many_steps_are_made_in_parts(monkeypatch, k):
-    """And none is made twice, as it is where the motion does not get on."""
+    """No step is made twice, as steps are where the motion makes no progress."""
     monkeypatch.setattr(taylor, "MAX_STALLED_STEPS", 3)
     w = math.sqrt(k)
     one = series(t1=10.0 / w, model=SPRING.changed(k=k))
     one.step()
     assert one.step_times == [0.0, 10.0 / w]
     assert one.x[0] == pytest.approx(math.cos(10.0), abs=1e-13)
-    # looked at after each number of steps
+    # the states are looked at after each part
     assert one.scales[1] > 0.5 * w
 
 
@@ -229,18 +229,18 @@ def test_the_series_of_smooth_rates_is_their_motion():
 
 @pytest.mark.parametrize("n", [0, 3])
 def test_a_series_of_other_rates_is_as_far_off_as_they_are(n):
-    """Relative to the largest size, and over the time of its step."""
+    """Relative to the largest size, and over the length of the step."""
     one = series(size=1e-6)
     one.step(1000)
     one.series[n][1, 1] += 1e-9
     length = one.step_times[n + 1] - one.step_times[n]
     apart = one.residual() * one.scales[1]
-    # the velocity is 1e-9 t off as well, which adds to that of the place
+    # the velocity is wrong by 1e-9 t as well, which adds to the error of the position
     assert apart == pytest.approx(1e-9 * length, rel=0.05)
 
 
 def test_the_rates_of_a_single_step_are_compared_at_many_instants():
-    """One that is longer than a bump of a hundredth of it."""
+    """The step is a hundred times as long as a bump within it."""
     bump = lambda s, p, t: (s.x, p.h / (1 + ((t - 0.5) / 0.01) ** 4))
     one = series(1.0, model=Model("bump", {"h": 1.0}, ("y", "x"), bump), start=(0.0, 1.0))
     one.series, one.step_times = [np.array([[0.0, 1.0], [1.0, 0.0]])], [0.0, 1.0]

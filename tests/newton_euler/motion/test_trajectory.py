@@ -1,4 +1,4 @@
-"""Segments between events, the scales by which states are judged, and the distance of two runs."""
+"""Segments between events, the scales that judge states, and the distance between two runs."""
 
 import math
 
@@ -93,7 +93,7 @@ def test_an_event_that_changes_the_rates_is_no_longer_looked_for_and_others_are(
     motion = integrate(DRIFT, 9.0, (0.0, 1.0), events=(brake, rest))
     assert [e.name for e in motion.events] == ["brake", "rest"]
     assert motion.end == pytest.approx({"x": 3.5, "v": 0.0}, abs=1e-9)
-    # it comes back over the place of the brake: no event there
+    # the motion comes back across the position of the brake, without an event there
     motion = integrate(DRIFT, 9.0, (0.0, 1.0), events=(brake, passing, back))
     assert [e.name for e in motion.events] == ["brake", "passing", "passing", "back"]
 
@@ -123,22 +123,22 @@ ZENO = Model("zeno", {}, ("x", "v", "n"), lambda s, p, t: (s.v, 0.0 * s.v, 0.0 *
 
 
 def shrunk(part):
-    """An event after which the way to the next is this part of that before."""
+    """An event that multiplies the distance to the next event by ``part``."""
     then = lambda s, p, t: (ZENO, (0.0, s.v, s.n * part))
     return Event(lambda s, p, t: s.x - s.n, then=then, name="next")
 
 
 def test_events_that_accumulate_end_the_motion_in_words():
-    """Each distance is half of that before: they end at t = 2."""
+    """Each distance is half of the one before: the events accumulate at t = 2."""
     motion = integrate(ZENO, 3.0, (0.0, 1.0, 1.0), events=shrunk(0.5))
     assert motion.ended.startswith(f"{ACCUMULATION}: next at t = 2; give then=")
-    # a part of 1e-9 of the whole time ends it: 2^-n < 3e-9
+    # the motion ends at a segment of 1e-9 of the whole time: 2^-n < 3e-9
     assert len(motion.segments) == 30
     assert motion.t_end == pytest.approx(2.0, abs=1e-8)
 
 
 def test_two_events_at_once_are_no_accumulation():
-    """The first segment may be as short as it likes."""
+    """The first segment may be arbitrarily short."""
     tap = Event(lambda s, p, t: s.x - 1e-12, then=lambda s, p, t: (DRIFT, (s.x, s.v)), name="tap")
     assert integrate(DRIFT, 3.0, (0.0, 1.0), events=tap).ended == "reached t = 3"
 
@@ -182,7 +182,7 @@ def test_after_an_event_to_a_model_without_its_solution_the_exact_method_gives_w
 
 
 def test_a_state_is_judged_at_least_by_a_part_of_its_natural_size():
-    """A spring at rest at its end: its velocity is zero, but that of the motion is w."""
+    """A spring at rest at its end has zero velocity, but the velocity of the motion is w."""
     w = 300.0
     found = trajectory(run(spring(w)))
     stepper = found.segments[0].stepper
@@ -215,7 +215,7 @@ def test_a_state_of_which_nothing_is_known_has_the_smallest_scale():
     still = Model("still", {}, ("x", "y"), lambda s, p, t: (0.0 * s.x, 0.0 * s.y))
     found = trajectory(run(still, (0.0, 0.0)))
     assert found.segments[0].stepper.floors == (SMALLEST_SCALE, SMALLEST_SCALE)
-    # which is not a size that it has had
+    # that scale is no size of the motion
     assert found.sizes()[0] == (0.0, 0.0)
 
 
@@ -241,7 +241,7 @@ def test_of_a_motion_that_has_not_begun_no_natural_sizes_are_known():
 
 
 def test_a_state_that_was_nearly_zero_at_the_start_is_judged_by_the_motion():
-    """Its rate at the start means nothing: it is driven by a state that is at rest until then."""
+    """Its rate at the start means nothing: the state that drives it starts at zero."""
     rates = lambda s, p, t: (s.v, -s.x, 5.0 * s.x, 0.0)
     model = Model("driven", {}, ("x", "v", "y", "z"), rates)
     found = trajectory(run(model, (0.0, 1.0, 0.0, 0.0), 7.0))
@@ -277,7 +277,7 @@ def test_samples_are_those_of_the_run_unless_there_are_events(options, own, foun
     assert trajectory(run(t1=1.0, samples=7, **options), None, False, own).samples == found
 
 
-# -- the distance of two runs
+# -- the distance between two runs
 
 
 def test_the_distance_is_the_largest_over_the_scales():
@@ -309,7 +309,7 @@ def test_two_runs_with_other_events_are_as_far_apart_as_can_be():
 
 
 def test_runs_that_end_at_one_place_by_chance_differ_on_the_way():
-    """After one turn every amplitude is back, but on the way they are not."""
+    """After one turn all amplitudes end at their starts, but on the way they differ."""
     t = 2 * math.pi / 3.0
     tight = trajectory(run(t1=t), tolerance=1e-12)
     other = trajectory(run(spring(6.0), (1.0, 0.0), t), tolerance=1e-12)
@@ -326,7 +326,7 @@ def test_accumulating_events_are_compared_by_their_end_only():
 
 
 def test_a_state_next_to_zero_sets_no_scale_for_its_error():
-    """It has no square: no step was small enough at the start."""
+    """The square of such a state underflows: once, no step was small enough at the start."""
     model = Model("two decays", {}, ("x", "y"), lambda s, p, t: (-s.x, -s.y))
     motion = integrate(model, 1.0, (1.0, 2e-317), 1e-9, "dop853")
     assert motion.end["y"] == pytest.approx(2e-317 / math.e, rel=1e-3)

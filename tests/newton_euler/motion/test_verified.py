@@ -11,7 +11,7 @@ BESIDE, BESIDE_END = (1.01, 2.0), (3.1, -4.0)
 
 
 def verified(error):
-    """With one run from 0 to 10 that was verified."""
+    """A record that holds one verified run, from 0 to 10."""
     runs = Verified()
     runs.add(RTOL, 0.0, 10.0, START, END, error)
     return runs
@@ -35,7 +35,7 @@ def test_a_run_of_another_rtol_or_time_is_not_covered(rtol, t0, t1):
 
 @pytest.mark.parametrize("start", [BESIDE, START])
 def test_a_run_beside_it_is_covered_only_if_there_is_something_to_spare(start):
-    """Also one from the same start by other steps."""
+    """This also holds for a run from the same start with other steps."""
     beside = RTOL, 0.0, 10.0, start, BESIDE_END
     assert verified(RTOL / SPARE).covers(*beside)
     assert not verified(1.01 * RTOL / SPARE).covers(*beside)
@@ -59,7 +59,7 @@ def test_the_last_run_of_each_rtol_counts():
 @pytest.mark.parametrize("size", [1e-150, 1.0, 1e150])
 @pytest.mark.parametrize("sign", [1, -1])
 def test_near_is_a_part_of_the_size_of_each_state(size, sign):
-    """The size is the largest of the four values, wherever it stands."""
+    """The size is the largest of the four values, whichever that is."""
     one = sign * size
     x = one, one
 
@@ -75,13 +75,13 @@ def test_near_is_a_part_of_the_size_of_each_state(size, sign):
 @pytest.mark.parametrize("place", range(4))
 @pytest.mark.parametrize("sign", [1, -1])
 def test_the_largest_of_start_and_end_of_both_is_the_size_of_a_state(place, sign):
-    """Small values beside one large one: they are near if their differences are small to it."""
+    """Small values count as near if they differ by little compared with the one large value."""
     values = [0.0, 0.0, 0.0, 0.0]
     values[place] = sign * 1.0
-    values[(place + 2) % 4] = sign * 0.99  # the same of the other motion
+    values[(place + 2) % 4] = sign * 0.99  # the same value in the other motion
     a, b, c, d = ((v,) for v in values)
     assert near(a, b, c, d)
-    # and differences of the others as large as it allows
+    # the other values differ by as much as the size allows
     values[(place + 1) % 4] = sign * 0.995 * (NEAR_END if place % 2 == 0 else NEAR_START)
     a, b, c, d = ((v,) for v in values)
     assert near(a, b, c, d)

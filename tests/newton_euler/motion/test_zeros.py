@@ -23,7 +23,7 @@ POLYNOMIALS = CHANCE.normal(size=(5, DEGREE + 1))
 
 
 class Function:
-    """A function of arrays of times, with its round-off, that counts the instants asked for."""
+    """A function of arrays of times, with its round-off, that counts the instants evaluated."""
 
     def __init__(self, f, round_off=EPS):
         self.f, self.round_off, self.count = f, round_off, 0
@@ -46,7 +46,7 @@ class Function:
 
 
 def search(f, a, b, sign=None, round_off=EPS, **options):
-    """The zeros in order, and the function that was asked."""
+    """The zeros in order, and the function that was searched."""
     asked = f if isinstance(f, Function) else Function(f, round_off)
     asked.low, asked.high = a, b
     sign = int(np.sign(asked.f(np.array([a]))[0])) if sign is None else sign
@@ -54,7 +54,7 @@ def search(f, a, b, sign=None, round_off=EPS, **options):
     for some, end in ZeroSearch(asked.values, asked.noise, a, b, sign, **options):
         found += some
         ends.append(end)
-        # all up to there are known
+        # every zero found so far lies in the part searched so far
         assert all(zero.t <= end for zero in found)
     assert ends == sorted(ends)
     assert ends[-1] == b
@@ -77,7 +77,7 @@ def test_the_zeros_of_a_smooth_function_are_known_to_round_off_with_their_slopes
     assert [zero.t for zero in found] == pytest.approx(exact, rel=4 * EPS, abs=0.0)
     slopes = -factor * np.sin(exact)
     assert [zero.slope for zero in found] == pytest.approx(slopes, rel=1e-5, abs=0.0)
-    # 16 instants a piece, of which 8 and those that were halved are enough
+    # 16 instants for each piece; 8 pieces would do, plus those that were halved
     assert asked.count < 16 * 15 + 6 * 5 + 12
 
 
@@ -86,7 +86,7 @@ def test_the_zeros_of_a_smooth_function_are_known_to_round_off_with_their_slopes
     ("f", "half", "round_off", "off"),
     [
         (lambda x: x * x, math.sqrt(1e-9), EPS, 1e-11),
-        # of which the polynomial is not as accurate as that
+        # the polynomial is less accurate for this function
         (lambda x: np.expm1(x) - x, math.sqrt(2e-9), 1e-16, 1e-8),
     ],
 )
@@ -98,7 +98,7 @@ def test_no_zero_is_missed_where_two_lie_close_together(f, half, round_off, off,
 @pytest.mark.parametrize("factor", [1.0, -1e-200, 1e200])
 def test_a_function_that_only_touches_zero_has_none(factor):
     for c in np.linspace(1.0, 8.0, 40):
-        # of the second form round-off is negative for some
+        # the second form has negative round-off for some c
         assert times(lambda t, c=c: factor * (t - c) ** 2, 0.0, 9.0, round_off=0.0) == []
         f = lambda t, c=c: factor * (t * t - 2 * c * t + c * c)
         assert times(f, 0.0, 9.0, round_off=1e-13 * abs(factor)) == []
@@ -132,19 +132,19 @@ def test_a_zero_at_the_start_does_not_count_whatever_round_off_makes_of_it(value
 
 
 def test_a_value_at_the_start_that_is_not_round_off_has_its_sign():
-    """Just before the zero: it falls at once."""
+    """The start lies just before the zero, so the event happens at once."""
     just_after = lambda t: t - 1e-12
     assert times(just_after, 0.0, 4.0, start=(-1e-12, False)) == pytest.approx([1e-12])
     f = lambda t: (t - 1.0) - 1e-12
     assert times(f, 1.0, 4.0, start=(-1e-12, False), round_off=0.0) == pytest.approx([1.0 + 1e-12])
-    # of an event that has just happened the rest is no other one
+    # what is left of an event that has just happened is not a second event
     assert times(just_after, 0.0, 4.0, start=(-1e-12, True)) == []
     assert times(lambda t: t - 1e-6, 0.0, 4.0, start=(-1e-6, True)) == pytest.approx([1e-6])
 
 
 @pytest.mark.parametrize("factor", [1e-6, 1.0, 1e6])
 def test_at_the_start_the_time_is_round_off_too(factor):
-    """sin(pi) is not zero in floats, but pi is not pi either."""
+    """sin(pi) is not zero in floats, but the float pi is not exactly pi either."""
     start = factor * math.sin(math.pi), False
     assert times(lambda t: factor * np.sin(t), math.pi, 5.0, start=start, round_off=0.0) == []
 
@@ -160,8 +160,8 @@ def test_a_zero_at_the_end_counts_where_the_motion_ends(factor):
 
 @pytest.mark.parametrize("part", [1e-6, 3e-5, 6e-5, 1.0])
 def test_a_zero_at_the_end_is_found_there_however_slowly_the_function_goes_through_it(part):
-    """A search that took it for a touch would miss it."""
-    exact = [] if part == 1e-6 else [3.0]  # is it a touch? nothing can tell
+    """A search that mistook the zero for a touch would miss it."""
+    exact = [] if part == 1e-6 else [3.0]  # it cannot be told from a touch
     f = lambda t: (t - 3.0) * (part * 9.0 + (t - 3.0) ** 2)
     assert times(f, 0.0, 3.0, closed=True) == exact
 
@@ -194,8 +194,8 @@ def test_a_fast_oscillation_is_not_taken_for_a_slow_one(frequency):
 
 @pytest.mark.parametrize("alone", range(3))
 def test_each_check_point_alone_shows_an_oscillation_that_vanishes_at_all_other_points(alone):
-    """1 - c w(x) with a zero of w at each Chebyshev point and at two of the check points: of all 16
-    values 15 are 1.
+    """1 - c w(x), where w is zero at all Chebyshev and check points but one: 15 of the 16 values
+    are 1.
     """
     hidden = [x for n, x in enumerate((-0.8617, -0.2913, 0.4477)) if n != alone]
 
@@ -212,7 +212,7 @@ def test_each_check_point_alone_shows_an_oscillation_that_vanishes_at_all_other_
 
 @pytest.mark.parametrize("foot", [0.9, 1.3, 2.0])
 def test_a_peak_of_which_only_the_end_of_a_step_sees_the_foot_is_resolved(foot):
-    """Where exp(-u^2) is one half: u is ``foot`` at the end."""
+    """The zeros are where exp(-u^2) is one half; ``foot`` is |u| at the end of the step."""
     half = math.sqrt(math.log(2))
     for w in (1e-4, 1e-3, 4e-3, 1e-2, 3e-2, 0.1):
         found = times(lambda t, w=w: np.exp(-((t / w - foot) ** 2)) - 0.5, 0.0, 1.0)
@@ -239,7 +239,7 @@ def test_round_off_has_no_zeros():
     assert times(wild, 0.0, 5.0, sign=0, round_off=1e-16) == []
 
 
-# -- where it cannot go on
+# -- where the search cannot go on
 
 
 def test_where_there_are_no_values_the_search_ends_there():
@@ -266,7 +266,7 @@ def test_a_function_with_too_many_zeros_is_refused(monkeypatch):
 
 
 def test_a_polynomial_is_known_by_its_samples():
-    """At the points and at the checks, in 0 to 1: its coefficients and what it is at the checks."""
+    """Samples at the points and checks in 0 to 1 give its coefficients and values at the checks."""
     points, transform = sampling()
     x = 2 * points - 1
     assert x[:2] == pytest.approx([-1.0, math.cos(math.pi * (1 - 1 / DEGREE))])

@@ -1,7 +1,7 @@
 """Random questions to each ladder, over wide ranges, and what the state of each rung must hold.
 
 A draw is a function of a ``random.Random`` that returns a Ladder and a tolerance, such that each
-rung is the right choice now and then.
+rung is sometimes the right choice.
 """
 
 import math
@@ -14,7 +14,7 @@ from newton_euler.scenes.planar.hinged_rod import least_rate, rod, swing_out
 
 
 def any_size(r, low, high):
-    """Every order of magnitude between the two is as likely."""
+    """A number between the two, with every order of magnitude equally likely."""
     return math.exp(r.uniform(math.log(low), math.log(high)))
 
 
@@ -36,7 +36,7 @@ def projectile(r):
     start = (0.0, 0.0, r.choice((0.0, 100.0)), *on_page(level, azimuth), up)
     t = any_size(r, 0.003, 1.9) * up / g
     radius = any_size(r, 2e6, 7e7)
-    # of what would make all weightless on the equator
+    # a fraction of the rate that would make bodies weightless at the equator
     rate = sqrt(g / radius) * any_size(r, 0.003, 0.5)
     latitude, drag = r.uniform(-1.5, 1.5), r.choice((0.0, any_size(r, 1e-9, 1e-3)))
     given = {"rate": rate, "radius": radius, "drag": drag, "start": start, "t": t}
@@ -139,7 +139,7 @@ def car_on_hill(r):
 
 
 def aircraft(r):
-    """Flights in balance and far from it, with level wings and banked."""
+    """Flights in balance and far from it, with wings level or banked."""
     m, v, bank = any_size(r, 300, 1e5), r.uniform(40, 250), either(r) * any_size(r, 1e-5, 0.8)
     if r.random() < 0.5:
         gamma, off = 0.0, any_size(r, 1e-6, 0.01)
@@ -154,7 +154,7 @@ def aircraft(r):
 
 
 def space_station(r):
-    """Things let go and thrown near the rims of small and large stations."""
+    """Things let go or thrown near the rims of small and large stations."""
     radius, speed = any_size(r, 20, 1e5), r.choice((0.0, *[any_size(r, 0.01, 10)] * 9))
     direction, omega = heading(r), either(r) * sqrt(r.uniform(1, 12) / radius)
     place = radius - r.uniform(0.5, 2.5), r.uniform(-0.5, 0.5)
@@ -164,7 +164,7 @@ def space_station(r):
 
 
 def rotor(r):
-    """Rotors well and badly balanced, sped up and slowed down."""
+    """Rotors balanced well or badly, speeding up or slowing down."""
     mass = any_size(r, 1, 100)
     x, y = on_page(any_size(r, 1e-7, 1e-2), heading(r))
     I = mass * r.uniform(0.01, 0.1)
@@ -174,7 +174,7 @@ def rotor(r):
 
 
 def turning_shaft(r):
-    """Below and above the least rate, near rest and far from it, light and heavy shafts."""
+    """Shafts light and heavy, below and above the least rate, near rest and far from it."""
     mass, length, g = any_size(r, 0.1, 10), any_size(r, 0.2, 3), r.uniform(1.6, 25)
     least = least_rate(**rod(mass, length, 1.0, g))
     omega = least * r.choice((r.uniform(0.1, 0.9), r.uniform(1.1, 4)))
@@ -208,7 +208,7 @@ DRAWS = {
 # are coordinates that are not asked for or constants of the motion (as the momenta of cyclic
 # coordinates) and so parameters; and spare ones that a constraint takes back.
 POINT, IN_PLANE, ONE_WAY = (3, 0, 0), (2, 0, 0), (1, 0, 0)
-EVEN = (1, 1, 0)  # one angle or way, at a constant rate
+EVEN = (1, 1, 0)  # one angle or distance, at a constant rate
 FREEDOM = {  # by ladder and rung: degrees of freedom, numbers left out, spare ones
     "projectile": {
         "projectile, flat": POINT, "projectile, Coriolis to first order": POINT, "projectile, full": POINT,
@@ -220,11 +220,11 @@ FREEDOM = {  # by ladder and rung: degrees of freedom, numbers left out, spare o
         "top, steady precession": EVEN,
         "top, nutation and precession": (3, 3, 0),  # phi is not asked for; omega_z and p_psi are constant
         "top of unequal moments, Euler's angles": POINT,  # phi matters now
-        "top of unequal moments, quaternion": (3, 0, 1),  # without a singular place
+        "top of unequal moments, quaternion": (3, 0, 1),  # without a singular point
     },
     "satellite": {
         "satellite, circle": EVEN,
-        "satellite, ellipse": IN_PLANE,  # exact, so that no state costs anything
+        "satellite, ellipse": IN_PLANE,  # exact, so states cost nothing
         "satellite, over an oblate Earth": (2, 1, 0),  # the angular momentum is constant
     },
     "Foucault's pendulum": {
@@ -235,7 +235,7 @@ FREEDOM = {  # by ladder and rung: degrees of freedom, numbers left out, spare o
         "bar, small swings": IN_PLANE, "bar, small swings with friction": IN_PLANE,
         "bar, any swing": IN_PLANE, "bar, any swing with friction": IN_PLANE,
     },
-    "free body": {  # rates alone are asked for, not the attitude
+    "free body": {  # only rates are asked for, not the attitude
         "wobble of a symmetric body": (3, 4, 0), "small wobble": (3, 4, 0), "free body": (3, 3, 0),  # w_z is constant in a wobble
     },
     "aircraft": {

@@ -1,4 +1,4 @@
-"""The table of scenes: each moves to its end, none is forgotten."""
+"""The table of scenes: each scene runs to its end, and none is missing."""
 
 import ast
 import subprocess
@@ -39,7 +39,7 @@ def makers(path):
 
 
 def test_no_module_of_scenes_that_makes_a_model_is_forgotten():
-    """Seen in a process of its own, before any of them is kept."""
+    """Checked in a process of its own, before any model is cached."""
     scenes = ROOT / "newton_euler" / "scenes"
     modules = {str(path) for path in scenes.rglob("*.py") if any(makers(path))}
     assert len(modules) > 10

@@ -23,7 +23,7 @@ def swing(**more):
     [("verlet", 0.1), ("yoshida4", 0.05), ("scipy RK45", 0.1), ("yoshida6", 0.12), ("yoshida8", 0.06)],
 )  # fmt: skip
 def test_methods_converge_with_their_order(method, first):
-    """The slope of log error over log step, on a pendulum in its closed form to 30 digits."""
+    """The slope of log error over log step, for a pendulum with its closed form to 30 digits."""
     steps = [first / 1.5**k for k in range(4)]
     exact = reference_of_the_pendulum()
     errors = [abs(swing(method=method, step=h).end["theta"] - exact) for h in steps]
@@ -42,7 +42,7 @@ def test_the_reference_of_these_tests_agrees_with_a_closed_form():
 
 
 def honesty(method, scenes, tolerances):
-    """True error over the error asked for, and over the one reported."""
+    """The true error over the error asked for, and over the error reported."""
     asked, reported = [], []
     for scene in scenes:
         model, t, start = SCENES[scene]
@@ -60,7 +60,7 @@ def honesty(method, scenes, tolerances):
 
 SOME = ("top", "free body", "pendulum", "turning shaft", "planet", "forced", "aircraft")
 FEW, EVERY = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11), tuple(10.0**-n for n in range(3, 13))
-LEAST = {  # of the median error over the error asked for: nothing is done far more exactly
+LEAST = {  # the least median of error over error asked for: no method is far too exact
     "taylor": 1e-4, "dop853": 1e-3, "scipy DOP853": 1e-3, "scipy RK45": 1e-3, "scipy LSODA": 1e-3,
     "scipy Radau": 1e-4, "yoshida4": 1e-3, "yoshida6": 1e-4, "yoshida8": 1e-4, "lie-poisson4": 1e-3,
     "lie-poisson6": 1e-4,
@@ -73,7 +73,7 @@ LEAST = {  # of the median error over the error asked for: nothing is done far m
       for method, least in LEAST.items()],
 ], ids=lambda x: x if isinstance(x, str) else "")  # fmt: skip
 def test_errors_are_what_was_asked_for(method, scenes, tolerances, least):
-    """In the median a heyoka run is more accurate: its error falls by steps."""
+    """The median heyoka run is more accurate than asked: its error falls in steps."""
     pytest.importorskip("heyoka")
     asked, reported = honesty(method, scenes, tolerances)
     assert np.mean(np.array(asked) <= 1) >= (1 if scenes is SOME else 0.95)
@@ -82,7 +82,7 @@ def test_errors_are_what_was_asked_for(method, scenes, tolerances, least):
 
 
 def test_an_error_that_cannot_be_reached_is_refused_with_what_can():
-    """Swinging over the top, the last digits of a float are not enough for 1e-13."""
+    """For a pendulum that swings over the top, floats have too few digits for 1e-13."""
     model, t, start = SCENES["pendulum, over the top"]
     with pytest.raises(
         AccuracyError, match="and rtol = 1e-13 was requested; ask for rtol"
@@ -110,7 +110,7 @@ def test_a_pendulum_turns_where_it_should(method):
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_what_parameters_alone_give_is_computed_once(scene):
-    """The rest has other arguments, fewer operations, and the same rates."""
+    """The rest of the formula has other arguments, fewer operations, and the same rates."""
     model, _, start = SCENES[scene]
     system = prepared_model(model)
     rest, _ = system.traced.folded

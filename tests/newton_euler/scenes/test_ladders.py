@@ -1,8 +1,8 @@
-"""Ladders: the choice is the cheapest rung that holds, by evidence that another integration
-confirms; and what is refused, in words.
+"""Ladders: the choice is the cheapest rung that holds, on evidence that another integration
+confirms; and refusals, in words.
 
-The judge shares nothing with the ladders but the right-hand sides: SciPy's DOP853 on them to 1e-12,
-no closed form, at instants of its own.
+The judge shares only the right-hand sides with the ladders: it solves them by SciPy's DOP853 to
+1e-12, with no closed form and at instants of its own.
 """
 
 import math
@@ -29,7 +29,7 @@ from tests.newton_euler.scenes.draws import DRAWS, FREEDOM
 
 BORDER = 1.001
 each_ladder = pytest.mark.parametrize("name", DRAWS)
-JUDGED = (np.arange(700) + math.sqrt(0.5)) / (699 + math.sqrt(0.5))  # of the time
+JUDGED = (np.arange(700) + math.sqrt(0.5)) / (699 + math.sqrt(0.5))  # fractions of the time
 
 
 def predicted(rung, t, start=None):
@@ -45,7 +45,7 @@ def predicted(rung, t, start=None):
 
 
 def true_errors(asked, rungs):
-    """By name; infinite where the equations cannot be followed."""
+    """{name: true error}; infinite where the equations cannot be followed."""
     full, out = predicted(asked.rungs[-1], asked.t), {}
     for rung in rungs:
         try:
@@ -56,7 +56,7 @@ def true_errors(asked, rungs):
 
 
 def judged(name, count, seed):
-    """Of this many draws: the rung chosen, whether it is right, and rungs beyond their bound."""
+    """For ``count`` draws: the chosen rung, whether it is right, and rungs beyond their bound."""
     r = random.Random(f"{name} {seed}")
     for _ in range(count):
         asked, tolerance = DRAWS[name](r)
@@ -72,7 +72,7 @@ def judged(name, count, seed):
 
 
 def faults(name, count, seed):
-    """Draws with a wrong choice, if they are more than one in a hundred; rungs below their bound."""
+    """Draws with a wrong choice, if more than one in a hundred, and rungs beyond their bound."""
     found = list(judged(name, count, seed))
     wrong = [what for _, right, _, what in found if not right]
     low = [low for _, _, low, _ in found if low]
@@ -86,7 +86,7 @@ def test_the_choice_is_the_cheapest_rung_that_holds_and_bounds_are_bounds(name, 
 
 
 def test_bounds_of_a_physical_pendulum_are_no_wild_guesses():
-    """Half of them are within a factor of ten."""
+    """Half of the bounds lie within a factor of ten of the error."""
     r, near = random.Random("physical pendulum bounds"), []
     for _ in range(30):
         asked, _ = DRAWS["physical pendulum"](r)
@@ -113,7 +113,7 @@ COMPARE = {"pendulum, a particle", "physical pendulum", "satellite, ellipse", "f
 
 @pytest.mark.parametrize(("name", "rung"), [pair for pair in EXACT if pair[1] not in COMPARE])
 def test_closed_forms_solve_their_equations_to_25_digits(name, rung):
-    """Differentiated by the product rule; those that compare numbers are tested with their scenes."""
+    """Differentiated by the product rule; forms that compare numbers: tested with their scenes."""
     r = random.Random(5)
     draws = [ladder(name), *(DRAWS[name](r)[0] for _ in range(5))]
     rungs = [asked.rung(rung) for asked in draws if rung in {x.name for x in asked.rungs}]
@@ -121,7 +121,7 @@ def test_closed_forms_solve_their_equations_to_25_digits(name, rung):
 
 
 def off(rung):
-    """By how much the start, and the rates at 3/4 s, are not those of the solution; in its size."""
+    """The error of the start, and of the rates at 3/4 s, relative to the size of the solution."""
     t = mpmath.mpf(3) / 4
     with mpmath.workdps(40):
         start = [mpmath.mpf(x) for x in rung.start]
@@ -136,7 +136,7 @@ def off(rung):
 
 @pytest.mark.parametrize("I_z", [0.5, 0.999999, 1.0, 1.000001, 1.1, 1.2, 1.5])
 def test_small_wobble_is_right_on_both_sides_of_the_intermediate_axis(I_z):
-    """Against the exponential of the matrix, to 30 digits."""
+    """Checked against the exponential of the matrix, to 30 digits."""
     model = free_body.small_wobble(1.0, 1.2, I_z, 3.0)
     with mpmath.workdps(30):
         columns = [[mpmath.mpf(x) for x in model.derivative(unit)] for unit in ((1, 0), (0, 1))]
@@ -164,7 +164,7 @@ def test_the_fullest_top_keeps_its_energy_and_its_momentum_about_the_vertical(mo
 
 
 def test_a_satellite_goes_round_a_nearly_circular_orbit_faster_by_the_bulge():
-    """Where r is constant the rate squared is mu/r^3 (1 + 3 J2 R^2/(2 r^2))."""
+    """Where r is constant, the square of the rate is mu/r^3 (1 + 3 J2 R^2/(2 r^2))."""
     r, mu, oblateness = 2.0, 8.0, 0.1
     rate = math.sqrt(mu / r**3 * (1 + 1.5 * oblateness / r**2))
     model = orbit.over_equator(mu, oblateness, r * r * rate)
@@ -182,7 +182,7 @@ def test_the_pull_of_an_oblate_earth_is_that_of_its_potential():
 
 @pytest.mark.parametrize("latitude", [0.3, -1.2, math.pi / 2])
 def test_foucaults_pendulum_turns_with_the_sine_of_the_latitude(latitude):
-    """By -rate sin(latitude) t, in the fullest model too."""
+    """It turns by -rate sin(latitude) t, in the fullest model too."""
     given = {"length": 9.81, "start": (0.0, 0.0, 1e-3, 0.0), "t": 2.25 * 2 * math.pi}
     asked = ladder("Foucault's pendulum", latitude=latitude, rate=1e-3, **given)
     for rung in (asked.rungs[1], asked.fullest):
@@ -191,7 +191,7 @@ def test_foucaults_pendulum_turns_with_the_sine_of_the_latitude(latitude):
 
 
 def test_a_bar_swings_as_the_spherical_pendulum_of_the_top():
-    """Without friction, against the quaternion of the bar, which hangs at theta = pi."""
+    """Without friction; compared with the quaternion of the bar, which hangs at theta = pi."""
     length, g, t = 1.2, 9.81, 3.0
     asked = ladder("spherical pendulum", length=length, g=g, start=(0.5, 0.0, 0.0, 1.0), t=t)
     q = quaternion_from_euler(math.pi / 2, math.pi - math.asin(0.5 / length), 0.0)
@@ -214,7 +214,7 @@ def test_the_state_of_each_model_has_the_degrees_of_freedom_of_its_scene(name):
 
 @each_ladder
 def test_no_state_is_superfluous(name):
-    """As many directions of the start are seen as there are states, less the spare ones."""
+    """A prediction shows as many directions of the start as it has states, less the spare ones."""
     asked = ladder(name)
     for rung in asked.rungs:
         seen = np.array([column(rung, asked.t / 3, n) for n in range(len(rung.start))])
@@ -235,7 +235,7 @@ def column(rung, t, n):
 @pytest.mark.benchmark
 @pytest.mark.parametrize("name", LADDERS)
 def test_no_rung_costs_more_than_the_next(name):
-    """By more than a third, in processor time: some differ by a few operations only."""
+    """No rung takes a third more processor time: some differ by only a few operations."""
     asked = ladder(name)
     runs = [(prepare(rung.model), rung.start, []) for rung in asked.rungs]
     for run, start, costs in 30 * runs:
@@ -308,7 +308,7 @@ def test_errors_are_measured_as_well_as_they_are_asked_for():
     rough, fine = asked.error(asked.rungs[0], 1.0), asked.error(asked.rungs[0])
     assert rough < 1e-8
     assert fine == pytest.approx(true, rel=0.02)
-    assert asked.error(asked.rungs[0], 1.0) == fine  # what is known well is not measured again
+    assert asked.error(asked.rungs[0], 1.0) == fine  # an error known well is not measured again
 
 
 def test_a_rung_of_the_same_name_from_elsewhere_has_an_error_of_its_own():
@@ -322,7 +322,7 @@ LAST = oscillator("b", neglects=[by(lambda s, p, t: 0.1 * t)])
 
 
 def test_an_effect_that_the_fullest_model_neglects_counts_for_all():
-    """Two equal models: one is as good as the other, and both are as good as the last one's bound."""
+    """Of two equal models each is as good as the other, and both only as good as the last bound."""
     assert smallest(hand_made(FIRST, LAST), 0.21).model.name == "a"
     with pytest.raises(ModelError, match=r"no model is as accurate as 0\.19; the errors may reach a: 2, b: 0\.2"):  # fmt: skip
         smallest(hand_made(FIRST, LAST), 0.19)

@@ -1,5 +1,5 @@
-"""The models that make the ladders of chapters 6, 9, 10 and 11: their units, closed forms, limits,
-invariants, bounds, and who is chosen.
+"""The models that make up the ladders of chapters 6, 9, 10 and 11: their units, closed forms,
+limits, invariants and bounds, and which model is chosen.
 """
 
 import math
@@ -29,7 +29,7 @@ SPEED, FORCE = LENGTH / TIME, MASS * LENGTH / TIME**2
 G, INERTIA, RATE = LENGTH / TIME**2, MASS * LENGTH**2, PURE / TIME
 PLANE = {"x": LENGTH, "y": LENGTH, "dx": SPEED, "dy": SPEED}
 
-# by name: the dimensions of parameters, of states, and of what is observed
+# by name: the dimensions of the parameters, the states, and the observed quantity
 UNITS = {
     "aircraft": (
         {"m": MASS, "g": G, "thrust": FORCE, "k_lift": MASS / LENGTH, "k_drag": MASS / LENGTH, "bank": PURE,
@@ -62,7 +62,7 @@ RUNGS = [(name, rung.name) for name in UNITS for rung in ladder(name).rungs]
 
 
 def same(found, expected):
-    """Equal dimensions; a structural zero has any."""
+    """Whether dimensions are equal; a structural zero has any dimension."""
     pairs = zip(found, expected, strict=True)
     return all(f == e or (isinstance(f, int) and f == 0) for f, e in pairs)
 
@@ -95,10 +95,9 @@ def test_invariants_are_kept_by_the_integrated_rates(name, rung):
         assert max(motion.drift.values()) < 1e-7, motion.drift
 
 
-# error vanishes with it
-
 # balanced by a thrust of 972 N
 FLY = {"lift": 1000 * 9.81 / 60**2, "drag": 0.27, "start": (60.0, 0.5, 0.0, 0.0, 0.0, 1000.0)}
+# by rung: its ladder, the order in e in which its error vanishes, and what is given
 LIMITS = {
     "block on an incline": ("sphere on an incline", 1, lambda e: {"k": e, "air": e / 10}),
     "sphere on an incline": ("sphere on an incline", 1, lambda e: {"air": e}),
@@ -133,8 +132,8 @@ def test_a_rung_becomes_the_fullest_one_where_what_it_neglects_vanishes(rung):
     assert ratio == pytest.approx(10**order, rel=0.15)
 
 
-# by rung, how much of its bound the error reaches in some draw: bounds of motions that may run
-# apart are wide
+# by rung: the part of its bound that the error reaches in some draw; bounds are wide for motions
+# that may run apart
 REACHED = {
     "uniform gravity in a turning station": 0.7, "free body in a turning station": 0.6,
     "small swings on a turning shaft": 0.4, "hinged on a turning shaft": 0.01,
@@ -159,7 +158,7 @@ slopes, airs = st.floats(0.05, 1.4), st.floats(1e-4, 0.1)
 
 @given(slopes, airs, st.floats(0.0, 1.0), st.floats(0.0, 30.0))
 def test_a_sphere_in_air_keeps_what_power_against_the_air_leaves(slope, air, k, v):
-    """(v^2 - a/b) e^(2 b x) stays, a = g sin(slope)/(1 + k), b = air/(1 + k)."""
+    """(v^2 - a/b) e^(2 b x) is constant, with a = g sin(slope)/(1 + k) and b = air/(1 + k)."""
     a, b = 9.81 * math.sin(slope) / (1 + k), air / (1 + k)
     end = integrate(rolling_in_air(slope, 9.81, air, k), 2.5, (0.0, v), 1e-11).end
     assert (end["v"] ** 2 - a / b) * math.exp(2 * b * end["x"]) == pytest.approx(
@@ -168,7 +167,7 @@ def test_a_sphere_in_air_keeps_what_power_against_the_air_leaves(slope, air, k, 
 
 
 def closed_form(air):
-    """The way after 3 s from v = 1 m/s on a slope of 0.5: log(cosh(n t) + b v0/n sinh(n t))/b."""
+    """Distance after 3 s from v0 = 1 m/s on a slope of 0.5: log(cosh(n t) + b v0/n sinh(n t))/b."""
     a, b = mp.mpf(9.81) * math.sin(0.5) * 5 / 7, mp.mpf(air) * 5 / 7
     n = (a * b) ** 0.5
     return float(mp.log(mp.cosh(3 * n) + b / n * mp.sinh(3 * n)) / b)
@@ -182,7 +181,7 @@ def test_a_sphere_in_next_to_no_air_is_accurate_where_the_closed_form_in_floats_
 
 
 def test_the_rod_on_a_free_shaft_obeys_lagranges_equations_of_rod_and_shaft():
-    """Two coordinates, and the angle of the shaft not eliminated."""
+    """There are two coordinates: the angle of the shaft is not eliminated."""
     W, E, J, H = 14, 2, sympy.Rational(3, 2), sympy.Rational(5, 2)
     t, (a, w, p) = sympy.Symbol("t"), sympy.symbols("a w p")
     theta, psi = sympy.Function("theta")(t), sympy.Function("psi")(t)
@@ -284,7 +283,7 @@ def test_a_car_that_comes_to_rest_is_refused_just_before_it_does(air):
 
 
 def test_small_swings_exist_on_both_sides_of_the_least_rate_but_not_at_it():
-    data = rod(1.0, 1.5, 1.0, 9.81)  # sqrt(3 g/(2 L)), a root of 9.81 here
+    data = rod(1.0, 1.5, 1.0, 9.81)  # sqrt(3 g/(2 L)), here sqrt(9.81)
     least = least_rate(**data)
     given = {"mass": 1.0, "length": 1.5, "shaft": 1e9}
     for omega, rest in ((0.999 * least, 0.0), (1.001 * least, math.acos(1 / 1.001**2))):
@@ -303,4 +302,4 @@ def test_a_station_that_does_not_turn_has_no_ladder():
     with pytest.raises(ModelError, match="omega must not be zero"):
         space_station.ladder(omega=0.0)
     hardly = space_station.ladder(omega=1e-9)
-    assert hardly.error(hardly.rungs[0]) < 1.0  # m, by the air alone
+    assert hardly.error(hardly.rungs[0]) < 1.0  # m, from the air alone

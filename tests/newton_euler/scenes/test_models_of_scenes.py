@@ -19,7 +19,7 @@ from tests.kinds import close, rates
 
 
 def pendulum(m=1.0, g=9.81, length=2.0):
-    """From its forces, in polar coordinates, x down; the cord does not matter for theta."""
+    """A pendulum from its forces, in polar coordinates, x down; the cord does not affect theta."""
 
     def accelerations(s, p, t):
         ground = Frame("ground")
@@ -53,7 +53,7 @@ each_model = pytest.mark.parametrize("name", MODELS)
 def test_exact_solutions_start_where_they_should_and_solve_the_equations(name):
     """Differentiated by the product rule, to 26 digits."""
     model = MODELS[name]
-    # or sin(0.8) has 16
+    # otherwise sin(0.8) has only 16 digits
     model = model.changed(**{n: mp.mpf(x) for n, x in model.parameters.items() if x})
     start = [mp.mpf(x) / 7 for x in (20, 3, -4, 5, 6, 8)][: len(model.states)]
     small = mp.mpf(10) ** -26

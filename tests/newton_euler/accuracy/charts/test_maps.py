@@ -36,7 +36,7 @@ def test_an_island_of_times_that_is_not_there_again_is_removed():
     found[:6, 0] = found[9, 9] = found[:5, 5] = LAND
     better, changed = settled(chart, found)
     assert (better[:, 1:] == SEA).all()
-    assert (better[:6, 0] == LAND).all()  # the largest part is no island
+    assert (better[:6, 0] == LAND).all()  # the largest part is not an island
     assert changed == 6
     assert "noise of the times" in map_caption(chart, better, changed)
 
@@ -70,7 +70,7 @@ def test_the_caption_follows_when_the_choices_are_swapped():
 
 
 def regions(chart, found):
-    """{name: whether it is written inside its own region} of what is drawn."""
+    """{name: whether it is written inside its own region}, for the names drawn."""
     figure = Figure()
     ax = figure.subplots()
     draw_choices(chart, found, ax)

@@ -1,4 +1,4 @@
-"""charts/methods.py: what is drawn of the methods on a scene, and what its caption says."""
+"""charts/methods.py: what is drawn for the methods on a scene, and what the caption says."""
 
 from dataclasses import replace
 
@@ -57,7 +57,7 @@ def test_all_methods_have_a_look_of_their_own():
 
 
 def measured(closed=(1e-6, 1e-15), prepared=0.0, **stepping):
-    """What was measured, doctored: (cost, error) of methods that step, and of the closed form."""
+    """Made-up measurements: (cost, error) of the stepping methods and of the closed form."""
     points = [Measured(n, *x, asked=1e-6, family=STEPPING) for n, x in stepping.items()]
     points += [Measured("exact", *closed, family=CLOSED)] if closed else []
     return WorkPrecision(FAKE, tuple(points), {}, {"taylor": prepared}, {}, {})
@@ -95,7 +95,7 @@ def test_the_runs_that_earn_back_a_preparation_are_counted_by_their_size():
 
 
 def test_the_caption_has_only_what_all_repeats_agree_on():
-    """Of a pendulum on a machine that did other work: dop853 took 12 to 25 times as long, or 24."""
+    """A pendulum on a busy or quiet machine: dop853 took 12 to 25 times as long, or 24 times."""
     times = {"taylor": [79, 75, 62, 39, 37], "dop853": [908, 866, 843, 883, 911]}
     quiet = times | {"taylor": [36, 36, 41, 36, 39]}
     busy_caption, quiet_caption = (

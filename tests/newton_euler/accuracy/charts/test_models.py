@@ -1,4 +1,4 @@
-"""charts/models.py: what is drawn of a ladder of models, which rung is ringed, what the caption says."""
+"""charts/models.py: what is drawn for a ladder of models, which rung is ringed, the caption."""
 
 from types import SimpleNamespace
 

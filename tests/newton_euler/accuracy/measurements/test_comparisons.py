@@ -30,7 +30,7 @@ def measured():
 
 
 def errors(points, method, question=0):
-    """The errors of a method by what was set."""
+    """{setting x: error} of a method."""
     asked = list(dict.fromkeys(p.question for p in points))[question]
     found = {p.x: p.error for p in points if p.method == method and p.question is asked}
     assert found
@@ -94,7 +94,7 @@ def test_points_converge_slowly_and_the_engine_is_right_to_round_off_by_both_way
     random, grid = errors(points, "random points"), errors(points, "grid of points")
     assert 1e-5 < random[10**6] < 1e-2
     assert 1e-7 < grid[10**6] < 1e-4
-    assert random[100] / random[10**6] == pytest.approx(100, rel=9)  # as the root of their number
+    assert random[100] / random[10**6] == pytest.approx(100, rel=9)  # as 1/sqrt(number)
     assert all(grid[n] < random[n] for n in grid)
     for way in ("engine, quadrature", "engine, composition"):
         assert max(errors(points, way).values()) < 4 * ROUND_OFF
@@ -117,7 +117,7 @@ def test_the_arc_cosine_loses_8_digits_at_1e_minus_4_and_all_at_1e_minus_8(measu
     assert found[1.0] < 1e-15
     assert 1e-11 < found[1e-4] < 1e-7
     assert all(found[10.0**-n] == 1 for n in range(9, 13))
-    assert errors(points, "arc cosine of the trace", 1)[1e-8] > 1e-10  # of pi: half of the digits
+    assert errors(points, "arc cosine of the trace", 1)[1e-8] > 1e-10  # near pi: half the digits
     for question in (0, 1):
         for way in ("engine, atan2", "SciPy's Rotation"):
             assert max(errors(points, way, question).values()) < 3 * ROUND_OFF

@@ -53,7 +53,7 @@ def test_several_functions_take_turns():
     assert first > 0
     assert second > 0
     changes = sum(a != b for a, b in pairwise(order))
-    assert changes == 5  # a, b to see how many calls are enough, then two rounds of a, b
+    assert changes == 5  # a, b to find how many calls are enough, then two rounds of a, b
 
 
 @given(point_lists)
@@ -97,7 +97,7 @@ def test_the_chart_names_every_method_once_and_returns_the_front(ax):
     ids=["all repeats agree", "one repeat contradicts"],
 )
 def test_only_ways_that_win_in_all_repeats_are_ringed(ax, repeats, ringed):
-    """Two ways of equal errors: which one is cheaper must not hang on a single repeat."""
+    """Two ways with equal errors: which is cheaper must not depend on a single repeat."""
     points = [Measured("surely", 1e-9, 1e-2, repeats=(1e-9,) * 3)]
     points += [Measured("cheap", 4e-6, 1e-9, repeats=repeats)]
     points += [Measured("dear", 3e-5, 1e-9, repeats=(3e-5,) * 3)]

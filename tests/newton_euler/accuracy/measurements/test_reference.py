@@ -1,4 +1,4 @@
-"""reference.py: the final states in 30 digits, against exact solutions and by two ways."""
+"""reference.py: the final states to 30 digits, against exact solutions and found in two ways."""
 
 import mpmath as mp
 import pytest
@@ -47,11 +47,11 @@ def test_extrapolation_agrees_with_an_exact_solution_to_30_digits():
 
 
 def in_digits(model):
-    """The same with its parameters as mpf."""
+    """The same model with its parameters as mpf."""
     return model.changed(**{n: mp.mpf(x) for n, x in model.parameters.items()})
 
 
 def apart(a, b):
-    """The largest difference of two states, relative to the largest of them, in all digits."""
+    """The largest difference between two states over the largest value, in all digits."""
     with mp.workdps(45):
         return float(max(abs(x - y) for x, y in zip(a, b, strict=True)) / max(map(abs, b)))

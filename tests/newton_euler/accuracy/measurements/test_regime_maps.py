@@ -17,7 +17,7 @@ from newton_euler.motion.integration import integrate
 
 
 def border(chart, x, below, precision=0.02):
-    """The lowest y at which the choice is another one than ``below``, by halving."""
+    """The lowest y at which the choice differs from ``below``, by bisection."""
     low, high = chart.y.low, chart.y.high
     while high - low > precision * low:
         middle = math.sqrt(low * high)
@@ -51,7 +51,7 @@ def test_measuring_reports_its_progress_and_gives_a_row_for_each_y():
 def test_a_short_run_is_for_what_need_not_be_compiled_and_a_long_one_beside_the_axis_for_the_exact_solution_alone(
     compiling, short, monkeypatch
 ):
-    """Here the compilation takes a thousand seconds, or is paid for."""
+    """Here compiling either takes a thousand seconds or has a negative cost."""
     pytest.importorskip("heyoka")
     monkeypatch.setattr(maps, "compile_time", lambda: compiling)
     near, far = (list(MAPS["free body"].column(tilt, [5.0, 1000.0])) for tilt in (1e-6, 0.5))
@@ -64,13 +64,13 @@ def test_a_short_run_is_for_what_need_not_be_compiled_and_a_long_one_beside_the_
 def test_a_compilation_takes_longer_than_a_run_that_is_compiled():
     pytest.importorskip("heyoka")
     compiling = maps.compile_time()
-    # the least of several runs: a busy machine may delay some, but not all by a compilation
+    # the fastest of several runs: a busy machine may delay some, but not all by that much
     runs = [integrate(maps.BODY, 1.0, maps.start_at(0.1), 1e-9, "taylor") for _ in range(20)]
     assert compiling > min(motion.cost.seconds for motion in runs)
 
 
 def test_integration_fails_where_round_off_has_grown_to_what_is_wanted():
-    """Within a factor of five of the theory: a random walk is only known on average."""
+    """Within a factor of five of the theory: a random walk is known only on average."""
     pytest.importorskip("heyoka")
     for tilt in (1e-7, 1e-5, 3e-3, 1e-2):
         times = np.geomspace(10.0, 2e4, 60)
@@ -92,7 +92,7 @@ def test_errors_of_a_run_are_those_against_30_digits():
 def test_the_first_turnover_is_at_the_quarter_period_of_a_small_tilt():
     for tilt in (1e-6, 1e-3):
         t = maps._first_turnover(tilt)
-        # rad/s, of 1: it is on its way from +1 to -1
+        # rad/s: the rate is on its way from +1 to -1
         assert abs(maps.BODY.solution(t, maps.start_at(tilt))[1]) < 0.4
         assert maps.BODY.solution(t / 2, maps.start_at(tilt))[1] > 0.99
 

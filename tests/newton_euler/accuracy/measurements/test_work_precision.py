@@ -1,4 +1,4 @@
-"""work_precision.py: what is measured of each method, and against what."""
+"""work_precision.py: what is measured for each method, and against what."""
 
 import math
 from functools import partial
@@ -19,7 +19,7 @@ from tests.honesty import closed_forms
 def swing():
     """The pendulum by a few methods."""
     output, methods = [], ("dop853", "lie-poisson4", "yoshida6", "auto")
-    # the points shall not depend on how busy the machine is
+    # the points must not depend on how busy the machine is
     options = {"longest": math.inf, "progress": lambda *now: output.append(now)}
     return work_precision("pendulum", (1e-3, 1e-6, 1e-9), methods, **options), output
 
@@ -97,7 +97,7 @@ def test_a_method_that_cannot_reach_an_accuracy_has_no_point_there_and_is_named(
 
 def test_auto_is_compared_with_the_cheapest_that_reached_the_accuracy(monkeypatch):
     class Runs:
-        """Runs that last this many seconds by the clock of the test."""
+        """Runs that last a given number of seconds by the clock of the test."""
 
         now = 0.0
 

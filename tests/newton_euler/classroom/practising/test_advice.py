@@ -14,7 +14,7 @@ MISTAKE = Cause("listed", "no_term", "leaves out the term: it turns")
 
 @pytest.fixture
 def days():
-    """The date, as a list of one that tests move on."""
+    """Today's date, in a list of one element that tests change."""
     return [date(2026, 3, 1)]
 
 

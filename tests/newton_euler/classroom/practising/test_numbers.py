@@ -1,4 +1,4 @@
-"""The numbers of one variant of a practice file, made up by hand."""
+"""The numbers of one variant of a practice file, made by hand."""
 
 import itertools
 

@@ -1,4 +1,4 @@
-"""What is kept of a student's tries, and the table made from it."""
+"""The record of a student's tries, and the table made from it."""
 
 import json
 

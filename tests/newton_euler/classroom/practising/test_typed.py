@@ -1,4 +1,4 @@
-"""Answers that are typed into a field."""
+"""Answers typed into a field."""
 
 import math
 

@@ -4,7 +4,7 @@ import pytest
 
 
 class Shown:
-    """Stands in for IPython's display: what was shown, and what it was replaced by."""
+    """Stands in for IPython's display: records what was shown, and what replaced it."""
 
     def __init__(self):
         self.outputs, self.updates = [], []

@@ -1,4 +1,4 @@
-"""interactive.py: pictures that stay where there are no sliders, and move where there are."""
+"""interactive.py: pictures that stay still without sliders and move with them."""
 
 import sys
 

@@ -26,7 +26,7 @@ def test_a_figure_is_shown_as_html_and_as_png_with_its_alt_text_and_closed(shown
     assert "max-width: 100%" in data["text/html"]
     assert data["image/png"] in data["text/html"]
     assert metadata["image/png"]["alt"] == data["text/plain"] == ALT
-    assert not plt.get_fignums()  # else the notebook would show it twice
+    assert not plt.get_fignums()  # otherwise the notebook would show it twice
 
 
 def test_a_picture_has_two_pixels_for_each_pixel_of_the_page(shown):

@@ -1,4 +1,4 @@
-"""stage.py: all pictures of a figure have one window and one scale, and leave nothing out."""
+"""stage.py: all pictures of a figure share one window and one scale, and leave nothing out."""
 
 import re
 from xml.etree import ElementTree
@@ -23,7 +23,7 @@ def stage(draw, samples, **options):
 
 
 def lines(picture, colour):
-    """The places of each line of one colour on the page, in points."""
+    """The positions of each line of one colour on the page, in points."""
     groups = ElementTree.fromstring(picture).iter(f"{NAME}g")
     paths = [path for group in groups if group.get("stroke") == colour for path in group]
     numbers = [re.findall(r"-?[\d.]+", path.get("d")) for path in paths]
@@ -52,7 +52,7 @@ def test_what_stays_in_the_scene_stays_in_the_picture_and_arrows_are_in_proporti
 
 
 def bulge(ax, a):
-    """A rod that is long at one place between the samples only."""
+    """A rod that is long only at one value between the samples."""
     s = Sketch(ax, GROUND, plane="xy")
     s.rod((-1, 0, 0), (1 + 9 * (a == 0.3), 0, 0))
     s.vector(O, (0, 1 + 9 * (a == 0.3), 0))
@@ -88,7 +88,7 @@ def test_axes_with_more_than_a_sketch_are_drawn_by_matplotlib():
     pictures = [moving.picture({"a": a}, "both") for a in (1, 2, 2)]
     assert b"matplotlib" in pictures[0]
     assert pictures[0] != pictures[1]
-    assert len(moving._plotted.figure.axes[0].texts) == 1  # those before are gone
+    assert len(moving._plotted.figure.axes[0].texts) == 1  # the earlier ones are gone
 
 
 def test_a_title_stands_for_its_values_only():
@@ -149,7 +149,7 @@ def bars_beside(axes, a):
     axes[1].bar([0, 1], [a, 1], label=f"at {a}")
     axes[1].plot([0, 1], [a, 0])
     axes[1].legend()
-    axes[1].margins(0.1)  # which a panel does not know
+    axes[1].margins(0.1)  # a panel has no margins()
 
 
 def test_nothing_of_the_rehearsal_and_of_earlier_pictures_stays_in_a_plot():

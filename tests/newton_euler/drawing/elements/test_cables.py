@@ -1,5 +1,5 @@
-"""tangents.py: a cable is tangent to its pulleys, goes round them the way it should, and is as long
-as geometry says.
+"""tangents.py: a cable is tangent to its pulleys, goes round them the right way, and has the length
+that geometry gives.
 """
 
 import math
@@ -25,7 +25,7 @@ def total(stops, turns=None):
 
 
 def test_a_rope_over_a_pulley_hangs_down_on_both_sides():
-    """Chords of 6 degrees are shorter than the arc by less than 1 in 2000."""
+    """Chords of 6 degrees are shorter than their arc by less than 1 in 2000."""
     wheel = Pulley((0.0, 0.0, 0.0), Z, 1.0)
     spans, arcs = route([(-1.0, -5.0, 0.0), wheel, (1.0, -3.0, 0.0)])
     assert spans[0][1] == pytest.approx((-1, 0, 0), abs=1e-12)

@@ -57,7 +57,7 @@ def test_only_the_near_side_of_a_helix_on_a_cylinder_is_drawn(elevation):
     near = np.cos(np.radians(20)), np.sin(np.radians(20))
     for run in runs:
         assert (np.array(run.points)[:, :2] @ near > -1e-9).all()
-        assert s.drawn.strokes.index(run) > 1  # over the cylinder and its end
+        assert s.drawn.strokes.index(run) > 1  # drawn over the cylinder and its end
 
 
 def test_only_the_near_side_of_a_curve_on_a_sphere_is_drawn():

@@ -1,4 +1,4 @@
-"""Marks and names of places."""
+"""Marks and names of points."""
 
 from tests.sketching import O, sketch, texts, vertices
 

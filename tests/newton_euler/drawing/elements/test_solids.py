@@ -1,4 +1,4 @@
-"""Bodies with holes and thickness: one sees through holes, into shells, and what is near."""
+"""Bodies with holes and thickness: one sees through holes, into shells, and the near parts."""
 
 import math
 
@@ -16,7 +16,7 @@ CORNERS = [(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0)]
 @pytest.mark.parametrize("order", [1, -1])
 @pytest.mark.parametrize("thickness", [0, 0.5])
 def test_one_sees_through_the_holes_of_a_plate(sense, order, thickness):
-    """Whichever way its outline and its hole go round."""
+    """This holds whichever way the outline and the hole run."""
     s = sketch(plane="xy")
     hole = s.around((1, 1, 0), (1.5, 1, 0), ground.k * sense)
     s.plate(CORNERS[::order], [hole], thickness=thickness)
@@ -106,7 +106,7 @@ def test_what_lies_in_a_bowl_is_seen_and_its_near_wall_hides_the_rest():
 
 @pytest.mark.parametrize("azimuth", [-60, 30, 130])
 def test_the_equator_of_a_sphere_is_its_front_alone_from_all_sides(azimuth):
-    """There is no chord between its ends."""
+    """No chord joins the ends of the equator."""
     s = sketch(azimuth=azimuth, elevation=50)
     s.sphere(O, 1)
     assert len({colour_at(s, 0, 0, z / 200) for z in range(-20, 21)}) == 1

@@ -10,7 +10,7 @@ from tests.sketching import O, sketch, vertices
 @pytest.mark.parametrize("azimuth", [0, 35, 80])
 @pytest.mark.parametrize("reach", [1, 4])
 def test_a_spring_goes_round_a_shaft_behind_it_and_in_front_of_it(azimuth, reach):
-    """However far the shaft reaches beyond the spring."""
+    """This holds however far the shaft extends beyond the spring."""
     s = sketch(azimuth=azimuth, elevation=20)
     s.shaft((0, -reach, 0), (0, 1, 0))
     s.spring((0, -0.9, 0), (0, 0.9, 0), radius=0.3, coils=5)
@@ -19,7 +19,7 @@ def test_a_spring_goes_round_a_shaft_behind_it_and_in_front_of_it(azimuth, reach
     (shaft,) = [n for n, stroke in enumerate(order) if "shaft" in stroke.styles]
     coils = [(n, x) for n, x in enumerate(order) if x.styles == ("spring",)]
     middles = [(n, np.array(x.points[len(x.points) // 2])) for n, x in coils]
-    eye = np.array(s.view.eye) * (1, 0, 1)  # as far as it is square to the shaft
+    eye = np.array(s.view.eye) * (1, 0, 1)  # its part perpendicular to the shaft
     front = [n for n, P in middles if P @ eye > 0.1]
     behind = [n for n, P in middles if P @ eye < -0.1]
     assert len(front) == len(behind) == 5

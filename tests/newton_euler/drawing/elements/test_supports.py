@@ -29,7 +29,7 @@ def test_a_road_is_hatched_on_the_right_of_the_way(way):
 
 
 def test_hatching_follows_a_slope():
-    """The angle between hatching and ground is that of level ground."""
+    """The hatching meets the ground at the same angle as on level ground."""
 
     def angle(rise):
         s = sketch(plane="xy")

@@ -1,4 +1,4 @@
-"""Arrows: those to scale, and those of a rotation."""
+"""Arrows to scale, and arrows of a rotation."""
 
 import math
 from itertools import pairwise

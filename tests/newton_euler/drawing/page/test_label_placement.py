@@ -1,4 +1,4 @@
-"""labels.py: labels keep clear of each other and on the page, and stay at a fixed offset."""
+"""labels.py: labels keep clear of each other, on the page, and at a fixed offset."""
 
 from itertools import pairwise
 
@@ -94,7 +94,7 @@ def test_axes_without_labels_are_drawn():
 
 @pytest.mark.parametrize(("last", "now"), [(0, 0), (1, 1), (3 * 16 + 8, 0)])
 def test_a_label_moves_from_where_it_was_only_if_that_is_much_better(last, now):
-    """Places 0 and 1 are neighbours and free; the third is 26 points away."""
+    """Positions 0 and 1 are free neighbours; the third is 26 points away."""
     s = sketch()
     s.rod((0, -1, 0), (0, 1, 0))
     s.label((0, 0, 1), "A")
@@ -105,7 +105,7 @@ def test_a_label_moves_from_where_it_was_only_if_that_is_much_better(last, now):
 
 
 def test_formulas_follow_the_settings_for_formulas():
-    """What was parsed is shared by all figures, but not over a change of the settings."""
+    """All figures share the parsed formulas, until the settings change."""
 
     def drawn(fontset):
         with matplotlib.rc_context({"mathtext.fontset": fontset}):

@@ -1,5 +1,5 @@
-"""covering.py: the near over the far, what lies on a face over the face, and lines through a face
-cut.
+"""covering.py: near things cover far ones, things on a face cover the face, and lines through a
+face are cut.
 """
 
 from newton_euler.drawing.page.occlusion import painters_order

@@ -1,4 +1,4 @@
-"""plots.py, plot_writer.py: plots of a panel stand where matplotlib has them."""
+"""plots.py, plot_writer.py: the plots of a panel lie where matplotlib puts them."""
 
 import math
 import re
@@ -91,7 +91,7 @@ def test_an_arrow_leads_to_its_place_or_is_as_long_as_its_scale_says():
     assert tips[0] == pytest.approx(frame.at(3, 20), abs=0.1)
     assert tips[1][0] - tails[1][0] == pytest.approx(0.3 * frame.w, abs=0.2)
     assert (tips[1][0] + tails[1][0]) / 2 == pytest.approx(frame.at(2, 20)[0], abs=0.2)
-    assert len([*tree.iter(NAME + "rect")]) == 1  # the page: no frame
+    assert len([*tree.iter(NAME + "rect")]) == 1  # the page alone, no frame
 
 
 def test_equal_units_are_equal():

@@ -1,4 +1,4 @@
-"""projection.py: a place is seen where it should be, in a right-handed view."""
+"""projection.py: a point appears where it should, in a right-handed view."""
 
 import math
 
@@ -52,4 +52,4 @@ def test_the_outline_of_a_cylinder_is_convex_though_rims_are_above_each_other(az
     a = np.roll(seen, -1, axis=0) - seen
     b = np.roll(a, -1, axis=0)
     assert np.all(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > -1e-7)  # the grid of the hull
-    assert np.hypot(*a.T).sum() < 2 * (2.2 + 4 + 2.2)  # and goes round once
+    assert np.hypot(*a.T).sum() < 2 * (2.2 + 4 + 2.2)  # it goes round once

@@ -1,4 +1,4 @@
-"""svg.py: the figure that matplotlib would draw, written without it and with real texts."""
+"""svg.py: the figure that matplotlib would draw, written without it and with real text."""
 
 from xml.etree import ElementTree
 
@@ -49,7 +49,7 @@ def test_places_are_those_of_matplotlib():
 
 
 def of_matplotlib(text, weight="normal"):
-    """Width and height of a text by matplotlib, as parts of its size."""
+    """Width and height of a text by matplotlib, as fractions of the font size."""
     font = FontProperties(size=100, weight=weight)
     math = text.count("$") > 1
     return [x / 100 for x in text_to_path.get_text_width_height_descent(text, font, math)[:2]]

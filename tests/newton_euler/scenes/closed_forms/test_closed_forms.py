@@ -1,4 +1,4 @@
-"""Closed forms: exact next to every limit, one formula for floats, arrays, 30 digits and traced
+"""Closed forms: exact close to every limit, one formula for floats, arrays, 30 digits and traced
 text (8.14, 10.24, 11.17, 6.4).
 """
 
@@ -32,18 +32,18 @@ EPS = 2.0**-52
 
 
 def nutating(I0, I, mgr, omega_z, theta, precession):
-    """The parameters of a top that precesses at this rate where it has this theta."""
+    """The parameters of a top that precesses at the given rate at the given theta."""
     return I0, I, mgr, omega_z, top.momentum_difference(I0, I, theta, precession, omega_z)
 
 
-TOP = nutating(1.0, 1.5, 5.0, 8.0, 0.6, 0.0)  # the one of the benchmarks
+TOP = nutating(1.0, 1.5, 5.0, 8.0, 0.6, 0.0)  # the top of the benchmarks
 PENDULUM = physical_pendulum(2.0, 0.5, 0.5, 10.0)
-# rad/s at the bottom, from which this pendulum just reaches the upright
+# rad/s at the bottom, with which this pendulum just reaches the top
 SEPARATRIX = 2 * math.sqrt(10.0)
 
 
 def text(model):
-    """The exact solution as its traced text on floats."""
+    """The exact solution, run from its traced text on floats."""
     return PreparedModel(model).function(model.exact)
 
 
@@ -52,14 +52,14 @@ def in_digits(model):
 
 
 def precisely(model, t, start):
-    """The same formula in 40 digits, of the same numbers."""
+    """The same formula with the same numbers, in 40 digits."""
     with mpmath.workdps(40):
         found = in_digits(model).solution(mpmath.mpf(t), tuple(map(mpmath.mpf, start)))
         return tuple(map(float, found))
 
 
 def stepped(model, t, start):
-    """An independent solution, to 1e-11: Runge and Kutta's."""
+    """An independent solution, to 1e-11, by a Runge-Kutta method."""
     end = integrate(replace(model, exact=None), t, start, 1e-11, "dop853").end
     return tuple(end[n] for n in model.states)
 
@@ -165,7 +165,7 @@ def test_an_angle_is_counted_through_all_turns_by_a_phase_within_pi_of_it(turned
 
 
 def random_body(rng):
-    """A third begin near the separatrix, and some have equal moments."""
+    """A third of the bodies start near the separatrix, and some have equal moments."""
     I, w = [rng.uniform(0.5, 3) for _ in range(3)], [rng.gauss(0, 1) for _ in range(3)]
     kind = rng.randrange(6)
     if kind == 0:
@@ -191,7 +191,7 @@ def test_it_is_right_at_once_for_bodies_turned_every_way_round():
     expected = by_series(free_body(*I), 1.0, w)
     for order, sense in itertools.product(itertools.permutations(range(3)), (1, -1)):
         if sense == (-1) ** sum(a > b for a, b in itertools.combinations(order, 2)):
-            # a change of handedness turns the sense of the rates
+            # a change of handedness reverses the rates
             found = text(free_body(*(I[n] for n in order)))(1.0, *(sense * w[n] for n in order))
             assert close(found, [sense * expected[n] for n in order], 2e-15)
 
@@ -220,7 +220,7 @@ TOPS = {  # parameters; theta, theta_rate
     "nearly through the upright": ((1.0, 1.5, 5.0, 2.0, 1e-5), (0.3, -2.0)),
     "on the other side": (nutating(1.0, 1.5, 5.0, 3.0, 0.6, 1.0), (-0.6, 0.4)),
 }
-# model, time, start, and how near the independent solutions are, by steps and in 25 digits
+# model, time, start, and how near the independent solutions come, by steps and in 25 digits
 MOTIONS = {
     **{f"pendulum from {start}": (PENDULUM, 3.0, start, 1e-10 * max(map(abs, start)), 2e-14 * max(map(abs, start)))
        for start in [(1.0, 0.0), (-2.0, 3.0), (0.0, 6.5), (9.0, -7.0), (3.1, 0.0), (1e-7, 0.0)]},
@@ -317,7 +317,7 @@ def test_steady_precession_stays_and_beside_it_the_nutation_is_small(off):
 @pytest.mark.parametrize("mgr", [-4.6, 4.6])
 @pytest.mark.parametrize("tilt", [1e-3, 1e-7])
 def test_small_nutations_about_a_vertical_keep_their_relative_accuracy(mgr, tilt):
-    """A top pulled upwards near the upward vertical, and a fast one that sleeps there."""
+    """A top pulled up near the upward vertical, and a fast top that sleeps there."""
     spin = 1.9 if mgr < 0 else 90.0
     model = top.nutation(*nutating(0.8, 0.06, mgr, spin, tilt, 0.3))
     for t in (0.1, 2.0, 9.0):

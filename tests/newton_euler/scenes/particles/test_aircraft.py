@@ -16,7 +16,7 @@ FORCES = ("1200", "9.81", "3000", "1000", "14000", "0.35")
 
 @every_kind
 def test_section_6_3_flight_in_a_vertical_plane(kind):
-    """The book's four equations, and for bank 0 those of 6.12."""
+    """The book's four equations, and, for zero bank, those of 6.12."""
     m, g, T, D, L, _ = numbers(kind, *FORCES)
     v, chi, gamma, x, _, h = numbers(kind, *STATE)
     rates, W = vertical_flight(m, g, T, D, L).derivative((v, gamma, x, h)), m * g
@@ -29,7 +29,7 @@ def test_section_6_3_flight_in_a_vertical_plane(kind):
 
 @every_kind
 def test_section_6_12_forces_from_the_motion(kind):
-    """Motion by the printed equations, forces back by five frames."""
+    """The motion from the printed equations gives the forces back, by way of five frames."""
     m, g, T, D, L, bank = numbers(kind, *FORCES)
     state = numbers(kind, *STATE)
     rates = flight(m, g, T, D, L, bank).derivative(state)
@@ -43,7 +43,7 @@ def test_section_6_12_forces_from_the_motion(kind):
 
 
 def test_a_force_may_be_a_law_of_speed_and_time():
-    """Drag k v^2 and no thrust: on the level, held by lift, 1/v grows by k t/m."""
+    """Drag k v^2 and no thrust: in level flight, held up by lift, 1/v grows by k t/m."""
     k, m, g, v0 = 0.5, 1000.0, 9.81, 60.0
     model = vertical_flight(m, g, drag=lambda s, p, t: k * s.v**2, lift=lambda s, p, t: p.m * p.g)
     run = by_scipy(model, (v0, 0.0, 0.0, 100.0), 30)

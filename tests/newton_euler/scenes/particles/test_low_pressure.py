@@ -31,7 +31,7 @@ def test_air_near_a_low_solves_its_equations_and_keeps_its_invariants(kind, lati
 
 @pytest.mark.parametrize("latitude", [0.8, -0.8])
 def test_storms_turn_counterclockwise_in_the_north_and_clockwise_in_the_south(latitude):
-    """Air at rest is drawn in, and turned aside; with friction it spirals into the low."""
+    """Air at rest is drawn in and turned aside; with friction it spirals into the low."""
     model = air_near_low(latitude, pressure_gradient=1e-8)
     for t in np.linspace(1e3, 2e4, 5):
         x, y, dx, dy = model.solution(t, (1e5, 0.0, 0.0, 0.0))

@@ -1,6 +1,6 @@
-"""Models of a projectile against *Kepler*, who knows nothing of Coriolis: the shot is an ellipse
-among the stars about the Earth's centre, found from Kepler's equation to 30 digits or more and
-looked at from the turning ground.
+"""Models of a projectile against Kepler, who knew nothing of Coriolis: the shot is an ellipse among
+the stars about the Earth's centre, found from Kepler's equation to 30 digits or more and seen from
+the turning ground.
 """
 
 import math
@@ -19,7 +19,7 @@ from tests.kinds import close, numbers, small
 
 
 def kepler(t, start, latitude, g, rate, radius):
-    """Position and velocity along ground axes of a shot, an ellipse, by Kepler's equation."""
+    """Position and velocity of a shot along ground axes: an ellipse, by Kepler's equation."""
     mu = g * radius**2
     c, s = mp.cos(latitude), mp.sin(latitude)
     # ground components to (east, polar, outward)
@@ -43,7 +43,7 @@ def kepler(t, start, latitude, g, rate, radius):
 
 
 def on_ellipse(t, start, *earth):
-    """The place at ``t`` of a shot, from floats."""
+    """The position of a shot at ``t``, from floats."""
     place, _ = kepler(mp.mpf(t), [mp.mpf(x) for x in start], *map(mp.mpf, earth))
     return [float(x) for x in place]
 
@@ -88,13 +88,13 @@ def simpler(*earth):
 def test_what_the_models_neglect_is_bounded_and_the_bound_is_no_guess(
     latitude, azimuth, elevation, speed, part, faster
 ):
-    """Every rung against the ellipse; on an Earth that turns ``faster`` too."""
+    """Every rung against the ellipse, also on an Earth that turns ``faster``."""
     g, rate, radius = 9.82, 2e-5 * faster, 6.371e6
     t = part * 1.9 * speed * math.sin(elevation) / g
     start = (0.0, 0.0, 0.0, *(speed * x for x in e.launch_direction(azimuth, elevation)))
     exact = on_ellipse(t, start, latitude, g, rate, radius)
     if exact[0] ** 2 + exact[1] ** 2 + (exact[2] + radius) ** 2 < radius**2:
-        return  # the bound is for what is above the ground
+        return  # the bound holds only above the ground
     for model in simpler(g, latitude, rate, radius):
         error = math.dist(model.solution(t, start)[:3], exact)
         assert error <= sum(model.neglected(t, start).values()) * (1 + 1e-9) + 1e-9
@@ -103,7 +103,7 @@ def test_what_the_models_neglect_is_bounded_and_the_bound_is_no_guess(
 
 
 def test_the_ladder_gives_the_cheapest_model_that_is_accurate_enough():
-    """Without air, and so without models of it."""
+    """Without air, and so without the models of air."""
     asked = shots.ladder(9.82, 0.8, drag=0)
     names = [rung.name for rung in asked.rungs]
     assert [smallest(asked, metres).model.name for metres in (5.0, 2.0, 1.0, 1e-3)] == names
@@ -118,7 +118,7 @@ def test_the_ladder_gives_the_cheapest_model_that_is_accurate_enough():
 
 @pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
 def test_the_models_solve_their_equations(kind):
-    """By the product rule; the first is a parabola."""
+    """Differentiated by the product rule; the first model is a parabola."""
     latitude, g, rate, radius = numbers(kind, "0.8", "9.81", "0.0001", "6371000")
     start, t = numbers(kind, 10, 20, 30, 100, -50, 70), numbers(kind, 15)
     for model in simpler(g, latitude, rate, radius):

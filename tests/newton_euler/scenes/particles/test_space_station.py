@@ -24,7 +24,7 @@ def test_example_6_7_the_rate_that_simulates_the_ground(kind):
 
 @every_kind
 def test_example_6_7_a_free_body_moves_on_a_straight_line_among_the_stars(kind):
-    """The exact path against (6.10), by the moving frame."""
+    """The exact path against (6.10), using the moving frame."""
     omega, x, y, dx, dy = numbers(kind, "-0.3", 2, "-1.5", "0.4", "0.9")
     _, _, ddx, ddy = free_body(omega).derivative((x, y, dx, dy))
     stars = Frame("stars")
@@ -34,7 +34,7 @@ def test_example_6_7_a_free_body_moves_on_a_straight_line_among_the_stars(kind):
 
 
 def test_example_6_7_a_throw_at_the_opposite_person_misses_behind():
-    """From (r, 0) through the centre; omega < 0 as in the book."""
+    """A throw from (r, 0) through the centre; omega < 0 as in the book."""
     g, r, u = 9.81, 100.0, 20.0
     omega = -station_rate(g, r)
     model = free_body(omega)
@@ -57,7 +57,7 @@ def test_example_6_7_who_runs_against_the_rotation_stands_still_among_the_stars(
 
 
 def test_example_6_7_book_calls_the_paths_limacons_but_a_throw_through_the_centre_is_a_spiral():
-    """Linear in its angle (Archimedes); a limacon is a + b cos(angle)."""
+    """Its radius is linear in the angle (Archimedes); a limacon has a + b cos(angle)."""
     omega = 0.5
     model = free_body(omega)
     start = (3.0, 0.0, -1.0, -omega * 3.0)  # w = (-1, 0) among the stars

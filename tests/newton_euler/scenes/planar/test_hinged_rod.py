@@ -1,4 +1,4 @@
-"""Section 10.7: a body hinged to a turning shaft, on both sides of the rate at which it swings out."""
+"""Section 10.7: a body hinged to a turning shaft, below and above the rate of swinging out."""
 
 import math
 

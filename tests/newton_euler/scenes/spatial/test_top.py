@@ -1,4 +1,4 @@
-"""Models of the top, the gyrocompass and the spherical pendulum: against Lagrange's equations, each
+"""Models of the top, the gyrocompass and the spherical pendulum, against Lagrange's equations, each
 other, and the limits of nutation.
 """
 
@@ -22,7 +22,7 @@ from tests.kinds import close, every_kind, numbers, rates, small
 
 
 def swings(model, start, seconds):
-    """Extremes of theta in a run of the model, and their times."""
+    """The extremes of theta in a run of the model, and their times."""
     n, turning = model.states.index("theta"), model.states.index("theta_rate")
     out = by_scipy(model, start, seconds, events=lambda t, y: y[turning])
     return out.y_events[0][:, n], out.t_events[0]
@@ -52,7 +52,7 @@ def test_limits_of_nutation_against_integration(theta_rate, precession, kind):
 
 
 def test_a_top_that_reaches_the_vertical():
-    """p_psi = p_phi: started upright with theta' = 1, below its critical rate."""
+    """It starts upright with theta' = 1, below its critical rate, so that p_psi = p_phi."""
     found = nutation(0.6, 0.25, 1.5, 0.0, 1.0, 0.0, omega_z=3.0)
     assert found.kind == "through the vertical"
     assert found.theta_min == 0
@@ -83,7 +83,7 @@ def run(model, start, seconds):
 
 
 def rolled_start(angles):
-    """State of the frame that does not spin, put onto {i, j, k} at the start (phi = 0)."""
+    """The state of the frame that does not spin, placed on {i, j, k} at the start (phi = 0)."""
     q = quaternion_from_euler(angles["psi"], angles["theta"], 0.0)
     return *q, angles["theta_rate"], angles["psi_rate"] * math.sin(angles["theta"])
 
