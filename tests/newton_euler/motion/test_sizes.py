@@ -86,7 +86,7 @@ def test_a_state_that_begins_at_the_end_of_its_domain_is_moved_into_it():
 @pytest.mark.parametrize(
     ("rates", "x", "sizes", "span", "found"),
     [
-        # x' = x + v - s: 4 over the rate of the motion
+        # x' = x + v - z: 4 over the rate of the motion
         (lambda s, t: (s.x + s.v - s.z, 0.0 * s.x, 0.0 * s.x), (1.0, 1.0, 2.0), (1.0, 1.0, 2.0), 1e9, (4.0, 0.0, 0.0)),
         # v = 2 for 5 s: 10, although nothing turns or decays
         (lambda s, t: (s.v, 0.0 * s.x, 0.0 * s.x), (0.0, 2.0, 0.0), (0.0, 2.0, 0.0), 5.0, (10.0, 0.0, 0.0)),
