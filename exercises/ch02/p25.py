@@ -31,6 +31,9 @@ def steps(g):
     ground, arm, P = arm_and_pin(g, turning(g)[1])
     yield "omega_arm", arm.angular_velocity(ground).expressed_in(arm)
     yield "r_P", P.position(arm)
+    r = turning(g)[1]
+    yield "r_dot", r.rate
+    yield "r_ddot", r.acceleration
     right = motion(ground, arm, P)
     yield from terms(right["v_P"], "v_P", "m/s", "2.10", "2.24")
     yield from terms(right["a_P"], "a_P", "m/s^2", "2.10", "2.25")

@@ -17,7 +17,7 @@ def solve(g):
 
 def steps(g):
     B, A = blocks(g)
-    yield from block_steps(B, A, "T - W_B = m_B*a and W_A - T = m_A*a")
+    yield from block_steps(B, A, "T - W_B = m_B*a_B and W_A - T = m_A*a_B")
 
 
 follows = {"a_B": lambda g, a_A: a_A, "T": lambda g, a_A: g.W_A * (1 - a_A / g.g)}

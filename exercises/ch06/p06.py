@@ -23,7 +23,7 @@ def solve(g):
 
 def steps(g):
     A, B = blocks(g)
-    yield from block_steps(A, B, "T - W_At = m_A*a and W_B - T = m_B*a")
+    yield from block_steps(A, B, "T - W_At = m_A*a_A and W_B - T = m_B*a_A")
 
 
 follows = {"T": lambda g, a_B: g.W_B * (1 - a_B / g.g)}

@@ -27,7 +27,7 @@ def solve(g):
 
 def steps(g):
     A, B = blocks(g)
-    yield from block_steps(A, B, "T - W_At = m_A*a and W_Bt - T = m_B*a")
+    yield from block_steps(A, B, "T - W_At = m_A*a_A and W_Bt - T = m_B*a_A")
 
 
 follows = {"T": lambda g, a_A: g.W_A * (sin(g.theta_A) + a_A / g.g)}

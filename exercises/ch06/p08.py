@@ -22,7 +22,7 @@ def solve(g):
 
 def steps(g):
     A, B = blocks(g)
-    yield from block_steps(A, B, "2*T - W_A = m_A*a and W_B - T = 2*m_B*a")
+    yield from block_steps(A, B, "2*T - W_A = m_A*a_A and W_B - T = 2*m_B*a_A")
 
 
 follows = {"a_B": lambda g, a_A: 2 * a_A, "T": lambda g, a_A: g.W_A / 2 * (1 + a_A / g.g)}

@@ -80,7 +80,7 @@ def block_steps(A, B, laws):
     F, M = without_tension(A, B)
     means = f"force that is left when T is eliminated from the equations of motion {laws}"
     yield Step("F", F, "lb", means, "6.1", "6.4")
-    yield Step("M", M, "slug", "mass that it accelerates: F = M*a", "6.1", "6.4")
+    yield Step("M", M, "slug", f"mass that it accelerates: F = M*a_{A.name}", "6.1", "6.4")
 
 
 def by_energy(g, W_A, W_B, places, reach):

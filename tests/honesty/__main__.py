@@ -20,8 +20,8 @@ reference is not reached, or whose two methods disagree, is dropped and counted.
 in --cache, so that a second run is faster.
 
 A second table, and the chart honesty.png that --out writes, have a row for each way to ask, the
-cheapest first: its cost, of the first call of each kind with all that it prepares, over that of the
-cheapest that was as accurate as asked. `python -m newton_euler.accuracy honesty --help` explains
+cheapest first: its cost (the first call of each kind, with all its preparation) over the cost of
+the cheapest as accurate as asked. `python -m newton_euler.accuracy honesty --help` explains
 the chart, and draws it for the scenes.
 
 \b
@@ -30,7 +30,7 @@ examples:
   python -m tests.honesty --draws 1 --methods auto,taylor  some minutes
   python -m tests.honesty --families dry_friction,lorenz   two families
   python -m tests.honesty --case beside_a_constant/0/2     one case, every call listed
-  python -m tests.honesty --holdout                        families that nobody mends it by
+  python -m tests.honesty --holdout                        the held-out families
   python -m tests.honesty --list                           the families
 """
 
@@ -133,7 +133,7 @@ USUAL = ",".join(f"{x:g}" for x in TOLERANCES)
 @option("--worst", "count", default=20, help="how many of the worst answers are listed")
 @option("--list", "listed", is_flag=True, help="list the families and end")
 def main(families, holdout, listed, cache, out, count, jobs, cases, **asked):
-    """Run it."""
+    """Run the harness."""
     console = Console(width=None if Console().is_terminal else 140)
     known = HOLDOUT if holdout else FAMILIES
     if listed:
@@ -159,7 +159,7 @@ def main(families, holdout, listed, cache, out, count, jobs, cases, **asked):
 
 
 def _followed(cases, plan, jobs):
-    """The results in the order of the cases; those that were finished when it is interrupted."""
+    """The results in the order of the cases; if interrupted, those that were finished."""
     columns = BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn()
     found, silent = [], 0
     with Progress(*columns, TextColumn("{task.description}"), console=Console(stderr=True)) as bar:

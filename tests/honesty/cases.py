@@ -10,7 +10,7 @@ from typing import NamedTuple
 FRACTIONS = (0.13, 0.37, 0.71, 1.0)  # of the duration, at which states are compared, the end last
 DRAWS = 3  # cases per family and seed
 FAMILIES = {}  # by name, filled by the decorator below
-HOLDOUT = {}  # families of the holdout, which nobody mends the engine by
+HOLDOUT = {}  # held-out families: nobody repairs the engine to suit them
 
 
 @dataclass(frozen=True)
@@ -37,15 +37,15 @@ class Case:
     knots : times at which the reference stops to look, where something short happens that long
         steps would pass over
     exact : a function ``(mp, s, p, t)`` on mpmath numbers, the states at the time t of the clock,
-        which shows t0 at the start, or None; not shown to the engine
+        which shows t0 at the start, or None; hidden from the engine
     singular_at : the time at which the motion ceases to exist, or None; beyond it the only right
         answer is a refusal
     events : of the engine; ``event_times(mp, s, p)`` lists the times of a single event where a
         formula gives them
     impact : a function ``(s, p, t)``, the state after each event of ``events``, whose ``then`` does
-        the same; None if they only tell or end the motion
+        the same; None if they only report or end the motion
     written_out : the same model for the reference, where ``model`` is written in a way that the
-        reference cannot take: with laws among its parameters, or with powers of zero
+        reference cannot use: with laws among its parameters, or with powers of zero
     """
 
     model: object
@@ -65,7 +65,7 @@ class Case:
 
     @property
     def span(self):
-        """The time as ``integrate`` takes it."""
+        """The time in the form that ``integrate`` takes."""
         return (self.t0, self.t_end) if self.t0 else self.t_end
 
     @property
@@ -123,7 +123,7 @@ def held_out(subject, *tags):
 def draw(name, seed, number):
     """One case of a family, known or held out: always the same one for the same seed and number.
 
-    >>> from tests.honesty import cases, families  # which fill the list
+    >>> from tests.honesty import cases, families  # importing families fills the list
     >>> draw = cases.draw
     >>> draw("pendulum", 0, 1).start == draw("pendulum", 0, 1).start != draw("pendulum", 0, 2).start
     True
@@ -168,13 +168,13 @@ class Draws(Random):
 
 
 def around(t, width, count):
-    """Times at distances of ``width`` about ``t``; and far from it, since what is narrow may have
-    long tails, to which a series that starts still farther away is blind.
+    """Times at distances of ``width`` about ``t``, and far from it: a narrow feature may have long
+    tails, which a series that starts still farther away would miss.
     """
     steps = [*range(count + 1), *(count * far for far in (2, 4, 8))]
     return tuple(t + width * k for k in sorted({*steps, *(-k for k in steps)}))
 
 
 def names(keys, values):
-    """Values by name, as the functions of a model take them."""
+    """Values by name, in the form that the functions of a model take."""
     return SimpleNamespace(**dict(zip(keys, values, strict=True)))

@@ -65,7 +65,7 @@ def free_body(mp, moments, rates, t):
     a, b, c = moments
     energy = sum(i * w * w for i, w in zip(moments, rates, strict=True))
     momentum = sum((i * w) ** 2 for i, w in zip(moments, rates, strict=True))
-    # about the axis of the least moment: the axes in the other order, and mirrored, so backwards
+    # about the axis of the least moment: the axes in reverse order and mirrored, so time runs back
     if (momentum - energy * b) * (c - a) < 0:
         x, y, z = free_body(mp, (c, b, a), rates[::-1], -t)
         return z, y, x
@@ -82,7 +82,7 @@ def free_body(mp, moments, rates, t):
 
 
 def kepler(mp, gm, place, velocity, t):
-    """Place and velocity on an ellipse by the eccentric anomaly that is passed (Battin, 4.3)."""
+    """Position and velocity on an ellipse, by the eccentric anomaly traversed (Battin, 4.3)."""
     x, y = place
     u, v = velocity
     r = mp.sqrt(x * x + y * y)

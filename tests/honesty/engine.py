@@ -1,5 +1,5 @@
 """What the harness takes from the engine besides its public names, in one place, so that it is
-easily pointed elsewhere.
+easily redirected.
 """
 
 from newton_euler import where

@@ -2,7 +2,7 @@
 with its own error estimate.
 
 :func:`runs_of` lists the ways, :func:`judged` takes one. :func:`repeated` and
-:func:`in_two_threads` look whether an answer depends on what ran before or beside it.
+:func:`in_two_threads` check whether an answer depends on what ran before or beside it.
 """
 
 import math
@@ -22,14 +22,14 @@ TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
 # the floor that the docstring of integrate states: no state is judged relative to less than this in
 # its unit
 UNIT = 1e-6
-NOTHING = 1e-13  # of its natural size: a smaller state is nothing but round-off
-GROSS = 10.0  # times what was asked for and what was estimated: then an answer is silently wrong
+NOTHING = 1e-13  # of its natural size: a smaller state is mere round-off
+GROSS = 10.0  # times what was asked for and estimated: beyond this an answer is silently wrong
 EPS = 2.0**-53
-DIGITS = Context(prec=60)  # more than those of a reference
-LAX = 1e3  # times the round-off of the start: an error that can be reached by any sound method
-SECONDS = 4.0  # that one run may take
+DIGITS = Context(prec=60)  # more digits than a reference has
+LAX = 1e3  # times the round-off of the start: an error that any sound method can reach
+SECONDS = 4.0  # the limit for one run
 BATCHES = (3, 64)
-BESIDE = 1.003  # times the start: of the run before a prepared one
+BESIDE = 1.003  # times the start: where the run before a prepared one begins
 REPEATS, REPEAT_SECONDS = 40, 0.7  # `auto` may take another method after half a second
 THREAD_RUNS = 40
 
@@ -39,7 +39,7 @@ RETURNED = ("met", "missed")
 
 @dataclass(frozen=True)
 class Run:
-    """One call and what came of it.
+    """One call and its outcome.
 
     case, tags, method, way, rtol : what was asked for; ``way`` is "" for a plain ``integrate``,
         else "prepared", "samples", "batch of 3", ...
@@ -72,12 +72,12 @@ class Run:
 
     @property
     def row(self):
-        """The name of its row in the table."""
+        """The name of the run's row in the table."""
         return f"{self.method}, {self.way}" if self.way else self.method
 
     @property
     def returned(self):
-        """True if it gave an answer."""
+        """True if the call gave an answer."""
         return self.outcome in RETURNED
 
     @property
@@ -92,7 +92,7 @@ class Run:
 
     @property
     def silent(self):
-        """True if it is wrong by more than ten times what was asked for and what was estimated."""
+        """True if the answer is wrong by more than ten times what was asked for and estimated."""
         return self.returned and self.error > GROSS * max(self.rtol, self.estimate or 0.0)
 
 
@@ -176,7 +176,7 @@ def runs_of(case, methods=("auto", *METHOD_NAMES), tolerances=TOLERANCES, withou
 
 
 def members(case):
-    """The numbers of the motions that are looked at."""
+    """The numbers of the motions that are judged."""
     n = case.count
     return [0] if n == 1 else sorted({0, 1, n // 2, n - 1})
 
@@ -204,7 +204,7 @@ def judged(case, truths, method, way, rtol, seconds=SECONDS, integrate=integrate
         needless = method == "auto" and all(reachable(truth, rtol) for truth in truths.values())
         outcome = "unfit" if isinstance(error, UnfitError) else "refused"
         return without_answer(outcome, type(error).__name__, str(error), needless)
-    except Exception as error:  # whatever it is, a user meets it
+    except Exception as error:  # a user would meet any of them
         name = type(error).__name__
         return without_answer("raw", name, f"{name}: {error}")
     runs = [_compared(case, truths[k], *answer, asked) for k, answer in answers.items()]
@@ -237,7 +237,7 @@ def _asked(case, truths, method, way, rtol, integrate, prepare):
     way = way.removesuffix(WITHOUT).removesuffix(", ")
     if way == PREPARED:
         run = prepare(case.model, rtol, method)
-        with suppress(ModelError):  # it may vouch for the one that is asked for
+        with suppress(ModelError):  # this run may vouch for the one asked for
             run(case.t_end, tuple(x * BESIDE for x in case.start))
         return {0: (tuple(run(case.t_end, case.start)), None, None, None)}, method
     if way.startswith("batch"):
@@ -255,7 +255,7 @@ def _asked(case, truths, method, way, rtol, integrate, prepare):
 
 
 def _batch(case, truths, method, count, rtol, integrate):
-    """A motion among others a per cent off, first, in the middle and last; or a case's own many."""
+    """A motion among others 1 % away, as first, middle and last; or a case's own many."""
     import numpy as np
 
     if case.count > 1:

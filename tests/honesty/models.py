@@ -7,12 +7,12 @@ from tests.honesty import closed_forms
 
 
 def brought(solution):
-    """A solution ``(m, s, p, t)`` by the functions of a module m, as a model brings it."""
+    """A solution ``(m, s, p, t)`` with the functions of a module m, as a model supplies it."""
     return lambda s, p, t: solution(newton_euler, s, p, t)
 
 
 def spring(name="spring", closed=False, **parameters):
-    """x'' = -k x; ``closed`` : it brings its solution."""
+    """x'' = -k x; ``closed`` : the model supplies its solution."""
     solution = _swing if closed else None
     return second_order(name, parameters, ("x",), lambda s, p, t: (-p.k * s.x,), exact=solution)
 
@@ -56,13 +56,13 @@ def exact_free_body(mp, s, p, t):
 
 
 def by_power(s, p, t):
-    """The attraction of a centre, by a power of the distance in the plane."""
+    """The attraction of a centre, written as a power of the distance in the plane."""
     r3 = (s.x**2 + s.y**2) ** 1.5
     return -p.GM * s.x / r3, -p.GM * s.y / r3
 
 
 def orbit(name, GM):
-    """About a fixed centre, in its plane."""
+    """An orbit about a fixed centre, in its plane."""
 
     def accelerations(s, p, t):
         r2 = s.x * s.x + s.y * s.y

@@ -15,7 +15,7 @@ from tests.honesty.judge import EPS
 def everything(console, found, lines, count, seconds, every_call=False):
     """Print all: of ``found``, the results by case, with ``count`` of the worst answers.
 
-    lines : of the table; seconds : that all took; every_call : True to list each call of each case
+    lines : the table's; seconds : the total time; every_call : True to list each call of each case
     """
     runs = [r for f in found for r in f.runs]
     for f in found if every_call else ():

@@ -5,8 +5,8 @@ The first way is a closed form where the case has one, else Taylor series by hey
 Gragg's extrapolation in mpmath's numbers, which shares neither method nor code nor arithmetic with
 it, and where that takes too long with series of 60 digits. Where heyoka is missing, extrapolation
 in 42 digits is the first way. Rates with kinks are followed from one analytic piece to the next, by
-the pieces that the case supplies (:class:`~tests.honesty.cases.Branches`). Nothing that is measured
-takes part, but for the tracing of formulas.
+the pieces that the case supplies (:class:`~tests.honesty.cases.Branches`). No code under test
+takes part, except the tracing of formulas.
 """
 
 import hashlib
@@ -37,26 +37,26 @@ DIGITS, CHECK_DIGITS, EXACT_DIGITS = 42, 22, 50
 AGREEMENT = 1e-15  # of the two ways: a thousandth of the tightest tolerance
 SECONDS, CHECK_SECONDS = 60.0, 8.0
 MOST_INSIDE = 1000
-INSIDE = 12  # parts of a step, at whose ends switches and events are looked at
+INSIDE = 12  # parts of a step, at whose ends switches and events are evaluated
 GOLDEN = (math.sqrt(5) - 1) / 2
-EDGE = 1e-6  # of a step: a point so close to its ends tells on which side of it an extremum lies
+EDGE = 1e-6  # of a step: a point this close to its ends shows on which side of it an extremum lies
 RUNS = 14  # of Gragg's rule over one step: order 28
-OWN = 1e-3  # of what its coupling makes of it: no state is judged more finely, see :func:`scales`
+OWN = 1e-3  # of its natural size: no state is judged more finely, see :func:`scales`
 NUDGE = 1e-18  # relative change of the start and the parameters, to measure the conditioning
-# seeds of its signs: a place and a speed that change alike do not change when a wall is met
+# seeds of its signs: if position and speed change alike, the time of an impact stays the same
 NUDGES = 1, 2, 4
-SAMPLES = 60  # states of the way, for the sizes
+SAMPLES = 60  # states along the way, for the sizes
 
 
 class NoReferenceError(Exception):
-    """No reference was reached, and why."""
+    """No reference was reached; the message says why."""
 
 
 @dataclass(frozen=True)
 class Reference:
     """The truth about a case.
 
-    times, states : where it is, decimal numbers as text; the last is the end, at an event that ends
+    times, states : the motion, decimal numbers as text; the last is the end, at an event that ends
         the motion or at ``t_end``
     sizes : the largest size of each state on the way; ``natural`` : what the coupling to the other
         states makes of it, see :func:`natural_sizes`
@@ -81,7 +81,7 @@ class Reference:
 
 
 def reference(case, cache=None, seconds=SECONDS):
-    """The :class:`Reference` of a case (one motion, not many), from the folder ``cache`` if it is
+    """The :class:`Reference` of a case (one motion, not many), from the folder ``cache`` if stored
     there.
 
     Raises :class:`NoReferenceError` if it is not reached in so many seconds, or if the two ways
@@ -105,7 +105,7 @@ def reference(case, cache=None, seconds=SECONDS):
 
 
 def cache_folder():
-    """The folder of the user in which references are kept unless another is given."""
+    """The user's folder in which references are kept unless another is given."""
     root = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
     return root / "newton_euler" / "honesty"
 
@@ -218,8 +218,8 @@ def scales(sizes, natural):
     that are nearly zero a thousandth of their natural size.
 
     A state that happens to be zero gets the round-off of those that it is coupled with. A
-    thousandth of its natural size leaves room for a relative 1e-12 above that, and no room to a
-    state that is small for good: what couples to it is then small as well.
+    thousandth of its natural size leaves room for a relative 1e-12 above that, but none for a
+    state that stays small: what couples to it is then small as well.
     """
     return [max(s, OWN * n) or 1.0 for s, n in zip(sizes, natural, strict=True)]
 
@@ -252,7 +252,7 @@ def natural_sizes(case, way, sizes):
 
 
 def _jacobian(f, x, steps):
-    """By differences; nan where the rates have no value."""
+    """The Jacobian by differences; nan where the rates have no value."""
     columns = []
     for j, step in enumerate(steps):
         up, down = list(x), list(x)
@@ -344,7 +344,7 @@ def _closed(case, seed):
         if seed is None:
             with mp.workdps(20 + max(0, round(math.log10(max(case.t_end - case.t0, 1))))):
                 chance, span = Random(1), case.t_end - case.t0
-                # what has died out long before the end has a size as well
+                # a state that has died out long before the end has a size too
                 early = [10 ** (-5 + 5 * k / SAMPLES) for k in range(SAMPLES)]
                 parts = sorted([0.0, *early, *(chance.random() for _ in range(SAMPLES)), 1.0])
                 times = [case.t0 + part * span for part in parts]
@@ -365,7 +365,7 @@ def _residual(case, sizes, natural):
         off, largest = [0] * len(x), [size / span for size in known]
         for t in map(mp.mpf, case.times[:-1]):
             now = at(t)
-            if now == last:  # it has come to rest, where rates that jump have no value
+            if now == last:  # the motion has come to rest, where rates that jump have no value
                 continue
             rates = f(t, *now, *p)
             paces = [size / abs(r) for size, r in zip(sizes, rates, strict=True) if r and size]
@@ -387,7 +387,7 @@ def _followed(case, stepper, digits, seed=None):
 
 
 class _Integration:
-    """By a stepper that changes a branch at a zero of a switch and records the events."""
+    """Integration by a stepper that changes branch at a zero of a switch and records the events."""
 
     def __init__(self, case, stepper, x, p):
         problem = stepper.problem
@@ -486,7 +486,7 @@ class _Integration:
             return [h], [self._float(i, h, begun)]
         parts, turns = INSIDE, None
         while True:
-            # at unequal distances, or an oscillation that is fast could look slow
+            # unequal distances, or a fast oscillation could look slow
             inner = sorted(h * (k * GOLDEN % 1.0) for k in range(1, parts))
             taus = [0.0, EDGE * h, *inner, h - EDGE * h, h]
             values = [self._float(i, tau, begun) for tau in taus]
@@ -511,13 +511,13 @@ class _Integration:
                 if gb * ga < 0:
                     points.append((b, gb))
             elif not switch and (gb - ga) * (gc - gb) < 0:
-                if near:  # the bottom of a dip into which a look has fallen
+                if near:  # the bottom of a dip that contains one of the points
                     _, gb = self._extremum(i, a, c, begun, math.copysign(1.0, ga - gb))
                 self.out.extrema.append((n, gb))
         before, sign, out = 0.0, self.signs[i] if switch else self.side[i], []
         for tau, g in sorted(points)[1 if self.stepper.dense else 0 :]:  # the first sign is known
             now = 1 if g > 0 else -1
-            if sign not in (None, now) and not (switch and out):  # what follows is another branch's
+            if sign not in (None, now) and not (switch and out):  # beyond lies another branch
                 out.append((self._root(i, before, tau, sign), i))
             before, sign = tau, now
         self.side[i] = sign
@@ -547,7 +547,7 @@ class _Integration:
         value = lambda tau: self._g(i, t0 + tau, inside(tau))
         a, b = mp.mpf(a), mp.mpf(b)
         ga, gb = value(a), value(b)
-        if ga * sign <= 0:  # it has passed zero before the first look, or starts there
+        if ga * sign <= 0:  # it passed zero before the first point, or starts there
             if a > 0:
                 return a
             a = b * mp.mpf(10) ** -12
@@ -709,7 +709,7 @@ class Extrapolation:
                 row.append([a + (a - b) * weight for a, b in zip(row[-1], column, strict=True)])
             table.append(row)
         *_, before, best = table[-1]
-        floor = max(max(map(abs, best)), *self.sizes) * self.goal  # of states that are zero
+        floor = max(max(map(abs, best)), *self.sizes) * self.goal  # for states that are zero
         sizes = [max(abs(a), s, floor) for a, s in zip(best, self.sizes, strict=True)]
         return best, _relative(best, before, sizes)
 

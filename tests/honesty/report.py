@@ -21,7 +21,7 @@ GOALS = {"met": 0.995, "covers": 0.99, "ratio": 100.0, "silent": 0}  # of issue 
 
 @dataclass(frozen=True)
 class Line:
-    """One line of the table: a way to ask, at one tolerance or, where ``rtol`` is None, at all.
+    """One line of the table: a way to ask, at one tolerance or, if ``rtol`` is None, at all.
 
     runs, returned : how many were asked, and how many gave an answer
     met : the part of the answers that are as accurate as asked; ``covers`` : the part of the
@@ -51,7 +51,7 @@ class Line:
 
     @property
     def reaches_goals(self):
-        """True if it reaches the goals of issue 9; a line without answers does."""
+        """True if the line reaches the goals of issue 9, or has no answers."""
         covers, ratio = (self.covers, self.ratio) if not math.isnan(self.covers) else (1.0, 1.0)
         kept = self.met >= GOALS["met"] and covers >= GOALS["covers"] and not self.silent
         return not self.returned or (kept and ratio <= GOALS["ratio"])
@@ -88,7 +88,7 @@ def _part(flags):
 
 
 def table(runs):
-    """All lines: each way at each tolerance, then at all; ``auto`` first."""
+    """All lines: each way at each tolerance, then at all tolerances; ``auto`` first."""
     rows = defaultdict(list)
     for r in runs:
         rows[r.method != "auto", r.method, "without" in r.way, len(r.way), r.row].append(r)
@@ -111,7 +111,7 @@ def by_subject(runs, row="auto"):
 
 
 def worst(runs, count=20):
-    """The answers most wrong against what was asked and estimated, one a case and way."""
+    """The answers most wrong against what was asked and estimated, one per case and way."""
     missed, first = [r for r in runs if r.outcome == "missed"], {}
     for r in sorted(missed, key=lambda r: -r.error / max(r.rtol, r.estimate or 0.0)):
         first.setdefault((r.case, r.row), r)
@@ -119,7 +119,7 @@ def worst(runs, count=20):
 
 
 def answers(runs):
-    """The runs as answers of the chart of honesty, without the methods that a model cannot use."""
+    """The runs as answers for the chart of honesty, without methods that a model cannot use."""
     of = lambda r: {"problem": r.case, "absent": ABSENT.get(r.outcome, ""), "words": r.words}
     return [
         Answer(r.row, r.seconds, r.error, asked=r.rtol, estimate=r.estimate, **of(r))

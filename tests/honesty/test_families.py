@@ -1,4 +1,4 @@
-"""The families of random models and those of the holdout: what every one of them promises."""
+"""The families of random models, held out or not: what each of them promises."""
 
 import math
 from random import Random
@@ -76,7 +76,7 @@ def somewhere(case, chance):
 
 @pytest.mark.parametrize("name", [n for n in ALL if FIRST[n].branches])
 def test_the_pieces_of_a_kinked_model_are_its_rates(name):
-    """Each switch is met on both of its sides."""
+    """Each switch is tested on both of its sides."""
     case, chance = FIRST[name].member(0), Random(name)
     parameters = (case.written_out or case.model).parameters
     p = names(parameters, parameters.values())
@@ -126,7 +126,7 @@ def test_the_solution_that_a_model_brings_begins_at_the_start(name):
 
 @pytest.mark.parametrize("name", [n for n in ALL if FIRST[n].impact])
 def test_an_impact_of_the_reference_is_the_one_that_the_engine_sees(name):
-    """Up to the state that the event sets to zero, which the reference finds at zero."""
+    """They agree, except in the state that the event sets to zero and the reference finds zero."""
     case = FIRST[name]
     s = names(case.model.states, [0.3 + x for x in case.start])
     p = names(case.model.parameters, case.model.parameters.values())

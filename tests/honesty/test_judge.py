@@ -24,7 +24,7 @@ def judged(case, truth, way="", **engine):
 
 
 def fake(case, truth, off, estimate, method="fake"):
-    """An integrator that is off by so much of each state's size, and returns another estimate."""
+    """An integrator wrong by ``off`` times each state's size, which returns a given estimate."""
     known = references.scales(truth.sizes, truth.natural)
     rows = [
         [float(x) + off * size for x, size in zip(row, known, strict=True)] for row in truth.states
@@ -83,7 +83,7 @@ def test_a_refusal_in_words_is_distinguished_from_a_raw_error(raised, outcome, p
 
     found = judged(*pendulum, integrate=run)
     assert (found.outcome, found.needless, found.returned) == (outcome, outcome == "refused", False)
-    ill = replace(pendulum[1], condition=1e9)  # here it is right to refuse
+    ill = replace(pendulum[1], condition=1e9)  # here a refusal is right
     assert not judged(pendulum[0], ill, integrate=run).needless
 
 
@@ -159,7 +159,7 @@ def test_threads_that_share_a_state_are_noticed(pendulum):
     def prepare_in(place):
         def run(t, start):
             place.x = start
-            time.sleep(1e-4)  # the other thread comes in between
+            time.sleep(1e-4)  # so that the other thread comes between
             return place.x
 
         return lambda model, rtol: run
@@ -187,5 +187,5 @@ def test_every_way_is_asked_at_every_tolerance():
 
 
 def test_the_error_beside_what_is_next_to_nothing_is_found_at_once():
-    """As a fraction of whole numbers it has millions of digits."""
+    """Written as a fraction of integers the error has millions of digits."""
     assert judge.true_error((1e-9,), ("-1e-9000000",), (2.0,), (2.0,)) == pytest.approx(5e-10)

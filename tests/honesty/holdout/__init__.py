@@ -1,8 +1,8 @@
-"""Families of random models that the engine is judged by, and that nobody mends it by.
+"""Families of random models that judge the engine, and that no repair of it may be fitted to.
 
 Written by another hand than :mod:`tests.honesty.families`; ``python -m tests.honesty --holdout``
-runs them. :data:`~tests.honesty.cases.HOLDOUT` lists them by name. Whoever looks into one to find
-out why it fails has used it up: let a new one take its place here, and move the old one to
+runs them. :data:`~tests.honesty.cases.HOLDOUT` lists them by name. Looking into one to find out why
+it fails uses it up: let a new one take its place here, and move the old one to
 :mod:`tests.honesty.families`.
 """
 
