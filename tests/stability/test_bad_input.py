@@ -86,8 +86,6 @@ def test_the_message_says_what_was_expected_what_came_and_what_to_do():
         "expected a number (float, array, mpf or expression), got '30' of type str; write numbers "
         "without quotation marks"
     )
-    with pytest.raises(ScalarError, match=r"attraction: m2 is a number .* got None of type NoneT"):
-        attraction(1.0, None, 2.0)
     with pytest.raises(FrameError, match=r"frenet: v is a Vector, as ground.vector.* got 3.0"):
         frenet(3.0, ground.i)
     with pytest.raises(ArgumentError, match=r"work_along: path is a function; got 3.0"):

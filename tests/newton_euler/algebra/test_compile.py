@@ -6,7 +6,6 @@ import importlib.util
 import math
 import threading
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
 from fractions import Fraction
 
 import mpmath
@@ -36,9 +35,8 @@ from newton_euler import (
     sqrt,
     tan,
     tanh,
-    where,
 )
-from newton_euler.algebra import ZERO, DimensionError, Moving, ScalarError
+from newton_euler.algebra import ZERO, Moving, ScalarError
 from newton_euler.algebra.compile import BLOCK
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
@@ -207,8 +205,6 @@ def test_dimensions_run_through_and_are_checked():
     f = compiled(lambda v, g: v**2 / (2 * g))
     m_s, m_s2 = Dimension(0, 1, -1), Dimension(0, 1, -2)
     assert f(m_s, m_s2) == Dimension(length=1)
-    with pytest.raises(DimensionError, match="cannot add"):
-        compiled(lambda v, g: v + g)(m_s, m_s2)
 
 
 def test_one_compiled_formula_inside_another():
@@ -442,11 +438,6 @@ def test_a_formula_must_not_branch_on_values_nor_use_math_or_numpy(branching):
         compiled(branching)
 
 
-def test_what_the_refusal_recommends_is_public():
-    f = compiled(lambda x: where(x < 0, -x, sqrt(abs(x))))
-    assert (f(-2.0), f(9.0)) == (2.0, 3.0)
-
-
 def test_pi_of_math_and_numpy_in_a_formula_is_a_number():
     f = compiled(lambda x: np.pi * x + x / math.pi - np.float64(np.pi))
     assert f(2.0) == math.pi * 2.0 + 2.0 / math.pi - math.pi
@@ -465,19 +456,11 @@ def test_pi_of_math_and_numpy_in_a_formula_is_a_number():
         (lambda x: compiled(lambda y: x * y)(2.0), ScalarError,
          "a value of another formula is used here"),
         (lambda *x: x[0], TypeError, "names all its arguments"),
-        (lambda **x: 1.0, TypeError, "names all its arguments"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_compiled_is_refused_while_tracing(f, error, message):
     with pytest.raises(error, match=message):
         compiled(f)
-
-
-def test_values_that_are_no_constants_are_refused():
-    with pytest.raises(ScalarError, match="pass it as an argument"):
-        compiled(lambda x, m: m * x, m=np.array([1.0, 2.0]))
-    with pytest.raises(ScalarError, match="has no argument 'backend'; it takes x"):
-        compiled(lambda x: x, backend=1.0)
 
 
 def test_without_heyoka_arrays_go_by_numpy(monkeypatch):
@@ -489,8 +472,6 @@ def test_without_heyoka_arrays_go_by_numpy(monkeypatch):
 def test_warnings_of_numpy_are_not_hidden():
     with pytest.warns(RuntimeWarning, match="divide by zero"):
         assert compiled(lambda x: 1 / x)(np.array([0.0]))[0] == math.inf
-    with pytest.raises(ZeroDivisionError, match=r".*"):
-        compiled(lambda x: 1 / x)(0.0)
 
 
 def test_results_through_heyoka_are_not_touched_by_the_next_call_nor_by_other_lengths():
@@ -566,19 +547,3 @@ def test_pi_inside_a_moving_number_that_is_traced_keeps_its_digits():
 def test_what_a_traced_value_does_not_have_is_refused_with_the_line(f):
     with pytest.raises(ScalarError, match=r"in .*: a formula is traced without values"):
         compiled(f)
-
-
-@pytest.mark.parametrize("error", [
-    TypeError("a ufunc of 'Step'"), IndexError("only integers, slices"),
-    ValueError("could not convert string to float: '<traced x>'"),
-])  # fmt: skip
-def test_what_a_function_of_the_caller_raises_is_left_as_it_is(error):
-    def raising(x):
-        with suppress(TypeError):
-            np.sin(x)
-        raise error
-
-    for f in (raising, lambda x: np.apply_along_axis(raising, 0, np.array([x, x]))):
-        with pytest.raises(type(error)) as caught:
-            compiled(f)
-        assert caught.value is error

@@ -25,6 +25,9 @@ ERRORS = [
     AttributeError("the state has no spin"),
     RuntimeError("no more data"),
     KeyError("Step"),  # a class of the engine
+    TypeError("loop of ufunc does not support argument 0 of type 'Step'"),
+    IndexError("only integers, slices"),
+    ValueError("could not convert string to float: '<traced x>'"),
     ValueError("invalid literal for int() with base 10: 'ufunc'"),
     AttributeError("'dict' object has no attribute 'real_part'"),
 ]
@@ -41,20 +44,21 @@ CALLS = {
     "audit": lambda f: audit(f, 0.0, 1.0),
 }
 FALL = Model("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
-IN_A_MOTION = {
+OTHERS = {
     "event": lambda f: integrate(FALL, 1.0, (1.0, 0.0), events=Event(lambda s, p, t: f(s.h))),
     "progress": lambda f: integrate(FALL, 1.0, (1.0, 0.0), progress=f),
+    "numpy": lambda f: compiled(lambda x: np.apply_along_axis(f, 0, np.array([x, x]))),
 }
 
 
-@pytest.mark.parametrize("name", [*CALLS, *IN_A_MOTION])
+@pytest.mark.parametrize("name", [*CALLS, *OTHERS])
 @pytest.mark.parametrize("error", ERRORS, ids=lambda e: f"{type(e).__name__}: {e}"[:30])
 def test_an_error_of_the_users_function_arrives_as_raised_with_its_place(name, error):
     def own(x):
         raise error
 
     with pytest.raises(type(error)) as caught:
-        {**CALLS, **IN_A_MOTION}[name](own)
+        {**CALLS, **OTHERS}[name](own)
     assert caught.value is error
     assert "own" in [entry.name for entry in caught.traceback]
 
