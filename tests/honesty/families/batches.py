@@ -1,4 +1,4 @@
-"""Many motions at once: arrays among the parameters or in the start, over decades."""
+"""Many motions at once: arrays among the parameters or the initial states, over decades."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from newton_euler import Model
 from tests.honesty import models
 from tests.honesty.cases import Branches, Case, Log, family
 
-COUNTS = (3, 64, 70)  # up to 63 and from 64 on the engine takes two ways
+COUNTS = (3, 64, 70)  # the engine works in one way up to 63, in another from 64 on
 
 
 def _drawn(rng, n, within):

@@ -1,4 +1,4 @@
-"""Chaotic models, for times in which an error at the start grows by at most some ten million."""
+"""Chaotic models, for times in which an initial error grows at most some ten million times."""
 
 import math
 
@@ -9,7 +9,7 @@ from tests.honesty.cases import Case, family
 
 @family("chaotic")
 def lorenz(rng):
-    """Lorenz' equations: errors grow by 2.5 in a unit of time."""
+    """Lorenz' equations: errors grow 2.5 times in a unit of time."""
     parameters = rng.parameters(sigma=10.0, rho=(25.0, 40.0), beta=(2.0, 3.0))
 
     def rates(s, p, t):
@@ -58,7 +58,7 @@ def roessler(rng):
 
 @family("chaotic", "forced")
 def driven_pendulum(rng):
-    """Damped, and driven hard enough to turn over now and then."""
+    """A damped pendulum, driven hard enough to turn over now and then."""
     parameters = rng.parameters(c=(0.2, 0.5), F=(1.0, 1.6), w=0.6667)
     rates = lambda s, p, t: (s.omega, -sin(s.theta) - p.c * s.omega + p.F * cos(p.w * t))
     T, *start = rng.values((10.0, 50.0), (-1.0, 1.0), (-1.0, 1.0))

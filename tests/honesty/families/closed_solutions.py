@@ -1,4 +1,4 @@
-"""Models that bring their exact solution, over up to a thousand million periods, and events on
+"""Models that bring their exact solution, over up to a billion periods, and events on
 them.
 """
 
@@ -30,7 +30,7 @@ def _exact_pendulum(mp, s, p, t):
 
 @family("long", "closed form")
 def spring_by_its_closed_form(rng):
-    """Ten to a thousand million swings."""
+    """A spring for ten to a billion swings, by its closed form."""
     model, w = _spring(rng)
     T = 2 * math.pi / w * rng.decades(10.0, 1e9)
     return Case(
@@ -40,7 +40,7 @@ def spring_by_its_closed_form(rng):
 
 @family("long", "closed form")
 def pendulum_by_its_closed_form(rng):
-    """Ten to a hundred million swings or turns, by elliptic functions."""
+    """A pendulum for ten to a hundred million swings or turns, by elliptic functions."""
     model, w = _pendulum(rng)
     T, theta = rng.values(Log(10.0, 1e8), (-2.8, 2.8))
     start = theta, rng.choice((0.0, rng.uniform(-3.0, 3.0) * w))
@@ -49,7 +49,7 @@ def pendulum_by_its_closed_form(rng):
 
 @family("long", "closed form")
 def free_body_by_its_closed_form(rng):
-    """Ten to a million turns, by elliptic functions, some of them near the separatrix."""
+    """A free body for ten to a million turns, by elliptic functions, some near the separatrix."""
 
     def exact(mp, s, p, t):
         return closed_forms.free_body(mp, (p.I_x, p.I_y, p.I_z), (s.w_x, s.w_y, s.w_z), t)
@@ -74,7 +74,7 @@ def orbit_by_its_closed_form(rng):
 
 @family("events", "closed form")
 def zeros_of_a_spring_by_its_closed_form(rng):
-    """Tens to thousands of passages through a line, of a motion that takes no steps."""
+    """Tens to thousands of passages through a line, by a motion that takes no steps."""
     model, w = _spring(rng)
     return crossings(model, 2 * math.pi / w * rng.decades(5.0, 2e3))
 

@@ -14,7 +14,7 @@ from tests.honesty.cases import Branches, Case, Log, around, family
 
 @lru_cache(maxsize=8)
 def _modes(mp, rows, digits):
-    """Eigenvalues and eigenvectors of a matrix, and the inverse of these, to so many digits."""
+    """Eigenvalues and eigenvectors of a matrix, and the inverse of these, to ``digits`` digits."""
     rates, shapes = mp.eig(mp.matrix(rows))
     return rates, shapes, shapes**-1
 
@@ -48,7 +48,7 @@ def rope_that_becomes_taut(rng):
 
 @family("engineers", "tables")
 def tower_in_an_earthquake(rng):
-    """A tower of one mass under a record of accelerations, forty values, linear between them."""
+    """A tower of one mass under a record of accelerations, linear between its 41 values."""
     n, zeta, dt = rng.values((1.0, 30.0), (0.01, 0.1), (0.02, 0.5))
     times = [k * dt for k in range(41)]
     record = [0.0, *(rng.gauss(0.0, 3.0) for _ in range(39)), 0.0]
@@ -75,7 +75,7 @@ def tower_in_an_earthquake(rng):
 
 @family("engineers", "forced")
 def absorber_swept_over_its_resonance(rng):
-    """A machine with a tuned absorber while the unbalance runs up: the force grows as its square."""
+    """A machine with a tuned absorber as its unbalance speeds up: a force as the speed squared."""
     n, mu, zeta, T = rng.values((5.0, 50.0), (0.02, 0.2), (0.0, 0.1), (10.0, 60.0))
     tuned = n / (1 + mu)
     parameters = {"n": n * n, "mu": mu, "k": tuned**2, "d": 2 * zeta * tuned, "a": 2 * n / T}
@@ -123,7 +123,7 @@ def stiff_bushings_in_a_soft_car(rng):
 
 @family("engineers", "near-singular")
 def hoop_at_its_bifurcation(rng):
-    """A bead at the lowest place of a hoop whose rate is next to that at which it rises."""
+    """A bead at the bottom of a turning hoop, close to the rate at which the bead rises."""
     q = rng.values((1.0, 10.0))[0]
     parameters = {"g": q * q, "w": q * (1 + rng.either(rng.decades(1e-5, 1e-2)))}
     parameters["c"] = rng.choice((0.0, 0.01))
@@ -134,9 +134,9 @@ def hoop_at_its_bifurcation(rng):
 
 @family("engineers", "near-singular")
 def armature_below_its_pull_in(rng):
-    """An armature on a spring before a magnet, F/(gap)^4, hardly short of being pulled in."""
+    """An armature on a spring before a magnet, F/(gap)^4, at most 0.6 of its pull-in force."""
     n, d = rng.values((10.0, 100.0), Log(1e-3, 1e-2))
-    # pulled in at rest from x = 0 if F > n^2 d^5 4^4/5^5
+    # no equilibrium is left, and it is pulled in, if F > n^2 d^5 4^4/5^5
     F = n * n * d**5 * 4**4 / 5**5 * (1 - rng.decades(1e-3, 0.3)) * 0.6
     parameters = {"k": n * n, "F": F, "d": d, "c": 0.1 * n * rng.random()}
     a = lambda s, p, t: (p.F / (p.d - s.x) ** 4 - p.k * s.x - p.c * s.dx,)
@@ -146,7 +146,7 @@ def armature_below_its_pull_in(rng):
 
 @family("engineers", "kinked", "forced")
 def aeroplane_in_a_gust(rng):
-    """Heave and pitch in a gust 1 - cos, of the length L, met after a quiet flight."""
+    """Heave and pitch in a 1 - cos gust of length L, met after a quiet flight."""
     V, L, t1 = rng.values((50.0, 200.0), Log(5.0, 200.0), (1.0, 20.0))
     H = L / V
     parameters = {"q": 2 * math.pi / H, "a": t1, "b": t1 + H, "W": rng.uniform(2.0, 15.0), "V": V}
@@ -221,7 +221,7 @@ def wheel_over_a_kerb(rng):
 
 @family("engineers", "stiff")
 def clutch_by_tanh(rng):
-    """Two flywheels through a clutch whose friction is a steep tanh; then they turn together."""
+    """Two flywheels joined by a clutch whose friction is a steep tanh, until they turn together."""
     parameters = rng.parameters(I=(0.5, 3.0), J=(0.5, 3.0), M=(20.0, 200.0), e=Log(1e-3, 1.0))
     parameters["c"] = rng.uniform(0.0, 0.2)
     start = rng.uniform(100.0, 300.0), rng.uniform(0.0, 50.0)
@@ -237,7 +237,7 @@ def clutch_by_tanh(rng):
 
 @family("engineers", "kinked", "forced")
 def screw_with_a_dead_band(rng):
-    """A nut driven to and fro by a sine, and a table that it moves beyond the play."""
+    """A nut driven to and fro as a sine, and a table that it moves beyond a dead band."""
     n, b, w = rng.values((20.0, 100.0), Log(1e-4, 1e-2), (1.0, 10.0))
     parameters = {"k": n * n, "c": 0.2 * n, "r": 0.5, "b": b, "w": w, "A": rng.uniform(0.01, 0.05)}
 
@@ -273,7 +273,7 @@ def controller_that_samples(rng):
 
 @family("engineers", "tables", "narrow")
 def heads_over_narrow_marks(rng):
-    """Three reading heads pass a tape whose marks are narrow, a table of places, as it slows."""
+    """Three reading heads on a tape that slows down; its narrow marks are a table of position."""
     v, r, c, w = rng.values((0.5, 3.0), (0.02, 0.1), (2.0, 5.0), Log(1e-4, 0.1))
     gaps = 0.0, rng.uniform(0.3, 0.6), rng.uniform(0.7, 1.5)
     places = [-3.0, c, c + w, c + 2 * w, c + 2.5 * w, c + 3 * w, 20.0]
@@ -295,7 +295,7 @@ def heads_over_narrow_marks(rng):
                 a, b, f, g = map(mp.mpf, (a, b, f, g))
                 k, lo, hi = (g - f) / (b - a), max(a, -gap), min(b, x - gap)
                 if hi > lo and (f or g):
-                    # dt = dx / (r (far + ... - x)), about the place where the tape stops
+                    # dt = dx / (r (far + ... - x)), about the point where the tape stops
                     stop = far - gap
                     log = mp.log((stop - lo) / (stop - hi))
                     total += ((f + k * (stop - a)) * log - k * (hi - lo)) / rate
@@ -312,7 +312,7 @@ def heads_over_narrow_marks(rng):
 
 @family("engineers", "narrow", "events")
 def light_gate_on_a_swing(rng):
-    """A gate whose signal is a narrow bell over the place: each edge of each passage."""
+    """A light gate whose signal is a narrow bell of the position: both edges of each passage."""
     n, X, w = rng.values((0.5, 4.0), (0.5, 2.0), Log(1e-5, 1e-2))
     parameters = {"n": n, "c": X * rng.uniform(-0.8, 0.8), "w": w}
     gate = Event(lambda s, p, t: exp(-(((s.x - p.c) / p.w) ** 2)) - 0.5)
@@ -332,7 +332,7 @@ def light_gate_on_a_swing(rng):
 
 @family("engineers", "smooth")
 def rotor_that_lacks_power(rng):
-    """An unbalanced motor on springs, which is caught by the resonance or comes through it."""
+    """An unbalanced motor on springs, which is caught at the resonance or gets through it."""
     parameters = rng.parameters(k=1.0, c=(0.02, 0.1), e=(0.02, 0.1), M=(0.05, 0.4), s=(1.5, 3.0))
 
     def rates(s, p, t):
@@ -389,7 +389,7 @@ def cradle_of_two(rng):
 
 @family("engineers", "narrow")
 def plane_in_a_turning_beam(rng):
-    """What a radar of some milliradians lays on a plane, as its beam comes round."""
+    """What a narrow radar beam deposits on an aeroplane each time it sweeps past."""
     w, W, v = rng.values(Log(1e-3, 0.1), (0.5, 2.0), (100.0, 300.0))
     parameters = {"w": w, "W": W, "I": W / w}
     x0, y0 = rng.uniform(3e3, 2e4), rng.uniform(-5e3, 5e3)

@@ -13,7 +13,7 @@ GM, EARTH = 3.986004418e14, 6.371e6
 
 @family("engineers", "units", "multi-scale")
 def perigee_in_thin_air(rng):
-    """A satellite whose perigee dips into air of the scale height 7 km, for some turns."""
+    """A satellite whose perigee dips into air of scale height 7 km, for a few orbits."""
     low, high = rng.values((1e5, 1.6e5), (1e6, 3e7))
     a, rp = EARTH + (low + high) / 2, EARTH + low
     parameters = {"gm": GM, "R": EARTH + 1e5, "h": 7e3, "D": rng.decades(1e-11, 3e-9)}
@@ -31,7 +31,7 @@ def perigee_in_thin_air(rng):
 
 @family("engineers", "kinked", "units")
 def rocket_of_two_stages(rng):
-    """Thrust by phases of the clock, through the air; the mass drops as the stage is cast off."""
+    """A rocket in air, its thrust in phases of time; the mass drops as a stage is cast off."""
     t1, gap, t2 = rng.values((20.0, 60.0), (0.5, 10.0), (20.0, 60.0))
     parameters = {"T1": t1, "T2": t1 + gap, "T3": t1 + gap + t2, "g": 9.81, "c": 2500.0}
     parameters |= {"m1": 1.0 / t1 * rng.uniform(0.4, 0.5), "m2": rng.uniform(0.25, 0.4) / t2}
@@ -56,7 +56,7 @@ def rocket_of_two_stages(rng):
 
 @family("engineers", "near-singular")
 def top_hardly_asleep(rng):
-    """Lagrange's top by the vertical in its axes: spin hardly enough, or not, to stay upright."""
+    """Lagrange's top, the vertical in body axes: spin just enough, or not, to stay upright."""
     A, C, mgl = rng.values((0.5, 2.0), (0.3, 1.0), (1.0, 10.0))
     spin = 2 * math.sqrt(A * mgl) / C * (1 + rng.either(rng.decades(1e-4, 1e-1)))
     tilt = rng.decades(1e-7, 1e-2)
@@ -80,7 +80,7 @@ def top_hardly_asleep(rng):
 
 @family("engineers", "long", "closed form")
 def moon_that_recedes(rng):
-    """The distance of a moon by the tides over thousands of millions of years, in SI units."""
+    """The distance of a moon that tides drive away over billions of years, in SI units."""
     a0 = rng.uniform(1e8, 4e8)
     T = rng.uniform(0.2, 4.0) * 1e9 * 3.15e7
     grown = rng.uniform(0.1, 3.0)
@@ -93,7 +93,7 @@ def moon_that_recedes(rng):
 
 @family("engineers", "events", "units", "multi-scale")
 def two_satellites_that_meet(rng):
-    """Both from the middle of the Earth; when they are nearest, and when within a kilometre."""
+    """Two satellites, seen from the Earth's centre; the events are when they are 1 km apart."""
     r = rng.uniform(6.8e6, 8e6)
     v, ahead = math.sqrt(GM / r), rng.uniform(2e3, 1e4) / r
     parameters = {"gm": GM, "d": 1e3}
@@ -112,7 +112,7 @@ def two_satellites_that_meet(rng):
 
 @family("engineers", "kinked")
 def parachute_that_opens_by_height(rng):
-    """A jumper whose drag grows linearly below the height of the pull, until it is open."""
+    """A jumper whose drag grows linearly below the opening height, until the parachute is open."""
     z, top = rng.values((1500.0, 4000.0), (800.0, 1200.0))
     parameters = rng.parameters(g=9.81, D=0.003, P=(0.1, 0.4), top=top, L=Log(1.0, 200.0), h=8e3)
 
@@ -136,7 +136,7 @@ def parachute_that_opens_by_height(rng):
 
 @family("engineers", "smooth")
 def truss_that_snaps_through(rng):
-    """Two bars that are pressed down slowly until they snap through."""
+    """Two bars pressed down slowly until they snap through."""
     parameters = rng.parameters(k=(10.0, 100.0), h=(0.1, 0.5), c=(0.05, 0.5), F=(0.01, 0.1))
 
     def accelerations(s, p, t):

@@ -41,7 +41,7 @@ def zeros_of_a_pendulum(rng):
 
 @family("events")
 def crests_of_a_wave(rng):
-    """Short visits to a crest: pairs of zeros that lie close together, or just none."""
+    """Short visits to a crest: pairs of zeros close together, or barely a miss."""
     w, gap = rng.values(Log(0.5, 20.0), Log(1e-7, 1e-2))
     model = models.spring("crests", k=w * w, line=1 - gap if rng.random() < 0.7 else 1 + gap)
     return Case(model, rng.uniform(20.0, 120.0) / w, (0.0, w), events=(LINE,))
@@ -65,7 +65,7 @@ def landing(rng):
 
 @family("events")
 def bouncing_ball(rng):
-    """It loses part of its speed at each impact; the end comes before they accumulate."""
+    """A ball that loses speed at each impact; the run ends before the impacts accumulate."""
     e, h = rng.values((0.5, 0.95), Log(0.1, 10.0))
     bounced = lambda s, p, t: (0 * s.h, -p.e * s.v)
     then = lambda s, p, t: (model, (0.0, -p.e * s.v))
@@ -117,14 +117,14 @@ def _oscillation(rng, closed, **parameters):
 
 @family("events", "closed form")
 def thousands_of_zeros_in_one_step(rng):
-    """The closed form takes one step for all the time; in it are up to ten thousand zeros."""
+    """The closed form takes one step for all the time; up to ten thousand zeros lie in it."""
     model, w = _oscillation(rng, True, line=rng.uniform(-0.99, 0.99))
     return crossings(model, 2 * math.pi / w * rng.decades(1e3, 5e3))
 
 
 @family("events", "closed form")
 def grazing_in_one_step(rng):
-    """Pairs of zeros so close together that hardly anything lies between them; or none."""
+    """Pairs of zeros with barely anything between them, or none."""
     gap = rng.decades(1e-10, 1e-3)
     model, w = _oscillation(rng, True, line=1 - gap if rng.random() < 0.7 else 1 + gap)
     return Case(model, rng.uniform(60.0, 200.0) / w, (1.0, 0.0), events=(LINE,))
@@ -132,7 +132,7 @@ def grazing_in_one_step(rng):
 
 @family("events")
 def interleaved_events(rng):
-    """Three events, of the place, the speed and both, that take turns."""
+    """Three events that take turns: of the position, of the speed and of both."""
     closed = rng.random() < 0.5
     model, w = _oscillation(rng, closed, **rng.parameters(low=(-0.9, 0.9), c=(0.3, 3.0)))
     events = (
@@ -189,7 +189,7 @@ def end_after_many_others(rng):
 
 @family("events")
 def zeros_in_strange_units(rng):
-    """The function in units in which it is huge or tiny."""
+    """Zeros of a function in units that make it huge or tiny."""
     closed = rng.random() < 0.5
     model, w = _oscillation(
         rng, closed, line=rng.uniform(-0.9, 0.9), unit=rng.decades(1e-200, 1e200)

@@ -1,4 +1,4 @@
-"""Motions that are small beside the distance of their place from the origin."""
+"""Motions that are small beside their distance from the origin."""
 
 import math
 
@@ -12,7 +12,7 @@ EARTH = 3.986004418e14  # G M, m^3/s^2
 
 @family("multi-scale", "far")
 def far_spring(rng):
-    """A spring about a place far from the origin."""
+    """A spring about a point far from the origin."""
     w, X0, A = rng.values((0.5, 30.0), Log(1e3, 1e9), Log(1e-3, 1e-1))
     parameters = {"k": w * w, "X0": X0, "c": rng.choice((0.0, 0.02 * w))}
     a = lambda s, p, t: (-p.k * (s.x - p.X0) - 2 * p.c * s.dx,)
@@ -27,7 +27,7 @@ def far_spring(rng):
 
 @family("multi-scale", "far")
 def far_pair(rng):
-    """Two masses joined by a spring, on the way far from the origin."""
+    """Two masses joined by a spring, travelling far from the origin."""
     w, X, L, A, V = rng.values(
         (0.5, 10.0), Log(1e3, 1e9), (1.0, 50.0), Log(1e-3, 1e-1), (-1.0, 1.0)
     )
@@ -49,7 +49,7 @@ def far_pair(rng):
 
 @family("multi-scale", "far", "mechanics")
 def tethered_satellites(rng):
-    """Two satellites on a tether of some 100 m, which is stretched by millimetres."""
+    """Two satellites on a tether of 50 to 500 m, which is stretched by millimetres."""
     r, L, n = rng.values((6.7e6, 8e6), (50.0, 500.0), (0.05, 0.5))
     parameters = {"GM": EARTH, "k": n * n / 2, "L": L}
 

@@ -1,4 +1,4 @@
-"""Rates that depend on time: pulses, switches, resonance, late beginnings."""
+"""Rates that depend on time: pulses, switches, resonance, late starts."""
 
 from newton_euler import Model, cos, exp, sin, sqrt, tanh
 from newton_euler.motion import second_order
@@ -23,13 +23,13 @@ def _pulse(rng, name, k, x, middle=0.2):
 
 @family("forced")
 def narrow_pulse(rng):
-    """A short push of an oscillator somewhere on the way."""
+    """An oscillator that gets one short push on the way."""
     return _pulse(rng, "pulse", 1.0, (-0.1, 0.1))
 
 
 @family("forced")
 def pulse_on_rest(rng):
-    """The same on a system at rest: nothing before shows that something will happen."""
+    """A short push on a system at rest: nothing before shows that it will come."""
     return _pulse(rng, "pulse on rest", (0.2, 2.0), 0.0, 0.3)
 
 
@@ -47,7 +47,7 @@ def sharp_switch(rng):
 
 @family("forced")
 def near_resonance(rng):
-    """Driven at nearly its own frequency, from rest."""
+    """An oscillator driven at nearly its own frequency, from rest."""
     w, F = rng.values((0.5, 5.0), Log(1e-3, 1.0))
     parameters = {"k": w * w, "F": F, "q": w * (1 + rng.either(rng.decades(1e-3, 0.1)))}
     a = lambda s, p, t: (p.F * cos(p.q * t) - p.k * s.x,)
@@ -61,7 +61,7 @@ def near_resonance(rng):
 
 @family("forced")
 def rising_tone(rng):
-    """Driven by cos(a t^2), through the resonance."""
+    """An oscillator driven by cos(a t^2), through the resonance."""
     parameters = rng.parameters(k=(4.0, 40.0), c=(0.02, 0.2), F=1.0, a=Log(0.05, 0.5))
     a = lambda s, p, t: (p.F * cos(p.a * t * t) - p.k * s.x - p.c * s.dx,)
     T, x = rng.values((5.0, 25.0), (-0.5, 0.5))
@@ -79,7 +79,7 @@ def mathieu(rng):
 
 @family("forced", "late")
 def late_beginning(rng):
-    """A driven oscillator watched from a late time on, where the clock shows large numbers."""
+    """A driven oscillator watched from a late start, when the clock shows large numbers."""
     begin = rng.decades(1e2, 1e6)
     parameters = rng.parameters(k=(1.0, 10.0), c=0.1, F=1.0, w=(0.5, 3.0))
     a = lambda s, p, t: (p.F * cos(p.w * t) - p.k * s.x - p.c * s.dx,)
@@ -90,7 +90,7 @@ def late_beginning(rng):
 
 @family("forced", "late")
 def shrinking_string(rng):
-    """A pendulum whose string is drawn in, from some time on (Ehrenfest)."""
+    """A pendulum whose string is drawn in steadily, watched from a late start (Ehrenfest)."""
 
     def rates(s, p, t):
         length = p.L - p.v * t

@@ -10,12 +10,12 @@ from newton_euler.motion import second_order
 from tests.honesty.cases import Branches, Case, Log, family
 from tests.honesty.engine import where
 
-DRIVE = {"k": (0.5, 20.0), "c": (0.05, 0.5), "F": (0.5, 3.0), "w": Log(0.2, 8.0)}  # an oscillator's
+DRIVE = {"k": (0.5, 20.0), "c": (0.05, 0.5), "F": (0.5, 3.0), "w": Log(0.2, 8.0)}  # an oscillator
 
 
 @family("kinked")
 def drag_by_abs(rng):
-    """Thrown upwards against the drag of the air, v |v|; it comes down again."""
+    """A body thrown upwards against air drag v |v|, until after it has turned back."""
     rates = lambda s, p, t: (s.v, -p.g - p.c * abs(s.v) * s.v)
     pieces = lambda s, p, t, b: (s.v, -p.g - p.c * b[0] * s.v * s.v)
     model = Model("throw", rng.parameters(g=9.81, c=Log(1e-3, 0.3)), ("h", "v"), rates)
@@ -25,7 +25,7 @@ def drag_by_abs(rng):
 
 @family("kinked")
 def drag_by_root(rng):
-    """A swing in water: sqrt(v v) v, which is v |v| to whoever reads it."""
+    """A swing in water, its drag written as sqrt(v v) v, which is v |v|."""
     parameters = rng.parameters(k=Log(0.1, 30.0), c=Log(1e-2, 1.0))
     a = lambda s, p, t: (-p.k * s.x - p.c * sqrt(s.dx * s.dx) * s.dx,)
     pieces = lambda s, p, t, b: (s.dx, -p.k * s.x - p.c * b[0] * s.dx * s.dx)
@@ -62,7 +62,7 @@ def friction_to_rest(rng):
 
 @family("kinked")
 def spring_with_play(rng):
-    """The mass is free between -d and d; beyond, a stiff spring holds it."""
+    """A mass that is free between -d and d; beyond, a stiff spring holds it."""
 
     def accelerations(s, p, t):
         beyond = where(s.x > p.d, s.x - p.d, 0.0) + where(s.x < -p.d, s.x + p.d, 0.0)
@@ -80,7 +80,7 @@ def spring_with_play(rng):
 
 @family("kinked")
 def ball_on_an_elastic_floor(rng):
-    """It falls, is pushed back while it is in the floor, and bounces without end."""
+    """A ball that falls, is pushed back while it is in the floor, and bounces for ever."""
     rates = lambda s, p, t: (s.v, where(s.h < 0, -p.k * s.h, 0.0) - p.g)
     pieces = lambda s, p, t, b: (s.v, -p.k * s.h * (1 - b[0]) / 2 - p.g)
     model = Model("ball on a floor", rng.parameters(g=9.81, k=Log(1e2, 1e6)), ("h", "v"), rates)
@@ -101,7 +101,7 @@ def two_stiffnesses(rng):
 
 @family("kinked")
 def tank_with_an_overflow(rng):
-    """Filled by a pump that comes and goes, emptied through a hole, and over a weir when full."""
+    """A tank with a pump that comes and goes, a hole, and a weir that it overflows when full."""
 
     def filled(s, p, t):
         return p.q * (p.one + sin(p.w * t)) - p.c * sqrt(s.h)
@@ -118,7 +118,7 @@ def tank_with_an_overflow(rng):
 
 @family("kinked", "sticking")
 def tank_that_runs_empty(rng):
-    """h' = -c sqrt(h) stays empty; the formula goes on to a parabola that fills it again."""
+    """A tank, h' = -c sqrt(h), that stays empty; its formula goes on as a parabola and fills it."""
     c, h = rng.values(Log(0.01, 10.0), Log(0.1, 10.0))
 
     def exact(mp, s, p, t):
@@ -130,7 +130,7 @@ def tank_that_runs_empty(rng):
 
 @family("kinked")
 def tank_nearly_empty(rng):
-    """With a small steady inflow it comes down to a level far below the first and stays."""
+    """A tank with a small steady inflow falls to a level far below the first and stays there."""
     parameters = rng.parameters(c=1.0, q=Log(1e-3, 1e-1))
     model = Model("tank with inflow", parameters, ("h",), lambda s, p, t: (p.q - p.c * sqrt(s.h),))
     return Case(model, rng.uniform(1.5, 6.0), (rng.uniform(0.5, 2.0),))
@@ -183,7 +183,7 @@ def square_wave(rng):
 
 @family("kinked")
 def friction_between_two(rng):
-    """Two masses on springs that rub on each other; the lower one is driven to go on slipping."""
+    """Two masses on springs that rub on each other; the lower is driven to keep them slipping."""
     parameters = rng.parameters(k=(1.0, 4.0), K=(20.0, 60.0), mu=(0.02, 0.2))
 
     def accelerations(s, p, t):

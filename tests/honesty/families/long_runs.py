@@ -9,7 +9,7 @@ from tests.honesty.cases import Case, family
 
 @family("long")
 def spring_for_long(rng):
-    """A hundred to ten thousand swings, and the model has no closed form."""
+    """A spring for a hundred to ten thousand swings, in a model without a closed form."""
     w = rng.decades(1e-2, 1e2)
     T = 2 * math.pi / w * rng.decades(1e2, 1e4)
     return Case(models.spring(k=w * w), T, (1.0, 0.0), exact=models.exact_spring)
@@ -17,7 +17,7 @@ def spring_for_long(rng):
 
 @family("long")
 def pendulum_for_long(rng):
-    """Ten to a few thousand swings of any amplitude."""
+    """A pendulum for ten to a few thousand swings of any amplitude."""
     k = rng.decades(0.1, 100.0)
     T, start = 6.3 / k**0.5 * rng.decades(10.0, 3e3), (rng.uniform(0.1, 2.5), 0.0)
     return Case(models.pendulum(k), T, start, exact=models.exact_pendulum)
@@ -25,7 +25,7 @@ def pendulum_for_long(rng):
 
 @family("long")
 def planet_for_long(rng):
-    """Ten to a thousand orbits of moderate eccentricity."""
+    """A planet for ten to a thousand orbits of moderate eccentricity."""
     e, gm = rng.uniform(0.0, 0.6), rng.decades(0.1, 10.0)
     T = 2 * math.pi / gm**0.5 * rng.decades(10.0, 1e3)
     start = 1 + e, 0.0, 0.0, math.sqrt(gm * (1 - e) / (1 + e))
@@ -34,7 +34,7 @@ def planet_for_long(rng):
 
 @family("long")
 def free_body_for_long(rng):
-    """A body without moments, for ten to two thousand turns."""
+    """A body on which no moments act, for ten to two thousand turns."""
     model = models.free_body(1.0, *rng.values((1.2, 1.8), (2.0, 2.5)))
     T = 2 * math.pi * rng.decades(10.0, 2e3)
     start = rng.values((0.2, 1.0), (-0.5, 0.5), (0.6, 2.0))
@@ -43,7 +43,7 @@ def free_body_for_long(rng):
 
 @family("long", "stiff")
 def damped_for_long(rng):
-    """It comes to rest long before the end: its last state is a tiny part of the first."""
+    """An oscillator that comes to rest long before the end: its last state is tiny."""
     w = rng.decades(0.1, 10.0)
     parameters = {"k": w * w, "c": w * rng.uniform(0.02, 0.2)}
     a = lambda s, p, t: (-p.k * s.x - 2 * p.c * s.dx,)

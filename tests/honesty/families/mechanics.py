@@ -10,7 +10,7 @@ from tests.honesty.cases import Case, Log, family
 
 @family("mechanics")
 def free_body(rng):
-    """Three different moments of inertia."""
+    """A free body with three different moments of inertia."""
     size, spin = rng.values(Log(1e-6, 1e6), Log(0.01, 100.0))
     model = models.free_body(size, size * rng.uniform(1.1, 1.9), size * 2.0)
     T, start = rng.uniform(5.0, 60.0) / spin, tuple(spin * rng.uniform(-1.0, 1.0) for _ in range(3))
@@ -19,7 +19,7 @@ def free_body(rng):
 
 @family("mechanics")
 def heavy_top(rng):
-    """Attitude by a quaternion, and rates in the body; its axis from far up to hanging."""
+    """A heavy top by a quaternion and its body rates; its axis from high up to hanging."""
 
     def rates(s, p, t):
         # of the vertical in the body
@@ -41,7 +41,7 @@ def heavy_top(rng):
 
 @family("mechanics")
 def shot_in_the_wind(rng):
-    """Drag that goes with the square of the speed through a wind that grows with the height."""
+    """A shot with drag as its airspeed squared, in a wind that grows with the height."""
     parameters = rng.parameters(g=9.81, c=Log(1e-4, 3e-2), w=(-10.0, 10.0), b=(0.0, 0.02))
 
     def accelerations(s, p, t):
@@ -57,7 +57,7 @@ def shot_in_the_wind(rng):
 
 @family("mechanics", "multi-scale")
 def shot_over_the_turning_earth(rng):
-    """Coriolis and centrifugal terms, a thousandth and a millionth of gravity."""
+    """A shot with Coriolis and centrifugal terms, each at most some thousandths of gravity."""
     lat = rng.uniform(-1.4, 1.4)
     parameters = {"g": 9.81, "n": 7.292115e-5, "c": math.cos(lat), "k": math.sin(lat), "R": 6.371e6}
 
@@ -75,7 +75,7 @@ def shot_over_the_turning_earth(rng):
 
 @family("mechanics")
 def pendulum_on_a_cart(rng):
-    """Two degrees of freedom through a mass matrix, the cart on a spring."""
+    """A pendulum on a cart on a spring: two degrees of freedom, by a mass matrix."""
     parameters = rng.parameters(
         M=Log(0.1, 10.0), m=Log(0.1, 10.0), L=(0.3, 2.0), k=Log(1.0, 100.0), g=9.81
     )
@@ -94,7 +94,7 @@ def pendulum_on_a_cart(rng):
 
 @family("mechanics")
 def rolling_disk(rng):
-    """Without slipping: the angle of its axis, and the rates about its axes (E. J. Routh)."""
+    """A rolling disk: the angle of its axis, and the rates about its axes (E. J. Routh)."""
     parameters = {"g": 9.81 / rng.decades(0.02, 2.0), "A": 0.25, "C": 0.5}  # moments over m R^2
 
     def rates(s, p, t):
@@ -111,7 +111,7 @@ def rolling_disk(rng):
 
 @family("mechanics")
 def bead_on_a_turning_hoop(rng):
-    """Below or above the speed at which the lowest place becomes unstable."""
+    """A bead on a hoop below or above the rate at which the bottom becomes unstable."""
     parameters = rng.parameters(g=(2.0, 12.0), n=(0.5, 6.0))
     rates = lambda s, p, t: (s.w, (p.n * p.n * cos(s.a) - p.g) * sin(s.a))
     T, a = rng.values((3.0, 20.0), Log(1e-3, 2.0))
@@ -120,7 +120,7 @@ def bead_on_a_turning_hoop(rng):
 
 @family("mechanics")
 def spherical_pendulum(rng):
-    """In Cartesian coordinates, the tension from the constraint."""
+    """A spherical pendulum in Cartesian coordinates, the tension from the constraint."""
 
     def accelerations(s, p, t):
         v2 = s.dx * s.dx + s.dy * s.dy + s.dz * s.dz
@@ -136,7 +136,7 @@ def spherical_pendulum(rng):
 
 @family("mechanics", "closed form")
 def pendulum_with_its_period(rng):
-    """Small swings, a model that brings its exact solution."""
+    """Small swings of a pendulum, whose model brings its exact solution."""
 
     def solution(s, p, t):
         n = sqrt(p.g / p.L)
@@ -175,14 +175,14 @@ def car_on_springs(rng):
 
 @family("mechanics")
 def mass_on_a_rotating_table(rng):
-    """A mass on a rotating table that is let go: it leaves in a spiral, exponentially."""
+    """A mass let go on a rotating table: a spiral on the table, a straight line on the ground."""
     n = rng.decades(0.1, 10.0)
     a = lambda s, p, t: (p.n * p.n * s.x + 2 * p.n * s.dy, p.n * p.n * s.y - 2 * p.n * s.dx)
     model = second_order("mass on a rotating table", {"n": n}, ("x", "y"), a)
 
     def exact(mp, s, p, t):
         c, k = mp.cos(p.n * t), mp.sin(p.n * t)
-        u, v = s.dx - p.n * s.y, s.dy + p.n * s.x  # in the ground
+        u, v = s.dx - p.n * s.y, s.dy + p.n * s.x  # in the ground's frame
         X, Y = s.x + u * t, s.y + v * t
         x, y = X * c + Y * k, Y * c - X * k
         return x, y, u * c + v * k + p.n * y, v * c - u * k - p.n * x

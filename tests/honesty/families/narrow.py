@@ -1,4 +1,4 @@
-"""Places, speeds, angles and times at which the rates change over a small part of the way."""
+"""Positions, speeds, angles and times at which the rates change over a small part of the path."""
 
 import math
 
@@ -16,7 +16,7 @@ HUMPS = (
 
 
 def _slowed(rng, v):
-    """What a brake over a width w has to be for a speed v, and its place on 10 m: a hump, its
+    """A brake of width w somewhere on 10 m, strong enough for a speed v: a hump, its
     parameters, and the time at which it is met.
     """
     hump, area = rng.choice(HUMPS)
@@ -26,7 +26,7 @@ def _slowed(rng, v):
 
 @family("narrow")
 def brake(rng):
-    """A smooth brake of a millimetre to a decimetre on 10 m."""
+    """A smooth brake a tenth of a millimetre to a decimetre wide, on a path of 10 m."""
     v = rng.uniform(0.5, 3.0)
     hump, parameters, met = _slowed(rng, v)
     a = lambda s, p, t: (-p.A * hump((s.x - p.c) / p.w) * s.dx,)
@@ -36,7 +36,7 @@ def brake(rng):
 
 @family("narrow", "kinked")
 def hard_brake(rng):
-    """The same with edges, by where."""
+    """A narrow brake with sharp edges, by where."""
     v, w, c = rng.values((0.5, 3.0), Log(1e-4, 2e-1), (3.0, 7.0))
     parameters = {"A": v * rng.uniform(0.1, 0.7) / w, "c": c, "w": w}
 
@@ -78,7 +78,7 @@ def brake_of_a_wheel(rng):
 
 @family("narrow")
 def well(rng):
-    """A potential well, or a low wall: it changes the place and not the speed."""
+    """A potential well, or a low wall: it shifts the position and not the final speed."""
     v, w, c = rng.values((0.5, 3.0), Log(1e-3, 1e-1), (3.0, 7.0))
     parameters = {"D": v * v * rng.choice((rng.uniform(-0.4, -0.1), rng.uniform(0.5, 20.0)))}
     parameters |= {"c": c, "w": w}
@@ -104,7 +104,7 @@ def blow_beside_a_sine(rng):
 
 @family("narrow", "forced")
 def clock_as_a_state(rng):
-    """The same where the time is a state."""
+    """A blow beside a cosine on a spring, by a clock that is a state."""
     T, hump = rng.uniform(5.0, 30.0), rng.choice(HUMPS)[0]
     parameters = rng.parameters(k=(0.5, 4.0), F=(0.2, 2.0), q=(0.5, 5.0), one=1.0)
     parameters |= {"w": T * rng.decades(1e-5, 1e-2), "tp": T * rng.uniform(0.2, 0.8)}

@@ -11,13 +11,13 @@ from tests.honesty.families.narrow import HUMPS
 
 
 def _knots(met, width):
-    """Times about one at which something is met that takes about ``width``."""
+    """Times around ``met``, when something that lasts about ``width`` is met."""
     return around(met, width / 2, 22)
 
 
 @family("narrow")
 def patch_in_the_plane(rng):
-    """A round patch of mud, beside whose centre a sledge comes."""
+    """A sledge that crosses a small round patch of mud off its centre."""
     u, v, w, T = rng.values((0.5, 3.0), (-2.0, 2.0), Log(1e-4, 1e-1), (4.0, 8.0))
     hump, met = rng.choice(HUMPS)[0], T * rng.uniform(0.3, 0.7)
     parameters = {"w": w, "x0": u * met, "y0": v * met + w * rng.uniform(-0.7, 0.7)}
@@ -34,7 +34,7 @@ def patch_in_the_plane(rng):
 
 @family("narrow")
 def layer_of_wind(rng):
-    """A thin layer of wind, through which a shot goes up and down."""
+    """A shot that passes a thin layer of wind on its way up and down."""
     g, V, u, w = rng.values((5.0, 15.0), (20.0, 60.0), (5.0, 30.0), Log(1e-3, 1.0))
     hump, c = rng.choice(HUMPS)[0], V * V / 2 / g * rng.uniform(0.2, 0.8)
     parameters = {"g": g, "c": c, "w": w, "A": u * V / w * rng.uniform(0.01, 0.1)}
@@ -67,7 +67,7 @@ def beads_that_pass(rng):
 
 @family("narrow", "mechanics")
 def passage_of_a_small_star(rng):
-    """The attraction of a small mass, softened, of which a body comes close."""
+    """The softened attraction of a small mass, to which a body comes close."""
     v, e, T = rng.values((0.5, 2.0), Log(1e-4, 1e-1), (4.0, 8.0))
     met = T * rng.uniform(0.3, 0.7)
     parameters = {"GM": v * v * e * rng.uniform(0.1, 1.0), "e": e, "x0": v * met}
@@ -85,7 +85,7 @@ def passage_of_a_small_star(rng):
 
 @family("narrow")
 def row_of_posts(rng):
-    """Three posts of different widths, on a way of 10 m."""
+    """Three posts of different widths, on a path of 10 m."""
     v, widest, parameters, knots = rng.uniform(0.5, 3.0), rng.decades(1e-4, 5e-2), {}, ()
     kinds = [rng.choice(HUMPS)[0] for _ in range(3)]
     for k, c in enumerate(rng.values((2.0, 3.5), (4.0, 6.0), (6.5, 8.0))):
@@ -104,7 +104,7 @@ def row_of_posts(rng):
 
 @family("narrow")
 def loss_at_an_energy(rng):
-    """An oscillation that decays, faster where its energy has one value."""
+    """An oscillation that decays, faster near one value of its energy."""
     k, c, w = rng.values((0.5, 4.0), (0.02, 0.1), Log(1e-5, 1e-2))
     energy, level = 0.5 * k, 0.5 * k * rng.uniform(0.3, 0.8)
     met, hump = math.log(energy / level) / (2 * c), rng.choice(HUMPS)[0]
@@ -168,7 +168,7 @@ def tent(rng):
 
 @family("narrow", "forced")
 def clock_that_drifts(rng):
-    """A blow when a clock shows a time that does not go evenly."""
+    """A blow at a set time of a clock that runs unevenly."""
     T, hump = rng.uniform(5.0, 30.0), rng.choice(HUMPS)[0]
     parameters = rng.parameters(k=(0.5, 4.0), F=(0.2, 2.0), q=(0.2, 1.0), d=(0.1, 0.5))
     met, d, q = T * rng.uniform(0.2, 0.8), parameters["d"], parameters["q"]
@@ -184,7 +184,7 @@ def clock_that_drifts(rng):
 
 @family("narrow")
 def step_of_a_track(rng):
-    """A track that climbs at one place, as tanh."""
+    """A track that steps up or down at one point, as tanh."""
     v, w, c, g = rng.values((2.0, 5.0), Log(1e-4, 1e-1), (3.0, 7.0), 10.0)
     parameters = {"H": v * v / 2 / g * rng.uniform(-0.8, 0.8), "c": c, "w": w, "g": g}
 
@@ -214,7 +214,7 @@ def stiffening(rng):
 
 @family("narrow")
 def gate_of_two_steps(rng):
-    """A field between two places, by the difference of two arcus tangents, on a fall."""
+    """A fall through a field between two points, by the difference of two arctangents."""
     g, w, c = rng.values((5.0, 15.0), Log(1e-4, 1e-1), (3.0, 7.0))
     parameters = {"g": g, "c": c, "w": w, "A": g * c / w * rng.uniform(0.02, 0.2)}
 
@@ -230,7 +230,7 @@ def gate_of_two_steps(rng):
 
 @family("narrow")
 def bounce_off_a_pole(rng):
-    """A repulsion as the inverse square, felt only close to a wall."""
+    """An inverse-square repulsion, felt only close to a wall."""
     v, near, c = rng.values((0.5, 3.0), Log(1e-5, 1e-2), (3.0, 7.0))
     parameters = {"B": near * v * v / 2, "c": c, "k": rng.uniform(0.0, 0.02)}
     a = lambda s, p, t: (-p.B / (p.c - s.x) ** 2 - p.k * s.dx,)
@@ -240,7 +240,7 @@ def bounce_off_a_pole(rng):
 
 @family("narrow", "multi-scale")
 def survey_boat_over_a_wreck(rng):
-    """North in a map's metres, east zero at first: a sensor's signal is nothing but at one spot."""
+    """A boat far north of its map's origin; its sensor's signal is zero except at one spot."""
     u, v, w, k = rng.values((1.0, 3.0), (0.5, 2.0), Log(0.5, 20.0), 0.05)
     met, north = rng.uniform(300.0, 2000.0), 5.2e6
     parameters = {"u": u, "v": v, "w": w, "x0": u * met, "y0": north + v * met, "k": k}
@@ -257,7 +257,7 @@ def survey_boat_over_a_wreck(rng):
 
 @family("narrow")
 def top_of_a_throw_in_a_layer(rng):
-    """A stone whose highest place lies in, just below or just above a thin layer of light."""
+    """A stone whose highest point lies in, just below or just above a thin layer of light."""
     g, v, w = rng.values((5.0, 15.0), (5.0, 30.0), Log(1e-8, 1e-3))
     top = v * v / 2 / g
     parameters = {"g": g, "w": w * top, "c": top * (1 + w * rng.uniform(-1.5, 1.0)), "I": 10.0}

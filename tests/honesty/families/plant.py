@@ -12,7 +12,7 @@ from tests.honesty.cases import Branches, Case, Log, family
 
 @family("engineers", "kinked", "forced")
 def ship_in_a_following_sea(rng):
-    """Roll whose righting lever the waves change; damping by the square; it may turn over."""
+    """Roll of a ship whose righting lever waves change; quadratic damping; it may capsize."""
     n, h, q = rng.values((0.3, 1.5), (0.1, 1.2), (0.5, 2.2))
     parameters = {"k": n * n, "h": h, "q": q * n, "c": 0.02 * n, "e": rng.uniform(0.02, 0.5)}
     parameters["s"] = rng.uniform(0.2, 1.5)
@@ -30,7 +30,7 @@ def ship_in_a_following_sea(rng):
 
 @family("engineers", "narrow")
 def engine_with_a_peak_of_pressure(rng):
-    """A flywheel that a peak by the crank's angle, a few degrees or less wide, kicks at each turn."""
+    """A flywheel kicked once a turn by a peak of the crank's angle, a few degrees wide or less."""
     K, w0, loss = rng.values(Log(1e2, 1e7), (5.0, 50.0), (0.03, 0.3))
     turns, a0 = rng.randint(3, 12), rng.uniform(0.5, 5.5)
     load, wide = loss * w0**2 / 2 / (2 * math.pi), 1 / math.sqrt(K)
@@ -40,7 +40,7 @@ def engine_with_a_peak_of_pressure(rng):
     def rates(s, p, t):
         return s.w, p.M * exp(p.K * (cos(s.a - p.a0) - 1)) - p.L
 
-    # when it passes each peak, by its energy between them
+    # the time of each peak, by the flywheel's energy between the peaks
     knots, t, v2 = [], 0.0, w0**2
     for a in (a0 + 2 * math.pi * n for n in range(turns)):
         way = a if not knots else 2 * math.pi
@@ -56,7 +56,7 @@ def engine_with_a_peak_of_pressure(rng):
 
 @family("engineers", "kinked", "closed form")
 def ball_on_a_hertz_contact(rng):
-    """A ball flies against an elastic half-space, whose force is as the depth to the power 3/2."""
+    """A ball flies against an elastic half-space, whose force goes as depth to the power 3/2."""
     v, x, k = rng.values((0.1, 5.0), (1e-3, 1.0), Log(1e3, 1e9))
     model = Model("Hertz", {"k": k}, ("x", "v"),
                   lambda s, p, t: (s.v, where(s.x < 0, p.k * abs(s.x) ** 1.5, 0.0)))  # fmt: skip
@@ -125,7 +125,7 @@ def rectifier_with_a_diode(rng):
 
 @family("engineers", "kinked", "closed form")
 def motor_by_pulse_width(rng):
-    """A direct-current motor on pulses of a thousandth of their period to nearly all of it."""
+    """A DC motor on pulses that last a thousandth of their period to nearly all of it."""
     R, L, K, J = rng.values((0.5, 3.0), (1e-3, 1e-2), (0.05, 0.3), (1e-4, 1e-2))
     duty = rng.decades(1e-3, 0.95)
     parameters = {"R": R, "L": L, "K": K, "J": J, "c": 1e-4, "V": 24.0}
@@ -136,7 +136,7 @@ def motor_by_pulse_width(rng):
         return (u - p.R * s.i - p.K * s.w) / p.L, (p.K * s.i - p.c * s.w) / p.J
 
     def exact(mp, s, p, t):
-        """From one switching to the next; the eigenvalues of the motor apart."""
+        """From one switching to the next, by the motor's two eigenvalues."""
         a, b, c, d = (mp.mpf(x) for x in (-p.R / p.L, -p.K / p.L, p.K / p.J, -p.c / p.J))
         mean, root = (a + d) / 2, mp.sqrt(mp.mpc(((a - d) / 2) ** 2 + b * c))
         on = mp.asin(mp.mpf(p.s))
@@ -160,7 +160,7 @@ def motor_by_pulse_width(rng):
 
 @family("engineers", "kinked", "mechanics")
 def satellite_that_slews(rng):
-    """A satellite turns by its quaternion to a new attitude; its wheels give no more than they can."""
+    """A satellite turns by its quaternion to a new attitude; its wheels' moment is limited."""
     parameters = rng.parameters(A=(5.0, 10.0), B=(6.0, 11.0), C=(8.0, 14.0), M=Log(0.02, 1.0))
     n = rng.uniform(0.1, 0.6)
     parameters |= {"k": 2 * 8 * n * n, "d": 8 * 1.6 * n}
@@ -203,7 +203,7 @@ def satellite_that_slews(rng):
 
 @family("engineers", "kinked", "long")
 def ion_engine_that_rests_in_the_shadow(rng):
-    """A spiral outwards by a small thrust along the velocity, off in the shadow of the planet."""
+    """A spiral outwards by a small thrust along the velocity, off in the planet's shadow."""
     r, a = rng.values((1.05, 3.0), Log(1e-5, 1e-2))
     parameters = {"R": 1.0, "a": a, "gm": 1.0}
 
@@ -231,7 +231,7 @@ def ion_engine_that_rests_in_the_shadow(rng):
 
 @family("engineers", "closed form", "scales")
 def radiator_that_cools(rng):
-    """A body that radiates into a room of kelvins, nearly to the end, and counts its heat."""
+    """A body that radiates towards the temperature of its room, 3 to 300 K, and counts its heat."""
     room, c = rng.values((3.0, 300.0), Log(1e-3, 1e4))
     ratio = rng.choice((1 + rng.decades(1e-4, 10.0), rng.uniform(0.1, 0.99)))
     parameters = {"k": 1 / room**3, "a": room, "c": c}
@@ -266,7 +266,7 @@ def radiator_that_cools(rng):
 
 @family("engineers", "kinked", "stiff")
 def wheel_that_locks(rng):
-    """A car and its wheel by the slip, while the brake's moment rises to what it then keeps."""
+    """A braked car and the slip of its wheel; the brake's moment rises, then stays constant."""
     parameters = rng.parameters(B=(8.0, 15.0), C=(1.3, 1.7), D=(0.3, 1.1), R=0.3, I=(0.5, 2.0))
     parameters |= rng.parameters(N=(2e3, 5e3), t1=Log(1e-3, 1.0), g=9.81)
     parameters["M"] = parameters["D"] * parameters["N"] * 0.3 * rng.uniform(0.5, 1.3)
@@ -290,7 +290,7 @@ def wheel_that_locks(rng):
 
 @family("engineers", "multi-scale", "forced")
 def wind_turbine_by_heiers_curve(rng):
-    """Rotor and generator on a stiff shaft, with Heier's curve of power, in wind that waves."""
+    """Rotor and generator on a stiff shaft, with Heier's power curve, in a wind that varies."""
     parameters = rng.parameters(v=(7.0, 14.0), e=(0.05, 0.25), q=(0.3, 3.0), R=(20.0, 50.0))
     parameters |= rng.parameters(b=(0.0, 8.0), j=Log(3e-3, 0.1), K=Log(10.0, 1e4), c=(0.05, 1.0))
     R, v = parameters["R"], parameters["v"]

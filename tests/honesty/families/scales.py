@@ -12,7 +12,7 @@ EARTH, SUN = 3.986004418e14, 1.32712440018e20  # G M, m^3/s^2
 
 @family("multi-scale")
 def beside_a_constant(rng):
-    """A pendulum whose model also has a place on the Earth or in an orbit, a constant."""
+    """A pendulum whose model also has a constant state: a position on the Earth or in an orbit."""
     k = rng.decades(0.3, 30.0)
     rates = lambda s, p, t: (0.0 * s.omega, s.omega, -p.k * sin(s.theta))
 
@@ -60,7 +60,7 @@ def satellite_with_attitude(rng):
 
 @family("multi-scale")
 def charged_particle(rng):
-    """It gyrates quickly in crossed fields and drifts far away."""
+    """A charged particle that gyrates quickly in crossed fields and drifts far away."""
     parameters = rng.parameters(W=Log(1.0, 1e3), E=Log(1.0, 1e3))
     a = lambda s, p, t: (p.W * s.dy, p.E - p.W * s.dx)
     model = second_order("charged particle", parameters, ("x", "y"), a)
@@ -116,7 +116,7 @@ def fast_and_slow(rng):
 
 @family("multi-scale")
 def fall_through_air(rng):
-    """From the centre of the Earth, through air that thins exponentially."""
+    """A fall through air that thins exponentially, measured from the centre of the Earth."""
     parameters = rng.parameters(GM=EARTH, R=6.371e6, H=(6e3, 9e3), c=Log(1e-5, 1e-3))
 
     def rates(s, p, t):

@@ -1,4 +1,4 @@
-"""Motions that end in a singular place, or pass close to one.
+"""Motions that end at a singular point, or pass close to one.
 
 Unstable equilibria and separatrices.
 """
@@ -26,7 +26,7 @@ def blow_up_on_the_way(rng):
 
 @family("near-singular")
 def blow_up_later(rng):
-    """The same, until shortly before that."""
+    """x' = a x^2, until shortly before it grows beyond all bounds."""
     model, x, end = _power(rng)
     exact = lambda mp, s, p, t: (s.x / (1 - p.a * s.x * t),)
     return Case(model, end * (1 - rng.decades(1e-6, 0.3)), (x,), exact=exact)
@@ -43,7 +43,7 @@ def tangent(rng):
 
 
 def _fall(rng, name):
-    """From rest straight into a centre of attraction, and the time until then."""
+    """From rest straight into a centre of attraction, and the time that this takes."""
     r = rng.decades(1e-2, 1e2)
     a = lambda s, p, t: (-p.GM / (s.r * s.r),)
     return second_order(name, {"GM": 1.0}, ("r",), a), r, math.pi / 2 * math.sqrt(r**3 / 2)
@@ -51,21 +51,21 @@ def _fall(rng, name):
 
 @family("singular", "no answer")
 def fall_into_the_centre(rng):
-    """Straight into a centre of attraction, and beyond."""
+    """A fall straight into a centre of attraction, and beyond."""
     model, r, end = _fall(rng, "fall into the centre")
     return Case(model, end * rng.choice((1.0001, 1.2, 3.0)), (r, 0.0), singular_at=end)
 
 
 @family("near-singular")
 def fall_towards_the_centre(rng):
-    """The same, until shortly before."""
+    """A fall straight towards a centre of attraction, until shortly before it is reached."""
     model, r, end = _fall(rng, "fall towards the centre")
     return Case(model, end * (1 - rng.decades(1e-4, 0.3)), (r, 0.0))
 
 
 @family("near-singular")
 def past_the_pole(rng):
-    """A spherical pendulum close to its lowest place, where the azimuth changes fast."""
+    """A spherical pendulum close to its lowest point, where the azimuth changes fast."""
     near = rng.decades(1e-3, 0.3)
 
     def rates(s, p, t):
@@ -90,10 +90,10 @@ def close_approach(rng):
 
 @family("near-singular", "separatrix")
 def upright_top(rng):
-    """Nutation next to the upright position, just too slow to sleep, or just fast enough."""
+    """A top next to upright, spinning a little too slowly to sleep, or just fast enough."""
     parameters = {"w": 2.0 * rng.choice((0.9, 0.99, 1.01, 1.1)), "g": 1.0, "one": 1.0}
 
-    # equal angular momenta about the vertical and the axis: theta = 0 is no singular place
+    # equal angular momenta about the vertical and the axis: theta = 0 is not singular
     def rates(s, p, t):
         k = tan(s.theta / 2)
         return s.rate, p.g * sin(s.theta) - p.w * p.w / 4 * k * (p.one + k * k)
@@ -105,7 +105,7 @@ def upright_top(rng):
 
 @family("near-singular", "separatrix")
 def pendulum_beside_the_upright(rng):
-    """It starts next to its highest place, or comes there with hardly any speed left."""
+    """A pendulum starts next to its highest point, or gets there with barely any speed left."""
     near = rng.decades(1e-7, 1e-2)
     start = math.pi - near, 0.0
     if rng.random() >= 0.5:

@@ -19,7 +19,7 @@ def damped_oscillator(rng):
 
 @family("smooth")
 def pendulum(rng):
-    """Swinging or turning over."""
+    """A pendulum that swings or turns over."""
     k = rng.decades(0.1, 100.0)
     T, theta, omega = rng.values((3.0, 60.0), (-2.9, 2.9), (-2.9, 2.9))
     start = theta, omega * k**0.5
@@ -107,7 +107,7 @@ def random_formula(rng):
 
 @family("smooth")
 def logistic_growth(rng):
-    """One state, from well below its limit."""
+    """Logistic growth, from a thousandth of its limit to three times that limit."""
     r, K = rng.values(Log(1e-3, 1e3), Log(1e-2, 1e6))
     rates = lambda s, p, t: (p.r * s.x * (p.K - s.x) / p.K,)
     start = K * rng.decades(1e-3, 3.0)

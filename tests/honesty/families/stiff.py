@@ -9,7 +9,7 @@ from tests.honesty.cases import Case, Log, family
 
 @family("stiff")
 def van_der_pol(rng):
-    """Relaxation oscillations, over part of a period or a little more."""
+    """Van der Pol's relaxation oscillations, over part of a period or a little more."""
     mu, T, v = rng.values(Log(5.0, 300.0), (0.3, 2.0), (-0.5, 0.5))
     rates = lambda s, p, t: (s.y, p.mu * (1 - s.x * s.x) * s.y - s.x)
     return Case(Model("van der Pol", {"mu": mu}, ("x", "y"), rates), mu * T, (2.0, v))
@@ -17,7 +17,7 @@ def van_der_pol(rng):
 
 @family("stiff")
 def robertson(rng):
-    """Three substances whose rates lie nine decades apart; the fast one is eased in some draws."""
+    """Three substances whose rates lie nine decades apart; the fast one is slowed in some draws."""
     parameters = {"a": 0.04, "b": 1e4, "c": 3e7 / rng.decades(1.0, 1e3)}
 
     def rates(s, p, t):
@@ -30,7 +30,7 @@ def robertson(rng):
 
 @family("stiff", "forced")
 def fast_relaxation(rng):
-    """Towards cos(w t), a thousand to a million times as fast (Prothero and Robinson)."""
+    """A relaxation towards cos(w t), at a rate of 1e2 to 1e5 (Prothero and Robinson)."""
     parameters = rng.parameters(L=Log(1e2, 1e5), w=(0.5, 3.0))
     rates = lambda s, p, t: (-p.L * (s.x - cos(p.w * t)) - p.w * sin(p.w * t),)
     exact = lambda mp, s, p, t: (mp.cos(p.w * t) + (s.x - 1) * mp.exp(-p.L * t),)
@@ -74,7 +74,7 @@ def elastic_pendulum(rng):
 
 @family("stiff")
 def damped_hard(rng):
-    """A door with a closer: over-damped a hundred to ten thousand times."""
+    """A door with a closer: over-damped some thirty to seven thousand times."""
     parameters = rng.parameters(k=(0.5, 3.0), c=Log(1e2, 1e4))
     model = second_order("door", parameters, ("x",), lambda s, p, t: (-p.k * s.x - p.c * s.dx,))
 

@@ -8,7 +8,7 @@ from newton_euler import Model, cos, exp, sin, sqrt, where
 from newton_euler.motion import second_order
 from tests.honesty.cases import Branches, Case, Log, around, family
 
-# -- narrow in place
+# -- narrow in position
 
 
 def _inside(s, p):
@@ -66,7 +66,7 @@ def rumble_strip(rng):
 
 @family("narrow", "strangers")
 def cart_past_a_magnet(rng):
-    """An iron cart on a track of 3 m, close beside which a magnet stands."""
+    """An iron cart on a track of 3 m, with a magnet close beside it."""
     v, d, c, r = rng.values((0.3, 2.0), Log(1e-3, 0.1), (1.0, 2.0), (0.0, 0.05))
     parameters = {"M": d**6 * v * v * rng.uniform(0.1, 2.0), "d": d, "c": c, "r": r}
 
@@ -101,7 +101,7 @@ def door_with_a_latch(rng):
 
 @family("narrow", "strangers", "kinked")
 def valve_at_a_level(rng):
-    """A tank is filled until a float opens a valve, within millimetres; there the level stays."""
+    """A tank is filled until a float opens a valve over a small rise; there the level stays."""
     q, w, H, h = rng.values((0.1, 1.0), Log(1e-3, 1e-1), (0.8, 2.0), (0.0, 0.5))
     parameters = {"q": q, "K": q * rng.uniform(1.5, 4.0), "H": H, "w": w}
 
@@ -134,7 +134,7 @@ def hair_trigger(rng):
 
 @family("narrow", "strangers", "kinked")
 def pendulum_through_a_light_beam(rng):
-    """The light that a diode gets through a slit in the bob, as it swings through the beam."""
+    """The light that a diode gets through a slit in a pendulum's bob as it swings by."""
     n, X, w = rng.values((0.5, 4.0), (0.5, 1.0), Log(1e-4, 1e-1))
     at = X * rng.uniform(-0.7, 0.7)
     parameters = {"n": n, "c": at, "w": w, "I": n * X / w * rng.uniform(0.2, 2.0)}
@@ -171,7 +171,7 @@ def _soft_ground(rng, name, outside, start, R, T):
 
 @family("narrow", "strangers", "kinked")
 def puck_through_a_round_puddle(rng):
-    """A disc of wet ice, by its radius, somewhere on a way of ten metres."""
+    """A puck that crosses a round puddle, given by its radius."""
     u, v, R, T = rng.values((0.5, 3.0), (-2.0, 2.0), Log(3e-3, 0.3), (2.0, 5.0))
     outside = lambda s, p: s.x**2 + s.y**2 - p.R**2
     start = -u * T, R * rng.uniform(-0.7, 0.7) - v * T, u, v
@@ -180,7 +180,7 @@ def puck_through_a_round_puddle(rng):
 
 @family("narrow", "strangers", "kinked")
 def lorry_in_a_bed_of_gravel(rng):
-    """Gravel between two marks, by the sign of a product."""
+    """A lorry on gravel between two marks, given by the sign of a product."""
     u, L, T = rng.values((5.0, 20.0), Log(3e-3, 0.3), (2.0, 5.0))
     outside = lambda s, p: s.x * (s.x - p.R)
     return _soft_ground(rng, "bed of gravel", outside, (-u * T, 0.0, u, 0.0), L * u, T)
@@ -188,7 +188,7 @@ def lorry_in_a_bed_of_gravel(rng):
 
 @family("narrow", "strangers", "kinked")
 def pendulum_against_a_stop(rng):
-    """It strikes a hard stop with damping, which is felt only while they touch."""
+    """A pendulum that strikes a hard stop with damping, felt only while they touch."""
     K = rng.decades(1e2, 1e6)
     parameters = rng.parameters(k=(1.0, 20.0), a=(0.1, 0.6), K=K, c=(0.01, 0.2))
     parameters["c"] *= math.sqrt(K)
@@ -233,7 +233,7 @@ def backlash_of_a_gear(rng):
 
 @family("kinked", "strangers", "near-singular")
 def puck_that_turns_on_an_incline(rng):
-    """Dry friction against the direction of the motion, which turns round where it is slow."""
+    """A puck on an incline with dry friction; where it is slow its direction turns round."""
     parameters = rng.parameters(g=(3.0, 8.0), mu=(0.3, 2.0))
 
     def accelerations(s, p, t):
@@ -249,7 +249,7 @@ def puck_that_turns_on_an_incline(rng):
 
 @family("kinked", "strangers")
 def actuator_that_saturates(rng):
-    """A controller with an integral winds up while the actuator gives its most."""
+    """A controller whose integral winds up while the actuator is at its limit."""
     parameters = rng.parameters(F=(0.3, 1.5), kp=(3.0, 10.0), kd=(1.0, 4.0), ki=(0.2, 2.0))
     parameters["R"] = rng.uniform(1.0, 5.0)
     asked = lambda s, p: p.kp * (p.R - s.x) - p.kd * s.v + p.ki * s.i

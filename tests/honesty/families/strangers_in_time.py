@@ -1,4 +1,4 @@
-"""Doses, gates and kicks, places and clocks far from zero, and what sticks, lasts or is stiff."""
+"""Doses, gates, kicks, positions and clocks far from zero, and what sticks, lasts or is stiff."""
 
 import math
 
@@ -27,7 +27,7 @@ def kick_in_a_product(rng):
 
 @family("narrow", "strangers", "kinked")
 def dose_by_a_clock(rng):
-    """A pump gives a dose when its clock, which is a state, shows the time; the blood clears it."""
+    """A pump gives a dose at a set time of its clock, a state; the blood clears the dose."""
     T, tau, dose = rng.values((2.0, 24.0), (0.0, 12.0), (0.5, 5.0))
     w = T * rng.decades(1e-5, 3e-2)
     parameters = {"k": rng.uniform(0.05, 0.6), "D": dose / w, "w": w}
@@ -49,7 +49,7 @@ def dose_by_a_clock(rng):
 
 @family("narrow", "strangers", "kinked", "forced")
 def gate_that_opens_twice(rng):
-    """A cam opens a gate for a short part of each turn, of which there are two."""
+    """A cam opens a gate for a short part of each of two turns."""
     n, d, c = rng.values((0.5, 5.0), Log(1e-4, 0.1), (0.05, 0.5))
     half = math.acos(1 - d) / n
     parameters = {"n": n, "edge": 1 - d, "c": c, "A": rng.uniform(0.3, 2.0) / half}
@@ -76,7 +76,7 @@ def gate_that_opens_twice(rng):
 
 @family("far", "strangers", "mechanics")
 def satellite_in_polar_coordinates(rng):
-    """Nearly a circle: its radius is large, and goes to and fro by kilometres or metres."""
+    """A nearly circular orbit: its radius is large and varies by kilometres or metres."""
     GM, r, e = 3.986004418e14, rng.uniform(6.6e6, 4.2e7), rng.decades(1e-7, 1e-2)
     n = math.sqrt(GM / r**3)
     rates = lambda s, p, t: (s.u, s.w, s.r * s.w**2 - p.GM / s.r**2, -2 * s.u * s.w / s.r)
@@ -140,7 +140,7 @@ def tide_by_julian_days(rng):
 
 @family("far", "strangers", "stiff")
 def oven_in_kelvin(rng):
-    """An oven under a controller with an integral of the error, millikelvins of 300 to 1200 K."""
+    """An oven at 300 to 1200 K under integral control, disturbed by 1 mK to 1 K."""
     parameters = rng.parameters(c=(0.05, 1.0), P=(0.5, 5.0), ki=(0.1, 1.0), w=(0.2, 3.0))
     parameters |= rng.parameters(T0=(300.0, 1200.0), A=Log(1e-3, 1.0), leak=Log(1e-4, 1e-2))
 
@@ -199,7 +199,7 @@ def block_on_a_belt(rng):
 
 @family("long", "strangers")
 def ion_in_a_penning_trap(rng):
-    """Fast circles, whose centre goes round slowly, for hundreds to thousands of circles."""
+    """An ion in fast circles, hundreds to thousands of them, whose centre goes round slowly."""
     wc = rng.uniform(5.0, 50.0)
     parameters = {"wc": wc, "a": wc * wc * rng.decades(1e-4, 0.1)}
     accelerations = lambda s, p, t: (p.wc * s.dy + p.a * s.x, p.a * s.y - p.wc * s.dx)

@@ -45,7 +45,7 @@ def pushed_by_a_table(rng):
 
 @family("tables", "kinked")
 def swing_on_a_table(rng):
-    """A mass on a spring whose force is measured: a table of the place, linear between five."""
+    """A mass on a spring whose force is measured: a table of five positions, linear between."""
     xs = [-4.0, -1.0, rng.uniform(-0.9, -0.1), rng.uniform(0.1, 2.0), 4.0]
     forces = [-x * rng.uniform(0.5, 8.0) for x in xs]
     f = table(xs, forces)

@@ -8,7 +8,7 @@ from tests.honesty.cases import Case, Log, family
 
 @family("tiny")
 def tiny_spring(rng):
-    """An oscillation of 1e-14 to 1e-6."""
+    """A spring that swings by 1e-14 to 1e-6."""
     w, a, T, v = rng.values(Log(0.1, 10.0), Log(1e-14, 1e-6), (5.0, 60.0), (-1.0, 1.0))
     model = models.spring("tiny spring", k=w * w)
     return Case(model, T / w, (a, a * w * v), exact=models.exact_spring)
@@ -25,7 +25,7 @@ def tiny_beside_ordinary(rng):
 
 @family("tiny", "forced")
 def all_zero_at_first(rng):
-    """Everything is zero until a force sets it going."""
+    """An oscillator whose states are all zero until a force sets it going."""
     parameters = rng.parameters(k=(1.0, 10.0), c=(0.0, 0.3), F=Log(1e-9, 1e3), w=(0.5, 3.0))
     a = lambda s, p, t: (p.F * sin(p.w * t) - p.k * s.x - p.c * s.dx,)
     return Case(
@@ -45,7 +45,7 @@ def one_state_stays_zero(rng):
 
 @family("tiny")
 def growth_from_almost_nothing(rng):
-    """From 1e-12 to 1e-4 of its limit up to it."""
+    """Logistic growth that starts from 1e-12 to 1e-4 of its limit."""
     r, K, T, x = rng.values(Log(0.1, 10.0), Log(1e-3, 1e3), (5.0, 40.0), Log(1e-12, 1e-4))
     rates = lambda s, p, t: (p.r * s.x * (p.K - s.x) / p.K,)
     model = Model("growth", {"r": r, "K": K}, ("x",), rates)
@@ -63,7 +63,7 @@ def weak_drive_at_rest(rng):
 
 @family("tiny", "multi-scale")
 def three_sizes(rng):
-    """Three oscillators of one frequency, decades apart, coupled from the large to the small."""
+    """Three oscillators, decades apart in size, coupled from the large to the small."""
     parameters = rng.parameters(k=(0.5, 4.0), a=Log(1e-8, 1e-2), b=Log(1e-8, 1e-2))
     a = lambda s, p, t: (-p.k * s.x, -2 * p.k * s.y + p.a * s.x, -3 * p.k * s.z + p.b * s.y)
     T, x = rng.values((5.0, 30.0), Log(1e-3, 1e3))

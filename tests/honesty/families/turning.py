@@ -1,4 +1,4 @@
-"""Places that a motion enters and leaves within a small part of its way, by an argument that turns
+"""Regions that a motion crosses within a small part of its path, by an argument that turns
 back there; states that are zero until a jump; narrow events and tables. Written before the engine
 looked for them.
 """
@@ -12,7 +12,7 @@ WIDTH = Log(1e-6, 1e-1)
 
 
 def _counted(rng, name, argument, way, exact, start, T, **parameters):
-    """``q`` grows by A while ``argument`` is positive, beside a way known in advance.
+    """``q`` grows by A while ``argument`` is positive, beside a path known in advance.
 
     way : the rates of the other states; exact : (mp, s, p, t), these states and the time inside
     """
@@ -37,7 +37,7 @@ def _during(mp, t, begin, end):
 
 @family("narrow", "turning", "kinked")
 def lamp_between_two_marks(rng):
-    """Lit while the product of the distances from two marks is positive."""
+    """A lamp lit while the product of the distances from two marks is positive."""
     v, w, c = rng.values((0.5, 3.0), WIDTH, (3.0, 7.0))
     inside = lambda s, p, t: (s.x - p.c) * (p.c + p.w - s.x)
     exact = lambda mp, s, p, t: (p.v * t, _during(mp, t, p.c / p.v, (p.c + mp.mpf(p.w)) / p.v))
@@ -47,7 +47,7 @@ def lamp_between_two_marks(rng):
 
 @family("narrow", "turning", "kinked")
 def lamp_by_an_expanded_product(rng):
-    """The same with the product multiplied out, on a way with drag."""
+    """A lamp between two marks, by the product multiplied out, on a path with drag."""
     v, r, w, c = rng.values((1.0, 3.0), (0.05, 0.2), Log(1e-5, 1e-1), (0.5, 3.0))
     inside = lambda s, p, t: p.u * s.x - s.x**2 - p.k
 
@@ -64,7 +64,7 @@ def lamp_by_an_expanded_product(rng):
 
 @family("narrow", "turning", "kinked")
 def ball_that_touches_a_beam(rng):
-    """A ball thrown up, which breaks a beam of light at the top of its way only."""
+    """A ball thrown up, which breaks a beam of light at the top of its path only."""
     g, V, w = rng.values((5.0, 15.0), (20.0, 60.0), Log(1e-10, 1e-3))
     top = V * V / 2 / g
 
@@ -142,7 +142,7 @@ def shutter_by_the_clock(rng):
 
 @family("narrow", "turning", "kinked")
 def corner_of_three_walls(rng):
-    """A small triangle that a straight way cuts: three choices, one in the other."""
+    """A small triangle that a straight path cuts: three conditions, one inside another."""
     u, w, c = rng.values((0.5, 3.0), Log(1e-6, 1e-1), (3.0, 7.0))
     parameters = {"u": u, "w": w, "c": c, "A": u / w}
 
@@ -160,7 +160,7 @@ def corner_of_three_walls(rng):
 
 
 def _mound(rng, name, shape, area, **more):
-    """``q`` is the area of a shape of width w on the way so far."""
+    """``q`` is the area of a shape of width w along the path so far."""
     v, w, c = rng.values((0.5, 3.0), more.pop("width", WIDTH), (3.0, 7.0))
     parameters = {"v": v, "w": w, "c": c, "A": v / w}
     rates = lambda s, p, t: (p.v, p.A * shape((s.x - p.c) / p.w))
@@ -174,7 +174,7 @@ def _mound(rng, name, shape, area, **more):
 
 @family("narrow", "turning", "kinked")
 def mound_by_an_absolute_value(rng):
-    """A parabola cut off at zero by the absolute value of itself."""
+    """A parabola cut off at zero by its own absolute value."""
     half = lambda mp, z: min(max(z, -1), 1)
     area = lambda mp, z: half(mp, z) - half(mp, z) ** 3 / 3 + mp.mpf(2) / 3
     g = lambda z: (1 - z) * (1 + z)
@@ -242,7 +242,7 @@ def flash_of_a_lighthouse(rng):
 
 @family("kinked", "turning")
 def heater_that_is_switched_on(rng):
-    """Nothing is warm before a switch: heat, then a second body, then an angle of a pointer."""
+    """Nothing is warm before a switch: heat, then a second body, then the angle of a pointer."""
     v, c, a, k = rng.values((0.5, 3.0), (3.0, 7.0), Log(1e-6, 1e3), (0.1, 2.0))
 
     def rates(s, p, t):
@@ -258,7 +258,7 @@ def heater_that_is_switched_on(rng):
 
 @family("kinked", "turning", "forced")
 def push_from_rest(rng):
-    """A mass at rest at the origin, pushed from a time on, by a force that jumps, or that grows."""
+    """A mass at rest at the origin, pushed from some time on by a force that jumps or grows."""
     T, f, r = rng.values((1.0, 1e4), Log(1e-8, 1e4), (0.1, 3.0))
     parameters = {"b": T * rng.uniform(0.2, 0.8), "f": f, "r": r / T, "x": rng.choice((0.0, 1.0))}
 
@@ -277,11 +277,11 @@ def push_from_rest(rng):
     return Case(model, T, (0.0, 0.0, 0.0), exact=exact)
 
 
-# -- events, and tables of places
+# -- events, and tables of positions
 
 
 def _passed(rng, name, function, times, width):
-    """A straight way of 10 m with an event of width w somewhere on it."""
+    """A straight path of 10 m with an event of width w somewhere on it."""
     v, w, c = rng.values((0.5, 3.0), width, (3.0, 7.0))
     parameters = {"v": v, "w": w, "c": c}
     model = Model(name, parameters, ("x",), lambda s, p, t: (p.v + 0.0 * s.x,))
@@ -292,7 +292,7 @@ def _passed(rng, name, function, times, width):
 
 @family("events", "turning", "narrow")
 def marks_that_are_close(rng):
-    """Two marks close together, as one function."""
+    """The passage of two marks close together, written as one function."""
     function = lambda s, p, t: (s.x - p.c) * (p.c + p.w - s.x)
     return _passed(rng, "two marks", function, lambda mp: (0, 1), Log(1e-5, 1e-1))
 
@@ -307,7 +307,7 @@ def level_of_a_peak(rng):
 
 @family("events", "turning", "narrow")
 def level_of_a_resonance(rng):
-    """The same for a quotient."""
+    """A resonance curve, a quotient, that rises above a level."""
     function = lambda s, p, t: 1 / (1 + ((s.x - p.c) / p.w) ** 2) - 0.25
     times = lambda mp: (-mp.sqrt(3), mp.sqrt(3))
     return _passed(rng, "resonance", function, times, Log(1e-4, 1e-1))
@@ -315,7 +315,7 @@ def level_of_a_resonance(rng):
 
 @family("tables", "turning", "narrow")
 def table_with_a_spike(rng):
-    """A table of places: flat but for a spike, at close places or at one of many."""
+    """A table of position, flat but for a spike, of five points or of more than a hundred."""
     v, w, c = rng.values((0.5, 3.0), Log(1e-4, 1e-1), (3.0, 7.0))
     high, places = v / w * rng.uniform(0.2, 2.0), [-1.0, c - w, c, c + w, 11.0]
     if rng.random() < 0.5:

@@ -10,7 +10,7 @@ from tests.honesty.cases import Case, Log, family
 
 @family("units")
 def pendulum_in_any_time(rng):
-    """Seconds, nanoseconds or years."""
+    """A pendulum in seconds, nanoseconds or years."""
     unit, T, theta, omega = rng.values(Log(1e-9, 1e9), (5.0, 40.0), (0.3, 2.5), (-0.5, 0.5))
     start = theta, omega / unit
     return Case(models.pendulum(1 / unit**2), T * unit, start, exact=models.exact_pendulum)
@@ -18,7 +18,7 @@ def pendulum_in_any_time(rng):
 
 @family("units")
 def planet_in_any_units(rng):
-    """An ellipse in units of length and time between 1e-9 and 1e9."""
+    """An ellipse in units of length from 1e-9 to 1e9 and of time from 1e-6 to 1e6."""
     length, time, e, T = rng.values(Log(1e-9, 1e9), Log(1e-6, 1e6), (0.0, 0.7), (3.0, 40.0))
     start = length * (1 + e), 0.0, 0.0, length / time * math.sqrt((1 - e) / (1 + e))
     model = models.orbit("planet", length**3 / time**2)
@@ -27,7 +27,7 @@ def planet_in_any_units(rng):
 
 @family("units")
 def satellite_in_metres(rng):
-    """About an oblate Earth, in space, in SI units."""
+    """A satellite about an oblate Earth, in three dimensions, in SI units."""
     parameters = {"GM": 3.986004418e14, "J": 1.75553e25}  # J2 GM R^2
 
     def accelerations(s, p, t):

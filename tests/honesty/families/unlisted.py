@@ -1,4 +1,4 @@
-"""What no list of faults named: written before the methods were read, by someone else than their
+"""Cases on no list of faults, written before the methods were read, by someone other than their
 author.
 """
 
@@ -16,7 +16,7 @@ def _inside(T, *knots):
 
 @family("narrow")
 def dose_under_two_beams(rng):
-    """What swings in two directions passes a spot that is narrower in one of them; the dose."""
+    """The dose at a spot, narrower in one direction, for a body that swings in two."""
     a, b, T, met = rng.values((0.5, 2.0), (0.5, 2.0), (5.0, 15.0), (0.3, 0.7))
     met *= T
     wx, wy = rng.values(Log(1e-5, 1e-1), Log(1e-4, 1.0))
@@ -36,7 +36,7 @@ def dose_under_two_beams(rng):
 
 @family("narrow")
 def reaction_at_a_product(rng):
-    """It goes only while the product of two amounts has one value."""
+    """A reaction that goes on only while the product of two amounts is near one value."""
     a, b, T, w = rng.values((0.5, 2.0), (0.1, 0.4), (3.0, 6.0), Log(1e-6, 1e-2))
     parameters = {"a": a, "b": b}
     met, rise = T * rng.uniform(0.3, 0.7), a - b
@@ -52,7 +52,7 @@ def reaction_at_a_product(rng):
 
 @family("narrow", "forced")
 def stroke_of_a_late_clock(rng):
-    """The clock is a state that shows a hundred to a million at the start."""
+    """A stroke by a clock that is a state and shows a hundred to a million at the start."""
     begun, T, w, k = rng.values(Log(1e2, 1e6), (5.0, 30.0), Log(1e-4, 1e-1), (0.5, 4.0))
     met = T * rng.uniform(0.2, 0.8)
     parameters = {"k": k, "w": w, "F": rng.uniform(0.2, 2.0) / w, "at": begun + met}
@@ -67,7 +67,7 @@ def stroke_of_a_late_clock(rng):
 
 @family("narrow", "stiff")
 def stiff_with_a_spike(rng):
-    """A fast relaxation towards a slow signal, which a spike hits."""
+    """A fast relaxation towards a slow signal, hit by a spike."""
     L, T, w = rng.values(Log(1e3, 1e6), (3.0, 10.0), Log(1e-5, 1e-1))
     at = T * rng.uniform(0.3, 0.7)
     parameters = {"L": L, "w": w, "at": at, "A": rng.uniform(0.2, 2.0) / w}
@@ -104,7 +104,7 @@ def quake_of_a_star(rng):
 
 @family("kinked", "closed form")
 def start_at_a_kink(rng):
-    """A mass between two springs begins where one ends and the other begins, at rest or moving."""
+    """A mass between two springs starts where one ends and the other begins, at rest or moving."""
     n, N, v, f = rng.values((0.3, 3.0), (0.3, 30.0), (-2.0, 2.0), (-1.0, 1.0))
     v *= rng.choice((0, 1))
     parameters = {"k": n * n, "K": N * N, "f": f}
@@ -138,7 +138,7 @@ def start_at_a_kink(rng):
 
 @family("kinked", "closed form")
 def root_that_touches_zero(rng):
-    """What is below the root only touches zero, once in each period."""
+    """A root whose argument only touches zero, once in each period."""
     q, T = rng.values((0.3, 2.0), (10.0, 40.0))
     rates = lambda s, p, t: (-p.q * s.y, p.q * s.x, sqrt(abs(1 - s.x)), abs(1 - s.y))
 
@@ -154,7 +154,7 @@ def root_that_touches_zero(rng):
 
 @family("events")
 def ball_that_begins_on_the_floor(rng):
-    """It is thrown up from the floor, which it meets again and again."""
+    """A ball thrown up from the floor, which it meets again and again."""
     e, v = rng.values((0.5, 0.95), Log(0.1, 100.0))
     bounced = lambda s, p, t: (0 * s.h, -p.e * s.v)
     then = lambda s, p, t: (model, (0.0, -p.e * s.v))
@@ -167,7 +167,7 @@ def ball_that_begins_on_the_floor(rng):
 
 @family("long", "closed form")
 def slow_end_of_a_reaction(rng):
-    """A reaction of the second order, of which a thousandth to a millionth millionth is left."""
+    """A reaction of the second order, until 1e-3 to 1e-12 of its substance is left."""
     k, y, left = rng.values(Log(1e-3, 1e3), Log(1e-3, 1e3), Log(1e3, 1e12))
     model = Model(
         "second order", {"k": k}, ("y", "made"), lambda s, p, t: (-p.k * s.y**2, p.k * s.y)
@@ -182,7 +182,7 @@ def slow_end_of_a_reaction(rng):
 
 @family("narrow", "closed form")
 def film_that_runs_back(rng):
-    """A brake that is met from behind: time and place fall from the start on."""
+    """A brake that is met from behind: the time and position in it run backwards."""
     v, w, c, T = rng.values((0.5, 3.0), Log(1e-5, 1e-1), (0.3, 0.7), (5.0, 20.0))
     parameters = {"v": v, "w": w * v * T, "c": c * v * T, "T": T}
     parameters["A"] = rng.uniform(0.1, 2.0) / w / T
@@ -198,7 +198,7 @@ def film_that_runs_back(rng):
 
 @family("singular", "closed form")
 def parameters_at_their_limits(rng):
-    """Masses of 1e-150 or 1e150, no damping, no gravity, a length that is infinite or so."""
+    """Masses of 1e-150 or 1e150, no damping, no gravity, an all but infinite length."""
     n, size = rng.values((0.3, 3.0), rng.choice((1e-150, 1e-30, 1e30, 1e150)))
     parameters = {"k": n * n * size, "m": size, "c": 0.0, "g": 0.0, "W": rng.choice((1e150, 1e300))}
 
@@ -213,11 +213,11 @@ def parameters_at_their_limits(rng):
 
 @family("kinked", "closed form")
 def spring_of_a_power(rng):
-    """A force as a power of the distance that is no whole number, to and fro through zero."""
+    """A force as a fractional power of the distance, for swings through zero."""
     power, x = rng.choice((0.5, 0.7, 1.5, 2.5, 0.8, 1.2)), rng.uniform(0.3, 2.0)
     a = lambda s, p, t: (-where(s.x > 0, 1, -1) * abs(s.x) ** p.n,)
 
-    def exact(mp, s, p, t):  # x**(n + 1) is 1 - u*u of the first, and the time an integral over u
+    def exact(mp, s, p, t):  # x**(n + 1) is 1 - u*u of its first value; time is an integral over u
         b, n = 1 / (p.n + 1), p.n + 1
         pace = s.x * b / mp.sqrt(2 * s.x**n * b)
         passed = lambda u: pace * mp.betainc(b, 0.5, 1 - u * u, 1)
@@ -254,7 +254,7 @@ def quotient_of_two_amounts(rng):
 
 @family("narrow", "stiff")
 def bow_on_a_string(rng):
-    """Friction that falls from its peak at a very small speed, over which the string goes."""
+    """Friction that peaks at a very small speed, which a string passes at each turn."""
     k, mu, vs, v = rng.values((1.0, 20.0), (0.05, 0.3), Log(1e-4, 1e-2), (0.5, 2.0))
     parameters = {"k": k, "mu": mu, "vs": vs, "d": rng.uniform(0.2, 1.0)}
 

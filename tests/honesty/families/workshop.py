@@ -12,7 +12,7 @@ from tests.honesty.cases import Case, Log, around, family
 
 
 def _time_to(speed, length, parts=4000):
-    """The time for a length at a speed that depends on the place (midpoint rule)."""
+    """The time for a length at a speed that depends on the position (midpoint rule)."""
     h = length / parts
     return sum(h / speed((k + 0.5) * h) for k in range(parts))
 
@@ -49,7 +49,7 @@ def ball_with_a_table_of_restitution(rng):
 
 @family("engineers", "narrow")
 def brake_at_the_foot_of_a_valley(rng):
-    """A truck rolls down a parabola by its place across, and passes a narrow brake on its way."""
+    """A truck rolls down a parabola, by its horizontal position, past a narrow brake."""
     g, k, h = rng.values((5.0, 10.0), (0.05, 0.4), (2.0, 8.0))
     w, c = rng.decades(1e-4, 1e-1), h * rng.uniform(0.2, 0.9)
     pace = lambda s: math.sqrt(g * k * (h * h - (h - s) ** 2) / (1 + (k * (h - s)) ** 2) + 1e-12)
@@ -73,7 +73,7 @@ def brake_at_the_foot_of_a_valley(rng):
 
 @family("engineers", "scales")
 def torsion_wire_after_many_turns(rng):
-    """A wire about an angle of thousands of turns; the drive goes by a clock that is a state."""
+    """A torsion wire at thousands of turns; its drive follows a clock that is a state."""
     w, q, turns = rng.values((0.5, 5.0), (0.2, 0.45), Log(1e2, 1e5))
     parameters = {"k": w * w, "f": w * w * rng.decades(1e-3, 1e-1), "q": w * q}
     parameters["a0"] = 2 * math.pi * round(turns)
@@ -98,7 +98,7 @@ def torsion_wire_after_many_turns(rng):
 
 @family("engineers", "near-singular")
 def marble_hardly_over_a_hump(rng):
-    """A marble comes from afar with hardly more, or less, energy than a hump of sech^2 is high."""
+    """A marble comes from afar with barely more, or less, energy than the top of a sech^2 hump."""
     V, w = rng.values((0.5, 5.0), (0.2, 3.0))
     E = V * (1 + rng.either(rng.decades(1e-6, 1e-1)))
     x0 = -w * rng.uniform(2.0, 5.0)
@@ -126,7 +126,7 @@ def marble_hardly_over_a_hump(rng):
 
 @family("engineers", "narrow")
 def trolley_over_a_smooth_step(rng):
-    """A step of the ground whose edge is rounded over a millimetre, on a way of metres."""
+    """A trolley on a path of metres over a step whose edge is rounded within 0.1 m or less."""
     w, E, L = rng.values(Log(1e-6, 1e-1), (1.0, 10.0), (1.0, 10.0))
     V = E * rng.choice((-1.0, 1.0)) * rng.uniform(0.1, 0.9)
     parameters = {"F": V / 2 / w, "w": w}
@@ -135,7 +135,7 @@ def trolley_over_a_smooth_step(rng):
         return s.v, -p.F * (1 - tanh(s.x / p.w) ** 2)
 
     def exact(mp, s, p, t):
-        """The time to a place is a sum of logarithms; the place by Newton's method."""
+        """The time to a position is a sum of logarithms; the position by Newton's method."""
         w, V = mp.mpf(p.w), 2 * mp.mpf(p.F) * p.w
         before = lambda x: 1 / (1 + mp.exp(2 * x / w))  # (1 - tanh)/2
         E = s.v**2 / 2 + V * (1 - before(s.x))
@@ -169,7 +169,7 @@ def trolley_over_a_smooth_step(rng):
 
 @family("engineers", "narrow")
 def ion_through_a_narrow_well(rng):
-    """A well of sech^2 on a long way, which puts the ion forward a little, and counts its passage."""
+    """An ion that a sech^2 well on a long path moves forward a little; its passage is counted."""
     w, E, L = rng.values(Log(1e-5, 1e-1), (0.5, 5.0), (1.0, 10.0))
     parameters = {"V": E * rng.uniform(0.5, 50.0), "w": w, "I": 1 / w}
 
@@ -193,7 +193,7 @@ def ion_through_a_narrow_well(rng):
 
 @family("engineers", "stiff")
 def stage_that_slips_and_sticks(rng):
-    """A stage on a piezo drive that goes forth slowly and back fast; friction by a steep tanh."""
+    """A stage on a piezo drive that goes slowly forward, fast back; friction by a steep tanh."""
     w, mu = rng.values((20.0, 200.0), (0.5, 3.0))
     parameters = {"w": w, "mu": mu, "V": mu / w * rng.uniform(0.3, 3.0), "c": rng.uniform(0.0, 1.0)}
     parameters["e"] = parameters["V"] * rng.decades(3e-2, 3e-1)
@@ -210,7 +210,7 @@ def stage_that_slips_and_sticks(rng):
 
 @family("engineers", "stiff", "forced")
 def gear_train_with_smooth_play(rng):
-    """Three wheels with play of their teeth, written smooth by tanh; the motor hums."""
+    """Three wheels with play between their teeth, smoothed by tanh; the motor hums."""
     b, K = rng.values(Log(1e-3, 3e-2), Log(1e2, 1e4))
     parameters = {"b": b, "K": K, "c": 0.02 * math.sqrt(K)}
     parameters |= rng.parameters(M=(0.5, 3.0), w=(1.0, 20.0), J=(0.3, 3.0), r=(0.05, 0.5))
@@ -228,7 +228,7 @@ def gear_train_with_smooth_play(rng):
 
 @family("engineers", "tables", "events")
 def rocket_by_its_thrust_table(rng):
-    """A thrust as measured, a mass that burns with it, and a stage that is dropped by the clock."""
+    """A rocket: a measured thrust, a mass that burns with it, and a stage dropped at a set time."""
     times = [0.0, 0.1, 0.6, *sorted(rng.uniform(0.8, 3.0) for _ in range(3)), 3.4, 3.5]
     thrust = [0.0, *(rng.uniform(20.0, 60.0) for _ in range(6)), 0.0]
     push = table(times, thrust, "linear", "hold")
@@ -282,7 +282,7 @@ def fast_top_that_nutates(rng):
 
 @family("engineers", "events")
 def pendulum_on_a_peg(rng):
-    """The string catches a peg below its end, and is free again as it swings back."""
+    """A pendulum whose string catches on a peg, and is free again as it swings back."""
     g, L = rng.values((2.0, 10.0), (0.5, 3.0))
     parameters = {"g": g, "a": rng.uniform(-0.3, 0.3), "sum": L * (1 + rng.uniform(0.2, 0.8))}
     model = Model("peg", parameters, ("theta", "w", "L"),
@@ -301,7 +301,7 @@ def pendulum_on_a_peg(rng):
 
 @family("engineers", "narrow", "smooth")
 def car_through_a_cloud_of_dust(rng):
-    """A place in the plane by a Lorentzian of the distance, on a curve that a steering law gives."""
+    """A cloud, by a Lorentzian of the distance from its centre, on a car's curved path."""
     v, R, w = rng.values((5.0, 20.0), (20.0, 100.0), Log(1e-3, 1.0))
     angle, off = rng.uniform(0.3, 2.0), w * rng.uniform(-1.0, 1.0)
     # on a circle about (0, R) from the origin
@@ -326,7 +326,7 @@ def needle_over_a_ferrite(rng):
     parameters = {"k": k, "w": w, "a": at, "M": k * X * rng.uniform(0.02, 0.3), "c": 0.1}
 
     def accelerations(s, p, t):
-        # a couple that changes its sign at the mark, within w
+        # a moment that changes its sign at the mark, within w
         return (-p.k * s.x - p.M * atan((s.x - p.a) / p.w) - p.c * s.dx,)
 
     model = second_order("needle", parameters, ("x",), accelerations)

@@ -36,7 +36,7 @@ def fermi_pasta_ulam(rng):
 
 @held_out("smooth")
 def toda_ring(rng):
-    """A ring of six masses with exponential springs."""
+    """Toda's ring of six masses with exponential springs."""
     n = 6
 
     def accelerations(s, p, t):
@@ -96,7 +96,7 @@ def almost_rigid_link(rng):
 
 @held_out("stiff")
 def heated_rod(rng):
-    """Ten slices of a rod whose end is heated to and fro."""
+    """Ten slices of a rod whose end is heated and cooled in turn."""
     n = 10
 
     def rates(s, p, t):
@@ -177,7 +177,7 @@ def small_cluster(rng):
 
 @held_out("smooth")
 def lattice_of_nine(rng):
-    """Three by three places, a restoring force of the third power; at first one is not zero."""
+    """A lattice of three by three sites with a cubic restoring force, one displaced at first."""
     n = 3
 
     def accelerations(s, p, cube):
@@ -195,7 +195,7 @@ def lattice_of_nine(rng):
     start = [0.0] * (2 * n * n)
     start[rng.randrange(n * n)] = rng.uniform(0.5, 1.5)
     T, written = rng.uniform(2.0, 8.0), by(lambda x: x * x * x)
-    # series of heyoka have no power of zero
+    # heyoka's series have no power of zero
     return Case(by(lambda x: x**3), T, tuple(start), written_out=written)
 
 

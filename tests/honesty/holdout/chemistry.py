@@ -8,7 +8,7 @@ from tests.honesty.cases import Branches, Case, Log, held_out
 
 @held_out("stiff")
 def oregonator(rng):
-    """The reaction of Belousov and Zhabotinsky, a part of its period."""
+    """The reaction of Belousov and Zhabotinsky, over a part of its period."""
 
     def rates(x, p, t):
         a = p.s * (x.b + x.a * (1 - p.q * x.a - x.b))
@@ -21,7 +21,7 @@ def oregonator(rng):
 
 @held_out("smooth")
 def brusselator(rng):
-    """Below and above the onset of its oscillation."""
+    """The Brusselator below and above the onset of its oscillation."""
 
     def rates(s, p, t):
         return p.A + s.x * s.x * s.y - (p.B + 1) * s.x, p.B * s.x - s.x * s.x * s.y
@@ -41,7 +41,7 @@ def flame(rng):
 
 @held_out("tiny", "closed form")
 def decay_to_nothing(rng):
-    """Decay over up to three hundred decades, with a model that knows it."""
+    """Decay over up to three hundred decades, with a model that brings its solution."""
     k = rng.decades(1e-6, 1e6)
     rates = lambda s, p, t: (-p.k * s.x, 0 * s.total)
     solution = lambda s, p, t: (s.x * exp(-p.k * t), s.total)
@@ -95,7 +95,7 @@ def enzyme_in_moles(rng):
 
 @held_out("tiny", "law")
 def epidemic(rng):
-    """From one in a hundred million to the peak; the contacts are a law of the season."""
+    """An epidemic from a share of 1e-8 to 1e-4 ill; its contact rate is a law of the season."""
     numbers = rng.parameters(
         b0=(0.3, 0.8), a=(0.0, 0.3), n=0.0172, sig=0.2, gam=(0.1, 0.2), one=1.0
     )
@@ -136,7 +136,7 @@ def nerve(rng):
 
 @held_out("multi-scale")
 def foxes_nearly_extinct(rng):
-    """Lotka and Volterra far from their equilibrium: foxes come down to a billionth."""
+    """Lotka and Volterra far from their equilibrium: the foxes fall to a billionth."""
     parameters = rng.parameters(a=(0.5, 2.0), b=1.0, c=1.0, d=(0.5, 1.5))
     rates = lambda s, p, t: (p.a * s.x - p.b * s.x * s.y, p.c * s.x * s.y - p.d * s.y)
     T, *start = rng.values((3.0, 30.0), (5.0, 15.0), Log(1e-6, 1.0))

@@ -11,7 +11,7 @@ from tests.honesty.models import brought
 
 @held_out("kinked", "sticking")
 def skidding_then_rolling(rng):
-    """A bowling ball that skids until it rolls; only its two speeds, which are constant then."""
+    """A bowling ball that skids until it rolls; its two speeds alone, constant from then on."""
 
     def rates(s, p, t):
         slip = s.v - p.R * s.w
@@ -32,7 +32,7 @@ def skidding_then_rolling(rng):
 
 @held_out("kinked")
 def up_and_down_a_rough_plank(rng):
-    """A block kicked up a slope that is too steep for it to stay."""
+    """A block kicked up a slope too steep for it to stay at rest."""
 
     def rates(s, p, t):
         a = p.deg * (math.pi / 180)
@@ -165,7 +165,7 @@ def model_rocket(rng):
 
 @held_out("events", "tiny")
 def rope_off_a_table(rng):
-    """A rope of which first a billionth, or a tenth, hangs over the edge, until all of it does."""
+    """A rope slips off a table: a billionth to a tenth of it hangs at first, then all of it."""
     n = math.sqrt(9.81 / rng.uniform(0.5, 3.0))
     hangs = rng.decades(1e-9, 0.1)
     T = math.acosh(1 / hangs) / n * rng.uniform(0.7, 1.3)
@@ -184,7 +184,7 @@ def rope_off_a_table(rng):
 
 @held_out("near-singular")
 def gimbal_in_degrees(rng):
-    """Yaw, pitch and roll in degrees of a body that turns steadily, past a pitch near 90."""
+    """Yaw, pitch and roll, in degrees, of a body that turns steadily past a pitch near 90."""
     parameters = rng.parameters(wx=(-20.0, 20.0), wy=(10.0, 30.0), wz=Log(0.02, 5.0))
     parameters["rad"] = math.pi / 180
 
@@ -216,7 +216,7 @@ def swinging_atwood(rng):
 
 @held_out("near-singular")
 def bead_on_a_cycloid(rng):
-    """Huygens' pendulum by its slope, asin(s/4a), from next to the cusp, where asin has its end."""
+    """Huygens' pendulum by its slope, asin(s/4a), from next to the cusp, where asin ends."""
     a, T, near = rng.values(Log(0.05, 5.0), (3.0, 40.0), Log(1e-9, 1e-2))
     rates = lambda s, p, t: (s.v, -p.g * sin(asin(s.s / p.a4)))
 
@@ -243,7 +243,7 @@ def dog_and_rabbit(rng):
 
 @held_out("near-singular")
 def angle_by_arccosine(rng):
-    """A door by cosine and sine of its angle; its spring takes acos, nearly of one at the turn."""
+    """A door by the cosine and sine of its angle; its spring takes acos, near 1 where it turns."""
     k, th, M, T = rng.values((1.0, 10.0), Log(1e-2, 0.3), (0.4, 1.0), (2.0, 25.0))
     rates = lambda s, p, t: (-s.s * s.w, s.c * s.w, p.M - p.k * acos(s.c))
     model = Model("door", {"k": k, "M": k * M}, ("c", "s", "w"), rates)
@@ -268,7 +268,7 @@ def gyro_with_damping(rng):
 
 @held_out("mechanics", "closed form")
 def fall_with_a_terminal_speed(rng):
-    """Quadratic drag with the formula of the book, whose cosh overflows in a long fall."""
+    """A fall with quadratic drag by the book's formula, whose cosh overflows in a long fall."""
 
     def solution(m, s, p, t):
         vt = m.sqrt(p.g / p.c)

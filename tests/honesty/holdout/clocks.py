@@ -1,4 +1,4 @@
-"""Late beginnings, long times, and closed forms that lose digits."""
+"""Late starts, long times, and closed forms that lose digits."""
 
 import math
 
@@ -11,7 +11,7 @@ from tests.honesty.models import brought
 
 @held_out("forced", "late")
 def tide_by_the_clock_of_unix(rng):
-    """A basin driven by three tides, from some instant of this century on, in Unix seconds."""
+    """A basin driven by three tides, from some instant of this century, in Unix seconds."""
     begin = float(rng.randrange(1_600_000_000, 1_800_000_000))
     parameters = {"k": rng.decades(1e-9, 1e-7), "c": 1e-5, "M2": 1.405189e-4, "S2": 1.454441e-4}
     parameters |= {"O1": 6.759774e-5, "F": 1e-8}
@@ -27,7 +27,7 @@ def tide_by_the_clock_of_unix(rng):
 
 @held_out("forced", "late")
 def seasons_by_julian_dates(rng):
-    """The temperature of a soil, its clock in seconds of Julian dates."""
+    """The temperature of soil, by a clock of Julian dates in seconds."""
     begin = 86400.0 * (2451545 + rng.randrange(0, 9000))
     parameters = rng.parameters(tau=Log(1e5, 1e7), n=1.99e-7, day=7.27e-5, A=10.0)
 
@@ -41,7 +41,7 @@ def seasons_by_julian_dates(rng):
 
 @held_out("closed form", "near-singular")
 def nearly_critical_damping(rng):
-    """A closed form that divides by the small root of a difference; the model brings it."""
+    """Nearly critical damping, by a closed form that divides by the small root of a difference."""
     w = rng.decades(0.1, 10.0)
     parameters = {"w": w, "c": w * (1 - rng.decades(1e-14, 1e-1))}
 
@@ -59,7 +59,7 @@ def nearly_critical_damping(rng):
 
 @held_out("closed form", "tiny")
 def shot_with_hardly_any_drag(rng):
-    """(1 - exp(-c t))/c for a drag of 1e-12 to 1, as it stands in the book."""
+    """A shot with a drag of 1e-12 to 1, by (1 - exp(-c t))/c as it stands in the book."""
 
     def solution(m, s, p, t):
         e = m.exp(-p.c * t)
@@ -75,7 +75,7 @@ def shot_with_hardly_any_drag(rng):
 
 @held_out("closed form", "forced")
 def beat_by_a_difference(rng):
-    """Driven next to its own frequency, by (cos q t - cos w t)/(w^2 - q^2)."""
+    """A spring driven next to its own frequency, by (cos q t - cos w t)/(w^2 - q^2)."""
     w = rng.decades(0.3, 10.0)
     parameters = {"w": w, "q": w * (1 + rng.either(rng.decades(1e-11, 1e-2))), "F": 1.0}
 
@@ -119,7 +119,7 @@ def relativistic_rocket(rng):
     parameters = rng.parameters(a=Log(0.01, 100.0), c=299792458.0)
 
     def solution(m, s, p, t):
-        # q is the momentum over the mass, from which the ship starts
+        # q is momentum over mass, with which the ship starts
         q = s.q + p.a * t
         g, g0 = m.sqrt(1 + (q / p.c) ** 2), m.sqrt(1 + (s.q / p.c) ** 2)
         return s.x + p.c * p.c / p.a * (g - g0), q
@@ -171,7 +171,7 @@ def symmetric_body_for_long(rng):
 
 @held_out("long")
 def planet_beyond_newton(rng):
-    """An orbit whose perihelion moves, by a term 1/r^3 in the attraction, five to fifteen times."""
+    """An orbit whose perihelion moves, by a term 1/r^3 in the attraction: 5 to 15 turns."""
 
     def accelerations(s, p, t):
         r2 = s.x * s.x + s.y * s.y
@@ -187,7 +187,7 @@ def planet_beyond_newton(rng):
 
 @held_out("long", "forced")
 def ponderomotive_trap(rng):
-    """An ion in Paul's trap in SI units for some tens of turns of the field: Mathieu's equation."""
+    """An ion in Paul's trap, in SI units, for some tens of field periods: Mathieu's equation."""
     f = rng.decades(1e5, 1e7)
     parameters = {"W": 2 * math.pi * f, **rng.parameters(q=(0.05, 0.7), a=(-0.02, 0.05))}
     a = lambda s, p, t: (-p.W * p.W / 4 * (p.a - 2 * p.q * cos(p.W * t)) * s.x,)
@@ -211,7 +211,7 @@ def carrier_with_a_message(rng):
 
 @held_out("long", "chaotic")
 def ellipse_by_its_closed_form_at_99(rng):
-    """Eccentricity 0.98 to 0.995, up to five revolutions, from the far end."""
+    """An orbit of eccentricity 0.98 to 0.995, up to five revolutions, from its far end."""
     e, T = rng.values((0.98, 0.995), (0.6, 5.0))
 
     def accelerations(s, p, t):

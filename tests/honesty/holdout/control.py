@@ -20,7 +20,7 @@ def escapement(rng):
 
 @held_out("kinked")
 def relay_round_three_lags(rng):
-    """A relay on the output of three lags: it swings for ever, and crosses its switch cleanly."""
+    """A relay on the output of three lags: it oscillates for ever, crossing its switch cleanly."""
     a, U = rng.values(Log(0.3, 10.0), Log(1e-2, 1e2))
 
     def lags(s, p, u):
@@ -51,7 +51,7 @@ def thermostat(rng):
 
 @held_out("kinked")
 def pid_with_a_limit(rng):
-    """A PID whose output saturates and whose integrator stops meanwhile, by nested where."""
+    """A PID whose output saturates and whose integrator stops in the meantime, by nested where."""
     parameters = rng.parameters(kp=(2.0, 8.0), ki=(0.5, 3.0), kd=(0.5, 2.0))
     parameters |= rng.parameters(U=(0.8, 2.0), goal=(0.5, 4.0), c=0.2)
     asked = lambda s, p: p.kp * (p.goal - s.x) + p.ki * s.i - p.kd * s.v

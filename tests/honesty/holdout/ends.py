@@ -14,14 +14,14 @@ def _root(rng):
 
 @held_out("singular", "no answer")
 def beyond_a_root(rng):
-    """y' = -1/y beyond the instant at which y is zero."""
+    """y' = -k/y beyond the instant at which y is zero."""
     model, y, end = _root(rng)
     return Case(model, end * rng.choice((1.0001, 1.2, 5.0)), (y,), singular_at=end)
 
 
 @held_out("near-singular")
 def up_to_a_root(rng):
-    """The same, until shortly before."""
+    """y' = -k/y until shortly before y is zero."""
     model, y, end = _root(rng)
     exact = lambda mp, s, p, t: (mp.sqrt(s.y * s.y - 2 * p.k * t),)
     return Case(model, end * (1 - rng.decades(1e-6, 0.5)), (y,), exact=exact)
@@ -88,14 +88,14 @@ def beyond_the_collapse_of_a_bubble(rng):
 
 @held_out("near-singular", "units")
 def collapsing_bubble(rng):
-    """The same, until shortly before."""
+    """Rayleigh's bubble in metres, until shortly before it collapses."""
     model, R, collapse = _bubble(rng)
     return Case(model, collapse * (1 - rng.decades(1e-5, 0.3)), (R, 0.0))
 
 
 @held_out("kinked", "sticking")
 def braking_by_a_root(rng):
-    """A sledge whose drag goes with the root of its speed, clamped by where at rest."""
+    """A sledge whose drag goes with the root of its speed, set to zero at rest by where."""
     c, v = rng.values(Log(0.1, 10.0), Log(0.5, 20.0))
     drag = lambda s, p: where(s.v > 0, -p.c * sqrt(where(s.v > 0, s.v, 0.0)), 0.0)
     rates = lambda s, p, t: (s.v, drag(s, p))
@@ -111,7 +111,7 @@ def braking_by_a_root(rng):
 
 @held_out("kinked", "sticking")
 def torricelli_with_a_clamp(rng):
-    """A tank that runs empty, and what ran out of it; the root is clamped by where."""
+    """A tank that runs empty, and what ran out of it; where keeps the root real."""
     k, h = rng.values(Log(1e-3, 1.0), Log(0.05, 5.0))
 
     def rates(s, p, t):

@@ -1,4 +1,4 @@
-"""Places of rest, stable and not, exact and nearly so; constants; growth from next to nothing."""
+"""Equilibria, stable and not, exact and nearly so; constants; growth from next to nothing."""
 
 import math
 
@@ -44,7 +44,7 @@ def constants_as_states(rng):
 
 @held_out("multi-scale", "units")
 def bond_beside_an_orbit(rng):
-    """A molecule in a comet: a bond of 1e-10 m and 1e-14 s, and an orbit of 1e11 m, in one model."""
+    """A molecule in a comet: a bond of 1e-10 m and 1e-14 s with an orbit of 1e11 m."""
     parameters = {"GM": 1.32712440018e20, "D": 7.4e-19}
     parameters |= rng.parameters(a=(1.5e10, 2.5e10), r=7.4e-11, m=Log(8e-28, 2e-26))
 
@@ -62,7 +62,7 @@ def bond_beside_an_orbit(rng):
 
 @held_out("multi-scale", "tiny")
 def ripple_on_a_train(rng):
-    """A swing of nanometres in a train 1000 km away, as one coordinate each and as their sum."""
+    """A swing of 1 nm or more in a train up to 1000 km away: two coordinates, and their sum."""
     rates = lambda s, p, t: (0 * s.V, s.V, s.w, -p.k * s.u, s.V + s.w)
     k, a, x, T, V = rng.values((1.0, 30.0), Log(1e-9, 1e-4), (1e5, 1e6), (5.0, 30.0), (10.0, 80.0))
     model = Model("train", {"k": k}, ("V", "X", "u", "w", "sum"), rates)
@@ -71,7 +71,7 @@ def ripple_on_a_train(rng):
 
 @held_out("forced", "closed form")
 def exact_resonance(rng):
-    """Driven at exactly its own frequency, from rest; the model knows the growing swing."""
+    """A spring driven at exactly its own frequency; the model brings its growing solution."""
 
     def solution(m, s, p, t):
         c, k = m.cos(p.w * t), m.sin(p.w * t)
@@ -88,7 +88,7 @@ def exact_resonance(rng):
 
 @held_out("equilibrium")
 def trojan(rng):
-    """At the fourth point of Lagrange of Earth and Moon, or where it is not stable."""
+    """A body at Lagrange's fourth point of Earth and Moon, or where that point is unstable."""
     mu = rng.choice((0.012150585, 0.1, 0.3))
 
     def accelerations(s, p, t):
@@ -105,7 +105,7 @@ def trojan(rng):
 
 @held_out("long", "equilibrium")
 def circle_in_polar_coordinates(rng):
-    """A circular orbit in polar coordinates: radius and its rate stay, the angle increases."""
+    """A circular orbit in polar coordinates: the radius and its rate stay, the angle increases."""
     h = 2.0 ** rng.randint(-3, 3)
     exact = lambda mp, s, p, t: (s.r, s.phi + p.h / (s.r * s.r) * t, s.dr)
 
@@ -118,7 +118,7 @@ def circle_in_polar_coordinates(rng):
 
 @held_out("tiny", "closed form")
 def onset_of_an_oscillation(rng):
-    """Hopf's normal form from 1e-8 up to its circle; the model knows the way."""
+    """Hopf's normal form from 1e-8 up to its circle; the model brings its solution."""
     parameters = rng.parameters(a=Log(0.1, 5.0), w=Log(0.3, 30.0))
 
     def rates(s, p, t):
@@ -139,7 +139,7 @@ def onset_of_an_oscillation(rng):
 
 @held_out("tiny")
 def buckling(rng):
-    """A strut over its load: it leaves the straight line from a millionth, or a billionth."""
+    """A strut above its buckling load leaves the straight line from 1e-10 to 1e-4."""
     parameters = rng.parameters(P=(0.5, 3.0), c=(0.1, 1.0))
     a = lambda s, p, t: (p.P * s.x - s.x * s.x * s.x - p.c * s.dx,)
     T, x = rng.values((10.0, 40.0), Log(1e-10, 1e-4))
@@ -162,7 +162,7 @@ def terminal_speed_from_the_start(rng):
 
 @held_out("tiny", "multi-scale")
 def slow_growth_beside_a_fast_swing(rng):
-    """An instability of 1e-12 a second beside a swing, which it affects in the end."""
+    """A growth from 1e-12 or more beside a swing, which it damps in the end."""
     rates = lambda s, p, t: (s.v, -p.w * p.w * s.x - p.q * s.y * s.v, p.s * s.y * (1 - s.y))
     parameters = rng.parameters(w=(3.0, 10.0), s=(0.3, 1.0), q=0.1)
     T, y = rng.values((10.0, 45.0), Log(1e-12, 1e-6))
@@ -171,7 +171,7 @@ def slow_growth_beside_a_fast_swing(rng):
 
 @held_out("tiny", "forced")
 def push_of_a_nanonewton(rng):
-    """A test mass of micrograms at rest, by a bump exp(-u^2) of nanonewtons, in SI units."""
+    """A mass of 1 µg or more at rest, pushed by a bump exp(-u^2) of up to 1 nN, in SI units."""
     T = rng.uniform(10.0, 60.0)
     parameters = rng.parameters(m=Log(1e-9, 1e-6), k=Log(1e-9, 1e-6), F=Log(1e-12, 1e-9))
     parameters |= {"a": T * rng.uniform(0.3, 0.6), "w": T * rng.uniform(0.03, 0.1)}

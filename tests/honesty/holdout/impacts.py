@@ -1,4 +1,4 @@
-"""Events of many kinds: impacts, resets, turning points, tables that move, walls that are round."""
+"""Events of many kinds: impacts, resets, turning points, moving tables, round walls."""
 
 import math
 
@@ -81,7 +81,7 @@ def ball_on_a_shaking_table(rng):
 
 @held_out("events", "kinked")
 def turning_points(rng):
-    """The crossings of a swing with drag v |v|, and of a level of its energy."""
+    """A swing with drag v |v|: when it passes the middle, and one level of its energy."""
     parameters = rng.parameters(k=(1.0, 30.0), c=(0.02, 0.5))
     a = lambda s, p, t: (-p.k * sin(s.x) - p.c * abs(s.dx) * s.dx,)
     pieces = lambda s, p, t, b: (s.dx, -p.k * sin(s.x) - p.c * b[0] * s.dx * s.dx)
@@ -96,7 +96,7 @@ def turning_points(rng):
 
 @held_out("events")
 def pairs_of_passages(rng):
-    """A planet's probe that dips below a height, for a moment or not at all: zeros in pairs."""
+    """A probe that dips below a height over a planet, briefly or not at all: zeros in pairs."""
     e, gap = rng.values((0.1, 0.6), Log(1e-6, 1e-2))
     sign = rng.choice((1, 1, -1))
 

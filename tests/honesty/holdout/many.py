@@ -18,7 +18,7 @@ def _drawn(rng, n, within):
 
 @held_out("batch", "stiff")
 def many_dampers(rng):
-    """Springs from soft to stiff, hardly damped to almost critically."""
+    """Springs from soft to stiff, barely damped to almost critically."""
     n = rng.choice(COUNTS)
     w = _drawn(rng, n, Log(0.1, 1e2))
     c = w * _drawn(rng, n, Log(1e-4, 0.99))
@@ -48,7 +48,7 @@ def many_tanks(rng):
 
 @held_out("batch", "separatrix")
 def pendulums_of_all_kinds(rng):
-    """At rest, swinging a little, next to the upright, turning: one batch."""
+    """Pendulums at rest, swinging a little, next to upright and turning, in one batch."""
     n = rng.choice(COUNTS)
     kinds = [rng.randrange(4) for _ in range(n)]
     kinds[:2] = 0, 2
@@ -61,7 +61,7 @@ def pendulums_of_all_kinds(rng):
 
 @held_out("batch", "kinked")
 def many_springs_with_a_stop(rng):
-    """Masses between stops of which some are never reached, some all the time, soft and hard."""
+    """Masses with a stop each, soft or hard, some never reached, some all the time."""
     n = rng.choice(COUNTS)
     parameters = {"gap": _drawn(rng, n, Log(0.05, 5.0)), "k": _drawn(rng, n, Log(1.0, 1e4))}
     a = lambda s, p, t: (cos(t) - s.x - p.k * where(s.x > p.gap, s.x - p.gap, 0.0),)

@@ -36,7 +36,7 @@ def _by_cubes(s, p, t):
 
 @held_out("units", "late")
 def comet_by_julian_dates(rng):
-    """An ellipse of eccentricity up to 0.99 about the Sun, its clock at Julian dates in seconds."""
+    """An ellipse of eccentricity up to 0.99 about the Sun, timed by Julian dates in seconds."""
     begin, e, a = 2451545.0 * DAY, rng.uniform(0.2, 0.99), rng.decades(0.3, 30.0) * AU
 
     def exact(mp, s, p, t):
@@ -50,7 +50,7 @@ def comet_by_julian_dates(rng):
 
 @held_out("chaotic")
 def tumbling_moon(rng):
-    """Hyperion: the attitude of a moon of odd shape, on its ellipse."""
+    """Hyperion: the attitude of an irregular moon on its ellipse."""
     e, shape = rng.values((0.0, 0.3), (0.05, 0.9))
 
     def rates(s, p, t):
@@ -99,11 +99,11 @@ def _rocket(rng):
 
 @held_out("near-singular")
 def rocket_to_its_last_gram(rng):
-    """Constant thrust until hardly any mass is left."""
+    """A rocket with constant thrust until barely any mass is left."""
 
     def exact(mp, s, p, t):
         m = s.m - p.q * t
-        # of u log(m0/m), once more integrated
+        # the integral of u log(m0/m)
         climbed = p.u * (t - m / p.q * mp.log(s.m / m))
         return s.h + climbed - p.g * t * t / 2, p.u * mp.log(s.m / m) - p.g * t, m
 
@@ -114,7 +114,7 @@ def rocket_to_its_last_gram(rng):
 
 @held_out("singular", "no answer")
 def rocket_beyond_its_last_gram(rng):
-    """The same for longer than there is mass."""
+    """A rocket with constant thrust for longer than its mass lasts."""
     model, q = _rocket(rng)
     end = rng.uniform(20.0, 200.0)
     return Case(model, end * rng.choice((1.01, 1.5, 4.0)), (0.0, 0.0, q * end), singular_at=end)
@@ -304,7 +304,7 @@ def apsides_and_nodes(rng):
 
 @held_out("events", "late")
 def eclipses_by_the_clock_of_the_mission(rng):
-    """When a satellite enters and leaves the shadow of the Earth, from 1e5 to 1e7 s on."""
+    """When a satellite enters and leaves the Earth's shadow, from a clock time of 1e5 to 1e7 s."""
     begin, r = float(round(rng.decades(1e5, 1e7))), rng.uniform(7e6, 2e7)
     v = math.sqrt(GM_EARTH / r)
     t_end = begin + round(2 * math.pi * r / v * rng.uniform(0.8, 2.5))

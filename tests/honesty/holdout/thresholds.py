@@ -10,7 +10,7 @@ from tests.honesty.cases import Branches, Case, Log, held_out
 
 @held_out("kinked")
 def seat_belt(rng):
-    """A passenger in a car that brakes slides until the belt is taut, which gives way at a limit."""
+    """A passenger slides in a braking car until the belt is taut; the belt yields at a limit."""
     parameters = rng.parameters(a=(30.0, 200.0), slack=(0.02, 0.1), k=(1e3, 5e3), F=(40.0, 300.0))
     parameters["c"] = rng.uniform(0.5, 5.0)
 
@@ -88,7 +88,7 @@ def ball_on_an_elastic_hill(rng):
 
 
 class _Line:
-    """A table that is linear between its places, and its pieces by signs at the inner ones."""
+    """A table that is linear between its points, and its pieces by signs at the inner ones."""
 
     def __init__(self, places, values):
         self.read, self.places, self.value = table(places, values), places, values[0]
@@ -122,7 +122,7 @@ def turbine_in_a_gust(rng):
 
 @held_out("kinked", "long")
 def satellite_through_a_shadow(rng):
-    """The light presses on it except where the planet stands before the sun, revolution after
+    """A satellite pressed by light except where the planet hides the sun, revolution after
     revolution.
     """
     parameters = {"mu": 1.0, "R": rng.uniform(0.5, 0.9), "A": rng.decades(1e-4, 1e-2)}
@@ -165,7 +165,7 @@ def car_with_three_gears(rng):
 
 @held_out("kinked", "long")
 def pendulum_clock(rng):
-    """A pendulum with damping is pushed in passing near the middle, for many swings."""
+    """A pendulum with damping is pushed as it passes near the middle, for many swings."""
     n = rng.uniform(2.0, 8.0)
     parameters = {"k": n * n, "c": rng.uniform(0.01, 0.1) * n, "d": rng.uniform(0.02, 0.2)}
     parameters["F"] = n * n * rng.uniform(0.01, 0.1)

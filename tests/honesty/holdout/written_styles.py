@@ -59,7 +59,7 @@ def gears(rng):
 
 @held_out("kinked")
 def drag_with_a_crisis(rng):
-    """A sphere whose drag stops growing above some speed, by the smaller of two."""
+    """A sphere whose drag stops growing above some speed, by the smaller of two values."""
 
     def rates(s, p, t):
         drag = where(p.c * s.v * s.v < p.most, p.c * s.v * s.v, p.most) * _sign(s.v)
@@ -78,7 +78,7 @@ def drag_with_a_crisis(rng):
 
 @held_out("stiff")
 def friction_with_a_small_speed(rng):
-    """Coulomb's friction as v / sqrt(v^2 + e^2) under a spring: swings, then creeping."""
+    """Coulomb's friction as v / sqrt(v^2 + e^2), on a spring: swings, then creep."""
     k, mu, e, T, x = rng.values((1.0, 20.0), (0.05, 0.5), Log(1e-4, 1e-1), (0.5, 3.0), (1.0, 5.0))
     a = lambda s, p, t: (-p.k * s.x - p.mu * s.dx / sqrt(s.dx * s.dx + p.e * p.e),)
     model = second_order("regularised friction", {"k": k, "mu": mu, "e": e}, ("x",), a)
@@ -215,7 +215,7 @@ def backlash_by_abs(rng):
 
 @held_out("kinked", "forced")
 def pulses_by_where(rng):
-    """At rest, then two short rectangular pushes, then free: jumps while all is zero."""
+    """A mass at rest, then two short rectangular pushes, then free: jumps while all is zero."""
     T = rng.uniform(10.0, 40.0)
     parameters = rng.parameters(k=(0.5, 5.0), c=(0.0, 0.2), F=(0.5, 5.0))
     drawn = rng.parameters(t1=(0.1, 0.3), t2=(0.45, 0.7), w=Log(0.015, 0.1))
