@@ -28,10 +28,10 @@ def solve(g):
 
 
 def steps(g):
-    ground, arm, P = arm_and_pin(g, turning(g)[1])
+    r = turning(g)[1]
+    ground, arm, P = arm_and_pin(g, r)
     yield "omega_arm", arm.angular_velocity(ground).expressed_in(arm)
     yield "r_P", P.position(arm)
-    r = turning(g)[1]
     yield "r_dot", r.rate
     yield "r_ddot", r.acceleration
     right = motion(ground, arm, P)

@@ -132,6 +132,5 @@ def test_an_impact_of_the_reference_is_the_one_that_the_engine_sees(name):
     then = next(e.then for e in case.events if e.then)
     start = [0.3 + x for x in case.start]
     after = then(names(case.model.states, start), p, 0.7)[1]
-    at_event = [x if y else 0.0 for x, y in zip(start, after, strict=True)]
-    s = names(case.model.states, at_event)
+    s = names(case.model.states, [x if y else 0.0 for x, y in zip(start, after, strict=True)])
     assert list(then(s, p, 0.7)[1]) == pytest.approx(list(case.impact(s, p, 0.7)), rel=1e-12)

@@ -5,7 +5,6 @@ is killed; what is not fit is refused, and nothing is left running.
 import contextlib
 import os
 import pickle
-import re
 import signal
 import socket
 import subprocess
@@ -209,11 +208,8 @@ def test_a_worker_that_sees_another_course_is_refused(fresh, two_workers, monkey
 def raising(grade, _):
     """A worker's ``_grade`` where each submission raises an error that names it."""
 
-    def of_one(run, student, harvester):
-        raise OSError(f"submitted/{student} cannot be read")
-
     def raise_there(shared, n):
-        with mock.patch("grader.grading.cluster.Run.grade", of_one):
+        with mock.patch.object(grading.Run, "grade", lambda run, who, _: open(f"submitted/{who}")):
             return grade(shared, n)
 
     return raise_there
@@ -225,7 +221,7 @@ def lying(_, file):
 
 
 @pytest.mark.parametrize(
-    ("worker", "problem"), [(raising, r"OSError: submitted/ada cannot"), (lying, "FileNotFoundErr")]
+    ("worker", "problem"), [(raising, "submitted/ada"), (lying, "FileNotFoundErr")]
 )
 def test_a_worker_that_fails_sends_no_text_and_names_no_file(
     fresh, wired, monkeypatch, tmp_path, worker, problem
@@ -235,7 +231,7 @@ def test_a_worker_that_fails_sends_no_text_and_names_no_file(
     monkeypatch.setattr(grading, "_grade", worker(grading._grade, other))
     results = grade(fresh, "ch04", scheduler=wired.address, force=True)
     assert all("its worker failed" in r.problem for r in results)
-    assert re.search(problem, results[0].problem)
+    assert problem in results[0].problem
     assert not [r.student for r in results if f"submitted/{r.student}".encode() in wired.seen]
     assert other.exists()
 

@@ -321,12 +321,14 @@ def test_constants_of_30_digits_keep_them_on_mpmath_and_are_rounded_on_floats():
     assert 0.9e-28 < g(mpmath.mpf(1)) < 1.1e-28
 
 
-def test_symbols_may_be_constants_of_a_formula():
+def test_symbols_may_be_constants_of_a_formula_and_arrays_may_not():
     k = sympy.Symbol("k")
     f = compiled(lambda x: x * k + sympy.Rational(1, 3))
     x = sympy.Symbol("x")
     assert f(x) == x * k + sympy.Rational(1, 3)
     assert f(2.0).subs(k, 3) == pytest.approx(6 + 1 / 3)
+    with pytest.raises(ScalarError, match="pass it as an argument"):
+        compiled(lambda x, m: m * x, m=np.array([1.0, 2.0]))
 
 
 def test_positive_and_negative_zero_are_two_constants():
@@ -455,7 +457,7 @@ def test_pi_of_math_and_numpy_in_a_formula_is_a_number():
         (lambda x: x * np.array([1.0, 2.0]), ScalarError, "pass it as an argument"),
         (lambda x: compiled(lambda y: x * y)(2.0), ScalarError,
          "a value of another formula is used here"),
-        (lambda *x: x[0], TypeError, "names all its arguments"),
+        *((f, TypeError, "names all its arguments") for f in (lambda *x: x[0], lambda **x: 1.0)),
     ],
 )  # fmt: skip
 def test_what_cannot_be_compiled_is_refused_while_tracing(f, error, message):

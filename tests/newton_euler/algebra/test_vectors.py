@@ -105,6 +105,8 @@ def test_equal_vectors_are_equal_and_others_are_not():
     assert a != ground.vector(1.0, 2.0, 2.001).expressed_in(turned)
     assert a != elsewhere.vector(1.0, 2.0, 2.0)
     assert (a == 3.0, a == (1.0, 2.0, 2.0)) == (False, False)
+    many, alike, other = (ground.vector(np.array([1.0, x]), 0, 0) for x in (2.0, 2.0, 3.0))
+    assert (many == alike, many == other) == (True, False)
     x, angle = sympy.symbols("x angle")
     symbolic = ground.vector(x, 0, 0)
     assert symbolic == symbolic.expressed_in(ground.rotate("by angle", "z", angle=angle))
@@ -122,7 +124,7 @@ def test_a_vector_is_indexed_measured_and_converted_like_a_sequence_of_three():
         a[3]
 
 
-def test_same_compares_relative_to_the_larger():
+def test_alikecompares_relative_to_the_larger():
     a = ground.vector(1e6, 0, 0)
     assert same(a, a + ground.vector(0, 1e-7, 0))
     assert not same(a, a + ground.vector(0, 1e-3, 0))
