@@ -173,6 +173,16 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     return Formulas(answers, p.units, p.system, stages, where, means, solved, symbols, given)
 
 
+@cache
+def sizes_of(problem_id: str) -> Mapping[str, str]:
+    """{answer: the step of which it is the size}, where this is a vector with named terms."""
+    found = traced_quantities(find_problem(problem_id))
+    terms = [s for s in found.steps if s.is_vector and s.value.terms]
+    sizes = {x.number: s.key for s in terms if isinstance(x := s.value.norm(), Step)}
+    parts = found.components.items()
+    return {k: sizes[x.number] for k, (x, *_) in parts if getattr(x, "number", -1) in sizes}
+
+
 def _with_zeros(parts):
     """The components of a vector, its zeros as steps, so that a slip can be made in them."""
     trace = next((x.trace for x in parts if isinstance(x, Step)), None) if len(parts) == 3 else None

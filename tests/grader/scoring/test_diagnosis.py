@@ -14,7 +14,7 @@ from grader.scoring.numbers import Numbers
 from newton_euler.algebra.ledger import equation
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import tolerance
-from tests.grader.scoring.answered import CH04, texts, trees
+from tests.grader.scoring.answered import CH04, judged, texts, trees
 
 DATA = ("book", "variant")
 
@@ -34,7 +34,7 @@ def listed(p, given):
 
 
 def part_of(p, given, key, tree):
-    return {x.key: x for x in score_receipt(p, given, {"answers": {key: tree}}).parts}[key]
+    return judged(p, {key: tree}, given)[key]
 
 
 def numbers_of(p, given):
@@ -203,7 +203,7 @@ def test_a_cause_that_the_right_parts_contradict_is_named_in_this_part(number, k
     given = values(p, "variant")
     right = trees(p, p.solve(given))
     turned = {**right, key: [-x for x in right[key]]}
-    parts = {x.key: x for x in score_receipt(p, given, {"answers": turned}).parts}
+    parts = judged(p, turned, given)
     other = {"4/16": "beta_the_other_way", "4/28": "panels_the_other_way"}[number]
     assert "sign" in texts(parts[key])[0]
     assert texts(parts[key])[1:] == [f"in this part {p.mistakes[other]}"]
@@ -222,8 +222,7 @@ def test_a_slip_in_one_part_is_named_where_the_others_are_right(key, change, wor
     given = values(p, "variant")
     right = p.solve(given)
     answers = {**trees(p, right), key: [float(x) for x in change(right[key])]}
-    parts = {x.key: x for x in score_receipt(p, given, {"answers": answers}).parts}
-    assert words in parts[key].diagnosis
+    assert words in judged(p, answers, given)[key].diagnosis
 
 
 def test_a_times_n_alone_in_4_1_is_no_unit_slip_alone():
@@ -234,3 +233,23 @@ def test_a_times_n_alone_in_4_1_is_no_unit_slip_alone():
         told_of = texts(part_of(p, given, "speed", given["a"] * given["n"]))
         assert p.mistakes["circular_only"] in told_of
         assert not [t for t in told_of if t.startswith("uses n")]
+
+
+LOOP = {"d": 36.0, "h": 70.0, "W": 150.0, "h_E": 33.0, "g": 32.2}
+LESS = {"N_B": 150 * (1 + 140 / 36), "N_D": 150 * (68 / 36 - 1)}  # v^2 = g h
+TWICE = ["/", ["*", "R", ["+", "omega_2", ["*", -1, "omega_1"]]], "r"]
+
+
+@pytest.mark.parametrize(("number", "given", "answers", "words"), [
+    ("4/4", {}, {"acc_mag": 0.80654}, "without the factor 2; or one that leaves out omega x"),
+    ("11/9", LOOP, LESS, "uses the diameter d for the radius"),
+    ("11/9", LOOP, LESS | {"rho_E": 37.0}, "leaves out the factor 2 in several places, as in 2*h*g"),
+    ("3/11", {}, {"flexure": 0.4 * math.sin(30)}, "uses angle in deg without converting it: the"),
+    ("2/23", {}, {"r_dot": -4.5, "theta_dot": 1.5}, "answers theta_dot here: the two parts"),
+    ("4/10", {}, {"omega_A": TWICE}, "is 2 times too large (a factor of 2): look"),
+    ("9/9", {}, {"beta_ring": math.pi / 2}, None),  # and not without g
+])  # fmt: skip
+def test_the_simplest_cause_that_explains_the_sheet_is_named(number, given, answers, words):
+    p = problem(number)
+    said = judged(p, answers, p.book_values | given)[next(iter(answers))].diagnosis
+    assert words in said if words else said is None
