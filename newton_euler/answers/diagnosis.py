@@ -168,10 +168,17 @@ def _says_little(cause, kind):
 
 
 def _is_bare(hit, fit):
-    """True of twice or half a quantity, if all that is wrong is doubled or halved by it."""
-    pairs = [p for x in zip(hit.points, fit.key, strict=True) for p in zip(*x, strict=True)]
-    ratios = {round(x / k, 9) for x, k in pairs if k and math.isfinite(x / k)} - {1.0}
-    return hit.cause.does == FACTOR_2 and ratios in ({2.0}, {0.5})
+    """True of twice or half a quantity, where this is a factor of 2 of the whole or of a component:
+    any quantity in it would do. In two of three components it is evidence.
+    """
+    ratios: dict[int, set[float]] = {}
+    for x, key in zip(hit.points, fit.key, strict=True):
+        for n, (a, k) in enumerate(zip(x, key, strict=True)):
+            if k and math.isfinite(a / k):
+                ratios.setdefault(n, set()).add(round(a / k, 9))
+    changed = [r for r in ratios.values() if r != {1.0}]
+    is_whole_or_one = len(changed) in (1, len(ratios)) and changed[1:] == changed[:-1]
+    return hit.cause.does == FACTOR_2 and is_whole_or_one and changed[0] in ({2.0}, {0.5})
 
 
 class Hit(NamedTuple):
