@@ -90,7 +90,7 @@ def _exact(s, p, t):
     beta = _beta(x, y, v_x, v_y, mu, r0)
     closed = beta * abs(swept) > 0
     if is_numeric(beta) and max_abs(where(closed, 0, 1)):
-        raise ModelError("the orbit is no ellipse (its energy is not below 0): integrate it")
+        raise ModelError("the orbit is not an ellipse (its energy is not below 0): integrate it")
     beta = where(closed, beta, 1)
     root = sqrt(beta)
     # e sin(E0), e cos(E0), sqrt(1 - e^2)
