@@ -79,7 +79,7 @@ def headings(text):
 
 
 @each_chapter
-def test_every_section_of_the_book_stands_in_its_order(path):
+def test_the_sections_of_the_book_appear_in_order(path):
     assert list(sections_of(path)) == CONTENTS[number(path)]["sections"]
 
 

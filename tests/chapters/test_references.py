@@ -41,11 +41,11 @@ def sections():
 
 
 @each_chapter
-def test_what_is_reported_to_stand_in_a_section_stands_there(path, sections):
+def test_what_is_said_to_be_in_a_section_is_there(path, sections):
     assert list(unfound(prose(read(path)), sections)) == []
 
 
-def test_a_reference_to_what_is_not_there_is_found():
+def test_a_reference_to_something_missing_is_found():
     sections = {"6.8": "gravity and weight", "11.2": "a potential"}
     fine = "the weight of section 6.8, potentials of chapter 11, those of section 6.8"
     assert list(unfound(fine, sections)) == []

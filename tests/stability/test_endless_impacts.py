@@ -55,7 +55,7 @@ def test_with_a_rule_for_the_last_impact_it_lies_on_the_floor_for_the_rest_of_th
 
 
 @pytest.mark.parametrize("e", [0.999, 1.0])
-def test_beside_it_a_ball_that_hardly_loses_anything_goes_on(e):
+def test_beside_it_a_ball_that_loses_almost_nothing_goes_on(e):
     """Rest would be reached after 2000 s, or never: 15 impacts in 30 s, within 1e-12 s."""
     motion = dropped(BALL.changed(e=e), _bounce)
     assert motion.ended == "reached t = 30"

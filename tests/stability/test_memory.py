@@ -58,7 +58,7 @@ def more_objects(make, before, after):
     return (len(gc.get_objects()) - first) / (after - before)
 
 
-def test_frames_that_are_dropped_do_not_stay():
+def test_frames_that_are_dropped_are_freed():
     """They were 9 MB for 10 000 of them, in the list of their tree."""
     ground = Frame("ground")
 
@@ -71,7 +71,7 @@ def test_frames_that_are_dropped_do_not_stay():
     assert ground.tree == [ground]
 
 
-def test_frames_that_look_at_each_other_do_not_stay():
+def test_frames_that_refer_to_each_other_are_freed():
     """What one has computed of its motion seen from the other does not hold either."""
     ground, other = Frame("ground"), None
     other = ground.rotate("other", "x", moving(0.3, rate=1.0))
@@ -84,7 +84,7 @@ def test_frames_that_look_at_each_other_do_not_stay():
     assert ground.tree == [ground, other]
 
 
-def test_frames_that_are_sent_do_not_stay():
+def test_frames_that_are_sent_are_freed():
     ground = Frame("ground")
 
     def make(n):
@@ -128,7 +128,7 @@ def test_caches_stay_within_their_bound():
     assert [len(cache) <= KEPT for cache in caches] == [True] * 3
 
 
-def test_functions_whose_reading_is_unknown_are_not_kept():
+def test_functions_that_read_unknown_things_are_not_kept():
     """As they are traced anew each time, an entry for each would be of no use."""
     constants = [9.81]
     before = len(model_module._BY_FUNCTION)
@@ -148,7 +148,7 @@ def test_changed_models_share_what_was_traced():
     assert more_objects(make, 10, 300) < FEW
 
 
-def test_prepared_runs_that_are_dropped_do_not_stay():
+def test_prepared_runs_that_are_dropped_are_freed():
     def make(n):
         prepare(Model("new", {"k": 1.0}, STATES, eval(RATES.format(n=n))), 1e-3, "dop853")(
             0.01, (0.3, 0.0)

@@ -273,7 +273,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("name", WRONG)
-def test_a_formula_that_is_no_solution_is_found_and_its_error_estimated(name):
+def test_a_formula_that_is_not_a_solution_is_found_and_its_error_estimated(name):
     model, t, start = WRONG[name]
     system = PreparedModel(model)
     assert not accepted(model, t, start, 1e-7, system)

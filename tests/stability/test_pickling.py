@@ -141,7 +141,7 @@ def test_what_was_sent_is_a_formula_over_every_kind_of_number():
     assert np.array_equal(there.derivative(columns)[1], model.derivative(columns)[1])
 
 
-def test_a_pickle_has_what_functions_read_at_its_time():
+def test_a_pickle_has_what_functions_read_when_it_was_made():
     space = {"G": 9.81}
     exec("rhs = lambda s, p, t: (s.v, -G)", space)
     there = sent(model := Model("fall", {}, ("h", "v"), space["rhs"]))

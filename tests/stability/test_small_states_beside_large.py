@@ -84,7 +84,7 @@ def test_a_state_that_is_zero_by_cancellation_costs_nothing_and_is_not_refused(m
 
 @pytest.mark.parametrize("left", [1e-2, 1e-5, 3e-6])
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
-def test_the_speed_of_a_rocket_is_judged_by_its_size_though_hardly_any_mass_is_left(left, rtol):
+def test_the_speed_of_a_rocket_is_judged_by_its_size_though_almost_no_mass_is_left(left, rtol):
     """v' = u q/m: next to m = 0 what the mass does to the speed has no bound."""
     u, q, m0 = 3000.0, 250.0, 1e4
     model = Model(

@@ -309,7 +309,7 @@ def test_equal_texts_share_one_compilation():
 @pytest.mark.parametrize(
     ("one", "other"), [("0.0", "-0.0"), ("1", "1.0"), ("2.5", "2.5000000000000004")]
 )
-def test_texts_with_other_constants_are_others(one, other):
+def test_texts_with_other_constants_are_distinct(one, other):
     texts = [
         prepared_model(model_of(eval(f"lambda s, p, t: (s.v, {c})"))).traced for c in (one, other)
     ]
@@ -326,7 +326,7 @@ def test_functions_of_the_engine_read_nothing():
                 assert not reads.checks
 
 
-def test_names_of_states_are_no_globals():
+def test_names_of_states_are_not_globals():
     """A notebook that has a list x, and a state x, traces no more often than another one."""
     space = cell("def rhs(s, p, t): return s.v, -s.h", h=[1, 2], v={})
     reads = Reads(space["rhs"])

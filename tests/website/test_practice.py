@@ -283,7 +283,7 @@ def refused(sound, folder):
     return {**found, folder / "huge": "has more than 64 MB"}
 
 
-def test_a_practice_file_of_ones_own_opens_and_what_is_none_is_refused_in_words(
+def test_a_readers_own_practice_file_opens_and_any_other_file_is_refused_in_words(
     site, address, phone, tmp_path
 ):
     sound = site / "practice" / "ch04.practice"

@@ -93,7 +93,7 @@ def test_a_name_and_points_that_do_not_fit_are_refused_in_words():
 
 @pytest.mark.integration
 def test_problems_of_any_chapters_are_built_handed_out_graded_and_updated(tmp_path):
-    """The round trip of the line that the issue asks for, and a second assignment by a file."""
+    """The round trip from a command line, and a second assignment from a file."""
     place, roster = tmp_path / "mechanics", tmp_path / "roster.csv"
     roster.write_text("id\nada\n")
     chosen = "--problems", "4/3", "4/16", "7/5", "11/1-11/2", "--points", "4/3=10"

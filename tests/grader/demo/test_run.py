@@ -1,4 +1,4 @@
-"""The whole way on an example."""
+"""The whole workflow on an example."""
 
 import pytest
 
