@@ -11,7 +11,7 @@ OPERATORS = (
     "add", "radd", "sub", "rsub", "mul", "rmul", "truediv", "rtruediv", "pow", "rpow", "neg", "abs",
     "eq", "call", "getitem",
 )  # fmt: skip
-# Records that functions return, and parts that have a maker of their own: nobody calls them, so that
+# Records that functions return, and parts made by other functions: nobody calls these classes, so
 # only their methods are called here.
 NOT_DOORS = (
     "Amount", "Animation", "Audit", "Equation", "Explanation", "Frenet", "LinearForm", "Measured",

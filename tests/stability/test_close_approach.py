@@ -1,5 +1,5 @@
-"""Close approach on an eccentric orbit: steps and digits are lost at the centre; Kepler's equation
-with bounds is not (6.4).
+"""Close approach on an eccentric orbit: steps and digits are lost near the centre, but not by
+Kepler's equation solved between bounds (6.4).
 """
 
 import math
@@ -74,5 +74,5 @@ def test_an_orbit_through_the_centre_and_expressions_are_refused_in_words():
         ORBIT.solution(sympy.Symbol("t"), (1.0, 0.0, 0.0, 1.0))
     with pytest.raises(ModelError, match="mu > 0"):
         orbit(-1.0).solution(1.0, (1.0, 0.0, 0.0, 1.0))
-    # beside it: e = 1 - 7e-13
+    # close to it: e = 1 - 7e-13
     assert math.isfinite(ORBIT.solution(50.0, (1.0, 0.0, -0.5, 1e-6))[0])

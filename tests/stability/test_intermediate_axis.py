@@ -1,5 +1,5 @@
-"""Spin about the intermediate principal axis: exactly on it a run of floats stays for ever, beside
-it the body turns over (8.14).
+"""Spin about the intermediate principal axis: exactly on it a run in floats stays there for ever,
+beside it the body turns over (8.14).
 """
 
 import math

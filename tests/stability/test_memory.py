@@ -1,4 +1,4 @@
-"""What is made and dropped leaves no memory behind: frames, models, motions, and what was traced or
+"""What is made and dropped leaves no memory in use: frames, models, motions, and what was traced or
 generated for them.
 """
 
@@ -17,7 +17,7 @@ from newton_euler.motion.model import KEPT
 
 @pytest.fixture(autouse=True)
 def only_new_objects():
-    """What was there before is not searched: that takes most of the time."""
+    """Older objects are not searched, which would take most of the time."""
     gc.collect()
     gc.freeze()
     yield
@@ -25,7 +25,7 @@ def only_new_objects():
 
 
 MB = 2**20
-FEW = 5  # objects for each n: a model that stays is hundreds
+FEW = 5  # objects for each n: a model that stays would be hundreds
 RATES = "lambda s, p, t: (s.v, -{n}.5*s.x - p.k)"
 STATES = ("x", "v")
 
@@ -47,7 +47,7 @@ def growth(make, before, after):
 
 
 def more_objects(make, before, after):
-    """The same in objects for each n: quicker, for what takes long."""
+    """The same in objects for each n: quicker, for slow cases."""
     for n in range(before):
         make(n)
     gc.collect()
@@ -59,7 +59,7 @@ def more_objects(make, before, after):
 
 
 def test_frames_that_are_dropped_are_freed():
-    """They were 9 MB for 10 000 of them, in the list of their tree."""
+    """10 000 of them used to hold 9 MB, in the list of their tree."""
     ground = Frame("ground")
 
     def make(n):
@@ -72,7 +72,7 @@ def test_frames_that_are_dropped_are_freed():
 
 
 def test_frames_that_refer_to_each_other_are_freed():
-    """What one has computed of its motion seen from the other does not hold either."""
+    """What one has computed of its motion as seen from the other keeps neither alive."""
     ground, other = Frame("ground"), None
     other = ground.rotate("other", "x", moving(0.3, rate=1.0))
 
@@ -95,7 +95,7 @@ def test_frames_that_are_sent_are_freed():
 
 
 def run(n, method="dop853"):
-    """One integration of a model of new functions, none of which equals another one."""
+    """One integration of a model of new functions, no two of which are equal."""
     model = Model(
         "new", {"k": 1.0, "law": eval(f"lambda s, p, t: {n}.25")}, STATES,
         eval(RATES.format(n=n)), {"energy": eval(f"lambda s, p, t: s.v**2 + {n}.5*s.x**2")},
@@ -107,7 +107,7 @@ def run(n, method="dop853"):
 
 
 def test_models_of_new_lambdas_do_not_pile_up():
-    """Those used last stay in the caches, which are full after the first ones."""
+    """The latest stay in the caches, which are full after the first ones."""
     made = []
 
     def make(n):
@@ -129,7 +129,7 @@ def test_caches_stay_within_their_bound():
 
 
 def test_functions_that_read_unknown_things_are_not_kept():
-    """As they are traced anew each time, an entry for each would be of no use."""
+    """They are traced afresh each time, so an entry for each would be of no use."""
     constants = [9.81]
     before = len(model_module._BY_FUNCTION)
     for _ in range(KEPT // 2):
@@ -139,7 +139,7 @@ def test_functions_that_read_unknown_things_are_not_kept():
 
 
 def test_changed_models_share_what_was_traced():
-    """A slider makes a model for each of its places."""
+    """A slider makes a model for each of its positions."""
     model = Model("pendulum", {"k": 1.0}, STATES, eval(RATES.format(n=0)))
 
     def make(n):

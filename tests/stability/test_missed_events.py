@@ -37,7 +37,7 @@ METHODS = ("exact", "dop853", "taylor", "scipy DOP853")
 
 
 def crossings(gap, method="auto"):
-    """When it passes a line that it is above for ``gap`` s; negative: a line above its top."""
+    """When it passes a line above which it stays for ``gap`` s; negative: a line above its top."""
     model = THROW.changed(line=TOP - math.copysign(G * gap * gap / 8, gap))
     motion = integrate(model, 3.0, (0.0, V0), method=method, events=Event(_through))
     return [e.t for e in motion.events]
