@@ -329,7 +329,7 @@ def advice(x: object) -> str:
 def clipped(x: object) -> str:
     """The ``repr`` of a value for a message, at most 80 characters of it."""
     try:
-        text = shown(x)
+        text = short_repr(x)
     except Exception:  # an object of any library may fail to describe itself
         text = f"an object of {type(x).__name__}"
     return text if len(text) <= 80 else text[:77] + "..."
@@ -338,7 +338,7 @@ def clipped(x: object) -> str:
 LONGEST = 400  # operations: the most of an expression that is printed
 
 
-def shown(x: Scalar) -> str:
+def short_repr(x: Scalar) -> str:
     """The ``repr`` of a scalar; of an expression with more than :data:`LONGEST` operations only
     their number, since its text repeats the parts that are shared.
     """
@@ -408,7 +408,7 @@ def short(x: Scalar) -> str:
     """The number as text with six digits, for messages; expressions and arrays in full."""
     if is_numeric(x) and not getattr(x, "shape", ()) and not isinstance(x, complex):
         return f"{float(x):.6g}"
-    return shown(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
+    return short_repr(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
 
 
 _roots: dict[type, str] = {}

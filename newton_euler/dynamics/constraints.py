@@ -141,7 +141,7 @@ class _System:
 
     def values(self, q):
         """[(name, float)] of every scalar equation."""
-        return [(name, _number(name, x)) for name, x in self.equations(list(map(float, q)))]
+        return [(name, _finite(name, x)) for name, x in self.equations(list(map(float, q)))]
 
     def jacobian(self, q):
         """The Jacobian, a row for each equation; a column is one evaluation with derivatives."""
@@ -149,7 +149,7 @@ class _System:
         for n in range(self.size):
             moved = [Moving(float(x), 1) if n == m else float(x) for m, x in enumerate(q)]
             rates = ((name, getattr(x, "rate", 0.0)) for name, x in self.equations(moved))
-            columns.append([_number(name, x) for name, x in rates])
+            columns.append([_finite(name, x) for name, x in rates])
         return list(zip(*columns, strict=True))
 
     def settled(self, near=None, spread=1.0):
@@ -238,7 +238,7 @@ def _independent(rows, values, tolerance):
     return basis, others
 
 
-def _number(name, x):
+def _finite(name, x):
     if not is_numeric(x):
         raise ConstraintError(f"the constraint {name!r} gives {x!r}; put numbers in")
     if not is_finite(x):

@@ -44,7 +44,7 @@ from newton_euler.algebra.scalars import (
     Scalar,
     operations,
     scalar,
-    shown,
+    short_repr,
 )
 from newton_euler.applications import (
     buoyancy,
@@ -222,14 +222,14 @@ TAKERS_OF_QUANTITIES = {
 }
 
 
-@pytest.mark.parametrize("door", TAKERS_OF_QUANTITIES)
-def test_no_motion_drops_a_unit(door):
+@pytest.mark.parametrize("taker", TAKERS_OF_QUANTITIES)
+def test_no_motion_drops_a_unit(taker):
     """A quantity as the argument itself is a case of tests.fuzz; here it is inside something."""
     fractions = np.array([0.1, 0.2])
     span = np.timedelta64(1, "s")
     for quantity in (OfPint(2.0), fractions.view(OfAstropy), span, fractions.astype("m8[s]")):
         with pytest.raises(NewtonEulerError):
-            TAKERS_OF_QUANTITIES[door](quantity)
+            TAKERS_OF_QUANTITIES[taker](quantity)
 
 
 def test_a_prepared_motion_of_taylor_drops_no_unit():
@@ -312,9 +312,9 @@ def test_the_text_of_a_long_expression_takes_no_longer_than_the_expression():
 
 def test_short_expressions_are_written_out():
     q = sympy.Symbol("q")
-    assert shown(q**2 + 1) == "q**2 + 1"
+    assert short_repr(q**2 + 1) == "q**2 + 1"
     assert operations(q**2 + 1) == 2
-    assert shown(sum(q**n for n in range(LONGEST))).endswith("operations>")
+    assert short_repr(sum(q**n for n in range(LONGEST))).endswith("operations>")
     assert scalar(q) is q
 
 

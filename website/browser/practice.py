@@ -203,7 +203,7 @@ def check(problem: str, fields: Mapping[str, Sequence[str]]) -> dict[str, Any]:
             if values:
                 checked = ask(**values)
                 for key, verdict in checked.verdicts.items():
-                    found[key] = {"verdict": verdict, "text": checked.said[key]}
+                    found[key] = {"verdict": verdict, "text": checked.sentences[key]}
     return {"found": found, "kept": str(_desk.progress)}
 
 

@@ -67,7 +67,7 @@ def _edits(formulas):
     every = needed([*parts, *anything.values()])
     dimensions = dimensions_of(every, {n: unit(u) for n, u in formulas.units.items()})
     own = US if any(u.is_of_feet for u in read.values()) else SI
-    number = partial(_number, dimensions, system, own)
+    number = partial(_in_students_units, dimensions, system, own)
     yield from operations.of_angles(steps)
     yield from groups.of_constants(steps, dimensions.get)
     yield from givens.of_one_unit(given, read, system)
@@ -163,7 +163,7 @@ def _is_factor(users):
     return len(users) == 1 and users[0].op in operations.PRODUCT
 
 
-def _number(dimensions, system, own, s):
+def _in_students_units(dimensions, system, own, s):
     """The number by which a student multiplies for a step: where the text has feet and pounds, not
     that in the ``system`` in which the steps are computed.
     """

@@ -104,12 +104,12 @@ def test_the_sum_of_the_terms_that_are_shown_is_shown_too_and_no_table_twice(p):
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_each_component_found_from_equations_stands_in_them(p):
-    told = ""
+    words = ""
     for line in as_python(p, b"one"):
-        told, s = " ".join([told, *line.together]), line.step
+        words, s = " ".join([words, *line.together]), line.step
         if (line.above or line.together) and s.is_vector and len(line.equal) == 1:
             found = {component(s.key, n, 3) for n, x in enumerate(map(to_plain, s.value.c)) if x}
-            assert found <= {*NAME.findall(told)}, s.key
+            assert found <= {*NAME.findall(words)}, s.key
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)

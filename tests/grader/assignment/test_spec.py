@@ -47,8 +47,8 @@ def test_an_invalid_range_is_refused(text):
 
 def test_a_file_is_the_assignment_and_is_written_as_it_was_read(tmp_path):
     spec = read_spec(written(tmp_path, FILE))
-    said = spec.name, spec.title, spec.due
-    assert said == ("hw3", "Homework 3", "2027-01-31 23:59 Europe/Berlin")
+    head = spec.name, spec.title, spec.due
+    assert head == ("hw3", "Homework 3", "2027-01-31 23:59 Europe/Berlin")
     assert numbers(spec) == ["4/3", "7/5", "11/1", "11/2"]
     assert [dict(i.options) for i in spec.items[:3]] == [
         {"points": 10, "weights": {"a": 2}, "follow_through": 0.5}, {}, {"points": 4},

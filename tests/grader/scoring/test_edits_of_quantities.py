@@ -12,7 +12,7 @@ from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler import asin
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI
-from tests.grader.scoring.traced import heard
+from tests.grader.scoring.traced import named_causes
 
 UNITS = {
     "m": "kg", "m1": "kg", "m2": "kg", "m3": "kg", "rho": "kg/m", "L": "m", "d": "m",
@@ -56,7 +56,7 @@ def named(key, wrong, slips=None):
     formula, *_ = CASES[key]
     given = {**GIVEN, "n": n * RPM, "N": N * RPM}
     slips = slips or slips_of(key)
-    return heard(slips, [f"{wrong:.7g}"], [formula(**given)])
+    return named_causes(slips, [f"{wrong:.7g}"], [formula(**given)])
 
 
 @pytest.mark.parametrize(
@@ -107,7 +107,7 @@ def of_vector(given, parts, unit="m", stages=(), kind="vector"):
     computed = [Stage(words, "", f(**arguments), words) for words, f in stages]
     answers = {"x": Traced(parts(**arguments), unit)}
     slips = Perturbed(Computation(Formulas(answers, VECTOR, SI, computed)), values)
-    return heard(slips, given, parts(**values), kind)
+    return named_causes(slips, given, parts(**values), kind)
 
 
 def test_components_from_another_origin_are_named_and_no_given_as_the_whole_answer():

@@ -147,8 +147,8 @@ def test_an_answer_follows_from_those_that_its_computation_goes_through(name, fi
     assert "it follows from your" in judged(p, values, given)[key].message
     slips = [x for x in numbers.sequel(key, wrong).at(key, 0) if distance(x, later) > 0.05][:10]
     parts = [judged(p, values, {**given, key: plain(slip)})[key] for slip in slips]
-    heard = [str(part.diagnosis).startswith(f"goes on from your {first}, but ") for part in parts]
-    assert sum(heard) >= 0.7 * len(slips)
+    goes_on = [str(part.diagnosis).startswith(f"goes on from your {first}, but ") for part in parts]
+    assert sum(goes_on) >= 0.7 * len(slips)
 
 
 def plain(components):

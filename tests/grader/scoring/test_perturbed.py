@@ -14,7 +14,7 @@ from newton_euler.algebra.linear import Solved, solve_rates, solved_equations
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI, unit
 from newton_euler.answers.near import NO_SLIPS
-from tests.grader.scoring.traced import heard
+from tests.grader.scoring.traced import named_causes
 
 UNITS = {"m": "kg", "g": "m/s^2", "s": "mm", "d": "mm", "alpha": "deg", "v": "km/h", "b": "m"}
 GIVEN = {"m": 2.3, "g": 9.81, "s": 0.71, "d": 0.26, "alpha": 0.61, "v": 3.1, "b": 1.7}
@@ -46,7 +46,7 @@ def perturbed():
 
 
 def named(perturbed, key, given):
-    return heard(perturbed, [given], [FORMULAS[key](**GIVEN)], key=key)
+    return named_causes(perturbed, [given], [FORMULAS[key](**GIVEN)], key=key)
 
 
 m, g, s, d, alpha, v, b = GIVEN.values()
@@ -140,7 +140,7 @@ def of_three(given):
     slips = computation({"x": Traced(parts, "m")}, LENGTHS)
     key = (A / 3 + C / 2, A * C / (A + C), math.hypot(A, C))
     points = [k if x is None else f"{x:.5g}" for x, k in zip(given, key, strict=True)]
-    return heard(slips, points, key, "vector")
+    return named_causes(slips, points, key, "vector")
 
 
 def test_a_slip_in_some_components_alone_is_named_there():
@@ -173,7 +173,7 @@ def test_ratios_roots_and_differences(parts, wrong, words):
     trace = Trace()
     given = [trace.new("argument", n) for n in LENGTHS]
     slips = computation({"x": Traced([parts(*given)], "m")}, dict.fromkeys(LENGTHS, "m"))
-    assert words in heard(slips, [f"{wrong:.6g}"], [parts(A, C, K)])
+    assert words in named_causes(slips, [f"{wrong:.6g}"], [parts(A, C, K)])
 
 
 def test_random_numbers_are_rarely_named(perturbed):

@@ -4,7 +4,7 @@ from newton_euler.answers.diagnosis import diagnose
 from newton_euler.answers.kinds import KINDS
 
 
-def heard(slips, given, right, kind="number", key="x"):
+def named_causes(slips, given, right, kind="number", key="x"):
     """The words of the causes that slips find; the components of both are lists."""
     points = tuple(map(float, given)), tuple(map(float, right))
     near = lambda fit, kind: slips.near(key, fit, kind)
