@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from html import escape
 
 from .package import packed, xml
-from .pages import asked, axis, html, platform_number
+from .pages import asked, html, platform_number
 from .questions import Blank, Question, QuestionPart
 
 NAMESPACE = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
@@ -49,7 +49,7 @@ class _Item:
 
     @property
     def title(self) -> str:
-        words = self.question.title, self.part.means, axis(self.part, self.m)
+        words = self.question.title, self.part.means, self.part.kind.places()[self.m]
         return ", ".join(x for x in words if x)
 
     @property
@@ -59,7 +59,7 @@ class _Item:
 
     @property
     def text(self) -> str:
-        q, which = self.question, axis(self.part, self.m)
+        q, which = self.question, self.part.kind.places()[self.m]
         figure = FIGURE.format(q.ident, escape(q.words)) if q.figure else ""
         which = f"<p><strong>{which}</strong></p>" if which else ""
         return html(q.text) + figure + asked(self.part) + which

@@ -52,15 +52,6 @@ def _formula(latex):
     return f"${latex}$" if latex else ""
 
 
-def axis(part: QuestionPart, n: int) -> str:
-    """The name of the n-th number, "" if it is the only one."""
-    if part.kind.is_vector:
-        return f"component {n + 1} of 3"
-    if part.kind.length == 9:
-        return f"row {n // 3 + 1}, column {n % 3 + 1}"
-    return f"number {n + 1} of {part.kind.length}" if part.kind.length > 1 else ""
-
-
 def platform_number(x: float) -> str:
     """A number in a form that all platforms read.
 

@@ -8,11 +8,6 @@ from exercises.catalogue.survey import ProblemEntry
 
 from .tables import in_cell
 
-SHORT = {
-    "vector_expression": "vector formula", "matrix_expression": "matrix formula",
-    "expression": "formula",
-}  # fmt: skip
-
 
 def problems_table(
     found: Sequence[ProblemEntry], earned: Mapping[str, tuple[float, int]] | None = None
@@ -32,7 +27,7 @@ def problems_table(
     for name in ("steps", "hard", "min", "sheets", *(() if earned is None else ("right",))):
         table.add_column(name, justify="right", no_wrap=True)
     for e in found:
-        kinds = ", ".join(SHORT.get(k, k) for k in e.kinds)
+        kinds = ", ".join(k.title for k in e.kinds)
         numbers = (str(e.steps + e.terms), str(e.difficulty), str(e.minutes), f"{e.sheets:.3g}")
         right = []
         if earned is not None:

@@ -68,7 +68,7 @@ class Preview:
         """Its entry in the catalogue, tolerance and options."""
         e = entry(self.problem)
         cited = [f"equations {', '.join(e.equations)}"] if e.equations else []
-        kinds = ", ".join(kind.replace("_", " ") for kind in e.kinds)
+        kinds = ", ".join(kind.title for kind in e.kinds)
         rtol = self.problem.answers[0].rtol
         own = [f"{name}: {x}" for name, x in self.options.items() if name != "tolerance"]
         return [

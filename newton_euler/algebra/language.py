@@ -121,14 +121,16 @@ def relayed(text: str) -> str:
 
 
 def joined(names: Iterable[str]) -> str:
-    """Names as in "a and b and c".
+    """Names as in a sentence.
 
-    >>> joined(["a", "b"])
-    'a and b'
+    >>> joined(["a", "b", "c"])
+    'a, b and c'
     """
-    return reduce(
-        lambda a, b: Words("{first} and {second}", first=a, second=b), list(names) or [""]
-    )
+    *others, last = list(names) or [""]
+    if not others:
+        return last
+    first = reduce(lambda a, b: Words("{first}, {second}", first=a, second=b), others)
+    return Words("{first} and {second}", first=first, second=last)
 
 
 def stored(text: str) -> Any:

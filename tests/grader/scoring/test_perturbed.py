@@ -229,7 +229,7 @@ def test_a_given_may_be_handed_back_and_a_vector_turned():
     (first, *_) = _causes("d", lambda p, q, **_: [p - 2 * q], lengths)
     assert first.startswith("takes p alone for d")
     found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y, p + s * y], lengths)
-    assert "takes x and y and y with the opposite sign" not in found
+    assert "takes x, y and y with the opposite sign" not in found
     found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y], lengths)
     assert "takes p and q with the opposite sign" in found
 

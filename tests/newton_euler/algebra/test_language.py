@@ -47,7 +47,7 @@ def test_one_and_several_have_forms_of_their_own():
     assert [plural(*days, n) for n in (1, 3)] == ["yesterday", "3 days ago"]
     with speaking("de"):
         assert [plural(*days, n) for n in (1, 3)] == ["gestern", "vor 3 Tagen"]
-        assert spoken(joined(["a", "b", "c"])) == "a und b und c"
+        assert spoken(joined(["a", "b", "c"])) == "a, b und c"
 
 
 def test_what_is_not_in_the_catalogue_stays_english_with_its_values():
