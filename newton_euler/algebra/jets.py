@@ -186,7 +186,8 @@ class Moving(_Own):
             turn = x.value * y.acceleration - y.value * x.acceleration
             return Moving(atan2(y.value, x.value), rate, (turn - rate * growth) / square)
         if not isinstance(name, str) or name not in _DERIVATIVES:
-            raise ScalarError(f"{clipped(name)} is no function; there are {', '.join(FUNCTIONS)}")
+            known = ", ".join(FUNCTIONS)
+            raise ScalarError(f"{clipped(name)} is not a function; there are {known}")
         if self.rests():
             return Moving(function(name, self.value))
         try:
@@ -283,7 +284,7 @@ def _known(x, what):
     """The real scalar ``x``; None and nan, as before a computation, are refused."""
     if x is None or (isinstance(x, float) and x != x):
         raise ScalarError(
-            f"the {what} is {x}, which is no number: look at what it was computed from"
+            f"the {what} is {x}, which is not a number: look at what it was computed from"
             + (f", or leave {what}= out" if what != "value" else "")
         )
     return real_scalar(x)

@@ -304,7 +304,7 @@ def _is_unreal(x):
 
 
 def advice(x: object) -> str:
-    """What to do with a value that is no number, as the end of a message."""
+    """What to do with a value that is not a number, as the end of a message."""
     if getattr(x, "shape", ()) and getattr(x, "size", 1) == 0:
         return "; it is empty"
     if _is_unreal(x):
@@ -452,7 +452,7 @@ def function(name, *args):
 
 
 def _outside(name, args, error):
-    """The error for an argument at which a function has no value, or one that is no float."""
+    """The error for an argument at which a function has no value, or one that is not a float."""
     kind = RangeError if isinstance(error, OverflowError) else SingularError
     return kind(f"{name}({', '.join(map(clipped, args))}) has no value: {error}")
 
@@ -537,7 +537,7 @@ def pi(like: Scalar = 0.0) -> Scalar:
     if isinstance(like, _Own):
         return like.pi() if hasattr(like, "pi") else pi(getattr(like, "value", 0.0))
     if type(like) is not float:
-        scalar(like)  # or it is no number
+        scalar(like)  # or it is not a number
     library = library_of((like,))
     return +library.pi if library.__name__ == "mpmath" else getattr(library, "pi", math.pi)
 

@@ -72,7 +72,7 @@ def degrees_of_freedom(
     tolerance: Tolerance = 1e-09,
 ) -> Freedom:
     """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the number
-    of coordinates less the rank of the Jacobian. Springs and weights are no constraints.
+    of coordinates less the rank of the Jacobian. Springs and weights are not constraints.
 
     bodies : name -> kind, one of :data:`KINDS`, or a number of coordinates
     constraints : name -> function that vanishes (5.28), a scalar or a tuple of them, of the bodies

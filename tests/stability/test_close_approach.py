@@ -58,7 +58,7 @@ def test_an_ellipse_that_is_almost_a_parabola_is_as_accurate_as_any(less):
     (-3.3, -0.5, 5.3, -0.004),
 ])  # fmt: skip
 def test_a_parabola_or_hyperbola_is_refused_in_words_and_integrated(start):
-    with pytest.raises(ModelError, match=r"no ellipse .* integrate it"):
+    with pytest.raises(ModelError, match=r"not an ellipse .* integrate it"):
         ORBIT.solution(1.0, start)
     motion = integrate(ORBIT, 2.0, start, 1e-10)
     assert motion.method.name != "exact"

@@ -261,7 +261,7 @@ def acting(page):
 
 
 def refused(sound, folder):
-    """{a file that is no practice file, or does not fit together: the reason that is given}."""
+    """{a file that is not a practice file, or does not fit together: the reason that is given}."""
     other = {"code": b"import os\nos.abort()", "pickle": b"\x80\x04\x95\x00cos\nabort\n(tR."}
     for name, content in other.items():
         (folder / name).write_bytes(content)

@@ -122,7 +122,7 @@ def _edits(formulas):
             found = givens.of_given(
                 s, anything, read, number, means, read[name].to_base(1.0, system)
             )
-            # a given alone in its term, as H in D^2 + H^2, is no factor
+            # a given alone in its term, as H in D^2 + H^2, is not a factor
             is_factor = s in factors or any(user.op in WITHIN for user in users)
             slips += [slip for slip in found if slip[1] != givens.ONE or is_factor]
             # nobody converts the symbols of a formula
@@ -213,7 +213,7 @@ def _of_wholes(answers, given, number):
             if -change in powers:
                 continue  # would cancel the factor itself: a slip in the product
             text = _of_power(name, max(powers, key=abs), change)
-            # without a name in a pair: one that mends the units of another is no mistake
+            # without a name in a pair: one that mends the units of another is not a mistake
             cause = computed(f"whole {op} {name}", text, does=RESCALED)
             instead = {x.number: (op, x, number(step)) for x in components if x is not step}
             yield Edit(LESS, cause, instead)

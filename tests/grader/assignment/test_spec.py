@@ -66,13 +66,13 @@ def test_a_file_is_the_assignment_and_is_written_as_it_was_read(tmp_path):
             "problems: [{4/3: {point: 3}}]",
             "'point' is not one of follow_through, help, points, tolerance, weights; did you mean points",
         ),
-        ("problems: [{4/3: {points: many}}]", "'many' is no number of points"),
-        ("problems: [{4/3: -1}]", "-1 is no number of points"),
+        ("problems: [{4/3: {points: many}}]", "'many' is not a number of points"),
+        ("problems: [{4/3: -1}]", "-1 is not a number of points"),
         ("problems: [3]", "3 is neither a problem nor a text"),
         ("problems: [", "cannot be read"),
         ("[" * 5000, "cannot be read"),
         ("due: 2027-13-45", "cannot be read"),
-        (f"problems: [4/3: {{points: 1{'0' * 400}}}]", "is no number of points"),
+        (f"problems: [4/3: {{points: 1{'0' * 400}}}]", "is not a number of points"),
     ],
 )
 def test_a_file_that_does_not_fit_is_refused_in_words(tmp_path, text, words):

@@ -115,7 +115,7 @@ def test_what_a_user_types_is_shown_and_never_run():
 
 def test_a_formula_that_cannot_be_set_is_named():
     _, student = of("4/3")
-    with pytest.raises(PaperError, match=r"\\frac\{1\$ is no formula of LaTeX \(Unmatched"):
+    with pytest.raises(PaperError, match=r"\\frac\{1\$ is not a formula of LaTeX \(Unmatched"):
         typst(r"so $x = \frac{1$")
     with pytest.raises(PaperError, match=r"cannot be set: it has no command \\foo"):
         pdf(sheet("Homework", [PaperItem(text=r"so $\foo x$")], student))
