@@ -52,10 +52,10 @@ def _formula(latex):
     return f"${latex}$" if latex else ""
 
 
-def number(x: float) -> str:
+def platform_number(x: float) -> str:
     """A number in a form that all platforms read.
 
-    >>> number(-0.1), number(3.0), number(2.5e-7)
+    >>> platform_number(-0.1), platform_number(3.0), platform_number(2.5e-7)
     ('-0.1', '3', '2.5e-07')
     """
     return f"{x + 0.0:.{DIGITS}g}"

@@ -6,7 +6,7 @@ from rich.table import Table
 
 from exercises.catalogue.survey import ProblemEntry
 
-from .tables import shown
+from .tables import in_cell
 
 
 def problems_table(
@@ -33,5 +33,5 @@ def problems_table(
         if earned is not None:
             share, sheets = earned.get(e.id, (0.0, 0))
             right = [f"{share:.0%} of {sheets}" if sheets else "–"]
-        table.add_row(e.id, e.section, shown(e.title), kinds, *numbers, *right)
+        table.add_row(e.id, e.section, in_cell(e.title), kinds, *numbers, *right)
     return table

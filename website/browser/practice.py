@@ -118,7 +118,7 @@ def read(problem: str, key: str, texts: Sequence[str]) -> dict[str, str]:
 
 
 def _as_read(p, q, texts):
-    """The formulas that were typed and, where they are no plain numbers, what they come to."""
+    """The formulas that were typed and, where they are not plain numbers, what they come to."""
     trees = [typed_tree(text, p.givens) for text in texts if text.strip()]
     trees = _flat(trees[0]) if len(trees) == 1 and isinstance(trees[0], tuple) else trees
     stated = _typeset(q.kind, [formula(tree, p.symbols) for tree in trees])
@@ -190,7 +190,7 @@ def check(problem: str, fields: Mapping[str, Sequence[str]]) -> dict[str, Any]:
             if values:
                 checked = ask(**values)
                 for key, verdict in checked.verdicts.items():
-                    found[key] = {"verdict": verdict, "text": checked.said[key]}
+                    found[key] = {"verdict": verdict, "text": checked.sentences[key]}
     return {"found": found, "kept": str(_desk.progress)}
 
 

@@ -1,4 +1,4 @@
-"""What problems are chosen by, against the catalogue's own data."""
+"""What problems are chosen by, checked against the catalogue's own data."""
 
 import pytest
 
