@@ -108,11 +108,11 @@ def in_all(text: str) -> list[str]:
     return list(dict.fromkeys([text, *others]))
 
 
-def heard(text: str) -> str:
+def relayed(text: str) -> str:
     """A sentence of another process, which speaks English, in the reader's language; its only
     number is ``{n}`` in the catalogue.
 
-    >>> heard("stopped after 60 s")
+    >>> relayed("stopped after 60 s")
     'stopped after 60 s'
     """
     if number := re.search(r"\d+(\.\d+)?", text):

@@ -47,7 +47,7 @@ Components = Sequence[Scalar] | Vector  # along any axes
 
 
 class RotationError(NewtonEulerError, ValueError):
-    """A matrix that is no rotation, a zero quaternion or axis, or singular Euler rates."""
+    """A matrix that is not a rotation, a zero quaternion or axis, or singular Euler rates."""
 
 
 # -- matrices of three rows

@@ -83,7 +83,7 @@ _INVARIANTS = {
 
 
 def _exact(s, p, t):
-    """The state at t by the eccentric anomaly; nan, when traced, if the orbit is no ellipse."""
+    """The state at t by the eccentric anomaly; nan, when traced, if the orbit is not an ellipse."""
     x, y, v_x, v_y, mu, t = comparable("orbit", s.x, s.y, s.v_x, s.v_y, p.mu, t)
     _check(x, y, v_x, v_y, mu, t)
     r0, along, swept = sqrt(x * x + y * y), x * v_x + y * v_y, x * v_y - y * v_x

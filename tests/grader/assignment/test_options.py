@@ -84,7 +84,7 @@ def off(p, values, share):
 
 @pytest.mark.integration
 def test_a_sheet_follows_its_file_all_the_way(tmp_path, monkeypatch):
-    """Two sheets with the same problems, of which one says how near and how much help."""
+    """Two sheets of the same problems, one of which sets a tolerance and a level of help."""
     monkeypatch.chdir(tmp_path)
     place, roster, file = tmp_path / "mechanics", tmp_path / "roster.csv", tmp_path / "hw3.yaml"
     roster.write_text("id\nada\n")
@@ -121,7 +121,7 @@ def test_a_sheet_follows_its_file_all_the_way(tmp_path, monkeypatch):
     assert [found["hw4"][f"answer-4-{n}"][0] for n in (1, 16)] == [0, 3]
     pages = {n: (place / f"feedback/ada/{n}/{n}.html").read_text() for n in sheets}
     assert [page.count("Worked solution") for page in pages.values()] == [1, 0]
-    # without help nobody reads why an answer is wrong; the instructor may change it in the notebook
+    # without help nobody is told why an answer is wrong; an instructor may change that
     wrong = {"p4_1": off(asked[0], numbers["hw3"]["4/1"], 0.05)}
     submit(course, "ada", work(course, "ada", assignment="hw3", **wrong), "hw3")
     ran(command("grade", "hw3", "--course", place))

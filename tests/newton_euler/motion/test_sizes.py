@@ -189,7 +189,7 @@ def test_the_round_off_of_the_time_moves_the_phase_of_a_force(t):
         (lambda s, t: (0.0 * t * s.x, 0.0 * s.v), 0.0, 0.0),
         (lambda s, t: (2.0 * t, 7.0 * t), 1.0, 7.0),
     ],
-    ids=["what the states make of a rate is no error of the time",
+    ids=["what the states make of a rate is not an error of the time",
          "of a state of no size it is relative to what it would be", "nothing", "the worst state counts"],
 )  # fmt: skip
 def test_the_error_from_the_time_is_its_round_off_in_the_rates(rates, x, part):

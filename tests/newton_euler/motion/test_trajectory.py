@@ -215,7 +215,7 @@ def test_a_state_of_which_nothing_is_known_has_the_smallest_scale():
     still = Model("still", {}, ("x", "y"), lambda s, p, t: (0.0 * s.x, 0.0 * s.y))
     found = trajectory(run(still, (0.0, 0.0)))
     assert found.segments[0].stepper.floors == (SMALLEST_SCALE, SMALLEST_SCALE)
-    # that scale is no size of the motion
+    # that scale is not a size of the motion
     assert found.sizes()[0] == (0.0, 0.0)
 
 
