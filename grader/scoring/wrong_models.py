@@ -3,8 +3,11 @@ problem (a term left out or turned, degrees for radians, axes of another frame).
 """
 
 import warnings
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from typing import Any
 
+from exercises.catalogue.model import Givens, Problem
 from exercises.catalogue.steps import listed_steps
 from exercises.catalogue.variants import flat
 from exercises.catalogue.wording import body_text, named_in_text, term_text
@@ -13,6 +16,7 @@ from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import causes
+from newton_euler.answers.causes import Cause
 from newton_euler.kinematics import AngleWarning
 
 from .computation import section, sizes_of
@@ -69,7 +73,12 @@ def _of_sizes(problem, g):
             yield key, cause, flat(problem.in_units({key: wrong.norm()})[key])
 
 
-def general_models(problem, g, right, compute):
+def general_models(
+    problem: Problem,
+    g: Givens,
+    right: Mapping[str, Any],
+    compute: Callable[[Givens], Mapping[str, Any]],
+) -> list[tuple[str, Cause, tuple[Any, ...]]]:
     """The wrong models that need no list, as in :func:`wrong_models`, of the quantities ``right``,
     which are ``compute(g)``, {key: value in its unit}.
     """
