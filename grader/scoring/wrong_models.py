@@ -33,7 +33,6 @@ def wrong_models(problem, values):
         for key, x in problem.in_units(answers).items():
             found.append((key, causes.listed(name, problem.mistakes[name]), flat(x)))
     found += general_models(problem, g, right, lambda g: problem.in_units(problem.code.solve(g)))
-    found += _of_sizes(problem, g)
     return _told_apart([model for model in found if not problem.answer(model[0]).kind.is_word])
 
 
@@ -64,9 +63,9 @@ def _steps(components):
     return tuple(getattr(x, "number", x) for x in components) if is_traced else ()
 
 
-def _of_sizes(problem, g):
+def _of_sizes(problem, g, right):
     """The mistakes in the terms of a vector, of which the size is asked for."""
-    sizes = sizes_of(problem.id)
+    sizes = {key: step for key, step in sizes_of(problem.id).items() if key in right}
     steps = {s.key: s.value for s in listed_steps(problem, g)} if sizes else {}
     for key, step in sizes.items():
         for cause, wrong in _terms(steps[step], problem):
@@ -87,6 +86,7 @@ def general_models(
         if isinstance(x, Vector):
             models = (*_terms(x, problem), *_rates(x), *_frames(x, problem))
             found += [(key, cause, flat(wrong)) for cause, wrong in models]
+    found += _of_sizes(problem, g, right)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AngleWarning)  # degrees for radians are meant
         for cause, changes in _units(problem, g):
