@@ -221,7 +221,7 @@ def read_spec(path: Path) -> Spec:
     if not numbers:
         raise _error(path, content.lines["problems"], "no problem is named")
     if not isinstance(title := content.get("title", ""), str | int | float):
-        raise _error(path, content.lines["title"], f"{title!r} is no title")
+        raise _error(path, content.lines["title"], f"{title!r} is not a title")
     name = spec_of(path.stem, numbers).name
     return Spec(name, str(title or name), tuple(items), **_dates(path, content))
 

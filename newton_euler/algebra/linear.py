@@ -38,7 +38,7 @@ from .scalars import (
     real_scalar,
     scalar,
     short,
-    shown,
+    short_repr,
     to_plain,
     unit_roundoff,
 )
@@ -96,9 +96,9 @@ class LinearForm(_Own):
         self.value, self.coefficients = value, tuple(coefficients)
 
     def __repr__(self):
-        coefficients = ", ".join(map(shown, self.coefficients))
+        coefficients = ", ".join(map(short_repr, self.coefficients))
         end = "," * (len(self.coefficients) == 1)
-        return f"LinearForm({shown(self.value)}, ({coefficients}{end}))"
+        return f"LinearForm({short_repr(self.value)}, ({coefficients}{end}))"
 
     def _of(self, x: Scalar) -> "LinearForm":
         """The linear form that ``x`` is, or the constant one in the same unknowns."""
@@ -426,14 +426,14 @@ def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None)
 def _solved(equations, names):
     made_up = {}
 
-    def number(x):
+    def known_or_made_up(x):
         if (known := probe(x)) is not None:
             return known
         # numbers between 0.5 and 1.5 without a pattern (steps of the golden ratio), for expressions
         # whose value cannot be known
         return made_up.setdefault(id(x), (0.37 + 0.6180339887 * len(made_up)) % 1 + 0.5)
 
-    samples = [e.each(number) for e in equations]
+    samples = [e.each(known_or_made_up) for e in equations]
     numbers = all(probe(x) is x for e in equations for x in e.parts())
     try:
         found = _Elimination(samples, len(names), not made_up, numbers)

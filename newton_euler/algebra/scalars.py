@@ -304,7 +304,7 @@ def _is_unreal(x):
 
 
 def advice(x: object) -> str:
-    """What to do with a value that is no number, as the end of a message."""
+    """What to do with a value that is not a number, as the end of a message."""
     if getattr(x, "shape", ()) and getattr(x, "size", 1) == 0:
         return "; it is empty"
     if _is_unreal(x):
@@ -329,7 +329,7 @@ def advice(x: object) -> str:
 def clipped(x: object) -> str:
     """The ``repr`` of a value for a message, at most 80 characters of it."""
     try:
-        text = shown(x)
+        text = short_repr(x)
     except Exception:  # an object of any library may fail to describe itself
         text = f"an object of {type(x).__name__}"
     return text if len(text) <= 80 else text[:77] + "..."
@@ -338,7 +338,7 @@ def clipped(x: object) -> str:
 LONGEST = 400  # operations: the most of an expression that is printed
 
 
-def shown(x: Scalar) -> str:
+def short_repr(x: Scalar) -> str:
     """The ``repr`` of a scalar; of an expression with more than :data:`LONGEST` operations only
     their number, since its text repeats the parts that are shared.
     """
@@ -408,7 +408,7 @@ def short(x: Scalar) -> str:
     """The number as text with six digits, for messages; expressions and arrays in full."""
     if is_numeric(x) and not getattr(x, "shape", ()) and not isinstance(x, complex):
         return f"{float(x):.6g}"
-    return shown(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
+    return short_repr(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
 
 
 _roots: dict[type, str] = {}
@@ -452,7 +452,7 @@ def function(name, *args):
 
 
 def _outside(name, args, error):
-    """The error for an argument at which a function has no value, or one that is no float."""
+    """The error for an argument at which a function has no value, or one that is not a float."""
     kind = RangeError if isinstance(error, OverflowError) else SingularError
     return kind(f"{name}({', '.join(map(clipped, args))}) has no value: {error}")
 
@@ -537,7 +537,7 @@ def pi(like: Scalar = 0.0) -> Scalar:
     if isinstance(like, _Own):
         return like.pi() if hasattr(like, "pi") else pi(getattr(like, "value", 0.0))
     if type(like) is not float:
-        scalar(like)  # or it is no number
+        scalar(like)  # or it is not a number
     library = library_of((like,))
     return +library.pi if library.__name__ == "mpmath" else getattr(library, "pi", math.pi)
 

@@ -186,7 +186,7 @@ def _is_nothing(x):
 def _as_dimension(x):
     if isinstance(x, Dimension):
         return x
-    real_scalar(x)  # or it is no number at all
+    real_scalar(x)  # or it is not a number at all
     return Dimension()
 
 

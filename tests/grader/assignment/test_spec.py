@@ -47,8 +47,8 @@ def test_an_invalid_range_is_refused(text):
 
 def test_a_file_is_the_assignment_and_is_written_as_it_was_read(tmp_path):
     spec = read_spec(written(tmp_path, FILE))
-    said = spec.name, spec.title, spec.due
-    assert said == ("hw3", "Homework 3", "2027-01-31 23:59 Europe/Berlin")
+    head = spec.name, spec.title, spec.due
+    assert head == ("hw3", "Homework 3", "2027-01-31 23:59 Europe/Berlin")
     assert numbers(spec) == ["4/3", "7/5", "11/1", "11/2"]
     assert [dict(i.options) for i in spec.items[:3]] == [
         {"points": 10, "weights": {"a": 2}, "follow_through": 0.5}, {}, {"points": 4},
@@ -66,13 +66,13 @@ def test_a_file_is_the_assignment_and_is_written_as_it_was_read(tmp_path):
             "problems: [{4/3: {point: 3}}]",
             "'point' is not one of follow_through, help, points, tolerance, weights; did you mean points",
         ),
-        ("problems: [{4/3: {points: many}}]", "'many' is no number of points"),
-        ("problems: [{4/3: -1}]", "-1 is no number of points"),
+        ("problems: [{4/3: {points: many}}]", "'many' is not a number of points"),
+        ("problems: [{4/3: -1}]", "-1 is not a number of points"),
         ("problems: [3]", "3 is neither a problem nor a text"),
         ("problems: [", "cannot be read"),
         ("[" * 5000, "cannot be read"),
         ("due: 2027-13-45", "cannot be read"),
-        (f"problems: [4/3: {{points: 1{'0' * 400}}}]", "is no number of points"),
+        (f"problems: [4/3: {{points: 1{'0' * 400}}}]", "is not a number of points"),
     ],
 )
 def test_a_file_that_does_not_fit_is_refused_in_words(tmp_path, text, words):
@@ -93,7 +93,7 @@ def test_a_name_and_points_that_do_not_fit_are_refused_in_words():
 
 @pytest.mark.integration
 def test_problems_of_any_chapters_are_built_handed_out_graded_and_updated(tmp_path):
-    """The round trip of the line that the issue asks for, and a second assignment by a file."""
+    """The round trip from a command line, and a second assignment from a file."""
     place, roster = tmp_path / "mechanics", tmp_path / "roster.csv"
     roster.write_text("id\nada\n")
     chosen = "--problems", "4/3", "4/16", "7/5", "11/1-11/2", "--points", "4/3=10"

@@ -101,7 +101,7 @@ build.build_assignment(sys.argv[1], "ch04", sys.argv[3], ("4/1",))
 
 
 @pytest.mark.parametrize("when", ["source", pytest.param("enrol", marks=pytest.mark.slow)])
-def test_what_a_killed_build_leaves_is_made_anew_by_the_next(tmp_path, when):
+def test_the_build_after_a_killed_one_starts_afresh(tmp_path, when):
     roster = tmp_path / "roster.csv"
     roster.write_text("id\nada\n")
     place = tmp_path / "c"
@@ -117,7 +117,7 @@ def test_what_a_killed_build_leaves_is_made_anew_by_the_next(tmp_path, when):
     assert {p.name for p in place.iterdir()} <= MADE
 
 
-def test_files_of_somebody_else_in_an_unfinished_course_are_not_removed(tmp_path):
+def test_someone_elses_files_in_an_unfinished_course_are_not_removed(tmp_path):
     (tmp_path / UNFINISHED).touch()
     (tmp_path / "thesis.tex").write_text("mine")
     with pytest.raises(CourseError, match="exists and is not empty"), new_course(tmp_path):
@@ -125,7 +125,7 @@ def test_files_of_somebody_else_in_an_unfinished_course_are_not_removed(tmp_path
     assert (tmp_path / "thesis.tex").exists()
 
 
-def test_a_course_in_a_language_that_is_not_there_is_refused(tmp_path):
+def test_a_course_in_an_unknown_language_is_refused(tmp_path):
     with new_course(tmp_path / "kurs") as course:
         course.set(language="xx")
     with pytest.raises(CourseError, match=r"course.json: there is no language 'xx' here"):
