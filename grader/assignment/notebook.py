@@ -332,7 +332,7 @@ def personal_notebook(
     return {**released, "cells": cells}
 
 
-def statement_with(p, text, values):
+def statement_with(p: Problem, text: str, values: Values) -> str:
     """The text of a problem with a student's numbers in place of those of its givens."""
     pieces, numbers = _around_numbers(p, text)
     own = [written(values[name]) for name, written in numbers]

@@ -37,11 +37,11 @@ def _points(value, p=None):
 
 
 def _share(value, p=None):
-    return _checked(_percent(value), 0, 1, "not a share from 0 to 1, such as 0.5 or 50%")
+    return _checked(_percent(value), 0, 1, "not a share: expected 0 to 1, as 0.5 or 50%")
 
 
 def _tolerance(value, p=None):
-    words = f"not a tolerance from 0.001% to {LARGEST:.0%}, such as 0.02 or 2%"
+    words = f"not a tolerance: expected 0.001% to {LARGEST:.0%}, as 0.02 or 2%"
     return _checked(_percent(value), 1e-5, LARGEST, words)
 
 
@@ -71,7 +71,7 @@ def _weights(value, p):
         k: _checked(x, 0, 1e6, f"not a weight of {k}: expected 0 or more") for k, x in value.items()
     }
     if not any(found.get(key, 1) for key in keys):
-        raise ValueError("all weights are 0, so that the problem is worth nothing")
+        raise ValueError("all weights are 0, so the problem is worth nothing")
     return found
 
 

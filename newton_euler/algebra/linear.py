@@ -678,7 +678,7 @@ def _of_expressions(equations, found):
     return {k: x for k, x in solve_regular(rows).items() if k in found.values}
 
 
-def solve_regular(rows):
+def solve_regular(rows: list[tuple[Mapping[int, Scalar], Scalar]]) -> dict[int, Scalar]:
     """The unknowns by number, from as many independent equations, pairs (coefficients by unknown,
     right side). One after the other is taken from the place that touches the fewest other places:
     best one that is known at once, or that occurs nowhere else and follows when the others are

@@ -17,7 +17,7 @@ that of a number is found by the number's type.
 import math
 import sys
 import zlib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import reduce
 from importlib import import_module
@@ -436,12 +436,12 @@ def library_of(values: Iterable[Scalar]) -> ModuleType:
     return import_module("cmath") if complex in map(type, values) else math
 
 
-def function(name, *args):
+def function(name: str, *args: Scalar) -> Scalar:
     """The function ``name`` (of :data:`FUNCTIONS`, or ``atan2``) of scalars of any kind."""
     chosen = highest(args)
     if chosen is not None:
         return chosen.function(name, *args) if name == "atan2" else chosen.function(name)
-    args = [0 if (x := scalar(a)) is ZERO else x for a in args]
+    args = tuple([0 if (x := scalar(a)) is ZERO else x for a in args])
     try:
         return getattr(library_of(args), name)(*args)
     except (ValueError, OverflowError) as error:
@@ -673,7 +673,7 @@ def unit_roundoff(values: Iterable[Scalar]) -> Scalar:
     return max(map(epsilon, rounded), default=epsilon())
 
 
-def with_extra_digits(f, *values):
+def with_extra_digits(f: Callable[..., Scalar], *values: Scalar) -> Scalar:
     """``f(*values)`` of numbers taken as exact, with four times their digits or more, rounded once.
 
     >>> (1 + 1e-20) - 1, with_extra_digits(lambda x: (1 + x) - 1, 1e-20)

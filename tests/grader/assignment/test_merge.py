@@ -108,7 +108,7 @@ def test_a_build_adds_to_a_course_and_loses_nothing(tmp_path):
     mine = path.read_bytes()
 
     roster.write_text("id\nada\nben\n")
-    assert "Enrolled 1 students" in ran(command("enrol", roster, "--course", place))
+    assert "Enrolled 1 student (" in ran(command("enrol", roster, "--course", place))
     assert "Due: 2027-01-31 22:59 UTC" in ran(
         command("due", "ch04", "2027-01-31 23:59 Europe/Berlin", "--course", place)
     )

@@ -41,11 +41,11 @@ def test_an_option_is_read(name, value, found):
 
 
 @pytest.mark.parametrize(("name", "value", "words"), [
-    ("tolerance", 0, "0 is not a tolerance"), ("tolerance", "50%", "not a tolerance from"),
+    ("tolerance", 0, "0 is not a tolerance"), ("tolerance", "50%", "not a tolerance"),
     ("tolerance", True, "True is not a tolerance"), ("help", "hint", "did you mean hints?"),
     ("follow_through", 2, "not a share"), ("points", float("nan"), "not a number of points"),
     ("weights", {"a": 1}, "'a' is not a part of 4/16"), ("weights", {"v_D": -1}, "not a weight"),
-    ("weights", {"v_D": 0, "a_D": 0, "alpha_CD": 0}, "worth nothing"), ("weights", 3, "a set of weights"),
+    ("weights", {"v_D": 0, "a_D": 0, "alpha_CD": 0}, "worth nothing"), ("weights", 3, "not a set of weights"),
 ])  # fmt: skip
 def test_an_option_that_means_nothing_is_refused_in_words(name, value, words):
     assert name in OPTIONS

@@ -2,9 +2,9 @@
 
 import pytest
 
-from exercises.catalogue import CatalogueError
+from exercises.catalogue import CatalogueError, select
 from grader.assignment import make_personal_copies
-from grader.assignment.spec import in_range, read_spec, spec_of
+from grader.assignment.spec import read_spec, spec_of
 from grader.course import Course, CourseError
 from grader.grading import grade
 from tests.grader.courses import command, nbgrader, points, ran, read, submit
@@ -36,13 +36,13 @@ def written(folder, text, name="hw3.yaml"):
      ("A/1-A/2", ["A/1", "A/2"]), ("4/3-4/3", ["4/3"]), (" 11/2 – 3 ", ["11/2", "11/3"])],
 )  # fmt: skip
 def test_a_text_stands_for_a_problem_or_a_range(text, found):
-    assert [p.id for p in in_range(text)] == found
+    assert [p.id for p in select([text])] == found
 
 
 @pytest.mark.parametrize("text", ["11/6-11/1", "4/3-5/1", "4/3-", "4/999", "ch99", "4/1-4/999"])
 def test_an_invalid_range_is_refused(text):
     with pytest.raises((CourseError, CatalogueError)):
-        in_range(text)
+        select([text])
 
 
 def test_a_file_is_the_assignment_and_is_written_as_it_was_read(tmp_path):
@@ -69,7 +69,7 @@ def test_a_file_is_the_assignment_and_is_written_as_it_was_read(tmp_path):
         ("problems: [{4/3: {points: many}}]", "'many' is not a number of points"),
         ("problems: [{4/3: -1}]", "-1 is not a number of points"),
         ("problems: [3]", "3 is neither a problem nor a text"),
-        ("problems: [", "cannot be read"),
+        ("problems: [", "is not YAML"),
         ("[" * 5000, "cannot be read"),
         ("due: 2027-13-45", "cannot be read"),
         (f"problems: [4/3: {{points: 1{'0' * 400}}}]", "is not a number of points"),
@@ -86,7 +86,7 @@ def test_a_name_and_points_that_do_not_fit_are_refused_in_words():
             spec_of(name, ["4/3"])
     with pytest.raises(CourseError, match="no problems are named"):
         spec_of("hw3")
-    for text, words in (("4/3=x", "expected a problem and points"), ("4/1=3", "not among")):
+    for text, words in (("4/3=x", "expected a problem and its points"), ("4/1=3", "not among")):
         with pytest.raises(CourseError, match=words):
             spec_of("hw3", ["4/3"], [text])
 
