@@ -37,7 +37,7 @@ from .scalars import (
     scalar,
     without_rates,
 )
-from .source import RESERVED, WITHOUT_HEYOKA, generate, runtime_names
+from .source import WITHOUT_HEYOKA, generate, named_apart, runtime_names
 from .trace import NO_VALUE, Inner, NoValueError, Step, Trace, asked_by, keys_of, packed, unpacked
 
 # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
@@ -123,9 +123,9 @@ class Compiled:
         self.name, self.parameters, self.trace, self.leaves = name, parameters, trace, leaves
         self._defaults, self.shape, self.keys = dict(defaults), shape, keys
         self._build = _builder(shape, keys, len(leaves)) if shape else tuple
-        names = {n: f"{n}_" if n in RESERVED else n for n in parameters}
+        names = named_apart(parameters)
         self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
-        chooses = "where(" in self.source
+        chooses = any(s.op == "where" for s in trace.steps)
         self._lazy = generate(trace, names, leaves, lazy=True)[0] if chooses else self.source
         self._functions, self._heyoka, self._buffer = {}, None, None
         self.seen = 0  # instants of arrays so far
@@ -140,7 +140,7 @@ class Compiled:
         rest = self.shape, self.keys, self._defaults
         return _from_steps, (self.name, list(self.parameters), steps, leaves, *rest)
 
-    def __call__(self, *args, **named):
+    def __call__(self, /, *args, **named):
         if named or len(args) != len(self.parameters):
             args = self._in_order(args, named)
         for a in args:
@@ -311,7 +311,7 @@ def _float(constant):
 
 
 @checked
-def compiled(f: Callable[..., Any], **constants: Scalar) -> Compiled:
+def compiled(f: Callable[..., Any], /, **constants: Scalar) -> Compiled:
     """The formula ``f``, traced once into straight-line text, for many fast evaluations. The result
     takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name,
     and returns what ``f`` returns, a Vector as a triple of components. Arrays go by NumPy in
@@ -364,7 +364,7 @@ def _traced(x):
     return isinstance(x, Step) or (isinstance(x, (list, tuple)) and any(map(_traced, x)))
 
 
-def recorded(f, **constants):
+def recorded(f, /, **constants):
     """The :class:`Recording` of ``f``, see :func:`compiled`, without a text, in half the time."""
     try:
         signature = inspect.signature(f).parameters

@@ -277,6 +277,9 @@ def test_names_come_from_the_arguments_or_are_given():
         solve_linear(lambda *u: u[0], "a a")
     with pytest.raises(LinearError, match="there are no unknowns"):
         solve_linear(lambda *u: 1.0)
+    for name in ("values", "report"):
+        with pytest.raises(LinearError, match=f"'{name}' is a part of the solution"):
+            solve_linear(lambda u: u - 1.0, [name])
     twice = solve_linear(lambda a: {"both": (a - 1.0, 2 * a - 2.0)})
     assert dict(twice.redundant) == {"both.2": ("both.1",)}
 

@@ -86,6 +86,8 @@ def test_changed_leaves_the_model_as_it_was():
     with pytest.raises(TypeError):
         model.parameters["k"] = 2.0
     assert repr(model) == "Model('oscillator': x, dx; m, k)"
+    odd = Model("odd", {"self": 1.0}, ("_what",), lambda s, p, t: (p.self * s._what,))
+    assert odd.changed(self=3.0).derivative((2.0,)) == (6.0,)
 
 
 def test_an_exact_solution_is_over_every_kind_of_number_and_an_invariant_stays():
