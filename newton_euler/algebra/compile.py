@@ -355,7 +355,7 @@ def _tracebacks(error):
 
 def _of_a_library(frame):
     package = frame.f_globals.get("__name__", "").partition(".")[0]
-    return package in ("numpy", "scipy", "mpmath")
+    return package in {"numpy", "scipy", "mpmath", *sys.stdlib_module_names}
 
 
 def _traced(x):

@@ -65,7 +65,7 @@ def _piece(f, start, end, rtol, exact):
 def _value(f, x):
     try:
         return scalar(f(x))
-    except (ArithmeticError, SingularError) as problem:
+    except (ZeroDivisionError, OverflowError, FloatingPointError, SingularError) as problem:
         raise WorkError(f"the integrand has no value at {short(x)}: {problem}") from problem
 
 

@@ -104,6 +104,31 @@ class _Own:
         return exp(self * log(base))
 
 
+class Unordered:
+    """Base of numbers that are more than a value: what asks for one value is refused in words.
+
+    advice : what to write instead
+    """
+
+    __slots__ = ()
+    advice = ""
+
+    def _no_value(self, *_):
+        raise ScalarError(
+            f"{clipped(self)} is not one value, which could be compared, rounded (int, round, %, "
+            f"//) or passed to math and NumPy: {self.advice}"
+        )
+
+    __lt__ = __le__ = __gt__ = __ge__ = __bool__ = __float__ = __int__ = __round__ = _no_value
+    __mod__ = __rmod__ = __floordiv__ = __rfloordiv__ = __divmod__ = __rdivmod__ = _no_value
+    __trunc__ = __floor__ = __ceil__ = _no_value
+
+    def __eq__(self, other):
+        return self is other or self._no_value()
+
+    __hash__ = object.__hash__
+
+
 def outranks(x, kind):
     """True if ``x``, a number of the engine, carries out an operation with one of this ``kind``."""
     return isinstance(x, _Own) and x.rank > kind.rank
@@ -300,7 +325,10 @@ def _is_unreal(x):
     dtype = getattr(x, "dtype", None)
     if dtype is None:
         return isinstance(x, complex) or type(x).__name__ == "mpc"
-    return x.size == 0 or dtype.kind == "c" or (dtype.kind == "O" and any(map(_is_unreal, x.flat)))
+    size, kind = getattr(x, "size", 1), getattr(dtype, "kind", "")  # others have a dtype, too
+    return (
+        size == 0 or kind == "c" or (kind == "O" and any(map(_is_unreal, getattr(x, "flat", ()))))
+    )
 
 
 def advice(x: object) -> str:

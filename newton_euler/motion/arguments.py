@@ -40,7 +40,7 @@ def start_state(model, start):
     ):
         return tuple(start)
     kind = getattr(getattr(start, "dtype", None), "char", "")
-    if kind == "d" and start.ndim == 1 and type(start).__module__ == "numpy":
+    if kind == "d" and type(start).__module__ == "numpy" and start.ndim == 1:
         return start_state(model, tuple(start.tolist()))
     names = ", ".join(model.states)
     subject = f"the start of {model.name!r}"

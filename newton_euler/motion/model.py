@@ -353,10 +353,12 @@ class Model(Portable):
                 )
         for name, x in self.parameters.items():
             wrong = isinstance(x, FunctionType) and misfit(x, (None,) * 3, {})
-            if wrong or (not callable(x) and not _is_scalar(x)):
+            data = type(x).__module__.startswith("scipy.")
+            if wrong or data or (not callable(x) and not _is_scalar(x)):
+                instead = f"; of data make a table(ts, values), for p.{name}(t)" if data else ""
                 raise ModelError(
                     f"the parameter {name} of {self.name!r} is a number or a function (s, p, t), "
-                    f"not {x!r}"
+                    f"not {x!r}{instead if callable(x) else advice(x)}"
                 )
 
     def _check_functions(self):

@@ -170,6 +170,18 @@ class PreparedModel:
         """A function ``f(s, p, t)`` as one of ``(t, *states)``, without tracing."""
         return lambda t, *x: self.model._value(f, x, t)
 
+    def values(self, f, times, x):
+        """The values of a function ``f(s, p, t)`` at an array of times with the states there; one
+        by one if it branches on them.
+        """
+        import numpy as np
+
+        g = self.function(f)
+        try:
+            return np.broadcast_to(g(times, *x), times.shape)
+        except (TypeError, ValueError):
+            return np.array([g(*at) for at in zip(times.tolist(), *x.tolist(), strict=True)])
+
     def narrow_of(self, f):
         """The narrow arguments in a function of an event; None if it has none, or is not traced."""
         text = self._text(f)
