@@ -219,7 +219,10 @@ class Compiled:
         library = library_of(args)
         if library.__name__ == "numpy":
             return self._arrays(library, args)
-        return self._build(self.on(library)(*args))
+        try:
+            return self._build(self.on(library)(*args))
+        except (ZeroDivisionError, OverflowError, ValueError) as error:
+            raise self._no_value(args, error) from error
 
     def _arrays(self, np, args):
         args = [np.asarray(a) for a in args]

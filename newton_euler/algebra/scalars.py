@@ -19,9 +19,9 @@ import sys
 import zlib
 from collections.abc import Iterable
 from fractions import Fraction
-from functools import reduce
+from functools import reduce, wraps
 from importlib import import_module
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 FUNCTIONS = (
@@ -410,7 +410,11 @@ def real(x: object, what: str) -> Scalar:
 
 def allowed(tolerance: object) -> float:
     """A tolerance: one real number that is not negative, a float."""
-    y = float(real(tolerance, "a tolerance"))
+    y = real(tolerance, "a tolerance")
+    try:
+        y = float(y)
+    except OverflowError:  # of an integer
+        y = math.inf if y > 0 else -math.inf
     if not y >= 0:
         raise ScalarError(f"a tolerance is not negative; got {clipped(tolerance)}")
     return y
@@ -460,8 +464,42 @@ def library_of(values: Iterable[Scalar]) -> ModuleType:
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
         if name in roots:
-            return _modules.get(name) or _modules.setdefault(name, import_module(name))
+            return _modules.get(name) or _modules.setdefault(name, _imported(name))
     return import_module("cmath") if complex in map(type, values) else math
+
+
+def _imported(name):
+    return _real_mpmath() if name == "mpmath" else import_module(name)
+
+
+def _real_mpmath():
+    """mpmath with functions that have no complex values of real numbers, as those of floats."""
+    import mpmath
+
+    def real(f):
+        def of_real(x):
+            y = f(x)
+            if isinstance(y, mpmath.mpc) and not isinstance(x, (mpmath.mpc, complex)):
+                raise ValueError("math domain error")
+            return y
+
+        return of_real
+
+    changed = {name: real(getattr(mpmath, name)) for name in ("asin", "acos", "log", "sqrt")}
+    return SimpleNamespace(**{**vars(mpmath), **changed})
+
+
+def in_range(f):
+    """A decorator: a result that is too large for a float is refused in words."""
+
+    @wraps(f)
+    def call(*args, **named):
+        try:
+            return f(*args, **named)
+        except OverflowError as error:
+            raise RangeError(f"{f.__name__} has no value here: {error}") from error
+
+    return call
 
 
 def function(name, *args):
@@ -570,6 +608,7 @@ def pi(like: Scalar = 0.0) -> Scalar:
     return +library.pi if library.__name__ == "mpmath" else getattr(library, "pi", math.pi)
 
 
+@in_range
 def radians(degrees: Scalar) -> Scalar:
     """The angle in radians, as exact as the kind of number allows.
 

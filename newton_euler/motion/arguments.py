@@ -61,7 +61,7 @@ def _start_value(subject, name, x):
         return x
     if isinstance(x, (str, bytes, bool)):
         raise ModelError(f"{expected}, got {x!r}")
-    return finite_number(x, f"{subject} has {name} =", f"{expected}, got {x!r}")
+    return finite_number(x, f"{subject} has {name} =", f"{expected}, got {clipped(x)}")
 
 
 def check_options(rtol, method, step=None, progress=None):

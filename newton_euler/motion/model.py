@@ -447,7 +447,7 @@ def _keep(cache, key, value):
 
 def _is_scalar(x):
     try:
-        scalar(x)
+        real_scalar(x)
     except ScalarError:
         return False
     return True

@@ -11,7 +11,7 @@ from functools import cached_property
 from ..algebra.compile import recorded
 from ..algebra.partial_evaluation import folded
 from ..algebra.reads import reads_nothing
-from ..algebra.scalars import ZERO, scalar
+from ..algebra.scalars import ZERO, clipped, scalar
 from .analytic import clocked, hazards, inner, kinks, surprises
 from .crossings import choices, compiled_choices
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
@@ -274,5 +274,5 @@ def _parameter(model, name, x):
         return x  # before the messages are written: the text of an array takes milliseconds
     what = f"the parameter {name} of {model.name!r}"
     return finite_number(
-        x, f"{what} is", f"{what} has no number: {x!r}; put one in with changed({name}=...)"
+        x, f"{what} is", f"{what} has no number: {clipped(x)}; put one in with changed({name}=...)"
     )
