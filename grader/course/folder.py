@@ -194,6 +194,14 @@ class Course:
 
     # -- students
 
+    def require_students(self, students: Iterable[str]) -> None:
+        """Raise :class:`CourseError` unless all of them are on the roster."""
+        if unknown := sorted(set(students) - set(self.roster())):
+            raise CourseError(
+                f"{', '.join(unknown)}: not on the roster; add the student first: "
+                f"python -m grader enrol roster.csv --course {self.path}"
+            )
+
     @contextlib.contextmanager
     def gradebook(self) -> Iterator[Any]:
         """nbgrader's gradebook, as a context manager; raises :class:`CourseError` if unusable."""

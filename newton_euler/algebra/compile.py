@@ -10,11 +10,12 @@ on the numbers of mpmath, on symbols and on this package's own kinds.
 import inspect
 import math
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from importlib import import_module, util
 from itertools import takewhile
 from operator import itemgetter
+from types import ModuleType
 from typing import Any, NamedTuple
 
 from . import scalars
@@ -119,7 +120,16 @@ class Compiled:
     shape, keys : how the result is built from these, see :func:`_shape`; default: a tuple
     """
 
-    def __init__(self, name, parameters, trace, leaves, shape="", keys=(), defaults=()):
+    def __init__(
+        self,
+        name: str,
+        parameters: Sequence[str],
+        trace: Trace,
+        leaves: Sequence[Scalar],
+        shape: str = "",
+        keys: Sequence[str] = (),
+        defaults: Mapping[str, Scalar] | tuple[()] = (),
+    ):
         self.name, self.parameters, self.trace, self.leaves = name, parameters, trace, leaves
         self._defaults, self.shape, self.keys = dict(defaults), shape, keys
         self._build = _builder(shape, keys, len(leaves)) if shape else tuple
@@ -127,7 +137,8 @@ class Compiled:
         self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
         chooses = any(s.op == "where" for s in trace.steps)
         self._lazy = generate(trace, names, leaves, lazy=True)[0] if chooses else self.source
-        self._functions, self._heyoka, self._buffer = {}, None, None
+        self._functions: dict[str, Callable[..., Any]] = {}
+        self._heyoka, self._buffer = None, None
         self.seen = 0  # instants of arrays so far
         self.on_floats = self.on(math)
 
@@ -140,7 +151,7 @@ class Compiled:
         rest = self.shape, self.keys, self._defaults
         return _from_steps, (self.name, list(self.parameters), steps, leaves, *rest)
 
-    def __call__(self, /, *args, **named):
+    def __call__(self, /, *args: Scalar, **named: Scalar) -> Any:
         if named or len(args) != len(self.parameters):
             args = self._in_order(args, named)
         for a in args:
@@ -152,9 +163,9 @@ class Compiled:
             raise self._no_value(args, error) from error
 
     @cached_property
-    def dependencies(self):
+    def dependencies(self) -> list[set[str]]:
         """For each scalar in the result the set of names of the arguments on which it depends."""
-        known = []
+        known: list[set[str]] = []
 
         def union(values):
             return set().union(*(known[x.number] for x in values if isinstance(x, Step)))
@@ -163,7 +174,7 @@ class Compiled:
             known.append({s.args[0]} if s.op == "argument" else union(s.args))
         return [union([leaf]) for leaf in self.leaves]
 
-    def on(self, library):
+    def on(self, library: ModuleType) -> Callable[..., tuple[Scalar, ...]]:
         """The text as a function over one library, from the arguments (over this package pi first)
         to the tuple of all scalars in the result.
         """
@@ -367,7 +378,7 @@ def _traced(x):
     return isinstance(x, Step) or (isinstance(x, (list, tuple)) and any(map(_traced, x)))
 
 
-def recorded(f, /, **constants):
+def recorded(f: Callable[..., Any], /, **constants: Scalar) -> Recording:
     """The :class:`Recording` of ``f``, see :func:`compiled`, without a text, in half the time."""
     try:
         signature = inspect.signature(f).parameters
@@ -383,7 +394,8 @@ def recorded(f, /, **constants):
     trace, parameters = Trace(), [n for n in signature if n not in constants]
     values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
     by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
-    leaves, keys = [], []
+    leaves: list[Scalar] = []
+    keys: list[str] = []
     try:
         shape = _shape(f(*by_place, **values), leaves, keys)
     except (TypeError, ValueError, LookupError, AttributeError) as error:

@@ -30,7 +30,7 @@ from .scalars import (
     log,
     min_abs,
     real_scalar,
-    shown,
+    short_repr,
     sin,
     sinh,
     sqrt,
@@ -80,8 +80,8 @@ class Moving(Unordered, _Own):
         self.value, self.rate, self.acceleration = value, rate, acceleration
 
     def __repr__(self):
-        rates = f"rate={shown(self.rate)}, acceleration={shown(self.acceleration)}"
-        return f"moving({shown(self.value)}, {rates})"
+        rates = f"rate={short_repr(self.rate)}, acceleration={short_repr(self.acceleration)}"
+        return f"moving({short_repr(self.value)}, {rates})"
 
     @staticmethod
     def _of(x: Scalar) -> "Moving":
@@ -183,13 +183,14 @@ class Moving(Unordered, _Own):
             turn = x.value * y.acceleration - y.value * x.acceleration
             return Moving(atan2(y.value, x.value), rate, (turn - rate * growth) / square)
         if not isinstance(name, str) or name not in _DERIVATIVES:
-            raise ScalarError(f"{clipped(name)} is no function; there are {', '.join(FUNCTIONS)}")
+            known = ", ".join(FUNCTIONS)
+            raise ScalarError(f"{clipped(name)} is not a function; there are {known}")
         if self.rests():
             return Moving(function(name, self.value))
         try:
             return self._chain(*_DERIVATIVES[name](self.value))
         except ZeroDivisionError as error:
-            raise DivisionError(f"no rate of {name}({shown(self.value)}): {error}") from None
+            raise DivisionError(f"no rate of {name}({short_repr(self.value)}): {error}") from None
 
 
 class _Refusal:
@@ -280,7 +281,7 @@ def _known(x, what):
     """The real scalar ``x``; None and nan, as before a computation, are refused."""
     if x is None or (isinstance(x, float) and x != x):
         raise ScalarError(
-            f"the {what} is {x}, which is no number: look at what it was computed from"
+            f"the {what} is {x}, which is not a number: look at what it was computed from"
             + (f", or leave {what}= out" if what != "value" else "")
         )
     return real_scalar(x)
@@ -312,4 +313,5 @@ def at(f: Callable[..., Scalar], t: Scalar) -> Moving:
     try:
         return as_moving(f(Moving(t, integer_like(1, t))))
     except OverflowError as error:
-        raise RangeError(f"the function is too large for a float at {shown(t)}: {error}") from error
+        at = short_repr(t)
+        raise RangeError(f"the function is too large for a float at {at}: {error}") from error

@@ -28,7 +28,7 @@ from .scalars import (
     real_scalar,
     scalar,
     short,
-    shown,
+    short_repr,
     to_plain,
 )
 
@@ -341,7 +341,7 @@ def latex_number(x: Scalar, digits: int) -> str:
         import sympy
 
         if operations(x) > LONGEST:
-            return r"\text{" + shown(x).strip("<>") + "}"
+            return r"\text{" + short_repr(x).strip("<>") + "}"
         body = sympy.latex(sympy.sympify(x))
     except Exception:  # heyoka, traced and array components have no LaTeX of their own
         body = latex_text(str(x)[:40])
@@ -388,9 +388,9 @@ class Amount(NamedTerms):
             object.__setattr__(self, "terms", Terms(self.terms))
 
     def __repr__(self):
-        terms = ", ".join(f"{n!r}: {shown(x)}" for n, x in self.terms.items())
+        terms = ", ".join(f"{n!r}: {short_repr(x)}" for n, x in self.terms.items())
         return (
-            f"Amount(value={shown(self.value)}, terms={{{terms}}}, what={self.what!r}, "
+            f"Amount(value={short_repr(self.value)}, terms={{{terms}}}, what={self.what!r}, "
             f"number={self.number!r}, error={self.error!r})"
         )
 

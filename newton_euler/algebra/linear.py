@@ -39,7 +39,7 @@ from .scalars import (
     real_scalar,
     scalar,
     short,
-    shown,
+    short_repr,
     to_plain,
     unit_roundoff,
 )
@@ -98,9 +98,9 @@ class LinearForm(Unordered, _Own):
         self.value, self.coefficients = value, tuple(coefficients)
 
     def __repr__(self):
-        coefficients = ", ".join(map(shown, self.coefficients))
+        coefficients = ", ".join(map(short_repr, self.coefficients))
         end = "," * (len(self.coefficients) == 1)
-        return f"LinearForm({shown(self.value)}, ({coefficients}{end}))"
+        return f"LinearForm({short_repr(self.value)}, ({coefficients}{end}))"
 
     def _of(self, x: Scalar) -> "LinearForm":
         """The linear form that ``x`` is, or the constant one in the same unknowns."""
@@ -434,14 +434,14 @@ def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None)
 def _solved(equations, names):
     made_up = {}
 
-    def number(x):
+    def known_or_made_up(x):
         if (known := probe(x)) is not None:
             return known
         # numbers between 0.5 and 1.5 without a pattern (steps of the golden ratio), for expressions
         # whose value cannot be known
         return made_up.setdefault(id(x), (0.37 + 0.6180339887 * len(made_up)) % 1 + 0.5)
 
-    samples = [e.each(number) for e in equations]
+    samples = [e.each(known_or_made_up) for e in equations]
     numbers = all(probe(x) is x for e in equations for x in e.parts())
     try:
         found = _Elimination(samples, len(names), not made_up, numbers)
@@ -688,7 +688,7 @@ def _of_expressions(equations, found):
     return {k: x for k, x in solve_regular(rows).items() if k in found.values}
 
 
-def solve_regular(rows):
+def solve_regular(rows: list[tuple[Mapping[int, Scalar], Scalar]]) -> dict[int, Scalar]:
     """The unknowns by number, from as many independent equations, pairs (coefficients by unknown,
     right side). One after the other is taken from the place that touches the fewest other places:
     best one that is known at once, or that occurs nowhere else and follows when the others are

@@ -17,7 +17,7 @@ that of a number is found by the number's type.
 import math
 import sys
 import zlib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import reduce, wraps
 from importlib import import_module
@@ -332,7 +332,7 @@ def _is_unreal(x):
 
 
 def advice(x: object) -> str:
-    """What to do with a value that is no number, as the end of a message."""
+    """What to do with a value that is not a number, as the end of a message."""
     if getattr(x, "shape", ()) and getattr(x, "size", 1) == 0:
         return "; it is empty"
     if _is_unreal(x):
@@ -357,7 +357,7 @@ def advice(x: object) -> str:
 def clipped(x: object) -> str:
     """The ``repr`` of a value for a message, at most 80 characters of it."""
     try:
-        text = shown(x)
+        text = short_repr(x)
     except Exception:  # an object of any library may fail to describe itself
         text = f"an object of {type(x).__name__}"
     return text if len(text) <= 80 else text[:77] + "..."
@@ -366,7 +366,7 @@ def clipped(x: object) -> str:
 LONGEST = 400  # operations: the most of an expression that is printed
 
 
-def shown(x: Scalar) -> str:
+def short_repr(x: Scalar) -> str:
     """The ``repr`` of a scalar; of an expression with more than :data:`LONGEST` operations only
     their number, since its text repeats the parts that are shared.
     """
@@ -440,7 +440,7 @@ def short(x: Scalar) -> str:
     """The number as text with six digits, for messages; expressions and arrays in full."""
     if is_numeric(x) and not getattr(x, "shape", ()) and not isinstance(x, complex):
         return f"{float(x):.6g}"
-    return shown(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
+    return short_repr(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
 
 
 _roots: dict[type, str] = {}
@@ -489,7 +489,7 @@ def _real_mpmath():
     return SimpleNamespace(**{**vars(mpmath), **changed})
 
 
-def in_range(f):
+def in_range(f: Callable[..., Any]) -> Callable[..., Any]:
     """A decorator: a result that is too large for a float is refused in words."""
 
     @wraps(f)
@@ -502,12 +502,12 @@ def in_range(f):
     return call
 
 
-def function(name, *args):
+def function(name: str, *args: Scalar) -> Scalar:
     """The function ``name`` (of :data:`FUNCTIONS`, or ``atan2``) of scalars of any kind."""
     chosen = highest(args)
     if chosen is not None:
         return chosen.function(name, *args) if name == "atan2" else chosen.function(name)
-    args = [0 if (x := scalar(a)) is ZERO else x for a in args]
+    args = tuple([0 if (x := scalar(a)) is ZERO else x for a in args])
     try:
         return getattr(library_of(args), name)(*args)
     except (ValueError, OverflowError) as error:
@@ -518,7 +518,7 @@ def function(name, *args):
 
 
 def _outside(name, args, error):
-    """The error for an argument at which a function has no value, or one that is no float."""
+    """The error for an argument at which a function has no value, or one that is not a float."""
     kind = RangeError if isinstance(error, OverflowError) else SingularError
     return kind(f"{name}({', '.join(map(clipped, args))}) has no value: {error}")
 
@@ -603,7 +603,7 @@ def pi(like: Scalar = 0.0) -> Scalar:
     if isinstance(like, _Own):
         return like.pi() if hasattr(like, "pi") else pi(getattr(like, "value", 0.0))
     if type(like) is not float:
-        scalar(like)  # or it is no number
+        scalar(like)  # or it is not a number
     library = library_of((like,))
     return +library.pi if library.__name__ == "mpmath" else getattr(library, "pi", math.pi)
 
@@ -740,7 +740,7 @@ def unit_roundoff(values: Iterable[Scalar]) -> Scalar:
     return max(map(epsilon, rounded), default=epsilon())
 
 
-def with_extra_digits(f, *values):
+def with_extra_digits(f: Callable[..., Scalar], *values: Scalar) -> Scalar:
     """``f(*values)`` of numbers taken as exact, with four times their digits or more, rounded once.
 
     >>> (1 + 1e-20) - 1, with_extra_digits(lambda x: (1 + x) - 1, 1e-20)

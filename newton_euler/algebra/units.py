@@ -187,7 +187,7 @@ def _is_nothing(x):
 def _as_dimension(x):
     if isinstance(x, Dimension):
         return x
-    real_scalar(x)  # or it is no number at all
+    real_scalar(x)  # or it is not a number at all
     return Dimension()
 
 
@@ -199,7 +199,7 @@ _PURE = Dimension()
 _FORCE = _MASS * _LENGTH / _TIME**2
 
 # name: (exact factor or its text, power of pi in it, dimension)
-UNITS = {
+UNITS: dict[str, tuple[int | str | Fraction, int, Dimension]] = {
     "1": (1, 0, _PURE), "%": ("0.01", 0, _PURE), "rad": (1, 0, _PURE),
     "deg": ("1/180", 1, _PURE), "rev": (2, 1, _PURE),
     "m": (1, 0, _LENGTH), "mm": ("0.001", 0, _LENGTH),
@@ -231,7 +231,7 @@ class System:
     (0.5, 6.0)
     """
 
-    def __init__(self, length, mass):
+    def __init__(self, length: Fraction | int, mass: Fraction | int):
         self.length, self.mass = map(Fraction, (length, mass))
 
     def factor(self, dimension: Dimension) -> Fraction:
@@ -260,7 +260,7 @@ class Unit:
     (True, 250.0)
     """
 
-    def __init__(self, text):
+    def __init__(self, text: str):
         self.text = text
         self.factor, self.pi_power, self.dimension = Fraction(1), 0, Dimension()
         self.parts = tuple(name for name, _ in _parts(text))

@@ -49,7 +49,7 @@ from .scalars import (
     real_scalar,
     scalar,
     short,
-    shown,
+    short_repr,
     to_plain,
     where,
 )
@@ -232,7 +232,7 @@ class Vector(Scaled, NamedTerms):
         return np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in self)))
 
     def __repr__(self):
-        return f"Vector({', '.join(map(shown, self))} in {self.frame.name})"
+        return f"Vector({', '.join(map(short_repr, self))} in {self.frame.name})"
 
     def __str__(self):
         return f"[{', '.join(map(short, self._without_noise()))}] in {self.frame.name}"

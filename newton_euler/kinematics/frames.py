@@ -577,7 +577,7 @@ def _origin_acceleration(via, observer):
     return Vector(sub3(sub3(turned, coriolis), origin), seat)
 
 
-# for what is seen from a point's own frame, which is no sum
+# for what is seen from a point's own frame, which is not a sum
 _VELOCITY, _ACCELERATION = Ledger("velocity", "", None), Ledger("acceleration", "", None)
 
 

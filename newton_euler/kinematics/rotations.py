@@ -47,7 +47,7 @@ Components = Sequence[Scalar] | Vector  # along any axes
 
 
 class RotationError(NewtonEulerError, ValueError):
-    """A matrix that is no rotation, a zero quaternion or axis, or singular Euler rates."""
+    """A matrix that is not a rotation, a zero quaternion or axis, or singular Euler rates."""
 
 
 # -- matrices of three rows
@@ -349,7 +349,7 @@ def _four(q):
 
 def _checked_size(q, size):
     if vanishes(size) or not is_finite(size):
-        raise RotationError(f"{q} is no rotation: its length must be finite and not zero")
+        raise RotationError(f"{q} is not a rotation: its length must be finite and not zero")
     return size
 
 

@@ -63,7 +63,7 @@ class Named:
     ones.
     """
 
-    def __init__(self, what, values):
+    def __init__(self, what: str, values: Mapping[str, Scalar]):
         vars(self).update({**values, "": what})  # a name that no state and no parameter has
 
     def __getattr__(self, name):

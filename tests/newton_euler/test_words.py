@@ -30,7 +30,7 @@ REFUSED = [
     (lambda: -v + a.expressed_in(ground), "cannot add the acceleration"),
     (lambda: Q.velocity(ground) - Q.acceleration(ground), "cannot add the acceleration, in m/s"),
     # not a number
-    (lambda: moving(1.0, rate=None), "the rate is None, which is no number.* leave rate= out"),
+    (lambda: moving(1.0, rate=None), "the rate is None, which is not a number.* leave rate= out"),
     (lambda: ground.rotate("b", "z", rate=None), "the rate is None"),
     (lambda: ground.rotate("b", "z", 0.1, 0.2, None), "the acceleration is None"),
     (lambda: moving(np.float64("nan")), "the value is nan"),

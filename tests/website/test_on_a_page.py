@@ -82,7 +82,7 @@ def test_what_is_typed_is_shown_as_it_is_read(opened):
 
 
 @pytest.mark.parametrize("text", SECRETS, ids=range(len(SECRETS)))
-def test_what_is_no_formula_is_refused_in_words(opened, text):
+def test_what_is_not_a_formula_is_refused_in_words(opened, text):
     found = call("read", problem="4/16", key="a_D", texts=[text, "0", "0"])["value"]
     assert found["latex"] == ""
     assert 0 < len(found["fault"]) < 300
@@ -90,7 +90,7 @@ def test_what_is_no_formula_is_refused_in_words(opened, text):
     assert checked["found"]["a_D"]["verdict"] == "unreadable"
 
 
-def test_files_that_are_no_practice_are_refused_in_words(tmp_path):
+def test_files_that_are_not_practice_files_are_refused_in_words(tmp_path):
     bomb = tmp_path / "bomb"
     with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("practice.json", b" " * 2**25)

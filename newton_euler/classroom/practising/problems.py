@@ -53,12 +53,12 @@ def _without_tags(markdown):
 @dataclass(frozen=True, repr=False)
 class Checked(Message):
     """What a check found: ``verdicts`` is {key: right, wrong, unreadable or blank}, ``explained``
-    is {key: the causes that explain a wrong one}, ``said`` is {key: the sentence}.
+    is {key: the causes that explain a wrong one}, ``sentences`` is {key: the sentence}.
     """
 
     verdicts: dict[str, str]
     explained: dict[str, tuple[Cause, ...]]
-    said: dict[str, str]
+    sentences: dict[str, str]
 
     @property
     def causes(self) -> dict[str, str | None]:
@@ -266,19 +266,19 @@ class PracticeProblem:
         self._numbers.tried = self._found
         found = {key: self._explained(key) for key in given}
         verdicts = {key: self._found[key].verdict for key in given}
-        said = {key: text for key, (text, causes) in found.items()}
+        sentences = {key: text for key, (text, causes) in found.items()}
         explained = {key: causes for key, (text, causes) in found.items()}
         for key, verdict in verdicts.items():
             if verdict in ("right", "wrong"):
                 cause = next(iter(explained[key]), None)
                 self._progress.tried(self.id, self.number, key, verdict == "right", cause)
         return Checked(
-            "\n".join(f"{key}: {text}" for key, text in said.items()),
+            "\n".join(f"{key}: {text}" for key, text in sentences.items()),
             "\n".join(f"- {_MARKS.get(verdicts[key], '')} `{key}` {self._read(key)}: {text}"
-                      for key, text in said.items()),
+                      for key, text in sentences.items()),
             verdicts,
             explained,
-            said,
+            sentences,
         )  # fmt: skip
 
     def _read(self, key):

@@ -40,7 +40,7 @@ ORDINARY = 0.25, 4.0
 
 
 @cache
-def installed():
+def installed() -> bool:
     """True if heyoka is installed."""
     return importlib.util.find_spec("heyoka") is not None
 

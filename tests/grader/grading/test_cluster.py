@@ -1,5 +1,5 @@
-"""A Dask cluster of several worker processes on this machine: the same scores, also when a worker
-is killed; what is not fit is refused, and nothing is left running.
+"""A Dask cluster of several worker processes on this machine: the same scores, even when a worker
+is killed; what is unfit is refused, and nothing is left running.
 """
 
 import contextlib
@@ -23,7 +23,7 @@ from tests.grader.grading.test_histories import notebooks
 from tests.grader.submissions import DAMAGED
 
 pytest.importorskip("distributed")
-psutil = pytest.importorskip("psutil")  # comes with it
+psutil = pytest.importorskip("psutil")  # comes with Dask
 pytestmark = [
     pytest.mark.integration,
     pytest.mark.filterwarnings("ignore::ResourceWarning"),
@@ -125,9 +125,7 @@ def test_a_cluster_gives_the_same_scores_and_leaves_nothing_running(fresh, two_w
     assert all(r.unchanged for r in again)
 
 
-def test_a_damaged_submission_and_somebody_unknown_are_reported_as_without_a_cluster(
-    fresh, two_workers
-):
+def test_a_damaged_submission_and_a_stranger_are_reported_as_without_a_cluster(fresh, two_workers):
     submit(fresh, "ada", DAMAGED["truncated"][0])
     submit(fresh, "zoe", DAMAGED["empty"][0])
     here = {r.student: r.problem for r in grade(fresh, "ch04")}
@@ -143,7 +141,7 @@ def test_the_command_names_the_workers(fresh, two_workers):
 
 
 class Wire:
-    """Passes on what comes for the scheduler, and what it answers, and keeps both."""
+    """Passes on what is sent to the scheduler and what it answers, and records both."""
 
     def __init__(self, address):
         host, port = address.removeprefix("tcp://").split(":")
@@ -216,7 +214,7 @@ def raising(grade, _):
 
 
 def lying(_, file):
-    """A worker's ``_grade`` that names a file of somebody else as its result."""
+    """A worker's ``_grade`` that names someone else's file as its result."""
     return lambda shared, n: str(file)
 
 
@@ -249,7 +247,7 @@ def dying(victims, monkeypatch):
     monkeypatch.setattr(grading, "_examine", examine)
 
 
-@pytest.mark.slow  # where others share the cores, a worker may take longer to start than it may
+@pytest.mark.slow  # on busy cores a worker may take longer to start than allowed
 def test_others_do_the_work_of_a_worker_that_dies_until_all_have_died(
     fresh, cluster, course, monkeypatch
 ):

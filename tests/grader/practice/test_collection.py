@@ -1,4 +1,4 @@
-"""A problem tried where it stands in a chapter."""
+"""A problem tried in place, in a chapter."""
 
 import pytest
 

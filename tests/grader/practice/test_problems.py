@@ -163,6 +163,6 @@ def test_first_tries_and_help_are_counted_and_kept(practice_file, tmp_path):
     assert row.split()[-4:] == ["2", "2", "1", "1"]
 
 
-def test_a_problem_that_is_not_there_is_reported_with_those_that_are(practice_file):
+def test_a_missing_problem_is_reported_with_the_existing_ones(practice_file):
     with pytest.raises(PracticeFileError, match="no problem '9/9'; it has 4/1, 4/2"):
         practice(practice_file, progress=None)["9/9"]

@@ -1,5 +1,5 @@
 """Nothing that a submission started outlives it, a killed worker, or a killed grader; and all its
-processes together have a limit of memory.
+processes together share a memory limit.
 """
 
 import os
@@ -49,7 +49,7 @@ with Harvester(1) as h:
     print(h.sandbox_state, flush=True)
     h.run({job(SLEEPER)!r}, 600, 600)
 """
-PROCESSES = 2 + 8  # worker, first; and what three forks in a row make of one
+PROCESSES = 2 + 8  # worker and first process; and what three forks in a row make of one
 
 
 def is_alive(pid):
@@ -188,7 +188,7 @@ x = found_near(id(object())) + found_near(libc.sbrk(0) - page) + found_near(id(b
 
 
 def test_nothing_of_another_submission_is_in_the_memory_of_a_process(harvester):
-    """Its answers, its receipts, the texts of tests: looked for where Python and C keep objects."""
+    """Its answers, its receipts, the texts of tests: a search where Python and C keep objects."""
     before = answer(harvester, SCAN)  # copies of its own needle
     test = {"role": "test", "name": "t", "text": "", "hidden": f"'{LEFT}'"}
     cells = [own(f"a = '{LEFT}'\n1 / 0 # {LEFT}"), *job(f"x = 1  # {LEFT}"), test]

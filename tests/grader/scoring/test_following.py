@@ -127,7 +127,7 @@ def test_in_every_problem_a_later_answer_follows_from_a_wrong_one(p, key):
     assert f"it follows from your {first}, which earns {part.points:.3g} of" in part.message
 
 
-# what follows is not written down, but the computation goes through the earlier answer
+# ``follows`` is not written, but the computation goes through the earlier answer
 THROUGH = [("2/16", "v_tape", "a_P1"), ("4/27", "v_A", "a_A"), ("6/18", "t_D", "d_up")]
 
 
@@ -147,8 +147,8 @@ def test_an_answer_follows_from_those_that_its_computation_goes_through(name, fi
     assert "it follows from your" in judged(p, values, given)[key].message
     slips = [x for x in numbers.sequel(key, wrong).at(key, 0) if distance(x, later) > 0.05][:10]
     parts = [judged(p, values, {**given, key: plain(slip)})[key] for slip in slips]
-    heard = [str(part.diagnosis).startswith(f"goes on from your {first}, but ") for part in parts]
-    assert sum(heard) >= 0.7 * len(slips)
+    goes_on = [str(part.diagnosis).startswith(f"goes on from your {first}, but ") for part in parts]
+    assert sum(goes_on) >= 0.7 * len(slips)
 
 
 def plain(components):
@@ -156,7 +156,7 @@ def plain(components):
     return list(map(float, components)) if len(components) > 1 else float(components[0])
 
 
-FACTORS = 1.3, 0.8, 1.05, 3.0  # not every wrong answer has a sequel
+FACTORS = 1.3, 0.8, 1.05, 3.0  # not every wrong answer leads to another
 
 
 def other(p, key, numbers, right, factor):
@@ -166,7 +166,7 @@ def other(p, key, numbers, right, factor):
         wrong = tuple(next(w for w in p.answer(first).of if w != x) for x in right[first])
     elif p.answer(first).kind.name == "count":
         wrong = tuple(x + 1 for x in right[first])
-    else:  # another direction, too
+    else:  # another direction too
         wrong = tuple(x * factor ** (n + 1) or 1.0 for n, x in enumerate(right[first]))
     with np.errstate(all="ignore"):
         try:

@@ -336,7 +336,7 @@ def test_positive_and_negative_zero_are_two_constants():
     assert f(-1.0) == (-math.pi / 2, -math.pi / 2, math.pi, -math.pi)
 
 
-def test_whole_and_broken_constants_stay_apart_on_symbols():
+def test_exact_and_float_constants_stay_distinct_on_symbols():
     x = sympy.Symbol("x")
     broken, exact = compiled(lambda y: (y / 2.0, y / 2))(x)
     assert exact == x / 2
@@ -410,7 +410,7 @@ def test_wrong_arguments_are_reported_by_name(call, message):
           for bad in (np.array([1j]), np.array([mpmath.mpf(1)], dtype=object))),
     ],
 )  # fmt: skip
-def test_arguments_that_are_no_real_numbers_of_one_shape_are_refused(args, message):
+def test_arguments_other_than_real_numbers_of_one_shape_are_refused(args, message):
     with pytest.raises(ScalarError, match=message):
         compiled(lambda x, y: x + y)(*args)
 

@@ -129,7 +129,7 @@ def test_more_symbols_than_cramer_takes_are_eliminated(count):
     assert close([x.subs(k, sympy.Rational(37, 100)) for x in found], tuple(numeric), 1e-12)
 
 
-def test_a_zero_that_only_simplification_would_see_is_no_pivot():
+def test_a_zero_that_only_simplification_would_reveal_is_not_a_pivot():
     """sin^2 + cos^2 - 1 multiplies B: its value must show that it is 0, no divisor."""
     t, m = sympy.symbols("t m")
     hidden = sympy.sin(t) ** 2 + sympy.cos(t) ** 2 - 1
@@ -251,7 +251,7 @@ def test_rounding_is_neither_a_pivot_nor_a_contradiction():
     assert left.F == 2.0
 
 
-def test_small_units_are_no_rounding():
+def test_small_units_are_not_taken_for_rounding():
     """A watch wheel in SI units: a moment of inertia of 1e-12, lengths and forces of order 1e-3."""
     moment = lambda F, alpha: 1e-12 * alpha - 1e-3 * F
     s = solve_linear(lambda F, alpha: {"moment": moment(F, alpha), "rolling": 1e-3 * alpha - 5.0})

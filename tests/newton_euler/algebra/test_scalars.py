@@ -343,7 +343,7 @@ def test_moving_numbers_wrap_every_kind(kind):
     assert close(m.acceleration, 2 * (scalars.cos(u) * ddu - scalars.sin(u) * du**2))
 
 
-def test_the_size_of_a_moving_number_has_the_rates_of_its_sign():
+def test_the_magnitude_of_a_moving_number_has_the_rates_of_its_sign():
     for u in (-2.0, 3.0, np.array([-2.0, 3.0]), mpmath.mpf(-2)):
         size, root = abs(Moving(u, 5.0, -7.0)), scalars.sqrt(Moving(u, 5.0, -7.0) ** 2)
         assert close(size._parts(), root._parts(), 1e-14)
@@ -354,7 +354,7 @@ def test_the_size_of_a_moving_number_has_the_rates_of_its_sign():
     assert compiled(lambda u, v: abs(Moving(u, v)).rate)(-2.0, 5.0) == -5.0
 
 
-def test_the_size_of_a_moving_number_has_no_rate_at_zero():
+def test_the_magnitude_of_a_moving_number_has_no_rate_at_zero():
     assert abs(Moving(0.0)).value == 0
     with pytest.raises(ZeroDivisionError, match=r"abs\(x\) has no rate where x = 0"):
         abs(Moving(0.0, 1.0))

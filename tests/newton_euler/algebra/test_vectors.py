@@ -124,7 +124,7 @@ def test_a_vector_is_indexed_measured_and_converted_like_a_sequence_of_three():
         a[3]
 
 
-def test_alikecompares_relative_to_the_larger():
+def test_alike_compares_relative_to_the_larger():
     a = ground.vector(1e6, 0, 0)
     assert same(a, a + ground.vector(0, 1e-7, 0))
     assert not same(a, a + ground.vector(0, 1e-3, 0))
@@ -207,7 +207,7 @@ def test_explain_shows_latex_in_jupyter():
     assert "equation (4.17)" in str(rod.point("Q", 1.0, 0, 0).velocity(ground).explain())
 
 
-def test_no_underscore_of_a_name_stands_bare_in_latex():
+def test_no_underscore_of_a_name_is_bare_in_latex():
     """MathJax shows a formula with a bare underscore as an error."""
     wheel = ground.rotate("wheel_1", "z", rate=2.0).rotate("disk_2", "x", rate=1.0)
     P = wheel.point("P_1", 1.0, 0, 0)

@@ -138,7 +138,7 @@ def test_events_that_accumulate_end_the_motion_in_words():
     assert motion.t_end == pytest.approx(2.0, abs=1e-8)
 
 
-def test_two_events_at_once_are_no_accumulation():
+def test_two_events_at_once_are_not_an_accumulation():
     """The first segment may be arbitrarily short."""
     tap = Event(lambda s, p, t: s.x - 1e-12, then=lambda s, p, t: (DRIFT, (s.x, s.v)), name="tap")
     assert integrate(DRIFT, 3.0, (0.0, 1.0), events=tap).ended == "reached t = 3"
@@ -182,7 +182,7 @@ def test_after_an_event_to_a_model_without_its_solution_the_exact_method_gives_w
 # -- scales
 
 
-def test_a_state_is_judged_at_least_by_a_part_of_its_natural_size():
+def test_a_state_is_judged_by_at_least_a_fraction_of_its_natural_size():
     """A spring at rest at its end has zero velocity, but the velocity of the motion is w."""
     w = 300.0
     found = trajectory(run(spring(w)))
@@ -205,7 +205,7 @@ def test_later_runs_know_the_sizes_of_the_first():
     assert first.longest_part == LONGEST_PARTS[0]
 
 
-def test_with_kinks_a_larger_part_of_its_size_does_not_count():
+def test_with_kinks_a_larger_fraction_of_its_size_does_not_count():
     rough = second_order("rough", {}, ("x",), lambda s, p, t: (-s.x - where(s.dx > 0, 0.1, -0.1),))
     known = (2.0, 3.0), (0.0, 0.0), (0.0, 0.0)
     found = trajectory(run(rough), known)
@@ -216,7 +216,7 @@ def test_a_state_of_which_nothing_is_known_has_the_smallest_scale():
     still = Model("still", {}, ("x", "y"), lambda s, p, t: (0.0 * s.x, 0.0 * s.y))
     found = trajectory(run(still, (0.0, 0.0)))
     assert found.segments[0].stepper.floors == (SMALLEST_SCALE, SMALLEST_SCALE)
-    # that scale is no size of the motion
+    # that scale is not a size of the motion
     assert found.sizes()[0] == (0.0, 0.0)
 
 
@@ -232,7 +232,7 @@ def test_the_natural_sizes_of_the_start_count_unless_a_state_was_nearly_zero():
 
 
 @pytest.mark.parametrize("t1", [0.01, 100.0])
-def test_the_natural_size_of_a_place_is_as_far_as_its_velocity_brings_it(t1):
+def test_the_natural_size_of_a_position_is_how_far_its_velocity_carries_it(t1):
     assert trajectory(run(DRIFT, (0.0, 1.0), t1=t1)).sizes()[1] == pytest.approx((t1, 0.0))
 
 
