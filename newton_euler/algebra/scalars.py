@@ -18,6 +18,7 @@ import math
 import sys
 import zlib
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from fractions import Fraction
 from functools import reduce, wraps
 from importlib import import_module
@@ -554,6 +555,9 @@ def hypot(*values: Scalar) -> Scalar:
             break
     else:
         return math.hypot(*some) if some else ZERO
+    if all(type(x) in (float, int, Fraction) for x in some):
+        with suppress(OverflowError):  # of a whole number beyond floats: the root says so in words
+            return math.hypot(*some)
     if all(type(x) is float or _has_floats(x) for x in some):
         return _hypot_of_arrays(import_module("numpy"), some)
     return sqrt(sum((x * x for x in some), ZERO))

@@ -35,6 +35,7 @@ from newton_euler import (
     sqrt,
     tan,
     tanh,
+    where,
 )
 from newton_euler.algebra import ZERO, Moving, ScalarError
 from newton_euler.algebra.compile import BLOCK
@@ -254,6 +255,16 @@ def test_constants_fold_and_neutral_operations_vanish():
     assert f.operations == 3
     assert "6" in f.source
     assert compiled(lambda x: -1 * x).source.count("*") == 0
+    assert compiled(lambda x: x + 0).operations == compiled(lambda x: x - ZERO).operations == 0
+    for turned, plain in (
+        (lambda x, y: cos(-x), lambda x, y: cos(x)),
+        (lambda x, y: -sin(-x), lambda x, y: sin(x)),
+        (lambda x, y: x - (-y), lambda x, y: x + y),
+        (lambda x, y: x + (-y), lambda x, y: x - y),
+        (lambda x, y: where(x < y, y, y), lambda x, y: y),
+        (lambda x, y: x**ZERO + y, lambda x, y: 1 + y),
+    ):
+        assert compiled(turned).source == compiled(plain).source
 
 
 def test_the_explanation_shows_the_lines():
