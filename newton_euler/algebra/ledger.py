@@ -21,6 +21,7 @@ from .scalars import (
     NewtonEulerError,
     Scalar,
     clipped,
+    in_range,
     is_numeric,
     max_abs,
     operations,
@@ -418,6 +419,7 @@ class Amount(NamedTerms):
         rows = [(n, f"{short(x)} {unit}") for n, x in (*self.terms.items(), ("sum", self.value))]
         return in_columns(f"{self.what}, equation ({self.number})", rows)
 
+    @in_range
     def reweighted(self, /, **factors: Scalar) -> Scalar:
         """The sum of its terms, each times the factor named for it (others once).
 
