@@ -61,7 +61,7 @@ class AngleWarning(UserWarning):
 def _ask_radians(name, angle):
     """Warn of an angle that is typed as a whole number beyond a turn, as 30 or 90.0."""
     usual = 1 if isinstance(angle, int) else 5  # a float may come from a rate and a time
-    if isinstance(angle, (int, float)) and abs(angle) > _TURN and angle % usual == 0:
+    if isinstance(angle, (int, float)) and _TURN < abs(angle) < 1e300 and angle % usual == 0:
         warnings.warn(
             f"the angle of {name} is {angle:g} rad, {abs(angle) / _TURN:.1f} turns. Did you mean "
             f"degrees? Write radians({angle:g}), from newton_euler import radians",
