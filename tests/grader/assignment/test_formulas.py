@@ -111,7 +111,7 @@ def shown(name, key):
     ("5/3", "d", ["Q_x/V", "Q_y/V", "Q_z/V"]),  # by the names of earlier quantities
     ("2/9", "a_n", ["g*(1 - n)"]),  # bars around what is negative for everyone turn its sign
     ("A/16", "z", ["-known_PQ/p_3"]),  # one equation in one unknown is solved
-    ("6/17", "rho_C", ["v_C**2/g"]),  # also where the unknown is not one of the problem's
+    ("6/17", "rho_C", ["v_C**2/g"]),  # even where the unknown is not one of the problem's
     ("2/32", "a_rel", ["-a_A_x + a_B_x - a_centripetal_x - a_coriolis_x",
                        "-a_A_y + a_B_y - a_euler_y", "0"]),  # not 2 a_B_x
     ("10/4", "psi_fast", ["B/A"]),  # a ratio of earlier ones, by whatever way it was computed
