@@ -113,7 +113,7 @@ def main(
                 out,
                 names,
                 lambda c: not no_run,
-                progress=_shown(bar),
+                progress=_progress_of(bar),
                 with_engine=engine,
                 packages=packages,
                 course=course,
@@ -203,7 +203,7 @@ def _bar():
     return Progress(*columns, TimeElapsedColumn(), console=console, disable=not console.is_terminal)
 
 
-def _shown(bar):
+def _progress_of(bar):
     tasks = {}
 
     def progress(step, done, number):

@@ -69,7 +69,7 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
 
 
 def _unrelated(p, n):
-    """Random numbers for givens and symbols, also for givens that do not vary."""
+    """Random numbers for givens and symbols, including givens that do not vary."""
     rng, drawn = random.Random(n), draw(p, bytes([n]))
     shared = {
         k: (q.value or 1.0) * rng.uniform(0.97, 1.03) for k, q in p.givens.items() if not q.vary

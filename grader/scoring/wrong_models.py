@@ -3,13 +3,17 @@ problem (a term left out or turned, degrees for radians, axes of another frame).
 """
 
 import warnings
+from collections.abc import Callable, Mapping
+from typing import Any
 
+from exercises.catalogue.model import Givens, Problem
 from exercises.catalogue.variants import flat
 from exercises.catalogue.wording import body_text, named_in_text, term_text
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import causes
+from newton_euler.answers.causes import Cause
 from newton_euler.kinematics import AngleWarning
 
 from .computation import section
@@ -29,7 +33,12 @@ def wrong_models(problem, values):
     return [model for model in found if not problem.answer(model[0]).kind.is_word]
 
 
-def general_models(problem, g, right, compute):
+def general_models(
+    problem: Problem,
+    g: Givens,
+    right: Mapping[str, Any],
+    compute: Callable[[Givens], Mapping[str, Any]],
+) -> list[tuple[str, Cause, tuple[Any, ...]]]:
     """The wrong models that need no list, as in :func:`wrong_models`, of the quantities ``right``,
     which are ``compute(g)``, {key: value in its unit}.
     """

@@ -216,7 +216,7 @@ def _exact(x):
     return sympy.sympify(int(x) if isinstance(x, float) and x.is_integer() else x)
 
 
-def over_cube(f, n):
+def over_cube(f: Callable[..., tuple[Scalar, ...]], n: int) -> tuple[Scalar, ...]:
     """The integrals of the scalars in the tuple ``f(t_1, …, t_n)`` over the unit cube;
     :class:`SingularError` if they do not settle. f is smooth, also at the faces, and called with
     arrays of places, or, where it returns numbers of mpmath, with one place at a time.

@@ -207,7 +207,9 @@ def right_but(places: Sequence[int], length: int) -> Cause:
         entries = joined(_entry(*divmod(n, 3)) for n in places if n // 3 <= n % 3)
         text = Words("all but {entries} is right", entries=entries)
     else:
-        text = Words("all but its {which} component is right", which=_ordinals(places))
+        one = Words("all but its {which} component is right")
+        several = Words("its {which} components are not right; the rest is")
+        text = _of_places(places, one, several)
     return Cause("seen", f"right but {places}", text)
 
 

@@ -87,7 +87,7 @@ class Slips:
         return []
 
     def of(self, key: str, cause: Cause) -> list[Points]:
-        """The answers with the slips of this cause; [] if it is no slip of this kind."""
+        """The answers with the slips of this cause; [] if it is not a slip of this kind."""
         ranked = self.ranked(key)
         places = ranked.places.get(cause, ()) if ranked else ()
         return [self._points(key, n) for n in places]
@@ -251,7 +251,7 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
         share = (written_by if is_met else max(gaps[n], nearest)) / (AROUND * size)
         limit = CHANCE_MET if is_met else CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
         few_are = beside * (1 if gaps[n] <= nearest else loosely)
-        # met loosely, components are no independent evidence: slips of one body lie on a line
+        # met loosely, components are not independent evidence: slips of one body lie on a line
         most = there if gaps[n] <= nearest else 1 if is_multiple else 2
         is_few = count * share ** min(there, most) <= limit and (
             wrong >= there or count * share ** min(wrong, most) <= few_are

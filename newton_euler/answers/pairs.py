@@ -224,7 +224,7 @@ class _Pairs:
                 gaps = _off_line(off, changed)
                 shown = (abs(changed) > NOISE * size).sum(axis=1)
                 is_met = (gaps <= near) & (shown > 1)
-                is_met &= _off_line(key, changed) > NOISE * size  # what is the whole is no term
+                is_met &= _off_line(key, changed) > NOISE * size  # the whole is not a term
             if not is_met.any():
                 return ()
         chance = len(places) * (near / (AROUND * abs(off).max())) ** (shown - 1.0)

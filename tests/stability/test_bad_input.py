@@ -44,7 +44,7 @@ from newton_euler.algebra.scalars import (
     Scalar,
     operations,
     scalar,
-    shown,
+    short_repr,
 )
 from newton_euler.applications import (
     buoyancy,
@@ -222,14 +222,14 @@ TAKERS_OF_QUANTITIES = {
 }
 
 
-@pytest.mark.parametrize("door", TAKERS_OF_QUANTITIES)
-def test_no_motion_drops_a_unit(door):
-    """Where a quantity stands in a place, tests.fuzz has it; here it stands inside of something."""
+@pytest.mark.parametrize("taker", TAKERS_OF_QUANTITIES)
+def test_no_motion_drops_a_unit(taker):
+    """A quantity as the argument itself is a case of tests.fuzz; here it is inside something."""
     fractions = np.array([0.1, 0.2])
     span = np.timedelta64(1, "s")
     for quantity in (OfPint(2.0), fractions.view(OfAstropy), span, fractions.astype("m8[s]")):
         with pytest.raises(NewtonEulerError):
-            TAKERS_OF_QUANTITIES[door](quantity)
+            TAKERS_OF_QUANTITIES[taker](quantity)
 
 
 def test_a_prepared_motion_of_taylor_drops_no_unit():
@@ -262,7 +262,7 @@ def test_a_compiled_formula_says_where_it_has_no_value():
 
 
 def test_a_vector_is_equal_to_itself_there_and_back():
-    """The way through another frame rounds, and no frame is better than another."""
+    """Going through another frame rounds, and no frame is better than another."""
     turned = ground.rotate("turned", (1, 2, 3), 0.7)
     for x in (1.0, 1e-200, 1e200, np.array([1.0, 1e-9]), mpmath.mpf(1)):
         v = ground.vector(x, 2 * x, 3 * x)
@@ -274,7 +274,7 @@ def test_a_vector_is_equal_to_itself_there_and_back():
     nan = 0.0 * ground.vector(float("inf"), 0, 0)
     assert nan != nan
     assert ground.vector(np.ones(2), 0, 0) != ground.vector(np.ones(3), 0, 0)
-    # one instant that is small does not hide behind one that is large
+    # a small difference at one instant is not hidden by a large vector at another
     assert ground.vector(np.array([1e9, 1.0]), 0, 0) != ground.vector(np.array([1e9, 1.1]), 0, 0)
     q = sympy.Symbol("q")
     assert ground.vector(cos(q) ** 2 + sin(q) ** 2, 0, 0) == ground.i
@@ -292,12 +292,12 @@ def chain_of_frames(n):
 
 
 def texts(x):
-    """All texts that are made of a vector."""
+    """All texts that a vector is written as."""
     return repr(x), str(x), x.latex(), str(x.explain()), repr(x.terms)
 
 
 def test_a_long_expression_is_printed_as_its_length():
-    """Written out it grows five times with every frame: of seven frames to 6 MB."""
+    """Written out it grows fivefold with every frame: to 6 MB with seven frames."""
     for text in texts(chain_of_frames(7)):
         assert len(text) < 2000
         assert "operations" in text
@@ -312,9 +312,9 @@ def test_the_text_of_a_long_expression_takes_no_longer_than_the_expression():
 
 def test_short_expressions_are_written_out():
     q = sympy.Symbol("q")
-    assert shown(q**2 + 1) == "q**2 + 1"
+    assert short_repr(q**2 + 1) == "q**2 + 1"
     assert operations(q**2 + 1) == 2
-    assert shown(sum(q**n for n in range(LONGEST))).endswith("operations>")
+    assert short_repr(sum(q**n for n in range(LONGEST))).endswith("operations>")
     assert scalar(q) is q
 
 

@@ -61,7 +61,7 @@ def test_no_name_for_what_is_not_used_hides_the_function_that_translates():
 
 
 @pytest.mark.parametrize("path", SCRIPTS, ids=[p.name for p in SCRIPTS])
-def test_no_sentence_of_a_script_stands_bare(path):
+def test_no_sentence_of_a_script_escapes_translation(path):
     text = re.sub(r"(?m)(?<![:\"'`])//.*$|/\*.*?\*/", "", path.read_text("utf-8"))
     text = re.sub(r'gettext\("(?:[^"\\]|\\.)*"', "", text)
     bare = re.findall(r'"([A-Z][a-z]+(?: [a-zA-Z]+)*[.?:]?)"|`([A-Z][a-z]+ [^`]*)`', text)

@@ -17,7 +17,7 @@ from .typed import Product, described, typed
 
 PRODUCT, SUM = ("*", "/"), ("+", "-")
 LIKE_IT = Words("the other terms like it")
-ALIKE = 8  # terms of one shape: more are no single slip
+ALIKE = 8  # terms of one shape: more are not a single slip
 INERTIAS = Dimension(1, 2), Dimension(0, 2)  # of a body, and over a mass
 LARGE = 7  # from which on a number is not taken for the next one
 FRACTIONS = {Fraction(1, n) for n in (2, 3, 4, 12)}  # one is taken for another

@@ -1,4 +1,4 @@
-"""Answers of a student of chapter 4 as a receipt holds them, and their scores."""
+"""A student's answers in chapter 4 as a receipt holds them, and their scores."""
 
 from exercises.catalogue import problems
 from exercises.catalogue.variants import draw

@@ -84,7 +84,7 @@ def test_every_listed_mistake_earns_nothing_and_is_named_by_its_text_without_a_n
 
 
 @pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
-def test_a_right_answer_never_gets_a_diagnosis_also_when_rounded(p, data):
+def test_a_right_answer_never_gets_a_diagnosis_even_when_rounded(p, data):
     given = values(p, data)
     right = trees(p, p.solve({**p.sympy_symbols(), **given}))
     for part in score_receipt(p, given, {"answers": right}).parts:
@@ -198,7 +198,7 @@ def test_a_frame_that_the_problem_does_not_name_is_not_named():
 
 @pytest.mark.parametrize(("number", "key"), [("4/16", "alpha_CD"), ("4/28", "alpha_panel")])
 def test_a_cause_that_the_right_parts_contradict_is_named_in_this_part(number, key):
-    """A rate taken the other way shows in the velocity also: a sign is likelier."""
+    """A rate taken the other way would also show in the velocity: a sign is likelier."""
     p = problem(number)
     given = values(p, "variant")
     right = trees(p, p.solve(given))
@@ -226,7 +226,7 @@ def test_a_slip_in_one_part_is_named_where_the_others_are_right(key, change, wor
     assert words in parts[key].diagnosis
 
 
-def test_a_times_n_alone_in_4_1_is_no_unit_slip_alone():
+def test_a_times_n_alone_in_4_1_is_more_than_a_unit_slip():
     """It also leaves out the axial speed."""
     p = problem("4/1")
     for seed in (b"a", b"b", b"c", b"d"):

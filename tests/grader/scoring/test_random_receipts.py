@@ -23,7 +23,7 @@ KEYS = {p.id: right_trees(p, VALUES[p.id]) for p in CH04}
 
 
 def is_right(p, key, tree):
-    """Whether an answer is right, found in another way: for formulas, at points of its own."""
+    """Whether an answer is right, found in another way: formulas at points of its own."""
     readings = tree.values() if isinstance(tree, dict) else [tree]
     sample = {n: np.array([x]) for n, x in symbol_values(p, random.Random(7)).items()}
     right = np.ravel(evaluate(p, {**VALUES[p.id], **sample})[0][key]).astype(float)

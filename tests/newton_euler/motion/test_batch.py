@@ -51,7 +51,7 @@ def test_many_motions_are_known_at_their_samples():
     (1.01 * NEAR_END, "ends", 2),
 ])  # fmt: skip
 @pytest.mark.parametrize("sign", [1, -1])
-def test_close_is_a_part_of_the_size(part, which, count, sign):
+def test_closeness_is_relative_to_the_size(part, which, count, sign):
     values = {"begins": np.full((2, 12), sign * 7.0), "ends": np.full((2, 12), sign * 7.0)}
     values[which][1, 5] *= 1 - part
     chosen, group = _representatives(values["begins"], values["ends"])
@@ -70,14 +70,14 @@ def test_a_sweep_has_a_representative_for_all_within_2_percent_in_any_order(shuf
     assert len(chosen) <= 2 * np.log(1.5) / (2 * NEAR_START)
 
 
-def test_motions_that_are_not_close_to_any_stand_for_themselves():
+def test_motions_that_are_close_to_no_other_represent_themselves():
     begins = np.random.default_rng(0).uniform(-1.0, 1.0, (6, 300))
     chosen, group = _representatives(begins, begins)
     assert chosen.tolist() == group.tolist() == list(range(300))
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-def test_motions_without_a_finite_end_stand_for_nobody_else(bad):
+def test_motions_without_a_finite_end_represent_no_others(bad):
     ends = np.ones((2, 30))
     ends[1, ::3] = bad
     assert together(np.ones((2, 30)), ends) == [n if n % 3 == 0 else 1 for n in range(30)]
@@ -423,7 +423,7 @@ def test_where_some_motions_stop_on_the_way_the_others_go_on(times, count):
         ((np.ones((2, 2)), 0.0), 1.0, (), "one dimension, got"),
         ((np.array([1.0, math.nan]), 0.0), 1.0, (), "must be finite numbers"),
         ((1.0, 0.0), np.array([1.0, math.inf]), (), "must be finite numbers"),
-        ((1.0, 0.0), np.array([1.0, 2j]), (), "the parameter n of .* is one real number a motion"),
+        ((1.0, 0.0), np.array([1.0, 2j]), (), "the parameter n of .* give its real part"),
         ((np.zeros(0), 0.0), 1.0, (), "no entries: there is no motion"),
     ],
 )

@@ -98,7 +98,7 @@ def test_an_index_and_a_power_stand_over_each_other_and_what_follows_on_the_line
     assert rest.text == " = <4>"
 
 
-def test_every_colour_has_one_for_a_dark_page():
+def test_every_colour_has_a_counterpart_for_a_dark_page():
     for entry in entries():
         page = Page((3, 2))
         draw(entry, page.panel)
