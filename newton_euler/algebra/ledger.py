@@ -113,7 +113,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         if alike:
             raise TermError(f"{len(alike)} terms are named {name!r}; ask for one of {alike}")
         near = did_you_mean(name, self)
-        listed = f"; the terms are {', '.join(self) or 'none'}"
+        listed = f"; the terms are {', '.join(self)}" if self else "; there are no terms"
         raise TermError(f"no term {name!r}{listed}{near}")
 
     def __or__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]

@@ -592,7 +592,7 @@ def atan2(y: Scalar, x: Scalar) -> Scalar:
     if type(y) is float and type(x) is float:
         return math.atan2(y, x)
     if isinstance(y, _Zero) and not isinstance(x, _Own):
-        return function("atan2", 0 * x + 0, x)  # +0.0, also where x is negative
+        return function("atan2", 0 * x + 0, x)  # +0.0, even where x is negative
     if isinstance(x, _Zero) and not isinstance(y, _Own):
         return function("atan2", y, 0 * y)
     return function("atan2", y, x)

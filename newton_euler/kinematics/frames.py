@@ -207,6 +207,7 @@ class Frame:
         return self._origin or _origin(self)
 
     def _unit_axis(self, axis, angle):
+        given = axis
         if isinstance(axis, Vector):
             axis = axis.expressed_in(self).c
         try:
@@ -216,8 +217,8 @@ class Frame:
         if len(axis) != 3 or any(isinstance(v, Moving) for v in axis):
             raise FrameError(
                 "an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant "
-                "components, as in (0, 0.6, 0.8); turn about a moving axis by one more frame in "
-                "between"
+                f"components, as in (0, 0.6, 0.8); got {clipped(given)}. Turn about a moving axis "
+                "by one more frame in between"
             )
         # otherwise the root of a whole number has 16 digits, even where the angle has more
         parts = (angle.value, angle.rate, angle.acceleration)
@@ -531,6 +532,7 @@ class Point:
         if not isinstance(observer, Frame):
             raise FrameError(
                 f"{what} as seen from which frame? Say it, as in {self.name}.{what}(ground)"
+                + ("" if observer is None else f"; got {clipped(observer)}, which is not a Frame")
             )
         if via is None:
             via = self.frame
