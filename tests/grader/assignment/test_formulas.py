@@ -146,7 +146,7 @@ def test_a_formula_is_written_as_a_teacher_would_write_it(name, key, formulas):
 
 def test_bodies_that_are_partly_equal_have_names_of_their_own():
     assert shown("7/9", "I_O")[0] == "I_base_xx - I_hole_xx + I_wall_xx"
-    assert shown("7/11", "I_BC")[0] == "I_G_BC_xx + a**2*m + d_BC_z**2*m"  # x and y of d are a
+    assert shown("7/11", "I_BC")[0] == "I_G_BC_xx + d_BC_y**2*m + d_BC_z**2*m"
     assert shown("7/11", "I_AB")[8] == "I_G_AB_zz + d_AB_x**2*m + d_AB_y**2*m"  # not 5*a**2*m/4
     assert shown("7/11", "I_G_BC")[4] == "a**2*m/12"  # and not I_G_OA_yy + 0
     assert shown("7/12", "I_O")[0] == "I_full_xx - I_hole_xx"  # not I_G_hole_xx, which is equal
