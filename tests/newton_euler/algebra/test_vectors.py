@@ -176,7 +176,7 @@ def test_reweighted_and_without_are_sums_of_changed_terms():
     known = "origin, relative, coriolis, euler, centripetal"
     with pytest.raises(TermError, match=f"no term 'corolis'; the terms are {known}"):
         a.without("corolis")
-    with pytest.raises(TermError, match="no term 'coriolis'; the terms are none"):
+    with pytest.raises(TermError, match="no term 'coriolis'; there are no terms"):
         ground.i.without("coriolis")
 
 

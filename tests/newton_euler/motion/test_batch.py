@@ -418,7 +418,7 @@ def test_where_some_motions_stop_on_the_way_the_others_go_on(times, count):
         ((np.ones((2, 2)), 0.0), 1.0, (), "one dimension, got"),
         ((np.array([1.0, math.nan]), 0.0), 1.0, (), "must be finite numbers"),
         ((1.0, 0.0), np.array([1.0, math.inf]), (), "must be finite numbers"),
-        ((1.0, 0.0), np.array([1.0, 2j]), (), "the parameter n of .* is one real number a motion"),
+        ((1.0, 0.0), np.array([1.0, 2j]), (), "the parameter n of .* give its real part"),
         ((np.zeros(0), 0.0), 1.0, (), "no entries: there is no motion"),
     ],
 )
