@@ -136,7 +136,7 @@ def refuse_feedback(course: Course, assignment: str) -> None:
     if is_exam(course, assignment) and not is_over(course, assignment):
         raise CourseError(
             f"the exam {assignment} is not over for everybody, and feedback would give away the "
-            "answers; write it when the exam has closed, also for those with their own date"
+            "answers; write it when the exam has closed, even for those with their own date"
         )
 
 

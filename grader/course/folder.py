@@ -188,7 +188,7 @@ class Course:
         }
 
     def submissions(self, assignment: str) -> dict[str, Path]:
-        """{student: path of the submitted notebook}, also for students not on the roster."""
+        """{student: path of the submitted notebook}, even for students not on the roster."""
         folders = sorted((self.path / "submitted").glob(f"*/{assignment}"))
         return {f.parent.name: f / f"{assignment}.ipynb" for f in folders}
 

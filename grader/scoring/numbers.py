@@ -218,7 +218,7 @@ def _sample(problem, values):
 
 
 def points_of(answer: Answer, components: Sequence[Any]) -> Points:
-    """The points of an answer: one for a number, also in a problem with symbols."""
+    """The points of an answer: one for a number, even in a problem with symbols."""
     if not answer.kind.is_formula:
         return as_points(components)[:1]
     points = as_points(components)

@@ -11,6 +11,7 @@ import inspect
 import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from importlib import import_module, util
 from itertools import takewhile
@@ -38,7 +39,7 @@ from .scalars import (
     scalar,
     without_rates,
 )
-from .source import RESERVED, WITHOUT_HEYOKA, generate, runtime_names
+from .source import WITHOUT_HEYOKA, generate, named_apart, runtime_names
 from .trace import NO_VALUE, Inner, NoValueError, Step, Trace, asked_by, keys_of, packed, unpacked
 
 # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
@@ -133,9 +134,9 @@ class Compiled:
         self.name, self.parameters, self.trace, self.leaves = name, parameters, trace, leaves
         self._defaults, self.shape, self.keys = dict(defaults), shape, keys
         self._build = _builder(shape, keys, len(leaves)) if shape else tuple
-        names = {n: f"{n}_" if n in RESERVED else n for n in parameters}
+        names = named_apart(parameters)
         self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
-        chooses = "where(" in self.source
+        chooses = any(s.op == "where" for s in trace.steps)
         self._lazy = generate(trace, names, leaves, lazy=True)[0] if chooses else self.source
         self._functions: dict[str, Callable[..., Any]] = {}
         self._heyoka, self._buffer = None, None
@@ -151,7 +152,7 @@ class Compiled:
         rest = self.shape, self.keys, self._defaults
         return _from_steps, (self.name, list(self.parameters), steps, leaves, *rest)
 
-    def __call__(self, *args: Scalar, **named: Scalar) -> Any:
+    def __call__(self, /, *args: Scalar, **named: Scalar) -> Any:
         if named or len(args) != len(self.parameters):
             args = self._in_order(args, named)
         for a in args:
@@ -218,6 +219,9 @@ class Compiled:
         return [given[n] for n in self.parameters]
 
     def _other(self, args):
+        if all(isinstance(a, float) for a in args):  # of NumPy, as the entries of an array
+            with suppress(ArithmeticError, ValueError):  # where NumPy has inf or nan
+                return self._build(self.on_floats(*map(float, args)))
         for a in args:
             if getattr(a, "size", 1):  # an empty array has an empty array of values
                 scalar(a)  # raises ScalarError if it is not a number
@@ -230,7 +234,10 @@ class Compiled:
         library = library_of(args)
         if library.__name__ == "numpy":
             return self._arrays(library, args)
-        return self._build(self.on(library)(*args))
+        try:
+            return self._build(self.on(library)(*args))
+        except (ZeroDivisionError, OverflowError, ValueError) as error:
+            raise self._no_value(args, error) from error
 
     def _arrays(self, np, args):
         args = [np.asarray(a) for a in args]
@@ -322,7 +329,7 @@ def _float(constant):
 
 
 @checked
-def compiled(f: Callable[..., Any], **constants: Scalar) -> Compiled:
+def compiled(f: Callable[..., Any], /, **constants: Scalar) -> Compiled:
     """The formula ``f``, traced once into straight-line text, for many fast evaluations. The result
     takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name,
     and returns what ``f`` returns, a Vector as a triple of components. Arrays go by NumPy in
@@ -366,7 +373,7 @@ def _tracebacks(error):
 
 def _of_a_library(frame):
     package = frame.f_globals.get("__name__", "").partition(".")[0]
-    return package in ("numpy", "scipy", "mpmath")
+    return package in {"numpy", "scipy", "mpmath", *sys.stdlib_module_names}
 
 
 def _traced(x):
@@ -375,7 +382,7 @@ def _traced(x):
     return isinstance(x, Step) or (isinstance(x, (list, tuple)) and any(map(_traced, x)))
 
 
-def recorded(f: Callable[..., Any], **constants: Scalar) -> Recording:
+def recorded(f: Callable[..., Any], /, **constants: Scalar) -> Recording:
     """The :class:`Recording` of ``f``, see :func:`compiled`, without a text, in half the time."""
     try:
         signature = inspect.signature(f).parameters

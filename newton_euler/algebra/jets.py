@@ -13,6 +13,7 @@ from .scalars import (
     Scalar,
     ScalarError,
     Scaled,
+    Unordered,
     _Own,
     _root,
     acos,
@@ -51,7 +52,7 @@ class _Derived:
 DERIVED: Any = _Derived()
 
 
-class Moving(_Own):
+class Moving(Unordered, _Own):
     """A scalar at one instant with its first and second time derivative (a jet of order two), made
     by :func:`moving` or :func:`at`. Arithmetic and functions compute the rates by the product and
     chain rules (forward automatic differentiation: A. Griewank and A. Walther, Evaluating
@@ -65,6 +66,7 @@ class Moving(_Own):
     __slots__ = ("acceleration", "rate", "value")
     __array_priority__ = 1000.0  # NumPy hands operators over, and calls methods for its functions
     rank = 9  # it wraps the other kinds
+    advice = "write sin(x) of newton_euler for math.sin(x), and where(t.value > 1.0, a, b) for if"
 
     def is_numeric(self) -> bool:
         """True if its value can be compared."""
@@ -76,11 +78,6 @@ class Moving(_Own):
 
     def __init__(self, value: Scalar, rate: Scalar = ZERO, acceleration: Scalar = ZERO):
         self.value, self.rate, self.acceleration = value, rate, acceleration
-
-    def __float__(self):
-        raise ScalarError(
-            f"{self!r} is not one float: for math.sin(x) write sin(x), from newton_euler"
-        )
 
     def __repr__(self):
         rates = f"rate={short_repr(self.rate)}, acceleration={short_repr(self.acceleration)}"

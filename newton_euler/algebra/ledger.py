@@ -21,6 +21,7 @@ from .scalars import (
     NewtonEulerError,
     Scalar,
     clipped,
+    in_range,
     is_numeric,
     max_abs,
     operations,
@@ -112,7 +113,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         if alike:
             raise TermError(f"{len(alike)} terms are named {name!r}; ask for one of {alike}")
         near = did_you_mean(name, self)
-        listed = f"; the terms are {', '.join(self) or 'none'}"
+        listed = f"; the terms are {', '.join(self)}" if self else "; there are no terms"
         raise TermError(f"no term {name!r}{listed}{near}")
 
     def __or__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
@@ -418,6 +419,7 @@ class Amount(NamedTerms):
         rows = [(n, f"{short(x)} {unit}") for n, x in (*self.terms.items(), ("sum", self.value))]
         return in_columns(f"{self.what}, equation ({self.number})", rows)
 
+    @in_range
     def reweighted(self, /, **factors: Scalar) -> Scalar:
         """The sum of its terms, each times the factor named for it (others once).
 

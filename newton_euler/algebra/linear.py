@@ -28,6 +28,7 @@ from .scalars import (
     ScalarError,
     Scaled,
     Triple,
+    Unordered,
     _Own,
     is_numeric,
     is_zero,
@@ -80,7 +81,7 @@ class _NoUnknown(LinearError, AttributeError):
     """There is no unknown of this name; an AttributeError too, so that ``hasattr`` is False."""
 
 
-class LinearForm(_Own):
+class LinearForm(Unordered, _Own):
     """``value + c[0]*u[0] + c[1]*u[1] + …``: a scalar that is linear in unknowns. A product of
     unknowns, or a function of one, raises :class:`ScalarError`.
 
@@ -90,6 +91,7 @@ class LinearForm(_Own):
 
     __slots__ = ("coefficients", "value")
     rank = 5
+    advice = "the conditions must be linear in the unknowns"
 
     @checked
     def __init__(self, value, coefficients):
@@ -163,6 +165,9 @@ class LinearForm(_Own):
 
     def __pow__(self, power):
         self._refuse("an unknown is raised to a power")
+
+    def __abs__(self):
+        self._refuse("the absolute value is taken of an unknown")
 
 
 # -- what is solved, for those who show it
@@ -419,6 +424,9 @@ def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None)
     twice = [n for n in names if names.count(n) > 1]
     if twice:
         raise LinearError(f"the unknown {twice[0]!r} is named twice")
+    taken = [n for n in names if n in Solution.__dataclass_fields__ or n == "report"]
+    if taken:
+        raise LinearError(f"{taken[0]!r} is a part of the solution: give the unknown another name")
     equations = _equations(conditions(*_unknowns(len(names))), len(names))
     return _solved([e for e in equations if not all(map(is_zero, e.parts()))], names)
 
@@ -492,6 +500,8 @@ def _scalars(name, value):
     """Pairs of a name and a scalar: the value, or its components or parts."""
     if isinstance(value, Vector):
         return [(f"{name}.{axis}", scalar(x)) for axis, x in zip("xyz", value.c, strict=True)]
+    if getattr(getattr(value, "dtype", None), "kind", "") == "O":  # as A @ numpy.array([x, y])
+        value = value.tolist()
     if isinstance(value, (tuple, list)):
         return [pair for n, x in enumerate(value, 1) for pair in _scalars(f"{name}.{n}", x)]
     return [(name, scalar(value))]

@@ -30,6 +30,8 @@ PLACES = 10, 21
 # parts in which each piece begins, so that of their 21 places none is farther from the next than
 # 1.1 % of it; odd, since an integrand has no value in the middle more often than elsewhere
 PARTS = 7
+# errors of a formula where it has no value; others are those of the function that was passed
+NO_VALUE = ZeroDivisionError, OverflowError, FloatingPointError, SingularError
 
 
 def quadrature(
@@ -74,7 +76,7 @@ def _piece(f, start, end, rtol, exact):
 def _value(f, x):
     try:
         return scalar(f(x))
-    except (ArithmeticError, SingularError) as problem:
+    except NO_VALUE as problem:
         raise WorkError(f"the integrand has no value at {short(x)}: {problem}") from problem
 
 

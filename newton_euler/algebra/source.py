@@ -99,6 +99,14 @@ def _indented(lines, text):
         before = branch
 
 
+def named_apart(names):
+    """{name: the same, or with underscores behind it where it means something else in the text}."""
+    behind = "_"
+    while any(f"{name}{behind}" in names for name in RESERVED.intersection(names)):
+        behind += "_"
+    return {name: name + behind * (name in RESERVED) for name in names}
+
+
 def unused(letter, names):
     """The letter, with as many underscores before it as make no name equal to it with digits."""
     while any(n.startswith(letter) and n[len(letter) :].isdigit() for n in names):

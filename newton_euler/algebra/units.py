@@ -19,6 +19,7 @@ from .scalars import (
     _Own,
     clipped,
     exp,
+    in_range,
     outranks,
     pi,
     real_scalar,
@@ -290,10 +291,12 @@ class Unit:
         """True if a part of it is one of the units of feet and pounds."""
         return not _FEET.isdisjoint(self.parts)
 
+    @in_range
     def to_base(self, x: Scalar, system: System = SI) -> Scalar:
         """The quantity of ``x`` (a scalar or a Vector) such units, in the units of ``system``."""
         return self._scaled(x, self.factor / _size(system, self.dimension), self.pi_power)
 
+    @in_range
     def from_base(self, x: Scalar, system: System = SI) -> Scalar:
         """The reverse of :meth:`to_base`: the number of such units in the quantity ``x``."""
         return self._scaled(x, _size(system, self.dimension) / self.factor, -self.pi_power)

@@ -38,6 +38,7 @@ from .scalars import (
     atan2,
     clipped,
     hypot,
+    in_range,
     is_expression,
     is_numeric,
     is_zero,
@@ -440,6 +441,7 @@ class Vector(Scaled, NamedTerms):
             raise FrameError(f"{self} was not computed as a named sum, as velocities are")
         return Explanation(self, self._ledger, unit)
 
+    @in_range
     def reweighted(self, /, **factors: Scalar) -> "Vector":
         """The sum of its terms, each times the factor named for it (others once).
 

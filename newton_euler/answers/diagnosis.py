@@ -23,15 +23,7 @@ from .fit import CLOSE, EXACT, LOOSE, Fit
 from .kinds import KINDS, Kind
 from .near import NO_SINGLES, Singles
 from .pairs import of_two
-from .slips import (
-    bare,
-    is_rounded,
-    multiples,
-    of_components,
-    of_none,
-    of_powers,
-    rates_as_scalars,
-)
+from .slips import bare, is_rounded, multiples, of_components, of_none, of_powers, rates_as_scalars
 from .tolerance import NOISE, NUMBER_RTOL, Points, is_apart
 
 MOST = 3  # causes that are named together: more would explain nothing

@@ -71,7 +71,7 @@ def _parts(value):
     """What a value consists of, None for a number."""
     if isinstance(value, (Vector, list, tuple)):
         return list(value)
-    return value.tolist() if getattr(value, "shape", ()) else None
+    return value.tolist() if hasattr(value, "tolist") and value.shape else None
 
 
 def _size(x):

@@ -157,7 +157,7 @@ class _System:
         chance = random.Random(5)
         near = [0.0] * self.size if near is None else near
         start = q = [x + spread * chance.gauss() for x in near]
-        # enough also where a gradient vanishes, and each step only halves the distance
+        # enough even where a gradient vanishes, and each step only halves the distance
         for _ in range(80):
             values = [x for _, x in self.values(q)]
             off = max(map(abs, values), default=0.0) / max(1.0, *map(abs, q))

@@ -288,7 +288,7 @@ def matrix_from_quaternion(q: Sequence[Scalar]) -> Rows:
     w, x, y, z = q = _four(q)
     s = 2 / _checked_size(
         q, dot3(q, q) + z * z
-    )  # not 2: the matrix is a rotation also if the length has drifted
+    )  # not 2: the matrix is a rotation even if the length has drifted
     return _rows((
         (1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)),
         (s * (x * y + w * z), 1 - s * (z * z + x * x), s * (y * z - w * x)),

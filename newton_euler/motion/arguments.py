@@ -41,7 +41,7 @@ def start_state(model: Model, start: Any) -> tuple[Any, ...]:
     ):
         return tuple(start)
     kind = getattr(getattr(start, "dtype", None), "char", "")
-    if kind == "d" and start.ndim == 1 and type(start).__module__ == "numpy":
+    if kind == "d" and type(start).__module__ == "numpy" and start.ndim == 1:
         return start_state(model, tuple(start.tolist()))
     names = ", ".join(model.states)
     subject = f"the start of {model.name!r}"
@@ -62,7 +62,7 @@ def _start_value(subject, name, x):
         return x
     if isinstance(x, (str, bytes, bool)):
         raise ModelError(f"{expected}, got {x!r}")
-    return finite_number(x, f"{subject} has {name} =", f"{expected}, got {x!r}")
+    return finite_number(x, f"{subject} has {name} =", f"{expected}, got {clipped(x)}")
 
 
 def check_options(rtol, method, step=None, progress=None):

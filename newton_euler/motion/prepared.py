@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from ..algebra.compile import recorded
 from ..algebra.partial_evaluation import folded
 from ..algebra.reads import reads_nothing
-from ..algebra.scalars import ZERO, scalar
+from ..algebra.scalars import ZERO, clipped, scalar
 from .analytic import clocked, hazards, inner, kinks, surprises
 from .crossings import choices, compiled_choices
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
@@ -177,6 +177,18 @@ class PreparedModel:
         """A function ``f(s, p, t)`` as one of ``(t, *states)``, without tracing."""
         return lambda t, *x: self.model._value(f, x, t)
 
+    def values(self, f: Callable[..., Any], times: "np.ndarray", x: Any) -> "np.ndarray":
+        """The values of a function ``f(s, p, t)`` at an array of times with the states there; one
+        by one if it branches on them.
+        """
+        import numpy as np
+
+        g = self.function(f)
+        try:
+            return np.broadcast_to(g(times, *x), times.shape)
+        except (TypeError, ValueError):
+            return np.array([g(*at) for at in zip(times.tolist(), *x.tolist(), strict=True)])
+
     def narrow_of(self, f: Callable[..., Any]) -> Arguments | None:
         """The narrow arguments in a function of an event; None if it has none, or is not traced."""
         text = self._text(f)
@@ -272,5 +284,5 @@ def _parameter(model, name, x):
         return x  # before the messages are written: the text of an array takes milliseconds
     what = f"the parameter {name} of {model.name!r}"
     return finite_number(
-        x, f"{what} is", f"{what} has no number: {x!r}; put one in with changed({name}=...)"
+        x, f"{what} is", f"{what} has no number: {clipped(x)}; put one in with changed({name}=...)"
     )

@@ -49,6 +49,7 @@ REFUSED = [
     (lambda: unit("m/sec^2"), "Did you mean 's'"),
     (lambda: unit("KG"), "Did you mean 'kg'"),
     (lambda: newton_euler.disk, "write from newton_euler.bodies import disk"),
+    (lambda: newton_euler.integrat, "Did you mean 'integrate'.* from newton_euler import integrate"),
     (lambda: newton_euler.bodies.dsk, "Did you mean 'disk'. Write: from newton_euler.bodies imp"),
     (lambda: newton_euler.kinematics.moving, "write from newton_euler import moving"),
     (lambda: newton_euler.scenes.Frame, "write from newton_euler import Frame"),

@@ -294,7 +294,7 @@ def test_an_unchanged_model_is_prepared_once():
 
 
 def test_equal_texts_share_one_compilation():
-    """Lambdas written anew in each cell cost heyoka's compilation once."""
+    """Lambdas written again in each cell cost heyoka's compilation once."""
     pytest.importorskip("heyoka")
     known = []
     for _ in range(3):

@@ -11,7 +11,7 @@ from html import escape
 from typing import Any
 
 from ...algebra.language import ENGLISH, Words, _, joined, language, spoken, words
-from ...algebra.names import did_you_mean
+from ...algebra.names import Guided, did_you_mean
 from ...answers.causes import Cause, sentence
 from ...answers.fit import rounding
 from ...answers.forms import AnswerError
@@ -66,7 +66,7 @@ class Checked(Message):
         return {key: sentence(causes) for key, causes in self.explained.items()}
 
 
-class PracticeProblem:
+class PracticeProblem(Guided):
     """One problem of a practice file with one set of numbers at a time, the book's first. ``p``
     alone shows text and figure; ``p.new()`` takes other numbers, which ``p.givens`` has by name;
     ``p.check(...)``, ``p.check_step(...)``, ``p.next_step()``, ``p.solution()``.
@@ -233,19 +233,23 @@ class PracticeProblem:
 
     # -- checks
 
-    def check(self, **answers: object) -> Checked:
+    def check(self, *nameless: object, **answers: object) -> Checked:
         """Whether answers are right, and what explains a wrong one: ``p.check(v_D=[1, 2, 0])``."""
-        return self._check(answers, self.answers, "answer", self._ways.step)
+        return self._check(nameless, answers, self.answers, "answer", self._ways.step)
 
-    def check_step(self, **steps: object) -> Checked:
+    def check_step(self, *nameless: object, **steps: object) -> Checked:
         """The same for any of ``p.steps``. The message says so where one follows rightly from a
         wrong one.
         """
-        return self._check(steps, self.steps, "step", self._ways.answer)
+        return self._check(nameless, steps, self.steps, "step", self._ways.answer)
 
-    def _check(self, given, names, what, other):
+    def _check(self, nameless, given, names, what, other):
         if not names:
             raise AnswerError(_NONE[what], problem=self.id)
+        if nameless:
+            raise AnswerError(
+                "write the name before each value, as {name}=...", name=next(iter(names))
+            )
         if not given:
             raise AnswerError(_WRITE[what], names=", ".join(names))
         for key in given:

@@ -1,5 +1,5 @@
 """Problems that give numbers and name symbols: drawn and judged over the points at which formulas
-are compared, also where a formula is not real at some of them.
+are compared, even where a formula is not real at some of them.
 """
 
 from dataclasses import replace

@@ -135,6 +135,7 @@ def test_an_instructor_decides_how_much_help_there_is(hints_file, checks_file):
     (lambda p: p.check(v_r=[1, 2, 3]), r"v_r is checked by p.check_step\(v_r="),
     (lambda p: p.check_step(v_D=[1, 2, 3]), r"v_D is checked by p.check\(v_D="),
     (lambda p: p.check(), "write a value for an answer: alpha_CD"),
+    (lambda p: p.check([1, 2, 3]), "write the name before each value, as alpha_CD=..."),
 ])  # fmt: skip
 def test_a_name_that_is_not_asked_for_is_refused_with_those_that_are(elbow, call, message):
     with pytest.raises(AnswerError, match=message):

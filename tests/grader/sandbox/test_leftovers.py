@@ -165,7 +165,7 @@ libc.sbrk.restype = ctypes.c_void_p
 ends = os.pipe()
 
 def content(at):
-    # the kernel reads the page: where there is none this is an error and no crash
+    # the kernel reads the page: where there is none this is an error, not a crash
     return os.read(ends[0], page) if libc.write(ends[1], ctypes.c_void_p(at), page) == page else None
 
 def found_near(at, pages=20_000):

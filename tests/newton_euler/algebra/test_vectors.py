@@ -2,6 +2,7 @@
 
 import math
 import re
+from fractions import Fraction
 
 import mpmath as mp
 import numpy as np
@@ -146,6 +147,8 @@ def test_directions_and_angles_of_the_smallest_and_largest_vectors(size):
     assert close(a.direction(), ground.vector(1.0, 2.0, 0).direction(), 1e-15)
     assert close(a.angle_to(b), math.pi / 2, 1e-15)
     assert close(a.angle_to(ground.i), math.atan(2.0), 1e-15)
+    exact = ground.vector(Fraction(3, 5) * Fraction(size), 0, Fraction(4, 5) * Fraction(size))
+    assert abs(exact.norm() - size) <= max(1e-15 * size, 5e-324)
 
 
 def moving_arm():
@@ -173,7 +176,7 @@ def test_reweighted_and_without_are_sums_of_changed_terms():
     known = "origin, relative, coriolis, euler, centripetal"
     with pytest.raises(TermError, match=f"no term 'corolis'; the terms are {known}"):
         a.without("corolis")
-    with pytest.raises(TermError, match="no term 'coriolis'; the terms are none"):
+    with pytest.raises(TermError, match="no term 'coriolis'; there are no terms"):
         ground.i.without("coriolis")
 
 

@@ -40,7 +40,7 @@ SQUARES = lambda s: s.x * s.x + s.y * s.y
         lambda s, p, t: s.x**2 + s.x**-3,
         lambda s, p, t: s.x**3,
         lambda s, p, t: sqrt(p.k) * asin(p.k / 4) * exp(p.k) * p.k**0.5 * s.x,
-        # the same root in a denominator, also of another term, and as a factor there
+        # the same root in a denominator, even of another term, and as a factor there
         lambda s, p, t: 1 / sqrt(s.x),
         lambda s, p, t: sqrt(s.x) + 1 / s.x,
         lambda s, p, t: s.x / sqrt(SQUARES(s)),

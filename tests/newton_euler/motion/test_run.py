@@ -11,12 +11,7 @@ import pytest
 from newton_euler import Model, cos, exp, integrate, sin, where
 from newton_euler.motion import ModelError, second_order
 from newton_euler.motion import run as run_module
-from newton_euler.motion.error_estimates import (
-    REGULAR,
-    ROUND_OFF_OF_RATES,
-    SAFETY,
-    SERIES_SAFETY,
-)
+from newton_euler.motion.error_estimates import REGULAR, ROUND_OFF_OF_RATES, SAFETY, SERIES_SAFETY
 from newton_euler.motion.events import Event, EventError
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
@@ -457,7 +452,7 @@ def test_a_closed_form_is_returned_with_its_error():
 
 def test_a_closed_form_that_gives_way_to_a_model_without_one_is_refused():
     event = Event(lambda s, p, t: s.x, then=lambda s, p, t: (PENDULUM, (s.x, s.dx)))
-    for rtol in (1e-9, 1e-15):  # also where the closed form would not be accurate either
+    for rtol in (1e-9, 1e-15):  # even where the closed form would not be accurate either
         with pytest.raises(ModelError, match="it becomes a model without one; take") as refused:
             run(SPRING, 8.0, START, rtol, events=(event,)).by_name("exact")
         assert type(refused.value) is ModelError

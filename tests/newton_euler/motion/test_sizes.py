@@ -47,7 +47,7 @@ def test_the_step_of_a_difference_is_small_beside_the_size_of_the_state(size):
     points, span = [(0.0, (0.0, size**0.5))], 1e9
     known, _ = natural_sizes(rates, points, (size, size**0.5), span)
     assert known == pytest.approx((size, size**0.5), rel=1e-3, abs=0.0)
-    # also where the size is not given but follows from the velocity
+    # even where the size is not given but follows from the velocity
     found, _ = natural_sizes(rates, points, (0.0, size**0.5), span)
     assert found[0] == pytest.approx(size, rel=1e-2, abs=0.0)
 

@@ -14,7 +14,6 @@ from newton_euler.motion.run import Run
 from newton_euler.motion.sizes import NATURAL_PART, ROUND_OFF
 from newton_euler.motion.solution import MotionError
 from newton_euler.motion.trajectory import (
-    ACCUMULATION,
     INNER_PART,
     KINKED_PART,
     LONGEST_PARTS,
@@ -131,7 +130,9 @@ def shrunk(part):
 def test_events_that_accumulate_end_the_motion_in_words():
     """Each distance is half of the one before: the events accumulate at t = 2."""
     motion = integrate(ZENO, 3.0, (0.0, 1.0, 1.0), events=shrunk(0.5))
-    assert motion.ended.startswith(f"{ACCUMULATION}: next at t = 2; give then=")
+    assert motion.ended.startswith(
+        "events follow each other without end: next at t = 2; give then="
+    )
     # the motion ends at a segment of 1e-9 of the whole time: 2^-n < 3e-9
     assert len(motion.segments) == 30
     assert motion.t_end == pytest.approx(2.0, abs=1e-8)
@@ -323,6 +324,11 @@ def test_accumulating_events_are_compared_by_their_end_only():
     a, b = (trajectory(run(ZENO, start, 4.0, events=(shrunk(part),))) for part in (0.5, 0.6))
     assert len(a.segments) != len(b.segments)
     assert a.difference(b) == pytest.approx(0.5 / 4.0, rel=1e-3)  # they end at 2 and at 2.5
+    called_so = Event(
+        lambda s, p, t: s.x - 1.0, 0, True, name="events follow each other without end"
+    )
+    a, b = (trajectory(run(ZENO, (0.0, 1.0, n), 4.0, events=(called_so,))) for n in (2.0, 5.0))
+    assert a.difference(b) > 0.5  # of n
 
 
 def test_a_state_next_to_zero_sets_no_scale_for_its_error():
