@@ -8,12 +8,7 @@ import pytest
 
 from newton_euler import Model, cos, exp, integrate, sin
 from newton_euler.motion import AccuracyError, Event, ModelError, batch, second_order
-from newton_euler.motion.batch import (
-    MIN_HEYOKA_BATCH,
-    _by_series,
-    _clock_errors,
-    _representatives,
-)
+from newton_euler.motion.batch import MIN_HEYOKA_BATCH, _by_series, _clock_errors, _representatives
 from newton_euler.motion.error_estimates import ROUND_OFF_OF_RATES
 from newton_euler.motion.methods.taylor import batches
 from newton_euler.motion.prepared import PreparedModel, prepared_model
