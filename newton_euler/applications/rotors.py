@@ -90,7 +90,7 @@ def reactions(
     at_B = {name: -e.cross(N + e.cross(F) * a) / length for name, (F, N) in pairs.items()}
     F, N = (Vector(sum3(v.c for v in v_s), e.frame) for v_s in zip(*pairs.values(), strict=True))
     force_A, force_B = (
-        named_sum("bearing force", f"of {name} on {body.name}", terms, e.frame)
+        named_sum(f"bearing force {name}", f"on {body.name}", terms, e.frame)
         for name, terms in (("A", at_A), ("B", at_B))
     )
     return Reactions(force_A, force_B, F.dot(e), N.dot(e), e)

@@ -31,7 +31,7 @@ def test_a_formula_begins_without_a_sign_and_has_one_root_and_six_digits(formula
     (a * b, {"a": -3.0, "b": 2.0}, r"\left(-3\right) \cdot 2"),
     (a**2, {"a": -3.0}, r"\left(-3\right)^{2}"),
 ])  # fmt: skip
-def test_a_negative_number_stands_in_parentheses_and_two_signs_are_one(formula, numbers, text):
+def test_a_negative_number_is_put_in_parentheses_and_two_signs_become_one(formula, numbers, text):
     names = numerals({n: (x, "1") for n, x in numbers.items()}, True, True)
     assert written(formula, names, latex=True, numbers=True) == text
 
@@ -96,7 +96,7 @@ def test_equations_that_are_solved_together_are_shown_once_with_their_unknowns()
 
 
 @pytest.mark.parametrize(("angle", "has_bars"), [(30.0, False), (-30.0, True)])
-def test_bars_stand_only_where_they_change_the_number(angle, has_bars):
+def test_bars_appear_only_where_they_change_the_number(angle, has_bars):
     p = problem("3/11")
     formula = derivations(p, {**p.book_values, "angle": angle})["a_n"].formulas[0]
     assert formula.has(sympy.Abs) == has_bars
@@ -146,7 +146,7 @@ def test_a_formula_is_written_as_a_teacher_would_write_it(name, key, formulas):
 
 def test_bodies_that_are_partly_equal_have_names_of_their_own():
     assert shown("7/9", "I_O")[0] == "I_base_xx - I_hole_xx + I_wall_xx"
-    assert shown("7/11", "I_BC")[0] == "I_G_BC_xx + a**2*m + d_BC_z**2*m"  # x and y of d are a
+    assert shown("7/11", "I_BC")[0] == "I_G_BC_xx + d_BC_y**2*m + d_BC_z**2*m"
     assert shown("7/11", "I_AB")[8] == "I_G_AB_zz + d_AB_x**2*m + d_AB_y**2*m"  # not 5*a**2*m/4
     assert shown("7/11", "I_G_BC")[4] == "a**2*m/12"  # and not I_G_OA_yy + 0
     assert shown("7/12", "I_O")[0] == "I_full_xx - I_hole_xx"  # not I_G_hole_xx, which is equal

@@ -206,3 +206,25 @@ def test_the_way_of_the_solution_is_accepted_where_follows_is_written_with_anoth
     given = numerals if len(found) > 1 else numerals[0]
     part = judged(p, values, {**wrong, key: given})[key]
     assert part.message.startswith(f"not right; it follows from your {earlier}")
+
+
+@pytest.mark.parametrize("number", ["11/11", "11/12", "7/24", "2/25"])
+def test_a_huge_number_for_all_follows_from_nothing_where_more_is_to_be_computed(number):
+    p = problem(number)
+    values = draw(p, b"huge")
+    for x in (1e5, 1e9, -1e9, 1e30, 1e150, 1e300, 8e307):
+        given = {a.key: [x] * a.kind.length if a.kind.length > 1 else x for a in p.answers}
+        parts = judged(p, values, given, follow_through=1).values()
+        assert not sum(part.points for part in parts), x
+
+
+@pytest.mark.parametrize(("number", "key"), [("11/11", "v_A"), ("11/12", "v_C")])
+def test_what_is_computed_from_an_answer_that_is_far_too_large_follows(number, key):
+    p = problem(number)
+    right = numbers_of(p, values := draw(p, b"huge"))
+    (name,) = right.earlier[key]
+    for times in (2, 1e3, 1e6):
+        wrong = times * right.key[name][0][0]
+        (((later,),)) = right.following(key, {name: ((wrong,),)})
+        parts = judged(p, values, {name: wrong, key: later}, follow_through=1)
+        assert parts[key].points > 0, times
