@@ -136,8 +136,7 @@ def grade(
     for r in results:
         if r.problem:
             console.print(
-                f"[red]Not graded:[/] {in_cell(r.student)} {in_cell(r.problem)}.",
-                soft_wrap=True,
+                f"[red]Not graded:[/] {in_cell(r.student)} {in_cell(r.problem)}.", soft_wrap=True
             )
     click.echo(f"Feedback pages: cd {course.path} && nbgrader generate_feedback {assignment}")
     if any(r.problem for r in results):

@@ -11,6 +11,7 @@ import inspect
 import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from importlib import import_module, util
 from itertools import takewhile
@@ -218,6 +219,9 @@ class Compiled:
         return [given[n] for n in self.parameters]
 
     def _other(self, args):
+        if all(isinstance(a, float) for a in args):  # of NumPy, as the entries of an array
+            with suppress(ArithmeticError, ValueError):  # where NumPy has inf or nan
+                return self._build(self.on_floats(*map(float, args)))
         for a in args:
             if getattr(a, "size", 1):  # an empty array has an empty array of values
                 scalar(a)  # raises ScalarError if it is not a number

@@ -166,8 +166,7 @@ OTHER_ORDER = slip(
     "order", Words("has its components in another order: each belongs to one axis of the text")
 )
 AS_SCALARS = slip(
-    "as scalars",
-    Words("adds angular velocities as numbers: they are vectors along different axes"),
+    "as scalars", Words("adds angular velocities as numbers: they are vectors along different axes")
 )
 ROUNDED = slip(
     "rounded", Words("rounds the right answer too far: give three significant figures or more")

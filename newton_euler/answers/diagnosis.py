@@ -8,28 +8,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from .causes import (
-    CORIOLIS_HALVED,
-    LEFT_OUT,
-    NO_COMPONENT,
-    ROUNDED,
-    ZERO,
-    Cause,
-    in_this_part,
-)
+from .causes import CORIOLIS_HALVED, LEFT_OUT, NO_COMPONENT, ROUNDED, ZERO, Cause, in_this_part
 from .fit import CLOSE, EXACT, LOOSE, Fit
 from .kinds import KINDS, Kind
 from .near import NO_SINGLES, Singles
 from .pairs import of_two
-from .slips import (
-    bare,
-    is_rounded,
-    multiples,
-    of_components,
-    of_none,
-    of_powers,
-    rates_as_scalars,
-)
+from .slips import bare, is_rounded, multiples, of_components, of_none, of_powers, rates_as_scalars
 from .tolerance import NOISE, NUMBER_RTOL, Points, is_apart
 
 MOST = 3  # causes that are named together: more would explain nothing

@@ -9,17 +9,7 @@ from dataclasses import dataclass
 
 from ..algebra.errors import Accuracy, NewtonEulerError, Tolerance, checked, checked_but
 from ..algebra.ledger import Amount, in_columns, summed, value_of
-from ..algebra.scalars import (
-    Scalar,
-    anywhere,
-    cos,
-    is_numeric,
-    scalar,
-    short,
-    sin,
-    sqrt,
-    to_plain,
-)
+from ..algebra.scalars import Scalar, anywhere, cos, is_numeric, scalar, short, sin, sqrt, to_plain
 from ..algebra.vectors import Vector
 from ..bodies.admissibility import not_negative
 from ..bodies.body import Body

@@ -149,7 +149,7 @@ def scalars_and_vectors(ground):
     form / 2.0, 1.0 - form
     for refused in (
         lambda: 1 / form, lambda: form.function("sin"), lambda: form**2, lambda: 2.0**form,
-        lambda: 1.0 / ground.i,
+        lambda: 1.0 / ground.i, lambda: abs(form), lambda: form == 1.0, lambda: algebra.Moving(2.0) == 1.0,
     ):  # fmt: skip
         with contextlib.suppress(algebra.ScalarError, algebra.FrameError):
             refused()

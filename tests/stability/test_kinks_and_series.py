@@ -110,7 +110,7 @@ def test_batches_are_compared_with_what_was_asked(count):
 
 
 @needs_heyoka
-def test_each_motion_of_a_large_batch_has_its_error_also_beside_a_separatrix():
+def test_each_motion_of_a_large_batch_has_its_error_even_beside_a_separatrix():
     """Amplitudes up to 1e-7 short of upright: the closest ones cannot be had."""
     model = second_order("pendulum", {}, ("a",), lambda s, p, t: (-sin(s.a),))
     a = np.concatenate([np.linspace(0.1, 3.0, 70), math.pi - 10.0 ** -np.arange(1.0, 8.0)])

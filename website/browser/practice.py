@@ -14,12 +14,7 @@ from typing import Any
 from newton_euler.algebra.errors import NewtonEulerError
 from newton_euler.algebra.language import Words, _, choose_language, languages
 from newton_euler.answers.forms import AnswerError
-from newton_euler.answers.notation import (
-    formula,
-    list_symbol,
-    number_symbol,
-    unit_symbol,
-)
+from newton_euler.answers.notation import formula, list_symbol, number_symbol, unit_symbol
 from newton_euler.classroom.practising.advice import advise, causes_of
 from newton_euler.classroom.practising.collection import Practice
 from newton_euler.classroom.practising.files import HELP, PracticeFile

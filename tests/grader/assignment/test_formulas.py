@@ -31,7 +31,7 @@ def test_a_formula_begins_without_a_sign_and_has_one_root_and_six_digits(formula
     (a * b, {"a": -3.0, "b": 2.0}, r"\left(-3\right) \cdot 2"),
     (a**2, {"a": -3.0}, r"\left(-3\right)^{2}"),
 ])  # fmt: skip
-def test_a_negative_number_stands_in_parentheses_and_two_signs_are_one(formula, numbers, text):
+def test_a_negative_number_is_put_in_parentheses_and_two_signs_become_one(formula, numbers, text):
     names = numerals({n: (x, "1") for n, x in numbers.items()}, True, True)
     assert written(formula, names, latex=True, numbers=True) == text
 
@@ -96,7 +96,7 @@ def test_equations_that_are_solved_together_are_shown_once_with_their_unknowns()
 
 
 @pytest.mark.parametrize(("angle", "has_bars"), [(30.0, False), (-30.0, True)])
-def test_bars_stand_only_where_they_change_the_number(angle, has_bars):
+def test_bars_appear_only_where_they_change_the_number(angle, has_bars):
     p = problem("3/11")
     formula = derivations(p, {**p.book_values, "angle": angle})["a_n"].formulas[0]
     assert formula.has(sympy.Abs) == has_bars

@@ -78,7 +78,7 @@ DOT, PRIME = r"\b[A-Z] \. [A-Z§]", r"\b[a-z]'+(?![a-z])"
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_a_cited_equation_stands_in_the_cited_section(p):
+def test_a_cited_equation_is_in_the_cited_section(p):
     for s in steps(p, numbers(p, b"one")):
         if s.section and s.equation and own_number(s.equation, p):
             assert SECTION_OF[s.equation] == s.section, s.key
@@ -103,7 +103,7 @@ def test_the_sum_of_the_terms_that_are_shown_is_shown_too_and_no_table_twice(p):
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_each_component_found_from_equations_stands_in_them(p):
+def test_each_component_found_from_equations_occurs_in_them(p):
     words = ""
     for line in as_python(p, b"one"):
         words, s = " ".join([words, *line.together]), line.step
@@ -444,7 +444,7 @@ def test_a_worked_solution_cites_the_equation_of_its_chapter():
     assert "| the acceleration of the origin of the moving frame | $" in text
 
 
-def test_the_terms_of_an_answer_stand_in_its_table_and_not_among_the_steps_too():
+def test_the_terms_of_an_answer_are_in_its_table_and_not_among_the_steps_too():
     p = problem("4/16")
     text = worked_solution(p, p.book_values)
     assert text.count("the Coriolis term") == 1

@@ -43,11 +43,13 @@ def test_the_record_of_scores_holds_every_part(course):
     assert course.secret.hex() not in json.dumps(record)
 
 
-def test_unsandboxed_grading_says_so_in_the_notebook(fresh):
+def test_unsandboxed_grading_says_so_in_the_notebook_and_counts_for_no_run_in_the_cage(fresh):
     (result,) = grade(fresh, "ch04", ["ada"], sandbox=False)
     assert "unsandboxed: asked for" in result.note
     notebook = read(fresh.path / "autograded/ada/ch04/ch04.ipynb")
     assert "unsandboxed" in notebook["cells"][0]["source"]
+    (again,) = grade(fresh, "ch04", ["ada"])
+    assert (again.unchanged, again.sandbox) == (False, "namespaces")
 
 
 def test_a_damaged_notebook_is_reported_and_its_earlier_grade_and_everybody_elses_stay(fresh):

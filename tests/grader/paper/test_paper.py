@@ -59,7 +59,7 @@ def test_sheet_key_and_overview_are_printed_and_nothing_of_latex_is_left(some):
         assert all(pdf(files).startswith(b"%PDF") for files in papers)
 
 
-def test_in_a_key_matrices_fit_the_line_and_a_heading_stands_with_its_answers():
+def test_in_a_key_matrices_fit_the_line_and_a_heading_stays_with_its_answers():
     text = key("Homework", *of("7/3", "4/3"))["main.typ"].decode()
     outside = re.sub(r"#side\(\$.*?\$, \d+cm\)", "", text)
     assert text.count("mat(") > 3

@@ -129,7 +129,7 @@ def test_a_multiple_of_a_vector_is_met_by_chance_as_one_number_is():
     assert "opposite sign" not in of_vector([1.001 * x for x in turned], parts, "m^2")
 
 
-def test_a_quantity_is_turned_doubled_and_left_out_also_where_the_trace_moved_its_sign():
+def test_a_quantity_is_turned_doubled_and_left_out_even_where_the_trace_moved_its_sign():
     rate = [("the second rate", lambda p, q, k: [-(k * p / q)])]
     parts = lambda p, q, k: [k * p - (k * p / q) * p, k * q - (k * p / q) * q, k * p]
     p, q, k = P, Q, K

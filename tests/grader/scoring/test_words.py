@@ -5,11 +5,7 @@ import pytest
 from exercises.catalogue import variants
 from grader.reports.diagnoses import diagnosis_shares, handed_in
 from grader.scoring import numbers, score_receipt
-from tests.exercises.kinds.thrown import (
-    DOF,
-    SLIPS,
-    ball,
-)
+from tests.exercises.kinds.thrown import DOF, SLIPS, ball
 from tests.making import made as made
 
 PLACE = " (see section 4.10)"  # of the problem made here

@@ -228,7 +228,7 @@ def test_a_silently_wrong_answer_has_a_ring_and_only_that(liar):
         assert [len(line.get_xdata()) for line in rings] == [1]
 
 
-def test_counts_stand_beside_the_rows():
+def test_counts_are_written_beside_the_rows():
     answers = [answer("good"), answer("bad", error=1.0, cost=1.0)]
     answers += [answer("mute", estimate=None, cost=2.0), answer("lost", absent=FAILED)]
     cost, promise, estimate, counts = drawn(answers)

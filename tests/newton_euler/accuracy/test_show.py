@@ -41,7 +41,7 @@ def test_a_quick_chart_of_methods_leaves_some_out_and_says_so(displayed):
     assert found.caption.endswith("only these methods were measured; quick=False measures all.")
 
 
-def test_hyphens_may_stand_for_blanks_and_an_unknown_name_is_refused_with_the_list(displayed):
+def test_hyphens_may_replace_blanks_and_an_unknown_name_is_refused_with_the_list(displayed):
     assert show_chart("steady-precession").points
     with pytest.raises(ArgumentError, match=r"no chart 'topp'; there are .*; models of projectile"):
         show_chart("topp")

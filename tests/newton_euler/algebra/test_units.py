@@ -91,7 +91,7 @@ def test_vectors_are_converted_with_their_terms():
     assert a.terms["centripetal"].x == a.x
 
 
-def test_a_vector_keeps_its_digits_also_where_its_first_component_is_zero():
+def test_a_vector_keeps_its_digits_even_where_its_first_component_is_zero():
     omega = Unit("rev/min").to_base(Frame("ground").vector(0, 0, mpmath.mpf(30)))
     assert abs(omega.z - mpmath.pi) < 1e-29
 

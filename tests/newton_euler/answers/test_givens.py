@@ -96,7 +96,7 @@ def test_an_answer_of_another_problem_under_the_name_of_a_given_number_is_report
     _expected.pop("4/13")
 
 
-def test_an_answer_that_is_an_equal_object_was_still_computed_anew(shell):
+def test_an_answer_that_is_an_equal_object_was_still_computed_again(shell):
     cells = "givens 4/12", "1 a_D = 3", "givens 4/16", "1 a_D = 3", "receipt 4/16"
     assert run(shell, *cells) == ""
 

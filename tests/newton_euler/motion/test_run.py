@@ -11,12 +11,7 @@ import pytest
 from newton_euler import Model, cos, exp, integrate, sin, where
 from newton_euler.motion import ModelError, second_order
 from newton_euler.motion import run as run_module
-from newton_euler.motion.error_estimates import (
-    REGULAR,
-    ROUND_OFF_OF_RATES,
-    SAFETY,
-    SERIES_SAFETY,
-)
+from newton_euler.motion.error_estimates import REGULAR, ROUND_OFF_OF_RATES, SAFETY, SERIES_SAFETY
 from newton_euler.motion.events import Event, EventError
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
