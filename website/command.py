@@ -107,6 +107,8 @@ def main(
     known = {c.name for c in chapters()} | {c.stem for c in chapters()}
     if unknown := [n for n in names if n not in known]:
         raise click.UsageError(f"there is no chapter {unknown[0]}; there are {_list(chapters())}")
+    if wrong := [x for x in beside if not all(x.partition("="))]:
+        raise click.UsageError(f"--beside {wrong[0]}: expected LANGUAGE=ADDRESS, as en=../")
     try:
         with _bar() as bar, in_every_process(language):
             left = steps.build(
@@ -117,7 +119,7 @@ def main(
                 with_engine=engine,
                 packages=packages,
                 course=course,
-                beside=dict(x.split("=", 1) for x in beside if "=" in x),
+                beside=dict(x.split("=", 1) for x in beside),
             )
     except WebsiteError as error:
         raise click.ClickException(str(error)) from None

@@ -26,6 +26,7 @@ from .scalars import (
     max_abs,
     pi,
     promote,
+    real_scalar,
     scalar,
     sinh,
     sqrt,
@@ -85,7 +86,7 @@ def _flat(value, like):
         return (value if value.frame is like.frame else value.expressed_in(like.frame)).c
     if isinstance(like, (tuple, list)):
         return tuple(x for v, part in zip(value, like, strict=True) for x in _flat(v, part))
-    return (scalar(value),)
+    return (real_scalar(value),)
 
 
 def _like(like, scalars):

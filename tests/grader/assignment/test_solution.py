@@ -528,3 +528,10 @@ def test_without_formulas_there_are_values_only(name):
     text = worked_solution(p, p.book_values, text=False, formulas=False)
     assert len(text) < len(worked_solution(p, p.book_values, text=False))
     assert " from $" not in text
+
+
+@pytest.mark.parametrize("name", ["9/1", "9/5"])
+def test_each_bearing_has_its_own_letter(name):
+    _, *tables = worked_solution(problem(name), numbers(problem(name), b"one")).split("(9.9)")
+    assert [re.findall(r"mathbf\{([AB])\}_\{m\\omega", x)[0] for x in tables] == ["A", "B"]
+    assert [re.findall(r"[AB]_x =", x)[0] for x in tables] == ["A_x =", "B_x ="]
