@@ -112,9 +112,7 @@ def test_own_chapters_come_after_those_of_the_book_by_name_and_number(tmp_path):
     ("1 / 0", "bead/p01.py, line 14: ZeroDivisionError"),
     ("def", "bead/p01.py, line 14: invalid syntax"),
 ], ids=["a name", "nothing", "a number", "Python"])  # fmt: skip
-def test_an_error_in_an_own_problem_is_a_sentence_here_and_in_other_processes(
-    tmp_path, line, words
-):
+def test_an_error_in_an_own_problem_is_a_sentence_in_every_process(tmp_path, line, words):
     shutil.copytree(GOOD, tmp_path, dirs_exist_ok=True)
     code = tmp_path / "bead/p01.py"
     code.write_text(code.read_text().replace("def solve(g):\n", f"def solve(g):\n    {line}\n"))

@@ -47,9 +47,7 @@ def fake(case, truth, off, estimate, method="fake"):
     (5e-6, 1e-7, "missed", False, False), (1e-4, 1e-12, "missed", False, True),
     (1e-4, 1e-3, "missed", True, False), (math.nan, 1e-12, "missed", False, True),
 ])  # fmt: skip
-def test_an_estimate_below_the_true_error_is_caught(
-    off, estimate, outcome, covers, silent, pendulum
-):
+def test_an_estimate_below_the_error_is_caught(off, estimate, outcome, covers, silent, pendulum):
     run = judged(*pendulum, integrate=fake(*pendulum, off, estimate))
     assert (run.outcome, run.covers, run.silent) == (outcome, covers, silent)
     assert run.error == pytest.approx(off, rel=1e-6) or math.isinf(run.error)
@@ -127,9 +125,7 @@ def test_the_error_of_an_event_is_relative_to_the_time_since_the_start(known):
         ((1.0, math.inf, 0.0), judge.UNIT, math.inf),
     ],
 )
-def test_no_state_is_judged_below_its_unit_or_below_what_its_coupling_makes_of_it(
-    state, unit, error
-):
+def test_no_state_is_judged_below_its_unit_or_what_its_coupling_makes_of_it(state, unit, error):
     true, sizes, natural = ("1.0", "0.0", "0.0"), (2.0, 1e-9, 0.0), (0.1, 1e-9, 4.0)
     assert judge.true_error(state, true, sizes, natural, unit) == pytest.approx(error)
 

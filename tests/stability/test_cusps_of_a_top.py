@@ -31,9 +31,8 @@ def test_the_engine_calls_every_release_from_rest_a_cusp_with_no_rate_at_all(the
     (1e-12, "cusps", {}), (-1e-12, "cusps", {}), (1e-13, "waves", {"tolerance": 1e-15}),
     (-1e-13, "loops", {"tolerance": 1e-15}),
 ])  # fmt: skip
-def test_beside_the_cusp_it_tells_waves_from_loops_and_keeps_the_rate_to_the_last_digit(
-    precession, kind, setting
-):
+def test_beside_the_cusp_it_tells_waves_from_loops_and_keeps_the_rate(precession, kind, setting):
+    """To the last digit."""
     found = nutation(I0, I, MGR, 1.0, 0.0, precession, omega_z=100.0, **setting)
     assert found.kind == kind
     assert found.precession_at_min == pytest.approx(precession, rel=1e-15)

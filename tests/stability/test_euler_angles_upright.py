@@ -25,9 +25,7 @@ def axis_of(state):
 
 
 @pytest.mark.parametrize("eps", [1e-1, 1e-4, 1e-8, 0.0])
-def test_the_frame_that_does_not_spin_passes_the_vertical_with_the_same_steps_to_1e_minus_9_rad(
-    eps,
-):
+def test_the_frame_without_spin_passes_the_vertical_with_the_same_steps_to_1e_minus_9_rad(eps):
     start, end = passage(eps)
     found = solved(top.nonspinning_frame(I0, I, 0.0, OMEGA_Z), 2.0, start, **TIGHT)
     assert np.linalg.norm(axis_of(found.y[:, -1]) - axis_of(end)) < 1e-9

@@ -39,9 +39,7 @@ def test_integrated_from_1e9_turns_on_the_angles_lose_six_digits_and_the_quatern
 
 
 @pytest.mark.parametrize("turns", [1e3, 1e6, 1e9])
-def test_the_exact_attitude_is_right_to_a_round_off_of_the_turns_and_in_30_digits_to_1e_minus_29(
-    turns,
-):
+def test_the_exact_attitude_is_right_to_round_off_of_turns_and_in_30_digits_to_1e_minus_29(turns):
     start, t = (*TILTED, 0.0, 2.0), 2 * math.pi * turns / math.hypot(2.0, I * OMEGA_Z / I0)
     exact = carried_around(start, t)
     assert apart(axis(top.free(I0, I, OMEGA_Z).solution(t, start)), exact) < 2e-15 * turns

@@ -34,9 +34,7 @@ def measured(gap, count=400):
 
 
 @pytest.mark.parametrize("gap", [0.3, 1e-1, 1e-2, 1e-3, 0.0])
-def test_the_turn_that_the_engine_reports_is_the_turn_that_noise_makes_within_a_factor_of_three(
-    gap,
-):
+def test_the_reported_turn_is_the_turn_that_noise_makes_within_a_factor_of_three(gap):
     turns, p = measured(gap)
     typical = float(np.sqrt(np.mean(turns**2)))
     assert typical / 3 < min(p.turns[0], 1.1) < 3 * typical

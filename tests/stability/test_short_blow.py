@@ -36,9 +36,7 @@ def test_the_methods_of_the_engine_look_where_a_force_changes_in_time(method):
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor", "scipy DOP853", "scipy RK45"])
 @pytest.mark.parametrize("lasts", [1e-1, 1e-2, 1e-4, 1e-6])
-def test_given_as_events_it_is_met_at_its_instants_and_the_motion_is_right_to_1e_minus_12(
-    method, lasts
-):
+def test_given_as_events_it_is_met_and_the_motion_is_right_to_1e_minus_12(method, lasts):
     body = BODY.changed(blow=1.0 / lasts, t1=BEGINS + lasts)
     struck = lambda s, p, t: (body.changed(F=p.blow), (s.x, s.v), (over,))
     begins = Event(lambda s, p, t: t - p.t0, then=struck, name="blow")

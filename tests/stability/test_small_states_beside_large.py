@@ -103,9 +103,7 @@ def far_spring(place, k=4.0):
 @pytest.mark.parametrize("amplitude", [1e-3, 1e-2, 1.0])
 @pytest.mark.parametrize("place", [1e3, -6.4e6, 1e9])
 @pytest.mark.parametrize("method", METHODS)
-def test_the_speed_on_a_spring_far_away_is_right_by_its_own_size_or_refused_in_words(
-    method, place, amplitude
-):
+def test_the_speed_on_a_far_spring_is_right_by_its_own_size_or_refused(method, place, amplitude):
     start = place + amplitude, 0.0
     a = start[0] - place
     lost = 2.0**-52 * abs(place) / a  # what round-off leaves unknown

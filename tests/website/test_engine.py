@@ -66,9 +66,7 @@ def drag(driver, figure=0, where="a step"):
     return True
 
 
-def test_the_engine_answers_in_words_and_comes_back_offline_with_its_figures_and_cells(
-    site, driver, tmp_path
-):
+def test_the_engine_answers_in_words_and_offline_with_figures_and_cells(site, driver, tmp_path):
     (tmp_path / "course").mkdir()  # below the top of the server, as on GitHub
     for path in site.iterdir():
         (tmp_path / "course" / path.name).symlink_to(path)
@@ -117,9 +115,8 @@ def test_the_engine_answers_in_words_and_comes_back_offline_with_its_figures_and
     complaints(driver)  # the engine's that was ended, and of the time without a server
 
 
-def test_a_slider_of_each_chapter_moves_its_figure_and_until_then_an_end_answers(
-    site, driver, address
-):
+def test_a_slider_moves_its_figure_and_until_then_an_end_answers(site, driver, address):
+    """One slider of each chapter."""
     moved, still = [], []
     for path in sorted(site.glob("chapters/*.html")):
         driver.get(f"{address}/chapters/{path.name}")
@@ -167,9 +164,7 @@ def with_packages(site, folder, address):
     return wheel
 
 
-def test_numpy_is_fetched_from_its_address_once_a_reader_asks_and_words_say_why_it_cannot(
-    site, driver, tmp_path, monkeypatch
-):
+def test_numpy_is_fetched_when_asked_for_or_words_say_why(site, driver, tmp_path, monkeypatch):
     home, packages = tmp_path / "site", tmp_path / "packages"
     home.mkdir()
     packages.mkdir()
@@ -206,9 +201,7 @@ def test_every_figure_with_sliders_moves(site, driver, address):
 
 @pytest.mark.slow  # minutes
 @pytest.mark.parametrize("chapter", [path.stem for path in sorted(FOLDER.glob("*.ipynb"))])
-def test_every_cell_of_a_chapter_prints_what_was_built_or_says_what_it_needs(
-    driver, address, chapter
-):
+def test_every_cell_prints_what_was_built_or_says_what_it_needs(driver, address, chapter):
     driver.set_script_timeout(6 * LONG)
     driver.get(f"{address}/chapters/{chapter}.html")
     ran = [x for x in driver.execute_async_script(RUN, ARRAYS) if "this needs" not in x[3]]

@@ -70,9 +70,7 @@ def sample(driver, address):
     assert driver.execute_async_script(LOOK) == []
 
 
-def test_a_film_plays_when_its_button_is_pressed_and_waits_for_those_who_want_no_motion(
-    driver, address
-):
+def test_a_film_plays_at_its_button_and_waits_where_no_motion_is_wanted(driver, address):
     emulated(driver, reduced="reduce")
     sample(driver, address)
     film = "document.querySelector('.output [id^=motion-]')"

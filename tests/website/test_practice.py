@@ -108,9 +108,7 @@ def steps_and_answers(site, number):
     return ({k: texts[k] for k in names} for names in (p.steps, p.answers))
 
 
-def test_five_problems_are_worked_by_keyboard_alone_and_their_progress_is_taken_along(
-    site, address, phone, tmp_path
-):
+def test_five_problems_are_worked_by_keyboard_and_taken_along(site, address, phone, tmp_path):
     from selenium.webdriver import Keys
 
     save = {"behavior": "allow", "downloadPath": str(tmp_path)}
@@ -283,9 +281,7 @@ def refused(sound, folder):
     return {**found, folder / "huge": "has more than 64 MB"}
 
 
-def test_a_readers_own_practice_file_opens_and_any_other_file_is_refused_in_words(
-    site, address, phone, tmp_path
-):
+def test_a_readers_own_practice_file_opens_and_others_are_refused(site, address, phone, tmp_path):
     sound = site / "practice" / "ch04.practice"
     phone.get(f"{address}/problems/own.html")
     chosen = phone.find_element("css selector", ".practice input[type=file]")
@@ -308,9 +304,7 @@ def test_a_readers_own_practice_file_opens_and_any_other_file_is_refused_in_word
     assert complaints(phone) == []
 
 
-def test_texts_of_a_practice_file_are_texts_and_neither_run_nor_load(
-    site, address, phone, tmp_path
-):
+def test_texts_of_a_practice_file_are_texts_and_never_run_or_load(site, address, phone, tmp_path):
     sound = site / "practice" / "ch04.practice"
     phone.get(f"{address}/problems/own.html")
     requests(phone)

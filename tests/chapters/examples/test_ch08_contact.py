@@ -47,9 +47,7 @@ def test_many_contacts_at_once_choose_their_regime_one_by_one():
     st.floats(0.01, 1.5),
     st.floats(0.5, 1.0),
 )
-def test_friction_obeys_coulomb_and_the_laws_of_motion_in_both_regimes(
-    force, moment, surface, mu, ratio
-):
+def test_friction_obeys_coulomb_and_newtons_laws_in_both_regimes(force, moment, surface, mu, ratio):
     m, r, I, N = 2.0, 0.5, 0.25, 19.62
     c = rolling_contact.contact(m, r, I, N, mu, mu * ratio, force, moment, surface)
     assert abs(m * c.a - force - c.friction) < 1e-12

@@ -50,9 +50,7 @@ def test_a_mistake_must_show_at_half_of_the_points(objection_to):
 
 
 @pytest.mark.parametrize(("small", "fits"), [(0.01, True), (0.00999, False), (1e-12, True)])
-def test_a_component_is_a_hundredth_of_the_whole_or_nothing_but_round_off(
-    objection_to, small, fits
-):
+def test_a_component_is_a_hundredth_of_the_whole_or_only_round_off(objection_to, small, fits):
     components = (small, math.sqrt(1 - small**2), 0.0)
     assert math.hypot(*components) == 1.0
     assert (objection_to("4/16", [components]) is None) is fits

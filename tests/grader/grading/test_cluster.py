@@ -252,9 +252,7 @@ def dying(victims, monkeypatch):
     monkeypatch.setattr(grading, "_examine", examine)
 
 
-def test_others_do_the_work_of_a_worker_that_dies_until_all_have_died(
-    fresh, cluster, course, monkeypatch
-):
+def test_others_do_a_dead_workers_work_until_all_have_died(fresh, cluster, course, monkeypatch):
     """Killed at its work, in its first check, and as the last one."""
     address, started, output = cluster.at_least(3).address, [], []
     first, *others = cluster.living()
@@ -300,9 +298,7 @@ def hanging(pids, monkeypatch):
     monkeypatch.setattr(grading, "_grade", grade_there)
 
 
-def test_others_do_the_work_of_a_worker_that_hangs_and_what_hangs_twice_is_reported(
-    fresh, cluster, course, monkeypatch
-):
+def test_others_do_what_hung_once_and_what_hung_twice_is_named(fresh, cluster, course, monkeypatch):
     """The second time the workers have imported everything, and nothing has to be run."""
     address, output = cluster.at_least(4).address, []
     first, *_ = workers = cluster.living()

@@ -15,9 +15,7 @@ from tests.grader.keys import keys
 from tests.grader.submissions import DAMAGED, NOTEBOOKS, Named, work
 
 
-def test_nbgrader_autograde_under_our_configuration_gives_the_same_scores_and_comments(
-    course, fresh
-):
+def test_nbgrader_autograde_with_our_settings_gives_the_same_scores_and_comments(course, fresh):
     forget(fresh)
     ran(nbgrader("autograde", "ch04", cwd=fresh.path))
     assert points(fresh) == points(course)

@@ -30,9 +30,7 @@ def due(course, days, extension=0):
     ("after the due date", -2, 3, False),  # someone may still hand in
     ("always", 1, 0, True),
 ])  # fmt: skip
-def test_worked_solutions_are_shown_when_the_instructor_allows_it(
-    fresh, setting, days, extension, shown
-):
+def test_solutions_are_shown_when_the_instructor_allows_it(fresh, setting, days, extension, shown):
     grade(fresh, "ch04", ["ada", "ben"])
     due(fresh, days, extension)
     if setting:

@@ -6,9 +6,7 @@ from newton_euler.classroom import PracticeFileError, PracticeProblem, practice,
 from newton_euler.classroom.practising import collection
 
 
-def test_try_problem_opens_the_practice_file_in_the_folder_that_has_the_problem(
-    practice_file, hints_file
-):
+def test_try_problem_opens_the_practice_file_that_has_the_problem(practice_file, hints_file):
     assert practice_file.parent != hints_file.parent
     p = try_problem("2/18", practice_file.parent)
     assert isinstance(p, PracticeProblem)
@@ -22,9 +20,7 @@ def test_in_a_notebook_it_is_a_form(practice_file, monkeypatch):
     assert isinstance(try_problem("2/18", practice_file.parent), widgets.VBox)
 
 
-def test_without_a_file_that_has_it_try_problem_opens_what_comes_with_the_engine(
-    practice_file, tmp_path, monkeypatch
-):
+def test_where_no_file_has_it_try_problem_opens_the_engines(practice_file, tmp_path, monkeypatch):
     monkeypatch.setattr(collection, "SETS", practice_file.parent)
     p = try_problem("4/16", tmp_path)
     p.check(v_D=[1, 2, 3])

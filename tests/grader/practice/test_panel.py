@@ -79,9 +79,7 @@ def test_the_form_speaks_of_its_own_buttons(form, capsys):
     assert "p.new() takes others" in repr(p)  # typed input gets the method's name
 
 
-def test_help_starts_afresh_with_each_problem_and_the_table_remembers_that_there_was_some(
-    practice_file, tmp_path
-):
+def test_help_starts_afresh_with_each_problem_and_the_table_remembers_it(practice_file, tmp_path):
     for again in range(2):
         p = practice(practice_file, progress=tmp_path / "kept.json")["4/16"]
         assert "It is" not in p.next_step().text

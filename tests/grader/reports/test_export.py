@@ -122,9 +122,7 @@ def test_the_points_are_those_of_the_gradebook_with_what_a_person_gave_and_took(
 
 
 @pytest.mark.integration
-def test_the_lines_of_a_student_sum_up_to_the_gradebook_with_questions_of_the_instructors_own(
-    fresh, tmp_path
-):
+def test_the_lines_of_a_student_sum_up_to_the_gradebook_with_own_questions_too(fresh, tmp_path):
     """And ``stats`` has a line for such a question; its correlation was computed by hand."""
     grade(fresh, "ch04")
     with fresh.gradebook() as book:

@@ -79,9 +79,7 @@ def entry(points, out_of, verdict="", waits=False):
     ([entry(0, 0, "right"), entry(0, 0, "wrong")], 0.5, 0),
     ([entry(0, 0)], None, 0),
 ], ids=["one-waits", "all-wait", "no-points", "no-points-nor-verdict"])  # fmt: skip
-def test_what_waits_for_a_person_and_what_has_no_points_is_not_counted_as_wrong(
-    found, difficulty, waiting
-):
+def test_what_waits_for_a_person_or_has_no_points_is_not_counted_wrong(found, difficulty, waiting):
     part = _of_part("4/1", "", found, {"ann": 3.0})
     assert (part.difficulty, part.waiting) == (difficulty, waiting)
     assert ("–" if difficulty is None else f"{difficulty:.2f}") in drawn(statistics_table([part]))

@@ -134,9 +134,8 @@ def test_the_state_of_the_sandbox_is_known_before_any_job(harvester):
 
 
 @pytest.mark.parametrize(("setting", "forbidden", "allowed"), harvester_module.SETTINGS)
-def test_a_refusal_names_the_setting_that_forbids_the_cage(
-    monkeypatch, tmp_path, harvester, setting, forbidden, allowed
-):
+def test_a_refusal_names_the_setting(monkeypatch, tmp_path, harvester, setting, forbidden, allowed):
+    """Which forbids the cage, and its value that allows it."""
     file = tmp_path / setting.replace(".", "/")
     file.parent.mkdir()
     file.write_text(forbidden + "\n")

@@ -61,9 +61,7 @@ IDS = [f"{p.id} {data}" for p, data in CASES]
 
 
 @pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
-def test_every_listed_mistake_earns_nothing_and_is_named_by_its_text_without_a_number_of_the_key(
-    p, data
-):
+def test_every_listed_mistake_earns_nothing_and_is_named_without_a_number_of_the_key(p, data):
     given = values(p, data)
     right, wrong = numbers_of(p, given)
     numerals = {f"{abs(x):.4g}" for v in right.values() for x in v.flat}

@@ -194,9 +194,7 @@ def test_formulas_follow_too():
 @pytest.mark.parametrize(("name", "key", "earlier"), [
     ("3/2", "v_n", "v"), ("4/17", "a_D", "v_D"), ("4/41", "a_B", "v_B"),
 ])  # fmt: skip
-def test_the_way_of_the_solution_is_accepted_where_follows_is_written_with_another(
-    name, key, earlier
-):
+def test_the_way_of_the_solution_is_accepted_where_follows_is_another(name, key, earlier):
     p = problem(name)
     values = draw(p, b"two ways")
     numbers = numbers_of(p, values)

@@ -47,9 +47,7 @@ def test_captions_and_numbers_are_on_the_page(page):
     assert "the smallest model is" in text
 
 
-def test_a_chart_that_cannot_be_made_is_named_with_the_reason_and_the_others_are_drawn(
-    tmp_path, monkeypatch
-):
+def test_a_chart_that_cannot_be_made_is_reported_and_the_others_are_drawn(tmp_path, monkeypatch):
     def broken(quick, progress):
         raise ArgumentError("heyoka is missing")
 

@@ -131,9 +131,7 @@ def test_errors_below_half_a_unit_of_the_last_place_count_as_that():
 @pytest.mark.parametrize(("error", "estimate", "silent"), [
     (9e-6, 1e-9, False), (2e-5, 1e-9, True), (2e-5, 3e-6, False), (2e-5, None, True),
 ])  # fmt: skip
-def test_silently_wrong_is_over_ten_times_both_the_tolerance_and_the_estimate(
-    error, estimate, silent
-):
+def test_silently_wrong_is_over_ten_times_both_tolerance_and_estimate(error, estimate, silent):
     assert answer(error=error, estimate=estimate).silent is silent
 
 

@@ -332,9 +332,7 @@ def test_every_order_of_the_equations_gives_the_same_formula_values():
 @every_kind
 @pytest.mark.parametrize("count", [1, 2, 3])
 @pytest.mark.parametrize("surplus", [0, 2])
-def test_solve_rates_finds_one_two_and_three_rates_even_from_agreeing_surplus_conditions(
-    kind, count, surplus
-):
+def test_solve_rates_finds_one_to_three_rates_even_from_surplus_conditions(kind, count, surplus):
     m = [[2, 1, -1], [1, 3, "1/2"], [-1, 1, 4], [3, 4, "-1/2"], [1, 2, 7]]
     wanted = numbers(kind, "1/3", -2, "7/5")[:count]
     rows = [[numbers(kind, m[a][b]) for b in range(count)] for a in range(count + surplus)]

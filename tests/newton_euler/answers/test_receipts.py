@@ -79,9 +79,7 @@ def test_answers_are_looked_up_where_names_are(problem):
         ({"v": "1", "speed": None}, "0/7, v: expected a vector"),
     ],
 )
-def test_validate_says_in_a_sentence_what_is_open_or_cannot_be_read(
-    problem, monkeypatch, answers, words
-):
+def test_validate_says_what_is_open_or_cannot_be_read(problem, monkeypatch, answers, words):
     monkeypatch.setenv("NBGRADER_EXECUTION", "validate")
     with pytest.raises(AnswerError, match=words):
         receipt(problem, answers)

@@ -32,9 +32,7 @@ def test_a_number_may_be_half_a_percent_off_and_no_more(right, off, expected):
 
 @pytest.mark.parametrize(("off", "expected"), [(0.00499, "right"), (0.00501, "wrong")])
 @pytest.mark.parametrize("direction", [(1, 0, 0), (0, 1, 0), (0, 0, 1), (0.6, 0, -0.8)])
-def test_a_vector_may_be_half_a_percent_of_its_magnitude_off_in_any_direction(
-    off, expected, direction
-):
+def test_a_vector_may_be_off_by_half_a_percent_in_any_direction(off, expected, direction):
     key = (-7482.459, -7380.0, -2805.922)
     moved = [x + off * math.hypot(*key) * e for x, e in zip(key, direction, strict=True)]
     assert verdict("vector", moved, key) == expected

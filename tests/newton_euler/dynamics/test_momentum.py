@@ -63,9 +63,7 @@ def test_eqn_7_6_relative_angular_momentum_about_any_point_is_that_of_its_partic
 
 @every_kind
 @pytest.mark.parametrize("about", ["G", "body", "rest", "drift", "any"])
-def test_eqn_8_8_8_9_8_10_8_11_moment_of_motion_about_any_point_is_that_of_the_particles(
-    kind, about
-):
+def test_eqn_8_8_to_8_11_moment_of_motion_about_any_point_is_that_of_the_particles(kind, about):
     """M_B = sum of d_i x m_i a_i (8.8) against DH/Dt + d x m a_B (8.9)."""
     ground, carrier, body, points, q = free_body(kind)
     by_particles = expected(kind, q, about, "acceleration", False)

@@ -53,9 +53,7 @@ def made(make, q, rates, second):
 
 @every_kind
 @every_system
-def test_motion_is_that_written_out_is_the_sum_of_its_terms_and_gives_its_coordinates_back(
-    kind, system
-):
+def test_motion_is_that_written_out_and_of_its_terms_and_gives_its_coordinates_back(kind, system):
     make, back, position = SYSTEMS[system]
     q, tiny = motion(kind), small(kind)
     ground, P = made(make, *q)

@@ -146,9 +146,7 @@ def test_near_the_axis_unit_vectors_are_right_to_the_last_digits(off):
 
 
 @pytest.mark.parametrize(("off", "tolerance_"), [(1e-3, 1e-12), (1e-8, 1e-7), (1e-12, 1e-3)])
-def test_near_the_pole_unit_vectors_are_right_and_rates_as_good_as_the_elevation_is(
-    off, tolerance_
-):
+def test_near_the_pole_unit_vectors_are_right_and_rates_as_good_as_the_elevation(off, tolerance_):
     """The float nearest to pi/2 - off has a relative error of up to 1e-16/off from the pole."""
     ground = Frame("ground")
     P = curvilinear(ground, "P", in_space, 1.0, 0.5, math.pi / 2 - off)

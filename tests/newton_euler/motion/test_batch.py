@@ -128,9 +128,7 @@ def test_motions_that_all_begin_at_zero_are_judged_by_the_largest_end(ends, grou
         ("auto", 100, ("sqrt",), False),
     ],
 )
-def test_heyoka_is_taken_if_asked_for_or_worth_it_and_if_a_series_sees_all(
-    method, count, hazards, found
-):
+def test_heyoka_is_taken_if_asked_or_worth_it_and_a_series_sees_all(method, count, hazards, found):
     traced = SimpleNamespace(hazards=hazards, kinks=(), inner=())
     assert _by_series(SimpleNamespace(traced=traced), method, count) is found
 

@@ -140,9 +140,7 @@ def rhs(s, p, t):
         ("", "hv", rhs, "the parameters of a model are a dict of values by name"),
     ],
 )  # fmt: skip
-def test_a_model_that_does_not_fit_together_says_so_when_it_is_made(
-    parameters, states, rates, words
-):
+def test_a_model_that_does_not_fit_together_says_so_when_made(parameters, states, rates, words):
     with pytest.raises(ModelError, match=words):
         Model("fall", parameters, tuple(states), rates)
 

@@ -75,9 +75,7 @@ SPOTS = {  # and what each gives, passed at a distance whose square, over its wi
 @pytest.mark.parametrize("beside", [0.0, 0.5])
 @pytest.mark.parametrize("width", [1e-7, 1e-5, 1e-3])
 @pytest.mark.parametrize("kind", SPOTS)
-def test_a_spot_in_the_plane_narrower_than_the_error_of_the_way_is_seen_or_refused(
-    kind, width, beside
-):
+def test_a_spot_narrower_than_the_error_of_the_way_is_seen_or_refused(kind, width, beside):
     """Two oscillations lead through the spot, or past its centre at half of its width."""
     shape, area = SPOTS[kind]
 

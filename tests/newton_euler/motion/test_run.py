@@ -151,9 +151,7 @@ def test_a_motion_that_would_take_too_many_steps_is_not_begun_a_second_time():
 @needs_heyoka
 @pytest.mark.parametrize("method", ["taylor", "auto"])
 @pytest.mark.parametrize(("t", "samples"), [(2e5, None), (2e5, 33), (6e4 * math.pi, None)])
-def test_the_errors_of_many_steps_add_up_so_the_steps_of_a_long_motion_are_the_best(
-    method, t, samples
-):
+def test_errors_of_many_steps_add_up_so_a_long_motion_has_the_best_steps(method, t, samples):
     """This includes whole periods, where the speed is zero at equal parts of the time."""
     model = second_order("spring", {"k": 1.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
     one = run(model, t, (1.0, 0.0), samples=samples, rtol=1e-6)
@@ -195,9 +193,7 @@ def fresh():
 
 @needs_heyoka
 @pytest.mark.parametrize(("seconds", "method"), [(0.2, "dop853"), (0.22, "taylor")])
-def test_heyoka_takes_over_where_the_first_run_shows_that_the_second_would_be_slow(
-    clock, seconds, method
-):
+def test_heyoka_takes_over_where_the_first_run_shows_the_second_to_be_slow(clock, seconds, method):
     """A thousandth of the tolerance takes 1000^(1/8) = 2.37 times as long, and half a second pays
     for the compilation.
     """

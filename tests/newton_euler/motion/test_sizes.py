@@ -68,9 +68,7 @@ class Counted:
     [((1e-5, 1e5), 1), ((0.0, 0.0), 1), ((0.0, 0.01), 1), ((0.0, 100.0), 1),
      ((0.0, 1e-4), 2), ((0.0, 1e4), 2), ((1e-4, 0.0), 2)],
 )  # fmt: skip
-def test_a_second_look_is_only_for_zero_states_that_turn_out_to_be_very_small_or_large(
-    sizes, looks
-):
+def test_a_second_look_is_only_for_zero_states_that_turn_out_very_small_or_large(sizes, looks):
     """One look at an oscillator takes its rates once, and once more beside each state."""
     counted = Counted(oscillator(1.0))
     natural_sizes(counted, [(0.0, sizes)], sizes, 1e9)

@@ -287,9 +287,7 @@ def test_a_prepared_series_that_needs_too_many_steps_is_left_to_integration(monk
 
 
 @pytest.mark.parametrize("samples", [None, 9])
-def test_as_many_steps_are_needed_as_the_first_ones_show_however_it_is_sampled(
-    monkeypatch, samples
-):
+def test_as_many_steps_are_needed_as_the_first_ones_show_however_sampled(monkeypatch, samples):
     monkeypatch.setattr(taylor, "MAX_STALLED_STEPS", 10)
     one = series(400.0, samples=samples)
     one.step()

@@ -37,9 +37,7 @@ def errors(points, method, question=0):
     return found
 
 
-def test_the_best_first_difference_has_10_digits_and_the_best_second_one_7_and_the_engine_16(
-    measured,
-):
+def test_the_best_first_difference_has_10_digits_the_best_second_one_7_and_the_engine_16(measured):
     points = measured("derivatives")
     assert 1e-12 < min(errors(points, "central difference").values()) < 1e-9
     assert 1e-9 < min(errors(points, "forward difference").values()) < 1e-7
@@ -77,9 +75,7 @@ def test_a_product_of_10000_matrices_drifts_and_one_of_quaternions_is_a_rotation
     assert max(p.error for p in points if p.x >= 100) < 1e-12
 
 
-def test_past_the_vertical_the_rates_of_euler_angles_leave_an_error_as_large_as_a_step_and_a_quaternion_none(
-    measured,
-):
+def test_past_the_vertical_euler_rates_leave_an_error_of_a_step_and_a_quaternion_none(measured):
     points = measured("rotations")
     angles = errors(points, "rates of Euler's angles", 2)
     quaternions = errors(points, "rate of a quaternion", 2)

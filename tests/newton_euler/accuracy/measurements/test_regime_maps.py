@@ -48,10 +48,10 @@ def test_measuring_reports_its_progress_and_gives_a_row_for_each_y():
 
 
 @pytest.mark.parametrize(("compiling", "short"), [(1e3, maps.DOP853), (-1e3, maps.TAYLOR)])
-def test_a_short_run_is_for_what_need_not_be_compiled_and_a_long_one_beside_the_axis_for_the_exact_solution_alone(
-    compiling, short, monkeypatch
-):
-    """Here compiling either takes a thousand seconds or has a negative cost."""
+def test_which_method_is_for_a_short_and_for_a_long_run(compiling, short, monkeypatch):
+    """A short run is for what need not be compiled, and a long one beside the axis for the exact
+    solution alone. Here compiling either takes a thousand seconds or has a negative cost.
+    """
     pytest.importorskip("heyoka")
     monkeypatch.setattr(maps, "compile_time", lambda: compiling)
     near, far = (list(MAPS["free body"].column(tilt, [5.0, 1000.0])) for tilt in (1e-6, 0.5))

@@ -110,9 +110,7 @@ def test_one_choice_inside_another_formula_is_still_one():
 
 
 @given(*[st.floats(0.5, 2.0) for _ in range(4)])
-def test_doubled_differences_are_right_to_1e_minus_15_of_themselves_or_1e_minus_30_of_their_terms(
-    a, b, c, d
-):
+def test_doubled_differences_are_right_to_1e_minus_15_or_1e_minus_30_of_their_terms(a, b, c, d):
     b = a * (1 + b * 1e-12)
     A, B, C, D = map(Fraction, (a, b, c, d))
     exact = A * (A - B) * C - D * (B - A)
@@ -378,9 +376,7 @@ MODELS = [
 
 
 @pytest.mark.parametrize(("model", "start"), MODELS)
-def test_its_text_on_arrays_of_times_and_through_heyoka_gives_what_it_gives_one_by_one(
-    model, start
-):
+def test_its_text_on_arrays_and_through_heyoka_gives_what_it_gives_one_by_one(model, start):
     f, times = text(model), np.linspace(-2.0, 9.0, 40)
     one_by_one = np.array([f(t, *start) for t in times.tolist()]).T
     assert close(tuple(f(times, *start)), tuple(one_by_one), 1e-13)

@@ -85,9 +85,7 @@ def simpler(*earth):
 @given(
     st.floats(-1.5, 1.5), st.floats(-math.pi, math.pi), st.floats(0.1, 1.5), st.floats(10, 2000), st.floats(0.01, 1.0), st.sampled_from([1, 40])
 )  # fmt: skip
-def test_what_the_models_neglect_is_bounded_and_the_bound_is_not_a_guess(
-    latitude, azimuth, elevation, speed, part, faster
-):
+def test_what_is_neglected_is_closely_bounded(latitude, azimuth, elevation, speed, part, faster):
     """Every rung against the ellipse, also on an Earth that turns ``faster``."""
     g, rate, radius = 9.82, 2e-5 * faster, 6.371e6
     t = part * 1.9 * speed * math.sin(elevation) / g
