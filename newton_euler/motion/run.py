@@ -285,11 +285,13 @@ class Run:
                 before = self.compared(method, before.tolerance, tolerance, known, scaled)
             forced = forced_error(*known[:2], trajectory.calls) if known else 0.0
             error = max(forced, self.error(before, trajectory))
-            if error <= self.rtol or trajectory.failed:
+            if error <= self.rtol or isinstance(trajectory.failed, LengthError):
                 break
-            if known and not narrow and outgrown(known, trajectory):
-                self.narrow = True  # the first one passed over what made it large
+            if known and not narrow and (trajectory.failed or outgrown(known, trajectory)):
+                self.narrow = True  # the first one passed over what made it large, or stopped it
                 return self.calibrated(method)
+            if trajectory.failed:
+                break
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
             if finer > tolerance / 2:
                 # the least tolerance: a run closer to it may give a smaller bound, if it sees all
@@ -316,7 +318,8 @@ class Run:
         """
         method, tolerance, self.narrow = last.method, last.tolerance, True
         ended = last.failed and issubclass(last.refusal, (StickingError, LongError))
-        if ended or not (method.adaptive and self.system.traced.choices):
+        other = method.adaptive and (last.failed or self.system.traced.choices)
+        if ended or not other:
             return last, error
         comparison = method, 10 * tolerance, tolerance
         # they are those of the first trajectory, which may have missed what made a state large
