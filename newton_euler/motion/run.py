@@ -285,7 +285,7 @@ class Run:
                 before = self.compared(method, before.tolerance, tolerance, known, scaled)
             forced = forced_error(*known[:2], trajectory.calls) if known else 0.0
             error = max(forced, self.error(before, trajectory))
-            if error <= self.rtol or isinstance(trajectory.failed, LengthError):
+            if error <= self.rtol or self.ended(trajectory):
                 break
             if known and not narrow and (trajectory.failed or outgrown(known, trajectory)):
                 self.narrow = True  # the first one passed over what made it large, or stopped it
@@ -317,9 +317,8 @@ class Run:
         change their formula, if there are such places and it is more accurate.
         """
         method, tolerance, self.narrow = last.method, last.tolerance, True
-        ended = last.failed and issubclass(last.refusal, (StickingError, LongError))
         other = method.adaptive and (last.failed or self.system.traced.choices)
-        if ended or not other:
+        if self.ended(last) or not other:
             return last, error
         comparison = method, 10 * tolerance, tolerance
         # they are those of the first trajectory, which may have missed what made a state large
@@ -333,6 +332,11 @@ class Run:
         alike = last.failed or trajectory.difference(last) <= UNLUCKY * error
         better = alike and not trajectory.failed and (last.failed or found < error)
         return (trajectory, found) if better else (last, error)
+
+    @staticmethod
+    def ended(trajectory):
+        """True if what failed is the motion, which sticks or is too long, by whatever steps."""
+        return bool(trajectory.failed) and trajectory.refusal in (StickingError, LongError)
 
     def far_error(self, method, motion, known):
         """The error to be raised where round-off is too much for states that are small."""
