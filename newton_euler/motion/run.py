@@ -314,11 +314,13 @@ class Run:
 
     def stopping(self, last, known, error, forced):
         """The trajectory ``last`` and its error; or those of one whose steps end where the rates
-        change their formula, if there are such places and it is more accurate.
+        change their formula, if there are such places, and see less of states that begin from zero,
+        if it is more accurate.
         """
         method, tolerance, self.narrow = last.method, last.tolerance, True
-        other = method.adaptive and (last.failed or self.system.traced.choices)
-        if self.ended(last) or not other:
+        # where only the fine one failed, it may have been by the round-off of a state near zero
+        other = self.system.traced.choices or (last.failed and known)
+        if self.ended(last) or not (method.adaptive and other):
             return last, error
         comparison = method, 10 * tolerance, tolerance
         # they are those of the first trajectory, which may have missed what made a state large
