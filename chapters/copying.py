@@ -39,7 +39,7 @@ def main(arguments=None):
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    where = "folder to copy to, made if it is not there (default: chapters)"
+    where = "folder to copy to, created if missing (default: chapters)"
     command.add_argument(
         "folder", nargs="?", default="chapters", type=Path, metavar="DIR", help=where
     )
@@ -55,7 +55,7 @@ def main(arguments=None):
 
 def copy_chapters(folder):
     """Copy each notebook of the course that is not in ``folder`` yet; returns the names of those
-    copied and of those that were there.
+    copied and of those already there.
     """
     folder.mkdir(parents=True, exist_ok=True)
     names = sorted(path.name for path in CHAPTERS.glob("*.ipynb"))

@@ -11,7 +11,7 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 # a section in each line: its number and the rooms of newton_euler/, or its worked examples in
-# chapters/examples/ | first and last numbered equation | E: a worked example, S: a section alone
+# chapters/examples/ | first and last numbered equation | E: a worked example, S: only a section
 SECTIONS = HERE / "book.txt"
 
 

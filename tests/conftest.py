@@ -1,5 +1,5 @@
-"""The order in which workers take files: those that take long first, and the site, which shows what the
-notebooks' tests have run, when these have. Of the notebooks each is a piece of work of its own.
+"""The order in which workers take files: slow ones first, and the site, which shows what the tests
+of the notebooks have run, after those. Each notebook is a separate piece of work.
 """
 
 from pathlib import Path
@@ -10,12 +10,12 @@ from hypothesis import HealthCheck, settings
 HERE = Path(__file__).parent
 FIRST = (
     "chapters/test_chapters.py", "grader/attacks", "grader/scoring", "grader/assignment",
-    "website/test_pages.py",  # which builds the site: for the other tests of it, no worker has to wait
+    "website/test_pages.py",  # builds the site: no worker with its other tests has to wait
     "exercises", "website", "grader", "fuzz", "stability",
 )  # fmt: skip
 
 
-# no time that a property test takes decides: other workers share the processors
+# no deadline for property tests: other workers share the processors
 settings.register_profile("busy", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("busy")
 

@@ -27,7 +27,7 @@ def _formulas(position, order):
 
 
 def explicit(position, order):
-    """That derivative of the position as a function of kind, coordinates, first and second rates."""
+    """A derivative of the position as a function of kind, coordinates, first and second rates."""
 
     def evaluated(kind, q, rates, second):
         return tuple(_formulas(position, order)[kind](q, rates, second))

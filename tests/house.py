@@ -22,7 +22,7 @@ def room_of(module: str, path: Path) -> str:
 
 
 def sizes(path: Path) -> Counter:
-    """Lines, lines of code, and files (1): lines that are blank, comment or docstring are no code."""
+    """Lines, lines of code, and files (1): blank lines, comments and docstrings are not code."""
     text = path.read_text(encoding="utf-8")
     code: set[int] = set()
     statement = True  # a string that begins a line of its own is a docstring

@@ -1,5 +1,5 @@
-"""A JupyterLab, a browser, and a notebook in them as a student sees it, for the tests that drive it
-by keyboard and mouse. Where one of them is not installed, the test is skipped.
+"""A JupyterLab, a browser, and a notebook in them as a student sees it, for tests that drive it
+by keyboard and mouse. Where one of these is not installed, the test is skipped.
 """
 
 import json
@@ -152,7 +152,7 @@ class Page:
         return self.driver.find_elements("css selector", ".jp-Notebook .jp-CodeCell")[n]
 
     def says(self, n, *words):
-        """Wait until all words stand in a cell; returns its text."""
+        """Wait until a cell shows all the words; returns its text."""
 
         def answered():
             text = self.cell(n).text
@@ -172,14 +172,14 @@ class Page:
         actions.perform()
 
     def run(self, n):
-        """Run cell ``n`` by Shift and Enter, again while nothing happens: keys are dropped at first."""
+        """Run cell ``n`` by Shift-Enter, again while nothing happens: keys are dropped at first."""
         from selenium.common.exceptions import WebDriverException
         from selenium.webdriver import Keys
 
         prompt = lambda: self.all(".jp-InputPrompt", n)[0].text.strip("[]: \xa0")
         end = time.monotonic() + LONG
         while time.monotonic() < end and not prompt():
-            with suppress(WebDriverException):  # a dialog of the start lies over it for now
+            with suppress(WebDriverException):  # a startup dialog still covers it
                 self.all(".cm-content", n)[0].click()
             self.press(Keys.ENTER, shift=True)
             soon = time.monotonic() + 5

@@ -55,7 +55,7 @@ def numbers(kind, *values):
 
 
 def number(x):
-    """A scalar of any kind to compare: a 30 digit mpf, or an array of floats for an array."""
+    """A scalar of any kind, for comparison: a 30-digit mpf, or an array of floats for an array."""
     x = to_plain(x)
     if isinstance(x, np.ndarray):
         return x
@@ -97,7 +97,7 @@ def close(a, b, tolerance=1e-12):
 
 
 def first(x):
-    """The value of a scalar, the first one of an array: to look at one instant of any kind."""
+    """The value of a scalar, or the first of an array: one instant of any kind."""
     return x[0] if isinstance(x, np.ndarray) and x.shape else x
 
 

@@ -1,4 +1,4 @@
-"""Problems made of data and of functions, for tests of what the catalogue does with them."""
+"""Problems made from data and functions, for tests of what the catalogue does with them."""
 
 from dataclasses import replace
 from types import SimpleNamespace

@@ -1,4 +1,4 @@
-"""HTML as tests look at it."""
+"""HTML as tests see it."""
 
 from html.parser import HTMLParser
 
@@ -6,7 +6,7 @@ VOID = {"meta", "img", "br", "hr", "link", "input"}
 
 
 class Page(HTMLParser):
-    """The elements of a page: [(tag, attributes)], and its text; they are nested as they should."""
+    """The elements of a page: [(tag, attributes)], and its text; wrong nesting fails."""
 
     def __init__(self, text):
         super().__init__()

@@ -30,10 +30,10 @@ def reference(name):
 
 
 def sizes(name):
-    """What errors are relative to, by state."""
+    """What the error of each state is relative to."""
     return dict(zip(SCENES[name][0].states, precision.state_sizes(ALL[name]), strict=True))
 
 
 def true_error(name, motion):
-    """Of the last state, as ``Motion.error`` counts it."""
+    """The error of the last state, as ``Motion.error`` measures it."""
     return precision.Reference(ALL[name]).error(motion)

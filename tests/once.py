@@ -1,11 +1,11 @@
-"""What several workers of pytest need is made by the first that asks."""
+"""What several workers of pytest need is made by the first that asks for it."""
 
 import json
 import os
 
 
 def common(tmp_path_factory):
-    """The temporary folder that all workers of a run have in common."""
+    """The temporary folder shared by all workers of a run."""
     own = tmp_path_factory.getbasetemp()
     return own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
 

@@ -35,7 +35,7 @@ def texts(s):
 
 
 def colour_at(s, *place):
-    """The colour with which a place of the scene is seen, as "#rrggbb"."""
+    """The colour in which a place of the scene is seen, as "#rrggbb"."""
     from PIL import Image
 
     image = Image.open(io.BytesIO(png(s))).convert("RGB")

@@ -19,7 +19,7 @@ ROOT = Path(__file__).parent.parent
     ("test_eqn_2_1_to_2_2_and_3_1_components", {("2", 1), ("2", 2), ("3", 1)}),
     ("test_example_4_11_velocity", set()),
 ])  # fmt: skip
-def test_a_name_tells_its_equations(name, numbers):
+def test_a_name_gives_its_equations(name, numbers):
     assert numbers_in(name) == numbers
 
 

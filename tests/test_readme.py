@@ -28,7 +28,7 @@ def test_the_two_commands_are_there_and_ci_calls_the_second():
     )
 
 
-def test_the_practice_session_runs_as_it_stands_there(tmp_path, monkeypatch):
+def test_the_practice_session_runs_as_printed(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write_practice("ch04.practice", [problem("4/16")], count=2, workers=1)
     (session,) = re.findall(r"(?s)```pycon\n(.*?)```", README)

@@ -1,4 +1,4 @@
-"""What stands in the repository: nothing by accident."""
+"""What the repository holds: nothing by accident."""
 
 import subprocess
 from pathlib import Path
@@ -25,7 +25,7 @@ def tracked():
     return [Path(name) for name in done.stdout.split("\0") if name]
 
 
-def test_nothing_stands_at_the_root_that_is_not_listed():
+def test_nothing_is_at_the_root_that_is_not_listed():
     assert {path.parts[0] for path in tracked()} - AT_THE_ROOT == set()
 
 

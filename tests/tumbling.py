@@ -14,7 +14,7 @@ MASSES += [("1/2", ("1/4", 1, -1)), (1, ("1/5", "1/5", "1/7"))]
 
 
 def close(a, b, tolerance):
-    """With SymPy's numbers evaluated from the inside out: evalf takes forever on nested sums."""
+    """SymPy's numbers are evaluated from the inside out: evalf takes forever on nested sums."""
     if hasattr(a, "frame") and hasattr(b, "frame"):
         b = b.expressed_in(a.frame)
     return kinds.close(valued(a), valued(b), tolerance)

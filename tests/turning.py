@@ -40,7 +40,7 @@ def angular_velocity(R):
 
 
 def angular_acceleration(R):
-    """alpha of a body: of R'' R^T the symmetric part drops out."""
+    """alpha of a body: the symmetric part of R'' R^T drops out."""
     with mp.workdps(DIGITS):
         return axial(second_rate(R) * R(mpf(0)).T)
 

@@ -107,17 +107,19 @@ def main(
     known = {c.name for c in chapters()} | {c.stem for c in chapters()}
     if unknown := [n for n in names if n not in known]:
         raise click.UsageError(f"there is no chapter {unknown[0]}; there are {_list(chapters())}")
+    if wrong := [x for x in beside if not all(x.partition("="))]:
+        raise click.UsageError(f"--beside {wrong[0]}: expected LANGUAGE=ADDRESS, as en=../")
     try:
         with _bar() as bar, in_every_process(language):
             left = steps.build(
                 out,
                 names,
                 lambda c: not no_run,
-                progress=_shown(bar),
+                progress=_progress_of(bar),
                 with_engine=engine,
                 packages=packages,
                 course=course,
-                beside=dict(x.split("=", 1) for x in beside if "=" in x),
+                beside=dict(x.split("=", 1) for x in beside),
             )
     except WebsiteError as error:
         raise click.ClickException(str(error)) from None
@@ -203,7 +205,7 @@ def _bar():
     return Progress(*columns, TimeElapsedColumn(), console=console, disable=not console.is_terminal)
 
 
-def _shown(bar):
+def _progress_of(bar):
     tasks = {}
 
     def progress(step, done, number):

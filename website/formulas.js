@@ -1,4 +1,4 @@
-// From node, beside MathJax: reads [[formula in LaTeX, whether it stands alone] …], writes
+// Run by node, beside MathJax: reads [[formula in LaTeX, whether it is displayed] …], writes
 // {formulas: [HTML …], glyphs: the outlines of letters, which the formulas use}
 const shapes = ["input/tex-full", "output/svg", "adaptors/liteDOM", "a11y/assistive-mml"];
 const asked = JSON.parse(require("fs").readFileSync(0));

@@ -74,7 +74,7 @@ def question() -> str:
     judged = []
     for factor in WRONG:
         checked = p.check(a_D=[factor * x, y, z])
-        judged.append([factor * x, checked.verdicts["a_D"], checked.said["a_D"]])
+        judged.append([factor * x, checked.verdicts["a_D"], checked.sentences["a_D"]])
         p.forget()
     numbers = {name: f"{value:g}" for name, value in p.givens.items()}
     numbers |= {"y": f"{y:.4g}", "z": f"{z:.4g}"}

@@ -15,10 +15,7 @@ from .kept import fingerprint, kept_name, store
 
 
 def sets(
-    names: Collection[str],
-    cache: Path,
-    done: Callable[[], object],
-    course: Path | None = None,
+    names: Collection[str], cache: Path, done: Callable[[], object], course: Path | None = None
 ) -> dict[str, bytes]:
     """{file name: contents} for these chapters, cached; "index.json" has {problem: [title,
     section]}.

@@ -15,7 +15,7 @@ from .rendering import rendered
 def page(names: Iterable[str]) -> str:
     """The text of the page, for the problems of these chapters."""
     found = [(p, entry(p), _words(p)) for name in names for p in problems(name)]
-    kinds = sorted({kind for _, e, _ in found for kind in e.kinds})
+    kinds = sorted({kind for _, e, _ in found for kind in e.kinds}, key=str)
     return rendered("choose.md", found=found, kinds=kinds, slug=slug)
 
 

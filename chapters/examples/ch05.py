@@ -22,7 +22,7 @@ def hammer(t: Scalar) -> tuple[tuple[Scalar, Scalar], Scalar]:
 
 def hammer_on_film(pictures: int = 26, a_second: float = 25.0) -> list[tuple[float, ...]]:
     """What a film shows of :func:`hammer`: rows of t, x and z of its head, x and z of the end of
-    its handle, read to the millimetre (5.2). Made up.
+    its handle, read to the millimetre (5.2). Invented data.
 
     >>> hammer_on_film()[0]
     (0.0, -0.076, 1.476, 0.229, 1.571)

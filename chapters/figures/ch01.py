@@ -75,7 +75,7 @@ def three_observers(build):
         draw,
         Slider("t", 0.3, 0, 10.4, 0.1, unit="s"),
         alt="Three pictures of the nose of a merry-go-round horse. For the rider it is a point at "
-        "rest, at the head of the horse. For somebody on the platform it moves up and down on a vertical line. From the "
+        "rest, at the head of the horse. For someone on the platform it moves up and down on a vertical line. From the "
         "ground it runs round on a wavy ring, with a velocity along that ring.",
         size=(9.6, 3.0),
         panels=(1, 3),

@@ -142,8 +142,8 @@ def burst(shell):
 
 @with_sliders(
     Slider("azimuth", 35, 15, 75, 5, label="seen from", unit="°"),
-    alt="Three equal rods at right angles: one along x through the origin, one upward from its "
-    "one end, one along y from its other end. The centre of mass G lies near the origin, "
+    alt="Three equal rods at right angles: one along x through the origin, one upward from one "
+    "end of it, one along y from the other end. The centre of mass G lies near the origin, "
     "outside the rods.",
     size=(5.6, 4.6),
 )

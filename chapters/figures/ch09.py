@@ -141,7 +141,7 @@ def bent_disk(ax, build, beta, psi):
     H = body.angular_momentum(ground)
     s.vector(O, H, r"$\mathbf{H}$", kind="velocity")
     rate = H.rate(ground)
-    if rate.norm() > 1e-9:  # not at 90°, where rounding leaves a little over
+    if rate.norm() > 1e-9:  # not at 90°, where rounding leaves a residue
         s.vector(O, rate, r"$\dot{\mathbf{H}}$", kind="rate")
     bearing_forces(s, A, B, reactions(body, A, B, ground))
 

@@ -410,7 +410,7 @@ def car(ax, loads, rotor):
     s = Sketch(ax, ground, plane="yz", arrows=90)
     inner, outer = loads(rotor)
     s.box((0, 0, 3.7), ground, (8, 5.8, 3.4))
-    near = 5  # before the box, to be seen
+    near = 5  # in front of the box, to be visible
     corners = (-0.5, 2.7), (0.5, 2.7), (0.5, 5.3), (-0.5, 5.3)
     s.plate([(near, y, z) for y, z in corners], shade="dark")
     s.line((near, -1.6, 4), (near, 1.6, 4), style="centre")

@@ -457,7 +457,7 @@ def top_energies(I0, I, mgr, spin):
     s = motion.states
     axle = spin - s["psi_rate"] * np.cos(s["theta"])
     T = gyroscope_energy(I0, I, s["theta"], s["theta_rate"], s["psi_rate"], axle).terms
-    V = mgr * (np.cos(s["theta"]) - math.cos(0.6))  # zero at the start: so its fall can be seen
+    V = mgr * (np.cos(s["theta"]) - math.cos(0.6))  # zero at the start, to make its fall visible
     curves = {
         "transverse": T["transverse"],
         "weight": V,

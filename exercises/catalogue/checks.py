@@ -1,7 +1,9 @@
 """Checks of a problem: solve and prove agree, units fit, mistakes differ from the key."""
 
 import random
+from collections.abc import Callable, Mapping
 from itertools import combinations
+from typing import Any
 
 from mpmath import mp, mpc, mpf
 
@@ -245,7 +247,11 @@ def _differences(key, ways, proved, atol):
     return faults
 
 
-def proved_steps(p, given, proof=None):
+def proved_steps(
+    p: Problem,
+    given: Mapping[str, float],
+    proof: Callable[[Mapping[str, float]], dict[str, Any]] | None = None,
+) -> dict[str, Any]:
     """{key: value in base units} of the steps that ``prove`` returns, in 50 digits."""
     found, asked = (proof or _Proof(p))(given), {a.key for a in p.answers}
     return {key: x for key, x in found.items() if key not in asked}

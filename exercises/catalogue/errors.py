@@ -27,12 +27,12 @@ def explained(problem_id: str, error: Exception) -> str:
     if isinstance(error, SyntaxError) and len(error.args) > 1:
         # its attributes are lost on the way from a process of Dask
         message, (file, line, *_) = error.args
-        return f"{_shown(file)}, line {line}: {message}"
+        return f"{_tail(file)}, line {line}: {message}"
     if not own:
         return _words(error)
     (first, _), (last, line) = own[0], own[-1]
     name = "" if first.f_code.co_name == "<module>" else f"{first.f_code.co_name}: "
-    return f"{name}{_shown(last.f_code.co_filename)}, line {line}: {_reason(error, last, line)}"
+    return f"{name}{_tail(last.f_code.co_filename)}, line {line}: {_reason(error, last, line)}"
 
 
 def of_own_problem(error: Exception) -> str:
@@ -44,11 +44,11 @@ def of_own_problem(error: Exception) -> str:
         folder = Path(file).parent
         if folder.parent != EXERCISES and homes().get(folder.name) == folder:
             words = explained(f"{folder.name}/1", error)  # any problem of its chapter
-            return words if _shown(file) in words else f"{_shown(file)}, line {line}: {words}"
+            return words if _tail(file) in words else f"{_tail(file)}, line {line}: {words}"
     return ""
 
 
-def _shown(file):
+def _tail(file):
     return "/".join(Path(file).parts[-2:])
 
 

@@ -29,3 +29,9 @@ _Loader.add_implicit_resolver(
 def load(text: str) -> Any:
     """The content of a YAML text."""
     return yaml.load(text, _Loader)
+
+
+def not_yaml(error: yaml.YAMLError) -> str:
+    """The end of a sentence that a file is not YAML: where, why, and what to do."""
+    reason = " ".join(str(error).replace('"<unicode string>", ', "").split())
+    return f"is not YAML: {reason}; a text with a colon, a # or quotation marks must be quoted"

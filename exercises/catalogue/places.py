@@ -116,7 +116,8 @@ def _of_a_course(folder):
     found = _with_problems(folder) if folder.is_dir() else []
     if not found:
         raise CatalogueError(
-            f"{folder} has no problems: put them in chapters, as bridge/p01.yaml for bridge/1"
+            f"{folder} {'has no problems' if folder.is_dir() else 'is not a folder'}: put them in "
+            "chapters, as bridge/p01.yaml for bridge/1"
         )
     for home in found:
         if not re.fullmatch(r"[a-z][a-z0-9_]*", home.name):

@@ -1,5 +1,6 @@
 """Chapters and problems, read from ``chNN/chapter.yaml`` and ``chNN/pMM.yaml``."""
 
+import contextlib
 import re
 from collections.abc import Iterable
 from functools import cache
@@ -7,8 +8,9 @@ from pathlib import Path
 
 import yaml
 
+from .errors import meant
 from .format import read_chapter, read_problem
-from .loading import load
+from .loading import load, not_yaml
 from .model import CatalogueError, Chapter, Problem, place
 from .places import home, homes
 from .translations import translated, translated_chapter
@@ -78,16 +80,40 @@ def _problem(problem_id):
 
 
 def select(names: Iterable[str]) -> list[Problem]:
-    """The problems selected by ``names``: problem numbers, chapter names, or "all"."""
-    chosen = []
+    """The problems selected by ``names``: "4/3", "11/1-11/6", "11/1 – 6", "ch04", or "all"."""
+    found: dict[Problem, None] = {}
     for name in names:
-        if name == "all":
-            chosen += [p for c in chapters() for p in problems(c)]
-        elif "/" in name:
-            chosen.append(problem(name))
-        else:
-            chosen += problems(name)
-    return list(dict.fromkeys(chosen))
+        try:
+            found |= dict.fromkeys(_selected(name))
+        except CatalogueError as error:
+            raise CatalogueError(f"{error}{_likely(name)}") from error
+    return list(found)
+
+
+def _likely(name):
+    """ "; did you mean 4/16?" of "4.16", and likewise the chapter of a similar name."""
+    if numbers := re.fullmatch(r"(?:ch0?)?(\w+)[.,:_-](\d+)", name):
+        likely = "/".join(numbers.groups())
+        with contextlib.suppress(CatalogueError):
+            problem(likely)
+            return f"; did you mean {likely}?"
+    return "" if name in chapters() else meant(name, chapters())
+
+
+def _selected(name):
+    if name == "all":
+        return [p for c in chapters() for p in problems(c)]
+    text = re.sub(r"\s*[-–]\s*", "-", name.strip())
+    if "/" not in text:
+        return problems(text)
+    first, _, last = text.partition("-")
+    if not last:
+        return [problem(text)]
+    begin, end = problem(first), problem(last if "/" in last else f"{first.split('/')[0]}/{last}")
+    of_chapter = list(problems(begin.chapter))
+    if end.chapter != begin.chapter or of_chapter.index(end) < of_chapter.index(begin):
+        raise CatalogueError(f"{name}: expected a range within a chapter, as in 11/1-11/6")
+    return of_chapter[of_chapter.index(begin) : of_chapter.index(end) + 1]
 
 
 def forget() -> None:
@@ -117,10 +143,6 @@ def _read(path, build):
         )
         raise CatalogueError(message) from error
     except yaml.YAMLError as error:
-        reason = " ".join(str(error).replace('"<unicode string>", ', "").split())
-        raise CatalogueError(
-            f"{name} is not YAML: {reason}; a text with a colon, a # or quotation marks "
-            "must be quoted"
-        ) from error
+        raise CatalogueError(f"{name} {not_yaml(error)}") from error
     except ValueError as error:
         raise CatalogueError(f"{name}: {error}") from error

@@ -11,7 +11,7 @@ from typing import Any
 import yaml
 
 from .format import OPTIONAL, read_problem
-from .loading import load
+from .loading import load, not_yaml
 from .model import CatalogueError, place
 from .places import EXERCISES
 
@@ -61,7 +61,12 @@ def write_chapter(
 
 
 def _entries(name, spec, only):
-    found = load(spec.read_text(encoding="utf-8"))
+    try:
+        found = load(spec.read_text(encoding="utf-8"))
+    except yaml.YAMLError as error:
+        raise CatalogueError(f"{spec} {not_yaml(error)}") from error
+    except UnicodeDecodeError as error:
+        raise CatalogueError(f"{spec} is not in UTF-8; save the file as UTF-8") from error
     if not (isinstance(found, list) and all(isinstance(e, dict) for e in found)):
         raise CatalogueError(f"{spec} must be a YAML list of problems, each beginning with - id:")
     found = [e for e in found if place(e.get("id"))[0] == name]

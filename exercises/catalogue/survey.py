@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from newton_euler.algebra.source import uses
+from newton_euler.answers.kinds import Kind
 
 from .model import Problem
 from .places import natural_order
@@ -34,7 +35,7 @@ class ProblemEntry:
     chapter: str
     section: str
     title: str
-    kinds: tuple[str, ...]
+    kinds: tuple[Kind, ...]
     equations: tuple[str, ...]
     steps: int
     terms: int
@@ -47,7 +48,7 @@ class ProblemEntry:
     @property
     def difficulty(self) -> int:
         """From 1 to 5, by steps, equations, operations, and whether a formula is asked for."""
-        formula = any("expression" in kind for kind in self.kinds)
+        formula = any(kind.is_formula for kind in self.kinds)
         size = self.steps + self.terms / 3 + len(self.equations) / 2 + formula
         size += math.log2(1 + self.operations) / 2
         return 1 + sum(size >= limit for limit in FIFTHS)
@@ -72,7 +73,7 @@ def entry(p: Problem) -> ProblemEntry:
     means = [*(a.means for a in p.answers), *(s.means for s in found.steps)]
     return ProblemEntry(
         p.id, p.chapter, p.section, p.title,
-        tuple(dict.fromkeys(a.kind.name for a in p.answers)),
+        tuple(dict.fromkeys(a.kind for a in p.answers)),
         tuple(sorted({s.equation for s in found.steps if s.equation}, key=natural_order)),
         len(found.steps) - len(terms), len(terms), operations, len(p.answers), sheets(p),
         bool(p.figure), " ".join(" ".join((p.title, p.text, p.figure, *means)).lower().split()),
@@ -99,7 +100,7 @@ class Wanted:
         section = (e.section, e.section.partition(".")[0])
         return (
             (not self.sections or any(s in section for s in self.sections))
-            and (not self.kinds or any(k in e.kinds for k in self.kinds))
+            and (not self.kinds or any(k.name in self.kinds for k in e.kinds))
             and all(number in e.equations for number in self.equations)
             and all(_found(word, e) for word in self.words)
             and all(low <= getattr(e, n) <= high for n, (low, high) in (self.spans or {}).items())

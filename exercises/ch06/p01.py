@@ -56,7 +56,7 @@ def draw(g, ax):
     s.axes(P, AXES, length=far, labels=["x", "y", ""])
     radii, angles = (0.17, 0.27, 0.09), (g.theta_1, g.theta_2, g.theta_3)
     for n, (F, radius, angle) in enumerate(zip(pulls(g), radii, angles, strict=True), 1):
-        tip = F.components()
+        tip = (F * (0.75 + 0.25 * g.F_2 / F.norm())).components()  # the longer the larger, no scale
         s.arrow(P, tip, kind="force")
         s.label(tip, f"$F_{n}$", offset=F, bold=False)
         arc = s.around(P, (radius * g.F_2, 0, 0), AXES.k, angle)

@@ -52,12 +52,7 @@ def steps(g):
     axes, O = hung()
     I = body(g, axes).about(O)
     omega = by_euler(g, axes)
-    return {
-        "I_z": I.moment("z"),
-        "I_x": I.moment("x"),
-        "omega_t": omega.y,
-        "omega_s": omega.z,
-    }
+    return {"I_z": I.moment("z"), "I_x": I.moment("x"), "omega_t": omega.y, "omega_s": omega.z}
 
 
 def prove(g):

@@ -57,10 +57,7 @@ def prove(g):
     near = g.one * fp.findroot(miss, (level / 20, 0.95 * level), solver="anderson", tol=1e-20)
     v_b = proofs.vanishing(miss, near, near * (1 + g.one / 10**9))
     place, velocity = other_level(g.g, g.b, g.a, v_b)
-    return {
-        "E_total": g.m * proofs.size(velocity) ** 2 / 2 + g.m * g.g * place[2],
-        "v_b": v_b,
-    }
+    return {"E_total": g.m * proofs.size(velocity) ** 2 / 2 + g.m * g.g * place[2], "v_b": v_b}
 
 
 def mistakes(g):

@@ -1,5 +1,7 @@
 """The bar of 4/12 and 4/13, on a rod that moves about a ball joint at its foot."""
 
+import math
+
 from exercises.tools import Sketch, Step, in_frame, minus, mp, rate, rot, size, times
 from newton_euler import Frame, solve_rates
 
@@ -92,7 +94,8 @@ def draw(g, ax):
     ground, body, A, D = joint_motion(g)
     O, B = body.point("O", 0, 0, 0), body.point("B", 0, g.h, 0)
     corner = ground.point("", g.x_A, g.h, 0)
-    s = Sketch(ax, ground, azimuth=35, elevation=25, up="y")
+    to_A = math.degrees(math.atan2(g.x_A, g.z_A))
+    s = Sketch(ax, ground, azimuth=min(35, to_A - 15), elevation=25, up="y")  # A apart from OB
     s.ground(O, normal=ground.j)
     s.ball_joint(O)
     s.rod(O, B)

@@ -43,15 +43,14 @@ def earlier_attempts(course: Course, assignment: str, student: str) -> dict[int,
 
 def new_attempt(course: Course, assignment: str, student: str) -> tuple[int, Path]:
     """Set the current attempt aside and make a sheet with fresh numbers; returns (number, path)."""
-    if student not in course.roster():
-        raise CourseError(f"{student} is not on the roster")
+    course.require_students([student])
     refuse_exam(
         course, assignment, "there is one attempt; build another exam for those who sit it again"
     )
     now = parts(course, assignment, student)
     if not now["submitted"].is_dir():
         raise CourseError(
-            f"{student} has not handed in {assignment}, so that there is nothing to try again"
+            f"{student} has not handed in {assignment}, so there is nothing to try again"
         )
     done = max(earlier_attempts(course, assignment, student), default=0) + 1
     _set_aside(course, assignment, student, done)

@@ -9,7 +9,7 @@ from exercises.catalogue import Problem, chapters, select
 
 from ..course import Course
 from .sheet import with_tolerance
-from .spec import Item, Spec, in_range, read_spec, spec_of
+from .spec import Item, Spec, read_spec, spec_of
 from .written import spec_of_course
 
 
@@ -47,7 +47,7 @@ def named(names: Iterable[str], course: Course | None = None) -> dict[Problem, M
         elif file.exists() or file.name == name:
             items = read_spec(file).items
         else:
-            items = tuple(map(Item, select([name]) if name == "all" else in_range(name)))
+            items = tuple(map(Item, select([name])))
         for item in items:
             if item.problem:
                 found.setdefault(item.problem, item.options)

@@ -16,6 +16,7 @@ from newton_euler.algebra.units import unit
 
 from .known import Known
 from .names import Names, unsigned, value_of
+from .roles import Roles
 from .tidy import constant, factored, readable, simplest
 from .traced_formulas import Writer
 
@@ -68,7 +69,7 @@ def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivatio
 
 
 def _unrelated(p, n):
-    """Random numbers for givens and symbols, also for givens that do not vary."""
+    """Random numbers for givens and symbols, including givens that do not vary."""
     rng, drawn = random.Random(n), draw(p, bytes([n]))
     shared = {
         k: (q.value or 1.0) * rng.uniform(0.97, 1.03) for k, q in p.givens.items() if not q.vary
@@ -176,14 +177,22 @@ class _Deriver:
         powers = {name: unit(of).dimension.powers for name, of in (stated | {**units}).items()}
         rates = (0, 0, -1), (0, 1, -1)
         self.known.rates = {name: x[1] for name, x in powers.items() if x in rates}
-        self.names = Names({}, sheets)
+        self.names, self.roles = Names({}, sheets), Roles()
         taken = {*traced.givens}.union(*map(self._names, self.components))
         self.writer = Writer(traced, cases, self.names, self.known, self.called, taken, positive)
         ones = {x.number: constant(1) for x in traced.trace.steps
                 if x.op == "argument" and x.args[0] == "one"}  # fmt: skip
         self.names.fixed |= ones
+        positive |= {
+            name
+            for key, parts in self.components.items()
+            if len(parts) == 3
+            for x, name in zip(parts, self._names(key), strict=True)
+            if self.given_by.get(getattr(x, "number", None)) in positive
+        }
         for name, x in traced.givens.items():
             self.names.give(x, self.writer.symbol(name))
+            self.roles.give(x, self.writer.symbol(name))
 
     def _names(self, key):
         """The names of the components of a quantity."""
@@ -228,6 +237,7 @@ class _Deriver:
         writer.start(key, parts)
         formulas = tuple(map(writer.formula, range(len(parts)), parts, names))
         formulas = self.known.of_one_body(self._explicit(formulas, names))
+        formulas = tuple(self.roles.placed(formulas, self.names.apart))
         solved = any(getattr(unsigned(x)[0], "number", None) in writer.solved for x in parts)
         if of := self.sum_of.get(key):
             shown = {f.name for f in formulas if getattr(f, "is_Symbol", False)}
@@ -295,6 +305,7 @@ class _Deriver:
                 self.names.fixed[x[0].number] = f
         self.names.add(key, parts, symbols)
         self.known.add(parts, symbols, formulas)
+        self.roles.add(key, parts, symbols, formulas)
         if len(parts) == 1:
             self._rename(key, parts[0])
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any
 
 from exercises.catalogue import Givens
@@ -40,7 +41,7 @@ class Known:
     constants: dict[float, Any] = field(default_factory=dict)
     opposite: dict[Any, Any] = field(default_factory=dict)
     entries: dict[Any, Any] = field(default_factory=dict)
-    rates: Mapping[str, int] = field(default_factory=dict)
+    rates: Mapping[str, Fraction] = field(default_factory=dict)
     velocities: dict[Any, Any] = field(default_factory=dict)
     apart: set[str] = field(default_factory=set)
     entry: str = ""

@@ -67,7 +67,7 @@ def lines(p: Problem, values: Values, latex: bool = True, formulas: bool = True)
     only.
     """
     answers = p.solve(values)
-    asked = [Step(a.key, answers[a.key], a.unit, a.means) for a in p.answers]
+    asked = [Step(a.key, answers[a.key], a.unit, a.means, kind=a.kind) for a in p.answers]
     found = steps(p, values, with_all_terms=True)
     writer = _Writer(p, values, [*found, *asked], latex, formulas)
     of_answers = [s for s in found if s.of in answers]
@@ -218,7 +218,7 @@ class _Writer:
         free = {x.name for f in formulas for x in f.free_symbols}
         degrees = "deg" in (s.unit, *(self.units.get(n) for n in free))
         plain = self._whole(formulas, s.key) or self._joined(
-            [written(f, self._called(f), self.latex, degrees=degrees) for f in formulas]
+            [written(f, self._called(f), self.latex, degrees=degrees) for f in formulas], s.kind
         )
         if s.key in self.sums:  # the terms are shown above
             plain = ""
@@ -230,7 +230,9 @@ class _Writer:
         bare = not (degrees and any(map(self._mixes, formulas))) and coherent([s.unit, *stated])
         names = numerals({n: self.numbers[n] for n in self.names if n in free}, bare, self.latex)
         formulas = [integrated(sympy.sympify(f.xreplace(self._nothing(f)))) for f in formulas]
-        text = self._joined([written(f, names, self.latex, True, degrees) for f in formulas])
+        text = self._joined(
+            [written(f, names, self.latex, True, degrees) for f in formulas], s.kind
+        )
         return plain, text if len(text) <= LONGEST else ""
 
     def _mixes(self, formula):
@@ -270,13 +272,8 @@ class _Writer:
             return ""
         return symbol(key, len(formulas) == 3) if self.latex else key
 
-    def _joined(self, parts):
-        if len(parts) == 1:
-            return parts[0]
-        rows = [parts[n : n + 3] for n in (0, 3, 6)] if len(parts) == 9 else []
-        if self.latex:
-            return matrix_symbol(rows) if rows else rf"\left[{list_symbol(parts)}\right]"
-        return f"[{', '.join(map(self._joined, rows) if rows else parts)}]"
+    def _joined(self, parts, kind):
+        return kind.typeset(parts) if self.latex else _in_brackets(kind.nested(parts))
 
     def _value(self, s):
         value = s.value
@@ -291,6 +288,10 @@ class _Writer:
         if self.latex:
             return unit_symbol(s.unit)
         return "" if s.unit == "1" else f" {s.unit}"
+
+
+def _in_brackets(parts):
+    return f"[{', '.join(map(_in_brackets, parts))}]" if isinstance(parts, list) else parts
 
 
 def _parts(s):

@@ -124,7 +124,7 @@ class Names:
 
     def of_body(self, x: Any, factor: Any) -> Any:
         """The component at this place of the vector that has the index of a factor, as d_block_x
-        beside V_block, also if it is a given; None if there is none.
+        beside V_block, even if it is a given; None if there is none.
         """
         whole = self.of(unsigned(factor)[0]) if isinstance(factor, Step) else None
         indices = _indices(getattr(whole, "name", ""))

@@ -87,7 +87,7 @@ choose_language("{language}")
 """
 
 
-def number(x: float) -> str:
+def short_number(x: float) -> str:
     """A number as text, floats with six significant digits."""
     return f"{x:.6g}" if isinstance(x, float) else str(x)
 
@@ -181,10 +181,10 @@ def definitions(p: Problem, values: Values) -> list[str]:
 
 def givens_lines(p: Problem, values: Values) -> list[str]:
     """The line of each given: its name, number, unit and meaning."""
-    width = max((len(f"{n} = {number(values[n])}") for n in p.givens), default=0)
+    width = max((len(f"{n} = {short_number(values[n])}") for n in p.givens), default=0)
     return [
-        f"{f'{n} = {number(values[n])}':<{width}}  # {g.unit if g.unit != '1' else _('a ratio')}: "
-        f"{g.means}"
+        f"{f'{n} = {short_number(values[n])}':<{width}}  # "
+        f"{g.unit if g.unit != '1' else _('a ratio')}: {g.means}"
         for n, g in p.givens.items()
     ]
 
@@ -332,7 +332,7 @@ def personal_notebook(
     return {**released, "cells": cells}
 
 
-def statement_with(p, text, values):
+def statement_with(p: Problem, text: str, values: Values) -> str:
     """The text of a problem with a student's numbers in place of those of its givens."""
     pieces, numbers = _around_numbers(p, text)
     own = [written(values[name]) for name, written in numbers]
@@ -350,7 +350,7 @@ def _around_numbers(p, text):
     by_latex = {p.notation[name]: name for name in p.givens}
     by_markup = {_earlier_markup(name): name for name in p.givens}
     found = [(m, by_latex[m[1]], number_symbol) for m in now.finditer(text) if m[1]]
-    found += [(m, by_markup[m[1]], number) for m in earlier.finditer(text)]
+    found += [(m, by_markup[m[1]], short_number) for m in earlier.finditer(text)]
     found.sort(key=lambda f: f[0].start())
     pieces, at = [], 0
     for m, *_names in found:
@@ -396,7 +396,8 @@ def _givens_with(p, source, values):
         if book in source:
             source = source.replace(book, own)
         else:  # a line changed by the instructor
-            source = re.sub(rf"(?m)^{name} = [-+.\w]+", f"{name} = {number(values[name])}", source)
+            line = f"{name} = {short_number(values[name])}"
+            source = re.sub(rf"(?m)^{name} = [-+.\w]+", line, source)
     return source
 
 

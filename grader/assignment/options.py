@@ -25,7 +25,7 @@ def unknown(word: object, known: Iterable[str], what: str = "is not one of") -> 
     return f"{word!r} {what} {', '.join(names)}{meant(word, names)}"
 
 
-def _number(value, least, most, words):
+def _checked(value, least, most, words):
     good = isinstance(value, int | float) and not isinstance(value, bool)
     if not good or not least <= value <= most:
         raise ValueError(f"{value!r} is {words}")
@@ -33,16 +33,16 @@ def _number(value, least, most, words):
 
 
 def _points(value, p=None):
-    return _number(value, 0, 1e6, "no number of points: expected 0 or more")
+    return _checked(value, 0, 1e6, "not a number of points: expected 0 or more")
 
 
 def _share(value, p=None):
-    return _number(_percent(value), 0, 1, "no share from 0 to 1, such as 0.5 or 50%")
+    return _checked(_percent(value), 0, 1, "not a share: expected 0 to 1, as 0.5 or 50%")
 
 
 def _tolerance(value, p=None):
-    words = f"no tolerance from 0.001% to {LARGEST:.0%}, such as 0.02 or 2%"
-    return _number(_percent(value), 1e-5, LARGEST, words)
+    words = f"not a tolerance: expected 0.001% to {LARGEST:.0%}, as 0.02 or 2%"
+    return _checked(_percent(value), 1e-5, LARGEST, words)
 
 
 def _percent(value):
@@ -56,22 +56,22 @@ def _percent(value):
 
 def _help(value, p=None):
     if value not in HELP:
-        raise ValueError(unknown(value, HELP, "is no help level; the levels are"))
+        raise ValueError(unknown(value, HELP, "is not a help level; the levels are"))
     return value
 
 
 def _weights(value, p):
     if not isinstance(value, Mapping) or not value:
-        raise ValueError(f"{value!r} are no weights, such as {{{p.answers[0].key}: 2}}")
+        raise ValueError(f"{value!r} is not a set of weights, such as {{{p.answers[0].key}: 2}}")
     keys = [a.key for a in p.answers]
     for key in value:
         if key not in keys:
-            raise ValueError(unknown(key, keys, f"is no part of {p.id}; its parts are"))
+            raise ValueError(unknown(key, keys, f"is not a part of {p.id}; its parts are"))
     found = {
-        k: _number(x, 0, 1e6, f"no weight of {k}: expected 0 or more") for k, x in value.items()
+        k: _checked(x, 0, 1e6, f"not a weight of {k}: expected 0 or more") for k, x in value.items()
     }
     if not any(found.get(key, 1) for key in keys):
-        raise ValueError("all weights are 0, so that the problem is worth nothing")
+        raise ValueError("all weights are 0, so the problem is worth nothing")
     return found
 
 

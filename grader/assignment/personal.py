@@ -35,11 +35,7 @@ def make_personal_copies(
     if right_or_wrong:
         refuse_exam(course, assignment, "its receipts never say whether an answer is right")
     students = list(students) if students is not None else course.roster()
-    if unknown := sorted(set(students) - set(course.roster())):
-        raise CourseError(
-            f"{', '.join(unknown)}: not on the roster; add the student first: python -m grader "
-            "enrol roster.csv"
-        )
+    course.require_students(students)
     if not students:
         raise CourseError(
             "nobody is on the roster; add students with: python -m grader enrol roster.csv"

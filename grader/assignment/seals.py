@@ -7,15 +7,15 @@ from .cells import Notebook, SheetValues, own_metadata
 from .sheet import tasks
 
 
-def with_seals(notebook: Notebook, values: SheetValues, unless_said: bool = True) -> Notebook:
+def with_seals(notebook: Notebook, values: SheetValues, unless_set: bool = True) -> Notebook:
     """A student's copy with seals of the right answers in its cells of numbers, for problems with
-    help level "check" or more; ``unless_said``: also for those without a level.
+    help level "check" or more; ``unless_set``: and those without a level.
     """
     cells = []
     asked = {
         name: task
         for name, task in tasks(notebook).items()
-        if (unless_said if task.help is None else task.help != "none")
+        if (unless_set if task.help is None else task.help != "none")
     }
     for cell in notebook["cells"]:
         own = own_metadata(cell)

@@ -125,7 +125,7 @@ def _ledger(a, value, p, found):
     # chapter 2 numbers equations differently from the engine
     cited_by = next((x.step.equation for x in found.values()), equation.number)
     number = own_number(cited_by, p)
-    stated = book_equations().get(number)
+    stated = book_equations()["of_sum"].get(equation.kind) or book_equations().get(number)
     for x in found.values():
         if x.together:
             yield from (f"{_sentence(_equations(x))}:", "")

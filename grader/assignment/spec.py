@@ -11,8 +11,8 @@ from typing import Any
 
 import yaml
 
-from exercises.catalogue import CatalogueError, Problem, chapter, chapters, problem, problems
-from exercises.catalogue.errors import meant
+from exercises.catalogue import CatalogueError, Problem, chapter, chapters, problem, select
+from exercises.catalogue.loading import not_yaml
 from exercises.catalogue.variants import sheets
 from newton_euler.answers.tolerance import SEPARATION
 
@@ -115,29 +115,14 @@ def spec_of(name: str, chosen: Iterable[str] = (), points: Iterable[str] = ()) -
     if not whole and not (chosen := tuple(chosen)):
         raise CourseError(
             f"there is no chapter {name!r}, and no problems are named; there are "
-            f"{', '.join(chapters())}. Name them: build {name} --problems 4/3 4/16 11/1-11/6"
+            f"{', '.join(chapters())}. Name them with --problems 4/3 4/16 11/1-11/6"
         )
-    found = list(dict.fromkeys(p for text in chosen or (name,) for p in in_range(text)))
+    found = select(chosen or (name,))
     worth = dict(_points(text) for text in points)
     if missing := worth.keys() - {p.id for p in found}:
         raise CourseError(f"--points {min(missing)}: it is not among the problems of {name}")
     items = tuple(Item(p, options={"points": worth[p.id]} if p.id in worth else {}) for p in found)
     return Spec(name, chapter(name).title if whole else name, items)
-
-
-def in_range(text: str) -> list[Problem]:
-    """The problems of "4/3", "11/1-11/6", "11/1 – 6" or "ch04"."""
-    text = re.sub(r"\s*[-–]\s*", "-", text.strip())
-    if "/" not in text:
-        return list(problems(text))
-    first, _, last = text.partition("-")
-    if not last:
-        return [problem(text)]
-    begin, end = problem(first), problem(last if "/" in last else f"{first.split('/')[0]}/{last}")
-    of_chapter = list(problems(begin.chapter))
-    if end.chapter != begin.chapter or of_chapter.index(end) < of_chapter.index(begin):
-        raise CourseError(f"{text}: expected a range within a chapter, as in 11/1-11/6")
-    return of_chapter[of_chapter.index(begin) : of_chapter.index(end) + 1]
 
 
 def _points(text):
@@ -146,7 +131,7 @@ def _points(text):
         return problem(number).id, read_option("points", float(points if equals else ""))
     except ValueError:
         raise CourseError(
-            f"--points {text!r}: expected a problem and points, as in 4/3=10"
+            f"--points {text!r}: expected a problem and its points, 0 or more, as in 4/3=10"
         ) from None
 
 
@@ -198,16 +183,18 @@ def read_spec(path: Path) -> Spec:
     """The assignment that a file describes; its name is that of the file."""
     try:
         content: Any = yaml.load(path.read_text(encoding="utf-8"), _Loader)
-    except (OSError, ValueError, RecursionError, yaml.YAMLError) as error:  # ValueError: of dates
+    except yaml.YAMLError as error:
+        raise CourseError(f"{path} {not_yaml(error)}") from error
+    except (ValueError, RecursionError) as error:  # ValueError: of dates
         raise CourseError(f"{path} cannot be read: {error}") from error
+    for key in content if isinstance(content, _Map) else ():
+        if key not in HEAD:
+            raise _error(path, content.lines[key], unknown(key, HEAD))
     if not isinstance(content, _Map) or not isinstance(content.get("problems"), list):
         raise CourseError(
             f"{path}: expected title, due and a list of problems, as python -m grader build --help "
             "shows"
         )
-    for key in content:
-        if key not in HEAD:
-            raise _error(path, content.lines[key], unknown(key, HEAD))
     common = {key: _option(path, content, key, None) for key in BY_SHEET if key in content}
     entries = content["problems"]
     items = [
@@ -221,7 +208,7 @@ def read_spec(path: Path) -> Spec:
     if not numbers:
         raise _error(path, content.lines["problems"], "no problem is named")
     if not isinstance(title := content.get("title", ""), str | int | float):
-        raise _error(path, content.lines["title"], f"{title!r} is no title")
+        raise _error(path, content.lines["title"], f"{title!r} is not a title: expected a text")
     name = spec_of(path.stem, numbers).name
     return Spec(name, str(title or name), tuple(items), **_dates(path, content))
 
@@ -240,9 +227,9 @@ def _dates(path, content):
                 raise wrong(key, f"{key!r} is for exams: add mode: exam, or write due")
         return {"due": _date(path, content, "due")}
     if "due" in content:
-        raise wrong("due", "an exam closes: write closes in place of due")
+        raise wrong("due", "an exam has a closing time: write closes in place of due")
     if not content.get("closes"):
-        raise wrong("mode", "an exam closes: add closes: 2027-01-31 11:00 Europe/Berlin")
+        raise wrong("mode", "an exam ends: add a line as closes: 2027-01-31 11:00 Europe/Berlin")
     if (late := content.get("late", LATE[0])) not in LATE:
         raise wrong("late", unknown(late, LATE))
     closes, opens = (_date(path, content, key) for key in ("closes", "opens"))
@@ -287,13 +274,9 @@ def _single(points, line):
 def _found(path, name, line):
     """The problems that a name in the file selects."""
     try:
-        return in_range(str(name))
-    except (CatalogueError, CourseError) as error:
-        numbers = re.fullmatch(r"(?:ch0?)?(\w+)[.,:_-](\d+)", str(name))
-        likely = f"{numbers[1]}/{numbers[2]}" if numbers else str(name)
-        known = [*chapters(), *(p.id for c in chapters() for p in problems(c))]
-        hint = "" if name in known else meant(likely, known)
-        raise _error(path, line, f"{name!r}: {error}{hint}") from error
+        return select([str(name)])
+    except CatalogueError as error:
+        raise _error(path, line, f"{name!r}: {error}") from error
 
 
 def _option(path, own, key, p, where=""):

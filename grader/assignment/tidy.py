@@ -115,6 +115,8 @@ def two_sides(row: tuple[Any, Any], unknowns: Collection[str] = ()) -> tuple[Any
     terms = sympy.Add.make_args(expanded if shorter else difference)
     shared = set.intersection(*({x for x in t.args if x.is_Pow and x.base.is_Add} for t in terms))
     terms = [_signed(t / sympy.Mul(*shared)) for t in terms]
+    if shared:  # what is left of the sides of a triangle
+        terms = [t / sympy.gcd_list(terms) for t in terms]
     left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
     right = sympy.Add(*(-x for x in terms if x.could_extract_minus_sign()))
     if left and right:

@@ -261,6 +261,13 @@ def _applied(op, args):
         return _WRITTEN[op](*args)
     if op not in NAMES:
         raise Unwritten
+    if op in ("sin", "cos") and isinstance(args[0], sympy.atan):
+        y, x = sympy.fraction(args[0].args[0])  # two sides of a right triangle
+        return (
+            (y if op == "sin" else x) / sympy.sqrt(x**2 + y**2)
+            if x.is_positive
+            else (getattr(sympy, op)(*args))
+        )
     return getattr(sympy, NAMES[op])(*args)
 
 

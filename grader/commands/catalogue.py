@@ -129,6 +129,7 @@ def _by(name):
 
 def _as_json(e, earned):
     listed = {k: x for k, x in vars(e).items() if k != "words"}
+    listed["kinds"] = [kind.name for kind in e.kinds]
     listed |= {"difficulty": e.difficulty, "minutes": e.minutes}
     share, sheets = earned.get(e.id, (None, 0))
     return listed | ({"share_of_points": share, "graded_sheets": sheets} if sheets else {})

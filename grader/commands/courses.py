@@ -19,6 +19,7 @@ from .shared import (
     ONLY,
     POINTS,
     STUDENTS,
+    amount,
     progress_bar,
     remember_problems,
 )
@@ -152,7 +153,7 @@ def build(
     elif only or points or exam:
         what = spec_of(assignment, only, points)
     if (exam and not due) or (opens and not exam):
-        raise click.UsageError("an exam says when it closes: --exam --opens … --closes …")
+        raise click.UsageError("an exam needs --exam and --closes …; --opens … is for exams only")
     if exam and isinstance(what, Spec):
         what = replace(what, due=due or "", opens=opens or "", late=LATE[0])
     when = due_date(due) if due else None
@@ -167,7 +168,7 @@ def build(
         set_due(course, name, when)
         click.echo(f"Due {when:%Y-%m-%d %H:%M} UTC")
     if students:
-        click.echo(f"Enrolled {built.enrolled} students ({built.read_as})")
+        click.echo(f"Enrolled {amount(built.enrolled, 'student')} ({built.read_as})")
     click.echo(f"Wrote {built.path}")
     for words in built.spec.warnings:
         click.echo(words)
@@ -183,7 +184,7 @@ def build(
             "every student gets different numbers."
         )
     else:
-        click.echo(f"{enrolled} students are on the roster of the course {course.name}.")
+        click.echo(f"The roster of the course {course.name} has {amount(enrolled, 'student')}.")
 
 
 @click.command()
@@ -274,7 +275,7 @@ def _warn_of_closed(exchange):
     "--later",
     type=click.IntRange(0),
     metavar="DAYS",
-    help="Carry the due dates on, this many days later: 364 keeps the day of the week.",
+    help="Move the due dates this many days later: 364 keeps the day of the week.",
 )
 def next_year(
     last: Path, course_path: Path, name: str | None, exchange: Path | None, later: int | None
@@ -318,8 +319,10 @@ def enrol(roster: str, course: "Course", id_column: str | None) -> None:
 
     read = read_roster(roster, id_column)
     new = course.enrol(read.students)
-    click.echo(f"Enrolled {new} students ({read.read_as})")
-    click.echo(f"{len(course.roster())} students are on the roster of the course {course.name}.")
+    click.echo(f"Enrolled {amount(new, 'student')} ({read.read_as})")
+    click.echo(
+        f"The roster of the course {course.name} has {amount(len(course.roster()), 'student')}."
+    )
 
 
 @click.command()

@@ -13,7 +13,7 @@ from .shared import FOLDER, SEED, console, count_option, counted, names_or_all, 
 
 
 @click.command()
-@click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 | all …")
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | 11/1-11/6 | ch04 | all …")
 @SEED
 @click.option(
     "--given",
@@ -78,7 +78,7 @@ def _pair(text):
 
 
 @click.command()
-@click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
+@click.argument("names", nargs=-1, metavar="[4/16 | 11/1-11/6 | ch04 | all …]")
 @count_option("--seeds", 3, "Sets of numbers to check: the book's and drawn ones.")
 @click.option(
     "--workers", type=click.IntRange(1), help="Number of processes; default: one per core."
@@ -137,7 +137,7 @@ def _proved(name, seeds):
 
 
 @click.command()
-@click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 …")
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | 11/1-11/6 | ch04 …")
 @SEED
 @click.option(
     "--to", "folder", default=Path("."), type=FOLDER, help="Folder to write to; default: here."
@@ -176,7 +176,7 @@ def figure(names: tuple[str, ...], seed: int | None, folder: Path, sheet: bool) 
 
 
 @click.command()
-@click.argument("names", nargs=-1, required=True, metavar="4/16 | ch04 …")
+@click.argument("names", nargs=-1, required=True, metavar="4/16 | 11/1-11/6 | ch04 …")
 @SEED
 def solution(names: tuple[str, ...], seed: int | None) -> None:
     """Print the worked solution of each problem, as Markdown: text, steps, terms, answers."""
@@ -212,7 +212,7 @@ def new(chapter: str, spec: Path, only: tuple[str, ...], folder: Path | None) ->
 
 
 @click.command()
-@click.argument("names", nargs=-1, metavar="[4/16 | ch04 | all …]")
+@click.argument("names", nargs=-1, metavar="[4/16 | 11/1-11/6 | ch04 | all …]")
 @count_option("--draws", 3, "Sets of numbers to use: the book's and drawn ones.")
 @click.option(
     "--practice",

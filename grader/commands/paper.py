@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import click
 
 from .courses import ID_COLUMN
-from .shared import FOLDER, ONLY, POINTS, counted, course_option
+from .shared import FOLDER, ONLY, POINTS, amount, counted, course_option
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -75,7 +75,7 @@ def paper(
     with counted("writing", len(set(key_for) or class_)) as done:
         written = write_papers(folder, spec, class_, course, key_for, done=done)
     if written.sheets:
-        click.echo(f"{len(written.sheets)} sheets in {folder / 'sheets'}")
+        click.echo(f"{amount(len(written.sheets), 'sheet')} in {folder / 'sheets'}")
     click.echo(f"{len(written.keys)} keys in {folder / 'keys'}: not for students")
     if spec.left_out:
         click.echo(f"Left out, since paper does not run it: {', '.join(spec.left_out)}", err=True)

@@ -5,7 +5,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .shared import FILE, FOLDER, console, count_option, counted, course_option, progress_bar
+from .shared import (
+    FILE,
+    FOLDER,
+    amount,
+    console,
+    count_option,
+    counted,
+    course_option,
+    progress_bar,
+)
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -60,8 +69,8 @@ def practice(
     for x in left:
         console.print(f"[yellow]{x.problem}[/] left out: {x.why}")
     click.echo(
-        f"{path}: {len(problems) - len(left)} problems, at most {variants} sets of numbers each, "
-        f"{path.stat().st_size / 1000:.0f} kB"
+        f"{path}: {amount(len(problems) - len(left), 'problem')}, at most {variants} sets of "
+        f"numbers each, {path.stat().st_size / 1000:.0f} kB"
     )
     if not course:
         click.echo("Some of its answers may be graded ones; with --course COURSE none is near one.")

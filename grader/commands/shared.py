@@ -162,6 +162,11 @@ def progress_bar(*columns: ProgressColumn, then: str = BEGINS_ANEW) -> Iterator[
         raise Stopped(f"{far}. {then}") from None
 
 
+def amount(n: int, what: str) -> str:
+    """ "1 student", "2 students"."""
+    return f"{n} {what}{'s' * (n != 1)}"
+
+
 @contextlib.contextmanager
 def counted(what: str, total: float) -> Iterator[Callable[..., None]]:
     """A function to call after each of ``total`` steps, or with the amount done, shown by a

@@ -112,7 +112,7 @@ def grade(
                130  stopped by Ctrl-C; the next run goes on
     """
     from ..grading import grade as grade_submissions
-    from ..reports import diagnosis_table, gradebook_table, shown
+    from ..reports import diagnosis_table, gradebook_table, in_cell
 
     if scheduler and workers:
         raise click.UsageError("--workers is for this machine; a cluster has its own")
@@ -136,7 +136,7 @@ def grade(
     for r in results:
         if r.problem:
             console.print(
-                f"[red]Not graded:[/] {shown(r.student)} {shown(r.problem)}.", soft_wrap=True
+                f"[red]Not graded:[/] {in_cell(r.student)} {in_cell(r.problem)}.", soft_wrap=True
             )
     click.echo(f"Feedback pages: cd {course.path} && nbgrader generate_feedback {assignment}")
     if any(r.problem for r in results):

@@ -1,7 +1,10 @@
 """Manual grades in the gradebook: points, extra credit, comments."""
 
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from nbgrader.api import Gradebook
 
 COLUMNS = ("manual_score", "extra_credit", "manual_comment", "needs_manual_grade")
 
@@ -21,7 +24,7 @@ def give(row: Any, given: dict[str, Any]) -> None:
         row.needs_manual_grade = given.get("needs_manual_grade", True)
 
 
-def of_student(book: Any, assignment: str, student: str) -> dict[str, dict[str, Any]]:
+def of_student(book: "Gradebook", assignment: str, student: str) -> dict[str, dict[str, Any]]:
     """{notebook: {cell: manual columns}} of one student's submission."""
     return {
         notebook.name: {
@@ -33,7 +36,9 @@ def of_student(book: Any, assignment: str, student: str) -> dict[str, dict[str, 
     }
 
 
-def give_student(book: Any, assignment: str, student: str, kept: dict[str, dict[str, Any]]) -> None:
+def give_student(
+    book: "Gradebook", assignment: str, student: str, kept: dict[str, dict[str, Any]]
+) -> None:
     """Set the manual columns of a student's submission to those of :func:`of_student`."""
     for notebook in book.find_submission(assignment, student).notebooks:
         for name, rows in _by_cell(notebook).items():

@@ -7,7 +7,9 @@ student has handed in; grading then writes it to the gradebook.
 import json
 from collections.abc import Iterable
 from datetime import UTC, datetime, timedelta
-from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
+from zoneinfo import ZoneInfo, ZoneInfoNotFoundError, available_timezones
+
+from exercises.catalogue.errors import meant
 
 from .files import write_json
 from .folder import Course
@@ -20,13 +22,16 @@ def due_date(text: str) -> datetime:
     """The time in UTC of "2027-01-31 23:59 Europe/Berlin"; without a zone, in this machine's."""
     text = text.strip()
     when, _, zone = text.rpartition(" ")
+    if ":" in zone:  # a time of day
+        when, zone = text, ""
     try:
-        if zone and ":" not in zone:  # not a time of day
-            found = datetime.fromisoformat(when).replace(tzinfo=ZoneInfo(zone))
-        else:
-            found = datetime.fromisoformat(text)
-        return found.astimezone(UTC)
-    except (ValueError, OverflowError, OSError, ZoneInfoNotFoundError) as error:
+        found = datetime.fromisoformat(when)
+        return (found.replace(tzinfo=ZoneInfo(zone)) if zone else found).astimezone(UTC)
+    except (ZoneInfoNotFoundError, OSError) as error:  # OSError: Europe is a folder of zones
+        near = meant(zone, available_timezones()) if "/" in zone else ""
+        near = near or "; write it as Europe/Berlin"
+        raise CourseError(f"the due date {text!r}: there is no time zone {zone!r}{near}") from error
+    except (ValueError, OverflowError) as error:
         raise CourseError(
             f"the due date {text!r}: expected a date, a time and the name of a zone, as in "
             "'2027-01-31 23:59 Europe/Berlin' or '2027-01-31 22:59 UTC'"
@@ -58,8 +63,7 @@ def set_own_due(
     """Give these students a due date of their own; None: the general one applies."""
     course.require(assignment)
     students = list(students)
-    if unknown := sorted(set(students) - set(course.roster())):
-        raise CourseError(f"{', '.join(unknown)}: not on the roster of {course.path}")
+    course.require_students(students)
     with course.gradebook() as book:
         due = book.find_assignment(assignment).duedate
     if when and not due:

@@ -10,13 +10,16 @@ is refused if late, or graded with a remark. An instructor can make another one 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, timedelta
-from typing import Any
+from typing import TYPE_CHECKING
 
 from newton_euler.algebra.language import _
 
 from .due import extensions, is_over
 from .folder import Course
 from .identity import CourseError
+
+if TYPE_CHECKING:
+    from nbgrader.api import Gradebook
 
 LATE = ("refuse", "mark")  # late work is not graded, or graded with a remark
 
@@ -78,7 +81,7 @@ def is_exam(course: Course, assignment: str) -> bool:
     return assignment in course.settings.get("exams", {})
 
 
-def window(course: Course, book: Any, assignment: str) -> Window | None:
+def window(course: Course, book: "Gradebook", assignment: str) -> Window | None:
     """The window of an exam, None for other assignments. ``book``: the open gradebook."""
     if not is_exam(course, assignment):
         return None
@@ -91,7 +94,7 @@ def window(course: Course, book: Any, assignment: str) -> Window | None:
 
 
 def judged(
-    course: Course, book: Any, assignment: str, times: Mapping[str, datetime | None]
+    course: Course, book: "Gradebook", assignment: str, times: Mapping[str, datetime | None]
 ) -> tuple[dict[str, str], dict[str, str]]:
     """({student: remark on the time of submission}, {student: why it is refused}) for an exam; ({},
     {}) for other assignments.
@@ -133,7 +136,7 @@ def refuse_feedback(course: Course, assignment: str) -> None:
     if is_exam(course, assignment) and not is_over(course, assignment):
         raise CourseError(
             f"the exam {assignment} is not over for everybody, and feedback would give away the "
-            "answers; write it when the exam has closed, also for those with their own date"
+            "answers; write it when the exam has closed, even for those with their own date"
         )
 
 

@@ -188,11 +188,19 @@ class Course:
         }
 
     def submissions(self, assignment: str) -> dict[str, Path]:
-        """{student: path of the submitted notebook}, also for students not on the roster."""
+        """{student: path of the submitted notebook}, even for students not on the roster."""
         folders = sorted((self.path / "submitted").glob(f"*/{assignment}"))
         return {f.parent.name: f / f"{assignment}.ipynb" for f in folders}
 
     # -- students
+
+    def require_students(self, students: Iterable[str]) -> None:
+        """Raise :class:`CourseError` unless all of them are on the roster."""
+        if unknown := sorted(set(students) - set(self.roster())):
+            raise CourseError(
+                f"{', '.join(unknown)}: not on the roster; add the student first: "
+                f"python -m grader enrol roster.csv --course {self.path}"
+            )
 
     @contextlib.contextmanager
     def gradebook(self) -> Iterator[Any]:

@@ -12,7 +12,7 @@ from .identity import CourseError
 def share(course: Course, group: str) -> None:
     """Open a course to a group of users, given by name or number, now and after each command."""
     try:
-        _number(group)
+        _group_id(group)
     except KeyError:
         raise CourseError(f"this machine has no group {group!r}: make it with groupadd") from None
     course.set(group=group)
@@ -26,7 +26,7 @@ def share(course: Course, group: str) -> None:
 
 def open_to(folder: Path, group: str) -> None:
     """Let a group read and write this user's files in the folder."""
-    number, own = _number(group), os.geteuid()
+    number, own = _group_id(group), os.geteuid()
     for path in (folder, *folder.rglob("*")):
         found = path.lstat()
         if found.st_uid != own or not (stat.S_ISDIR(found.st_mode) or stat.S_ISREG(found.st_mode)):
@@ -38,5 +38,5 @@ def open_to(folder: Path, group: str) -> None:
             path.chmod(stat.S_IMODE(found.st_mode) | more)
 
 
-def _number(group):
+def _group_id(group):
     return int(group) if group.isdigit() else grp.getgrnam(group).gr_gid

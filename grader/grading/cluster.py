@@ -5,7 +5,7 @@ have the same version of the checkout installed. Whatever else a run needs, and 
 came to, is in that folder while it lasts, readable by its owner alone: what passes the scheduler
 is the path of the folder, a fingerprint and numbers that stand for submissions. A worker does
 everything for a submission but write the gradebook, which the grader does. When a worker dies, Dask
-reassigns its submissions.
+reassigns its submissions; when one hangs, the grader does.
 """
 
 import atexit
@@ -23,7 +23,7 @@ from pathlib import Path
 
 from ..course import Course, CourseError, write_json
 from ..course.files import write_bytes
-from ..sandbox import Harvester, HarvestError
+from ..sandbox import RUN_SECONDS, Harvester, HarvestError
 from .gradebook import Entry
 from .records import fingerprint, run_state, score_state
 from .student import Result, Run
@@ -32,10 +32,14 @@ AHEAD = 4  # submissions per thread held by the scheduler at a time
 ANSWER_SECONDS = 10  # limit for a scheduler to answer
 READY_SECONDS = 60  # limit for a worker to import the grader and start its harvester
 WATCH_SECONDS = 1  # between checks of the workers
+SLACK = 2  # times the limits of the runs of a submission, for all else that a worker does for it
 
 PLAN = "plan.json"
 KEPT = "grade again: finished runs are kept and not repeated"
 NEW_WORKERS = "see their messages, and start others"
+OTHERS = "and the others do its work"
+END_IT = "end its process"
+HUNG = "could not be graded: two workers hung at it. An earlier grade stays as it is"
 
 
 # grades the students: {student: (result, what to write into the gradebook)}
@@ -77,14 +81,14 @@ def cluster(
     shared = Shared(str(course.path), str(folder), _code(), plan, sandbox)
     try:
         with _connected(address) as client:
-            threads = _examined(client, address, shared, report)
+            threads, hung = _examined(client, address, shared, report)
+            patience = SLACK * len(run.names) * RUN_SECONDS
+            spread = _Spread(client, shared, threads, hung, patience, report)
             try:
-                yield lambda progress: _graded(
-                    client, shared, run.roster, students, AHEAD * threads, progress
-                )
+                yield lambda progress: _graded(spread, run.roster, students, progress)
             finally:
                 with contextlib.suppress(Exception):  # a dead worker needs no stopping
-                    client.run(_stop)
+                    client.run(_stop, workers=list(spread.able()))
     finally:
         shutil.rmtree(folder)
 
@@ -112,14 +116,14 @@ def _connected(address):
 
 
 def _examined(client, address, shared, report):
-    """The number of threads of all workers, each of which must be able to grade; those that die
-    meanwhile are left out.
+    """(the number of threads of all workers, each of which must be able to grade, those that hang);
+    those that die or hang are left out.
     """
     workers = client.nthreads()
     if not workers:
         raise CourseError(f"the cluster has no workers; start some with: dask worker {address}")
     asked = {w: client.submit(_examine, shared, workers=[w], pure=False) for w in sorted(workers)}
-    threads, until = 0, time.monotonic() + READY_SECONDS
+    threads, hung, until = 0, set(), time.monotonic() + READY_SECONDS
     for worker, future in asked.items():
         able, state = _answer(client, worker, future, until)
         if able is False:
@@ -127,11 +131,13 @@ def _examined(client, address, shared, report):
         if able:
             threads += workers[worker]
             state = f"{workers[worker]} at a time, {state}"
+        elif worker in _living(client):
+            hung.add(worker)
         if report:
             report(f"{worker}: {state}")
     if not threads:
-        raise CourseError(f"every worker of the cluster died in its first check; {NEW_WORKERS}")
-    return threads
+        raise CourseError(f"no worker of the cluster has passed its first check; {NEW_WORKERS}")
+    return threads, hung
 
 
 def _living(client):
@@ -143,47 +149,109 @@ def _living(client):
 
 
 def _answer(client, worker, future, until):
-    """The result of :func:`_examine` on a worker, with None in place of True if it has died."""
-    while time.monotonic() < until:
+    """The result of :func:`_examine` on a worker, with None in place of True if it has died or
+    does not answer.
+    """
+    while True:
         try:
             return future.result(timeout=WATCH_SECONDS)
         except TimeoutError:
             if worker not in _living(client):
-                return None, "it died in its first check, and the others do its work"
+                return None, f"it died in its first check, {OTHERS}"
+            if time.monotonic() > until:
+                return None, f"it has not answered for {READY_SECONDS} s, {OTHERS}; {END_IT}"
         except Exception as error:  # no grader in its Python, or no scheduler
             return False, f"{type(error).__name__}: {error}"
-    return False, f"it has not answered for {READY_SECONDS} s"
 
 
-def _graded(client, shared, roster, students, ahead, progress):
-    """{student: (result, entry)}; the scheduler holds at most ``ahead`` submissions, so that its
-    memory does not grow with the class.
+class _Spread:
+    """The submissions that the scheduler holds: few for each thread, so that its memory does not
+    grow with the class, and those on a worker that hangs are given to others.
+
+    threads : of all workers that can grade. hung : the workers that get nothing
+    patience : seconds without any result after which all that still work hang
     """
-    found = {s: Run.not_on_roster(s) for s in students if s not in roster}
-    waiting, started = [n for n, s in enumerate(students) if s in roster][::-1], {}
-    while waiting or started:
-        while waiting and len(started) < ahead:
+
+    def __init__(self, client, shared, threads, hung, patience, report):
+        self.client, self.shared, self.hung = client, shared, hung
+        self.patience, self.report = patience, report or (lambda line: None)
+        self.started = {}  # {future: number of the submission}
+        self.most = AHEAD * threads
+
+    def able(self):
+        """{worker: its threads} of those that live and do not hang."""
+        return {w: n for w, n in _living(self.client).items() if w not in self.hung}
+
+    def fill(self, waiting):
+        """Start as many of the ``waiting`` as there is room for."""
+        only = list(self.able()) if self.hung else None
+        while waiting and len(self.started) < self.most:
             n = waiting.pop()
-            started[client.submit(_grade, shared, n, pure=False)] = n
-        for future in _finished(client, list(started)):
-            n = started.pop(future)
-            student = students[n]
-            found[student] = _outcome(future, n, student, shared)
-            progress(found[student][0])
+            future = self.client.submit(_grade, self.shared, n, pure=False, workers=only)
+            self.started[future] = n
+
+    def finished(self):
+        """[(future, number)] of the next results; [] if there was none for too long."""
+        done = _finished(self.client, list(self.started), self.patience)
+        return [(future, self.started.pop(future)) for future in done]
+
+    def taken_back(self):
+        """The numbers of all that were started. From now on only workers that hold none get any,
+        and one for each thread: what hangs holds up no other.
+        """
+        for worker, held in self.client.processing().items():
+            if held and worker not in self.hung:
+                self.hung.add(worker)
+                waited = f"it has finished nothing for {self.patience:g} s"
+                self.report(f"{worker}: {waited}, {OTHERS}; {END_IT}")
+        self.most = sum(self.able().values())
+        if not self.most:
+            why = f"all workers of the cluster hang or have died; {NEW_WORKERS}, then {KEPT}"
+            raise CourseError(why)
+        back = list(self.started.values())
+        self.client.cancel(list(self.started), force=True)
+        self.started = {}
+        return back
+
+
+def _graded(spread, roster, students, progress):
+    """{student: (result, entry)}."""
+    found = {s: Run.not_on_roster(s) for s in students if s not in roster}
+    waiting, tried = [n for n, s in enumerate(students) if s in roster][::-1], set()
+
+    def note(n, outcome):
+        found[students[n]] = outcome
+        progress(outcome[0])
+
+    while waiting or spread.started:
+        spread.fill(waiting)
+        finished = spread.finished()
+        for future, n in finished:
+            note(n, _outcome(future, n, students[n], spread.shared))
+        for n in () if finished else spread.taken_back():
+            if n in tried:
+                note(n, (Result(students[n], problem=HUNG), None))
+            else:
+                tried.add(n)
+                waiting.append(n)
     return found
 
 
-def _finished(client, futures):
-    """At least one finished future; raises :class:`CourseError` if the cluster is gone."""
+def _finished(client, futures, patience):
+    """The finished futures, none if there are none for so many seconds; raises
+    :class:`CourseError` if the cluster is gone.
+    """
     from distributed import CancelledError, wait
 
-    alive = time.monotonic()
+    alive = start = time.monotonic()
     while time.monotonic() - alive < ANSWER_SECONDS:
         try:
             return wait(futures, WATCH_SECONDS, "FIRST_COMPLETED").done
         except TimeoutError:
             if _living(client):
                 alive = time.monotonic()
+            if alive - start > patience:
+                return ()
         except CancelledError:
             raise CourseError(f"the scheduler of the cluster is gone; {KEPT}") from None
     raise CourseError(f"all workers of the cluster have died; {NEW_WORKERS}, then {KEPT}")

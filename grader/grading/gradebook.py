@@ -9,12 +9,15 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ..assignment.cells import Sources
 from ..course import Course
 from ..course.due import extensions
 from ..submission import Graded
+
+if TYPE_CHECKING:
+    from nbgrader.api import Gradebook
 
 FEW = 100  # up to this many students, only their rows are read, not those of the whole class
 
@@ -54,7 +57,7 @@ class Cells:
     most: dict[str, float] = field(default_factory=dict)
 
 
-def instructors_cells(book: Any, assignment: str) -> dict[str, Sources]:
+def instructors_cells(book: "Gradebook", assignment: str) -> dict[str, Sources]:
     """{notebook: {grade id: (text, checksum)}} of an assignment, with the hidden tests."""
     from nbgrader.api import Notebook, SourceCell
 
@@ -68,7 +71,11 @@ def instructors_cells(book: Any, assignment: str) -> dict[str, Sources]:
 
 
 def save(
-    course: Course, book: Any, assignment: str, entries: Iterable[Entry], only: str | None = None
+    course: Course,
+    book: "Gradebook",
+    assignment: str,
+    entries: Iterable[Entry],
+    only: str | None = None,
 ) -> dict[str, Total]:
     """Write the entries, of the notebook ``only`` if given; returns {student: total}."""
     students = [e.student for e in entries]

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from html import escape
 
 from .package import packed, xml
-from .pages import asked, axis, html, number
+from .pages import asked, html, platform_number
 from .questions import Blank, Question, QuestionPart
 
 NAMESPACE = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
@@ -28,7 +28,7 @@ def write(name: str, questions: Iterable[Question]) -> bytes:
                 place = f"{q.ident.rpartition('-')[0]}-{n}-{m}"
                 groups.setdefault(place, []).append(_Item(q, part, n, m))
     path = f"bank-{name}/bank-{name}.xml"
-    quiz = xml("canvas", namespace=NAMESPACE, name=name, groups=groups, number=number)
+    quiz = xml("canvas", namespace=NAMESPACE, name=name, groups=groups, number=platform_number)
     resources = [("quiz", "imsqti_xmlv1p2", [path])]
     resources += [(f"figure-{n}", "webcontent", [f]) for n, f in enumerate(figures)]
     return packed(name, {path: quiz, **figures}, resources, "IMS Content", "1.1.3")
@@ -49,7 +49,7 @@ class _Item:
 
     @property
     def title(self) -> str:
-        words = self.question.title, self.part.means, axis(self.part, self.m)
+        words = self.question.title, self.part.means, self.part.kind.places()[self.m]
         return ", ".join(x for x in words if x)
 
     @property
@@ -59,7 +59,7 @@ class _Item:
 
     @property
     def text(self) -> str:
-        q, which = self.question, axis(self.part, self.m)
+        q, which = self.question, self.part.kind.places()[self.m]
         figure = FIGURE.format(q.ident, escape(q.words)) if q.figure else ""
         which = f"<p><strong>{which}</strong></p>" if which else ""
         return html(q.text) + figure + asked(self.part) + which
@@ -71,7 +71,7 @@ class _Item:
     @property
     def wrong(self) -> str:
         rows = (
-            f"<li>{number(float(f'{w.point[0]:.3g}'))}: {escape(w.text)}</li>"
+            f"<li>{platform_number(float(f'{w.point[0]:.3g}'))}: {escape(w.text)}</li>"
             for w in self.blank.wrong
         )
         return f"<p>If you found about</p><ul>{''.join(rows)}</ul>"

@@ -10,7 +10,7 @@ from itertools import groupby
 from operator import attrgetter
 
 from .package import xml
-from .pages import asked, html, number
+from .pages import asked, html, platform_number
 from .questions import Question
 
 RIGHT = "Right."
@@ -20,7 +20,7 @@ def write(name: str, questions: Iterable[Question]) -> bytes:
     """The bank as one file; each problem is a category from which a quiz draws at random."""
     return xml(
         "moodle", name=name, categories=groupby(questions, attrgetter("title")), kind_of=_kind,
-        text_of=_text, number=number, base64=base64.b64encode, right=RIGHT,
+        text_of=_text, number=platform_number, base64=base64.b64encode, right=RIGHT,
     )  # fmt: skip
 
 
@@ -65,9 +65,9 @@ def _embedded(part, weight):
 
 
 def _alternatives(blank):
-    yield f"={number(blank.key)}:{number(blank.off)}#{RIGHT}"
+    yield f"={platform_number(blank.key)}:{platform_number(blank.off)}#{RIGHT}"
     for w in blank.wrong:
-        yield f"%0%{number(w.point[0])}:{number(w.off[0])}#{_escaped(w.text)}"
+        yield f"%0%{platform_number(w.point[0])}:{platform_number(w.off[0])}#{_escaped(w.text)}"
 
 
 def _escaped(text):

@@ -52,19 +52,10 @@ def _formula(latex):
     return f"${latex}$" if latex else ""
 
 
-def axis(part: QuestionPart, n: int) -> str:
-    """The name of the n-th number, "" if it is the only one."""
-    if part.kind.is_vector:
-        return f"component {n + 1} of 3"
-    if part.kind.length == 9:
-        return f"row {n // 3 + 1}, column {n % 3 + 1}"
-    return f"number {n + 1} of {part.kind.length}" if part.kind.length > 1 else ""
-
-
-def number(x: float) -> str:
+def platform_number(x: float) -> str:
     """A number in a form that all platforms read.
 
-    >>> number(-0.1), number(3.0), number(2.5e-7)
+    >>> platform_number(-0.1), platform_number(3.0), platform_number(2.5e-7)
     ('-0.1', '3', '2.5e-07')
     """
     return f"{x + 0.0:.{DIGITS}g}"

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from html import escape
 
 from .package import packed, xml
-from .pages import asked, html, number
+from .pages import asked, html, platform_number
 from .questions import Question
 
 NAMESPACE = "http://www.imsglobal.org/xsd/imsqti_v2p1"
@@ -27,7 +27,12 @@ def write(name: str, questions: Iterable[Question]) -> bytes:
 
 
 def _item(q):
-    given = {"namespace": NAMESPACE, "instance": INSTANCE, "schema": SCHEMA, "number": number}
+    given = {
+        "namespace": NAMESPACE,
+        "instance": INSTANCE,
+        "schema": SCHEMA,
+        "number": platform_number,
+    }
     return xml("qti", q=q, body=_body(q), names=_names, **given)
 
 

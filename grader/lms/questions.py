@@ -128,9 +128,7 @@ def left_out(a: Answer) -> str:
     """Why an answer is left out, or ""."""
     if a.kind.is_formula:
         return "a formula"
-    if not a.kind.is_word and len(a.kind.sealed((1.0,) * a.kind.length)) > 1:
-        return "a direction of any length, which has no right numbers"
-    return ""
+    return a.kind.many
 
 
 def _part(p, a, right, wrong):

@@ -44,7 +44,7 @@ def _formula(latex):
         made = tex2typst(latex.replace(r"\limits", "")).replace('"BLANK"', "blank")
     except ValueError as error:
         reason = str(error).partition("\n")[0].removeprefix("Conversion failed: ")
-        raise PaperError(f"${latex}$ is no formula of LaTeX ({reason})") from None
+        raise PaperError(f"${latex}$ is not a formula of LaTeX ({reason})") from None
     return re.sub(r'\s+"/', '"/', made)  # no space before the stroke of a unit
 
 

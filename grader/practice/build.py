@@ -22,7 +22,7 @@ from newton_euler.classroom.practising.files import FORMAT, HELP
 
 from ..assignment.cells import Values
 from ..assignment.figures import figure_for_page, figure_png
-from ..assignment.notebook import frame_heading, number, slug, statement, typeset
+from ..assignment.notebook import frame_heading, short_number, slug, statement, typeset
 from ..assignment.options import HELP as LEVELS
 from ..assignment.sheet import with_tolerance
 from ..assignment.solution import worked_solution
@@ -165,7 +165,7 @@ def page_of(
     labels, slips = _numbered(variants, "wrong"), _numbered(variants, "slips")
     formulas = p.units if problem(name).symbols or graded is not None else ()
 
-    def said(text):
+    def kept(text):
         return stored(without_formulas(text, formulas))
 
     page = {
@@ -174,8 +174,8 @@ def page_of(
         "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "variants": variants,
-        "labels": [(key, *map(said, astuple(c))) for key, c in labels],
-        "slips": [(key, rank, *map(said, astuple(c)[1:])) for key, rank, c in slips],
+        "labels": [(key, *map(kept, astuple(c))) for key, c in labels],
+        "slips": [(key, rank, *map(kept, astuple(c)[1:])) for key, rank, c in slips],
         "book": sets[0] == problem(name).book_values, "help": help,
         "symbols": {n: p.notation[n] for n in p.givens},
     }  # fmt: skip
@@ -257,7 +257,7 @@ def _plain(p, values):
 
     def quantity(n):
         unit = p.givens[n].unit if n in p.givens else "1"
-        return f"{n} = {number(values[n])}{'' if unit == '1' else ' ' + unit}"
+        return f"{n} = {short_number(values[n])}{'' if unit == '1' else ' ' + unit}"
 
     lines = [plain(p.text, p.units, quantity)]
     if p.frame:

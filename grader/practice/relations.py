@@ -52,7 +52,7 @@ def relations(p: Problem, values: Values) -> dict[str, Any] | None:
         key: [
             [place[x.number], factor]
             if _is_step(x) and x.number in place
-            else _number(x, factor, numbers)
+            else _constant_part(x, factor, numbers)
             for x, factor in parts
         ]
         for key, parts in components.items()
@@ -87,7 +87,7 @@ def _evaluated(trace, g):
     return [None if x is None or not math.isfinite(x) else x for x in found]
 
 
-def _number(x, factor, numbers):
+def _constant_part(x, factor, numbers):
     """A component that does not depend on the quantities."""
     value = numbers[x.number] if _is_step(x) else float(x)
     return None if value is None else factor * value

@@ -18,5 +18,5 @@ from .export import FORMATS, export
 from .measured import measured
 from .preview import preview, preview_page, preview_text
 from .statistics import part_statistics, statistics_csv, statistics_figure, statistics_table
-from .tables import diagnosis_table, gradebook_table, shown, taken_in_table
+from .tables import diagnosis_table, gradebook_table, in_cell, taken_in_table
 from .unlisted import RANDOM, SLIP_OUTCOMES, slip_shares

@@ -6,12 +6,7 @@ from rich.table import Table
 
 from exercises.catalogue.survey import ProblemEntry
 
-from .tables import shown
-
-SHORT = {
-    "vector_expression": "vector formula", "matrix_expression": "matrix formula",
-    "expression": "formula",
-}  # fmt: skip
+from .tables import in_cell
 
 
 def problems_table(
@@ -32,11 +27,11 @@ def problems_table(
     for name in ("steps", "hard", "min", "sheets", *(() if earned is None else ("right",))):
         table.add_column(name, justify="right", no_wrap=True)
     for e in found:
-        kinds = ", ".join(SHORT.get(k, k) for k in e.kinds)
+        kinds = ", ".join(k.title for k in e.kinds)
         numbers = (str(e.steps + e.terms), str(e.difficulty), str(e.minutes), f"{e.sheets:.3g}")
         right = []
         if earned is not None:
             share, sheets = earned.get(e.id, (0.0, 0))
             right = [f"{share:.0%} of {sheets}" if sheets else "–"]
-        table.add_row(e.id, e.section, shown(e.title), kinds, *numbers, *right)
+        table.add_row(e.id, e.section, in_cell(e.title), kinds, *numbers, *right)
     return table

@@ -10,7 +10,7 @@ from .records import entries, questions, student_rows
 # a spreadsheet may run a text that begins with these, or has them after a character that ends a
 # cell in another locale, perhaps behind quotes and invisible characters
 _SIGNS = re.escape("=+-@−＝＋－＠﹦﹢﹣﹫⁼⁺⁻₌₊₋")
-_UNSEEN = r"(?:[^\w\s!#-/:-@\[-`{-~]|[\u115f\u1160\u3164\uffa0])"
+_UNSEEN = r"(?:[^\w !#-/:-@\[-`{-~]|[\u115f\u1160\u3164\uffa0])"
 _RUNS = re.compile(
     rf"^(?=[\t\r\n]|(?:\s|{_UNSEEN})*[{_SIGNS}])"
     rf"|(?<=[;\t\r\n\v\f\x85\u2028\u2029])(?={_UNSEEN}*[{_SIGNS}])"

@@ -15,7 +15,7 @@ from exercises.catalogue.variants import draw
 from ..assignment.cells import Values
 from ..assignment.figures import figure_png
 from ..assignment.lines import formatted
-from ..assignment.notebook import number, statement
+from ..assignment.notebook import short_number, statement
 from ..assignment.sheet import with_tolerance
 from ..assignment.solution import worked_solution
 from ..practice.plain import plain
@@ -68,7 +68,7 @@ class Preview:
         """Its entry in the catalogue, tolerance and options."""
         e = entry(self.problem)
         cited = [f"equations {', '.join(e.equations)}"] if e.equations else []
-        kinds = ", ".join(kind.replace("_", " ") for kind in e.kinds)
+        kinds = ", ".join(kind.title for kind in e.kinds)
         rtol = self.problem.answers[0].rtol
         own = [f"{name}: {x}" for name, x in self.options.items() if name != "tolerance"]
         return [
@@ -82,7 +82,7 @@ class Preview:
     def rows(self) -> list[list[str]]:
         """The numbers and answers of the sheets: name with unit, and a column for each."""
         given = [
-            [_named(n, g.unit), *(number(s.values[n]) for s in self.sheets)]
+            [_named(n, g.unit), *(short_number(s.values[n]) for s in self.sheets)]
             for n, g in self.problem.givens.items()
         ]
         key = [
@@ -167,4 +167,4 @@ def preview_text(found: Preview) -> str:
 def _with_number(p, name):
     if name not in p.givens:
         return name
-    return f"{name} = {number(p.book_values[name])} {p.givens[name].unit}"
+    return f"{name} = {short_number(p.book_values[name])} {p.givens[name].unit}"

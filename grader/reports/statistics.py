@@ -15,7 +15,7 @@ from ..course import Course
 from ..submission.pipeline import MARK
 from .export import cell
 from .records import BY_HAND, PartScore, entries, questions
-from .tables import plain_table, shown
+from .tables import in_cell, plain_table
 
 FEWEST = 5  # students for a meaningful correlation
 
@@ -100,7 +100,7 @@ def statistics_table(parts: Iterable[PartStatistics]) -> Table:
         mistake, count = p.mistakes[0] if p.mistakes else ("", 0)
         shares = ("–" if x is None else f"{x:.2f}" for x in (p.difficulty, p.discrimination))
         verdicts = (str(p.verdicts[v]) for v in MARK)
-        frequent = shown(f"{count}× {mistake}") if count else ""
+        frequent = in_cell(f"{count}× {mistake}") if count else ""
         frequent = f"{p.waiting} wait for a person" if p.waiting else frequent
         table.add_row(p.problem, p.key, *shares, *verdicts, frequent)
     return table

@@ -29,7 +29,7 @@ def plain_table(title: str, *columns: str) -> Table:
     return table
 
 
-def shown(text: object) -> str:
+def in_cell(text: object) -> str:
     """A text for a cell of a table: without markup and control characters; of a very long one, as
     a student may call a file, the two ends.
     """
@@ -47,12 +47,12 @@ def gradebook_table(results: Sequence[Result]) -> Table:
     uncaged = any(r.sandbox != CAGED for r in results)
     for r in results:
         if r.problem:
-            table.add_row(shown(r.student), "–", "–", *[""] * 4, "[red]not graded, see below[/]")
+            table.add_row(in_cell(r.student), "–", "–", *[""] * 4, "[red]not graded, see below[/]")
             continue
         found = Counter(p.verdict for s in r.scores.values() for p in s.parts)
         remark = "; ".join([*(["unsandboxed"] if uncaged else []), *_remarks(r)])
         points, verdicts = f"{r.points:.4g}/{r.out_of:g}", (str(found[v]) for v in MARK)
-        table.add_row(shown(r.student), points, _percent(r), *verdicts, shown(remark))
+        table.add_row(in_cell(r.student), points, _percent(r), *verdicts, in_cell(remark))
     _add_summary(table, results)
     return table
 
@@ -111,7 +111,7 @@ def diagnosis_table(results: Iterable[Result], most: int | None = None) -> Table
     left_out = f" (the first {most} of {len(rows)})" if most and len(rows) > most else ""
     table = plain_table(f"Diagnoses{left_out}", "student", "problem", "answer", "diagnosis")
     for row in rows[:most]:
-        table.add_row(*map(shown, row))
+        table.add_row(*map(in_cell, row))
     return table
 
 
@@ -119,9 +119,11 @@ def taken_in_table(taken: TakenIn) -> Table:
     """The outcome for the files of an archive."""
     table = plain_table("Work in the archive", "student", "file", "what became of it")
     for student, name in taken.taken.items():
-        table.add_row(shown(student), shown(name), "[green]taken in[/]")
+        table.add_row(in_cell(student), in_cell(name), "[green]taken in[/]")
     for student, name in taken.kept:
-        table.add_row(shown(student), shown(name), "had handed in before; --replace takes this one")
+        table.add_row(
+            in_cell(student), in_cell(name), "had handed in before; --replace takes this one"
+        )
     for name, why in taken.refused:
-        table.add_row("–", shown(name), f"[red]left out:[/] {shown(why)}")
+        table.add_row("–", in_cell(name), f"[red]left out:[/] {in_cell(why)}")
     return table

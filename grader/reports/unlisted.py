@@ -124,7 +124,7 @@ def _gives(causes, asked, numbers, whole):
 
 def _again(asked, numbers, whole):
     """The slips in going on and the two mistakes together that are found where all digits are
-    written, too: hardly any is by chance.
+    written too: almost none is by chance.
     """
     found, _ = _causes(asked, whole, numbers)
     return [c for c in found if c.group in ("sequel", "both")]

@@ -33,8 +33,8 @@ _SET = {
     "PYTHONDONTWRITEBYTECODE": "1",
 }
 _PAUSE = 0.05  # seconds between two reads of the receipts
-_GRACE = 5.0  # seconds on top of a limit, to start a process or to end a test
-_END_SECONDS = 60.0  # to end a submission that has filled the machine with processes
+GRACE = 5.0  # seconds on top of a limit, to start a process or to end a test
+END_SECONDS = 60.0  # to end a submission that has filled the machine with processes
 
 
 Job = dict[str, Any]  # a cell to run, see Harvester.run
@@ -76,7 +76,7 @@ class Worker:
         """Let the process end by itself, or kill it."""
         self.close()
         try:
-            self.process.wait(timeout=_GRACE)
+            self.process.wait(timeout=GRACE)
         except subprocess.TimeoutExpired:
             self.kill()
 
@@ -98,7 +98,7 @@ class Worker:
             socket.send_fds(self._control, [line], files.theirs)
             files.close_theirs()
             self._owed = True
-            state, data = self._listen(files, limits["seconds"] + _GRACE)
+            state, data = self._listen(files, limits["seconds"] + GRACE)
             outcomes = _run_tests(files.tests, texts, limits) if "sandbox" in state else []
             self._control.sendall(b"end\n")
         # the first process reports how the cells ended, unless it was killed first
@@ -112,7 +112,7 @@ class Worker:
             return ""
         reply = b""
         with self._or_gone():
-            self._control.settimeout(_END_SECONDS)
+            self._control.settimeout(END_SECONDS)
             while not reply.endswith(b"\n"):
                 if not (chunk := self._control.recv(4096)):
                     raise OSError("it has closed its socket")
@@ -226,7 +226,7 @@ def _run_tests(sockets, texts, limits):
     deadline = time.monotonic() + limits["seconds"]
     outcomes = []
     for pair, text in zip(sockets, texts, strict=True):
-        left = min(deadline - time.monotonic(), limits["cell_seconds"] + _GRACE)
+        left = min(deadline - time.monotonic(), limits["cell_seconds"] + GRACE)
         token = secrets.token_hex()  # unknown to code that ran before the text was sent
         sent = json.dumps({"token": token, "text": text}).encode()
         outcomes.append(read_outcome(_ask(pair, sent, token, left), token))

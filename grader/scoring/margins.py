@@ -16,7 +16,7 @@ def margins(answer: Answer, key: Point) -> tuple[float, ...] | None:
     may still be wrong, by up to the square root of three times what is accepted.
     """
     kind = answer.kind
-    if kind.is_word or kind.is_formula or len(kind.sealed(key)) > 1:
+    if kind.is_word or kind.is_formula or kind.many:
         return None
     return tuple(_margin(answer, key, n) for n in range(len(key)))
 

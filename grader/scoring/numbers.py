@@ -5,17 +5,22 @@ cost microseconds. Answers are tuples of points, as in :mod:`newton_euler.answer
 """
 
 import contextlib
+from collections.abc import Mapping, Sequence
 from functools import cache, cached_property
 from itertools import islice
+from typing import Any
 
 import numpy as np
 
+from exercises.catalogue import Problem
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow
+from exercises.catalogue.model import Answer
 from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points, traced
 from newton_euler.algebra.language import cached_by_language
-from newton_euler.answers.causes import listed
+from newton_euler.answers.causes import Cause, listed
 from newton_euler.answers.near import NO_SLIPS
+from newton_euler.answers.tolerance import Points
 from newton_euler.dynamics.constraints import Freedom
 
 from .computation import (
@@ -38,9 +43,15 @@ class Numbers:
     values of the student's earlier sheets.
     """
 
-    def __init__(self, problem, values, earlier_sheets=()):
+    def __init__(
+        self,
+        problem: Problem,
+        values: Mapping[str, float],
+        earlier_sheets: Sequence[Mapping[str, float]] = (),
+    ):
         self.problem, self.sample = problem, _sample(problem, values)
-        self._wrong, self._earlier_sheets = {}, earlier_sheets
+        self._earlier_sheets = earlier_sheets
+        self._wrong: dict[str, list[tuple[Cause, Points]]] = {}
 
     @property
     def answers(self):
@@ -171,7 +182,11 @@ class Numbers:
         return _traced_following(self.problem.id, key)(*self.sample.values(), *numbers)
 
 
-def numbers_of(problem, values, earlier_sheets=()):
+def numbers_of(
+    problem: Problem,
+    values: Mapping[str, float],
+    earlier_sheets: Sequence[Mapping[str, float]] = (),
+) -> Numbers:
     """The :class:`Numbers` of a problem; those of a problem without givens are the same for all."""
     if not problem.givens:
         return _without_givens(problem.id)
@@ -202,8 +217,8 @@ def _sample(problem, values):
     return {**{n: float(values[n]) for n in problem.givens}, **symbol_points(problem)}
 
 
-def points_of(answer, components):
-    """The points of an answer: one for a number, also in a problem with symbols."""
+def points_of(answer: Answer, components: Sequence[Any]) -> Points:
+    """The points of an answer: one for a number, even in a problem with symbols."""
     if not answer.kind.is_formula:
         return as_points(components)[:1]
     points = as_points(components)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from exercises.catalogue import Problem
-from newton_euler.algebra.language import Words, _, heard
+from newton_euler.algebra.language import Words, _, relayed
 from newton_euler.answers.causes import Cause
 from newton_euler.answers.messages import one_line
 from newton_euler.answers.notation import formula, unit_symbol
@@ -133,7 +133,7 @@ def score_receipt(
         n
         for n in (
             note,
-            _("the cell stopped with {error}", error=heard(one_line(error))) if error else "",
+            _("the cell stopped with {error}", error=relayed(one_line(error))) if error else "",
         )
         if n
     ]

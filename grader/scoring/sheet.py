@@ -40,9 +40,9 @@ def asked_parts(problem, points=None, weights=None, asked=None, follow_through=N
     """
     answers, forms = _asked(problem, asked)
     chosen = _weights(problem, answers, weights or {})
-    points = len(answers) if points is None else _number(points, f"the points of {problem.id}")
+    points = len(answers) if points is None else _checked(points, f"the points of {problem.id}")
     whole = sum(chosen.values())
-    if follow_through is not None and _number(follow_through, "follow_through") > 1:
+    if follow_through is not None and _checked(follow_through, "follow_through") > 1:
         raise ScoreError(f"follow_through must be a share from 0 to 1, not {follow_through!r}")
     parts = []
     for a in answers:
@@ -108,12 +108,12 @@ def _weights(problem, answers, weights):
                 f"for {', '.join(keys)}"
             )
     return {
-        a.key: _number(weights.get(a.key, a.weight), f"the weight of {a.key} in {problem.id}")
+        a.key: _checked(weights.get(a.key, a.weight), f"the weight of {a.key} in {problem.id}")
         for a in answers
     }
 
 
-def _number(x, what):
+def _checked(x, what):
     good = isinstance(x, (int, float)) and not isinstance(x, bool)
     if not good or not 0 <= x < 1e300:
         raise ScoreError(f"{what} must be a number, 0 or more, not {x!r}")

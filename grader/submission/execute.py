@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from newton_euler.algebra.language import Words, _, heard
+from newton_euler.algebra.language import Words, _, relayed
 
 from ..assignment import notebook as nb
 from ..assignment.cells import Cell, Notebook, kind, nbgrader_metadata, own_metadata
@@ -126,7 +126,7 @@ def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:
     asked = [c["problem"] for c in cells if c["role"] == "harvest"]
     unread = [i for i in asked if i not in receipts]
     if result["ended"] != "done":
-        how = heard(result["ended"])
+        how = relayed(result["ended"])
         notes.append(_("the notebook was {how}; answers that came later were not read", how=how))
     elif unread:
         notes.append(

@@ -9,6 +9,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn
 
 from ..algebra.late import Figure
+from ..algebra.names import did_you_mean
 from ..scenes import SCENES
 from .atlas import write_atlas
 from .catalogue import KINDS, MODEL, MODELS, charts, slug
@@ -96,7 +97,10 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
     slugs |= {slug(name): name for name in known}
     unknown = [name for name in names if slug(name) not in slugs]
     if unknown:
-        raise click.UsageError(f"there is no chart {unknown[0]!r}; there are:\n\n{_list(known)}")
+        near = did_you_mean(unknown[0], known) or "."
+        raise click.UsageError(
+            f"there is no chart {unknown[0]!r}{near} The charts are:\n\n{_list(known)}"
+        )
     folder.mkdir(parents=True, exist_ok=True)
     for name in known if draw_all else [slugs[slug(name)] for name in names]:
         path = folder / f"{slug(name)}.{kind}"

@@ -10,11 +10,13 @@ on the numbers of mpmath, on symbols and on this package's own kinds.
 import inspect
 import math
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from importlib import import_module, util
 from itertools import takewhile
 from operator import itemgetter
+from types import ModuleType
 from typing import Any, NamedTuple
 
 from . import scalars
@@ -37,7 +39,7 @@ from .scalars import (
     scalar,
     without_rates,
 )
-from .source import RESERVED, WITHOUT_HEYOKA, generate, runtime_names
+from .source import WITHOUT_HEYOKA, generate, named_apart, runtime_names
 from .trace import NO_VALUE, Inner, NoValueError, Step, Trace, asked_by, keys_of, packed, unpacked
 
 # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
@@ -119,15 +121,25 @@ class Compiled:
     shape, keys : how the result is built from these, see :func:`_shape`; default: a tuple
     """
 
-    def __init__(self, name, parameters, trace, leaves, shape="", keys=(), defaults=()):
+    def __init__(
+        self,
+        name: str,
+        parameters: Sequence[str],
+        trace: Trace,
+        leaves: Sequence[Scalar],
+        shape: str = "",
+        keys: Sequence[str] = (),
+        defaults: Mapping[str, Scalar] | tuple[()] = (),
+    ):
         self.name, self.parameters, self.trace, self.leaves = name, parameters, trace, leaves
         self._defaults, self.shape, self.keys = dict(defaults), shape, keys
         self._build = _builder(shape, keys, len(leaves)) if shape else tuple
-        names = {n: f"{n}_" if n in RESERVED else n for n in parameters}
+        names = named_apart(parameters)
         self.source, self._constants, self.operations = generate(trace, names, leaves, lazy=False)
-        chooses = "where(" in self.source
+        chooses = any(s.op == "where" for s in trace.steps)
         self._lazy = generate(trace, names, leaves, lazy=True)[0] if chooses else self.source
-        self._functions, self._heyoka, self._buffer = {}, None, None
+        self._functions: dict[str, Callable[..., Any]] = {}
+        self._heyoka, self._buffer = None, None
         self.seen = 0  # instants of arrays so far
         self.on_floats = self.on(math)
 
@@ -140,7 +152,7 @@ class Compiled:
         rest = self.shape, self.keys, self._defaults
         return _from_steps, (self.name, list(self.parameters), steps, leaves, *rest)
 
-    def __call__(self, *args, **named):
+    def __call__(self, /, *args: Scalar, **named: Scalar) -> Any:
         if named or len(args) != len(self.parameters):
             args = self._in_order(args, named)
         for a in args:
@@ -152,9 +164,9 @@ class Compiled:
             raise self._no_value(args, error) from error
 
     @cached_property
-    def dependencies(self):
+    def dependencies(self) -> list[set[str]]:
         """For each scalar in the result the set of names of the arguments on which it depends."""
-        known = []
+        known: list[set[str]] = []
 
         def union(values):
             return set().union(*(known[x.number] for x in values if isinstance(x, Step)))
@@ -163,7 +175,7 @@ class Compiled:
             known.append({s.args[0]} if s.op == "argument" else union(s.args))
         return [union([leaf]) for leaf in self.leaves]
 
-    def on(self, library):
+    def on(self, library: ModuleType) -> Callable[..., tuple[Scalar, ...]]:
         """The text as a function over one library, from the arguments (over this package pi first)
         to the tuple of all scalars in the result.
         """
@@ -207,6 +219,9 @@ class Compiled:
         return [given[n] for n in self.parameters]
 
     def _other(self, args):
+        if all(isinstance(a, float) for a in args):  # of NumPy, as the entries of an array
+            with suppress(ArithmeticError, ValueError):  # where NumPy has inf or nan
+                return self._build(self.on_floats(*map(float, args)))
         for a in args:
             if getattr(a, "size", 1):  # an empty array has an empty array of values
                 scalar(a)  # raises ScalarError if it is not a number
@@ -219,7 +234,10 @@ class Compiled:
         library = library_of(args)
         if library.__name__ == "numpy":
             return self._arrays(library, args)
-        return self._build(self.on(library)(*args))
+        try:
+            return self._build(self.on(library)(*args))
+        except (ZeroDivisionError, OverflowError, ValueError) as error:
+            raise self._no_value(args, error) from error
 
     def _arrays(self, np, args):
         args = [np.asarray(a) for a in args]
@@ -311,7 +329,7 @@ def _float(constant):
 
 
 @checked
-def compiled(f: Callable[..., Any], **constants: Scalar) -> Compiled:
+def compiled(f: Callable[..., Any], /, **constants: Scalar) -> Compiled:
     """The formula ``f``, traced once into straight-line text, for many fast evaluations. The result
     takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name,
     and returns what ``f`` returns, a Vector as a triple of components. Arrays go by NumPy in
@@ -355,7 +373,7 @@ def _tracebacks(error):
 
 def _of_a_library(frame):
     package = frame.f_globals.get("__name__", "").partition(".")[0]
-    return package in ("numpy", "scipy", "mpmath")
+    return package in {"numpy", "scipy", "mpmath", *sys.stdlib_module_names}
 
 
 def _traced(x):
@@ -364,7 +382,7 @@ def _traced(x):
     return isinstance(x, Step) or (isinstance(x, (list, tuple)) and any(map(_traced, x)))
 
 
-def recorded(f, **constants):
+def recorded(f: Callable[..., Any], /, **constants: Scalar) -> Recording:
     """The :class:`Recording` of ``f``, see :func:`compiled`, without a text, in half the time."""
     try:
         signature = inspect.signature(f).parameters
@@ -380,7 +398,8 @@ def recorded(f, **constants):
     trace, parameters = Trace(), [n for n in signature if n not in constants]
     values = {**constants, **{n: trace.new("argument", n) for n in parameters}}
     by_place = [values.pop(n) for n, p in signature.items() if p.kind is p.POSITIONAL_ONLY]
-    leaves, keys = [], []
+    leaves: list[Scalar] = []
+    keys: list[str] = []
     try:
         shape = _shape(f(*by_place, **values), leaves, keys)
     except (TypeError, ValueError, LookupError, AttributeError) as error:

@@ -167,7 +167,8 @@ def _plan(f, unchecked):
             continue
         if p.kind in (Parameter.POSITIONAL_ONLY, Parameter.POSITIONAL_OR_KEYWORD):
             by_position.append(check)
-        by_name["**" if p.kind is Parameter.VAR_KEYWORD else p.name] = check
+        if p.kind is not Parameter.POSITIONAL_ONLY:
+            by_name["**" if p.kind is Parameter.VAR_KEYWORD else p.name] = check
     return by_name, by_position, several
 
 

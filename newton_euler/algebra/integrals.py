@@ -26,6 +26,7 @@ from .scalars import (
     max_abs,
     pi,
     promote,
+    real_scalar,
     scalar,
     sinh,
     sqrt,
@@ -85,7 +86,7 @@ def _flat(value, like):
         return (value if value.frame is like.frame else value.expressed_in(like.frame)).c
     if isinstance(like, (tuple, list)):
         return tuple(x for v, part in zip(value, like, strict=True) for x in _flat(v, part))
-    return (scalar(value),)
+    return (real_scalar(value),)
 
 
 def _like(like, scalars):
@@ -216,7 +217,7 @@ def _exact(x):
     return sympy.sympify(int(x) if isinstance(x, float) and x.is_integer() else x)
 
 
-def over_cube(f, n):
+def over_cube(f: Callable[..., tuple[Scalar, ...]], n: int) -> tuple[Scalar, ...]:
     """The integrals of the scalars in the tuple ``f(t_1, …, t_n)`` over the unit cube;
     :class:`SingularError` if they do not settle. f is smooth, also at the faces, and called with
     arrays of places, or, where it returns numbers of mpmath, with one place at a time.

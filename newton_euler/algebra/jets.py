@@ -13,6 +13,7 @@ from .scalars import (
     Scalar,
     ScalarError,
     Scaled,
+    Unordered,
     _Own,
     _root,
     acos,
@@ -29,7 +30,7 @@ from .scalars import (
     log,
     min_abs,
     real_scalar,
-    shown,
+    short_repr,
     sin,
     sinh,
     sqrt,
@@ -51,7 +52,7 @@ class _Derived:
 DERIVED: Any = _Derived()
 
 
-class Moving(_Own):
+class Moving(Unordered, _Own):
     """A scalar at one instant with its first and second time derivative (a jet of order two), made
     by :func:`moving` or :func:`at`. Arithmetic and functions compute the rates by the product and
     chain rules (forward automatic differentiation: A. Griewank and A. Walther, Evaluating
@@ -65,6 +66,7 @@ class Moving(_Own):
     __slots__ = ("acceleration", "rate", "value")
     __array_priority__ = 1000.0  # NumPy hands operators over, and calls methods for its functions
     rank = 9  # it wraps the other kinds
+    advice = "write sin(x) of newton_euler for math.sin(x), and where(t.value > 1.0, a, b) for if"
 
     def is_numeric(self) -> bool:
         """True if its value can be compared."""
@@ -77,14 +79,9 @@ class Moving(_Own):
     def __init__(self, value: Scalar, rate: Scalar = ZERO, acceleration: Scalar = ZERO):
         self.value, self.rate, self.acceleration = value, rate, acceleration
 
-    def __float__(self):
-        raise ScalarError(
-            f"{self!r} is not one float: for math.sin(x) write sin(x), from newton_euler"
-        )
-
     def __repr__(self):
-        rates = f"rate={shown(self.rate)}, acceleration={shown(self.acceleration)}"
-        return f"moving({shown(self.value)}, {rates})"
+        rates = f"rate={short_repr(self.rate)}, acceleration={short_repr(self.acceleration)}"
+        return f"moving({short_repr(self.value)}, {rates})"
 
     @staticmethod
     def _of(x: Scalar) -> "Moving":
@@ -186,13 +183,14 @@ class Moving(_Own):
             turn = x.value * y.acceleration - y.value * x.acceleration
             return Moving(atan2(y.value, x.value), rate, (turn - rate * growth) / square)
         if not isinstance(name, str) or name not in _DERIVATIVES:
-            raise ScalarError(f"{clipped(name)} is no function; there are {', '.join(FUNCTIONS)}")
+            known = ", ".join(FUNCTIONS)
+            raise ScalarError(f"{clipped(name)} is not a function; there are {known}")
         if self.rests():
             return Moving(function(name, self.value))
         try:
             return self._chain(*_DERIVATIVES[name](self.value))
         except ZeroDivisionError as error:
-            raise DivisionError(f"no rate of {name}({shown(self.value)}): {error}") from None
+            raise DivisionError(f"no rate of {name}({short_repr(self.value)}): {error}") from None
 
 
 class _Refusal:
@@ -283,7 +281,7 @@ def _known(x, what):
     """The real scalar ``x``; None and nan, as before a computation, are refused."""
     if x is None or (isinstance(x, float) and x != x):
         raise ScalarError(
-            f"the {what} is {x}, which is no number: look at what it was computed from"
+            f"the {what} is {x}, which is not a number: look at what it was computed from"
             + (f", or leave {what}= out" if what != "value" else "")
         )
     return real_scalar(x)
@@ -315,4 +313,5 @@ def at(f: Callable[..., Scalar], t: Scalar) -> Moving:
     try:
         return as_moving(f(Moving(t, integer_like(1, t))))
     except OverflowError as error:
-        raise RangeError(f"the function is too large for a float at {shown(t)}: {error}") from error
+        at = short_repr(t)
+        raise RangeError(f"the function is too large for a float at {at}: {error}") from error

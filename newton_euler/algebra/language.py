@@ -108,11 +108,11 @@ def in_all(text: str) -> list[str]:
     return list(dict.fromkeys([text, *others]))
 
 
-def heard(text: str) -> str:
+def relayed(text: str) -> str:
     """A sentence of another process, which speaks English, in the reader's language; its only
     number is ``{n}`` in the catalogue.
 
-    >>> heard("stopped after 60 s")
+    >>> relayed("stopped after 60 s")
     'stopped after 60 s'
     """
     if number := re.search(r"\d+(\.\d+)?", text):
@@ -121,14 +121,16 @@ def heard(text: str) -> str:
 
 
 def joined(names: Iterable[str]) -> str:
-    """Names as in "a and b and c".
+    """Names as in a sentence.
 
-    >>> joined(["a", "b"])
-    'a and b'
+    >>> joined(["a", "b", "c"])
+    'a, b and c'
     """
-    return reduce(
-        lambda a, b: Words("{first} and {second}", first=a, second=b), list(names) or [""]
-    )
+    *others, last = list(names) or [""]
+    if not others:
+        return last
+    first = reduce(lambda a, b: Words("{first}, {second}", first=a, second=b), others)
+    return Words("{first} and {second}", first=first, second=last)
 
 
 def stored(text: str) -> Any:

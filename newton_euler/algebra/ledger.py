@@ -21,13 +21,14 @@ from .scalars import (
     NewtonEulerError,
     Scalar,
     clipped,
+    in_range,
     is_numeric,
     max_abs,
     operations,
     real_scalar,
     scalar,
     short,
-    shown,
+    short_repr,
     to_plain,
 )
 
@@ -112,7 +113,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         if alike:
             raise TermError(f"{len(alike)} terms are named {name!r}; ask for one of {alike}")
         near = did_you_mean(name, self)
-        listed = f"; the terms are {', '.join(self) or 'none'}"
+        listed = f"; the terms are {', '.join(self)}" if self else "; there are no terms"
         raise TermError(f"no term {name!r}{listed}{near}")
 
     def __or__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
@@ -340,7 +341,7 @@ def latex_number(x: Scalar, digits: int) -> str:
         import sympy
 
         if operations(x) > LONGEST:
-            return r"\text{" + shown(x).strip("<>") + "}"
+            return r"\text{" + short_repr(x).strip("<>") + "}"
         body = sympy.latex(sympy.sympify(x))
     except Exception:  # heyoka, traced and array components have no LaTeX of their own
         body = latex_text(str(x)[:40])
@@ -387,9 +388,9 @@ class Amount(NamedTerms):
             object.__setattr__(self, "terms", Terms(self.terms))
 
     def __repr__(self):
-        terms = ", ".join(f"{n!r}: {shown(x)}" for n, x in self.terms.items())
+        terms = ", ".join(f"{n!r}: {short_repr(x)}" for n, x in self.terms.items())
         return (
-            f"Amount(value={shown(self.value)}, terms={{{terms}}}, what={self.what!r}, "
+            f"Amount(value={short_repr(self.value)}, terms={{{terms}}}, what={self.what!r}, "
             f"number={self.number!r}, error={self.error!r})"
         )
 
@@ -418,6 +419,7 @@ class Amount(NamedTerms):
         rows = [(n, f"{short(x)} {unit}") for n, x in (*self.terms.items(), ("sum", self.value))]
         return in_columns(f"{self.what}, equation ({self.number})", rows)
 
+    @in_range
     def reweighted(self, /, **factors: Scalar) -> Scalar:
         """The sum of its terms, each times the factor named for it (others once).
 

@@ -28,6 +28,7 @@ from .scalars import (
     ScalarError,
     Scaled,
     Triple,
+    Unordered,
     _Own,
     is_numeric,
     is_zero,
@@ -38,7 +39,7 @@ from .scalars import (
     real_scalar,
     scalar,
     short,
-    shown,
+    short_repr,
     to_plain,
     unit_roundoff,
 )
@@ -80,7 +81,7 @@ class _NoUnknown(LinearError, AttributeError):
     """There is no unknown of this name; an AttributeError too, so that ``hasattr`` is False."""
 
 
-class LinearForm(_Own):
+class LinearForm(Unordered, _Own):
     """``value + c[0]*u[0] + c[1]*u[1] + …``: a scalar that is linear in unknowns. A product of
     unknowns, or a function of one, raises :class:`ScalarError`.
 
@@ -90,15 +91,16 @@ class LinearForm(_Own):
 
     __slots__ = ("coefficients", "value")
     rank = 5
+    advice = "the conditions must be linear in the unknowns"
 
     @checked
     def __init__(self, value, coefficients):
         self.value, self.coefficients = value, tuple(coefficients)
 
     def __repr__(self):
-        coefficients = ", ".join(map(shown, self.coefficients))
+        coefficients = ", ".join(map(short_repr, self.coefficients))
         end = "," * (len(self.coefficients) == 1)
-        return f"LinearForm({shown(self.value)}, ({coefficients}{end}))"
+        return f"LinearForm({short_repr(self.value)}, ({coefficients}{end}))"
 
     def _of(self, x: Scalar) -> "LinearForm":
         """The linear form that ``x`` is, or the constant one in the same unknowns."""
@@ -163,6 +165,9 @@ class LinearForm(_Own):
 
     def __pow__(self, power):
         self._refuse("an unknown is raised to a power")
+
+    def __abs__(self):
+        self._refuse("the absolute value is taken of an unknown")
 
 
 # -- what is solved, for those who show it
@@ -419,6 +424,9 @@ def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None)
     twice = [n for n in names if names.count(n) > 1]
     if twice:
         raise LinearError(f"the unknown {twice[0]!r} is named twice")
+    taken = [n for n in names if n in Solution.__dataclass_fields__ or n == "report"]
+    if taken:
+        raise LinearError(f"{taken[0]!r} is a part of the solution: give the unknown another name")
     equations = _equations(conditions(*_unknowns(len(names))), len(names))
     return _solved([e for e in equations if not all(map(is_zero, e.parts()))], names)
 
@@ -426,14 +434,14 @@ def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None)
 def _solved(equations, names):
     made_up = {}
 
-    def number(x):
+    def known_or_made_up(x):
         if (known := probe(x)) is not None:
             return known
         # numbers between 0.5 and 1.5 without a pattern (steps of the golden ratio), for expressions
         # whose value cannot be known
         return made_up.setdefault(id(x), (0.37 + 0.6180339887 * len(made_up)) % 1 + 0.5)
 
-    samples = [e.each(number) for e in equations]
+    samples = [e.each(known_or_made_up) for e in equations]
     numbers = all(probe(x) is x for e in equations for x in e.parts())
     try:
         found = _Elimination(samples, len(names), not made_up, numbers)
@@ -492,6 +500,8 @@ def _scalars(name, value):
     """Pairs of a name and a scalar: the value, or its components or parts."""
     if isinstance(value, Vector):
         return [(f"{name}.{axis}", scalar(x)) for axis, x in zip("xyz", value.c, strict=True)]
+    if getattr(getattr(value, "dtype", None), "kind", "") == "O":  # as A @ numpy.array([x, y])
+        value = value.tolist()
     if isinstance(value, (tuple, list)):
         return [pair for n, x in enumerate(value, 1) for pair in _scalars(f"{name}.{n}", x)]
     return [(name, scalar(value))]
@@ -678,7 +688,7 @@ def _of_expressions(equations, found):
     return {k: x for k, x in solve_regular(rows).items() if k in found.values}
 
 
-def solve_regular(rows):
+def solve_regular(rows: list[tuple[Mapping[int, Scalar], Scalar]]) -> dict[int, Scalar]:
     """The unknowns by number, from as many independent equations, pairs (coefficients by unknown,
     right side). One after the other is taken from the place that touches the fewest other places:
     best one that is known at once, or that occurs nowhere else and follows when the others are

@@ -29,8 +29,8 @@ class ArgumentError(NewtonEulerError, TypeError):
 
 
 def nearest(name: object, names: Iterable[str], likeness: float = 0.7) -> str:
-    """The one of ``names`` that ``name`` means: the same but for capitals and blanks, one that
-    begins like it, or one spelt nearly like it, with at least this ``likeness`` (of 1); or "".
+    """The one of ``names`` that ``name`` means: the same but for capitals and blanks, the shortest
+    that begins with it, or one spelt nearly like it, with at least this ``likeness`` (of 1); or "".
 
     >>> nearest("Coriolis", ["origin", "coriolis"]), nearest("accel", ["rate", "acceleration"])
     ('coriolis', 'acceleration')
@@ -38,7 +38,7 @@ def nearest(name: object, names: Iterable[str], likeness: float = 0.7) -> str:
     from difflib import get_close_matches
 
     wrong, known = _plain(str(name)), {_plain(n): n for n in names}
-    begun = [p for p in known if len(wrong) > 2 and p.startswith(wrong)]
+    begun = sorted((p for p in known if len(wrong) > 2 and p.startswith(wrong)), key=len)
     likely = [wrong, *_ALSO.get(wrong, "").lower().split(), *begun]
     found = [p for p in likely if p in known] or get_close_matches(wrong, known, 1, likeness)
     return known[found[0]] if found else ""

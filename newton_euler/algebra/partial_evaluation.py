@@ -9,7 +9,7 @@ from .source import unused, uses
 from .trace import Step, Trace
 
 
-def folded(formula, count):
+def folded(formula: Compiled, count: int) -> tuple[Compiled, Compiled]:
     """A :class:`~newton_euler.algebra.compile.Compiled` formula in two: one that takes the first
     ``count`` arguments, no parameters, and constants; and the formula of these from the parameters.
 
@@ -27,7 +27,8 @@ def folded(formula, count):
     arguments, parameters = formula.parameters[:count], formula.parameters[count:]
     needed, rest, early = uses(formula.trace, formula.leaves), Trace(), Trace()
     chooses = any(s.op == "where" for s in formula.trace.steps if s.number in needed)
-    new, constants = {}, {}  # steps by the numbers of the old ones; pairs by those of early ones
+    new: dict[int, Step] = {}  # by the numbers of the old ones
+    constants: dict[int, tuple[Step, Step]] = {}  # by the numbers of the early ones
     letter = unused("h", formula.parameters)
 
     def renewed(x):

@@ -1,7 +1,9 @@
 """What pickles hold in place of a function that computes on demand, or a read-only mapping."""
 
 import copyreg
+from collections.abc import Callable
 from types import MappingProxyType
+from typing import Any
 
 from .scalars import NewtonEulerError
 
@@ -9,14 +11,14 @@ from .scalars import NewtonEulerError
 class Computed:
     """A function that returns what ``find()`` returned, or raises what it raised; to be pickled."""
 
-    def __init__(self, find):
+    def __init__(self, find: Callable[[], Any]):
         self.value = self.error = None
         try:
             self.value = find()
         except NewtonEulerError as error:
             self.error = error
 
-    def __call__(self, *_):
+    def __call__(self, *_: object) -> Any:
         if self.error is not None:
             raise self.error
         return self.value

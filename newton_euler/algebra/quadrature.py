@@ -1,14 +1,16 @@
 """Integrals with an estimated error: adaptive, of floats, and in several variables."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from heapq import heappush, heapreplace
 from itertools import pairwise
 from sys import float_info
+from typing import Any
 
 from .integrals import WorkError, by_formula, gauss, integral
 from .late import np
 from .scalars import (
     ZERO,
+    Scalar,
     SingularError,
     epsilon,
     is_finite,
@@ -28,9 +30,18 @@ PLACES = 10, 21
 # parts in which each piece begins, so that of their 21 places none is farther from the next than
 # 1.1 % of it; odd, since an integrand has no value in the middle more often than elsewhere
 PARTS = 7
+# errors of a formula where it has no value; others are those of the function that was passed
+NO_VALUE = ZeroDivisionError, OverflowError, FloatingPointError, SingularError
 
 
-def quadrature(f, start, end, rtol=1e-10, exact=False, breaks=()):
+def quadrature(
+    f: Callable[[Scalar], Scalar],
+    start: Scalar,
+    end: Scalar,
+    rtol: float = 1e-10,
+    exact: bool = False,
+    breaks: Sequence[Scalar] = (),
+) -> tuple[Scalar, Scalar]:
     """(integral of ``f``, its estimated error); arguments as of :func:`.work.work_integral`."""
     pieces = [_piece(f, a, b, rtol, exact) for a, b in pairwise((start, *breaks, end))]
     return sum((value for value, _ in pieces), ZERO), sum(error for _, error in pieces)
@@ -65,7 +76,7 @@ def _piece(f, start, end, rtol, exact):
 def _value(f, x):
     try:
         return scalar(f(x))
-    except (ArithmeticError, SingularError) as problem:
+    except NO_VALUE as problem:
         raise WorkError(f"the integrand has no value at {short(x)}: {problem}") from problem
 
 
@@ -133,7 +144,9 @@ def _by_gauss(f, start, end):
     return -error - rounded, start, end, way * sums[1]
 
 
-def cubature(f: Callable, n: int, rtol: float, name: str, error: type = WorkError) -> tuple:
+def cubature(
+    f: Callable[[Any], Any], n: int, rtol: float, name: str, error: type = WorkError
+) -> tuple[Any, float]:
     """The integrals of the components of ``f`` over the unit cube of ``n`` dimensions, to ``rtol``,
     and the largest of their estimated errors; ``error`` of ``name`` if they do not converge. f is a
     function of an array of places, one a row, that returns an array with their values as rows.

@@ -52,8 +52,10 @@ class Reads:
 
     __slots__ = ("_noted", "checks", "known", "prints")
 
-    def __init__(self, *functions):
-        self.checks, self.known, self.prints, self._noted = [], True, False, set()
+    def __init__(self, *functions: object):
+        self.known, self.prints = True, False
+        self.checks: list[tuple] = []
+        self._noted: set[tuple[int, str]] = set()
         waiting, seen = [*functions], {}
         while waiting and self.known:
             x = waiting.pop()
@@ -63,7 +65,7 @@ class Reads:
         if not self.known:
             self.checks = []
 
-    def hold(self):
+    def hold(self) -> bool:
         """True if all of it is certainly the same."""
         try:
             for get, a, b, value in self.checks:

@@ -17,11 +17,12 @@ that of a number is found by the number's type.
 import math
 import sys
 import zlib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from contextlib import suppress
 from fractions import Fraction
-from functools import reduce
+from functools import reduce, wraps
 from importlib import import_module
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 FUNCTIONS = (
@@ -102,6 +103,31 @@ class _Own:
 
     def __rpow__(self, base):
         return exp(self * log(base))
+
+
+class Unordered:
+    """Base of numbers that are more than a value: what asks for one value is refused in words.
+
+    advice : what to write instead
+    """
+
+    __slots__ = ()
+    advice = ""
+
+    def _no_value(self, *_):
+        raise ScalarError(
+            f"{clipped(self)} is not one value, which could be compared, rounded (int, round, %, "
+            f"//) or passed to math and NumPy: {self.advice}"
+        )
+
+    __lt__ = __le__ = __gt__ = __ge__ = __bool__ = __float__ = __int__ = __round__ = _no_value
+    __mod__ = __rmod__ = __floordiv__ = __rfloordiv__ = __divmod__ = __rdivmod__ = _no_value
+    __trunc__ = __floor__ = __ceil__ = _no_value
+
+    def __eq__(self, other):
+        return self is other or self._no_value()
+
+    __hash__ = object.__hash__
 
 
 def outranks(x, kind):
@@ -300,11 +326,14 @@ def _is_unreal(x):
     dtype = getattr(x, "dtype", None)
     if dtype is None:
         return isinstance(x, complex) or type(x).__name__ == "mpc"
-    return x.size == 0 or dtype.kind == "c" or (dtype.kind == "O" and any(map(_is_unreal, x.flat)))
+    size, kind = getattr(x, "size", 1), getattr(dtype, "kind", "")  # others have a dtype, too
+    return (
+        size == 0 or kind == "c" or (kind == "O" and any(map(_is_unreal, getattr(x, "flat", ()))))
+    )
 
 
 def advice(x: object) -> str:
-    """What to do with a value that is no number, as the end of a message."""
+    """What to do with a value that is not a number, as the end of a message."""
     if getattr(x, "shape", ()) and getattr(x, "size", 1) == 0:
         return "; it is empty"
     if _is_unreal(x):
@@ -329,7 +358,7 @@ def advice(x: object) -> str:
 def clipped(x: object) -> str:
     """The ``repr`` of a value for a message, at most 80 characters of it."""
     try:
-        text = shown(x)
+        text = short_repr(x)
     except Exception:  # an object of any library may fail to describe itself
         text = f"an object of {type(x).__name__}"
     return text if len(text) <= 80 else text[:77] + "..."
@@ -338,7 +367,7 @@ def clipped(x: object) -> str:
 LONGEST = 400  # operations: the most of an expression that is printed
 
 
-def shown(x: Scalar) -> str:
+def short_repr(x: Scalar) -> str:
     """The ``repr`` of a scalar; of an expression with more than :data:`LONGEST` operations only
     their number, since its text repeats the parts that are shared.
     """
@@ -382,7 +411,11 @@ def real(x: object, what: str) -> Scalar:
 
 def allowed(tolerance: object) -> float:
     """A tolerance: one real number that is not negative, a float."""
-    y = float(real(tolerance, "a tolerance"))
+    y = real(tolerance, "a tolerance")
+    try:
+        y = float(y)
+    except OverflowError:  # of an integer
+        y = math.inf if y > 0 else -math.inf
     if not y >= 0:
         raise ScalarError(f"a tolerance is not negative; got {clipped(tolerance)}")
     return y
@@ -408,7 +441,7 @@ def short(x: Scalar) -> str:
     """The number as text with six digits, for messages; expressions and arrays in full."""
     if is_numeric(x) and not getattr(x, "shape", ()) and not isinstance(x, complex):
         return f"{float(x):.6g}"
-    return shown(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
+    return short_repr(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
 
 
 _roots: dict[type, str] = {}
@@ -432,16 +465,50 @@ def library_of(values: Iterable[Scalar]) -> ModuleType:
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
         if name in roots:
-            return _modules.get(name) or _modules.setdefault(name, import_module(name))
+            return _modules.get(name) or _modules.setdefault(name, _imported(name))
     return import_module("cmath") if complex in map(type, values) else math
 
 
-def function(name, *args):
+def _imported(name):
+    return _real_mpmath() if name == "mpmath" else import_module(name)
+
+
+def _real_mpmath():
+    """mpmath with functions that have no complex values of real numbers, as those of floats."""
+    import mpmath
+
+    def real(f):
+        def of_real(x):
+            y = f(x)
+            if isinstance(y, mpmath.mpc) and not isinstance(x, (mpmath.mpc, complex)):
+                raise ValueError("math domain error")
+            return y
+
+        return of_real
+
+    changed = {name: real(getattr(mpmath, name)) for name in ("asin", "acos", "log", "sqrt")}
+    return SimpleNamespace(**{**vars(mpmath), **changed})
+
+
+def in_range(f: Callable[..., Any]) -> Callable[..., Any]:
+    """A decorator: a result that is too large for a float is refused in words."""
+
+    @wraps(f)
+    def call(*args, **named):
+        try:
+            return f(*args, **named)
+        except OverflowError as error:
+            raise RangeError(f"{f.__name__} has no value here: {error}") from error
+
+    return call
+
+
+def function(name: str, *args: Scalar) -> Scalar:
     """The function ``name`` (of :data:`FUNCTIONS`, or ``atan2``) of scalars of any kind."""
     chosen = highest(args)
     if chosen is not None:
         return chosen.function(name, *args) if name == "atan2" else chosen.function(name)
-    args = [0 if (x := scalar(a)) is ZERO else x for a in args]
+    args = tuple([0 if (x := scalar(a)) is ZERO else x for a in args])
     try:
         return getattr(library_of(args), name)(*args)
     except (ValueError, OverflowError) as error:
@@ -452,7 +519,7 @@ def function(name, *args):
 
 
 def _outside(name, args, error):
-    """The error for an argument at which a function has no value, or one that is no float."""
+    """The error for an argument at which a function has no value, or one that is not a float."""
     kind = RangeError if isinstance(error, OverflowError) else SingularError
     return kind(f"{name}({', '.join(map(clipped, args))}) has no value: {error}")
 
@@ -488,6 +555,9 @@ def hypot(*values: Scalar) -> Scalar:
             break
     else:
         return math.hypot(*some) if some else ZERO
+    if all(type(x) in (float, int, Fraction) for x in some):
+        with suppress(OverflowError):  # of a whole number beyond floats: the root says so in words
+            return math.hypot(*some)
     if all(type(x) is float or _has_floats(x) for x in some):
         return _hypot_of_arrays(import_module("numpy"), some)
     return sqrt(sum((x * x for x in some), ZERO))
@@ -522,7 +592,7 @@ def atan2(y: Scalar, x: Scalar) -> Scalar:
     if type(y) is float and type(x) is float:
         return math.atan2(y, x)
     if isinstance(y, _Zero) and not isinstance(x, _Own):
-        return function("atan2", 0 * x + 0, x)  # +0.0, also where x is negative
+        return function("atan2", 0 * x + 0, x)  # +0.0, even where x is negative
     if isinstance(x, _Zero) and not isinstance(y, _Own):
         return function("atan2", y, 0 * y)
     return function("atan2", y, x)
@@ -537,11 +607,12 @@ def pi(like: Scalar = 0.0) -> Scalar:
     if isinstance(like, _Own):
         return like.pi() if hasattr(like, "pi") else pi(getattr(like, "value", 0.0))
     if type(like) is not float:
-        scalar(like)  # or it is no number
+        scalar(like)  # or it is not a number
     library = library_of((like,))
     return +library.pi if library.__name__ == "mpmath" else getattr(library, "pi", math.pi)
 
 
+@in_range
 def radians(degrees: Scalar) -> Scalar:
     """The angle in radians, as exact as the kind of number allows.
 
@@ -673,7 +744,7 @@ def unit_roundoff(values: Iterable[Scalar]) -> Scalar:
     return max(map(epsilon, rounded), default=epsilon())
 
 
-def with_extra_digits(f, *values):
+def with_extra_digits(f: Callable[..., Scalar], *values: Scalar) -> Scalar:
     """``f(*values)`` of numbers taken as exact, with four times their digits or more, rounded once.
 
     >>> (1 + 1e-20) - 1, with_extra_digits(lambda x: (1 + x) - 1, 1e-20)

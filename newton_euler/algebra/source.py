@@ -4,14 +4,15 @@ its user. On floats, what only one side of a choice needs is computed under an `
 
 import math
 import operator
+from collections.abc import Callable, Iterable
 from itertools import takewhile
 from types import ModuleType
 from typing import Any
 
 from .integrals import integrals, over_cube
 from .roots import root
-from .scalars import FUNCTIONS, ScalarError, _root, to_plain, where
-from .trace import COMPARISONS, Step
+from .scalars import FUNCTIONS, Scalar, ScalarError, _root, to_plain, where
+from .trace import COMPARISONS, Step, Trace
 
 # operations on a formula inside the formula
 WITHIN = "integral", "over_cube", "root"
@@ -57,7 +58,7 @@ def generate(trace, names, outputs, lazy):
     return f"def formula({', '.join(names.values())}):\n{body}", constants, operations
 
 
-def uses(trace, outputs):
+def uses(trace: Trace, outputs: Iterable[Scalar]) -> dict[int, int]:
     """How often each step that the outputs need is used, by its number."""
     used = {o.number: 2 for o in outputs if isinstance(o, Step)}  # an output has a line of its own
     for s in reversed(trace.steps):
@@ -96,6 +97,14 @@ def _indented(lines, text):
             yield f"{depth * '    '}if {'' if side else 'not '}{text[number]}:"
         yield len(branch) * "    " + line
         before = branch
+
+
+def named_apart(names):
+    """{name: the same, or with underscores behind it where it means something else in the text}."""
+    behind = "_"
+    while any(f"{name}{behind}" in names for name in RESERVED.intersection(names)):
+        behind += "_"
+    return {name: name + behind * (name in RESERVED) for name in names}
 
 
 def unused(letter, names):
@@ -144,7 +153,7 @@ def _root_of(formula, low, high, *outer):
     return (root(lambda x: formula(x, *outer)[0], low, high),)
 
 
-def runtime_names(library):
+def runtime_names(library: ModuleType) -> dict[str, Callable[..., Any]]:
     """The functions ``where``, ``lt`` … of a text over this library, by name; for heyoka also
     absolute values and powers of a number.
     """

@@ -4,9 +4,11 @@ is traced cannot branch on a value; it chooses by :func:`newton_euler.algebra.sc
 
 import sys
 import threading
+from collections.abc import Hashable, Iterator, Sequence
 from inspect import unwrap
+from typing import Any
 
-from .scalars import ZERO, ScalarError, Scaled, _Own, function, outranks, scalar, to_plain
+from .scalars import ZERO, Scalar, ScalarError, Scaled, _Own, function, outranks, scalar, to_plain
 
 COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
 NO_VALUE = (
@@ -213,28 +215,32 @@ class Trace:
     ``called`` and ``meant``: of some steps, by their numbers, a name and what they are in words.
     """
 
-    def __init__(self, outer=None):
-        self.steps, self.known = [], {}
-        self.outer, self.captured = outer, {}
-        self.called, self.meant = {}, {}
+    def __init__(self, outer: "Trace | None" = None):
+        self.outer = outer
+        self.steps: list[Step] = []
+        self.known: dict[Hashable, Step] = {}
+        self.captured: dict[int, Step] = {}
+        self.called: dict[int, str] = {}
+        self.meant: dict[int, str] = {}
 
-    def around(self):
+    def around(self) -> "Iterator[Trace]":
         """The traces around this one, from within."""
         trace = self.outer
         while trace is not None:
             yield trace
             trace = trace.outer
 
-    def inward(self, a):
+    def inward(self, a: Scalar) -> Scalar:
         """The argument ``a`` as a step of this trace, if it is one of a trace around it."""
         if not isinstance(a, Step) or a.trace is self or a.trace not in self.around():
             return a
+        assert self.outer is not None
         a = self.outer.inward(a)
         if a.number not in self.captured:
             self.captured[a.number] = self.new("argument", f"outer{len(self.captured)}")
         return self.captured[a.number]
 
-    def step(self, op, *args):
+    def step(self, op: str, *args: Scalar) -> Any:
         """The step of this operation, made if it does not exist yet."""
         if any(isinstance(a, Scaled) or outranks(a, Step) for a in args):
             # the moving number or vector takes over and calls back with its parts
@@ -243,19 +249,19 @@ class Trace:
             if isinstance(a, Step) and a.trace is not self and self in a.trace.around():
                 return a.trace.step(op, *args)  # it is part of the inner formula
         # NumPy's zero-dimensional arrays cannot be keys
-        args = [a[()] if getattr(a, "shape", None) == () else self.inward(a) for a in args]
-        keys = [self.key(a) for a in args]
+        inner = [a[()] if getattr(a, "shape", None) == () else self.inward(a) for a in args]
+        keys = [self.key(a) for a in inner]
         key = op, *(sorted(keys, key=repr) if op in "+*" else keys)  # sums and products commute
         if key not in self.known:
-            self.known[key] = self.new(op, *args)
+            self.known[key] = self.new(op, *inner)
         return self.known[key]
 
-    def new(self, op, *args):
+    def new(self, op: str, *args: Scalar) -> "Step":
         """A new step."""
         self.steps.append(Step(self, op, args, len(self.steps)))
         return self.steps[-1]
 
-    def key(self, a):
+    def key(self, a: Scalar) -> Hashable:
         """A key that is equal for equal arguments; those of 0.0, -0.0 and 0 differ."""
         if isinstance(a, Step):
             if a.trace is not self:
@@ -279,11 +285,13 @@ class Inner:
     name of the variable in its code, "" if that is unknown.
     """
 
-    def __init__(self, parameters, trace, leaves, variable=""):
+    def __init__(
+        self, parameters: Sequence[str], trace: Trace, leaves: Sequence[Scalar], variable: str = ""
+    ):
         self.parameters, self.trace, self.leaves = parameters, trace, leaves
         self.variable = variable
 
-    def key(self):
+    def key(self) -> Hashable:
         """Equal for equal formulas, for a dictionary."""
         return "inner", keys_of(self.trace), tuple(map(self.trace.key, self.leaves))
 

@@ -19,6 +19,7 @@ from .scalars import (
     _Own,
     clipped,
     exp,
+    in_range,
     outranks,
     pi,
     real_scalar,
@@ -186,7 +187,7 @@ def _is_nothing(x):
 def _as_dimension(x):
     if isinstance(x, Dimension):
         return x
-    real_scalar(x)  # or it is no number at all
+    real_scalar(x)  # or it is not a number at all
     return Dimension()
 
 
@@ -198,7 +199,7 @@ _PURE = Dimension()
 _FORCE = _MASS * _LENGTH / _TIME**2
 
 # name: (exact factor or its text, power of pi in it, dimension)
-UNITS = {
+UNITS: dict[str, tuple[int | str | Fraction, int, Dimension]] = {
     "1": (1, 0, _PURE), "%": ("0.01", 0, _PURE), "rad": (1, 0, _PURE),
     "deg": ("1/180", 1, _PURE), "rev": (2, 1, _PURE),
     "m": (1, 0, _LENGTH), "mm": ("0.001", 0, _LENGTH),
@@ -230,7 +231,7 @@ class System:
     (0.5, 6.0)
     """
 
-    def __init__(self, length, mass):
+    def __init__(self, length: Fraction | int, mass: Fraction | int):
         self.length, self.mass = map(Fraction, (length, mass))
 
     def factor(self, dimension: Dimension) -> Fraction:
@@ -259,7 +260,7 @@ class Unit:
     (True, 250.0)
     """
 
-    def __init__(self, text):
+    def __init__(self, text: str):
         self.text = text
         self.factor, self.pi_power, self.dimension = Fraction(1), 0, Dimension()
         self.parts = tuple(name for name, _ in _parts(text))
@@ -290,10 +291,12 @@ class Unit:
         """True if a part of it is one of the units of feet and pounds."""
         return not _FEET.isdisjoint(self.parts)
 
+    @in_range
     def to_base(self, x: Scalar, system: System = SI) -> Scalar:
         """The quantity of ``x`` (a scalar or a Vector) such units, in the units of ``system``."""
         return self._scaled(x, self.factor / _size(system, self.dimension), self.pi_power)
 
+    @in_range
     def from_base(self, x: Scalar, system: System = SI) -> Scalar:
         """The reverse of :meth:`to_base`: the number of such units in the quantity ``x``."""
         return self._scaled(x, _size(system, self.dimension) / self.factor, -self.pi_power)

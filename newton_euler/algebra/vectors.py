@@ -38,6 +38,7 @@ from .scalars import (
     atan2,
     clipped,
     hypot,
+    in_range,
     is_expression,
     is_numeric,
     is_zero,
@@ -48,7 +49,7 @@ from .scalars import (
     real_scalar,
     scalar,
     short,
-    shown,
+    short_repr,
     to_plain,
     where,
 )
@@ -231,7 +232,7 @@ class Vector(Scaled, NamedTerms):
         return np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in self)))
 
     def __repr__(self):
-        return f"Vector({', '.join(map(shown, self))} in {self.frame.name})"
+        return f"Vector({', '.join(map(short_repr, self))} in {self.frame.name})"
 
     def __str__(self):
         return f"[{', '.join(map(short, self._without_noise()))}] in {self.frame.name}"
@@ -440,6 +441,7 @@ class Vector(Scaled, NamedTerms):
             raise FrameError(f"{self} was not computed as a named sum, as velocities are")
         return Explanation(self, self._ledger, unit)
 
+    @in_range
     def reweighted(self, /, **factors: Scalar) -> "Vector":
         """The sum of its terms, each times the factor named for it (others once).
 

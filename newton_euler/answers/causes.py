@@ -33,7 +33,8 @@ class Cause:
     text : its words: what was done and, after a colon, why it is wrong; :class:`Words` appear in
         the reader's language
     where : where to read on in the book
-    subject : shared by slips that are one and the same in other words: the last of them is named
+    subject : shared by slips that are one and the same in other words: the last of them is named;
+        the name of a listed mistake that a general one repeats
     does : what it does, one of :data:`DOES`, or ""
     of : to what, in words; "" of a term without a name
     """
@@ -166,8 +167,7 @@ OTHER_ORDER = slip(
     "order", Words("has its components in another order: each belongs to one axis of the text")
 )
 AS_SCALARS = slip(
-    "as scalars",
-    Words("adds angular velocities as numbers: they are vectors along different axes"),
+    "as scalars", Words("adds angular velocities as numbers: they are vectors along different axes")
 )
 ROUNDED = slip(
     "rounded", Words("rounds the right answer too far: give three significant figures or more")
@@ -207,7 +207,9 @@ def right_but(places: Sequence[int], length: int) -> Cause:
         entries = joined(_entry(*divmod(n, 3)) for n in places if n // 3 <= n % 3)
         text = Words("all but {entries} is right", entries=entries)
     else:
-        text = Words("all but its {which} component is right", which=_ordinals(places))
+        one = Words("all but its {which} component is right")
+        several = Words("its {which} components are not right; the rest is")
+        text = _of_places(places, one, several)
     return Cause("seen", f"right but {places}", text)
 
 
@@ -403,6 +405,8 @@ CORIOLIS_HALVED = Cause(
     "term",
     "coriolis / 2",
     Words("writes the Coriolis term without the factor 2: two equal effects add up in it"),
+    does=RESCALED,
+    of=Words("the Coriolis term"),
 )
 
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ..algebra.errors import checked, checked_but
-from ..algebra.language import Words, _, spoken
+from ..algebra.language import _, spoken
 from .kinds import KINDS, Kind
 from .messages import AnswerError
 
@@ -44,13 +44,16 @@ class Form:
         return cls(kind, unit or "1")
 
     def __str__(self) -> str:
-        stated = f": {' | '.join(self.of)}" if self.kind.has_options else f", {self.unit}"
-        return self.kind.name + stated
+        return self.kind.name + self._asked
+
+    @property
+    def _asked(self):
+        return f": {' | '.join(self.of)}" if self.kind.has_options else f", {self.unit}"
 
     @property
     def stated(self) -> str:
         """The form as a reader reads it: "vector, mm/s", "Vektor, mm/s"."""
-        return str(self).replace(self.kind.name, _(self.kind.name), 1)
+        return spoken(self.kind.title) + self._asked
 
     @property
     def words(self) -> str:
@@ -67,13 +70,6 @@ class Form:
         """
         line = " ".join(_(fault, **values).split())
         return AnswerError("expected {words}; {fault}", words=self.words, fault=line)
-
-
-NAMES = (
-    Words("number"), Words("vector"), Words("direction"), Words("matrix"), Words("interval"),
-    Words("count"), Words("choice"), Words("expression"), Words("vector_expression"),
-    Words("matrix_expression"),
-)  # fmt: skip
 
 
 def kind_named(name: str) -> Kind:

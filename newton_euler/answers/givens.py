@@ -133,8 +133,8 @@ def in_notebook() -> bool:
 
 
 def outdated(problem: str, names: Iterable[str]) -> dict[str, str]:
-    """{name: why its value is no answer to this problem}: its cell has ended in an error since, or
-    the value was read as the answer to another problem.
+    """{name: why its value is not an answer to this problem}: its cell has ended in an error since,
+    or the value was read as the answer to another problem.
     """
     watch, found = watching(), {}
     for name in names if watch.shell else ():
@@ -153,8 +153,8 @@ def outdated(problem: str, names: Iterable[str]) -> dict[str, str]:
 
 def stale(problem: str, answers: dict, names_of_answers: set) -> str:
     """A sentence on the first of ``answers`` that was computed with other numbers than ``problem``
-    gives, or "". What is computed under one of ``names_of_answers``, of all problems, is no given
-    number.
+    gives, or "". What is computed under one of ``names_of_answers``, of all problems, is not a
+    given number.
     """
     watch = watching()
     for key, value in answers.items():

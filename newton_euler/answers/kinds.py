@@ -9,7 +9,7 @@ from itertools import chain
 from typing import Any, ClassVar
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.language import Words, plural
+from ..algebra.language import Words, _, plural
 from ..algebra.scalars import clipped, sqrt
 from ..algebra.units import unit as unit_of
 from ..algebra.vectors import Vector
@@ -35,8 +35,9 @@ class Kind:
     """
 
     name: ClassVar[str]
+    title: ClassVar[str]  # its name for a reader
     words: ClassVar[str]  # for a reader
-    length: ClassVar[int] = 1  # number of components
+    shape: ClassVar[tuple[int, ...]] = ()  # of its components; (3, 3) has rows of three
     rtol: ClassVar[float] = tolerance.RTOL
     is_word: ClassVar[bool] = False  # without unit, size and components
     is_formula: ClassVar[bool] = False  # in the symbols of the problem
@@ -44,6 +45,7 @@ class Kind:
     has_size: ClassVar[bool] = True  # which the givens of the problem determine
     has_options: ClassVar[bool] = False  # its form lists the words to choose from
     is_met_by_chance: ClassVar[bool] = False  # by wrong models that do not explain it
+    many: ClassVar[str] = ""  # why no numbers of its own are the right ones, if so
     with_numbers: ClassVar[str] = ""  # name of the kind where numbers stand for the symbols
 
     def __str__(self) -> str:
@@ -54,6 +56,11 @@ class Kind:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _kind, (self.name,)
+
+    @property
+    def length(self) -> int:
+        """The number of its components."""
+        return math.prod(self.shape)
 
     @property
     def numeric(self) -> "Kind":
@@ -182,18 +189,32 @@ class Kind:
 
     def nested(self, parts: Sequence[Any]) -> Any:
         """Components as one value: a number, a list, a list of rows."""
-        return list(parts) if self.length > 1 else parts[0]
+        if len(self.shape) < 2:
+            return list(parts) if self.shape else parts[0]
+        columns = self.shape[1]
+        return [list(parts[n : n + columns]) for n in range(0, self.length, columns)]
 
     def typeset(self, parts: Sequence[str]) -> str:
         """Components in LaTeX as one formula."""
-        inside = list_symbol(parts)
-        return inside if self.length == 1 else rf"\left[{inside}\right]"
+        if len(self.shape) == 2:
+            return matrix_symbol(self.nested(parts))
+        return rf"\left[{list_symbol(parts)}\right]" if self.shape else parts[0]
+
+    def places(self) -> list[str]:
+        """The names of its components for a reader, "" of the only one."""
+        if not self.shape:
+            return [""]
+        if len(self.shape) == 1:
+            return [_("number {n} of {all}", n=n + 1, all=self.length) for n in range(self.length)]
+        rows = (divmod(n, self.shape[1]) for n in range(self.length))
+        return [_("row {row}, column {column}", row=n + 1, column=m + 1) for n, m in rows]
 
 
 class Number(Kind):
     """One number with a unit."""
 
     name = "number"
+    title = Words("number")
     words = Words("one number")
     is_met_by_chance = True
 
@@ -202,9 +223,13 @@ class VectorKind(Kind):
     """Three components in the axes that the problem names."""
 
     name = "vector"
+    title = Words("vector")
     words = Words("a vector, three numbers as in [1.0, 0, -2.5]")
-    length = 3
+    shape = (3,)
     is_vector = True
+
+    def places(self):
+        return [_("first component"), _("second component"), _("third component")]
 
     def read(self, value, form, symbols, budget):
         """As for a kind; a vector that lies in a frame is read in several, {frame: tree}."""
@@ -279,8 +304,10 @@ class Direction(VectorKind):
     """
 
     name = "direction"
+    title = Words("direction")
     words = Words("a direction, three numbers of any length and either sense, as in [1, 0, -2.5]")
     has_size = False
+    many = "a direction of any length, which has no right numbers"
 
     def _read(self, parts, value, form, symbols, budget):
         found = super()._read(parts, value, form, symbols, budget)
@@ -334,20 +361,15 @@ class Matrix(Kind):
     """Three rows of three numbers; its components are given row by row."""
 
     name = "matrix"
+    title = Words("matrix")
     words = Words("a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]")
-    length = 9
+    shape = (3, 3)
 
     def slips(self, fit):
         return slips.of_matrix(fit)
 
     def observed(self, given, key):
         return super().observed(given, key) or self._in_part(given, key)
-
-    def nested(self, parts):
-        return [list(parts[n : n + 3]) for n in (0, 3, 6)]
-
-    def typeset(self, parts):
-        return matrix_symbol(self.nested(parts))
 
 
 class Interval(Kind):
@@ -356,14 +378,18 @@ class Interval(Kind):
     """
 
     name = "interval"
+    title = Words("interval")
     words = Words("an interval, two numbers as in [low, high]")
-    length = 2
+    shape = (2,)
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
         return all(is_near((x,), (k,), atol, rtol) for x, k in zip(given[0], key[0], strict=True))
 
     def slips(self, fit):
         return slips.of_interval(fit)
+
+    def places(self):
+        return [_("lower bound"), _("upper bound")]
 
 
 class _Formula(Kind):
@@ -409,6 +435,7 @@ class Expression(_Formula):
     """One formula."""
 
     name = "expression"
+    title = Words("formula")
     words = Words("a formula in the problem's symbols")
     with_numbers = "number"
 
@@ -417,6 +444,7 @@ class VectorExpression(_Formula, VectorKind):
     """Three formulas, components in the axes that the problem names."""
 
     name = "vector_expression"
+    title = Words("vector of formulas")
     words = Words("a vector of three formulas, as in [r*omega, 0, 0]")
     with_numbers = "vector"
 
@@ -425,6 +453,7 @@ class MatrixExpression(_Formula, Matrix):
     """Three rows of three formulas."""
 
     name = "matrix_expression"
+    title = Words("matrix of formulas")
     words = Words("a 3 x 3 matrix of formulas")
     with_numbers = "matrix"
 
@@ -459,6 +488,7 @@ class Count(_Word):
     """A whole number, without a unit."""
 
     name = "count"
+    title = Words("count")
     words = Words("a whole number")
     python_type = int
 
@@ -474,6 +504,7 @@ class Choice(_Word):
     """One of the words that the form lists."""
 
     name = "choice"
+    title = Words("choice")
     words = Words("one of the words")
     python_type = str
     has_options = True

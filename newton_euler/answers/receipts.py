@@ -51,7 +51,7 @@ def expect(
 def receipt(problem: str, names: Mapping | None = None, /, **answers: object) -> "Receipt":
     """A :class:`Receipt` that shows how each answer to ``problem`` was read; None stands for an
     answer that is not given yet. Raises :class:`AnswerError`, which names every answer that cannot
-    be read; under nbgrader's Validate also where answers are open.
+    be read; under nbgrader's Validate, where answers are open as well.
 
     names : where answers are looked up that are not passed, as ``globals()``
 

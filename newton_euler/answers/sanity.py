@@ -48,7 +48,7 @@ def doubts(
             found.append(_("a magnitude is never negative"))
         name = word.removeprefix(MAGNITUDE).removeprefix(" of ")
         found += _magnitude(points, form, name, (beside or {}).get(name), symbols)
-    if form.kind.length == 9 and _is_inertia(form.unit):
+    if form.kind.shape == (3, 3) and _is_inertia(form.unit):
         found += _inertia(points, whole=not form.kind.is_formula)
     return found
 

@@ -95,7 +95,10 @@ def of_powers(fit: Fit) -> Models:
 
 
 def _power(x, power):
-    return abs(x) ** power if x or power > 0 else math.inf
+    try:
+        return abs(x) ** power if x or power > 0 else math.inf
+    except OverflowError:
+        return math.inf
 
 
 def of_components(fit: Fit) -> Models:

@@ -73,7 +73,7 @@ def read_formula(x: Any, form: Any, symbols: Mapping[str, str], budget: list[int
 
 
 def _with_real_symbols(x):
-    """The formula with real symbols, also where a student made them without that assumption."""
+    """The formula with real symbols, even where a student made them without that assumption."""
     x = without_rates(x)
     if str(type(x).__module__).startswith("symengine"):  # SymPy's f(t) has a type without a module
         x = x._sympy_()

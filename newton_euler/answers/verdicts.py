@@ -2,6 +2,7 @@
 nothing that a student wrote is run, evaluated as code or simplified here.
 """
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
@@ -216,14 +217,23 @@ def _like(given, asked, numbers):
 
 
 def _exchanged(asked, given, found, numbers):
-    """The models that are the right answers to other parts of the same kind and unit."""
+    """The models that are the right answers to other parts of the same kind, and of the same unit
+    or each in the other's place.
+    """
+
+    def is_answered_by_it(other):
+        there = found[other.key].given
+        return there is not None and asked.kind.is_right(
+            there, numbers.key[asked.key], asked.atol, asked.rtol
+        )
+
     return [
         (answer_to(other.key), asked.kind.like(numbers.key[other.key], given))
         for other in numbers.answers
         if other.key != asked.key and other.key in found
         if other.kind == asked.kind and not other.kind.is_word
-        if other.unit == asked.unit or not other.kind.is_met_by_chance
         if not other.kind.is_zero(numbers.key[other.key], other.atol)
+        if other.unit == asked.unit or not other.kind.is_met_by_chance or is_answered_by_it(other)
     ]
 
 
@@ -248,8 +258,35 @@ def _followed(asked, given, found, numbers):
         if expected is None or asked.kind.is_zero(expected, asked.atol):
             continue  # zero follows from zero without computing anything
         if asked.kind.is_right(given, expected, asked.atol, asked.rtol):
-            return wrong
+            larger = _doubled(earlier, wrong, follow)
+            usual = _doubled({n: numbers.key[n] for n in names}, wrong, follow)
+            key = numbers.key[asked.key]
+            if usual is None or asked.kind.is_right(usual, key, asked.atol, asked.rtol):
+                return wrong
+            # a huge number for every answer would follow from itself: the rest must show, too
+            if larger and _gap(given, expected) < _gap(given, larger) < math.inf:
+                return wrong
     return ()
+
+
+def _doubled(earlier, wrong, follow):
+    """Half of what follows if the ``wrong`` answers are doubled: the same as without where nothing
+    else counts. None if nothing follows, or words.
+    """
+    if any(isinstance(earlier[n][0][0], str) for n in wrong):
+        return None
+    found = follow({n: _times(2.0, x) if n in wrong else x for n, x in earlier.items()})
+    return None if found is None or isinstance(found[0][0], str) else _times(0.5, found)
+
+
+def _times(factor, points):
+    return tuple(tuple(factor * x for x in point) for point in points)
+
+
+def _gap(given, points):
+    """The largest distance of two answers, where they have values."""
+    gaps = [math.dist(a, b) for a, b in zip(given, points, strict=True)]
+    return max((gap for gap in gaps if not math.isnan(gap)), default=0.0)
 
 
 def _earlier(names, found, numbers):

@@ -90,7 +90,7 @@ def reactions(
     at_B = {name: -e.cross(N + e.cross(F) * a) / length for name, (F, N) in pairs.items()}
     F, N = (Vector(sum3(v.c for v in v_s), e.frame) for v_s in zip(*pairs.values(), strict=True))
     force_A, force_B = (
-        named_sum("bearing force", f"of {name} on {body.name}", terms, e.frame)
+        named_sum(f"bearing force {name}", f"on {body.name}", terms, e.frame)
         for name, terms in (("A", at_A), ("B", at_B))
     )
     return Reactions(force_A, force_B, F.dot(e), N.dot(e), e)
@@ -126,7 +126,9 @@ def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple:
     length = AB.norm()
     # 1e-13 of the coordinates: their difference is round-off
     if _small(length, 1e-13 * max(_extent(A), _extent(B))):
-        raise RotorError(f"the bearings {A.name} and {B.name} coincide, and one point is no axis")
+        raise RotorError(
+            f"the bearings {A.name} and {B.name} coincide, and one point is not an axis"
+        )
     return Vector(tuple(x / length for x in AB.c), AB.frame), length
 
 

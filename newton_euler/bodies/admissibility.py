@@ -31,7 +31,7 @@ def positive(x: Scalar, what: str) -> None:
         return
     if not is_positive(x) or not is_finite(x):
         raise MassError(
-            f"{what} must be positive, got {x}; cut out by composite(..., removed=[...])"
+            f"{what} must be positive, got {x}; to cut something out, use removed= of composite"
         )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from ..algebra.errors import Tolerance, checked, checked_but
 from ..algebra.ledger import Terms
-from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, real_scalar, shown
+from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, real_scalar, short_repr
 from ..algebra.vectors import Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
 from .admissibility import MassError, not_negative, positive, round_off, triangle_inequality
@@ -52,7 +52,7 @@ class Body:
         self._inertia = inertia._like(inertia.moments, inertia.products, mass=self.mass, centre=G)
 
     def __repr__(self):
-        return f"Body({self.name}, mass {shown(self.mass)}, centre {self.centre!r})"
+        return f"Body({self.name}, mass {short_repr(self.mass)}, centre {self.centre!r})"
 
     @property
     def inertia(self) -> Inertia:

@@ -130,7 +130,7 @@ class Inertia(Scaled, NamedTerms):
         :meth:`Body.angular_momentum`).
 
         H has a rate if omega has one, I alpha + omega_frame x H: the entries are taken as constant
-        in the frame of the matrix, also where that precesses without spinning.
+        in the frame of the matrix, even where that precesses without spinning.
         """
         rate = (lambda: self.times(omega.rate(self.frame))) if omega.has_rate else None
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)

@@ -178,7 +178,7 @@ def _by_rotations(rows):
 
 def _rotated(rows):
     """Moments and axes by Jacobi's rotations, each of which makes a product of two axes vanish; a
-    formula of real numbers also where moments are equal.
+    formula of real numbers even where moments are equal.
     """
     zero = 0 * sum(x for row in rows for x in row)
     axes = [tuple(int(n == m) + zero for m in range(3)) for n in range(3)]

@@ -3,7 +3,7 @@
 import math
 
 from ..algebra.errors import ArgumentError, checked
-from ..algebra.scalars import clipped, is_numeric, shown
+from ..algebra.scalars import clipped, is_numeric, short_repr
 from ..algebra.vectors import Vector
 
 NOISE = 1e-12  # share of the largest value of the same unit; less is the round-off of a zero
@@ -71,7 +71,7 @@ def _parts(value):
     """What a value consists of, None for a number."""
     if isinstance(value, (Vector, list, tuple)):
         return list(value)
-    return value.tolist() if getattr(value, "shape", ()) else None
+    return value.tolist() if hasattr(value, "tolist") and value.shape else None
 
 
 def _size(x):
@@ -93,6 +93,6 @@ def _value(value, digits, noise):
             parts[MOST - 2 : -1] = ["…"]
         return f"[{', '.join(parts)}]"
     if isinstance(value, (bool, int)) or not is_numeric(value) or isinstance(value, complex):
-        return shown(value)
+        return short_repr(value)
     x = 0.0 if abs(float(value)) < noise else float(f"{float(value):.{digits}g}")
     return f"{x:.15g}" if PLAIN[0] <= abs(x) < PLAIN[1] else f"{x:.{digits}g}"

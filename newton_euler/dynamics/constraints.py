@@ -72,7 +72,7 @@ def degrees_of_freedom(
     tolerance: Tolerance = 1e-09,
 ) -> Freedom:
     """The degrees of freedom of a system of bodies under holonomic constraints (5.11): the number
-    of coordinates less the rank of the Jacobian. Springs and weights are no constraints.
+    of coordinates less the rank of the Jacobian. Springs and weights are not constraints.
 
     bodies : name -> kind, one of :data:`KINDS`, or a number of coordinates
     constraints : name -> function that vanishes (5.28), a scalar or a tuple of them, of the bodies
@@ -141,7 +141,7 @@ class _System:
 
     def values(self, q):
         """[(name, float)] of every scalar equation."""
-        return [(name, _number(name, x)) for name, x in self.equations(list(map(float, q)))]
+        return [(name, _finite(name, x)) for name, x in self.equations(list(map(float, q)))]
 
     def jacobian(self, q):
         """The Jacobian, a row for each equation; a column is one evaluation with derivatives."""
@@ -149,7 +149,7 @@ class _System:
         for n in range(self.size):
             moved = [Moving(float(x), 1) if n == m else float(x) for m, x in enumerate(q)]
             rates = ((name, getattr(x, "rate", 0.0)) for name, x in self.equations(moved))
-            columns.append([_number(name, x) for name, x in rates])
+            columns.append([_finite(name, x) for name, x in rates])
         return list(zip(*columns, strict=True))
 
     def settled(self, near=None, spread=1.0):
@@ -157,7 +157,7 @@ class _System:
         chance = random.Random(5)
         near = [0.0] * self.size if near is None else near
         start = q = [x + spread * chance.gauss() for x in near]
-        # enough also where a gradient vanishes, and each step only halves the distance
+        # enough even where a gradient vanishes, and each step only halves the distance
         for _ in range(80):
             values = [x for _, x in self.values(q)]
             off = max(map(abs, values), default=0.0) / max(1.0, *map(abs, q))
@@ -238,7 +238,7 @@ def _independent(rows, values, tolerance):
     return basis, others
 
 
-def _number(name, x):
+def _finite(name, x):
     if not is_numeric(x):
         raise ConstraintError(f"the constraint {name!r} gives {x!r}; put numbers in")
     if not is_finite(x):

@@ -9,17 +9,7 @@ from dataclasses import dataclass
 
 from ..algebra.errors import Accuracy, NewtonEulerError, Tolerance, checked, checked_but
 from ..algebra.ledger import Amount, in_columns, summed, value_of
-from ..algebra.scalars import (
-    Scalar,
-    anywhere,
-    cos,
-    is_numeric,
-    scalar,
-    short,
-    sin,
-    sqrt,
-    to_plain,
-)
+from ..algebra.scalars import Scalar, anywhere, cos, is_numeric, scalar, short, sin, sqrt, to_plain
 from ..algebra.vectors import Vector
 from ..bodies.admissibility import not_negative
 from ..bodies.body import Body
@@ -48,8 +38,8 @@ def kinetic_energy(bodies: Body | Iterable[Body], observer: Frame) -> Amount:
     10.0
     """
     if not isinstance(bodies, Body):
-        each = [(body.name, kinetic_energy(body, observer)) for body in bodies]
-        return summed(each, "kinetic energy", "11.42")
+        each = [(body, kinetic_energy(body, observer)) for body in bodies]
+        return summed([(body.name, T) for body, T in each], "kinetic energy", "11.42")
     v, omega = bodies.centre.velocity(observer), bodies.frame.angular_velocity(observer)
     terms = {
         "translation": scalar(v.dot(v)) * bodies.mass / 2,

@@ -12,12 +12,12 @@ from itertools import pairwise, product
 from ..algebra import WorkError
 from ..algebra.errors import Accuracy, Tolerance, checked
 from ..algebra.jets import Moving
-from ..algebra.quadrature import quadrature
+from ..algebra.quadrature import NO_VALUE, quadrature
 from ..algebra.scalars import (
     ZERO,
-    NewtonEulerError,
     Rows,
     Scalar,
+    ScalarError,
     Triple,
     is_finite,
     is_numeric,
@@ -155,7 +155,7 @@ def _checked(force):
         where = tuple(to_plain(x.value if isinstance(x, Moving) else x) for x in place)
         try:
             F = tuple(real_scalar(f) for f in force(*place))
-        except (ArithmeticError, NewtonEulerError) as problem:
+        except (*NO_VALUE, ScalarError) as problem:
             raise WorkError(
                 f"the force has no value at {where}: {problem}; keep base, box and loops away"
             ) from problem

@@ -61,7 +61,7 @@ class AngleWarning(UserWarning):
 def _ask_radians(name, angle):
     """Warn of an angle that is typed as a whole number beyond a turn, as 30 or 90.0."""
     usual = 1 if isinstance(angle, int) else 5  # a float may come from a rate and a time
-    if isinstance(angle, (int, float)) and abs(angle) > _TURN and angle % usual == 0:
+    if isinstance(angle, (int, float)) and _TURN < abs(angle) < 1e300 and angle % usual == 0:
         warnings.warn(
             f"the angle of {name} is {angle:g} rad, {abs(angle) / _TURN:.1f} turns. Did you mean "
             f"degrees? Write radians({angle:g}), from newton_euler import radians",
@@ -207,6 +207,7 @@ class Frame:
         return self._origin or _origin(self)
 
     def _unit_axis(self, axis, angle):
+        given = axis
         if isinstance(axis, Vector):
             axis = axis.expressed_in(self).c
         try:
@@ -216,8 +217,8 @@ class Frame:
         if len(axis) != 3 or any(isinstance(v, Moving) for v in axis):
             raise FrameError(
                 "an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant "
-                "components, as in (0, 0.6, 0.8); turn about a moving axis by one more frame in "
-                "between"
+                f"components, as in (0, 0.6, 0.8); got {clipped(given)}. Turn about a moving axis "
+                "by one more frame in between"
             )
         # otherwise the root of a whole number has 16 digits, even where the angle has more
         parts = (angle.value, angle.rate, angle.acceleration)
@@ -531,6 +532,7 @@ class Point:
         if not isinstance(observer, Frame):
             raise FrameError(
                 f"{what} as seen from which frame? Say it, as in {self.name}.{what}(ground)"
+                + ("" if observer is None else f"; got {clipped(observer)}, which is not a Frame")
             )
         if via is None:
             via = self.frame
@@ -577,7 +579,7 @@ def _origin_acceleration(via, observer):
     return Vector(sub3(sub3(turned, coriolis), origin), seat)
 
 
-# for what is seen from a point's own frame, which is no sum
+# for what is seen from a point's own frame, which is not a sum
 _VELOCITY, _ACCELERATION = Ledger("velocity", "", None), Ledger("acceleration", "", None)
 
 

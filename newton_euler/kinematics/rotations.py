@@ -47,7 +47,7 @@ Components = Sequence[Scalar] | Vector  # along any axes
 
 
 class RotationError(NewtonEulerError, ValueError):
-    """A matrix that is no rotation, a zero quaternion or axis, or singular Euler rates."""
+    """A matrix that is not a rotation, a zero quaternion or axis, or singular Euler rates."""
 
 
 # -- matrices of three rows
@@ -288,7 +288,7 @@ def matrix_from_quaternion(q: Sequence[Scalar]) -> Rows:
     w, x, y, z = q = _four(q)
     s = 2 / _checked_size(
         q, dot3(q, q) + z * z
-    )  # not 2: the matrix is a rotation also if the length has drifted
+    )  # not 2: the matrix is a rotation even if the length has drifted
     return _rows((
         (1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)),
         (s * (x * y + w * z), 1 - s * (z * z + x * x), s * (y * z - w * x)),
@@ -349,7 +349,7 @@ def _four(q):
 
 def _checked_size(q, size):
     if vanishes(size) or not is_finite(size):
-        raise RotationError(f"{q} is no rotation: its length must be finite and not zero")
+        raise RotationError(f"{q} is not a rotation: its length must be finite and not zero")
     return size
 
 

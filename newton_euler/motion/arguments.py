@@ -5,12 +5,13 @@ expected.
 import math
 from itertools import islice
 from numbers import Real
+from typing import Any
 
 from ..algebra.errors import LONGEST_SEQUENCE
 from ..algebra.scalars import clipped
 from .events import Event
 from .methods.table import METHODS
-from .model import ModelError, expect, finite_number, is_iterable, real_numbers
+from .model import Model, ModelError, expect, finite_number, is_iterable, real_numbers
 
 
 def time_span(t):
@@ -29,7 +30,7 @@ def time_span(t):
     return t0, t1
 
 
-def start_state(model, start):
+def start_state(model: Model, start: Any) -> tuple[Any, ...]:
     """The start as a tuple of floats (or arrays) in the order of the states."""
     # the usual start, checked in few calls: this is a good part of the time of a short run
     if (
@@ -40,7 +41,7 @@ def start_state(model, start):
     ):
         return tuple(start)
     kind = getattr(getattr(start, "dtype", None), "char", "")
-    if kind == "d" and start.ndim == 1 and type(start).__module__ == "numpy":
+    if kind == "d" and type(start).__module__ == "numpy" and start.ndim == 1:
         return start_state(model, tuple(start.tolist()))
     names = ", ".join(model.states)
     subject = f"the start of {model.name!r}"
@@ -61,7 +62,7 @@ def _start_value(subject, name, x):
         return x
     if isinstance(x, (str, bytes, bool)):
         raise ModelError(f"{expected}, got {x!r}")
-    return finite_number(x, f"{subject} has {name} =", f"{expected}, got {x!r}")
+    return finite_number(x, f"{subject} has {name} =", f"{expected}, got {clipped(x)}")
 
 
 def check_options(rtol, method, step=None, progress=None):

@@ -10,6 +10,7 @@ from time import perf_counter
 from types import MappingProxyType, SimpleNamespace
 from typing import Any, NamedTuple
 
+from ..algebra.names import Guided
 from ..algebra.scalars import Scalar
 from .error_estimates import REPORTED_SAFETY, error_by_difference, relative_shift
 from .knots import knots
@@ -28,7 +29,7 @@ MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch
 
 
 @dataclass(frozen=True, eq=False)
-class Motions:
+class Motions(Guided):
     """Many motions: ``times`` (samples), ``states`` by name as arrays (motions, times), ``method``,
     the estimated ``error`` of each motion, of exact solutions a bound, ``cost``.
     """

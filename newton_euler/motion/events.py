@@ -56,6 +56,9 @@ class Event(Portable):
     name: str = ""
 
     def __post_init__(self):
+        for name in ("direction", "terminal"):
+            if getattr(getattr(self, name), "shape", None) == ():  # of NumPy
+                object.__setattr__(self, name, getattr(self, name).item())
         direction, then = self.direction, self.then
         what = "an event takes a function (s, p, t) whose zeros are looked for"
         expect(callable(self.function), what, self.function)
@@ -119,7 +122,7 @@ class EventLocator:
 
     def __init__(self, event, stepper, at_start):
         self.event, self.stepper, self.at_start = event, stepper, at_start
-        self.takes_arrays = True
+        self.takes_arrays, self.failed = True, None
         t, x = stepper.start
         try:
             self.g = stepper.system.function(event.function)
@@ -180,7 +183,7 @@ class EventLocator:
                 self.sign = search.sign
                 yield max(end, last), False
         except UnresolvedError as error:
-            raise EventError(f"{self._name} {error}") from error
+            raise EventError(f"{self._name} {error}") from self.failed or error
 
     def _value(self, t, *x):
         """The value at one state, or nan."""
@@ -188,7 +191,8 @@ class EventLocator:
             value = self.g(t, *x)
         except ModelError:
             raise
-        except (ArithmeticError, ValueError):  # ValueError: a root or logarithm in floats
+        except (ArithmeticError, ValueError) as error:  # ValueError: a root or logarithm in floats
+            self.failed = error
             return nan
         if type(value) is float:
             return value

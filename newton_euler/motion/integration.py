@@ -144,7 +144,7 @@ class Prepared:
             # one short test of all of them: a method might drop a unit
             plain = type(sum(start, t)) is float or not any(map(has_unit, (t, start, *start)))
             x = self._fast(t, start) if plain else None
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             x = None  # the integration raises an error that says what is wrong
         if x is not None:
             return x

@@ -63,21 +63,22 @@ class Named:
     ones.
     """
 
-    def __init__(self, what, values):
-        vars(self).update(values, _what=what)
+    def __init__(self, what: str, values: Mapping[str, Scalar]):
+        vars(self).update({**values, "": what})  # a name that no state and no parameter has
 
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        known = ", ".join(n for n in vars(self) if n != "_what") or "none"
-        raise AttributeError(f"there is no {self._what} {name!r}; there are {known}")
+        known = ", ".join(filter(None, vars(self))) or "none"
+        raise AttributeError(f"there is no {vars(self)['']} {name!r}; there are {known}")
 
     def __setattr__(self, name, value):
-        raise AttributeError(f"the {self._what}s are only read, but {name!r} was set")
+        raise AttributeError(f"the {vars(self)['']}s are only read, but {name!r} was set")
 
     def __iter__(self):
-        known = [f"{self._what[0]}.{n}" for n in vars(self) if n != "_what"]
-        raise TypeError(f"the {self._what}s are read by name, as {', '.join(known) or 'none'}")
+        what = vars(self)[""]
+        known = [f"{what[0]}.{n}" for n in vars(self) if n]
+        raise TypeError(f"the {what}s are read by name, as {', '.join(known) or 'none'}")
 
     def __getitem__(self, *_, **__):
         return iter(self)
@@ -264,7 +265,7 @@ class Model(Portable):
         start, t = self._state(start), self._time(t)  # checked even if no bound needs them
         return {n: self._value(n.bound, start, t) if n.bound else math.inf for n in self.neglects}
 
-    def changed(self, **parameters: Scalar) -> "Model":
+    def changed(self, /, **parameters: Scalar) -> "Model":
         """The same model with some parameters changed; ``self`` stays as it is."""
         self._expect("parameter", parameters, self.parameters)
         return replace(self, parameters={**self.parameters, **parameters})
@@ -352,10 +353,12 @@ class Model(Portable):
                 )
         for name, x in self.parameters.items():
             wrong = isinstance(x, FunctionType) and misfit(x, (None,) * 3, {})
-            if wrong or (not callable(x) and not _is_scalar(x)):
+            data = type(x).__module__.startswith("scipy.")
+            if wrong or data or (not callable(x) and not _is_scalar(x)):
+                instead = f"; of data make a table(ts, values), for p.{name}(t)" if data else ""
                 raise ModelError(
                     f"the parameter {name} of {self.name!r} is a number or a function (s, p, t), "
-                    f"not {x!r}"
+                    f"not {x!r}{instead if callable(x) else advice(x)}"
                 )
 
     def _check_functions(self):
@@ -444,7 +447,7 @@ def _keep(cache, key, value):
 
 def _is_scalar(x):
     try:
-        scalar(x)
+        real_scalar(x)
     except ScalarError:
         return False
     return True

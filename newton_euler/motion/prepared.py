@@ -6,17 +6,24 @@ and what heyoka has compiled from it.
 """
 
 import math
+from collections.abc import Callable
 from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from ..algebra.compile import recorded
 from ..algebra.partial_evaluation import folded
 from ..algebra.reads import reads_nothing
-from ..algebra.scalars import ZERO, scalar
+from ..algebra.scalars import ZERO, clipped, scalar
 from .analytic import clocked, hazards, inner, kinks, surprises
 from .crossings import choices, compiled_choices
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
-from .narrow_arguments import narrow_arguments
+from .narrow_arguments import Arguments, narrow_arguments
 from .verified import Verified
+
+if TYPE_CHECKING:
+    import numpy as np
+
+Floats: TypeAlias = tuple[float, ...]
 
 _TRACED: dict = {}
 
@@ -70,7 +77,7 @@ class FunctionText:
         return shared(self._recording, self._texts)
 
 
-def prepared_model(model):
+def prepared_model(model: Model) -> "PreparedModel":
     """The :class:`PreparedModel` of a model, kept in the model as long as what its functions read
     is unchanged.
     """
@@ -93,7 +100,7 @@ class PreparedModel:
     Raises :class:`ModelError` for a parameter that is not a number.
     """
 
-    def __init__(self, model):
+    def __init__(self, model: Model):
         self.model, values = model, model.parameters
         fixed = {n: x for n, x in values.items() if is_law(x) or scalar(x) is ZERO}
         self.free = tuple(n for n in values if n not in fixed)
@@ -130,7 +137,7 @@ class PreparedModel:
         exact = self.model.exact
         return *((exact,) if exact else ()), *self.model.invariants.values()
 
-    def holds(self):
+    def holds(self) -> bool:
         """True if all that the functions of the model read is unchanged."""
         # not a generator: this is part of the shortest run
         for reads in self._reads:  # noqa: SIM110
@@ -139,12 +146,12 @@ class PreparedModel:
         return True
 
     @cached_property
-    def autonomous(self):
+    def autonomous(self) -> bool:
         """True if time does not occur in the rates."""
         return all("t" not in needs for needs in self.traced.rhs.dependencies)
 
     @cached_property
-    def constants(self):
+    def constants(self) -> Floats:
         """The constants of the folded right-hand side, a tuple; nan where they have no value."""
         early = self.traced.folded[1]
         try:
@@ -153,24 +160,36 @@ class PreparedModel:
             return (math.nan,) * len(early.leaves)
 
     @property
-    def folded_rates(self):
+    def folded_rates(self) -> Callable[..., Floats]:
         """The right-hand side on floats, ``folded_rates(t, *states, *constants)``."""
         return self.traced.folded[0].on_floats
 
-    def rates(self, t, x):
+    def rates(self, t: float, x: Floats) -> Floats:
         """The rates of the states."""
         return self.f(t, *x, *self.p)
 
-    def function(self, f):
+    def function(self, f: Callable[..., Any]) -> Callable[..., Any]:
         """A function ``f(s, p, t)`` as one of ``(t, *states)``; traced if possible."""
         text, p = self._text(f), self.p
         return (lambda t, *x: text(t, *x, *p)) if text else self.untraced(f)
 
-    def untraced(self, f):
+    def untraced(self, f: Callable[..., Any]) -> Callable[..., Any]:
         """A function ``f(s, p, t)`` as one of ``(t, *states)``, without tracing."""
         return lambda t, *x: self.model._value(f, x, t)
 
-    def narrow_of(self, f):
+    def values(self, f: Callable[..., Any], times: "np.ndarray", x: Any) -> "np.ndarray":
+        """The values of a function ``f(s, p, t)`` at an array of times with the states there; one
+        by one if it branches on them.
+        """
+        import numpy as np
+
+        g = self.function(f)
+        try:
+            return np.broadcast_to(g(times, *x), times.shape)
+        except (TypeError, ValueError):
+            return np.array([g(*at) for at in zip(times.tolist(), *x.tolist(), strict=True)])
+
+    def narrow_of(self, f: Callable[..., Any]) -> Arguments | None:
         """The narrow arguments in a function of an event; None if it has none, or is not traced."""
         text = self._text(f)
         return text and self.traced.narrow_of(text)
@@ -196,7 +215,7 @@ class PreparedModel:
         return current(known.functions, (f, *self._fixed), (f, *self._laws), recording)
 
     @cached_property
-    def exact_on_floats(self):
+    def exact_on_floats(self) -> Callable[..., Floats] | None:
         """The traced text of the exact solution on floats, ``(t, *states, *p)``; None if it cannot
         be traced.
         """
@@ -204,13 +223,14 @@ class PreparedModel:
         return text and text.on_floats
 
     @cached_property
-    def solution(self):
+    def solution(self) -> Callable[[float, Floats], Floats]:
         """The exact solution as a function of ``(t, states)`` on floats that returns a tuple of
         floats.
 
         Where the traced text has no value, as for an orbit that is not an ellipse, the formula
         itself is called; :class:`ModelError` if it has no value either.
         """
+        assert self.model.exact is not None
         p, untraced = self.p, self.untraced(self.model.exact)
         run = self.exact_on_floats or (lambda *_: (math.nan,))
 
@@ -236,11 +256,13 @@ class PreparedModel:
 
         return at
 
-    def solutions(self, times, x):
+    def solutions(self, times: "np.ndarray", x: Floats) -> "np.ndarray":
         """The exact solution at an array of times, an array (states, times)."""
         import numpy as np
 
-        for run in (self.function(self.model.exact), self.untraced(self.model.exact)):
+        exact = self.model.exact
+        assert exact is not None
+        for run in (self.function(exact), self.untraced(exact)):
             found = np.array([np.broadcast_to(row, times.shape) for row in run(times, *x)])
             if np.isfinite(found).all():
                 break
@@ -262,5 +284,5 @@ def _parameter(model, name, x):
         return x  # before the messages are written: the text of an array takes milliseconds
     what = f"the parameter {name} of {model.name!r}"
     return finite_number(
-        x, f"{what} is", f"{what} has no number: {x!r}; put one in with changed({name}=...)"
+        x, f"{what} is", f"{what} has no number: {clipped(x)}; put one in with changed({name}=...)"
     )

@@ -9,12 +9,7 @@ from dataclasses import dataclass, field, replace
 from time import perf_counter
 from typing import Any
 
-from .error_estimates import (
-    ROUND_OFF_OF_RATES,
-    error_by_comparison,
-    relative_shift,
-    reported_error,
-)
+from .error_estimates import ROUND_OFF_OF_RATES, error_by_comparison, relative_shift, reported_error
 from .events import EventError
 from .knots import knots
 from .methods.base import LengthError

@@ -21,7 +21,7 @@ def natural_sizes(system, points, sizes, span):
     It is the sum over j of abs(df_i/dx_j) size_j, divided by the fastest rate of the linearised
     motion. It does not depend on units, and is the size that the state would have if its terms did
     not cancel. The smallest sum of all points counts, since near a singular place it is arbitrarily
-    large, as that of the speed of a rocket with hardly any mass left.
+    large, as that of the speed of a rocket with almost no mass left.
 
     points : pairs (time, state) of the motion
     sizes : the largest absolute value of each state

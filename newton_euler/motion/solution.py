@@ -9,6 +9,7 @@ from functools import cached_property
 from types import MappingProxyType, SimpleNamespace
 from typing import Any, NamedTuple
 
+from ..algebra.names import Guided
 from ..algebra.scalars import Scalar
 from .methods.base import sample_times
 from .methods.table import METHODS
@@ -76,7 +77,7 @@ class Cost(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class Motion(Guided):
     """The motion of a model.
 
     model, rtol : as requested; ``method`` : the one that was used
@@ -215,7 +216,7 @@ class Motion:
             times = np.unique([t0, *self.times[(self.times >= t0) & (self.times <= t1)]])
             x = stepper.states(times) if system.model.invariants else ()
             for name, f in system.model.invariants.items():
-                values = np.broadcast_to(system.function(f)(times, *x), times.shape)
+                values = system.values(f, times, x)
                 largest = abs(values).max()
                 change = float(abs(values - values[0]).max() / largest) if largest else 0.0
                 worst[name] = max(worst.get(name, 0.0), change)

@@ -45,7 +45,6 @@ SMALL_PART = 1e-2
 # steps that a motion which sticks makes in this fraction of the whole time
 STICKING, STICKING_PART = 100, 1e-2
 CRAWLING = 100_000  # steps between two checks for sticking
-ACCUMULATION = "events follow each other without end"
 
 
 class Segment(NamedTuple):
@@ -84,6 +83,7 @@ class Trajectory:
         samples = run.samples if samples is None else samples
         self.samples = None if run.events or run.progress else samples
         self.segments, self.occurrences, self.ended, self.failed = [], [], "", None
+        self.accumulates = False  # True where events follow each other without end
         self.natural, self.units, self.max_steps = None, (), run.max_steps
         # what its steps did not see, relative to the scales
         self.watched, self.missed = watched and not (self.step or method.closed), 0.0
@@ -295,8 +295,10 @@ class Trajectory:
                 events = tuple(e for e in events if e is not event)
         count, least = len(self.segments), MIN_SEGMENT * (self.goal - self.origin)
         if count >= MAX_SEGMENTS or (count > 1 and t - t0 < least):
+            self.accumulates = True
             self.ended = (
-                f"{ACCUMULATION}: {name} at t = {t:.9g}; give then= a rule for what comes after"
+                f"events follow each other without end: {name} at t = {t:.9g}; give then= a rule "
+                "for what comes after"
             )
             return None
         if t >= self.goal:
@@ -321,7 +323,7 @@ class Trajectory:
         a, b = self.segments[-1], other.segments[-1]
         shift = abs(a.t1 - b.t1) / (self.goal - self.origin)
         # where events accumulate, the two runs may stop after different numbers of them
-        if self.ended.startswith(ACCUMULATION) and other.ended.startswith(ACCUMULATION):
+        if self.accumulates and other.accumulates:
             return shift
         count, states = len(self.segments), a.system.model.states
         if count != len(other.segments) or states != b.system.model.states:

@@ -2,10 +2,10 @@
 nutating top and the free body.
 
 A :class:`Rival` runs the scene at a setting, a tolerance or a number of steps, and returns its last
-state; :func:`loosest` finds the setting with which its true error is small enough. Errors are
-counted in what every model of a scene has: of the top the height of its axis and the rate of it, of
-the free body the three rates. What a peer needs is imported when it is made; without it nothing but
-that peer is missing.
+state; :func:`loosest` finds the setting whose true error is small enough. Errors are measured in
+what every model of a scene has: for the top the height of its axis and its rate, for the free body
+the three rates. What a peer needs is imported when the peer is made; without it only that peer is
+missing.
 """
 
 import importlib.util
@@ -42,20 +42,20 @@ class Rival:
     prepared: float
 
     def error(self, setting, exact):
-        """The largest difference to what is exact."""
+        """The largest difference from the exact values."""
         return float(abs(self.observed(self.run(setting)) - exact).max())
 
 
 @contextmanager
 def quiet():
-    """Without the warnings of other people's packages, and of settings that are too loose."""
+    """Without the warnings of other packages and of settings that are too loose."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         yield
 
 
 def prepared(make, observed, settings=TOLERANCES):
-    """The rival that ``make`` makes, run once: mostly derivation and compilation."""
+    """The rival made by ``make``, run once: mostly derivation and compilation."""
     begun = perf_counter()
     with quiet():
         run = make()
@@ -71,7 +71,7 @@ def loosest(rival, exact, wanted):
 
 
 def have(*modules):
-    """True where all these can be imported."""
+    """True if all of these can be imported."""
     return all(importlib.util.find_spec(name) for name in modules)
 
 
@@ -86,12 +86,12 @@ def axis(x):
 
 
 def axis_of_angle(theta, rate):
-    """The same of theta and its rate."""
+    """The same from theta and its rate."""
     return np.array([math.cos(theta), -math.sin(theta) * rate / SPIN])
 
 
 def rates(x):
-    """The three body rates, the last of a state."""
+    """The three body rates, which come last in a state."""
     return np.array(x)[-3:]
 
 
@@ -99,7 +99,7 @@ def rates(x):
 
 
 def free_rates(xp):
-    """Euler's equations as a user writes them, by the functions of NumPy or of jax.numpy."""
+    """Euler's equations as a user writes them, with the functions of NumPy or jax.numpy."""
     I = xp.array([1.0, 2.0, 3.0])
     return lambda t, w, args=None: -xp.cross(w, I * w) / I
 
@@ -151,7 +151,7 @@ def diffrax_alone(rates_by, t, y, solver):
 
 
 def heyoka_alone(equations, y, t):
-    """Heyoka with the numbers of the scene in its equations, compiled once for each tolerance."""
+    """Heyoka with the scene's numbers in its equations, compiled once for each tolerance."""
     import heyoka as hy
 
     made = {}
@@ -175,7 +175,7 @@ def turning(a, b, c, d, x, y, z):
 
 
 def heyoka_top():
-    """The full model, quaternion and three body rates, as of a body without symmetry."""
+    """The full model, quaternion and three body rates, as for a body without symmetry."""
     import heyoka as hy
 
     a, b, c, d, x, y, z = hy.make_vars(*"abcdxyz")
@@ -250,7 +250,7 @@ def first_top_by_sympy():
 
 
 def pydy_odeint(system):
-    """As its System integrates by itself."""
+    """As PyDy's System integrates by itself."""
     return lambda tolerance: system.integrate(rtol=tolerance, atol=tolerance, mxstep=100_000)[-1]
 
 
@@ -262,7 +262,7 @@ def pydy_dop853(system):
 
 
 def axis_of_angles(x):
-    """What :func:`axis` says, of the angles psi, theta, phi and the body rates."""
+    """What :func:`axis` returns, from the angles psi, theta, phi and the body rates."""
     _, theta, phi, wx, wy, _ = x
     return axis_of_angle(theta, wx * math.cos(phi) - wy * math.sin(phi))
 
@@ -304,7 +304,7 @@ def top_rivals():
 
 
 def free_rivals():
-    """Those installed, by name; PyDy's angles begin far from their singular place."""
+    """Those installed, by name; PyDy's angles begin far from their singular point."""
     angles, moments = [0.0, math.pi / 2, 0.0, *FREE], (1.0, 2.0, 3.0)
     heyokas = {
         "full model": lambda: (heyoka_free(), [*UPRIGHT, *FREE]),
@@ -319,8 +319,8 @@ def free_rivals():
 def _rivals(observed, rates_by, start, t, heyokas, of_pydy, of_mujoco):
     """All rivals on one scene.
 
-    heyokas : by name functions that return equations and the start; of_pydy : constants, start and
-        what is compared; of_mujoco : the arguments of :func:`mujoco_alone` but the time
+    heyokas : {name: a function that returns equations and the start}; of_pydy : constants, start and
+        what is compared; of_mujoco : the arguments of :func:`mujoco_alone` except the time
     """
     alone = lambda m: scipy_alone(rates_by(np), t, start, m)
     makers = {f"SciPy {m}, np.cross": partial(alone, m) for m in ("DOP853", "LSODA")}

@@ -1,4 +1,4 @@
-"""The same assignment as an instructor would write it for nbgrader alone: for each problem a test
+"""The same assignment as an instructor would write it for plain nbgrader: for each problem a test
 cell that compares the answers with the key and gives a point for each right one.
 """
 
@@ -73,7 +73,7 @@ def with_tests(notebook, values):
 
 
 def plain_course(course, students, values, folder):
-    """nbgrader's API, as it comes, for a course in ``folder`` with the work of these students."""
+    """nbgrader's API, unmodified, for a course in ``folder`` with the work of these students."""
     from nbgrader.api import Gradebook
     from nbgrader.apps import NbGraderAPI
     from nbgrader.coursedir import CourseDirectory

@@ -1,6 +1,6 @@
-"""What the engine costs, as ratios measured side by side in one run: rounds interleaved, the least of
-several, so that a busy machine slows all alike: scenes of chapter 4, equations of motion of the heavy
-top, and the import.
+"""What the engine costs, as ratios measured side by side in one run, in interleaved rounds with the
+least of several taken, so that a busy machine slows all alike: scenes of chapter 4, equations of
+motion of the heavy top, and the import.
 
 ``pytest -m benchmark -s tests/benchmarks`` prints the tables. The bounds asserted are about half of
 what is measured on a quiet machine. Run as a script it is the server for cold derivations: imports
@@ -189,7 +189,7 @@ def cold_derivations():
 
 
 def medians(cases):
-    """Seconds a call of each case; they take turns."""
+    """Seconds per call of each case; the cases take turns."""
     return dict(zip(cases, timed(*cases.values(), runs=ROUNDS), strict=True))
 
 
@@ -268,7 +268,7 @@ def test_many_instants_are_faster_than_lambdify(scene, numpy_gains, heyoka_gains
 
 
 def disk_by_numpy(phi, omega, domega, p, dp, R, r):
-    """As one writes it with arrays of three: np.cross for every product."""
+    """As a user writes it with arrays of three: np.cross for every product."""
     s, c = np.sin(phi), np.cos(phi)
     k = np.array([0.0, -s, c])  # the vertical, in components of the disk
     e = np.array([0.0, 1.0, 0.0])

@@ -1,4 +1,4 @@
-"""What a redraw costs while a slider is dragged, compared with the same picture saved by matplotlib."""
+"""What a redraw costs while a slider is dragged, compared with saving the picture by Matplotlib."""
 
 import io
 import time
@@ -13,7 +13,7 @@ pytestmark = pytest.mark.benchmark
 
 
 def shortest(f, count=7):
-    """The least of several times of this thread, in ms."""
+    """The least of several CPU times of this thread, in ms."""
     times = []
     for _ in range(count):
         start = time.thread_time()

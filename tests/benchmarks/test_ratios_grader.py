@@ -32,7 +32,7 @@ def table():
 
 @pytest.fixture(scope="module")
 def values():
-    """Everyone has the numbers of the book: nbgrader has one test for all."""
+    """Everyone has the book's numbers: nbgrader has one test for all."""
     return {p.id: p.book_values for p in CH04}
 
 
@@ -66,7 +66,7 @@ def course(tmp_path_factory, values):
 
 
 def timed(work, rounds=ROUNDS):
-    """(seconds of wall time, of the processors, what it returns), the least of some rounds."""
+    """(wall time in s, CPU time in s, what it returns), the least of some rounds."""
     best = []
     for _ in range(rounds):
         wall, cpu = time.perf_counter(), processors()
@@ -82,7 +82,7 @@ def processors():
 
 @pytest.fixture(scope="module")
 def theirs(course, values, tmp_path_factory):
-    """(seconds, processor's seconds) of nbgrader's default autograde for a notebook."""
+    """(seconds, CPU seconds) of nbgrader's default autograde for a notebook."""
     folder = tmp_path_factory.mktemp("plain")
     api = plain_course(course, STUDENTS[:THEIRS], values, folder)
     api.autograde("ch04", STUDENTS[0], force=True)  # imports
@@ -138,7 +138,7 @@ def test_a_corrected_key_grades_a_class_again_and_runs_nothing(course, theirs, m
         monkeypatch.setattr(one, "problem_state", corrected)
         return grade(course, "ch04")
 
-    again()  # the part that is the same for the others has changed, too
+    again()  # the part shared by all problems has changed too
     wall, cpu, results = timed(again, rounds=4)
     assert not [r for r in results if r.problem or r.unchanged]
     found[f"corrected, {what}: a class of 200, s"] = round(wall, 2)

@@ -1,9 +1,9 @@
-"""What a motion costs compared with the peers, at equal true error, measured side by side in one run: the
-ratios that issue 4 asks for.
+"""What a motion costs compared with other libraries at equal true error, measured side by side in
+one run.
 
 ``pytest -m benchmark -s tests/benchmarks/test_ratios_peers.py`` prints the tables. A peer gets the
-loosest setting with which its true error is within what is wanted; ours is asked for what is
-wanted, and heyoka by itself, where it runs on the same model, is set to be as accurate as ours.
+loosest setting whose true error is within the error wanted; ours is asked for that error, and
+heyoka by itself, where it runs on the same model, is set to be as accurate as ours.
 Ours are prepared runs, as heyoka's integrator and the compiled right-hand sides of the others are.
 A peer that is not installed (``pip install pydy cython setuptools mujoco diffrax jax``) is left
 out. What a table calls "ready" is the time to the first result: derivation, compilation and, for
@@ -29,12 +29,12 @@ from tests.motions import SCENES, reference, sizes, true_error
 
 pytestmark = pytest.mark.benchmark
 ERRORS = (1e-6, 1e-10)
-# s: on a busy machine short runs find quiet moments that long ones do not, so all of a table are
-# long
+# s: on a busy machine short runs find quiet moments that long ones do not, so all runs of a table
+# are long
 RUNS, SHORTEST = 5, 0.03
 OVER_PYDY = 200  # asked 200
 OVER_SCIPY = 1000  # asked 1000
-OVER_HEYOKA = {1e-6: 1.5, 1e-10: 3.0}  # asked 1.5 and 3, by a smaller model or a closed form
+OVER_HEYOKA = {1e-6: 1.5, 1e-10: 3.0}  # asked 1.5 and 3, for a smaller model or a closed form
 # Each answer of ours was compared with what was asked, which heyoka's are not. That costs at most
 CHECK = 1.3
 ELSEWHERE = 1.2 * CHECK  # asked 1.2, times of heyoka by itself
@@ -61,7 +61,7 @@ PEERS = {
 
 @cache
 def own(scene):
-    """Our models of a scene, by words: the model, t, the start, and what is compared."""
+    """Our models of a scene by description: the model, t, the start, and what is compared."""
     numbers = lambda motion: list(motion.end.values())
     if scene == "free body":
         rates = lambda motion: peers.rates(numbers(motion))
@@ -89,7 +89,7 @@ def rivals(scene):
 
 @cache
 def fitted(scene, wanted):
-    """The loosest setting and the true error of every rival that can be so accurate."""
+    """The loosest setting and the true error of every rival that can reach this accuracy."""
     known = exact(scene)
     found = {name: peers.loosest(x, known, wanted) for name, x in rivals(scene).items()}
     return {name: setting for name, setting in found.items() if setting}
@@ -125,7 +125,7 @@ def _off(found, exactly):
 
 @cache
 def measured(scene, wanted):
-    """All in one run, by name: seconds, true error, setting, seconds until ready."""
+    """All competitors in one run, by name: seconds, true error, setting, seconds until ready."""
     rows = competitors(scene, wanted)
     times = timed(*(row[0] for row in rows.values()), runs=RUNS, shortest=SHORTEST)
     return {name: (t, *rows[name][1:]) for name, t in zip(rows, times, strict=True)}
@@ -142,7 +142,7 @@ def _theirs(rival, setting):
 
 
 def best(rows, beginning):
-    """The least time of those whose names begin so; None if there are none."""
+    """The least time of those whose names begin like this; None if there are none."""
     return min((row[0] for name, row in rows.items() if name.startswith(beginning)), default=None)
 
 

@@ -1,5 +1,5 @@
-"""What scoring a receipt costs, against solving its problem once by the engine: in one run, over a
-class that has everything right and one that has everything wrong.
+"""What scoring a receipt costs, relative to solving its problem once by the engine: in one run, for
+a class that has everything right and one that has everything wrong.
 """
 
 import time
@@ -30,7 +30,7 @@ def too_large(kind, tree):
 
 
 def seconds(work):
-    """The processor's time for all problems of all students, the least of three rounds."""
+    """The CPU time for all problems of all students, the least of three rounds."""
     best = []
     for _ in range(3):
         start = time.process_time()

@@ -1,4 +1,4 @@
-"""Six figures of chapter 4, for the tests of what sliders do: {name: (figure, what it is given)}."""
+"""Six figures of chapter 4, for the tests of sliders: {name: (figure, its arguments)}."""
 
 from math import radians
 

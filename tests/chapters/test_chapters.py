@@ -60,8 +60,8 @@ def test_code_comes_in_short_cells_without_magics(path):
     for cell in code(read(path)):
         lines = cell.source.splitlines()
         assert len(lines) <= 12, cell.id
-        assert max(map(len, lines)) <= 110, cell.id  # what a notebook shows without a scroll bar
-        ast.parse(cell.source)  # %magic and !shell are no Python
+        assert max(map(len, lines)) <= 110, cell.id  # what fits a notebook without a scroll bar
+        ast.parse(cell.source)  # %magic and !shell are not Python
 
 
 @each_notebook
@@ -74,12 +74,12 @@ def test_a_notebook_uses_nothing_that_holds_keys(path):
 
 
 def headings(text):
-    """The headings of a notebook, without their signs."""
+    """The headings of a notebook, without the # signs."""
     return re.findall(r"^#+ (.+)$", text, re.M)
 
 
 @each_chapter
-def test_every_section_of_the_book_stands_in_its_order(path):
+def test_the_sections_of_the_book_appear_in_order(path):
     assert list(sections_of(path)) == CONTENTS[number(path)]["sections"]
 
 
@@ -110,7 +110,7 @@ def is_prediction(cell):
 
 
 def is_asked(cell):
-    """True for a prediction that a reader clicks or types."""
+    """True for a prediction that a reader makes by clicking or typing."""
     return cell.cell_type == "code" and re.search(r"^(\w+ = )?predict\(", cell.source, re.M)
 
 
@@ -192,7 +192,7 @@ def test_every_formula_is_closed(path):
 
 def executed(notebook, where, missing=(), afterwards=lambda client, notebook: None):
     """The notebook, run in a clean kernel that finds the engine and nothing else, and what
-    ``afterwards`` returns, which is called while the kernel is there.
+    ``afterwards`` returns, which is called while the kernel is alive.
     """
     client = pytest.importorskip("nbclient").NotebookClient
     (where / "newton_euler").symlink_to(ROOT / "newton_euler", target_is_directory=True)
@@ -219,8 +219,8 @@ def printed(cell):
 
 
 def printed_again(client, notebook):
-    """What the printing cells print if they are run once more, the last one first, so that none
-    finds what the cells above it have made anew: {id: text}.
+    """What the printing cells print when run again in reverse order, so that none finds what the
+    cells above it would have made afresh: {id: text}.
     """
     found = {}
     client.allow_errors = True
@@ -234,7 +234,7 @@ def printed_again(client, notebook):
 
 @pytest.fixture(scope="module", params=CHAPTERS, ids=lambda path: path.stem)
 def run_twice(request, tmp_path_factory):
-    """The notebook that was run, and what its cells then print again. It is kept, so that the site
+    """The executed notebook, and what its cells print when run again. It is kept, so that the site
     need not run it.
     """
     path = request.param
@@ -247,7 +247,7 @@ def run_twice(request, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def run(run_twice):
-    """The notebook that was run."""
+    """The executed notebook."""
     return run_twice[0]
 
 
@@ -318,7 +318,7 @@ def test_every_chapter_has_notes_for_instructors():
 
 
 def test_the_notes_for_instructors_run_without_warnings(tmp_path):
-    """In one kernel, in which each begins without the names of the one before."""
+    """In one kernel, where each begins without the names of the one before."""
     cells = [c for path in NOTES for c in (new_code_cell("%reset -f"), *read(path).cells)]
     notebook, _ = executed(new_notebook(cells=cells), tmp_path)
     assert not stderr_of(notebook)

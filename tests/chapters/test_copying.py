@@ -10,7 +10,7 @@ from newton_euler.chapters import copying as notebooks
 
 @pytest.fixture
 def call(tmp_path, capsys):
-    """Call the command for a folder here; returns what it prints."""
+    """A function that calls the command for a folder here and returns what it prints."""
 
     def called(name="here"):
         assert main(["chapters", str(tmp_path / name)]) == 0

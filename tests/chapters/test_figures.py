@@ -1,4 +1,4 @@
-"""What figures compute by themselves."""
+"""What figures compute themselves."""
 
 import numpy as np
 import pytest

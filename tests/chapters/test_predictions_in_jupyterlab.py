@@ -1,4 +1,4 @@
-"""A prediction in a real JupyterLab, in a real browser: clicked, typed, kept, and there again."""
+"""A prediction in a real JupyterLab, in a real browser: clicked, typed, kept, and shown again."""
 
 import json
 

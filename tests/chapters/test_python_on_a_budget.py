@@ -9,7 +9,7 @@ import pytest
 
 from tests.chapters.notebooks import code, each_chapter, number, read
 
-# {chapter: {cell: [what it uses beyond the primer]}}, each explained in the chapter before
+# {chapter: {cell: [what it uses beyond the primer]}}, each explained earlier in the chapter
 BEYOND = tomllib.loads((Path(__file__).parent / "python.toml").read_text(encoding="utf-8"))
 
 NODES = {
@@ -26,7 +26,7 @@ CALLS = {"zip", "enumerate", "map", "filter", "sorted", "reversed", "dict", "set
 
 
 def beyond(source):
-    """What a cell uses beyond the primer, in the order of the alphabet."""
+    """What a cell uses beyond the primer, in alphabetical order."""
     found = set()
     for node in ast.walk(ast.parse(source)):
         found |= {name for kind, name in NODES.items() if isinstance(node, kind)}

@@ -6,7 +6,7 @@ import pytest
 
 from tests.chapters.notebooks import CHAPTERS, each_chapter, prose, read, sections_of
 
-# words that say nothing of what is found there
+# words that say nothing about what is found there
 EMPTY = "a all at it its one subject that them these those three two"
 REFERENCE = re.compile(
     r"([\w'-]+) (?:of|from|in) (?:section|chapter|appendix) (\d+\.\d+|[AB]\.\d|\d+|[AB])\b"
@@ -15,7 +15,7 @@ FIGURE = re.compile(r"[Ff]igures? ((?:\d+|[AB])\.\d+)")
 
 
 def texts():
-    """{number of a section: its text, of prose and code}."""
+    """{number of a section: its text, prose and code}."""
     return {
         section: "\n".join(part if isinstance(part, str) else part.source for part in parts).lower()
         for path in CHAPTERS
@@ -24,7 +24,7 @@ def texts():
 
 
 def unfound(text, sections):
-    """The references of a text to something that the section or chapter does not speak of."""
+    """The references of a text to something that the section or chapter does not mention."""
     bare = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
     for word, place in REFERENCE.findall(bare):
         there = " ".join(
@@ -41,11 +41,11 @@ def sections():
 
 
 @each_chapter
-def test_what_is_reported_to_stand_in_a_section_stands_there(path, sections):
+def test_what_is_said_to_be_in_a_section_is_there(path, sections):
     assert list(unfound(prose(read(path)), sections)) == []
 
 
-def test_a_reference_to_what_is_not_there_is_found():
+def test_a_reference_to_something_missing_is_found():
     sections = {"6.8": "gravity and weight", "11.2": "a potential"}
     fine = "the weight of section 6.8, potentials of chapter 11, those of section 6.8"
     assert list(unfound(fine, sections)) == []

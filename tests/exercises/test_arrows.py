@@ -1,5 +1,5 @@
 """Who imports whom in exercises: the catalogue knows no problem, a device no chapter, a chapter no
-other.
+other chapter.
 """
 
 from exercises.catalogue.places import EXERCISES

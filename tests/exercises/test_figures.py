@@ -109,5 +109,5 @@ def test_rates_and_forces_that_are_given_are_drawn(problem_id, rates):
     ("4/34", ""), ("4/37", ""), ("4/40", "A"), ("4/41", "B"), ("4/42", "ABC"), ("4/43", "ABD"),
 ])  # fmt: skip
 def test_problems_with_one_machine_show_their_own_points(problem_id, points):
-    """A label for a point that the text does not name helps nobody."""
+    """A label for a point that the text does not mention helps nobody."""
     assert drawn_texts(problem_id) & set("ABCD") == set(points)

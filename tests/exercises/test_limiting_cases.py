@@ -1,4 +1,4 @@
-"""Problems at numbers for which the answer is known without a calculation."""
+"""Problems with numbers for which the answer is known without a calculation."""
 
 import math
 

@@ -1,5 +1,5 @@
-"""Every problem of every chapter holds, on numbers of every kind, and gives what was found by hand
-where its YAML says so under ``checked``.
+"""Every problem of every chapter holds for numbers of every kind, and gives what was found by hand
+where its YAML has it under ``checked``.
 """
 
 import random

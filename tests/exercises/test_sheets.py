@@ -1,5 +1,5 @@
-"""Students have sheets of their own: many sets of numbers, and what all of them share is worth
-little.
+"""Each student has a sheet of their own: there are many sets of numbers, and what all students
+share is worth little.
 """
 
 import math
@@ -13,14 +13,14 @@ from exercises.catalogue.variants import drawn_value, objection, sheets
 
 ALL = select(["all"])
 FEWEST = 1000  # sheets of a problem with numbers
-SHARED = 1 / 8  # of the points, for a word that is the same for all
+SHARED = 1 / 8  # of the points, for a word that is the same for everyone
 STUDENTS = 12
 
 
 @pytest.mark.parametrize("p", [p for p in ALL if p.givens], ids=lambda p: p.id.replace("/", "_"))
 def test_a_problem_with_numbers_has_many_sheets(p):
     assert sheets(p) >= FEWEST
-    if sheets(p) < 20 * FEWEST:  # without those that are refused, too
+    if sheets(p) < 20 * FEWEST:  # without the refused ones too
         rng = random.Random(p.id)
         drawn = [{n: drawn_value(g, rng) for n, g in p.givens.items()} for _ in range(40)]
         fit = sum(objection(p, numbers) is None for numbers in drawn)

@@ -1,4 +1,4 @@
-"""Shots on the turning Earth: how far the first order holds, and what the proofs leave out."""
+"""Shots on the rotating Earth: how far the first order holds, and what the proofs leave out."""
 
 import pytest
 from mpmath import mp

@@ -1,5 +1,5 @@
 """The steps that practice asks for lead to the answers and give none away: they are found from the
-givens and from each other, and none is an answer, or another step.
+givens and from each other, and none of them is an answer or another step.
 """
 
 import math

@@ -10,14 +10,14 @@ from tests.fuzz.names import public_callables
 from tests.fuzz.valid import valid_calls
 
 HELP = """\
-Calls every public name with valid arguments, of which one is replaced by a bad value: text, None,
+Calls every public name with valid arguments, one of which is replaced by a bad value: text, None,
 nan, quantities with units, frames where a number belongs ... A call is
 
   answered  with a result
   refused   by an error in words: a NewtonEulerError, or one that the engine raises itself
   raw       by an error that comes from inside
   slow      not ended in some seconds
-  units     of those answered: with a quantity of pint or astropy in it
+  units     of those answered, the calls with a quantity of pint or astropy
 """
 
 

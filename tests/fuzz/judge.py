@@ -20,8 +20,8 @@ from newton_euler import NewtonEulerError
 from tests.fuzz import bad
 from tests.fuzz.bad import bad_values, quantities
 
-SECONDS = 3.0  # that a call may take
-MEMORY = 6 << 30  # bytes that the calls of one name may take
+SECONDS = 3.0  # for one call
+MEMORY = 6 << 30  # bytes for the calls of one name
 OUTCOMES = ("answered", "refused", "raw", "slow")
 
 
@@ -78,7 +78,7 @@ def outcome(f, positional, named, seconds=SECONDS):
 
     signal.signal(signal.SIGALRM, stop)
     try:
-        # again and again: SciPy and others swallow what comes while they call back
+        # repeatedly: SciPy and others swallow errors raised while they call back
         signal.setitimer(signal.ITIMER_REAL, seconds, 0.2)
         with warnings.catch_warnings(), contextlib.redirect_stdout(io.StringIO()):
             warnings.simplefilter("ignore")
@@ -93,7 +93,7 @@ def outcome(f, positional, named, seconds=SECONDS):
         return "refused", f"{type(error).__name__}: {error}"[:200]
     except Exception as error:
         message = f"{type(error).__name__}: {error}"[:200]
-        # a/0 is for numbers of the engine what it is for Python's
+        # a/0 for the engine's numbers is what it is for Python's
         if is_operator(f) and isinstance(error, ArithmeticError):
             return "refused", message
         return ("refused" if in_words(error) else "raw"), f"{message} {place(error)}"
@@ -136,7 +136,7 @@ def in_words(error):
 
 @cache
 def raising_lines(file):
-    """The lines of a module on which a ``raise`` stands."""
+    """The lines of a module that hold a ``raise``."""
     tree = ast.parse("".join(linecache.getlines(file)))
     return {
         line

@@ -11,9 +11,9 @@ OPERATORS = (
     "add", "radd", "sub", "rsub", "mul", "rmul", "truediv", "rtruediv", "pow", "rpow", "neg", "abs",
     "eq", "call", "getitem",
 )  # fmt: skip
-# Records that functions return, and parts that have a maker of their own: nobody calls them, so that
+# Records that functions return, and parts made by other functions: nobody calls these classes, so
 # only their methods are called here.
-NOT_DOORS = (
+NOT_CALLED = (
     "Amount", "Animation", "Audit", "Equation", "Explanation", "Frenet", "LinearForm", "Measured",
     "Motion", "Moving", "Point", "Principal", "Solution", "Symmetry", "Table", "Vector",
 )  # fmt: skip
@@ -31,7 +31,7 @@ def public_callables():
         if inspect.isclass(thing) and not issubclass(thing, BaseException):
             for method, function in methods(thing):
                 found[f"{name}.{method}"] = function
-            if name.rpartition(".")[2] in NOT_DOORS:
+            if name.rpartition(".")[2] in NOT_CALLED:
                 del found[name]
         elif inspect.isclass(thing):
             del found[name]  # errors are raised, not called

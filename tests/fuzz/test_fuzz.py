@@ -13,8 +13,8 @@ from tests.fuzz.judge import judged, outcome, stripped, table, trials
 from tests.fuzz.names import public_callables
 from tests.fuzz.valid import valid_calls
 
-# Python refuses 10**400 in a sum with floats, and a call of a function that takes no arguments, in
-# words of its own
+# Python itself refuses 10**400 in a sum with floats, and arguments for a function that takes none,
+# in these words
 PYTHONS_OWN = (
     "int too large to convert to float",
     "integer division result too large",
@@ -45,7 +45,7 @@ def unworded(found):
 def test_nearly_every_public_name_has_a_valid_call(public):
     functions, calls = public
     assert len(functions) > 400
-    # figures need a function that draws and a notebook, practice its file; choosing writes one;
+    # figures need a drawing function and a notebook, practice its file; choosing writes one;
     # without_rates and cleared have no arguments
     without = {
         n for n in set(functions) - set(calls) if not n.endswith((".without_rates", ".cleared"))
@@ -121,10 +121,10 @@ def test_no_number_of_mechanics_is_complex_and_no_array_of_them_empty(public, un
     assert not answered
 
 
-# by the name of the parameter; what is to be reached is not zero and not below round-off
+# by the name of the parameter; a tolerance to be reached is not zero and not below round-off
 TOLERANCES = "rtol", "atol", "tolerance", "accuracy", "within"
 NO_TOLERANCE = {"nan": math.nan, "-1e-9": -1e-9, "text": "1e-9", "array": np.array([1e-9, 1e-6])}
-NOT_REACHED = {"zero": 0.0, "below round-off": 1e-30, "infinite": math.inf}
+NOT_REACHED = {"zero": 0.0, "no float": 10**400, "below round-off": 1e-30, "infinite": math.inf}
 
 
 @pytest.mark.parametrize("bad", [*NO_TOLERANCE, *NOT_REACHED])
@@ -153,10 +153,10 @@ def of_label(f, call, label, value):
     return outcome(f, positional, named, SOON)
 
 
-# texts of Python for arguments that do not fit
+# Python's messages for arguments that do not fit
 OF_THE_CALLER = (
     IndexError("tuple index out of range"), TypeError("'int' object is not iterable"),
-    ValueError("not enough values to unpack"),
+    ValueError("not enough values to unpack"), ArithmeticError("of a library"),
 )  # fmt: skip
 
 
@@ -184,7 +184,7 @@ def test_what_a_function_of_the_caller_raises_arrives_as_raised(public, error):
             (*rest,) = (given.pop(n) for n in range(len(positional)))
             try:
                 functions[name](*rest[inspect.isclass(functions[name]) :], **given)
-            except Exception as found:  # those that keep the function for later raise nothing
+            except Exception as found:  # calls that keep the function for later raise nothing
                 raised += 1
                 if found is not error:
                     changed[name, place] = found

@@ -1,5 +1,5 @@
-"""A valid call of every public name: those that the examples of the docstrings make, recorded while
-they run; and written here, where there is no example.
+"""A valid call of every public name: recorded from the examples in docstrings while they run, or
+written here where there is no example.
 """
 
 import contextlib
@@ -89,7 +89,7 @@ def arguments(frame):
 
 
 def more_examples():
-    """Calls of what no docstring calls."""
+    """Calls of names that no docstring calls."""
     ground = Frame("ground")
     body = ground.rotate("body", "z", angle=0.3, rate=2.0)
     places = body.point("C", 0.1, 0.2, 0.3), body.point("D", 1.0, 0.0, 0.5)
@@ -149,7 +149,7 @@ def scalars_and_vectors(ground):
     form / 2.0, 1.0 - form
     for refused in (
         lambda: 1 / form, lambda: form.function("sin"), lambda: form**2, lambda: 2.0**form,
-        lambda: 1.0 / ground.i,
+        lambda: 1.0 / ground.i, lambda: abs(form), lambda: form == 1.0, lambda: algebra.Moving(2.0) == 1.0,
     ):  # fmt: skip
         with contextlib.suppress(algebra.ScalarError, algebra.FrameError):
             refused()

@@ -109,6 +109,11 @@ WRONG = [
     (("solve", "4/99"), "there is no problem 4/99; ch04 has 4/1 to 4/43"),
     (("solve", "99/1"), "there is no problem 99/1: the chapters with problems are"),
     (("solve", "ch99"), "there is no chapter 'ch99'; there are"),
+    (("solve", "4.16"), "; did you mean 4/16?"),
+    (("solve", "4/16-4/12"), "expected a range within a chapter, as in 11/1-11/6"),
+    (("new", "ch02", "--spec", "{tmp}/file"), "file is not YAML: while scanning a quoted scalar"),
+    (("build", "{tmp}/hw.yaml", "--course", "{tmp}/c"), "hw.yaml: No such file or directory"),
+    (("solve", "b/1", "--problems-from", "{tmp}/none"), "is not a folder: put them in chapters"),
     (("solve", "4/x"), "'4/x' is not a problem number; write chapter and problem, as in 4/16"),
     (("solve", "../etc"), "is not a problem number"),
     (("solve", "4/16", "--given", "omega"), "expected NAME=VALUE with a number, as in --given omega=0.9"),
@@ -141,7 +146,7 @@ WRONG = [
 
 @pytest.mark.parametrize(("arguments", "words"), WRONG, ids=[" ".join(a) for a, _ in WRONG])
 def test_wrong_uses_end_with_2_and_a_sentence(arguments, words, tmp_path):
-    (tmp_path / "file").write_text("x")
+    (tmp_path / "file").write_text("'x")
     code, out = command(*(a.replace("{tmp}", str(tmp_path)) for a in arguments))
     assert code == 2
     assert words in " ".join(out.replace("│", " ").split()) or words in out

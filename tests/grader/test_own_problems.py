@@ -180,7 +180,7 @@ def test_the_workflow_passes_good_problems_and_stops_at_a_slip(tmp_path, forge):
     assert "exists; delete it" in command("ci", forge, "--to", tmp_path)[1]
 
 
-def test_without_names_prove_takes_the_own_problems_alone():
+def test_without_names_prove_takes_only_the_own_problems():
     with place(GOOD):
         code, out = command("prove", "--problems-from", GOOD, "--seeds", "1", "--workers", "1")
     assert code == 0

@@ -88,7 +88,7 @@ def test_the_engine_in_a_repository_of_its_own_is_installed_by_its_address(shell
 
 @pytest.mark.slow
 @pytest.mark.integration
-def test_practice_needs_the_wheel_alone(shell, tmp_path):
+def test_practice_needs_only_the_wheel(shell, tmp_path):
     """In a new environment, with the wheel's dependencies and nothing else."""
     write_practice(tmp_path / "one.practice", [problem("4/16")], count=2, workers=1)
     (tmp_path / "practice.py").write_text(PRACTICE)

@@ -48,7 +48,7 @@ def test_the_commands_for_instructors_work_verbatim_for_an_ordinary_user(tmp_pat
     home.mkdir()
     (student / ".jupyter").mkdir(parents=True)
     output = as_ordinary_user(first, home)
-    assert "Enrolled 1 students (ids from the column 'Username'" in output
+    assert "Enrolled 1 student (ids from the column 'Username'" in output
     course = Course(home / "mechanics")
     for file in (course.path / "student").iterdir():
         shutil.copy(file, student / ".jupyter")

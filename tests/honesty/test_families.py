@@ -29,7 +29,7 @@ def test_there_are_families_of_every_subject_each_described(known, least, subjec
     assert all(f.__doc__ for f in known.values())
 
 
-def test_no_family_of_the_holdout_is_a_known_one():
+def test_the_holdout_shares_no_family_with_the_known_ones():
     assert not HOLDOUT.keys() & FAMILIES.keys()
 
 

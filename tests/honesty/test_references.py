@@ -22,7 +22,7 @@ def floats(row):
     return [float(x) for x in row]
 
 
-def test_a_wrong_closed_form_is_no_reference():
+def test_a_wrong_closed_form_is_not_a_reference():
     def wrong(mp, s, p, t):
         return closed_forms.pendulum(mp, p.k * (1 + mp.mpf(10) ** -14), s.theta, s.omega, t)
 

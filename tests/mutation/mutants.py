@@ -1,4 +1,4 @@
-"""The mutants of a module: its syntax tree with one small change each, such as a mistake would be."""
+"""The mutants of a module: its syntax tree with one small change each, like a programmer's slip."""
 
 import ast
 from collections.abc import Iterator
@@ -18,7 +18,7 @@ FUNCTIONS = ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda
 class Mutant(NamedTuple):
     """One change: ``old`` becomes ``new``, nodes of the syntax tree.
 
-    lines : of the statement in which it lies, so far as they are its own
+    lines : of the statement that contains it, without those of inner statements
     always : True if that runs when the module is imported, or its result is kept from call to call
     """
 
@@ -37,7 +37,7 @@ class Mutant(NamedTuple):
 
     def applied(self, tree: ast.AST) -> ast.AST:
         """A copy of the tree with this change."""
-        # what the memo holds is taken for the copy of the old node
+        # deepcopy takes what the memo holds for the copy of the old node
         return ast.fix_missing_locations(deepcopy(tree, {id(self.old): self.new}))
 
 
@@ -61,7 +61,7 @@ def _places(node, statement, always) -> Iterator[tuple]:
     for field, value in ast.iter_fields(node):
         if field in ("annotation", "returns", "decorator_list"):
             continue
-        # a body runs when the function is called, its defaults when it is made
+        # a body runs when the function is called, its defaults when it is defined
         inner = always
         if field == "body" and isinstance(node, FUNCTIONS):
             names = [ast.unparse(d) for d in getattr(node, "decorator_list", ())]
@@ -75,7 +75,7 @@ def _places(node, statement, always) -> Iterator[tuple]:
 
 
 def _is_left(node):
-    """True for what is not changed: texts, and strict= of zip, which only guards."""
+    """True for what is left unchanged: texts, and strict= of zip, which is only a guard."""
     guard = isinstance(node, ast.keyword) and node.arg == "strict"
     return guard or isinstance(node, (ast.JoinedStr, ast.Import, ast.ImportFrom))
 
@@ -88,7 +88,7 @@ def _lines(statement):
 
 
 def _changes(node) -> Iterator[ast.AST]:
-    """What may stand in place of a node."""
+    """What may replace a node."""
     if isinstance(node, ast.Compare):
         for n, op in enumerate(node.ops):
             for new in COMPARISONS[type(op)]:
@@ -129,7 +129,7 @@ def _with_test(node, test):
 
 
 def _is_nothing(node):
-    # False is changed to True, which says more than None
+    # False is changed to True, which tests more than None
     return node is None or (isinstance(node, ast.Constant) and node.value in (None, False))
 
 

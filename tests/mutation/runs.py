@@ -1,5 +1,5 @@
 """Runs of the tests with a mutated module: each in a fork of this process, which has imported what
-is slow to import, but nothing that is tested.
+is slow to import but nothing under test.
 """
 
 import ast
@@ -18,18 +18,18 @@ from pathlib import Path
 import pytest
 
 SLOW_IMPORTS = "numpy", "scipy.integrate", "mpmath", "sympy", "hypothesis", "heyoka", "symengine"
-# plain: else pytest would want to rewrite modules that are imported already
+# plain: otherwise pytest would try to rewrite modules that are already imported
 OPTIONS = "-x", "-q", "-p", "no:cacheprovider", "--assert=plain", "--tb=no"
 
 LATE = -100
 
 
 class TestsFailError(Exception):
-    """The tests fail, or there are none, without any change."""
+    """Without any change the tests fail, or there are none."""
 
 
 def warm_up():
-    """Import what the tests will need; what is not installed is not missed."""
+    """Import what the tests will need, as far as it is installed."""
     for name in SLOW_IMPORTS:
         with contextlib.suppress(ImportError):
             importlib.import_module(name)

@@ -76,7 +76,7 @@ def test_what_must_be_killed_is_and_what_is_equivalent_survives(tmp_path):
     assert found.returncode == 1, found.stderr
     lines = [line for line in found.stdout.splitlines() if line.startswith("small.py:")]
     assert lines == [
-        "small.py:6: a < b  ->  a <= b",  # of equal numbers either one is the larger
+        "small.py:6: a < b  ->  a <= b",  # of equal numbers either is the larger
         "small.py:12: return a + 1  ->  return None  (no test runs it)",
         "small.py:12: a + 1  ->  a - 1  (no test runs it)",
         "small.py:12: 1  ->  2  (no test runs it)",

@@ -30,7 +30,7 @@ REFUSED = [
     (lambda: -v + a.expressed_in(ground), "cannot add the acceleration"),
     (lambda: Q.velocity(ground) - Q.acceleration(ground), "cannot add the acceleration, in m/s"),
     # not a number
-    (lambda: moving(1.0, rate=None), "the rate is None, which is no number.* leave rate= out"),
+    (lambda: moving(1.0, rate=None), "the rate is None, which is not a number.* leave rate= out"),
     (lambda: ground.rotate("b", "z", rate=None), "the rate is None"),
     (lambda: ground.rotate("b", "z", 0.1, 0.2, None), "the acceleration is None"),
     (lambda: moving(np.float64("nan")), "the value is nan"),
@@ -49,6 +49,7 @@ REFUSED = [
     (lambda: unit("m/sec^2"), "Did you mean 's'"),
     (lambda: unit("KG"), "Did you mean 'kg'"),
     (lambda: newton_euler.disk, "write from newton_euler.bodies import disk"),
+    (lambda: newton_euler.integrat, "Did you mean 'integrate'.* from newton_euler import integrate"),
     (lambda: newton_euler.bodies.dsk, "Did you mean 'disk'. Write: from newton_euler.bodies imp"),
     (lambda: newton_euler.kinematics.moving, "write from newton_euler import moving"),
     (lambda: newton_euler.scenes.Frame, "write from newton_euler import Frame"),

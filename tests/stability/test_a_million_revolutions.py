@@ -28,10 +28,10 @@ CHUNK = 5000  # revolutions in one run: a course keeps all of its steps
 
 @dataclass(frozen=True)
 class Case:
-    """A method and how it is set: so many ``steps`` a revolution, or the error asked for.
+    """A method and its setting: so many ``steps`` a revolution, or the error asked for.
 
-    revolutions : what it can do in some minutes; quick : in a second, and of how many starts the
-        mean square is taken; None if that tells nothing
+    revolutions : what it can do in some minutes; quick : in a second, and over how many starts the
+        mean square is taken; None if that shows nothing
     energy, momentum : the powers of time by which they drift; most : the largest drift of both
         after a million revolutions
     """
@@ -66,7 +66,7 @@ CASES = [
     Case("scipy RK45", 40, None, MILLION // 100, (200, 1), 1.0, 1.0, (3e-2, 1e-2)),
     # has no fixed step
     Case("solve_ivp LSODA", None, 1e-9, MILLION // 100, (300, 1), 1.0, 1.0, (1e-2, 4e-3)),
-    # by its law; nothing is left long before
+    # by its law; nothing is left long before then
     Case("solve_ivp Radau", None, 1e-4, MILLION // 300, None, 1.0, 1.0, (5.0, 2.0)),
 ]
 
@@ -81,7 +81,7 @@ def run(case, revolutions, whole, state):
     setting = {"step": REVOLUTION / case.steps} if case.steps else {"rtol": case.rtol}
     try:
         motion = integrate(BODY, t, state, method=case.method, samples=times, **setting)
-    except AccuracyError as refused:  # what it drifts is the question here
+    except AccuracyError as refused:  # its drift is the question here
         motion = refused.reached
     return tuple(motion.states.values())
 
@@ -106,7 +106,7 @@ def drift(case, revolutions, start=START, marks=9):
 
 
 def exponents(case):
-    """The powers of time of both drifts, in the root mean square of several starts."""
+    """The powers of time of both drifts, in the root mean square over several starts."""
     revolutions, starts = case.quick
     begins = (tuple(map(float, BODY.solution(0.37 * n, START))) for n in range(starts))
     runs = [drift(case, revolutions, start) for start in begins]
@@ -144,7 +144,7 @@ def test_after_a_thousand_revolutions_the_drifts_differ_by_eleven_powers_of_ten(
 @pytest.mark.lab
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.label)
 def test_a_million_revolutions_by_each_method(case):
-    """Prints what is kept; of slow methods, what their law makes of fewer revolutions."""
+    """Prints what is conserved; for slow methods, an extrapolation by their law."""
     begun = perf_counter()
     at, energy, momentum = drift(case, case.revolutions)
     seconds = perf_counter() - begun
@@ -166,6 +166,6 @@ def test_a_million_revolutions_by_each_method(case):
             assert np.polyfit(np.log(at), np.log(values), 1)[0] == pytest.approx(
                 law, abs=0.3 if law == 0.5 else 0.15
             )
-        elif case.method != "exact":  # where round-off itself is looked at
-            # it has a bound, and has reached it before
+        elif case.method != "exact":  # where round-off itself is the question
+            # it is bounded, and has reached its bound before
             assert values[-1] < 1.3 * values[len(values) // 2]

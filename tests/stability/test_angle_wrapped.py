@@ -11,7 +11,7 @@ from newton_euler.scenes.spatial import top
 
 
 def unwrapped(angle):
-    """An angle that is read from sines and cosines at some instants, unwrapped."""
+    """An angle read from sines and cosines at some instants, unwrapped."""
     return np.unwrap(np.arctan2(np.sin(angle), np.cos(angle)))
 
 

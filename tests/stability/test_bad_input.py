@@ -11,29 +11,7 @@ import numpy as np
 import pytest
 import sympy
 
-from newton_euler import (
-    Body,
-    Frame,
-    Inertia,
-    Model,
-    NewtonEulerError,
-    at,
-    centre_of_mass,
-    compiled,
-    cos,
-    exp,
-    frenet,
-    integrate,
-    log,
-    moving,
-    prepare,
-    radians,
-    sin,
-    sqrt,
-    unit,
-    where,
-    work_along,
-)
+import newton_euler as ne
 from newton_euler.accuracy import timed
 from newton_euler.algebra import FrameError, ScalarError, SingularError
 from newton_euler.algebra.errors import ArgumentError, checked
@@ -44,7 +22,7 @@ from newton_euler.algebra.scalars import (
     Scalar,
     operations,
     scalar,
-    shown,
+    short_repr,
 )
 from newton_euler.applications import (
     buoyancy,
@@ -72,7 +50,7 @@ from newton_euler.motion import ModelError, Neglected
 from tests.fuzz.bad import OfAstropy, OfPint
 from tests.models import throw
 
-ground = Frame("ground")
+ground = ne.Frame("ground")
 P = ground.point("P", 1.0, 2.0, 3.0)
 
 
@@ -81,26 +59,28 @@ QUANTITIES = OfPint(30.0, "degree"), np.array([1.0, 2.0]).view(OfAstropy)
 
 def test_the_message_says_what_was_expected_what_came_and_what_to_do():
     with pytest.raises(ScalarError) as error:
-        radians("30")
+        ne.radians("30")
     assert str(error.value) == (
         "expected a number (float, array, mpf or expression), got '30' of type str; write numbers "
         "without quotation marks"
     )
     with pytest.raises(FrameError, match=r"frenet: v is a Vector, as ground.vector.* got 3.0"):
-        frenet(3.0, ground.i)
+        ne.frenet(3.0, ground.i)
     with pytest.raises(ArgumentError, match=r"work_along: path is a function; got 3.0"):
-        work_along(lambda x, y, z: (x, y, z), 3.0, 0.0, 1.0)
+        ne.work_along(lambda x, y, z: (x, y, z), 3.0, 0.0, 1.0)
 
 
 @pytest.mark.parametrize("quantity", QUANTITIES, ids=["pint", "astropy"])
 def test_the_unit_of_a_quantity_is_never_dropped(quantity):
     for take in (
-        radians, sin, moving, lambda q: ground.vector(q, 0, 0), lambda q: ground.i * q,
+        ne.radians, ne.sin, ne.moving, lambda q: ground.vector(q, 0, 0), lambda q: ground.i * q,
         lambda q: disk(q, ground, mass=1.0), lambda q: attraction(q, 1.0, 1.0),
-        lambda q: ground.rotate("arm", "z", q), lambda q: unit("m").to_base(q),
-        lambda q: Inertia(ground, (q, q, q)), lambda q: at(lambda t: t, q),
+        lambda q: ground.rotate("arm", "z", q), lambda q: ne.unit("m").to_base(q),
+        lambda q: ne.Inertia(ground, (q, q, q)), lambda q: ne.at(lambda t: t, q),
     ):  # fmt: skip
-        with pytest.raises(NewtonEulerError, match=r"it has a unit|unit vector|OfPint|OfAstropy"):
+        with pytest.raises(
+            ne.NewtonEulerError, match=r"it has a unit|unit vector|OfPint|OfAstropy"
+        ):
             take(quantity)
 
 
@@ -108,7 +88,7 @@ def test_the_unit_of_a_quantity_is_never_dropped(quantity):
 def test_quantities_of_real_libraries_are_refused(name):
     library = pytest.importorskip(name)
     q = library.UnitRegistry().Quantity(30.0, "degree") if name == "pint" else 30.0 * library.deg
-    for take in (radians, sin, moving, lambda q: disk(q, ground, mass=1.0)):
+    for take in (ne.radians, ne.sin, ne.moving, lambda q: disk(q, ground, mass=1.0)):
         with pytest.raises(ScalarError, match="it has a unit"):
             take(q)
 
@@ -125,7 +105,7 @@ def test_quantities_of_real_libraries_are_refused(name):
     lambda m: buoyancy(m, 1.0, 1.0, 1.0, 9.8),
     lambda m: force_near_earth(m, ground.i, ground.j, ground.k),
     lambda m: support_force(m, 9.8, ground),
-    lambda m: Body("stone", m, ground),
+    lambda m: ne.Body("stone", m, ground),
 ])  # fmt: skip
 def test_negative_masses_are_refused_and_zero_is_a_mass(f):
     for bad in (-1.0, np.array([1.0, -1.0]), mpmath.mpf(-1), float("nan"), float("inf")):
@@ -137,8 +117,8 @@ def test_negative_masses_are_refused_and_zero_is_a_mass(f):
 
 def test_moments_of_inertia_that_no_body_has_are_refused():
     with pytest.raises(MassError, match="no body has these moments"):
-        Body("stone", 1.0, ground, (1.0, 1.0, 5.0))
-    Body("sheet of a table", 1.0, ground, (0.333, 0.333, 0.667))  # in three digits
+        ne.Body("stone", 1.0, ground, (1.0, 1.0, 5.0))
+    ne.Body("sheet of a table", 1.0, ground, (0.333, 0.333, 0.667))  # in three digits
     for refused in (
         lambda: plane_kinetic_energy(1.0, 1.0, -1.0, 1.0),
         lambda: gyroscope_energy(-1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
@@ -148,27 +128,27 @@ def test_moments_of_inertia_that_no_body_has_are_refused():
         lambda: integrated(lambda x: (x, 0, 0), (0.0, 1.0), frame=ground, mass=-1.0),
         lambda: ground_frame(earth_frame(ground), 0.5, radius=-1.0),
     ):
-        with pytest.raises(NewtonEulerError):
+        with pytest.raises(ne.NewtonEulerError):
             refused()
 
 
 def test_a_hole_has_a_negative_mass():
     hole = -disk(0.1, ground, mass=1.0)
     assert hole.mass == -1.0
-    assert centre_of_mass([(2.0, P), (-1.0, P)]).position(ground) == P.position(ground)
+    assert ne.centre_of_mass([(2.0, P), (-1.0, P)]).position(ground) == P.position(ground)
 
 
 def test_functions_say_where_they_have_no_value():
     for call in (
-        lambda: sqrt(-1.0), lambda: log(0.0), lambda: exp(1e6), lambda: sin(float("inf")),
-        lambda: at(sqrt, 0.0),
+        lambda: ne.sqrt(-1.0), lambda: ne.log(0.0), lambda: ne.exp(1e6), lambda: ne.sin(float("inf")),
+        lambda: ne.at(ne.sqrt, 0.0),
     ):  # fmt: skip
         with pytest.raises((SingularError, MassError)):
             call()
     with pytest.raises(OverflowError):  # for those who expect what Python raises
-        exp(1e6)
+        ne.exp(1e6)
     with pytest.raises(ScalarError, match="not known to hold"):
-        where(sympy.Symbol("x") > 1, 1.0, 2.0)
+        ne.where(sympy.Symbol("x") > 1, 1.0, 2.0)
 
 
 def energy(s, p, t):
@@ -184,11 +164,11 @@ def test_what_a_function_of_a_model_returns_is_reported_where_it_does_not_fit():
     none, pole = lambda s, p, t: None, lambda s, p, t: (1 / t,)
     wrong = (none, ModelError), (lambda s, p, t: (1.0, 2.0), ModelError)
     for exact, error in (*wrong, (pole, ZeroDivisionError)):
-        model = Model("m", {}, ("x",), lambda s, p, t: (1.0,), exact=exact)
-        with pytest.raises(NewtonEulerError, match="exact solution") as raised:
+        model = ne.Model("m", {}, ("x",), lambda s, p, t: (1.0,), exact=exact)
+        with pytest.raises(ne.NewtonEulerError, match="exact solution") as raised:
             model.solution(0.0, (1.0,))
         assert isinstance(raised.value, error)
-    model = Model("m", {}, ("x",), lambda s, p, t: (1.0,), {"none": lambda s, p, t: None})
+    model = ne.Model("m", {}, ("x",), lambda s, p, t: (1.0,), {"none": lambda s, p, t: None})
     with pytest.raises(ModelError, match="returns a number"):
         model.invariant("none", (1.0,))
 
@@ -200,41 +180,41 @@ def in_array(x):
     return array
 
 
-MOTION = integrate(FALL, 1.0, START)
-DECAY = Model(
+MOTION = ne.integrate(FALL, 1.0, START)
+DECAY = ne.Model(
     "decay", {"k": 2.0}, ("x",), lambda s, p, t: (-p.k * s.x,),
-    exact=lambda s, p, t: (s.x * exp(-p.k * t),),
+    exact=lambda s, p, t: (s.x * ne.exp(-p.k * t),),
 )  # fmt: skip
 TAKERS_OF_QUANTITIES = {
-    "from and to": lambda q: integrate(FALL, (0.0, q), START),
-    "state": lambda q: integrate(FALL, 1.0, (q, 0.0)),
-    "state by name": lambda q: integrate(FALL, 1.0, {"h": q, "v": 0.0}),
-    "states": lambda q: integrate(FALL, 1.0, (in_array(q), 0.0)),
+    "from and to": lambda q: ne.integrate(FALL, (0.0, q), START),
+    "state": lambda q: ne.integrate(FALL, 1.0, (q, 0.0)),
+    "state by name": lambda q: ne.integrate(FALL, 1.0, {"h": q, "v": 0.0}),
+    "states": lambda q: ne.integrate(FALL, 1.0, (in_array(q), 0.0)),
     "parameter": lambda q: FALL.changed(g=q),
     "parameters": lambda q: FALL.changed(g=in_array(q)),
-    "sample": lambda q: integrate(FALL, 1.0, START, samples=[0.5, q]),
+    "sample": lambda q: ne.integrate(FALL, 1.0, START, samples=[0.5, q]),
     "at": lambda q: MOTION.at([0.5, q]),
     "invariant": lambda q: FALL.invariant("energy", (q, 0.0)),
-    "prepared exact": lambda q: prepare(DECAY, method="exact")(1.0, (q,)),
-    "prepared exact at": lambda q: prepare(DECAY, method="exact")(q, (1.0,)),
-    "prepared dop853": lambda q: prepare(DECAY, method="dop853")(1.0, q),
-    "compiled": lambda q: compiled(lambda x: 2 * x)(q),
+    "prepared exact": lambda q: ne.prepare(DECAY, method="exact")(1.0, (q,)),
+    "prepared exact at": lambda q: ne.prepare(DECAY, method="exact")(q, (1.0,)),
+    "prepared dop853": lambda q: ne.prepare(DECAY, method="dop853")(1.0, q),
+    "compiled": lambda q: ne.compiled(lambda x: 2 * x)(q),
 }
 
 
-@pytest.mark.parametrize("door", TAKERS_OF_QUANTITIES)
-def test_no_motion_drops_a_unit(door):
-    """Where a quantity stands in a place, tests.fuzz has it; here it stands inside of something."""
+@pytest.mark.parametrize("taker", TAKERS_OF_QUANTITIES)
+def test_no_motion_drops_a_unit(taker):
+    """A quantity as the argument itself is a case of tests.fuzz; here it is inside something."""
     fractions = np.array([0.1, 0.2])
     span = np.timedelta64(1, "s")
     for quantity in (OfPint(2.0), fractions.view(OfAstropy), span, fractions.astype("m8[s]")):
-        with pytest.raises(NewtonEulerError):
-            TAKERS_OF_QUANTITIES[door](quantity)
+        with pytest.raises(ne.NewtonEulerError):
+            TAKERS_OF_QUANTITIES[taker](quantity)
 
 
 def test_a_prepared_motion_of_taylor_drops_no_unit():
     pytest.importorskip("heyoka")
-    run = prepare(DECAY, method="taylor")
+    run = ne.prepare(DECAY, method="taylor")
     q = OfPint(2.0)
     for t, start in ((q, (1.0,)), (1.0, (q,)), (1.0, np.ones(1).view(OfAstropy))):
         with pytest.raises(ModelError, match="it has a unit"):
@@ -245,24 +225,24 @@ def test_a_prepared_motion_of_taylor_drops_no_unit():
 def test_whatever_can_be_read_as_real_numbers_is_accepted():
     for times in ([0.5, 0.25], (0.5, mpmath.mpf(0.25)), np.array([0.5, 0.25], dtype=object)):
         assert MOTION.at(times)["h"].tolist() == MOTION.at(np.array([0.5, 0.25]))["h"].tolist()
-        assert integrate(FALL, 1.0, START, samples=times).times.tolist() == [0.5, 0.25]
+        assert ne.integrate(FALL, 1.0, START, samples=times).times.tolist() == [0.5, 0.25]
     assert MOTION.at(1) == MOTION.end
-    assert integrate(FALL, 3.0, START, samples=(n for n in range(3))).times.tolist() == [0, 1, 2]
+    assert ne.integrate(FALL, 3.0, START, samples=(n for n in range(3))).times.tolist() == [0, 1, 2]
     assert FALL.derivative(iter(START)) == FALL.derivative([1, 0]) == (0.0, -9.81)
 
 
 def test_a_compiled_formula_says_where_it_has_no_value():
-    ratio = compiled(lambda x, y: sqrt(x) / y)
+    ratio = ne.compiled(lambda x, y: ne.sqrt(x) / y)
     with pytest.raises(SingularError, match=r"no value: x = -1\.0, y = 1\.0"):
         ratio(-1.0, 1.0)
     with pytest.raises(DivisionError, match="no value"):
         ratio(1.0, 0.0)
     with pytest.raises(RangeError, match="no value"):
-        compiled(exp)(1e6)
+        ne.compiled(ne.exp)(1e6)
 
 
 def test_a_vector_is_equal_to_itself_there_and_back():
-    """The way through another frame rounds, and no frame is better than another."""
+    """Going through another frame rounds, and no frame is better than another."""
     turned = ground.rotate("turned", (1, 2, 3), 0.7)
     for x in (1.0, 1e-200, 1e200, np.array([1.0, 1e-9]), mpmath.mpf(1)):
         v = ground.vector(x, 2 * x, 3 * x)
@@ -274,10 +254,10 @@ def test_a_vector_is_equal_to_itself_there_and_back():
     nan = 0.0 * ground.vector(float("inf"), 0, 0)
     assert nan != nan
     assert ground.vector(np.ones(2), 0, 0) != ground.vector(np.ones(3), 0, 0)
-    # one instant that is small does not hide behind one that is large
+    # a small difference at one instant is not hidden by a large vector at another
     assert ground.vector(np.array([1e9, 1.0]), 0, 0) != ground.vector(np.array([1e9, 1.1]), 0, 0)
     q = sympy.Symbol("q")
-    assert ground.vector(cos(q) ** 2 + sin(q) ** 2, 0, 0) == ground.i
+    assert ground.vector(ne.cos(q) ** 2 + ne.sin(q) ** 2, 0, 0) == ground.i
     assert ground.vector(q, 0, 0) != ground.vector(q + 1, 0, 0)
 
 
@@ -292,12 +272,12 @@ def chain_of_frames(n):
 
 
 def texts(x):
-    """All texts that are made of a vector."""
+    """All texts that a vector is written as."""
     return repr(x), str(x), x.latex(), str(x.explain()), repr(x.terms)
 
 
 def test_a_long_expression_is_printed_as_its_length():
-    """Written out it grows five times with every frame: of seven frames to 6 MB."""
+    """Written out it grows fivefold with every frame: to 6 MB with seven frames."""
     for text in texts(chain_of_frames(7)):
         assert len(text) < 2000
         assert "operations" in text
@@ -312,9 +292,9 @@ def test_the_text_of_a_long_expression_takes_no_longer_than_the_expression():
 
 def test_short_expressions_are_written_out():
     q = sympy.Symbol("q")
-    assert shown(q**2 + 1) == "q**2 + 1"
+    assert short_repr(q**2 + 1) == "q**2 + 1"
     assert operations(q**2 + 1) == 2
-    assert shown(sum(q**n for n in range(LONGEST))).endswith("operations>")
+    assert short_repr(sum(q**n for n in range(LONGEST))).endswith("operations>")
     assert scalar(q) is q
 
 

@@ -1,5 +1,5 @@
-"""Close approach on an eccentric orbit: steps and digits are lost at the centre; Kepler's equation
-with bounds is not (6.4).
+"""Close approach on an eccentric orbit: steps and digits are lost near the centre, but not by
+Kepler's equation solved between bounds (6.4).
 """
 
 import math
@@ -58,7 +58,7 @@ def test_an_ellipse_that_is_almost_a_parabola_is_as_accurate_as_any(less):
     (-3.3, -0.5, 5.3, -0.004),
 ])  # fmt: skip
 def test_a_parabola_or_hyperbola_is_refused_in_words_and_integrated(start):
-    with pytest.raises(ModelError, match=r"no ellipse .* integrate it"):
+    with pytest.raises(ModelError, match=r"not an ellipse .* integrate it"):
         ORBIT.solution(1.0, start)
     motion = integrate(ORBIT, 2.0, start, 1e-10)
     assert motion.method.name != "exact"
@@ -74,5 +74,5 @@ def test_an_orbit_through_the_centre_and_expressions_are_refused_in_words():
         ORBIT.solution(sympy.Symbol("t"), (1.0, 0.0, 0.0, 1.0))
     with pytest.raises(ModelError, match="mu > 0"):
         orbit(-1.0).solution(1.0, (1.0, 0.0, 0.0, 1.0))
-    # beside it: e = 1 - 7e-13
+    # close to it: e = 1 - 7e-13
     assert math.isfinite(ORBIT.solution(50.0, (1.0, 0.0, -0.5, 1e-6))[0])

@@ -1,4 +1,4 @@
-"""Constraint drift: a pendulum in x, y with its rod force lambda, against the angle as the one
+"""Constraint drift: a pendulum in x, y with its rod force lambda, against the angle as the only
 coordinate (5.28), (11.17).
 """
 

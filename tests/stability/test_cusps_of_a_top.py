@@ -1,5 +1,5 @@
-"""Cusps, the border between waves and loops: a top released from rest; rounding makes waves or
-loops of it (10.25).
+"""Cusps, the border between waves and loops: a top released from rest, which rounding turns into
+waves or loops (10.25).
 """
 
 import pytest

@@ -26,7 +26,7 @@ def test_a_pendulum_released_at_3_1_rad_gains_more_energy_than_it_has_and_turns_
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor"])
 def test_the_engine_keeps_its_energy_to_1e_minus_9_and_swings_back_every_time(method):
-    # the method of Runge and Kutta refuses 1e-9: its round-off grows at every turn beside the top
+    # the Runge-Kutta method refuses 1e-9: its round-off grows at every turn near the top
     rtol = 1e-8 if method == "dop853" else 1e-9
     motion = integrate(PENDULUM, 100.0, (3.1, 0.0), rtol, method)
     assert motion.error <= rtol

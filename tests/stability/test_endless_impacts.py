@@ -18,7 +18,7 @@ def _bounce(s, p, t):
 
 
 def _bounce_or_rest(s, p, t):
-    """The rule for what comes after: an impact slower than 1 mm/s is the last."""
+    """The rule for what comes next: an impact slower than 1 mm/s is the last."""
     return (BALL, (0.0, -p.e * s.v)) if s.v < -1e-3 else (BALL.changed(g=0.0), (0.0, 0.0), ())
 
 
@@ -31,7 +31,7 @@ def dropped(ball, then, **options):
 
 
 def impact(n, e=E):
-    """The instant of the impact number n, from 0."""
+    """The instant of impact number n, from 0."""
     return FIRST * (1 + 2 * sum(e**k for k in range(1, n + 1)))
 
 
@@ -55,8 +55,8 @@ def test_with_a_rule_for_the_last_impact_it_lies_on_the_floor_for_the_rest_of_th
 
 
 @pytest.mark.parametrize("e", [0.999, 1.0])
-def test_beside_it_a_ball_that_hardly_loses_anything_goes_on(e):
-    """Rest would be reached after 2000 s, or never: 15 impacts in 30 s, within 1e-12 s."""
+def test_beside_it_a_ball_that_loses_almost_nothing_goes_on(e):
+    """Rest would come after 2000 s, or never: 15 impacts in 30 s, within 1e-12 s."""
     motion = dropped(BALL.changed(e=e), _bounce)
     assert motion.ended == "reached t = 30"
     exact = [t for n in range(40) if (t := impact(n, e)) < T - 1e-9]

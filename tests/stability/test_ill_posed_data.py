@@ -1,5 +1,5 @@
-"""Data that contradict each other, leave something open, or belong to no body: refused in words,
-where NumPy returns numbers (7.13), (8.21).
+"""Data that contradict each other, leave something open, or fit no body are refused in words, where
+NumPy returns numbers (7.13), (8.21).
 """
 
 import mpmath
@@ -15,7 +15,7 @@ body = Frame("body")
 
 
 def test_a_nearly_singular_solve_returns_1e16_and_the_engine_reports_what_is_open():
-    M = np.array([[0.1, 0.3], [0.3, 0.9]])  # of rank 1, but for the rounding of 0.1 and 0.3
+    M = np.array([[0.1, 0.3], [0.3, 0.9]])  # of rank 1, except for the rounding of 0.1 and 0.3
     assert abs(np.linalg.solve(M, [0.4, 1.2000001])).max() > 1e8
     s = solve_linear(
         lambda A, B: {"one": 0.1 * A + 0.3 * B - 0.4, "three": 0.3 * A + 0.9 * B - 1.2}

@@ -1,5 +1,5 @@
-"""Spin about the intermediate principal axis: exactly on it a run of floats stays for ever, beside
-it the body turns over (8.14).
+"""Spin about the intermediate principal axis: exactly on it a run in floats stays there for ever,
+beside it the body turns over (8.14).
 """
 
 import math
@@ -14,7 +14,7 @@ BODY = free_body(1.0, 2.0, 3.0)
 GROWTH = 1 / math.sqrt(3)  # 1/s, at 1 rad/s
 
 
-def test_exactly_on_the_axis_a_run_of_floats_never_leaves_and_so_tells_nothing():
+def test_exactly_on_the_axis_a_run_of_floats_never_leaves_and_so_shows_nothing():
     start = 0.0, 1.0, 0.0
     assert not solved(BODY, 1e4, start).y[[0, 2]].any()
     assert BODY.solution(1e4, start) == start  # nor does the exact one: it is an equilibrium

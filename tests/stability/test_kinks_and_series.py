@@ -1,7 +1,7 @@
-"""A series goes on through a place where the rates change their formula as if they did not: dry
-friction by ``where``, drag by sqrt(v*v)*v, a tank that runs empty and "refills".
+"""A series passes a place where the rates change their formula as if nothing changed: dry friction
+by ``where``, drag by sqrt(v*v)*v, a tank that runs empty and "refills".
 
-What is returned was compared with what was asked for, whatever ran before.
+Every returned motion is checked against the accuracy asked for, whatever ran before.
 """
 
 import importlib.util
@@ -22,7 +22,7 @@ RTOL = 1e-9
 
 
 def friction():
-    """A mass on a spring and a rough floor: its swings about +-mu/k, and its end after 3.4 s."""
+    """A mass on a spring and a rough floor: it swings about +-mu/k and stops after 3.4 s."""
     acceleration = lambda s, p, t: (-p.k * s.x - where(s.dx > 0, p.mu, -p.mu),)
     model = second_order("rough floor", {"k": 4.0, "mu": 0.3}, ("x",), acceleration)
     # half a swing takes pi/2: from 1 to the left, about +0.075; back about -0.075; then as at first
@@ -47,7 +47,7 @@ def tank():
 @pytest.mark.parametrize("method", ["auto", "dop853", "scipy DOP853"])
 def test_a_mass_on_a_rough_floor_ends_where_it_does_at_every_time(method):
     model, t, start, end = friction()
-    for _ in range(60 if method == "auto" else 1):  # auto used to change its method on the way
+    for _ in range(60 if method == "auto" else 1):  # auto used to change its method
         motion = integrate(model, t, start, RTOL, method)
         assert abs(motion.end["x"] - end) <= motion.error <= RTOL
     if HEYOKA:
@@ -110,8 +110,8 @@ def test_batches_are_compared_with_what_was_asked(count):
 
 
 @needs_heyoka
-def test_each_motion_of_a_large_batch_has_its_error_also_beside_a_separatrix():
-    """Amplitudes up to 1e-7 before the upright: those at its end cannot be had."""
+def test_each_motion_of_a_large_batch_has_its_error_even_beside_a_separatrix():
+    """Amplitudes up to 1e-7 short of upright: the closest ones cannot be had."""
     model = second_order("pendulum", {}, ("a",), lambda s, p, t: (-sin(s.a),))
     a = np.concatenate([np.linspace(0.1, 3.0, 70), math.pi - 10.0 ** -np.arange(1.0, 8.0)])
     with pytest.raises(

@@ -1,5 +1,5 @@
-"""Loss of contact: a particle that slides down a smooth sphere leaves it; integrated on, the sphere
-pulls it along (11.29).
+"""Loss of contact: a particle that slides down a smooth sphere leaves it; integrated further, the
+sphere would pull it along (11.29).
 """
 
 import math
@@ -19,7 +19,7 @@ def _on_sphere(s, p, t):
 
 
 def _normal_force(s, p, t):
-    """Over the mass."""
+    """Per unit mass."""
     return p.g * cos(s.theta) - p.R * s.omega**2
 
 
@@ -53,7 +53,7 @@ def leaving(v0, theta0=0.0):
 
 
 def landing(v0, theta0=0.0):
-    """Where it comes down on the ground on which the sphere lies, in closed form."""
+    """Where it lands on the ground on which the sphere lies, in closed form."""
     angle = leaving(v0, theta0)
     v = math.sqrt(G * R * math.cos(angle))
     fall = v * math.sin(angle)

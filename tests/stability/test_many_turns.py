@@ -1,5 +1,5 @@
 """Angles that count turns: after 1e9 of them a float resolves 1e-6 rad, and a slow precession
-stands still; an attitude forgets the turns (10.36).
+stands still; an attitude does not count turns (10.36).
 """
 
 import math
@@ -27,7 +27,7 @@ def apart(a, b):
 
 
 def test_integrated_from_1e9_turns_on_the_angles_lose_six_digits_and_the_quaternion_none():
-    """A nutating top for 1 s: by Euler's angles counted from before, and by a quaternion."""
+    """A nutating top for 1 s: by Euler angles that have counted turns, and by a quaternion."""
     angles, rolling = (f(I0, I, MGR, OMEGA_Z) for f in (top.euler, top.nonspinning_frame))
     end = lambda model, *start: integrate(model, 1.0, start, 1e-12, "dop853").end
     fresh, counted = (end(angles, x, 0.6, x, 0.0, 0.0) for x in (0.0, TURNS))

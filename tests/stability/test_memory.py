@@ -1,4 +1,4 @@
-"""What is made and dropped leaves no memory behind: frames, models, motions, and what was traced or
+"""What is made and dropped leaves no memory in use: frames, models, motions, and what was traced or
 generated for them.
 """
 
@@ -17,7 +17,7 @@ from newton_euler.motion.model import KEPT
 
 @pytest.fixture(autouse=True)
 def only_new_objects():
-    """What was there before is not searched: that takes most of the time."""
+    """Older objects are not searched, which would take most of the time."""
     gc.collect()
     gc.freeze()
     yield
@@ -25,7 +25,7 @@ def only_new_objects():
 
 
 MB = 2**20
-FEW = 5  # objects for each n: a model that stays is hundreds
+FEW = 5  # objects for each n: a model that stays would be hundreds
 RATES = "lambda s, p, t: (s.v, -{n}.5*s.x - p.k)"
 STATES = ("x", "v")
 
@@ -47,7 +47,7 @@ def growth(make, before, after):
 
 
 def more_objects(make, before, after):
-    """The same in objects for each n: quicker, for what takes long."""
+    """The same in objects for each n: quicker, for slow cases."""
     for n in range(before):
         make(n)
     gc.collect()
@@ -58,8 +58,8 @@ def more_objects(make, before, after):
     return (len(gc.get_objects()) - first) / (after - before)
 
 
-def test_frames_that_are_dropped_do_not_stay():
-    """They were 9 MB for 10 000 of them, in the list of their tree."""
+def test_frames_that_are_dropped_are_freed():
+    """10 000 of them used to hold 9 MB, in the list of their tree."""
     ground = Frame("ground")
 
     def make(n):
@@ -71,8 +71,8 @@ def test_frames_that_are_dropped_do_not_stay():
     assert ground.tree == [ground]
 
 
-def test_frames_that_look_at_each_other_do_not_stay():
-    """What one has computed of its motion seen from the other does not hold either."""
+def test_frames_that_refer_to_each_other_are_freed():
+    """What one has computed of its motion as seen from the other keeps neither alive."""
     ground, other = Frame("ground"), None
     other = ground.rotate("other", "x", moving(0.3, rate=1.0))
 
@@ -84,7 +84,7 @@ def test_frames_that_look_at_each_other_do_not_stay():
     assert ground.tree == [ground, other]
 
 
-def test_frames_that_are_sent_do_not_stay():
+def test_frames_that_are_sent_are_freed():
     ground = Frame("ground")
 
     def make(n):
@@ -95,7 +95,7 @@ def test_frames_that_are_sent_do_not_stay():
 
 
 def run(n, method="dop853"):
-    """One integration of a model of new functions, none of which equals another one."""
+    """One integration of a model of new functions, no two of which are equal."""
     model = Model(
         "new", {"k": 1.0, "law": eval(f"lambda s, p, t: {n}.25")}, STATES,
         eval(RATES.format(n=n)), {"energy": eval(f"lambda s, p, t: s.v**2 + {n}.5*s.x**2")},
@@ -107,7 +107,7 @@ def run(n, method="dop853"):
 
 
 def test_models_of_new_lambdas_do_not_pile_up():
-    """Those used last stay in the caches, which are full after the first ones."""
+    """The latest stay in the caches, which are full after the first ones."""
     made = []
 
     def make(n):
@@ -128,8 +128,8 @@ def test_caches_stay_within_their_bound():
     assert [len(cache) <= KEPT for cache in caches] == [True] * 3
 
 
-def test_functions_whose_reading_is_unknown_are_not_kept():
-    """As they are traced anew each time, an entry for each would be of no use."""
+def test_functions_that_read_unknown_things_are_not_kept():
+    """They are traced afresh each time, so an entry for each would be of no use."""
     constants = [9.81]
     before = len(model_module._BY_FUNCTION)
     for _ in range(KEPT // 2):
@@ -139,7 +139,7 @@ def test_functions_whose_reading_is_unknown_are_not_kept():
 
 
 def test_changed_models_share_what_was_traced():
-    """A slider makes a model for each of its places."""
+    """A slider makes a model for each of its positions."""
     model = Model("pendulum", {"k": 1.0}, STATES, eval(RATES.format(n=0)))
 
     def make(n):
@@ -148,7 +148,7 @@ def test_changed_models_share_what_was_traced():
     assert more_objects(make, 10, 300) < FEW
 
 
-def test_prepared_runs_that_are_dropped_do_not_stay():
+def test_prepared_runs_that_are_dropped_are_freed():
     def make(n):
         prepare(Model("new", {"k": 1.0}, STATES, eval(RATES.format(n=n))), 1e-3, "dop853")(
             0.01, (0.3, 0.0)

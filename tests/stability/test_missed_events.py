@@ -37,7 +37,7 @@ METHODS = ("exact", "dop853", "taylor", "scipy DOP853")
 
 
 def crossings(gap, method="auto"):
-    """When it passes a line that it is above for ``gap`` s; negative: a line above its top."""
+    """When it passes a line above which it stays for ``gap`` s; negative: a line above its top."""
     model = THROW.changed(line=TOP - math.copysign(G * gap * gap / 8, gap))
     motion = integrate(model, 3.0, (0.0, V0), method=method, events=Event(_through))
     return [e.t for e in motion.events]
@@ -88,7 +88,7 @@ def test_solve_ivp_loses_most_of_the_63_short_visits_to_a_crest_and_the_engine_n
     assert np.abs(ours - exact).max() < 1e-8  # s
 
 
-def test_roots_of_a_function_that_is_no_polynomial_of_the_states_are_found_as_well():
+def test_roots_of_a_function_that_is_not_a_polynomial_of_the_states_are_found_as_well():
     beats = lambda s, p, t: sin(40 * t) * cos(3 * t + 0.1)
     found = [e.t for e in integrate(THROW, 3.0, (0.0, V0), events=Event(beats)).events]
     exact = [math.pi * n / 40 for n in range(1, 39)]

@@ -1,5 +1,5 @@
-"""Nearly equal moments from data of three digits: the axes are worth as much as gap over noise, and
-the report says so (7.18).
+"""Nearly equal moments from data of three digits: the axes are as good as gap over noise, and the
+report says so (7.18).
 """
 
 import math
@@ -14,14 +14,14 @@ NOISE = 1e-3  # relative, of every entry
 
 
 def inertia(gap):
-    """Principal moments 2, 2 (1 + gap), 3 along axes that lie obliquely, and these axes."""
+    """Principal moments 2, 2 (1 + gap), 3 along oblique axes, and these axes."""
     first, second = np.array([0.36, 0.48, 0.8]), np.array([-0.8, 0.6, 0])
     axes = np.array([first, second, np.cross(first, second)])
     return axes.T @ np.diag([2.0, 2.0 * (1 + gap), 3.0]) @ axes, axes
 
 
 def measured(gap, count=400):
-    """The turns (rad) of the first axis by errors of the data, and the engine's report."""
+    """How far (rad) errors of the data turn the first axis, and the engine's report."""
     I, axes = inertia(gap)
     random = np.random.default_rng(7)
     turns = []

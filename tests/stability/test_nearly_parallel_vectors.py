@@ -1,5 +1,5 @@
-"""Differences of nearly equal numbers: the angle between nearly parallel vectors, distances of near
-points, moments about a far one (A.11).
+"""Differences of nearly equal numbers: the angle between nearly parallel vectors, distances between
+near points, moments about a far point (A.11).
 """
 
 import math

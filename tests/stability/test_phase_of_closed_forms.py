@@ -1,9 +1,9 @@
-"""The error of closed forms: exact in the formula, not in its numbers.
+"""The error of closed forms: the formula is exact, its numbers are not.
 
-After a time t rounding has taken some round-offs of n t off the phase, next to a separatrix
+After a time t rounding has shifted the phase by some round-offs of n t, next to a separatrix by
 millions of times more, and two halves of the time round as the whole does. The truth is the same
-formula in 60 digits, whose start and parameters are the floats; that of the pendulum in the
-harness of tests/honesty is another formula.
+formula in 60 digits, with the floats as its start and parameters; for the pendulum the harness of
+tests/honesty has another formula.
 """
 
 import math
@@ -49,7 +49,7 @@ def _pushed_rates(s, p, t):
 
 
 def _pushed(s, p, t):
-    """A spring that is pushed next to its own frequency: the two terms with A cancel."""
+    """A spring that is driven close to its own frequency: the two terms with A cancel."""
     A = 1 / (p.n * p.n - p.w * p.w)
     B, n = s.x - A, p.n
     x = B * cos(n * t) + s.v / n * sin(n * t) + A * cos(p.w * t)
@@ -133,7 +133,7 @@ def _tops(chance):
 
 
 def _sleeping_tops(chance):
-    """About the rate at which it wakes; many start upright, where the rates are singular."""
+    """Near the rate at which it wakes; many start upright, where the rates are singular."""
     mgr = chance.uniform(0.5, 6)
     spin = 2 * math.sqrt(mgr) * chance.choice([1 + chance.decades(1e-6, 0.5), chance.uniform(2, 3)])
     start = (chance.choice([0.0, chance.decades(1e-6, 0.1)]), chance.decades(1e-6, 0.1))
@@ -214,7 +214,7 @@ def test_a_formula_that_cannot_be_traced_and_a_parameter_that_is_a_whole_number(
 
 
 def accepted(model, t, start, rtol, system=None):
-    """Whether the closed form is taken, with what is known of the model so far."""
+    """Whether the closed form is accepted, with what is known of the model so far."""
     system = system or PreparedModel(model)
     return exact.within(system, t, start, rtol)
 
@@ -241,7 +241,7 @@ def test_the_closed_form_of_every_scene_is_accepted(name):
 
 
 def _wrong_spring(stretch=1.0, sign=1.0, offset=0.0, until=math.inf):
-    """The solution with another frequency, velocity or place, or of the other sign from a time on."""
+    """The solution with another frequency, velocity or place, or the other sign from some time on."""
 
     def solution(s, p, t):
         n = stretch * sqrt(p.k)
@@ -273,7 +273,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("name", WRONG)
-def test_a_formula_that_is_no_solution_is_found_and_its_error_estimated(name):
+def test_a_formula_that_is_not_a_solution_is_found_and_its_error_estimated(name):
     model, t, start = WRONG[name]
     system = PreparedModel(model)
     assert not accepted(model, t, start, 1e-7, system)

@@ -1,5 +1,5 @@
 """What the engine makes can be pickled and copied, so that other processes can compute with it: bit
-for bit as here, also with lambdas, and what comes back fits what is here.
+for bit as here, even with lambdas, and what comes back fits what is here.
 """
 
 import copy
@@ -48,7 +48,7 @@ from newton_euler.scenes import LADDERS, SCENES, Ladder, Rung, ladder, scene
 
 
 def sent(x):
-    """As another process gets it, which knows no frame of this one."""
+    """As received by another process, which knows no frame of this one."""
     return pickle.loads(pickle.dumps(x))
 
 
@@ -79,7 +79,7 @@ def test_scenes_can_be_sent(name, again):
     model, _, start = scene(name).motion
     there = again(model)
     assert there.derivative(start) == model.derivative(start)
-    # the same object, as long as it is among those that are kept
+    # the same object, as long as it is in the cache
     assert prepared_model(there).traced.rhs.source == prepared_model(model).traced.rhs.source
     for n in model.invariants:
         assert there.invariant(n, start) == model.invariant(n, start)
@@ -141,7 +141,7 @@ def test_what_was_sent_is_a_formula_over_every_kind_of_number():
     assert np.array_equal(there.derivative(columns)[1], model.derivative(columns)[1])
 
 
-def test_a_pickle_has_what_functions_read_at_its_time():
+def test_a_pickle_has_what_functions_read_when_it_was_made():
     space = {"G": 9.81}
     exec("rhs = lambda s, p, t: (s.v, -G)", space)
     there = sent(model := Model("fall", {}, ("h", "v"), space["rhs"]))
@@ -151,7 +151,7 @@ def test_a_pickle_has_what_functions_read_at_its_time():
 
 
 def test_a_scripts_own_functions_are_sent_as_steps():
-    """Nothing finds them: the module __main__ of another process is another one."""
+    """They cannot be found by name: __main__ of another process is a different module."""
     code = (
         "import pickle, sys\nfrom newton_euler import Model\nG = 9.81\n"
         "def rhs(s, p, t): return s.v, -G\n"

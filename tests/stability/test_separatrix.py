@@ -87,6 +87,6 @@ def test_arrays_of_starts_on_both_sides_at_once():
     (free_body(0.0, 2.0, 2.0), 1.0, 0.1, "three positive numbers"),
     (BODY, 1.0, math.nan, "must be finite"),
 ])  # fmt: skip
-def test_what_is_no_motion_of_a_body_is_refused_in_words(body, t, x, words):
+def test_what_is_not_a_motion_of_a_body_is_refused_in_words(body, t, x, words):
     with pytest.raises(ModelError, match=words):
         body.solution(t, (x, 1.0, 0.1))

@@ -29,7 +29,7 @@ SMOOTH = Model(
 
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor", "scipy DOP853"])
 def test_the_methods_of_the_engine_look_where_a_force_changes_in_time(method):
-    """Neither tolerance nor a second run helps, but a look at the force beforehand does."""
+    """Neither a tolerance nor a second run helps, but looking at the force beforehand does."""
     motion = integrate(SMOOTH, 10.0, (0.0, 1.0), method=method)
     assert abs(motion.end["v"] - 2.0) <= 2 * motion.error <= 2e-9
 
@@ -50,7 +50,7 @@ def test_given_as_events_it_is_met_at_its_instants_and_the_motion_is_right_to_1e
 
 
 def test_a_smooth_blow_is_seen_when_a_step_ends_before_it():
-    """The same model from 4.95 s on: steps begin short, and grow only where nothing happens."""
+    """The same model from 4.95 s on: steps begin short, and grow only while nothing happens."""
     before = integrate(SMOOTH, BEGINS - 5 * LASTS, (0.0, 1.0), method="dop853")
     motion = integrate(SMOOTH, (BEGINS - 5 * LASTS, 10.0), before.end, 1e-9, "dop853")
     assert motion.end["v"] == pytest.approx(2.0, abs=1e-8)

@@ -1,4 +1,4 @@
-"""A small state beside one of 6.4e6 (a place on the Earth) or 1.5e11 (an orbit), also where it is
+"""A small state beside one of 6.4e6 (a place on the Earth) or 1.5e11 (an orbit), even where it is
 small because these cancel: the error of each is relative to its own size.
 """
 
@@ -14,7 +14,7 @@ EARTH = 3.986004418e14
 
 
 def spring_at(place):
-    """A vibration of 1e-3 m whose model also has a place, and travels at 30 km/s."""
+    """A vibration of 1e-3 m whose model also has a position, which travels at 30 km/s."""
     rates = lambda s, p, t: (3e4 + 0.0 * s.z, s.u, -p.k * s.x)
     return Model("in a vehicle", {"k": 9.0}, ("z", "x", "u"), rates), (place, 1e-3, 0.0)
 
@@ -84,8 +84,8 @@ def test_a_state_that_is_zero_by_cancellation_costs_nothing_and_is_not_refused(m
 
 @pytest.mark.parametrize("left", [1e-2, 1e-5, 3e-6])
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
-def test_the_speed_of_a_rocket_is_judged_by_its_size_though_hardly_any_mass_is_left(left, rtol):
-    """v' = u q/m: next to m = 0 what the mass does to the speed has no bound."""
+def test_the_speed_of_a_rocket_is_judged_by_its_size_though_almost_no_mass_is_left(left, rtol):
+    """v' = u q/m: near m = 0 the effect of the mass on the speed has no bound."""
     u, q, m0 = 3000.0, 250.0, 1e4
     model = Model(
         "rocket", {"u": u, "q": q}, ("v", "m"), lambda s, p, t: (p.u * p.q / s.m, -p.q + 0 * s.v)
@@ -121,7 +121,7 @@ def test_the_speed_on_a_spring_far_away_is_right_by_its_own_size_or_refused_in_w
 
 
 def test_a_small_state_is_not_refused_where_round_off_leaves_it_as_accurate_as_asked():
-    """A kilometre beside a millimetre: 2e-10 of its size are lost, and 1e-9 was asked."""
+    """A kilometre beside a millimetre: 2e-10 of its size is lost, and 1e-9 was asked for."""
     pytest.importorskip("heyoka")
     found = integrate(far_spring(1e3), 1.0, (1e3 + 1e-3, 0.0), 1e-9)
     a = (1e3 + 1e-3) - 1e3
@@ -154,7 +154,7 @@ def test_the_same_call_gives_the_same_answer_once_the_series_is_compiled(rtol):
 
 @pytest.mark.parametrize("method", ["dop853", "taylor"])
 def test_a_far_spring_that_bounces_is_right_after_each_impact(method):
-    """On one side of its place only, with half of the speed left: the amplitude is halved."""
+    """On one side of its position only, with half of the speed left: the amplitude is halved."""
     model, place = far_spring(6.4e6), 6.4e6
     again = lambda s, p, t: (model, (s.x, -0.5 * s.dx))
     wall = Event(lambda s, p, t: s.x - p.place, direction=-1, then=again)

@@ -20,7 +20,7 @@ def pendulum():
 
 
 def swing(t, rate):
-    """The angle after a start at the lowest place with this rate, below that of the separatrix, 2."""
+    """The angle after a start at the lowest point with this rate, below the separatrix's, 2."""
     with mpmath.workdps(40):
         return closed_forms.pendulum(mpmath, *map(mpmath.mpf, (1, 0, rate, t)))[0]
 
@@ -32,7 +32,7 @@ FINE = pytest.param(1e-8, marks=pytest.mark.slow)  # millions of steps of a low 
 @pytest.mark.parametrize("below", [1e-2, 1e-5, FINE])
 @pytest.mark.parametrize("method", SPLITTING)
 def test_a_swing_nearly_to_the_top_is_as_accurate_as_estimated(method, below, rtol):
-    """It begins at the lowest place, where nothing shows how it will linger at the top."""
+    """It begins at the lowest point, where nothing shows how it will linger at the top."""
     t, start = 25.0, (0.0, 2.0 - below)
     true = float(swing(t, start[1]))
     try:

@@ -1,5 +1,5 @@
-"""What a right-hand side reads besides its arguments counts as it is when the model is integrated:
-no motion depends on what ran before.
+"""What a right-hand side reads besides its arguments counts as it is at the time of integration: no
+motion depends on what ran before.
 """
 
 import math
@@ -34,7 +34,7 @@ FALL = "def rhs(s, p, t): return s.v, -G"
 
 
 def fallen(model, **options):
-    """The way that a body has fallen after two seconds, in units of the acceleration 1."""
+    """How far a body has fallen after two seconds, for a unit of acceleration."""
     return -2 * integrate(model, T, START, **options).end["h"] / T**2
 
 
@@ -96,7 +96,7 @@ def of_keyword_default():
 
 
 def of_attribute(constants):
-    """Of an object, a class or a module."""
+    """An attribute of an object, a class or a module."""
     constants.g = 9.81
     return lambda s, p, t: (s.v, -constants.g), lambda: setattr(constants, "g", 1.62)
 
@@ -156,8 +156,8 @@ def of_engine_closure():
 CALLED = "def pull(): return -G\ndef rhs(s, p, t): return s.v, pull()"
 INNER = "def rhs(s, p, t):\n    pull = lambda: -G\n    return s.v, pull()"
 IMPORTED = "def rhs(s, p, t):\n    from constants_inside import g\n    return s.v, -g"
-# ways to change what a right-hand side reads: functions of no argument that return one with the
-# acceleration 9.81, and a function that makes it 1.62
+# ways to change what a right-hand side reads: functions without arguments that return a right-hand
+# side with the acceleration 9.81, and a function that makes it 1.62
 WAYS = {
     "global": lambda: of_cell(FALL),
     "helper": lambda: of_cell(CALLED),
@@ -227,13 +227,13 @@ def test_an_exact_solution_is_not_stale():
     motion = integrate(model, T, START)
     assert motion.method.name == "exact"
     space["G"] = 3.7
-    # what has been computed stays, also what is computed later from it
+    # what has been computed stays, and so does what is computed from it later
     assert motion.at(1.0)["h"] == pytest.approx(-1.62 / 2)
     assert motion.end["h"] == pytest.approx(-1.62 * 2)
 
 
 def test_invariants_belong_to_the_motion_that_they_are_of():
-    """The drift is computed when it is asked for; by the globals with which the motion was made."""
+    """The drift is computed on demand, with the globals with which the motion was made."""
     space = cell("def energy(s, p, t): return s.v*s.v/2 + G*s.h\n" + FALL)
     model = model_of(space["rhs"], invariants={"energy": space["energy"]})
     first = integrate(model, T, (1.0, 0.0), 1e-9)
@@ -294,7 +294,7 @@ def test_an_unchanged_model_is_prepared_once():
 
 
 def test_equal_texts_share_one_compilation():
-    """Lambdas written anew in each cell cost heyoka's compilation once."""
+    """Lambdas written again in each cell cost heyoka's compilation once."""
     pytest.importorskip("heyoka")
     known = []
     for _ in range(3):
@@ -309,7 +309,7 @@ def test_equal_texts_share_one_compilation():
 @pytest.mark.parametrize(
     ("one", "other"), [("0.0", "-0.0"), ("1", "1.0"), ("2.5", "2.5000000000000004")]
 )
-def test_texts_with_other_constants_are_others(one, other):
+def test_texts_with_other_constants_are_distinct(one, other):
     texts = [
         prepared_model(model_of(eval(f"lambda s, p, t: (s.v, {c})"))).traced for c in (one, other)
     ]
@@ -326,8 +326,8 @@ def test_functions_of_the_engine_read_nothing():
                 assert not reads.checks
 
 
-def test_names_of_states_are_no_globals():
-    """A notebook that has a list x, and a state x, traces no more often than another one."""
+def test_names_of_states_are_not_globals():
+    """A notebook with a list x and a state x traces no more often than any other."""
     space = cell("def rhs(s, p, t): return s.v, -s.h", h=[1, 2], v={})
     reads = Reads(space["rhs"])
     space["h"] = [3]

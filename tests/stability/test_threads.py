@@ -1,4 +1,4 @@
-"""What a user calls shares no state between threads: each gets, bit for bit, the answer that it
+"""Threads share no state through what a user calls: each gets, bit for bit, the answer that it
 would get alone.
 """
 

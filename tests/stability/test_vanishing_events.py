@@ -1,5 +1,5 @@
-"""Events on a motion that takes no steps: a closed form is one step for all the time, and every one
-of thousands of zeros in it is found; what cannot be found is refused, not left out.
+"""Events on a motion without steps: a closed form is one step over the whole time, and every one of
+thousands of zeros in it is found; what cannot be found is refused, not left out.
 """
 
 import math
@@ -35,7 +35,7 @@ def test_all_zeros_of_a_thousand_swings_are_found(line):
     turns, a = 2 * math.pi * np.arange(1000)[:, None], math.acos(line)
     exact = (turns + [a, 2 * math.pi - a]).reshape(-1)
     assert len(motion.events) == 2000
-    # near the turning point the time is known to the round-off of the place over the speed
+    # near the turning point the time is known to the round-off of the position over the speed
     assert [e.t for e in motion.events] == pytest.approx(exact, abs=1e-11)
 
 

@@ -1,5 +1,5 @@
-"""NumPy's whole numbers overflow silently: the square of an astronomical distance is negative, and 1
-less 2 is 255. Wherever numbers enter the engine, arrays of them become floats.
+"""NumPy's integers overflow silently: the square of an astronomical distance is negative, and 1 - 2
+is 255. Wherever integers enter the engine, arrays of them become floats.
 """
 
 import numpy as np
@@ -69,7 +69,7 @@ def test_arrays_of_python_numbers_become_floats_and_of_others_are_refused():
     with pytest.raises(ScalarError, match="expected a number"):
         scalar(np.array(["1"]))
     with pytest.raises(ScalarError, match="of type matrix"):
-        scalar(np.ones((2, 2)).view(np.matrix))  # whose * is another product
+        scalar(np.ones((2, 2)).view(np.matrix))  # whose * is a different product
 
 
 def test_functions_of_whole_numbers_have_all_digits():

@@ -74,7 +74,7 @@ def test_a_cell_runs_after_what_it_needs_and_keeps_what_the_reader_ran(page):
     assert cells.run(page, [*above, "a"], 3) == {"shown": [["text/plain", "6"]]}
 
 
-def test_what_runs_unseen_is_not_seen_though_what_it_needs_fails(page):
+def test_what_runs_unseen_stays_unseen_even_if_what_it_needs_fails(page):
     notebook = ["n = 1 / 0", "for n in 'a': print(n)", "n"]
     assert cells.run(page, notebook, 2) == {"shown": [["text/plain", "'a'"]]}
 
@@ -106,7 +106,7 @@ for source in ("np.eye(3)", "plt.plot", "from numpy import eye"):
 """
 
 
-def test_a_package_that_is_not_here_is_missed_by_those_only_that_use_it():
+def test_a_missing_package_is_missed_only_by_the_cells_that_use_it():
     done = subprocess.run([sys.executable, "-c", WITHOUT], capture_output=True, text=True)
     assert done.stderr == ""
     first, *missing = done.stdout.splitlines()
@@ -115,7 +115,7 @@ def test_a_package_that_is_not_here_is_missed_by_those_only_that_use_it():
     assert json.loads(missing[1])["error"].startswith("this needs Matplotlib, which the page")
 
 
-def test_names_that_a_later_cell_binds_anew_do_not_part_what_belongs_together(page):
+def test_names_that_a_later_cell_rebinds_do_not_separate_what_belongs_together(page):
     """Two frames of one name, in one tree: cells run in order, and out of order."""
     notebook = [
         "from newton_euler import Frame\nground = Frame('ground')\narm = ground.rotate('arm', 'z', rate=2.0)",

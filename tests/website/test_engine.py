@@ -62,7 +62,7 @@ def drag(driver, figure=0, where="a step"):
     assert json.loads(driver.execute_script(f"return {holder}.dataset.drawn"))[name] == x
     label = f"{holder}.querySelector('.stage > svg[role=img]').getAttribute('aria-label')"
     assert len(driver.execute_script(f"return {label}").split()) >= 8
-    assert " = " in driver.execute_script(f"return {holder}.querySelector('.said').textContent")
+    assert " = " in driver.execute_script(f"return {holder}.querySelector('.reply').textContent")
     return True
 
 

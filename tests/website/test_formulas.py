@@ -45,7 +45,7 @@ def test_a_page_has_its_formulas_as_outlines_and_mathml_and_no_script_for_them(p
         assert set(re.findall(r'<path id="([^"]+)"', text)) == used
 
 
-def test_what_is_no_formula_ends_the_build_with_its_page(pages):
+def test_what_is_not_a_formula_ends_the_build_with_its_page(pages):
     (pages / "two.html").write_text(PAGE.format(inline="\\frac{1"))
     with pytest.raises(WebsiteError, match=r"two.html: not a formula: \\frac\{1"):
         typeset(pages, CACHE / "npm")

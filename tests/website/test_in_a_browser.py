@@ -23,7 +23,7 @@ def every_page(site, address):
     return [f"{address}/{path.relative_to(site)}" for path in sorted(pages)]
 
 
-def test_every_page_is_right_asks_nobody_else_and_is_no_wider_than_a_phone(site, address, driver):
+def test_every_page_is_right_loads_nothing_from_elsewhere_and_fits_a_phone(site, address, driver):
     wrong, asked = {}, set()
     for url in every_page(site, address):
         driver.get(url)

@@ -82,8 +82,8 @@ def test_a_chapter_a_problem_and_feedback_are_german_and_axe_finds_nothing(germa
             "[...document.querySelectorAll('.help button')].find(b => b.textContent === 'Hinweis')"
         )
         driver.execute_script(f"{hint}.click()")
-        wait(driver, "document.querySelector('.practice .said').textContent", "a hint")
-        assert "Bestimmen Sie" in text(".practice .said")
+        wait(driver, "document.querySelector('.practice .reply').textContent", "a hint")
+        assert "Bestimmen Sie" in text(".practice .reply")
         assert complaints(driver) == []
         examined("problem")
         driver.get(f"{address}/feedback.html")

@@ -105,11 +105,11 @@ def test_a_cell_that_checks_an_answer_is_a_link_to_the_problem(site):
     assert "No practice file" not in "".join(sample.words)
 
 
-def test_what_a_cell_prints_in_pieces_stands_as_one(site):
+def test_what_a_cell_prints_in_pieces_is_shown_as_one(site):
     assert "<span></span>one\ntwo\n</pre>" in (site / "chapters" / "sample.html").read_text("utf-8")
 
 
-def test_code_has_marks_on_what_has_a_colour_alone(site):
+def test_code_has_marks_only_on_what_has_a_colour(site):
     text = (site / "chapters" / "sample.html").read_text("utf-8")
     assert 'Frame(<span class="s2">"ground"</span>)<span class="o">.</span>vector(' in text
 
@@ -190,7 +190,7 @@ def test_the_search_knows_no_answers(site):
         assert word not in index
 
 
-def test_every_problem_can_be_chosen_by_data_that_tell_no_mistake_and_no_answer(site):
+def test_every_problem_can_be_chosen_by_data_that_give_away_no_mistake_and_no_answer(site):
     text = (site / "problems/index.html").read_text(encoding="utf-8")
     rows = {
         re.search('href="(.*?)"', row)[1]: row for row in re.findall("(?s)<tr data.*?</tr>", text)

@@ -187,7 +187,7 @@ def test_from_the_first_page_to_a_solution_by_keyboard_and_where_one_is_can_be_s
     if not phone.execute_script("return localStorage['newton-euler.practises']"):
         go(".practice button", Keys.ENTER, "true")
     wait(phone, TOUCHED, "the form")
-    output = "document.querySelectorAll('.practice .said')[{}].textContent"
+    output = "document.querySelectorAll('.practice .reply')[{}].textContent"
     go(".help button:nth-of-type(1)", Keys.ENTER, output.format(0))
     go(".help button:nth-of-type(2)", Keys.ENTER, output.format(1))
     go("details.steps > summary", Keys.ENTER, "document.querySelector('details.steps').open")
@@ -205,7 +205,7 @@ def test_new_numbers_hints_and_solution_are_shown_typeset(address, phone):
     phone.execute_script("engine.stop()")  # as where a phone has taken its memory back
     for button in phone.find_elements("css selector", ".help button")[:2]:
         phone.execute_script("arguments[0].click()", button)
-    solved = "document.querySelectorAll('.practice .said')[1]"
+    solved = "document.querySelectorAll('.practice .reply')[1]"
     wait(phone, f"{solved}.querySelectorAll('mjx-container').length > 20", "the solution")
     faults = f"return {solved}.querySelectorAll('mjx-merror, [data-mml-node=merror]').length"
     assert phone.execute_script(faults) == 0
@@ -261,7 +261,7 @@ def acting(page):
 
 
 def refused(sound, folder):
-    """{a file that is no practice file, or does not fit together: the reason that is given}."""
+    """{a file that is not a practice file, or does not fit together: the reason that is given}."""
     other = {"code": b"import os\nos.abort()", "pickle": b"\x80\x04\x95\x00cos\nabort\n(tR."}
     for name, content in other.items():
         (folder / name).write_bytes(content)
@@ -283,7 +283,7 @@ def refused(sound, folder):
     return {**found, folder / "huge": "has more than 64 MB"}
 
 
-def test_a_practice_file_of_ones_own_opens_and_what_is_none_is_refused_in_words(
+def test_a_readers_own_practice_file_opens_and_any_other_file_is_refused_in_words(
     site, address, phone, tmp_path
 ):
     sound = site / "practice" / "ch04.practice"
@@ -318,7 +318,7 @@ def test_texts_of_a_practice_file_are_texts_and_neither_run_nor_load(
     phone.find_element("css selector", ".practice input[type=file]").send_keys(str(file))
     wait(phone, "document.querySelector('fieldset[data-key=a_D] legend mjx-container')", "its form")
     phone.execute_script("document.querySelectorAll('.help button')[1].click()")
-    wait(phone, "document.querySelectorAll('.said')[1].querySelector('mjx-container')", "solution")
+    wait(phone, "document.querySelectorAll('.reply')[1].querySelector('mjx-container')", "solution")
     assert "<script>hit=2</script>" in phone.find_element("css selector", ".statement").text
     assert phone.execute_script(f"return {ACTIVE}") == []
     assert phone.execute_script("return typeof hit") == "undefined"

@@ -5,12 +5,13 @@ import re
 import shutil
 
 import pytest
+from click.testing import CliRunner
 
 from exercises.catalogue import problem, sources
 from exercises.catalogue import translations as texts
 from newton_euler.algebra.language import messages, speaking
 from newton_euler.classroom.predicting import predict
-from website import notebooks, translations
+from website import command, notebooks, translations
 from website.kept import ROOT
 
 FIELD = re.compile(r"\{(\w+)(?:\.\w+)?\}")
@@ -61,7 +62,7 @@ def test_no_name_for_what_is_not_used_hides_the_function_that_translates():
 
 
 @pytest.mark.parametrize("path", SCRIPTS, ids=[p.name for p in SCRIPTS])
-def test_no_sentence_of_a_script_stands_bare(path):
+def test_no_sentence_of_a_script_escapes_translation(path):
     text = re.sub(r"(?m)(?<![:\"'`])//.*$|/\*.*?\*/", "", path.read_text("utf-8"))
     text = re.sub(r'gettext\("(?:[^"\\]|\\.)*"', "", text)
     bare = re.findall(r'"([A-Z][a-z]+(?: [a-zA-Z]+)*[.?:]?)"|`([A-Z][a-z]+ [^`]*)`', text)
@@ -155,3 +156,8 @@ def test_a_changed_cell_makes_its_translation_stale(rotors):
     cell, translated = chapter.cells[0], own.cells[0]
     assert notebooks.is_cell_current(cell, translated)
     assert not notebooks.is_cell_current({**cell, "source": ["another text"]}, translated)
+
+
+def test_a_site_in_another_language_is_named_with_its_address():
+    done = CliRunner().invoke(command.main, ["--beside", "de"])
+    assert "--beside de: expected LANGUAGE=ADDRESS, as en=../" in done.output

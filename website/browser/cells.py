@@ -34,7 +34,7 @@ def run(page: str, cells: list[str], number: int) -> dict[str, Any]:
     """
     shown = Shown()
     try:
-        _shown(_open[page], cells, number, shown)
+        _run_cell(_open[page], cells, number, shown)
     except Exception as error:
         if late.missing(error):
             raise  # the page may get it, and run the cell again
@@ -50,12 +50,12 @@ def picture(
     """
     here = _open[page]
     if not here.figures.get(number):
-        _shown(here, cells, number, Shown())
+        _run_cell(here, cells, number, Shown())
     image, words = here.figures[number][figure].picture(values)
     return {"svg": image.decode(), "alt": words}
 
 
-def _shown(page, cells, number, shown):
+def _run_cell(page, cells, number, shown):
     """Run a cell; its last value is shown, unless a semicolon follows."""
     page.figures[number] = []
     with _taking([], Shown()), showing(Shown()):

@@ -14,13 +14,7 @@ from typing import Any
 from newton_euler.algebra.errors import NewtonEulerError
 from newton_euler.algebra.language import Words, _, choose_language, languages
 from newton_euler.answers.forms import AnswerError
-from newton_euler.answers.notation import (
-    formula,
-    list_symbol,
-    matrix_symbol,
-    number_symbol,
-    unit_symbol,
-)
+from newton_euler.answers.notation import formula, list_symbol, number_symbol, unit_symbol
 from newton_euler.classroom.practising.advice import advise, causes_of
 from newton_euler.classroom.practising.collection import Practice
 from newton_euler.classroom.practising.files import HELP, PracticeFile
@@ -99,19 +93,8 @@ def _field(q: Quantity) -> dict[str, Any]:
     kind = q.kind
     return {
         "key": q.key, "means": q.means, "symbol": q.latex, "unit": unit_symbol(q.unit).strip(),
-        "kind": str(q.form), "parts": _parts(kind), "of": list(q.of), "section": q.section,
+        "kind": str(q.form), "parts": kind.places(), "of": list(q.of), "section": q.section,
     }  # fmt: skip
-
-
-def _parts(kind):
-    """The names of the components of a kind."""
-    if kind.length == 9:
-        return [_("row {row}, column {column}", row=n // 3 + 1, column=n % 3 + 1) for n in range(9)]
-    if kind.length == 2:
-        return [_("lower bound"), _("upper bound")]
-    if kind.length == 3:
-        return [_("first component"), _("second component"), _("third component")]
-    return [""]
 
 
 def read(problem: str, key: str, texts: Sequence[str]) -> dict[str, str]:
@@ -130,21 +113,20 @@ def read(problem: str, key: str, texts: Sequence[str]) -> dict[str, str]:
 
 
 def _as_read(p, q, texts):
-    """The formulas that were typed and, where they are no plain numbers, what they come to."""
+    """The formulas that were typed and, where they are not plain numbers, what they come to."""
     trees = [typed_tree(text, p.givens) for text in texts if text.strip()]
     trees = _flat(trees[0]) if len(trees) == 1 and isinstance(trees[0], tuple) else trees
-    stated = _typeset(q, [formula(tree, p.symbols) for tree in trees])
+    stated = _typeset(q.kind, [formula(tree, p.symbols) for tree in trees])
     if all(isinstance(tree, float) for tree in trees):
         return stated + unit_symbol(q.unit)
     numbers = _flat(_value(p, q, texts))
-    return f"{stated} = {_typeset(q, map(number_symbol, numbers))}{unit_symbol(q.unit)}"
+    return f"{stated} = {_typeset(q.kind, [*map(number_symbol, numbers)])}{unit_symbol(q.unit)}"
 
 
-def _typeset(q, parts):
-    parts = list(parts)
-    if q.kind.length == 9:
-        return matrix_symbol(q.kind.nested(parts))
-    return parts[0] if q.kind.length == 1 else rf"\left[{list_symbol(parts)}\right]"
+def _typeset(kind, parts):
+    """Components as one formula, in a list where there are not as many as the kind has."""
+    whole = len(parts) == kind.length
+    return kind.typeset(parts) if whole else rf"\left[{list_symbol(parts)}\right]"
 
 
 def _flat(value):
@@ -177,7 +159,7 @@ def _value(p, q, texts):
             text=repr(lists[0][:60]),
         )
     if None in parts:
-        missing = _parts(q.kind)[parts.index(None)]
+        missing = q.kind.places()[parts.index(None)]
         raise AnswerError("write the {missing}, too; 0 where there is none", missing=missing)
     parts = _flat(parts)
     return q.kind.nested(parts) if len(parts) == q.kind.length else parts
@@ -203,7 +185,7 @@ def check(problem: str, fields: Mapping[str, Sequence[str]]) -> dict[str, Any]:
             if values:
                 checked = ask(**values)
                 for key, verdict in checked.verdicts.items():
-                    found[key] = {"verdict": verdict, "text": checked.said[key]}
+                    found[key] = {"verdict": verdict, "text": checked.sentences[key]}
     return {"found": found, "kept": str(_desk.progress)}
 
 

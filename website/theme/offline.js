@@ -1,4 +1,4 @@
-// a service worker, which keeps what a reader has seen: pages are asked for first, so that new ones
+// a service worker, which keeps what a reader has seen: pages are fetched first, so that new ones
 // are shown; files of the engine have names that change with their contents, and are kept for good
 const KEPT = "newton-euler";
 const LASTING = /\/engine\/(\w+)-[^/]+/;
@@ -17,7 +17,7 @@ const keptFirst = async (event) => (await kept(event.request)) || fetched(event)
 const fetchedFirst = (event) =>
   fetched(event).catch(async (error) => (await kept(event.request)) || Promise.reject(error));
 
-// the browser may end a worker as soon as it has answered, unless it is told what still goes on
+// the browser may end a worker as soon as it has answered, unless it knows what is still going on
 async function fetched(event) {
   const response = await fetch(event.request);
   if (response.status === 200) event.waitUntil(keep(event.request, response.clone()).catch(() => {}));

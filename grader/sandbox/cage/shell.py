@@ -103,7 +103,7 @@ def _in_two(text, file):
     above, _, last = text.rstrip().rpartition("\n")
     mode = "exec" if _ASSIGNED.fullmatch(last) else "eval"
     try:
-        # the lines above are complete if they compile: what follows is no part of them
+        # the lines above are complete if they compile: what follows is not part of them
         first = compile(above, file, "exec", _FLAGS)
         # on its own line, so that an error names that line
         code = compile("\n" * text.rstrip().count("\n") + last, file, mode, _FLAGS)

@@ -67,7 +67,7 @@ def _edits(formulas):
     every = needed([*parts, *anything.values()])
     dimensions = dimensions_of(every, {n: unit(u) for n, u in formulas.units.items()})
     own = US if any(u.is_of_feet for u in read.values()) else SI
-    number = partial(_number, dimensions, system, own)
+    number = partial(_in_students_units, dimensions, system, own)
     yield from operations.of_angles(steps)
     yield from groups.of_constants(steps, dimensions.get)
     yield from givens.of_one_unit(given, read, system)
@@ -122,7 +122,7 @@ def _edits(formulas):
             found = givens.of_given(
                 s, anything, read, number, means, read[name].to_base(1.0, system)
             )
-            # a given alone in its term, as H in D^2 + H^2, is no factor
+            # a given alone in its term, as H in D^2 + H^2, is not a factor
             is_factor = s in factors or any(user.op in WITHIN for user in users)
             slips += [slip for slip in found if slip[1] != givens.ONE or is_factor]
             # nobody converts the symbols of a formula
@@ -163,7 +163,7 @@ def _is_factor(users):
     return len(users) == 1 and users[0].op in operations.PRODUCT
 
 
-def _number(dimensions, system, own, s):
+def _in_students_units(dimensions, system, own, s):
     """The number by which a student multiplies for a step: where the text has feet and pounds, not
     that in the ``system`` in which the steps are computed.
     """
@@ -213,7 +213,7 @@ def _of_wholes(answers, given, number):
             if -change in powers:
                 continue  # would cancel the factor itself: a slip in the product
             text = _of_power(name, max(powers, key=abs), change)
-            # without a name in a pair: one that mends the units of another is no mistake
+            # without a name in a pair: one that mends the units of another is not a mistake
             cause = computed(f"whole {op} {name}", text, does=RESCALED)
             instead = {x.number: (op, x, number(step)) for x in components if x is not step}
             yield Edit(LESS, cause, instead)

@@ -43,8 +43,8 @@ def of_quantities(
         if not any(users.get(x) for x in own.values()):
             continue
         for factor, does, text in TIMES:
-            said = Words(text.template, quantity=words)
-            cause = computed(f"{factor} times {[*own]}", said, "", does, words)
+            wording = Words(text.template, quantity=words)
+            cause = computed(f"{factor} times {[*own]}", wording, "", does, words)
             rank = LESS if factor or words in answers else RARER
             yield Edit(rank, cause, {n: ("*", x, factor) for n, x in own.items()})
         for other, instead in named if len(own) == len(parts) else ():

@@ -41,7 +41,7 @@ class Formulas(NamedTuple):
     means : of the givens, in a few words
     systems : the linear equations that are solved on the way
     symbols : the arguments that stay symbols in the answers
-    given : the steps of all givens and symbols of the problem, also of those that no answer needs
+    given : the steps of all givens and symbols of the problem, even those that no answer needs
     """
 
     answers: Mapping[str, Traced]

@@ -14,7 +14,7 @@ NAMES = 4  # givens, at most, that are named where a formula is too long
 
 
 class Product:
-    """A coefficient and powers of steps, {step: power}, that are no products themselves."""
+    """A coefficient and powers of steps, {step: power}, that are not products themselves."""
 
     def __init__(self, x: Any):
         self.coefficient, self.powers = Fraction(1), dict[Step, int]()

@@ -13,7 +13,7 @@ MARKERS = ("o", "s", "^", "D", "P", "X", "*", "h", "p")
 GREY, INK = "#999999", "#333333"
 # smaller relative errors, which a float cannot have, are drawn there with their value
 FLOOR = 1e-17
-USELESS = 0.1  # a relative error from which no digit is right: such a point is no choice
+USELESS = 0.1  # a relative error from which no digit is right: such a point is not a choice
 DASHES = ("--", ":", "-.")  # line styles of the fronts
 
 

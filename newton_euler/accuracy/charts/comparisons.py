@@ -8,7 +8,7 @@ from ...algebra.late import EngFormatter
 from ...algebra.names import listed
 from ..measurements.measure import ALIKE, EQUAL_WITHIN, ROUND_OFF, cheapest, of_equal_cost, repeated
 from .axes import COLOURS, MARKERS, chart, log_log
-from .words import about_times, agreed, number, seconds
+from .words import about_times, agreed, seconds, two_digits
 
 WRONG = 1e-2  # a relative error
 NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic
@@ -68,7 +68,7 @@ def _of_ways(points):
 
 def _of_best(best, points):
     equal = of_equal_cost(best, ALIKE)
-    error = f"(error {number(max(*(p.error for p in best), ROUND_OFF))} or less)"
+    error = f"(error {two_digits(max(*(p.error for p in best), ROUND_OFF))} or less)"
     yield f"Most accurate {error}: {listed(p.method for p in points if p in best)}."
     if len(best) == 1:
         return
@@ -90,7 +90,7 @@ def _cheaper(points, best):
     cost = (
         "costs about the same" if alike else f"is {about_times(best[0].cost / least.cost)} faster"
     )
-    return f"{least.method} {cost}, with an error of {number(least.error)}."
+    return f"{least.method} {cost}, with an error of {two_digits(least.error)}."
 
 
 def _prepared(points):
@@ -132,7 +132,7 @@ def _answer(question, points):
 
 
 def _right(right):
-    error = number(max(*(p.error for p in right), ROUND_OFF))
+    error = two_digits(max(*(p.error for p in right), ROUND_OFF))
     yield f"{_quoted(right)} {'are' if len(right) > 1 else 'is'} within {error} at every setting."
     least = of_equal_cost(sorted(right, key=lambda p: p.cost), ALIKE)
     if len(least) > 1:
@@ -145,11 +145,11 @@ def _others(question, own):
     """The best and the worst of a method that is not right everywhere."""
     best, worst = min(own, key=attrgetter("error")), _worst(own)
     letter = question.across[0]
-    text = f"{_quoted(own[:1])}: at best {number(max(best.error, ROUND_OFF))}, at {letter} = "
-    text += number(best.x)
+    text = f"{_quoted(own[:1])}: at best {two_digits(max(best.error, ROUND_OFF))}, at {letter} = "
+    text += two_digits(best.x)
     if best.error <= WRONG < worst.error:
         return f"{text}; wrong by over 1 % at {letter} = {listed(_runs(own))}"
-    return f"{text}; at worst {number(worst.error)}, at {letter} = {number(worst.x)}"
+    return f"{text}; at worst {two_digits(worst.error)}, at {letter} = {two_digits(worst.x)}"
 
 
 def _quoted(points):
@@ -159,6 +159,6 @@ def _quoted(points):
 def _runs(own):
     """The settings, in words, from which to which a method is wrong without a break."""
     for wrong, run in groupby(own, lambda p: p.error > WRONG):
-        ends = [number(p.x) for p in run]
+        ends = [two_digits(p.x) for p in run]
         if wrong:
             yield ends[0] if len(ends) == 1 else f"{ends[0]} to {ends[-1]}"

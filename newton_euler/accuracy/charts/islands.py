@@ -6,7 +6,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from ...algebra.late import np
-from .words import number
+from .words import two_digits
 
 SPECK = 4  # cells; an island of times that is no larger is taken for noise
 TOUCHING = [[1] * 3] * 3  # cells that touch at a corner belong together
@@ -79,9 +79,9 @@ def _explained(chart, found, island):
     n, m = island.cells[len(island.cells) // 2]
     low, high = strip(chart, found, island.choice, n, m)
     edges = chart.y.edges(found.shape[0])
-    place = f"{_letter(chart.x)} = {number(float(chart.x.centres(found.shape[1])[m]))}"
-    text = f'The island of "{island.choice}" at {place} lies between {number(low)} and '
-    text += f"{number(high)} of {_letter(chart.y)}: "
+    place = f"{_letter(chart.x)} = {two_digits(float(chart.x.centres(found.shape[1])[m]))}"
+    text = f'The island of "{island.choice}" at {place} lies between {two_digits(low)} and '
+    text += f"{two_digits(high)} of {_letter(chart.y)}: "
     if _height(chart, low, high) < _height(chart, float(edges[n]), float(edges[n + 1])):
         return text + "a strip thinner than a cell, which some columns miss."
     return text + "a region of its own."

@@ -5,7 +5,7 @@ from textwrap import fill
 from ...algebra.late import np
 from .axes import COLOURS
 from .islands import explained, parts
-from .words import number
+from .words import two_digits
 
 SMALLEST = 0.03  # share of the map; a smaller region is named in the legend only
 WIDE = 18  # letters in a line of a name
@@ -93,6 +93,6 @@ def _along(chart, side, row):
     edges, parts = chart.x.edges(len(row)), [row[0]]
     for n in range(1, len(row)):
         if row[n] != row[n - 1]:
-            parts.append(f"from {number(float(edges[n]))} on {row[n]}")
+            parts.append(f"from {two_digits(float(edges[n]))} on {row[n]}")
     letter = chart.y.label.partition(",")[0]
     return f"At the {side} {letter}, from left to right: {'; '.join(parts)}."

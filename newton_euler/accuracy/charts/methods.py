@@ -6,7 +6,7 @@ from ...algebra.names import listed
 from ..measurements.measure import ALIKE, ROUND_OFF, cheapest, of_equal_cost, repeated
 from ..measurements.work_precision import NAMES, STEPPING
 from .axes import FLOOR, GREY, chart, log_log, marker_style
-from .words import about, about_times, agreed, number, seconds, times
+from .words import about, about_times, agreed, seconds, times, two_digits
 
 AUTO = {"label": "auto", "color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6}
 SHORT = 2e-3  # seconds; a shorter preparation is not mentioned
@@ -78,12 +78,12 @@ def _sentences(found):
 def _cheapest_within(points, error):
     found = cheapest(points, error)
     if not found:
-        yield f"No stepping method that was measured is right to {number(error)}."
+        yield f"No stepping method that was measured is right to {two_digits(error)}."
         return
     equal = of_equal_cost(found, ALIKE)
     names = [p.method for p in sorted(equal, key=points.index)]
     what = "is the cheapest stepping method" if len(equal) == 1 else "cost about the same, least"
-    yield f"Within an error of {number(error)}, {listed(names)} {what}."
+    yield f"Within an error of {two_digits(error)}, {listed(names)} {what}."
     for other in found[len(equal) :][:1]:
         ratio = about_times(other.cost / found[0].cost)
         yield f"There {other.method} takes {ratio} as long as {found[0].method}."
@@ -94,7 +94,7 @@ def _closed_form(closed, stepping):
         yield "" if closed else "There is no closed form."
         return
     best, rival = (min(own, key=lambda p: p.cost) for own in (closed, stepping))
-    error = number(max(ROUND_OFF, *(p.error for p in closed)))
+    error = two_digits(max(ROUND_OFF, *(p.error for p in closed)))
     yield f"The closed form is right to {error}."
     if len(of_equal_cost(sorted([best, rival], key=lambda p: p.cost), ALIKE)) > 1:
         yield "It costs about as much as the cheapest stepping method."
@@ -117,8 +117,9 @@ def _preparing(found, stepping):
     rival = next((p for p in within if above.get(p.method, 0.0) < above[method] / 2), None)
     if own and rival and rival.cost > ALIKE * own.cost:
         runs = (above[method] - above.get(rival.method, 0.0)) / (rival.cost - own.cost)
-        count = "the first run" if runs < 1 else f"about {number(about(runs))} runs"
-        yield f"Against {rival.method} that is earned back by {count} to {number(OF_INTEREST[0])}."
+        count = "the first run" if runs < 1 else f"about {two_digits(about(runs))} runs"
+        least = two_digits(OF_INTEREST[0])
+        yield f"Against {rival.method} that is earned back by {count} to {least}."
 
 
 def _small_drift(points):
@@ -129,7 +130,7 @@ def _small_drift(points):
     worst = max(known, key=lambda p: p.error / p.drift)
     if worst.error < 10 * worst.drift:
         return ""
-    text = f"A small drift proves nothing: of {worst.method} at rtol = {number(worst.asked)}"
+    text = f"A small drift proves nothing: of {worst.method} at rtol = {two_digits(worst.asked)}"
     return f"{text} the error is {times(worst.error / worst.drift)} the drift."
 
 

@@ -10,7 +10,7 @@ from ...motion.integration import integrate
 from ...motion.prepared import prepared_model
 from ..measurements.measure import EQUAL_WITHIN, Measured, of_equal_cost
 from .axes import GREY, INK, log_log, mark_better, marker_style, time_axis
-from .words import number, times
+from .words import times, two_digits
 
 STEPS = (1, 2, 5, 10)  # a tolerance is one of these times a power of ten
 RTOL = 1e-9  # tolerance of the integrations that are counted
@@ -102,7 +102,7 @@ def draw_models(points, ladder, figure, tolerance=None):
         _draw_rung(ax, n, p, low, high / 5)
     ax.axhline(tolerance, color="#D55E00", lw=1.2, ls="--")
     place = {"xytext": (-4, 3), "textcoords": "offset points", "ha": "right"}
-    text = f"tolerance {number(tolerance)} {_unit(ladder)}"
+    text = f"tolerance {two_digits(tolerance)} {_unit(ladder)}"
     ax.annotate(text, (1, tolerance), xycoords=ax.get_yaxis_transform(), color="#D55E00", **place)
     chosen = choice(points, tolerance)
     if chosen:
@@ -153,13 +153,13 @@ def models_caption(points, ladder, tolerance=None):
 
 
 def _chosen(points, ladder, tolerance):
-    within, p = f"{number(tolerance)} {_unit(ladder)}".strip(), choice(points, tolerance)
+    within, p = f"{two_digits(tolerance)} {_unit(ladder)}".strip(), choice(points, tolerance)
     if p is None:
         return f"No model stays within {within}."
     text = f"Within {within} the smallest model is {_name(points, p)}, "
-    text += f"{number(p.cost)} operations a run"
+    text += f"{two_digits(p.cost)} operations a run"
     if p.error:
-        text += f", off by {number(p.error)} {_unit(ladder)} at most".replace("  ", " ")
+        text += f", off by {two_digits(p.error)} {_unit(ladder)} at most".replace("  ", " ")
     rest = (q for q in points if q.error <= tolerance and q is not p)
     equal = [q for q in rest if q.cost <= 1.2 * p.cost]
     if equal:

@@ -7,11 +7,11 @@ RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 PREFIXES = {0: "", -1: "m", -2: "µ", -3: "n"}
 
 
-def number(x: float) -> str:
+def two_digits(x: float) -> str:
     """A number in two digits, as a power of ten where it is small or large.
 
-    >>> number(2.04e-6), number(1e-9), number(0.0713), number(320.0), number(0.0)
-    ('2 × 10⁻⁶', '10⁻⁹', '0.071', '320', '0')
+    >>> [two_digits(x) for x in (2.04e-6, 1e-9, 0.0713, 320.0, 0.0)]
+    ['2 × 10⁻⁶', '10⁻⁹', '0.071', '320', '0']
     """
     if x == 0 or 1e-3 <= abs(x) < 1e5:
         return f"{x:.2g}" if abs(x) < 100 else f"{float(f'{x:.2g}'):.0f}"
@@ -48,7 +48,7 @@ def times(ratio: float) -> str:
     >>> times(1.34), times(2.0), times(54.3)
     ('1.3 times', 'twice', '54 times')
     """
-    return "twice" if f"{ratio:.2g}" == "2" else f"{number(ratio)} times"
+    return "twice" if f"{ratio:.2g}" == "2" else f"{two_digits(ratio)} times"
 
 
 def about_times(ratio: float) -> str:
@@ -57,7 +57,7 @@ def about_times(ratio: float) -> str:
     >>> about_times(7.2), about_times(54.3)
     ('about 10 times', 'about 30 times')
     """
-    return f"about {number(about(ratio))} times"
+    return f"about {two_digits(about(ratio))} times"
 
 
 def agreed(texts: Iterable[Iterable[str]]) -> str:

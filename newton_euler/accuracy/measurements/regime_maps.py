@@ -121,7 +121,7 @@ def errors_until(times, motion, start):
 
 
 def _as_accurate_as_it_gets(t, start, rtol, method, samples):
-    """The motion of the body, also where the tolerance cannot be met: the map judges it."""
+    """The motion of the body, even where the tolerance cannot be met: the map judges it."""
     try:
         return integrate(BODY, t, start, rtol, method, samples=samples)
     except AccuracyError as refused:

@@ -54,16 +54,19 @@ def try_problem(problem: str, folder: str | Path = ".") -> Any:
     its text. Where there is none: how to get one. Raises :class:`PracticeFileError` for a practice
     file that cannot be read.
     """
+    same_chapter: list[str] = []
     for path in (*sorted(Path(folder).glob("*.practice")), *public()):
         file = PracticeFile(path)
+        same_chapter += [n for n in file.problems if n.split("/")[0] == problem.split("/")[0]]
         if problem in file.problems:
             beside = path.parent != SETS
             kept = f"{path}.progress.json" if beside else Path(folder) / KEPT
             p = Practice([file], Progress(kept))[problem]
             return p.form() if in_notebook() and find_spec("ipywidgets") else p
+    there = Words("of its chapter there are {all}", all=", ".join(dict.fromkeys(same_chapter)))
     text = _(
         "No practice file has problem {problem}, so nothing checks your answer: {how}.",
-        problem=problem, how=WRITTEN,
+        problem=problem, how=there if same_chapter else WRITTEN,
     )  # fmt: skip
     return Message(text.replace("`", ""), text)
 

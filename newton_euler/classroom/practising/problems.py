@@ -11,7 +11,7 @@ from html import escape
 from typing import Any
 
 from ...algebra.language import ENGLISH, Words, _, joined, language, spoken, words
-from ...algebra.names import did_you_mean
+from ...algebra.names import Guided, did_you_mean
 from ...answers.causes import Cause, sentence
 from ...answers.fit import rounding
 from ...answers.forms import AnswerError
@@ -53,12 +53,12 @@ def _without_tags(markdown):
 @dataclass(frozen=True, repr=False)
 class Checked(Message):
     """What a check found: ``verdicts`` is {key: right, wrong, unreadable or blank}, ``explained``
-    is {key: the causes that explain a wrong one}, ``said`` is {key: the sentence}.
+    is {key: the causes that explain a wrong one}, ``sentences`` is {key: the sentence}.
     """
 
     verdicts: dict[str, str]
     explained: dict[str, tuple[Cause, ...]]
-    said: dict[str, str]
+    sentences: dict[str, str]
 
     @property
     def causes(self) -> dict[str, str | None]:
@@ -66,7 +66,7 @@ class Checked(Message):
         return {key: sentence(causes) for key, causes in self.explained.items()}
 
 
-class PracticeProblem:
+class PracticeProblem(Guided):
     """One problem of a practice file with one set of numbers at a time, the book's first. ``p``
     alone shows text and figure; ``p.new()`` takes other numbers, which ``p.givens`` has by name;
     ``p.check(...)``, ``p.check_step(...)``, ``p.next_step()``, ``p.solution()``.
@@ -233,19 +233,23 @@ class PracticeProblem:
 
     # -- checks
 
-    def check(self, **answers: object) -> Checked:
+    def check(self, *nameless: object, **answers: object) -> Checked:
         """Whether answers are right, and what explains a wrong one: ``p.check(v_D=[1, 2, 0])``."""
-        return self._check(answers, self.answers, "answer", self._ways.step)
+        return self._check(nameless, answers, self.answers, "answer", self._ways.step)
 
-    def check_step(self, **steps: object) -> Checked:
+    def check_step(self, *nameless: object, **steps: object) -> Checked:
         """The same for any of ``p.steps``. The message says so where one follows rightly from a
         wrong one.
         """
-        return self._check(steps, self.steps, "step", self._ways.answer)
+        return self._check(nameless, steps, self.steps, "step", self._ways.answer)
 
-    def _check(self, given, names, what, other):
+    def _check(self, nameless, given, names, what, other):
         if not names:
             raise AnswerError(_NONE[what], problem=self.id)
+        if nameless:
+            raise AnswerError(
+                "write the name before each value, as {name}=...", name=next(iter(names))
+            )
         if not given:
             raise AnswerError(_WRITE[what], names=", ".join(names))
         for key in given:
@@ -266,19 +270,19 @@ class PracticeProblem:
         self._numbers.tried = self._found
         found = {key: self._explained(key) for key in given}
         verdicts = {key: self._found[key].verdict for key in given}
-        said = {key: text for key, (text, causes) in found.items()}
+        sentences = {key: text for key, (text, causes) in found.items()}
         explained = {key: causes for key, (text, causes) in found.items()}
         for key, verdict in verdicts.items():
             if verdict in ("right", "wrong"):
                 cause = next(iter(explained[key]), None)
                 self._progress.tried(self.id, self.number, key, verdict == "right", cause)
         return Checked(
-            "\n".join(f"{key}: {text}" for key, text in said.items()),
+            "\n".join(f"{key}: {text}" for key, text in sentences.items()),
             "\n".join(f"- {_MARKS.get(verdicts[key], '')} `{key}` {self._read(key)}: {text}"
-                      for key, text in said.items()),
+                      for key, text in sentences.items()),
             verdicts,
             explained,
-            said,
+            sentences,
         )  # fmt: skip
 
     def _read(self, key):

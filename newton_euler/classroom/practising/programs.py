@@ -17,7 +17,7 @@ _BETWEEN: dict[str, Any] = {
 OPERATIONS = {*_BETWEEN, *FUNCTIONS, "atan2"}
 
 
-def operate(name, *numbers):
+def operate(name: str, *numbers: Any) -> float:
     """The result of one operation, a float; of floats, since a power of whole numbers has more
     digits than fit.
 

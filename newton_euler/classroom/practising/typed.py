@@ -69,9 +69,9 @@ def _tree(node, names):
         if node.id in names or node.id == "pi":
             return node.id
         raise AnswerError(
-            _("{name} is none of the given names: {names}", name=node.id, names=", ".join(names))
+            _("{name} is not one of the given names: {names}", name=node.id, names=", ".join(names))
             if names
-            else _("{name} is none of the given names: none", name=node.id)
+            else _("{name} is not a given name: there are none", name=node.id)
         )
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, (ast.USub, ast.UAdd)):
         x = _tree(node.operand, names)

@@ -37,7 +37,7 @@ def predict(
     :class:`~newton_euler.algebra.ArgumentError` where no choice is right, or one has no meaning.
 
     >>> fall = {9.8: "", 0.0: "Only the velocity is zero there."}
-    >>> fall[9.8] = "Gravity acts also where the ball stands still."
+    >>> fall[9.8] = "Gravity also acts where the ball stands still."
     >>> top = predict("How large is the acceleration at the top?", fall, 9.81, "m/s²")
     >>> print(top)
     Predict. How large is the acceleration at the top?

@@ -111,7 +111,7 @@ def _samples(sliders, many):
 
 
 def _update(shown, picture, values):
-    """Draw the picture anew in its place; an error takes its place in words."""
+    """Redraw the picture in its place; an error takes its place in words."""
     try:
         data, _ = picture(values)
     except Exception as error:

@@ -1,4 +1,4 @@
-"""A figure of Matplotlib that is drawn anew for each value: for plots that a page cannot draw."""
+"""A figure of Matplotlib that is redrawn for each value: for plots that a page cannot draw."""
 
 import io
 from typing import Any

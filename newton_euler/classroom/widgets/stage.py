@@ -1,5 +1,6 @@
 """The stage of a figure that moves: its page, the window that its pictures share, each picture."""
 
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from ...algebra.errors import ArgumentError
@@ -12,14 +13,15 @@ class Stage:
     **values)`` draws; a figure of Matplotlib once it draws what only that can.
     """
 
-    def __init__(self, draw: Any, size: Any, panels: Any):
+    def __init__(self, draw: Callable[..., Any], size: Sequence[float], panels: Sequence[int]):
         from ...drawing.page.paper import Page
 
         self.draw, self._size, self._panels = draw, size, panels
         self.page = Page(size, *panels)
         self.css_size = tuple(CSS_PIXELS * side for side in size)
         self._plotted: Plotted | None = None
-        self._window = self._one = None
+        self._window: Any = None
+        self._one: Any = None
         self._title = ""
 
     @property
@@ -27,7 +29,7 @@ class Stage:
         """True if it draws what only Matplotlib can."""
         return self._plotted is not None
 
-    def rehearse(self, samples):
+    def rehearse(self, samples: Iterable[Mapping[str, Any]]) -> None:
         """Record the sketches of many pictures, and find the window that holds them all."""
         from ...drawing.page.recorder import share_window
 
@@ -45,7 +47,7 @@ class Stage:
     def _all(self, samples):
         return [sketch for values in samples for sketch in self.sketches(values)]
 
-    def sketches(self, values):
+    def sketches(self, values: Mapping[str, Any]) -> list[Any]:
         """The sketches of the picture for these values; empty if it has plots only."""
         try:
             return self._drawn(values)
@@ -53,7 +55,7 @@ class Stage:
             error.add_note(f"This came up while the picture for {in_words(values)} was drawn.")
             raise
 
-    def picture(self, values, title=None, alt=""):
+    def picture(self, values: Mapping[str, Any], title: str | None = None, alt: str = "") -> bytes:
         """The picture for these values as SVG."""
         from ...drawing.page.recorder import join_window
         from ...drawing.page.svg import svg
@@ -66,7 +68,7 @@ class Stage:
             return self._plotted.saved("svg")
         return svg(self.page, alt).encode()
 
-    def png(self):
+    def png(self) -> bytes | None:
         """The last picture as a PNG, or None where there is no Matplotlib."""
         return png_of(self._plotted.figure if self._plotted else self.page, tight=False)
 

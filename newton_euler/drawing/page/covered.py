@@ -3,14 +3,18 @@ hides is not there.
 """
 
 import math
+from collections.abc import Iterable
 from itertools import pairwise
+from typing import TypeAlias
 
-from .primitives import STYLES
+from .primitives import STYLES, Canvas
 
 CELL = 1.5  # points, a side of a cell of the grid
 STEP = 3  # points between marks along a line
 FILLED = {name for name, style in STYLES.items() if style["facecolor"] != "none"}
 _MOST = 4000  # cells in a row or a column
+
+Place: TypeAlias = tuple[float, float]  # on the page, in points
 
 
 class Covered:
@@ -18,7 +22,7 @@ class Covered:
     outlines of each of its strokes on the page, in points.
     """
 
-    def __init__(self, canvas, shapes):
+    def __init__(self, canvas: Canvas, shapes: Iterable[Iterable[Iterable[Place]]]):
         self.left, right, self.bottom, top = (side / canvas.pt for side in canvas.box())
         self.columns, count = (
             min(int(size / CELL) + 2, _MOST) for size in (right - self.left, top - self.bottom)
@@ -28,7 +32,7 @@ class Covered:
             if stroke.styles:
                 self._draw(stroke, [self._on_grid(outline) for outline in outlines])
 
-    def count(self, low, high):
+    def count(self, low: Place, high: Place) -> int:
         """How many marks are in a box, given by two corners."""
         (x0, y0), (x1, y1) = self._on_grid((low, high))
         a, b = max(round(x0), 0), max(round(x1), 0)

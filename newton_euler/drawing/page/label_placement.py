@@ -1,8 +1,10 @@
 """Label placement: each label goes where it covers the fewest lines and no other label."""
 
 import math
+from collections.abc import Iterable
 
 from .covered import Covered
+from .primitives import Note
 
 # the places of a label beside its own: 4 distances in points, 16 turns; and what they cost
 _PLACES = [
@@ -41,7 +43,7 @@ def label_shifts(canvas, shapes, half_of, edges, before):
         yield note, shift
 
 
-def placing_order(notes):
+def placing_order(notes: Iterable[Note]) -> list[Note]:
     """The labels in the order in which they are placed: those at a fixed offset first."""
     return sorted(notes, key=lambda note: note.fixed is None)
 

@@ -24,7 +24,7 @@ from .base import (
     sample_times,
 )
 
-# Heyoka's order is the least one above 1 - log(tolerance)/2; its steps hardly depend on the
+# Heyoka's order is the least one above 1 - log(tolerance)/2; its steps barely depend on the
 # tolerance. These are the tolerances at which the order changes, from 3 to 19, down to a float's
 # epsilon.
 LEVELS = tuple(1.0000001 * exp(-2.0 * order) for order in range(2, 19))
@@ -40,7 +40,7 @@ ORDINARY = 0.25, 4.0
 
 
 @cache
-def installed():
+def installed() -> bool:
     """True if heyoka is installed."""
     return importlib.util.find_spec("heyoka") is not None
 
@@ -191,7 +191,7 @@ class Taylor(Stepper):
 
     def _stalled(self, ta, before, done):
         """True if the steps after the time ``before``, for which heyoka has returned ``done``,
-        hardly advance.
+        barely advance.
         """
         _, _, longest, steps, *_ = done
         self.calls, self.taken = self.calls + steps * ta.order, self.taken + steps

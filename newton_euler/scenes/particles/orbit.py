@@ -83,14 +83,14 @@ _INVARIANTS = {
 
 
 def _exact(s, p, t):
-    """The state at t by the eccentric anomaly; nan, when traced, if the orbit is no ellipse."""
+    """The state at t by the eccentric anomaly; nan, when traced, if the orbit is not an ellipse."""
     x, y, v_x, v_y, mu, t = comparable("orbit", s.x, s.y, s.v_x, s.v_y, p.mu, t)
     _check(x, y, v_x, v_y, mu, t)
     r0, along, swept = sqrt(x * x + y * y), x * v_x + y * v_y, x * v_y - y * v_x
     beta = _beta(x, y, v_x, v_y, mu, r0)
     closed = beta * abs(swept) > 0
     if is_numeric(beta) and max_abs(where(closed, 0, 1)):
-        raise ModelError("the orbit is no ellipse (its energy is not below 0): integrate it")
+        raise ModelError("the orbit is not an ellipse (its energy is not below 0): integrate it")
     beta = where(closed, beta, 1)
     root = sqrt(beta)
     # e sin(E0), e cos(E0), sqrt(1 - e^2)

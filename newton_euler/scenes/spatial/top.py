@@ -58,7 +58,7 @@ def nutation(
     theta_rate; invariant the energy, less that of spin.
 
     momentum_difference : from the start, by the function :func:`momentum_difference`; 0 for a
-        sleeping top, and then theta = 0 is no singular place
+        sleeping top, and then theta = 0 is not a singular place
     I0 theta'' = mgr sin(theta) - d/dtheta (p_psi - p_phi cos(theta))^2/(2 I0 sin^2(theta)), with
     the quotient by half angles as (p tan(theta/2) + q/tan(theta/2))^2/(8 I0), p = p_psi + p_phi, q
     = p_psi - p_phi = momentum_difference. A pendulum has I = 0; ``mgr`` may be of either sign or 0.

@@ -22,7 +22,7 @@ def general(kind):
 
 
 def terms_of_A(m, centre, Ixz, Iyz, Izz, a, b, psi, omega, alpha, g):
-    """The terms of A in (9.9) as the book has them (the fourth of A_y with its right sign)."""
+    """The terms of A in (9.9) as the book has them (the fourth of A_y with the sign corrected)."""
     x, y, z = centre
     length, w2, weight = a + b, omega * omega, m * g * (z - b) / (a + b)
     return {

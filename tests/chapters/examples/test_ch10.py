@@ -32,7 +32,7 @@ def test_section_10_8_football_and_space_station():
 
 
 def test_section_10_8_the_wobble_of_the_earth_by_integration():
-    """At (I - I0) omega_z/I0; the book's 26 000 years are no free precession."""
+    """At (I - I0) omega_z/I0; the book's 26 000 years are not those of a free precession."""
     e = 0.003285
     I0, I, wz = 1.0, 1.0 + e, 2 * math.pi
     rate = free_precession(I0, I, 1e-6, -e * wz).rate

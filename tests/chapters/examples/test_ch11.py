@@ -73,7 +73,7 @@ def test_eqn_11_24_its_potential_found_from_the_field(kind):
     K, M, m, x, y, z = numbers(kind, 2, 9, "0.5", 1, 2, 2)
     field, r = attraction_field(K, M, m), sqrt(x * x + y * y + z * z)
     far = gravitational_potential(M, m, r, K) - gravitational_potential(M, m, 5 + 0 * x, K)
-    # the integral to any place is more than SymPy finds; along a radius it is not
+    # SymPy cannot find the integral to an arbitrary place, but it can along a radius
     if kind == "sympy":
         found = -work_along(field, lambda s: (s, 0, 0), 5, r, exact=True).value
     else:

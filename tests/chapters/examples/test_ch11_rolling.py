@@ -56,7 +56,7 @@ def test_example_11_15_the_motion_down_the_plane():
 
 
 def test_example_11_15_the_vertical_plane_is_only_a_limit():
-    """The friction needed over the normal force grows beyond bounds, which the book does not say."""
+    """Friction needed over normal force grows without bound, which the book does not say."""
     assert friction_needed(math.pi / 4) == pytest.approx(2 / 7)
     assert friction_needed(math.pi / 2 - 1e-6) > 1e5
 

@@ -44,7 +44,7 @@ checked: {v: 2*pi}
 
 @pytest.fixture
 def write(tmp_path, monkeypatch):
-    """A function that puts a file into chapter 77, the only one of a catalogue of its own."""
+    """A function that puts a file into chapter 77, the only chapter of a separate catalogue."""
 
     home = tmp_path / "exercises"
 
@@ -166,7 +166,7 @@ def test_what_does_not_fit_is_refused_with_its_file(write, right, wrong, message
     "value", ["3", "2.5", "true", "a word", "[1, 2]", "{a: 1}", "", "2020-01-02", "[[1], {}]"]
 )
 @pytest.mark.parametrize("line", range(1, len(ENTRY.splitlines())))
-def test_whatever_stands_under_a_key_is_read_or_refused_in_words(write, line, value):
+def test_whatever_is_under_a_key_is_read_or_refused_in_words(write, line, value):
     lines = ENTRY.splitlines()
     lines[line] = f"{lines[line].partition(':')[0]}: {value}"
     write("p01.yaml", "\n".join(lines))
@@ -192,7 +192,7 @@ def test_a_power_of_ten_is_a_number_with_and_without_a_point(write):
     assert (r.value, r.vary, v.atol) == (1e-3, (1e-4, 2e3), 1e-9)
 
 
-def test_an_answer_weighs_one_unless_the_file_says_more(write):
+def test_an_answer_weighs_one_unless_the_file_says_otherwise(write):
     write("p01.yaml", ENTRY)
     assert problem("77/1").answer("v").weight == 1
     write("p01.yaml", changed("means: speed", "means: speed, weight: 2.5"))

@@ -1,4 +1,4 @@
-"""A problem that is broken, in one of the ways in which problems break, is caught by ``check``."""
+"""A problem broken in one of the ways in which problems break is caught by ``check``."""
 
 import pytest
 
@@ -14,7 +14,7 @@ SOLVE, PROVE, MISTAKES = P.code.solve, P.code.prove, P.code.mistakes
 
 @pytest.fixture
 def tamper(monkeypatch):
-    """Puts other functions into the code of 4/16 and returns the faults that check finds."""
+    """A function that replaces functions of 4/16's code and returns the faults that check finds."""
 
     def put(**functions):
         for name, function in functions.items():
@@ -90,7 +90,7 @@ def test_a_fault_is_caught(tamper, functions, fault):
     assert any(found.startswith(fault) for found in tamper(**functions))
 
 
-def test_a_mistake_under_the_key_of_another_answer_is_a_warning(monkeypatch):
+def test_a_mistake_under_the_key_of_another_answer_gives_a_warning(monkeypatch):
     stored = lambda wrong, g: {**wrong, "no_coriolis": {"v_D": wrong["no_coriolis"]["a_D"]}}
     monkeypatch.setattr(P.code, "mistakes", mistaken(stored)["mistakes"])
     message = "the mistake no_coriolis gives v_D the dimension of a_D: is it stored under its key?"
@@ -98,7 +98,7 @@ def test_a_mistake_under_the_key_of_another_answer_is_a_warning(monkeypatch):
 
 
 def test_frames_of_another_call_in_the_tree_of_an_answer_are_a_fault(tamper):
-    ground = Frame("ground")  # as of a module
+    ground = Frame("ground")  # as if made by the module
 
     def solve(g):
         D = ground.rotate("arm", "z", rate=g.omega).point("D", g.b, 0, 0)

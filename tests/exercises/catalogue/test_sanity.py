@@ -1,4 +1,4 @@
-"""What a released sheet says any answer must be."""
+"""What a released sheet says that any answer must satisfy."""
 
 import math
 import random
@@ -28,7 +28,7 @@ def test_right_answers_are_never_doubted(name):
                 assert doubts(Form(a.kind, a.unit), tree, {}, sane) == [], (a.key, values)
 
 
-def test_bounds_are_powers_of_ten_and_tell_no_key():
+def test_bounds_are_powers_of_ten_and_give_away_no_key():
     for name in SOME:
         for bounds in sane_answers(problem(name)).values():
             for x in bounds if isinstance(bounds, tuple) else ():
@@ -44,7 +44,7 @@ def test_metres_for_millimetres_are_doubted():
 
 
 def test_every_problem_has_its_bounds():
-    """It runs for all of them; of most that ask for numbers something is known."""
+    """It runs for all of them; for most that ask for numbers there is some bound."""
     some = random.Random(3).sample(select(["all"]), 40)
     asked = [p for p in some if any(a.kind.name in ("number", "vector") for a in p.answers)]
     assert sum(bool(sane_answers(p)) for p in asked) >= 0.9 * len(asked)

@@ -1,4 +1,4 @@
-"""The steps on the way to the answers, and the worked solution that is made of them."""
+"""The steps on the way to the answers, and the worked solution made from them."""
 
 from types import SimpleNamespace
 
@@ -20,7 +20,7 @@ def shown(p, values):
     return {s.key: s for s in steps(p, values)}
 
 
-def test_steps_of_4_16_stand_in_the_units_and_axes_of_the_answers():
+def test_steps_of_4_16_are_in_the_units_and_axes_of_the_answers():
     p = problem("4/16")
     found = shown(p, p.book_values)
     assert list(found)[:2] == ["omega_CD", "v_r"]
@@ -78,7 +78,7 @@ def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
 
 def test_a_step_says_its_kind_and_has_its_form(monkeypatch):
     kinds = lambda name: [s.kind.name for s in steps(problem(name), problem(name).book_values)]
-    assert kinds("A/4") == ["number"] * 2  # whole numbers, but for the numbers of the book alone
+    assert kinds("A/4") == ["number"] * 2  # whole numbers, but only for the book's numbers
     assert set(kinds("5/24")) == {"count"}
     assert set(kinds("7/3")) == {"number", "vector", "matrix"}
     rows = lambda g: ((g.b, 0, 0), (0, g.b, 0), (0, 0, g.b))
@@ -127,7 +127,7 @@ def test_steps_in_code_and_text_are_the_same(monkeypatch):
 
 
 def proving(monkeypatch, **found):
-    """4/16, whose proof also gives these steps, times the rates of the problem."""
+    """4/16, whose proof also gives these steps, multiplied by the rates of the problem."""
     p = problem("4/16")
     prove = p.code.prove
     also = {key: (lambda g, f=f: f(g)) for key, f in found.items()}

@@ -1,4 +1,4 @@
-"""What problems are chosen by, against the catalogue's own data."""
+"""What problems are chosen by, checked against the catalogue's own data."""
 
 import pytest
 
@@ -18,7 +18,7 @@ def test_an_entry_says_what_the_problem_says():
         e = entry(p)
         row = e.id, e.section, e.sheets, e.answers
         assert row == (p.id, p.section, sheets(p), len(p.answers))
-        assert set(e.kinds) == {a.kind.name for a in p.answers}
+        assert set(e.kinds) == {a.kind for a in p.answers}
         assert 1 <= e.difficulty <= 5
         assert e.minutes % 5 == 0 < e.minutes
     assert (entry(problem("4/16")).steps, entry(problem("4/16")).terms) == (2, 6)

@@ -1,5 +1,5 @@
-"""Each student's own numbers: the same for the same seed, others for another student, within range,
-round, and fit to grade.
+"""Each student's own numbers: the same for the same seed, different for another student, within
+range, round, and fit to grade.
 """
 
 import re
@@ -45,12 +45,12 @@ def test_the_same_student_gets_the_same_numbers_and_another_one_others(p):
 
 
 def test_the_numbers_drawn_for_a_student_never_change():
-    """Students keep their numbers from version to version, and on every machine."""
+    """Students keep their numbers from version to version and on every machine."""
     kept = {"omega": 0.9, "b_dot": 0.7, "beta_1": 136.0, "b": 5.2, "L": 24.8}
     assert numbers_of("ada", problem("4/16")) == kept
 
 
-def test_students_share_hardly_any_numbers():
+def test_students_rarely_share_numbers():
     drawn = [tuple(numbers_of(f"student {n}", problem("4/16")).values()) for n in range(40)]
     assert len(set(drawn)) == 40
 
@@ -75,7 +75,7 @@ def test_objection_to_numbers_that_hide_a_mistake():
 
 
 def test_objection_to_ill_conditioned_numbers():
-    """Where the lower end comes near the end of the ellipse's axis, its speed grows beyond bounds."""
+    """Where the lower end nears the end of the ellipse's axis, its speed grows without bound."""
     p = problem("4/9")
     found = objection(p, {**p.book_values, "z_1": 3.98})
     assert re.match(r"is ill-conditioned: 0.1 % of z_1 changes v_mid by [0-9]+%", found)

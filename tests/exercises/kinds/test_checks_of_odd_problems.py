@@ -1,5 +1,5 @@
-"""Checks of problems of other kinds: without numbers, with a key that is zero, with a proof that
-stops at the digits of its numbers, with mistakes that cannot be distinguished.
+"""Checks of unusual problems: without numbers, with a key that is zero, with a proof that stops at
+the digits of its numbers, with mistakes that cannot be distinguished.
 """
 
 from dataclasses import replace
@@ -94,7 +94,7 @@ def radius(made, **wrong):
     return made(right, right, mistakes, **given)
 
 
-def test_two_mistakes_with_the_same_wrong_answer_are_a_warning(made):
+def test_two_mistakes_with_the_same_wrong_answer_give_a_warning(made):
     diameter = {"twice": lambda g: 2 * g.r, "diameter": lambda g: g.r + g.r}
     p = radius(made, **diameter, half=lambda g: g.r / 2)
     assert check(p, seeds=3) == []
@@ -102,7 +102,7 @@ def test_two_mistakes_with_the_same_wrong_answer_are_a_warning(made):
     assert warning.startswith("the mistakes twice and diameter give the same wrong x")
 
 
-def test_mistakes_that_agree_only_by_chance_are_no_warning(made):
+def test_mistakes_that_agree_only_by_chance_give_no_warning(made):
     # 0.3 in the book, so that both are 3 there
     p = radius(made, tenfold=lambda g: 10 * g.r, three=lambda g: 0 * g.r + 3)
     assert alike(p) != []

@@ -1,5 +1,5 @@
-"""Formulas print as a textbook has them: without factors between units that are coherent, with
-symbols that are positive where their range is, without components that vanish.
+"""Formulas print as in a textbook: without factors between coherent units, with symbols that are
+positive where their range is, without components that vanish.
 """
 
 import pytest

@@ -85,7 +85,7 @@ def test_a_problem_that_does_not_fit_the_format_is_reported_and_nothing_is_writt
 
 @pytest.mark.parametrize("p", PROBLEMS, ids=lambda p: p.id.replace("/", "_"))
 def test_a_spec_loses_nothing_that_a_problem_has(p, tmp_path):
-    """Each problem of the book as an entry of a spec: what is written is read as the same."""
+    """Each problem of the book, as an entry of a spec, is written and read back unchanged."""
     path = home(p.chapter) / f"{p.name}.yaml"
     entry = load(path.read_text())
     assert vars(read_problem(load(problem_yaml(entry)), path)) == vars(read_problem(entry, path))

@@ -1,5 +1,5 @@
 """Problems that give numbers and name symbols: drawn and judged over the points at which formulas
-are compared, also where a formula is not real at some of them.
+are compared, even where a formula is not real at some of them.
 """
 
 from dataclasses import replace
@@ -45,7 +45,7 @@ def test_givens_are_drawn_beside_symbols(falling):
 
 
 def test_a_mistake_is_judged_over_all_points_and_not_at_one(falling):
-    """t^2 for t is right at t = 1, and 2 % off beside it."""
+    """t^2 for t is right at t = 1, and 2 % off close to it."""
     p = falling(
         lambda g: {"h": g.a * g.t * g.s},
         lambda g: {"no_half": {"h": g.a * g.t**2}},
@@ -107,7 +107,7 @@ def test_answers_are_apart_if_half_of_their_real_points_are():
 
 
 def at_thirty(falling, same):
-    """The sine of 30 degrees is a half, so that the book's numbers do not tell one from another."""
+    """The sine of 30 degrees is a half, so the book's numbers do not tell the two apart."""
     length = Given("L", 2.0, "m", "length", (1.0, 3.0))
     slope = Given("beta", 30, "deg", "slope", (20, 70))
     return falling(

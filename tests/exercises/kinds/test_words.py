@@ -60,7 +60,7 @@ def test_a_word_that_is_not_among_those_to_choose_from_is_caught(made):
     assert fault.startswith("sense: solve says 'up', which is not one of rises, falls, rests")
 
 
-def test_a_count_that_is_no_whole_number_is_caught(made):
+def test_a_count_that_is_not_a_whole_number_is_caught(made):
     faults = check(made(lambda g: {"dof": 1.5}, answers=(DOF,)))
     assert faults == ["dof: solve gives 1.5, which is not a whole number (seed 0)"]
 
@@ -89,7 +89,7 @@ def test_points_of_words_are_words(made):
 
 
 def test_a_word_may_follow_from_a_number(made):
-    """Who has the speed wrong has the sense right that goes with it."""
+    """A student with a wrong speed is right to give the sense that goes with it."""
     answers = (replace(SPEED, weight=1.0), replace(SENSE, follow_through=0.5))
 
     ordered = lambda g: dict(reversed(solve(g).items()))

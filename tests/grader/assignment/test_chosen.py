@@ -28,7 +28,7 @@ def test_problems_a_chapter_or_a_file(tmp_path, monkeypatch):
         chosen("hw9.yaml")
 
 
-def test_what_a_course_has_comes_first_and_as_the_instructor_changed_it(tmp_path, monkeypatch):
+def test_what_a_course_has_comes_first_as_the_instructor_changed_it(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     course = build_assignment(tmp_path / "c", spec_of("hw3", ["4/3", "4/16"], ["4/3=5"])).course
     assert [i.text for i in chosen("hw3", course=course).items] == ["", ""]

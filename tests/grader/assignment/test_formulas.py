@@ -1,4 +1,4 @@
-"""Formulas of worked solutions as they are read."""
+"""The formulas of worked solutions as a reader sees them."""
 
 import re
 
@@ -31,12 +31,12 @@ def test_a_formula_begins_without_a_sign_and_has_one_root_and_six_digits(formula
     (a * b, {"a": -3.0, "b": 2.0}, r"\left(-3\right) \cdot 2"),
     (a**2, {"a": -3.0}, r"\left(-3\right)^{2}"),
 ])  # fmt: skip
-def test_a_negative_number_stands_in_parentheses_and_two_signs_are_one(formula, numbers, text):
+def test_a_negative_number_is_put_in_parentheses_and_two_signs_become_one(formula, numbers, text):
     names = numerals({n: (x, "1") for n, x in numbers.items()}, True, True)
     assert written(formula, names, latex=True, numbers=True) == text
 
 
-def test_units_stand_where_they_do_not_belong_together():
+def test_units_are_written_where_they_do_not_combine():
     quantities = {"a": (72.0, "km/h"), "b": (100.0, "m")}
     shown = written(a / b, numerals(quantities, False, True), latex=True, numbers=True)
     assert shown == r"\frac{72\ \text{km/h}}{100\ \text{m}}"
@@ -63,16 +63,16 @@ def test_a_right_angle_beside_degrees_is_written_in_degrees():
     (2 * a * m + g**2, "g**2 + 2*a*m"),  # a name before a product
     (a / sympy.sqrt(2 * g * h), "a/(sqrt(2*g*h))"),
 ])  # fmt: skip
-def test_a_sum_has_its_common_factors_outside(formula, text):
+def test_common_factors_of_a_sum_are_taken_out(formula, text):
     assert written(formula, {}, latex=False) == text
 
 
-def test_a_sine_stands_behind_a_sum():
+def test_a_sine_follows_a_sum():
     text = written(sympy.cos(m) * (a - b), {}, latex=True)
     assert text == r"\left(a - b\right) \cos {m}"
 
 
-def test_a_name_with_a_bar_stands_in_parentheses_under_a_power_and_a_sine_has_it():
+def test_a_power_puts_a_fraction_in_parentheses_and_goes_on_the_name_of_a_sine():
     assert written(a**3, {"a": "l/r"}, latex=True) == r"\left(l/r\right)^{3}"
     assert written(a**2, {"a": r"\sin \phi"}, latex=True) == r"\sin^{2} \phi"
 
@@ -89,14 +89,14 @@ def test_a_result_is_short():
 def test_equations_that_are_solved_together_are_shown_once_with_their_unknowns():
     found = derivations(problem("6/13"), problem("6/13").book_values)
     shown = [d.together for d in found.values() if d.together]
-    assert [len(equations) for equations in shown] == [2]  # and none of alpha, which is not asked
+    assert [len(equations) for equations in shown] == [2]  # and none of the unasked alpha
     assert found["a_A"].unknowns == {"a_A", "T"}
     assert found["T"].solved
     assert not found["T"].together
 
 
 @pytest.mark.parametrize(("angle", "has_bars"), [(30.0, False), (-30.0, True)])
-def test_bars_stand_only_where_they_change_the_number(angle, has_bars):
+def test_bars_appear_only_where_they_change_the_number(angle, has_bars):
     p = problem("3/11")
     formula = derivations(p, {**p.book_values, "angle": angle})["a_n"].formulas[0]
     assert formula.has(sympy.Abs) == has_bars
@@ -110,8 +110,8 @@ def shown(name, key):
 @pytest.mark.parametrize(("name", "key", "formulas"), [
     ("5/3", "d", ["Q_x/V", "Q_y/V", "Q_z/V"]),  # by the names of earlier quantities
     ("2/9", "a_n", ["g*(1 - n)"]),  # bars around what is negative for everyone turn its sign
-    ("A/16", "z", ["-known_PQ/p_3"]),  # one equation with one unknown is solved
-    ("6/17", "rho_C", ["v_C**2/g"]),  # also where the unknown is no quantity of the problem
+    ("A/16", "z", ["-known_PQ/p_3"]),  # one equation in one unknown is solved
+    ("6/17", "rho_C", ["v_C**2/g"]),  # even where the unknown is not one of the problem's
     ("2/32", "a_rel", ["-a_A_x + a_B_x - a_centripetal_x - a_coriolis_x",
                        "-a_A_y + a_B_y - a_euler_y", "0"]),  # not 2 a_B_x
     ("10/4", "psi_fast", ["B/A"]),  # a ratio of earlier ones, by whatever way it was computed
@@ -126,7 +126,7 @@ def shown(name, key):
     ("2/11", "rho_top", ["v_top**2/g"]),  # an earlier quantity within a product
     ("4/21", "omega_A_of_fork", ["0", "0", "Omega"]),  # not (e_y**2 + e_z**2)*Omega
     ("7/6", "I_xy", ["0"]),  # no round-off
-    ("11/17", "T_rot", ["I_C*omega**2/2"]),  # the unknown w is no quantity of the problem
+    ("11/17", "T_rot", ["I_C*omega**2/2"]),  # the unknown w is not a quantity of the problem
     ("11/20", "T", ["I_a*omega_axial**2/2 + I_t*omega_t**2/2 + M*v_G**2/2"]),  # not by c and L
     ("8/19", "I_xy", ["d**2*m_1 - d**2*m_3 + 2*d**2*m_4"]),  # not I_xx of the first, which is equal
     ("6/8", "M", ["m_A + 4*m_B"]),  # the masses themselves, and not W_B/g
@@ -140,13 +140,13 @@ def shown(name, key):
     ("4/26", "alpha_drum_relative", ["0", "-P*e_z*theta_dot", "P*e_y*theta_dot"]),  # not omega_y
     ("2/5", "h", ["g*t_near**2/2 - t_near*v_0*cos(phi)", "g*t_far**2/2 - t_far*v_0*cos(phi)"]),
 ])  # fmt: skip
-def test_a_formula_is_written_as_a_teacher_does(name, key, formulas):
+def test_a_formula_is_written_as_a_teacher_would_write_it(name, key, formulas):
     assert shown(name, key) == formulas
 
 
 def test_bodies_that_are_partly_equal_have_names_of_their_own():
     assert shown("7/9", "I_O")[0] == "I_base_xx - I_hole_xx + I_wall_xx"
-    assert shown("7/11", "I_BC")[0] == "I_G_BC_xx + a**2*m + d_BC_z**2*m"  # x and y of d are a
+    assert shown("7/11", "I_BC")[0] == "I_G_BC_xx + d_BC_y**2*m + d_BC_z**2*m"
     assert shown("7/11", "I_AB")[8] == "I_G_AB_zz + d_AB_x**2*m + d_AB_y**2*m"  # not 5*a**2*m/4
     assert shown("7/11", "I_G_BC")[4] == "a**2*m/12"  # and not I_G_OA_yy + 0
     assert shown("7/12", "I_O")[0] == "I_full_xx - I_hole_xx"  # not I_G_hole_xx, which is equal
@@ -157,7 +157,7 @@ def test_bodies_that_are_partly_equal_have_names_of_their_own():
         assert not re.search(r"\b[a-z](_[a-z])?\b", " ".join(shown(name, "Q"))), name
 
 
-def test_a_step_stands_after_the_answer_that_it_is_found_from():
+def test_a_step_comes_after_the_answer_that_it_is_found_from():
     for name, *order in (("A/16", "y", "known_PR", "x"), ("6/21", "phi", "t_f", "x"),
                          ("3/12", "v_axial", "speed")):  # fmt: skip
         p = problem(name)
@@ -176,7 +176,7 @@ def test_an_unknown_has_its_sign_in_the_equations():
     (g * h * m, r"g\, \text{height}_x\, m"),
     (h + m, r"\text{height}_x + m"),
 ])  # fmt: skip
-def test_a_word_and_another_factor_stand_apart(formula, text):
+def test_a_word_is_set_apart_from_another_factor(formula, text):
     assert written(formula, {"g": "g", "h": r"\text{height}_x", "m": "m"}, latex=True) == text
 
 

@@ -1,4 +1,4 @@
-"""What makes a figure hard to read is found, and nothing else."""
+"""What makes a figure hard to read is reported, and nothing else."""
 
 import pytest
 from matplotlib.figure import Figure

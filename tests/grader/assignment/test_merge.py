@@ -108,7 +108,7 @@ def test_a_build_adds_to_a_course_and_loses_nothing(tmp_path):
     mine = path.read_bytes()
 
     roster.write_text("id\nada\nben\n")
-    assert "Enrolled 1 students" in ran(command("enrol", roster, "--course", place))
+    assert "Enrolled 1 student (" in ran(command("enrol", roster, "--course", place))
     assert "Due: 2027-01-31 22:59 UTC" in ran(
         command("due", "ch04", "2027-01-31 23:59 Europe/Berlin", "--course", place)
     )
@@ -127,6 +127,6 @@ def test_a_build_adds_to_a_course_and_loses_nothing(tmp_path):
     assert any("## 4/2" in text for text in now)
     assert mine in [p.read_bytes() for p in (place / "backup").iterdir()]
 
-    (place / "built/ch04.ipynb").unlink()  # a course of an earlier version has none
+    (place / "built/ch04.ipynb").unlink()  # a course built by an earlier version has none
     update("--problem", "4/1")
     assert "My own words." in texts(load_json(path.read_bytes()))

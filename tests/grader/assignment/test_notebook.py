@@ -48,8 +48,8 @@ def personal_statement(number, text, values):
     return copy["cells"][0]["source"]
 
 
-def test_a_statement_gets_a_students_numbers_also_where_it_was_released_before_it_was_typeset():
-    """<i>β̇</i> was printed as <i>b̊</i> with a combining dot, and numbers stood behind it."""
+def test_a_statement_gets_a_students_numbers_even_where_it_was_released_before_it_was_typeset():
+    """<i>β̇</i> was printed as <i>b̊</i> with a combining dot, followed by numbers."""
     values = {"omega": 1.25, "b_dot": 0.3, "beta_1": 150, "b": 9.5, "L": 21.0}
     before = (
         "at the rate <i>ω</i> = 0.6 rad/s. BC has the length <i>b</i> = 8 mm, CD <i>L</i> = 16 mm, "

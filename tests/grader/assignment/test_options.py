@@ -41,11 +41,11 @@ def test_an_option_is_read(name, value, found):
 
 
 @pytest.mark.parametrize(("name", "value", "words"), [
-    ("tolerance", 0, "0 is no tolerance"), ("tolerance", "50%", "no tolerance from"),
-    ("tolerance", True, "True is no tolerance"), ("help", "hint", "did you mean hints?"),
-    ("follow_through", 2, "no share"), ("points", float("nan"), "no number of points"),
-    ("weights", {"a": 1}, "'a' is no part of 4/16"), ("weights", {"v_D": -1}, "no weight"),
-    ("weights", {"v_D": 0, "a_D": 0, "alpha_CD": 0}, "worth nothing"), ("weights", 3, "no weights"),
+    ("tolerance", 0, "0 is not a tolerance"), ("tolerance", "50%", "not a tolerance"),
+    ("tolerance", True, "True is not a tolerance"), ("help", "hint", "did you mean hints?"),
+    ("follow_through", 2, "not a share"), ("points", float("nan"), "not a number of points"),
+    ("weights", {"a": 1}, "'a' is not a part of 4/16"), ("weights", {"v_D": -1}, "not a weight"),
+    ("weights", {"v_D": 0, "a_D": 0, "alpha_CD": 0}, "worth nothing"), ("weights", 3, "not a set of weights"),
 ])  # fmt: skip
 def test_an_option_that_means_nothing_is_refused_in_words(name, value, words):
     assert name in OPTIONS
@@ -84,7 +84,7 @@ def off(p, values, share):
 
 @pytest.mark.integration
 def test_a_sheet_follows_its_file_all_the_way(tmp_path, monkeypatch):
-    """Two sheets with the same problems, of which one says how near and how much help."""
+    """Two sheets of the same problems, one of which sets a tolerance and a level of help."""
     monkeypatch.chdir(tmp_path)
     place, roster, file = tmp_path / "mechanics", tmp_path / "roster.csv", tmp_path / "hw3.yaml"
     roster.write_text("id\nada\n")
@@ -121,7 +121,7 @@ def test_a_sheet_follows_its_file_all_the_way(tmp_path, monkeypatch):
     assert [found["hw4"][f"answer-4-{n}"][0] for n in (1, 16)] == [0, 3]
     pages = {n: (place / f"feedback/ada/{n}/{n}.html").read_text() for n in sheets}
     assert [page.count("Worked solution") for page in pages.values()] == [1, 0]
-    # without help nobody reads why an answer is wrong; the instructor may change it in the notebook
+    # without help nobody is told why an answer is wrong; an instructor may change that
     wrong = {"p4_1": off(asked[0], numbers["hw3"]["4/1"], 0.05)}
     submit(course, "ada", work(course, "ada", assignment="hw3", **wrong), "hw3")
     ran(command("grade", "hw3", "--course", place))

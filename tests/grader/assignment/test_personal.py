@@ -1,4 +1,4 @@
-"""Each student's own copy: own numbers and figures, no key, nothing of anybody else."""
+"""Each student's own copy: their numbers and figures, no key, nothing of anyone else's."""
 
 import os
 import pwd
@@ -79,7 +79,7 @@ def test_an_empty_roster_is_reported(ungraded):
 
 def test_a_copy_in_the_exchange_is_for_its_student_alone(course, tmp_path, monkeypatch):
     """By an access list; without a user of the machine, in a folder whose name is not listed."""
-    (tmp_path / "setfacl").write_text(f'#!/bin/sh\necho "$@" >> {tmp_path}/said\n')
+    (tmp_path / "setfacl").write_text(f'#!/bin/sh\necho "$@" >> {tmp_path}/calls\n')
     (tmp_path / "setfacl").chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
@@ -89,7 +89,7 @@ def test_a_copy_in_the_exchange_is_for_its_student_alone(course, tmp_path, monke
     open_to_others = copy_to_exchange(course, "ch04", outbound, paths)
     assert open_to_others == ["no such user"]
     assert "of 1 students (no such user)" in warning(open_to_others)
-    output = (tmp_path / "said").read_text()
+    output = (tmp_path / "calls").read_text()
     own = personal_name(course.name, "ch04", "nobody")
     user = pwd.getpwnam("nobody").pw_uid
     assert output.startswith(f"--modify user:{user}:rX,group::---,other::---")

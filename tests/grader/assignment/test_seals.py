@@ -19,7 +19,7 @@ def copy():
 
 
 def run(notebook, answers):
-    """The texts of the receipts when a student has these answers."""
+    """The texts of the receipts for a student with these answers."""
     names, output = {}, {}
     for cell in notebook["cells"]:
         own = cell["metadata"]["newton_euler"]
@@ -33,7 +33,7 @@ def run(notebook, answers):
     return output
 
 
-def test_right_answers_are_reported_to_be_right_and_others_not(copy):
+def test_right_answers_are_reported_right_and_others_not(copy):
     notebook, values = copy
     right = {name: right_answers(problem(name), values[name]) for name in ASKED}
     output = run(notebook, {n: cell_text(problem(n), x) for n, x in right.items()})

@@ -1,4 +1,4 @@
-"""The worked solution that is made of the steps of a problem."""
+"""The worked solution made from the steps of a problem."""
 
 import math
 import re
@@ -29,7 +29,7 @@ SECTION_OF = {
     for section, _, numbered, _ in sections()
     for n in numbered
 }
-NAMED_GIVENS = {"A/20", "A/22", "2/16", "3/5"}  # that a quantity is a given is found out there
+NAMED_GIVENS = {"A/20", "A/22", "2/16", "3/5"}  # where the point is that a quantity is a given
 FUNCTIONS_OF_MATH = {name: getattr(math, name) for name in dir(math) if name[0] != "_"}
 
 
@@ -78,7 +78,7 @@ DOT, PRIME = r"\b[A-Z] \. [A-Z§]", r"\b[a-z]'+(?![a-z])"
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_a_cited_equation_stands_in_the_cited_section(p):
+def test_a_cited_equation_is_in_the_cited_section(p):
     for s in steps(p, numbers(p, b"one")):
         if s.section and s.equation and own_number(s.equation, p):
             assert SECTION_OF[s.equation] == s.section, s.key
@@ -103,17 +103,17 @@ def test_the_sum_of_the_terms_that_are_shown_is_shown_too_and_no_table_twice(p):
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_each_component_found_from_equations_stands_in_them(p):
-    told = ""
+def test_each_component_found_from_equations_occurs_in_them(p):
+    words = ""
     for line in as_python(p, b"one"):
-        told, s = " ".join([told, *line.together]), line.step
+        words, s = " ".join([words, *line.together]), line.step
         if (line.above or line.together) and s.is_vector and len(line.equal) == 1:
             found = {component(s.key, n, 3) for n, x in enumerate(map(to_plain, s.value.c)) if x}
-            assert found <= {*NAME.findall(told)}, s.key
+            assert found <= {*NAME.findall(words)}, s.key
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_no_fraction_stands_in_a_fraction_and_no_formula_in_its_description_too(p):
+def test_no_fraction_contains_a_fraction_and_no_description_repeats_its_formula(p):
     """But in a root, a function or a power."""
     text = worked_solution(p, numbers(p, b"one"), text=False)
     for formula in re.findall(r"\$([^$]*)\$", text):
@@ -131,7 +131,7 @@ def test_no_fraction_stands_in_a_fraction_and_no_formula_in_its_description_too(
 
 
 def groups(text):
-    """The groups in braces at the beginning of a text, one after the other."""
+    """The groups in braces at the beginning of a text, in order."""
     depth, begin = 0, 0
     for n, character in enumerate(text):
         depth += (character == "{") - (character == "}")
@@ -153,7 +153,7 @@ def without_arguments(latex):
 
 
 def letters(latex):
-    """The names and numbers of a formula in their order, without what lays it out."""
+    """The names and numbers of a formula in order, without its layout."""
     words = re.findall(r"\\[A-Za-z]+|[A-Za-z]+|\d+", latex)
     return sorted({*words} - {"0", r"\frac", r"\left", r"\right", r"\cdot", r"\mathbf"})
 
@@ -318,7 +318,7 @@ def are_one(*terms):
 
 
 @pytest.mark.parametrize("name", ["7/15", "8/19", "9/1"])
-def test_what_particles_have_is_a_sum_and_no_integral(name):
+def test_what_particles_have_is_a_sum_and_not_an_integral(name):
     p = problem(name)
     cited = {s.equation for s in steps(p, numbers(p, b"one"))}
     assert "7.9" in cited
@@ -326,7 +326,7 @@ def test_what_particles_have_is_a_sum_and_no_integral(name):
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_a_step_is_no_given_under_another_name(p):
+def test_a_step_is_not_a_given_under_another_name(p):
     """As the mass of a part that the text gives."""
     found = derivations(p, numbers(p, b"one"))
     for s in steps(p, numbers(p, b"one")):
@@ -336,7 +336,7 @@ def test_a_step_is_no_given_under_another_name(p):
 
 
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
-def test_no_two_numbers_have_one_name(p):
+def test_no_two_numbers_share_a_name(p):
     """As a given v_x along i and the component v_x of a vector v in other axes."""
     values = numbers(p, b"one")
     known = {name: to_plain(values[name]) for name in p.givens}
@@ -429,7 +429,7 @@ def read(text, p, stated_in="1"):
     except NameError:
         return None
     found = flat(found) if isinstance(found, (list, tuple)) else (found,)
-    units = {m[2] for m in QUANTITY.finditer(text)} - {"deg"}  # an angle needs no coherent units
+    units = {m[2] for m in QUANTITY.finditer(text)} - {"deg"}  # an angle needs no coherent unit
     converted = units or stated_in == "deg" or not any(unit(stated_in).dimension.powers)
     factor = unit(stated_in).from_base(1.0, p.system) if converted else 1.0
     return [factor * x for x in found]
@@ -444,7 +444,7 @@ def test_a_worked_solution_cites_the_equation_of_its_chapter():
     assert "| the acceleration of the origin of the moving frame | $" in text
 
 
-def test_the_terms_of_an_answer_stand_in_its_table_and_not_among_the_steps_too():
+def test_the_terms_of_an_answer_are_in_its_table_and_not_among_the_steps_too():
     p = problem("4/16")
     text = worked_solution(p, p.book_values)
     assert text.count("the Coriolis term") == 1
@@ -487,7 +487,7 @@ def test_an_angle_in_degrees_has_one_pair_of_brackets():
     assert not any("((" in x for x in texts)
 
 
-def test_round_off_is_no_component_of_an_answer():
+def test_round_off_is_not_a_component_of_an_answer():
     p = problem("4/17")  # of the velocity along X is left what cos 60 degrees is not a half
     text = worked_solution(p, p.book_values)
     assert r"$\mathbf{v}_D = \left[0,\ 6.23538" in text
@@ -521,10 +521,17 @@ def test_a_formula_that_a_text_spells_is_typeset_and_words_stay(text, latex):
 
 @pytest.mark.parametrize("name", ["2/38", "4/16", "6/5", "11/7"])
 def test_without_formulas_there_are_values_only(name):
-    """A practice file would otherwise tell what holds for the numbers of an assignment, too."""
+    """A practice file would otherwise give away what holds for the numbers of an assignment too."""
     p = problem(name)
     shown = list(lines(p, p.book_values, formulas=False))
     assert all(len(line.equal) == 1 and not line.together for line in shown)
     text = worked_solution(p, p.book_values, text=False, formulas=False)
     assert len(text) < len(worked_solution(p, p.book_values, text=False))
     assert " from $" not in text
+
+
+@pytest.mark.parametrize("name", ["9/1", "9/5"])
+def test_each_bearing_has_its_own_letter(name):
+    _, *tables = worked_solution(problem(name), numbers(problem(name), b"one")).split("(9.9)")
+    assert [re.findall(r"mathbf\{([AB])\}_\{m\\omega", x)[0] for x in tables] == ["A", "B"]
+    assert [re.findall(r"[AB]_x =", x)[0] for x in tables] == ["A_x =", "B_x ="]

@@ -32,7 +32,7 @@ def test_no_formula_is_half_typeset(p):
 
 
 @by_id
-def test_no_number_stands_within_a_sum_or_a_chain(p):
+def test_no_number_is_inside_a_sum_or_a_chain(p):
     """ "to h_b + h_w = 3.5 in" says that the sum is 3.5 in, "g = g = 32.2" says nothing."""
     for formula in re.findall(FORMULA, printed(p)):
         left, equals, right = formula.rpartition(" = ")

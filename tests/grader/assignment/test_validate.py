@@ -32,7 +32,7 @@ STATES = {
 }
 
 
-# a trace that ipykernel 7 logs now and then, when it is ended while it flushes its output
+# a trace that ipykernel 7 logs now and then when it is stopped while flushing its output
 AT_THE_END_OF_A_KERNEL = r'(?s)Traceback [^\n]*\n  File "[^"\n]*zmqstream.py".*?ZMQError: [^\n]*'
 
 
@@ -70,7 +70,7 @@ QUESTION = {"grade": True, "solution": False, "locked": True, "points": 1}
 
 
 def sheet(answers, *more):
-    """A sheet of a problem for each of these answers, and other cells."""
+    """A sheet with a problem for each of these answers, and other cells."""
     cells = []
     for n, answer in enumerate(answers):
         for cell in notebook(answer)["cells"]:

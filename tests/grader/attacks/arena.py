@@ -1,4 +1,4 @@
-"""A class of honest students with attackers between them, graded together by one route in one mode,
+"""A class of honest students with attackers among them, graded together by one route in one mode,
 and what is found afterwards.
 """
 
@@ -31,7 +31,7 @@ FAMILIES = {
 }
 ATTACKS = {f"{f}: {name}": a for f, table in FAMILIES.items() for name, a in table.items()}
 STUDENTS = {name: f"m{n:03}" for n, name in enumerate(ATTACKS)}
-EVERY = 9  # after so many attackers comes an honest student
+EVERY = 9  # attackers between one honest student and the next
 SECONDS, CELL_SECONDS = 2.0, 1.0
 SECRET = "5e" * 32
 TOKEN = "the-token-of-the-instructor"
@@ -43,7 +43,7 @@ REFUSED = (  # root without any rights, as in a container: no namespaces
 
 
 def build(folder):
-    """The course as it was released, with a secret that makes it the same each time."""
+    """The course as released, with a secret that makes it the same each time."""
     course = build_assignment(folder / "mechanics", "ch04", None, ("4/1", "4/16")).course
     course.path.joinpath(".course_secret").write_text(SECRET + "\n")
     identity = json.loads(course.path.joinpath("course.json").read_text())
@@ -82,7 +82,7 @@ class Arena:
 
 
 class _Host:
-    """Two places of this machine outside of any cage at which an attack could knock."""
+    """Two addresses of this machine, outside any cage, that an attack could reach."""
 
     def __init__(self, mark):
         self.sockets = [socket.socket(), socket.socket(socket.AF_UNIX)]
@@ -95,7 +95,7 @@ class _Host:
         self.port = self.sockets[0].getsockname()[1]
 
     def visitors(self):
-        """The addresses of those who came."""
+        """The addresses that were contacted."""
         found = []
         for listener in self.sockets:
             with contextlib.suppress(BlockingIOError):
@@ -138,7 +138,7 @@ def run(arena, route, ordinary=False, sandbox=True, before="", students="*", tim
     command = [sys.executable, str(Path(__file__).with_name("child.py")), json.dumps(request)]
     if ordinary:
         command = as_ordinary_user(command)
-        if command[0] == "setpriv":  # the other way keeps who owns the files
+        if command[0] == "setpriv":  # any other command keeps the owners of the files
             folder = str(arena.outside.parent)
             subprocess.run(["chown", "-hR", "54321:54321", folder], check=True)
     done = subprocess.run(
@@ -188,7 +188,7 @@ def processes(home):
 
 
 def left_behind(mark):
-    """Where the word stands with which an attack names all that it makes."""
+    """Where the mark appears by which an attack names everything it makes."""
     places = ["/tmp", "/var/tmp", "/dev/shm", "/dev/mqueue", "/run"]
     found = [f"{p}/{n}" for p in places if os.path.isdir(p) for n in os.listdir(p) if mark in n]
     for table in ("/proc/net/unix", "/proc/keys", "/proc/sysvipc/shm", "/proc/sysvipc/msg",

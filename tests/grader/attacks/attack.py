@@ -1,5 +1,5 @@
-"""What an attack is: how its submission is made, and what must hold of it besides what must hold of
-all.
+"""What an attack is: how its submission is made, and what must hold of it besides what must hold
+of every one.
 """
 
 import json
@@ -76,7 +76,7 @@ def code(text, **flags):
 
 
 def lie(text, **flags):
-    """Python that defines ``Lie``; an instance is the answer to everything that is asked."""
+    """Python that defines ``Lie``, an instance of which is the answer to everything asked."""
     text = textwrap.dedent(text)
     both = {
         "answer-4-1": f"{text}\nspeed = acc_mag = Lie()",

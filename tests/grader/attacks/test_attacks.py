@@ -20,7 +20,7 @@ from tests.grader.nbgrader_hooks.test_feedback_page import Page
 
 pytestmark = [
     pytest.mark.integration,
-    pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux"),
+    pytest.mark.skipif(sys.platform != "linux", reason="the cage needs Linux"),
 ]
 GRACE = 15  # seconds that a busy machine may need to end a job
 MODES = {  # the route and how it runs
@@ -63,7 +63,7 @@ def arena(request, released):
     a.remove(folder)
 
 
-def test_the_honest_ones_earn_all_that_is_to_be_had(arena):
+def test_the_honest_students_earn_every_point(arena):
     earned = {s: arena.scores.get(s, {}) for s in a.honest_students()}
     assert {s: {c: x.get(c) for c in FULL} for s, x in earned.items()} == dict.fromkeys(
         a.honest_students(), FULL
@@ -166,7 +166,7 @@ def test_no_html_of_a_student_is_in_an_output(arena):
 
 def test_feedback_pages_hold_no_secret_and_nothing_that_runs(arena, request):
     quick = request.node.callspec.params["arena"] == "grade"
-    students = "m15*" if quick else "*"  # the last ones are those that write texts
+    students = "m15*" if quick else "*"  # the last ones, which write texts
     a.run(arena, "generate_feedback", students=students, **arena.as_user)
     assert arena.code == 0, arena.output[-3000:]
     assert not CONTROL.search(arena.output)

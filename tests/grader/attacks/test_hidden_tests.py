@@ -27,7 +27,7 @@ def outcome(harvester, text, hidden=HIDDEN, **limits):
     return run_caged(harvester, notebook(text, hidden), **limits)["tests"]["t"]
 
 
-FORGED = {  # each with a wrong answer, made without reading the code of the cage
+FORGED = {  # each with a wrong answer, made without knowledge of the cage's code
     "written ahead, to all files": f"""
         {WRONG}
         import os
@@ -72,40 +72,40 @@ def test_a_forged_outcome_earns_nothing(harvester, how):
 
 
 def _dedented(text):
-    """Without the indentation of this file, which the one line that is put in has not."""
+    """Without the indentation of this file, which the one line put in does not have."""
     return "\n".join(line.removeprefix(8 * " ") for line in text.splitlines())
 
 
-LEAKS = {  # how code that is called by the test tries to tell what it sees; ``told`` is the text
-    "into a variable": "globals()['seen'] = told",
-    "into every file": "import os\n    for fd in range(1, 64):\n        try: os.write(fd, told.encode())\n"
+LEAKS = {  # how code called by the test tries to pass on what it sees; ``caught`` is the text
+    "into a variable": "globals()['seen'] = caught",
+    "into every file": "import os\n    for fd in range(1, 64):\n        try: os.write(fd, caught.encode())\n"
                        "        except OSError: pass",
     "into the receipts": "import os, json\n    line = json.dumps({'id': '0/1', 'answers': {'x': 1.0}, "
-                         "'error': told}).encode()\n    for fd in range(1, 64):\n        try: os.write(fd, b'\\n' "
+                         "'error': caught}).encode()\n    for fd in range(1, 64):\n        try: os.write(fd, b'\\n' "
                          "+ line + b'\\n')\n        except OSError: pass",
-    "into a file": "open('/tmp/told', 'w').write(told)",
+    "into a file": "open('/tmp/caught', 'w').write(caught)",
     "into another process": "import os, time\n    if os.fork() == 0:\n        time.sleep(30)",
-    "into an error": "raise ValueError(told)",
+    "into an error": "raise ValueError(caught)",
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("how", LEAKS)
 def test_what_a_test_says_reaches_no_receipt_and_no_later_submission(harvester, how):
     spy = (
-        "import os\nseen = open('/tmp/told').read() if os.path.exists('/tmp/told') else None\n"
+        "import os\nseen = open('/tmp/caught').read() if os.path.exists('/tmp/caught') else None\n"
         "def square(x):\n    import sys\n"
-        "    told = str(sys._getframe(1).f_code.co_consts)\n    " + LEAKS[how] + "\n    return 0"
+        "    caught = str(sys._getframe(1).f_code.co_consts)\n    " + LEAKS[how] + "\n    return 0"
     )
     for _ in range(2):
         reply = run_caged(harvester, notebook(spy), seconds=8, cell_seconds=1)
         assert reply["tests"]["t"]["error"] is not None
         assert "hidden words" not in str(reply["receipts"]) + str(reply["errors"])
-    after = caged(harvester, "import os\nx = os.path.exists('/tmp/told')")
+    after = caged(harvester, "import os\nx = os.path.exists('/tmp/caught')")
     assert "hidden words" not in str(after)
     assert after["receipts"]["0/1"]["answers"].get("x") in (None, 0.0)
 
 
-DECEIVED = {  # by which a test can be passed: known, and in the README
+DECEIVED = {  # ways to pass a test without an answer: known, and in the README
     "an object that is equal to all": (
         "class Any:\n    def __eq__(self, _): return True\n    __hash__ = None\n"
         "def square(x): return Any()"

@@ -1,4 +1,4 @@
-"""Due dates for everybody and for one student, and what late work loses."""
+"""Due dates for everyone and for one student, and what late work loses."""
 
 from datetime import datetime
 
@@ -9,7 +9,7 @@ from grader.course.due import due_dates
 from grader.grading import grade
 from tests.grader.courses import append_config, command, nbgrader, ran
 
-BEN = 6  # the points of his work in time
+BEN = 6  # the points of his work, handed in on time
 
 
 def late_by(course, student, when):

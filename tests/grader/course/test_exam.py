@@ -1,4 +1,4 @@
-"""An exam: its window, the one attempt that counts, its numbers, and what is refused."""
+"""An exam: its window, the one attempt that counts, its numbers, what is refused."""
 
 import random
 from datetime import UTC, datetime, timedelta
@@ -59,7 +59,7 @@ def test_a_receipt_of_an_exam_doubts_nothing():
 
 
 class Given:
-    """In place of the numbers that are drawn: those that are practised, and then others."""
+    """In place of the numbers drawn: first the practised ones, then others."""
 
     def __init__(self, practised):
         self.left, self.asked = [dict(x) for x in practised], 0
@@ -77,7 +77,7 @@ def test_its_numbers_are_on_no_other_sheet_and_need_a_secret_of_their_own(tmp_pa
         set_exam(course, "midterm", NINE.replace(tzinfo=UTC))
         drawn = course.values("midterm", "ada", [p])
         assert drawn != as_homework
-        # a friend has had these numbers in homework, and another the next that are drawn
+        # a friend had these numbers in homework, and another friend the next ones drawn
         keep_numbers(course, "hw1", "ben", [p], drawn)
         second = kept_numbers(course, "midterm", "ada", [p])
         assert second != drawn
@@ -175,7 +175,7 @@ def test_an_exam_from_the_file_to_the_feedback(tmp_path, inbound):
     handed_in(inbound, "cleo", "2026-01-31 11:07:00.000000 UTC", right["cleo"])
     out = ran(nbgrader("collect", "midterm", cwd=place, TZ="America/New_York"))
     assert "ada handed in the exam 2 times; the one of 2026-01-31 10:00:00 UTC counts" in out
-    ran(nbgrader("collect", "midterm", "--update", cwd=place))  # a later work is no update
+    ran(nbgrader("collect", "midterm", "--update", cwd=place))  # later work is not an update
     code, out = command("grade", "midterm", "--course", place)
     assert code == 1
     assert "cleo was handed in 7 min after the exam closed" in " ".join(out.split())
@@ -184,7 +184,7 @@ def test_an_exam_from_the_file_to_the_feedback(tmp_path, inbound):
     assert (set(found), total(found["ada"]) > 0) == ({"ada", "ben"}, True)
     code, out = nbgrader("autograde", "midterm", "--student=cleo", cwd=place)
     assert (code != 0, "7 min after the exam closed" in out) == (True, True)
-    # dan, who has not handed in, may do so longer: no feedback for anybody
+    # dan, who has not handed in, has an extension: no feedback for anybody
     later = f"{datetime.now(UTC) + timedelta(days=1):%Y-%m-%d %H:%M} UTC"
     ran(command("due", "midterm", later, "--student", "dan", "--course", place))
     for step in ("generate_feedback", "release_feedback"):

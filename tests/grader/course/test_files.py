@@ -1,4 +1,4 @@
-"""Of a submission only regular files are read, within limits."""
+"""Only the regular files of a submission are read, within limits."""
 
 import json
 import os
@@ -51,7 +51,7 @@ def test_many_files_and_deep_folders_end(tmp_path):
     assert len([p for p in (tmp_path / "copy").rglob("*") if p.is_file()]) == 1000
 
 
-def test_all_together_have_a_limit(tmp_path):
+def test_all_files_together_have_a_limit(tmp_path):
     (tmp_path / "own").mkdir()
     for n in range(20):
         (tmp_path / "own" / f"f{n}").write_bytes(b"x" * 900)
@@ -60,7 +60,7 @@ def test_all_together_have_a_limit(tmp_path):
 
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="only root can give files away")
-def test_a_hard_link_to_a_file_of_somebody_else_is_not_read(tmp_path):
+def test_a_hard_link_to_someone_elses_file_is_not_read(tmp_path):
     own = tmp_path / "own"
     own.mkdir()
     (tmp_path / "neighbours").write_text("x")
@@ -118,14 +118,14 @@ def test_json_is_read_as_by_the_standard_library(library, text):
 
 
 def test_half_characters_are_replaced_in_names_too(library, tmp_path):
-    """No file takes them: as the name of an attached picture, one stopped grading."""
+    """No file can hold them: one in the name of an attached picture stopped grading."""
     found = load_json(b'{"\\ud800": ["\\ud83d\\ude00", NaN, "\\\\udead"]}')
     assert repr(found) == "{'?': ['😀', nan, '\\\\udead']}"
     write_notebook(tmp_path / "a.ipynb", found)
 
 
 @pytest.mark.parametrize("text", [*BROKEN.values(), b"[" * 100_000], ids=[*BROKEN, "too deep"])
-def test_what_is_no_json_is_refused(library, text):
+def test_what_is_not_json_is_refused(library, text):
     with pytest.raises((ValueError, RecursionError)):
         load_json(text)
 

@@ -62,7 +62,7 @@ def test_ids_that_differ_from_one_on_the_roster_by_case_only_are_refused(fresh):
     with pytest.raises(CourseError, match="'Ada' differs from 'ada', who is on the roster, by"):
         fresh.enrol(["Ada"])
     with pytest.raises(CourseError, match="differs from"):
-        fresh.enrol(["zoe\u0301", "zo\u00e9"])  # an accent of its own, and within the letter
+        fresh.enrol(["zoe\u0301", "zo\u00e9"])  # an accent apart and within
     assert fresh.enrol(["ada", "new"]) == 1
 
 
@@ -102,7 +102,7 @@ def test_an_error_of_the_database_comes_with_what_to_do(fresh, code, words):
         raise OperationalError("INSERT", {}, error)
 
 
-def test_a_file_that_is_no_gradebook_is_refused(fresh):
+def test_a_file_that_is_not_a_gradebook_is_refused(fresh):
     (fresh.path / "gradebook.db").write_bytes(b"not a database at all" * 100)
     with pytest.raises(CourseError, match=r"could not be used .*it is damaged; restore it from"):
         fresh.roster()

@@ -1,4 +1,4 @@
-"""Two courses share a hub: one configuration, one exchange, students with accounts of their own."""
+"""Two courses share a hub: one configuration, one exchange, an account for each student."""
 
 import json
 import os
@@ -19,8 +19,8 @@ NEEDED = sys.base_prefix, sys.prefix, REPOSITORY
 
 
 def opened(paths):
-    """Lines of a shell in a mount namespace of its own: folders that others cannot enter, as root's
-    home or a folder of mktemp, are covered by open ones, in which is what leads to these paths.
+    """Shell lines for a new mount namespace: folders that others cannot enter, such as root's home
+    or a folder of mktemp, are covered by open ones that hold only the way to these paths.
     """
     leads = {}
     for path in (Path(p).resolve() for p in paths):
@@ -36,7 +36,7 @@ def opened(paths):
             yield f"{make} {at}; mount -c --bind ./{shlex.quote(child.name)} {at}"
 
 
-# runs command lines one after the other, each in a fork of what has imported nbgrader once
+# runs command lines one by one, each in a fork of a process that has imported nbgrader once
 EACH = """
 import json, os, runpy, sys
 import nbgrader.apps.nbgraderapp
@@ -83,7 +83,7 @@ def home_of(uid, hub):
 
 @pytest.fixture
 def hub(tmp_path_factory):
-    """A folder that all users reach, with homes, an exchange and two courses."""
+    """A folder that all users can reach, with homes, an exchange and two courses."""
     try:
         tried = subprocess.run(["unshare", "--mount", "true"], capture_output=True, check=False)
     except FileNotFoundError:

@@ -1,4 +1,4 @@
-"""Whose a file is by its name: as platforms name work, and as those do who are on no roster."""
+"""Whose a file is by its name, as platforms name work; also work of people on no roster."""
 
 import pytest
 from nbgrader.api import Student
@@ -57,7 +57,7 @@ HONEST = {
 
 @pytest.mark.parametrize("ids", [(), COMMON], ids=["", "ids are common words"])
 @pytest.mark.parametrize(("name", "student"), HONEST.items(), ids=HONEST)
-def test_work_is_its_owners_as_platforms_and_people_name_it(name, student, ids):
+def test_work_finds_its_owner_as_platforms_and_people_name_it(name, student, ids):
     assert owned([name], *ids) == [student]
 
 
@@ -83,7 +83,7 @@ STRANGERS = [
 ], ids=str)  # fmt: skip
 @pytest.mark.parametrize("stranger", STRANGERS)
 def test_the_work_of_a_stranger_is_given_to_nobody(stranger, others):
-    """Also where a name or number of theirs is that of a student, or they name files after one."""
+    """Even where they share a name or number with a student, or name files after one."""
     found = dict(zip([stranger, *others], owned([stranger, *others]), strict=True))
     assert found == {stranger: ""} | {name: name[:3].lower() for name in others}
 

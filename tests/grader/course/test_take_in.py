@@ -1,4 +1,4 @@
-"""Work from a zip archive, as learning platforms give it: what fits whom, and what is left out."""
+"""Work from a zip archive of a learning platform: what belongs to whom, and what is left out."""
 
 import json
 import stat
@@ -17,7 +17,7 @@ pytestmark = pytest.mark.integration
 
 @pytest.fixture
 def named(ungraded):
-    """The course of the demo, its students with names as a registrar has them."""
+    """The demo's course, its students named as in a registrar's list."""
     ungraded.enrol([
         {"id": "ada", "first_name": "Ada", "last_name": "Lovelace", "lms_user_id": "4711"},
         {"id": "ben", "first_name": "Ben", "last_name": "Müller-Lüdenscheidt"},
@@ -88,13 +88,13 @@ def test_names_that_lead_elsewhere_or_fit_nobody_are_left_out_and_reported(named
     assert [p for p in after if p not in before and "gradebook" not in p.name] == []
 
 
-def test_a_name_that_is_no_name_loses_none_of_the_others(named, tmp_path):
-    """Python's own zipfile stops at an empty one; the patterns of platforms took minutes."""
+def test_an_unusable_name_loses_none_of_the_others(named, tmp_path):
+    """Python's own zipfile stops at an empty one; matching the names of platforms took minutes."""
     long = f"{'_' * 60_000}.ipynb"
     path = archive(tmp_path / "w.zip", {"ada.ipynb": "{}", long: "{}", "n.txt": ""})
     raw = bytearray(path.read_bytes())
     at = raw.rindex(b"n.txt")
-    # in the list of contents its name is made its comment
+    # in the list of contents its name is turned into its comment
     raw[at - 18 : at - 12] = b"\0\0\0\0\5\0"
     path.write_bytes(raw)
     found = take_in(named, "ch04", path)
@@ -110,7 +110,7 @@ def test_a_bomb_of_a_method_that_cannot_be_read_in_part_is_left_out(named, tmp_p
     with zipfile.ZipFile(path, "a", method) as z:
         z.writestr("ben.ipynb", b"[" * 2**20)
     raw = bytearray(path.read_bytes())
-    place = raw.rfind(b"PK\1\2") + 24  # the size that the directory tells: a lie
+    place = raw.rfind(b"PK\1\2") + 24  # the size that the directory states: a lie
     raw[place : place + 4] = (5).to_bytes(4, "little")
     path.write_bytes(raw)
     found = take_in(named, "ch04", path)
@@ -167,7 +167,7 @@ def test_the_notebook_of_the_assignment_is_chosen_among_others_of_the_student(na
     assert found.refused == [("ben/scratch.ipynb", "ben/ch04.ipynb was taken for ben")]
 
 
-def test_work_that_is_there_is_kept_unless_it_is_to_be_replaced(named, tmp_path):
+def test_existing_work_is_kept_unless_it_is_to_be_replaced(named, tmp_path):
     submit(named, "ada", "mine")
     (named.path / "submitted/ada/ch04/timestamp.txt").write_text("2026-01-01 10:00:00 UTC")
     path = archive(tmp_path / "w.zip", {"ada.ipynb": "{}"})
@@ -182,7 +182,7 @@ def test_a_bomb_costs_only_itself(named, tmp_path, monkeypatch):
     monkeypatch.setattr(sys.modules["grader.course.take_in"], "MAX_BYTES", 1000)
     path = archive(tmp_path / "w.zip", {"ada.ipynb": b"[" * 100_000, "ben.ipynb": b"{}"})
     raw = bytearray(path.read_bytes())
-    place = raw.find(b"PK\1\2") + 24  # the size that the directory tells: a lie
+    place = raw.find(b"PK\1\2") + 24  # the size that the directory states: a lie
     raw[place : place + 4] = (5).to_bytes(4, "little")
     path.write_bytes(raw)
     try:
@@ -201,7 +201,7 @@ def test_a_name_of_thousands_of_letters_is_shown_by_its_ends(named, tmp_path):
 
 
 @pytest.mark.parametrize("content", [b"", b"not a zip", b"PK\3\4 damaged"])
-def test_what_is_no_archive_is_refused(named, tmp_path, content):
+def test_what_is_not_an_archive_is_refused(named, tmp_path, content):
     (tmp_path / "w.zip").write_bytes(content)
     code, out = command("take-in", "ch04", tmp_path / "w.zip", "--course", named.path)
     assert (code, "is not a zip archive that can be read" in " ".join(out.split())) == (2, True)

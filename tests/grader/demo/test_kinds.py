@@ -1,5 +1,5 @@
-"""From the source notebook to the feedback page with problems of every kind, which are in several
-chapters: in one notebook, as an instructor may mix them.
+"""From the source notebook to the feedback page, with problems of every kind from several
+chapters in one notebook, as an instructor may mix them.
 """
 
 import pytest

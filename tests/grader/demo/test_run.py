@@ -1,4 +1,4 @@
-"""The whole way on an example."""
+"""The whole workflow on an example."""
 
 import pytest
 
@@ -20,6 +20,6 @@ def test_the_demo_says_where_to_look_next(demo_course):
 @pytest.mark.slow
 def test_the_demo_on_the_whole_chapter_ends_well(tmp_path):
     """It compares each student's points with those expected."""
-    code, said = grader("demo", "--course", tmp_path / "c", timeout=600)
-    assert (code, "expected" in said) == (0, False), said
+    code, output = grader("demo", "--course", tmp_path / "c", timeout=600)
+    assert (code, "expected" in output) == (0, False), output
     assert set(points(Course(tmp_path / "c"))) == set(RIGHT) | {"dan"}

@@ -148,7 +148,7 @@ def test_work_in_the_cells_of_numbers_and_imports_is_kept_but_changes_no_number(
 
 
 def test_a_problem_uses_its_own_givens_though_another_shares_the_names(fresh):
-    """The cells of two problems were moved: 4/16's answer stands behind the givens of 4/31."""
+    """The cells of two problems were moved: 4/16's answer comes after the givens of 4/31."""
     own = work(fresh, "dan", p4_16="v_D = [omega, b_dot, 0]")
     cells = own["cells"]
     moved = [c for c in cells if role(c) == ("answer", "4/16")]

@@ -1,4 +1,4 @@
-"""What is in nbgrader's gradebook after grading: all or nothing, with what a person graded, and
+"""What nbgrader's gradebook holds after grading: all or nothing, with what a person graded, and
 penalties for late submissions.
 """
 

@@ -1,5 +1,5 @@
 """An instructor's own cells of every kind that nbgrader has, beside ours: each is graded by
-nbgrader's own rules, in both routes.
+nbgrader's own rules, by both routes.
 """
 
 import nbformat
@@ -66,7 +66,7 @@ def test_a_students_text_is_kept_for_the_person_who_grades_it(mixed):
     cells = read(mixed.path / "autograded/dan/ch04/ch04.ipynb")["cells"]
     kept = {c["id"]: c["source"] for c in cells}
     assert {n: kept[n] for n in texts} == texts
-    assert "hidden words" in kept["test_square"]  # for who grades
+    assert "hidden words" in kept["test_square"]  # for whoever grades
     assert "2 for a photo" in kept["at_home"]
 
 
@@ -90,7 +90,7 @@ def test_points_given_by_hand_and_extra_credit_stay_and_count(mixed):
     give(mixed, "dan", "at_home", 4.0, None, None)
     (result,) = grade(mixed, "ch04", ["dan"])
     assert (result.points, result.extra, result.waiting) == (11 + 2 + 4 + 0.75, 0.75, 0)
-    # other work: the person who gave points is asked to look again
+    # changed work: the person who gave points is asked to look again
     submit(mixed, "dan", with_texts(work(mixed, "dan"), essay="Because of something else."))
     (result,) = grade(mixed, "ch04", ["dan"])
     assert (result.points, result.waiting) == (11 + 2 + 4 + 0.75, 2)
@@ -110,7 +110,7 @@ def test_an_essay_whose_metadata_are_gone_waits_for_a_person_and_an_empty_one_do
 
 
 def test_what_a_test_says_never_reaches_the_student(mixed):
-    """Student code that catches what the hidden test does to it has nowhere to write it."""
+    """Student code that catches what the hidden test does has nowhere to write it."""
     spy = (
         "seen = []\nclass Spy(float):\n    def __eq__(self, other):\n        import sys\n"
         "        seen.append(sys._getframe(1).f_code.co_consts)\n        return False\n"

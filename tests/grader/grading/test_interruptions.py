@@ -1,5 +1,5 @@
 """Runs that are killed or stopped by Ctrl-C, and two at once: the gradebook is right after the next
-one, which goes on where the last one stopped.
+run, which goes on where the last one stopped.
 """
 
 import contextlib
@@ -28,7 +28,7 @@ ROUTES = {
 
 def started(course, *arguments, output=subprocess.DEVNULL):
     """The process of a command line, in a group of its own as in a terminal."""
-    # where these tests run in the background, Ctrl-C is ignored, and by what they start as well
+    # where these tests run in the background, they and what they start ignore Ctrl-C
     kept = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         return subprocess.Popen(
@@ -40,7 +40,7 @@ def started(course, *arguments, output=subprocess.DEVNULL):
 
 
 def wait_until(reached):
-    """Until the process is in the midst of it, not in the imports."""
+    """Until the process is in the midst of its work, past the imports."""
     until = time.monotonic() + 600
     while not reached():
         assert time.monotonic() < until, "it has not begun"
@@ -53,7 +53,7 @@ def wait_for(course, pattern, count=1):
 
 
 def stopped(process):
-    """What a process says when Ctrl-C reaches it and all that it has started, as in a terminal."""
+    """What a process prints when Ctrl-C reaches it and all it has started, as in a terminal."""
     for _ in range(5):  # a person presses again where Python has ignored it, as in a weak reference
         os.killpg(process.pid, signal.SIGINT)
         with contextlib.suppress(subprocess.TimeoutExpired):

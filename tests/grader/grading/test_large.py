@@ -18,7 +18,7 @@ from tests.grader.submissions import RIGHT, work
 FEW, MANY = 50, 500
 
 
-# ru_maxrss would be that of the process which started it, if that is larger
+# ru_maxrss would be that of the parent process if that is larger
 SCRIPT = """
 import re, sys
 from grader.__main__ import main
@@ -70,8 +70,8 @@ def test_a_notebook_of_60_mb_is_graded_within_a_few_hundred_mb(ungraded):
     assert memory < 600
 
 
-def test_a_notebook_that_takes_long_delays_nobody_else(fresh, monkeypatch):
-    """ada's is held until all others have their grades."""
+def test_a_slow_notebook_delays_nobody_else(fresh, monkeypatch):
+    """ada's is held up until all others have their grades."""
     all_others, read = threading.Event(), one.read_notebook
     waiting, waited = set(fresh.roster()) - {"ada"}, []
 

@@ -1,5 +1,5 @@
-"""What was run is kept: a corrected key, tolerance, range, weight or number of points grades again
-and runs nothing, and gives what grading from the beginning gives.
+"""What was run is kept: after a new key, tolerance, range, weight or number of points, grading runs
+nothing again and gives what grading from the beginning gives.
 """
 
 import shutil
@@ -28,7 +28,7 @@ def other_points(course, _):
 
 
 def other_exercise(monkeypatch, **changed):
-    """The exercise 4/16 as it would be if its files were changed so."""
+    """The exercise 4/16 as it would be if its files were changed in this way."""
     new, find, state = replace(problem("4/16"), **changed), reading.problem, one.problem_state
     monkeypatch.setattr(one, "problem_state", lambda i: "changed" if i == "4/16" else state(i))
     for room in ("sheet", "notebook"):

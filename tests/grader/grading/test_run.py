@@ -36,18 +36,20 @@ def test_unchanged_submissions_are_not_run_again_and_changed_ones_are(fresh, mon
     assert ran == ["ada"]
 
 
-def test_the_record_of_scores_tells_every_part(course):
+def test_the_record_of_scores_holds_every_part(course):
     record = json.loads((course.path / "scores/ch04/ben.json").read_text())
     assert [s["problem"] for s in record["scores"]] == ["4/1", "4/2", "4/10", "4/16", "4/31"]
     assert any(p["diagnosis"] for s in record["scores"] for p in s["parts"])
     assert course.secret.hex() not in json.dumps(record)
 
 
-def test_unsandboxed_grading_says_so_in_the_notebook(fresh):
+def test_unsandboxed_grading_says_so_in_the_notebook_and_counts_for_no_run_in_the_cage(fresh):
     (result,) = grade(fresh, "ch04", ["ada"], sandbox=False)
     assert "unsandboxed: asked for" in result.note
     notebook = read(fresh.path / "autograded/ada/ch04/ch04.ipynb")
     assert "unsandboxed" in notebook["cells"][0]["source"]
+    (again,) = grade(fresh, "ch04", ["ada"])
+    assert (again.unchanged, again.sandbox) == (False, "namespaces")
 
 
 def test_a_damaged_notebook_is_reported_and_its_earlier_grade_and_everybody_elses_stay(fresh):
@@ -66,7 +68,7 @@ def test_a_damaged_notebook_is_reported_and_its_earlier_grade_and_everybody_else
 
 
 @pytest.mark.parametrize("how", DAMAGED)
-def test_what_is_no_notebook_is_refused_in_a_sentence(how):
+def test_what_is_not_a_notebook_is_refused_in_a_sentence(how):
     text, why = DAMAGED[how]
     with pytest.raises(UnreadableError, match=re.escape(why)):
         parse_notebook("ch04.ipynb", text.encode())
@@ -91,7 +93,7 @@ def test_a_submission_named_differently_is_found_and_reported(fresh):
     assert "it holds Homework (1).ipynb; if that is the work, rename it" in result.problem
 
 
-def test_a_folder_of_somebody_unknown_is_reported_and_gets_no_entry(fresh):
+def test_a_strangers_folder_is_reported_and_gets_no_entry(fresh):
     submit(fresh, "nobody", work(fresh, "dan"))
     code, out = command("grade", "ch04", "--course", fresh.path, "--workers", 1)
     assert code == 1

@@ -97,7 +97,7 @@ def qti(content):
 
 
 def _qti_item(item):
-    # the order that the schema wants
+    # the order that the schema requires
     order = ["responseDeclaration", "outcomeDeclaration", "itemBody"]
     order += ["responseProcessing", "modalFeedback"]
     places = [order.index(child.tag.removeprefix(Q)) for child in item]

@@ -1,4 +1,4 @@
-"""Banks judge as our grading does: what is right, what is just within and just outside of the
+"""Banks judge as our grading does: what is right, what is just within and just outside the
 tolerance, and every listed mistake with its diagnosis.
 """
 
@@ -49,7 +49,7 @@ def asked_of(p):
 
 
 def check(numbers, form, tmp_path, count=2):
-    """Every question of these problems, answered in every way that matters; how often."""
+    """Answer every question of these problems in every way that matters; returns how often."""
     path, seen = tmp_path / form, 0
     write_bank(path, spec_of("hw", numbers), form, count, SEED, workers=1)
     judges = PLATFORMS[form](path.read_bytes())
@@ -68,7 +68,7 @@ def check(numbers, form, tmp_path, count=2):
 
 
 def _near(judge, asked, right):
-    """Each number moved to both sides of each edge: right exactly where our grading says so."""
+    """Move each number to both sides of each edge: right exactly where our grading says so."""
     seen = 0
     for m, a in enumerate(asked):
         if a.kind.is_word:
@@ -86,7 +86,7 @@ def _near(judge, asked, right):
 
 
 def _mistakes(judge, p, values, asked, right):
-    """Each listed mistake: no credit for what it spoils, and its diagnosis."""
+    """Each listed mistake earns nothing for what it spoils, and gets its diagnosis."""
     seen = 0
     for name, answers in p.wrong(values).items():
         for m, a in enumerate(asked):
@@ -218,7 +218,7 @@ def test_a_changed_text_has_the_numbers_of_each_variant(tmp_path):
     assert "= 0.6$" not in q.text
 
 
-def test_signs_of_the_formats_in_a_text_do_no_harm(tmp_path):
+def test_special_characters_of_the_formats_in_a_text_do_no_harm(tmp_path):
     from dataclasses import replace
 
     from grader.lms import moodle

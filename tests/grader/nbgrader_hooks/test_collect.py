@@ -14,7 +14,7 @@ pytestmark = pytest.mark.integration
 
 @pytest.fixture
 def inbound(ungraded):
-    """The folder of the course's exchange into which students submit."""
+    """The folder of the course's exchange to which students submit."""
     folder = ungraded.path / "exchange/mechanics/inbound"
     folder.mkdir(parents=True)
     (ungraded.path / "exchange").chmod(0o777)
@@ -53,7 +53,7 @@ def test_a_folder_of_another_name_stops_nobody(ungraded, inbound):
     (inbound / "dan+ch04+whenever+x").mkdir()
     (inbound / "dan+ch04+99999-01-01 10:00:00 UTC+x").mkdir()
     (inbound / "\x1b[2J+ch04+\n").mkdir()
-    for name in ("..", ".", "\x1b[2Jada", "-ada", "a*"):  # no ids: of folders, for terminals
+    for name in ("..", ".", "\x1b[2Jada", "-ada", "a*"):  # not ids: folders, terminal codes
         submitted(inbound, name, ch04__ipynb="{}")
     before = sorted(p.name for p in ungraded.path.iterdir())
     submitted(inbound, "eve", ch04__ipynb="{}")
@@ -105,7 +105,7 @@ def test_only_the_pages_of_the_assignment_are_released(fresh):
 
 
 def test_feedback_is_released_after_the_graders_own_route(fresh):
-    """Timestamp and secret where autograde would have put them, or where submitted."""
+    """Timestamp and secret are where autograde would have put them, or where submitted."""
     (fresh.path / "exchange/mechanics").mkdir(parents=True)
     (fresh.path / "exchange").chmod(0o777)
     assert command("grade", "ch04", "--course", fresh.path, "--force")[0] == 0

@@ -1,9 +1,9 @@
-"""A course that an earlier version wrote is graded by this one, and nbgrader finds every class that
+"""A course written by an earlier version is graded by this one, and nbgrader finds every class that
 the configuration names.
 
 tests/grader/course_before/ holds an assignment as commit adcba41 wrote it, before grader/ had
 folders: the source notebook, and what ada fetched. Cell ids, grade ids and the numbers that follow
-    from the secret stand in notebooks that are handed out; they must not change while a course
+    from the secret are in notebooks that are handed out; they must not change while a course
     runs.
 """
 

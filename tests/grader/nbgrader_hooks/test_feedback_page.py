@@ -1,4 +1,4 @@
-"""The feedback page: what it shows, that all can read it, and that no student writes HTML on it."""
+"""The feedback page: what it shows, that all can read it, and that no student's HTML is on it."""
 
 import re
 
@@ -79,7 +79,7 @@ INJECTIONS += ["</pre></section><h1>100 / 100</h1>", '"><svg onload=alert(1)>', 
 
 
 @pytest.mark.integration
-def test_what_students_write_is_text_wherever_it_stands(fresh):
+def test_what_students_write_is_text_wherever_it_appears(fresh):
     texts = "".join(INJECTIONS)
     notebook = work(
         fresh, "dan",

@@ -1,4 +1,4 @@
-"""An assignment that is generated again after students handed in."""
+"""An assignment that is generated again after students have handed in."""
 
 import copy
 
@@ -70,7 +70,7 @@ def test_points_given_by_hand_come_back_with_their_cell(graded):
     assert total(graded) == (12.75, 14)
 
 
-def test_a_release_that_fails_leaves_the_one_that_was_there(graded):
+def test_a_failed_release_leaves_the_previous_one(graded):
     before = graded.released_path("ch04").read_bytes()
     graded.source("ch04").write_text("{}")
     code, output = nbgrader("generate_assignment", "ch04", "--force", cwd=graded.path)

@@ -1,4 +1,4 @@
-"""The page on which a person grades: without names, and with nothing of a student that runs."""
+"""The page on which a person grades: without names, and with nothing from a student that runs."""
 
 import re
 
@@ -82,7 +82,7 @@ def test_worked_solutions_are_typeset():
     )
 
 
-def test_what_a_student_means_is_shown():
+def test_what_a_student_formats_is_shown_formatted():
     page = student_html("*so* $x^2 < 3$\n\n> quoted\n\n![mine](attachment:p.png)",
                         {"p.png": {"image/png": "AAAA"}})  # fmt: skip
     for part in ("<em>so</em>", "$x^2 &lt; 3$", "<blockquote>",
@@ -98,7 +98,7 @@ def test_a_text_that_is_too_long_for_markdown_is_shown_as_it_is(monkeypatch):
     assert sanitized(long) == f"<pre>{long}</pre>"
 
 
-def test_a_picture_that_is_meant_many_times_does_not_fill_the_memory():
+def test_a_picture_shown_many_times_does_not_fill_the_memory():
     data = "A" * 10**6
     page = student_html("![](attachment:p)\n" * 1000, {"p": {"image/png": data}})
     assert MOST_PICTURES - len(data) < len(page) < 1.1 * MOST_PICTURES

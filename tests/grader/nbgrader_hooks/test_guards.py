@@ -61,7 +61,7 @@ BROKEN = {
         appended("c.Exchange.rooot = 1 / 0"),
         "nbgrader_config.py of this course did not run to its end (its error is above)",
     ),
-    "settings that are no Python": (appended("c.Exchange.root = ("), "'(' was never closed"),
+    "settings that are not Python": (appended("c.Exchange.root = ("), "'(' was never closed"),
     "a missing package": (without_a_package, "No module named numpy"),
     "another secret": (another_secret, "is not the secret that the course was made with"),
 }
@@ -81,7 +81,7 @@ def test_nbgrader_autograde_refuses_and_runs_nothing(fresh, telltale, tmp_path, 
     assert (fresh.path / "autograded").exists() == kept
 
 
-def test_the_telltale_tells(fresh, telltale):
+def test_the_telltale_works(fresh, telltale):
     """Plain nbgrader does run the submission without a cage."""
     (fresh.path / "nbgrader_config.py").write_text("c = get_config()\n")
     (fresh.path / "nbgrader_config.json").unlink()
@@ -113,7 +113,7 @@ HOSTILE = {
 }  # fmt: skip
 
 
-def test_a_notebook_that_is_no_regular_file_affects_its_student_alone(fresh, tmp_path):
+def test_a_notebook_that_is_not_a_regular_file_affects_its_student_alone(fresh, tmp_path):
     for student in ("ben", "cleo", "dan", "mallory"):
         shutil.rmtree(fresh.path / "submitted" / student)
     fresh.enrol(HOSTILE)
@@ -155,7 +155,7 @@ TIMES = {
     "empty": lambda path: path.write_text(""),
     "bytes": lambda path: path.write_bytes(b"\xff\x00"),
     "long": lambda path: path.write_text("1" * 100_000),
-    # of one of a class, it stopped the grading of an exam
+    # from one student, it stopped the grading of a whole exam
     "a long zone": lambda path: path.write_text("2026-11-22 10:00:00 " + "A" * 300),
     "a zone that is a file": lambda path: path.write_text("2026-11-22 10:00:00 ../../etc/passwd"),
     "a zone that is a path": lambda path: path.write_text("2026-11-22 10:00:00 /etc/localtime"),
@@ -164,15 +164,15 @@ TIMES = {
 
 
 @pytest.mark.parametrize("how", TIMES)
-def test_an_unreadable_time_of_submission_is_no_time(tmp_path, how):
+def test_an_unreadable_time_of_submission_is_disregarded(tmp_path, how):
     from grader.submission.timestamps import read_timestamp
 
     TIMES[how](tmp_path / "timestamp.txt")
     assert read_timestamp(tmp_path) is None
 
 
-def test_numpy_is_not_what_nbgrader_needs_itself(fresh, tmp_path):
-    """Else a missing package would say nothing about ours."""
+def test_nbgrader_itself_does_not_need_numpy(fresh, tmp_path):
+    """Otherwise a missing package would say nothing about ours."""
     code, out = nbgrader("--version", cwd=tmp_path, **without_a_package(fresh, tmp_path))
     assert code == 0, out
 

@@ -1,4 +1,4 @@
-"""Which internals of nbgrader the hooks replace, override and call: none of them is promised, so
+"""Which internals of nbgrader the hooks replace, override and call: none of them is guaranteed, so
 pyproject.toml caps nbgrader's version, and these tests say what a new one has changed.
 """
 
@@ -44,7 +44,7 @@ INTERNALS = {  # where it is, and the arguments that it takes
 
 
 def changed(owner, name, arguments):
-    """A sentence about an internal of nbgrader that is not what the hooks expect, else ""."""
+    """A sentence about an internal of nbgrader that is not what the hooks expect, or ""."""
     place = f"{owner.__name__}.{name}"
     if not hasattr(owner, name):
         return f"nbgrader has no {place} any more; see where grader/ uses it"

@@ -35,14 +35,14 @@ def test_nbgrader_autograde_under_our_configuration_gives_the_same_scores_and_co
 
 def test_nbgrader_autograde_again_runs_nothing_again(course, fresh):
     shutil.copytree(course.path / "scores", fresh.path / "scores", dirs_exist_ok=True)
-    record = fresh.path / "scores/ch04/ada.json"  # what is not run again is taken from here
+    record = fresh.path / "scores/ch04/ada.json"  # whatever is not run again is taken from here
     record.write_text(record.read_text().replace('"error": null', '"error": "from the record"'))
     ran(nbgrader("autograde", "ch04", "--student=ada", cwd=fresh.path))
     assert "from the record" in record.read_text()
 
 
 def test_plain_nbgrader_gives_nobody_anything(fresh):
-    """Also with the tag skip-execution and an edited receipt cell."""
+    """Even with the tag skip-execution and an edited receipt cell."""
     (fresh.path / "nbgrader_config.py").write_text(
         "c = get_config()\nc.CourseDirectory.course_id = 'mechanics'\n"
     )
@@ -85,7 +85,7 @@ def test_the_same_notebooks_get_the_same_points_from_nbgrader(fresh):
 
 
 @pytest.mark.slow
-def test_nbgrader_reports_a_damaged_notebook_and_somebody_unknown_and_grades_the_rest(fresh):
+def test_nbgrader_reports_a_damaged_notebook_and_a_stranger_and_grades_the_rest(fresh):
     submit(fresh, "nobody", work(fresh, "dan"))
     submit(fresh, "ben", DAMAGED["truncated"][0])
     forget(fresh, "ada", "eve")

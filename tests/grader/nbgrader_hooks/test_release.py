@@ -1,4 +1,4 @@
-"""nbgrader's own steps take the source notebook; its release makes the personal copies."""
+"""nbgrader's own steps accept the source notebook; its release makes the personal copies."""
 
 import shutil
 

@@ -27,7 +27,7 @@ def due(course, days, extension=0):
     (None, -2, 0, False),
     ("after the due date", -2, 0, True),
     ("after the due date", 1, 0, False),
-    ("after the due date", -2, 3, False),  # somebody may still hand in
+    ("after the due date", -2, 3, False),  # someone may still hand in
     ("always", 1, 0, True),
 ])  # fmt: skip
 def test_worked_solutions_are_shown_when_the_instructor_allows_it(

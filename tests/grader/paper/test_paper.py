@@ -1,4 +1,4 @@
-"""Sheets and keys as PDF: what they show, for whom they are, and that every problem can be printed."""
+"""Sheets and keys as PDF: what they show, whom they are for; every problem can be printed."""
 
 import copy
 import csv
@@ -34,7 +34,7 @@ def of(*numbers, seed="ada"):
 
 
 def raw(files):
-    """What would be left of LaTeX or Markdown: outside of strings and formulas."""
+    """Any remains of LaTeX or Markdown: outside strings and formulas."""
     text = re.sub(r'"(?:[^"\\]|\\.)*"', "", files["main.typ"].decode())
     formulas = re.findall(r"\$([^$]*)\$", text)
     outside = re.sub(r"\$[^$]*\$", "", text)
@@ -59,7 +59,7 @@ def test_sheet_key_and_overview_are_printed_and_nothing_of_latex_is_left(some):
         assert all(pdf(files).startswith(b"%PDF") for files in papers)
 
 
-def test_in_a_key_matrices_fit_the_line_and_a_heading_stands_with_its_answers():
+def test_in_a_key_matrices_fit_the_line_and_a_heading_stays_with_its_answers():
     text = key("Homework", *of("7/3", "4/3"))["main.typ"].decode()
     outside = re.sub(r"#side\(\$.*?\$, \d+cm\)", "", text)
     assert text.count("mat(") > 3
@@ -96,7 +96,7 @@ def test_a_changed_text_has_the_students_numbers():
     assert f"$omega = {student.values['4/16']['omega']:g}$" in shown
 
 
-def test_what_is_the_same_for_everybody_stands_once_in_the_overview():
+def test_what_is_the_same_for_everybody_appears_once_in_the_overview():
     entries, student = of("4/3", "5/26")
     shown = overview("Homework", entries, [student] * 5)["main.typ"].decode()
     assert shown.count('"ABCD-1234"') == 5
@@ -115,7 +115,7 @@ def test_what_a_user_types_is_shown_and_never_run():
 
 def test_a_formula_that_cannot_be_set_is_named():
     _, student = of("4/3")
-    with pytest.raises(PaperError, match=r"\\frac\{1\$ is no formula of LaTeX \(Unmatched"):
+    with pytest.raises(PaperError, match=r"\\frac\{1\$ is not a formula of LaTeX \(Unmatched"):
         typst(r"so $x = \frac{1$")
     with pytest.raises(PaperError, match=r"cannot be set: it has no command \\foo"):
         pdf(sheet("Homework", [PaperItem(text=r"so $\foo x$")], student))
@@ -162,7 +162,7 @@ def test_without_typst_it_says_what_to_install(monkeypatch):
         write.require_typst()
 
 
-def test_a_code_is_of_the_numbers_and_the_secret():
+def test_a_code_depends_on_the_numbers_and_the_secret():
     codes = {variant_code(s, {"4/3": {"a": x}}) for s in (b"1", b"2") for x in (1, 2)}
     assert len(codes) == 4
     assert all(re.fullmatch(r"[A-Z2-7]{4}-[A-Z2-7]{4}", c) for c in codes)

@@ -26,7 +26,7 @@ def members(path):
         return {n: archive.read(n) for n in archive.namelist()}
 
 
-def test_every_set_of_numbers_is_another_and_has_its_own_keys():
+def test_every_set_of_numbers_is_different_and_has_its_own_keys():
     page, _ = page_of("4/16", 5, "solution", draw=lambda p, v: None)
     assert len({json.dumps(v["givens"]) for v in page["variants"]}) == 5
     assert len({json.dumps(v["right"]["a_D"]) for v in page["variants"]}) == 5
@@ -43,7 +43,7 @@ def test_graded_numbers_are_not_practised():
 @pytest.mark.parametrize("name", ["4/2", "4/10"])
 @pytest.mark.parametrize("help", HELP)
 def test_what_is_graded_as_a_formula_is_left_out(name, help):
-    """Its steps say the formula, and its numbers whether a guess is the formula."""
+    """Its steps state the formula, and its numbers show whether a guess is the formula."""
     found = page_of(name, 3, help, [], draw=lambda p, v: None)
     assert isinstance(found, LeftOut)
     assert "graded as a formula" in found.why
@@ -55,7 +55,7 @@ def class_of(count, p):
 
 @pytest.mark.parametrize("name", ["4/1", "4/31", "2/12"])
 def test_no_practised_answer_is_near_one_of_a_class(name):
-    """Also where few numbers vary."""
+    """Even where few numbers vary."""
     p = problem(name)
     sheets = class_of(40, p)
     sets = sets_of_numbers(p, 8, sheets)
@@ -66,8 +66,8 @@ def test_no_practised_answer_is_near_one_of_a_class(name):
         assert not any(a.kind.is_right(x, key, a.atol) for x in practised for key in graded)
 
 
-def test_a_sheet_of_other_givens_is_kept_away_from_too():
-    """As of a released assignment whose problem was changed."""
+def test_practice_keeps_away_from_a_sheet_of_other_givens_too():
+    """As that of a released assignment whose problem has since changed."""
     p = problem("4/16")
     own = {**dict(list(draw(p, b"ada").items())[1:]), "gone": 1.0}
     graded = {**p.book_values, **own}
@@ -78,15 +78,15 @@ def test_a_sheet_of_other_givens_is_kept_away_from_too():
 
 @pytest.mark.parametrize("name", ["A/7", "5/24", "7/28"])
 def test_what_is_the_same_for_everybody_is_left_out_where_it_is_graded(name):
-    """In a course a problem without numbers of one's own would tell its answer."""
+    """In a course, a problem without personal numbers would give away its answer."""
     found = page_of(name, 3, "solution", [], draw=lambda p, v: None)
     assert isinstance(found, LeftOut)
     assert "would give away a graded answer" in found.why
     assert not isinstance(page_of(name, 3, "solution", draw=lambda p, v: None), LeftOut)
 
 
-def test_a_problem_in_symbols_tells_no_formula():
-    """What may be asked as a formula stands in the file as numbers only."""
+def test_a_problem_in_symbols_gives_away_no_formula():
+    """What may be asked as a formula is in the file as numbers only."""
     page, _ = page_of("4/2", 3, "solution", draw=lambda p, v: None)
     assert {q["kind"] for q in page["quantities"] if not q["step"]} == {"number"}
     for v in page["variants"]:
@@ -95,7 +95,7 @@ def test_a_problem_in_symbols_tells_no_formula():
         assert r"\omega" not in v["solution"].rpartition("**")[2]
 
 
-def test_the_file_tells_no_more_than_the_help_that_is_chosen(tmp_path):
+def test_the_file_holds_no_more_than_the_chosen_help(tmp_path):
     shown = {"check": (False, False), "hints": (True, False), "solution": (True, True)}
     for help, has in shown.items():
         write_practice(tmp_path / help, select(["4/16"]), 2, help)
@@ -155,7 +155,7 @@ def test_a_problem_that_lists_no_steps_has_the_terms_of_its_answers(monkeypatch)
 
 
 def test_a_mistake_that_has_no_real_answer_is_left_out():
-    """The arc sine of more than 1, with some numbers that a student may have."""
+    """The arc sine of more than 1, for some numbers that a student may have."""
     p = problem("4/16")
     wrong = {"no_coriolis": lambda g: {"v_D": [asin(2 * g.b / g.b), 0, 0]}}
     made = replace(p, mistakes={"no_coriolis": "takes a sine above 1"})
@@ -168,7 +168,7 @@ def test_a_mistake_that_has_no_real_answer_is_left_out():
 
 
 def test_what_differs_by_round_off_only_is_the_same_for_everybody(made):
-    """As 0.1 h/h, whose text has other last digits for some h."""
+    """Such as 0.1 h/h, whose text has other last digits for some h."""
     answers, givens = (SENSE, SPEED, replace(SPEED, key="fixed")), THROWN
     p = made(lambda g: {**solve(g), "fixed": 0.1 * g.v_0 / g.v_0}, answers=answers, givens=givens)
     sets = [{"v_0": x, "t": 0.1, "g": 9.81} for x in (2.5, 3.1, 4.7, 5.3)]

@@ -1,4 +1,4 @@
-"""A problem tried where it stands in a chapter."""
+"""A problem tried in place, in a chapter."""
 
 import pytest
 
@@ -35,11 +35,14 @@ def test_without_a_file_that_has_it_try_problem_opens_what_comes_with_the_engine
     assert "4/16 is unfinished" in str(practice().next)
 
 
-def test_an_engine_without_any_says_how_they_are_written(tmp_path, monkeypatch):
+def test_an_engine_without_any_says_how_they_are_written(practice_file, tmp_path, monkeypatch):
     monkeypatch.setattr(collection, "SETS", tmp_path)
     output = try_problem("4/12", tmp_path)
     assert "No practice file has problem 4/12" in str(output)
     assert "`python -m grader sets`" in output.markdown
+    (tmp_path / "ch04.practice").write_bytes(practice_file.read_bytes())
+    assert "of its chapter there are 4/1, 4/2" in str(try_problem("4/999", tmp_path))
+    (tmp_path / "ch04.practice").unlink()
     with pytest.raises(PracticeFileError, match="no practice comes with this engine"):
         practice()
 

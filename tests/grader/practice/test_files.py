@@ -49,7 +49,7 @@ BAD = (None, "", "\x07", [], {}, [[]], -1, 10**400, 1e999, True, "x", ["x"], {"x
 
 
 def spots(x, path=()):
-    """The paths of all that a JSON text holds."""
+    """The paths of everything that a JSON text holds."""
     yield path
     inner = x.items() if isinstance(x, dict) else enumerate(x) if isinstance(x, list) else ()
     for name, part in inner:
@@ -91,7 +91,7 @@ def test_whatever_part_of_a_file_is_broken_is_refused_in_words(whole, tmp_path, 
     *(b"[" * n + b"]" * n for n in (50, 400, 700)), b'{"a":' * 600 + b"1" + b"}" * 600,
 ])  # fmt: skip
 @pytest.mark.parametrize("member", ["practice.json", MEMBER])
-def test_what_is_no_page_is_refused(whole, tmp_path, member, content):
+def test_what_is_not_a_page_is_refused(whole, tmp_path, member, content):
     with pytest.raises(PracticeFileError):
         everything(written(tmp_path / "p", {**whole, member: content}))
 
@@ -123,7 +123,7 @@ def test_a_damaged_archive_is_refused(whole, tmp_path):
             everything(path)
         except PracticeFileError as error:
             refused += bool(str(error))
-    assert refused > 40  # the rest is in bytes of the archive that say nothing
+    assert refused > 40  # the rest is in bytes of the archive that carry nothing
 
 
 @pytest.mark.parametrize("code", ["\x1b[31m", "\x07", "\x9b2J", "\u202e", "\r"])

@@ -35,7 +35,7 @@ def test_a_typed_answer_is_checked(form, capsys):
     field(form, "alpha_CD").value = "[0, -b_dot*omega, 0]"
     field(form, "v_D").value = "[1, 2"
     press(form, "Check")
-    assert p._found == {}  # nothing is checked while one of them cannot be read
+    assert p._found == {}  # nothing is checked while any of them cannot be read
     field(form, "v_D").value = ""
     press(form, "Check")
     assert p._found["alpha_CD"].verdict == "right"
@@ -48,7 +48,7 @@ def test_hints_steps_solution_and_new_numbers_have_buttons(form):
         press(form, name)
     field(form, "step").value = "omega_CD"
     output = [w.value for w in form if isinstance(w, widgets.HTML)]
-    # not in the field: what the kernel changes there loses what is being typed
+    # not in the field: a change there by the kernel loses what is being typed
     assert any("angular velocity of CD" in x and "in rad/s" in x for x in output)
     assert field(form, "its value").placeholder == "a number or a list"
     field(form, "its value").value = "[-0.45, 0, 0.6]"
@@ -79,7 +79,7 @@ def test_the_form_speaks_of_its_own_buttons(form, capsys):
     assert "p.new() takes others" in repr(p)  # typed input gets the method's name
 
 
-def test_help_begins_anew_with_each_problem_and_the_table_keeps_that_there_was_some(
+def test_help_starts_afresh_with_each_problem_and_the_table_remembers_that_there_was_some(
     practice_file, tmp_path
 ):
     for again in range(2):
@@ -94,7 +94,7 @@ def test_help_begins_anew_with_each_problem_and_the_table_keeps_that_there_was_s
     assert len([h for h in table[0].split("  ") if h.strip()]) == 7
 
 
-def test_a_step_that_there_is_not_is_reported_with_those_that_there_are(form, capsys):
+def test_a_missing_step_is_reported_with_the_existing_ones(form, capsys):
     _, form = form
     field(form, "step").value = "omega"
     field(form, "its value").value = "1"
@@ -114,7 +114,7 @@ def test_a_word_is_typed_and_the_words_are_offered(practice_file):
         assert p._found["heading"].verdict == "right", text
 
 
-def test_there_is_no_list_that_takes_letters_from_the_notebook(form):
+def test_no_list_takes_letters_from_the_notebook(form):
     """JupyterLab takes letters for commands while a list has the focus: R makes the cell raw."""
     _, form = form
     assert not [w for w in form if isinstance(w, (widgets.Dropdown, widgets.Select))]

@@ -135,6 +135,7 @@ def test_an_instructor_decides_how_much_help_there_is(hints_file, checks_file):
     (lambda p: p.check(v_r=[1, 2, 3]), r"v_r is checked by p.check_step\(v_r="),
     (lambda p: p.check_step(v_D=[1, 2, 3]), r"v_D is checked by p.check\(v_D="),
     (lambda p: p.check(), "write a value for an answer: alpha_CD"),
+    (lambda p: p.check([1, 2, 3]), "write the name before each value, as alpha_CD=..."),
 ])  # fmt: skip
 def test_a_name_that_is_not_asked_for_is_refused_with_those_that_are(elbow, call, message):
     with pytest.raises(AnswerError, match=message):
@@ -163,6 +164,6 @@ def test_first_tries_and_help_are_counted_and_kept(practice_file, tmp_path):
     assert row.split()[-4:] == ["2", "2", "1", "1"]
 
 
-def test_a_problem_that_is_not_there_is_reported_with_those_that_are(practice_file):
+def test_a_missing_problem_is_reported_with_the_existing_ones(practice_file):
     with pytest.raises(PracticeFileError, match="no problem '9/9'; it has 4/1, 4/2"):
         practice(practice_file, progress=None)["9/9"]

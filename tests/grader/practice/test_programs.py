@@ -25,7 +25,7 @@ def test_with_nothing_replaced_every_quantity_is_the_right_one(name):
 
 
 def test_it_holds_no_formula_in_the_givens():
-    """What depends on the givens alone is a number, so that it tells no other key."""
+    """What depends on the givens alone is a number, so that it gives away no other key."""
     p = problem("4/16")
     data = relations(p, p.book_values)
     assert all(isinstance(a, (float, list)) for _, *args in data["operations"] for a in args)

@@ -77,13 +77,13 @@ def test_a_file_holds_what_slips_give_and_not_the_formulas(practice_file):
 @pytest.mark.parametrize(("name", "graded"), [
     ("4/10", None), ("8/8", None), ("9/8", None), ("7/6", None), ("4/18", []), ("4/40", []),
 ])  # fmt: skip
-def test_no_words_of_mistakes_say_the_formula_of_what_is_graded(name, graded):
+def test_no_wording_of_a_mistake_gives_the_formula_of_what_is_graded(name, graded):
     """In 4/10 the two terms that a slip may leave out were the answer, in 7/6 a listed mistake."""
     page, _ = page_of(name, 2, "solution", graded, draw=lambda p, values: None)
-    said = json.dumps([row[3:] for row in page["slips"] + page["labels"]], ensure_ascii=False)
-    assert " in {names}" in said or "…" in said
+    wordings = json.dumps([row[3:] for row in page["slips"] + page["labels"]], ensure_ascii=False)
+    assert " in {names}" in wordings or "…" in wordings
     symbol = rf"\b({'|'.join(problem(name).units)})\b"
-    assert not re.search(rf"{symbol}[*/^]|[*/]{symbol}", said), said
+    assert not re.search(rf"{symbol}[*/^]|[*/]{symbol}", wordings), wordings
 
 
 @pytest.mark.parametrize(("formula", "shown"), [

@@ -48,7 +48,7 @@ for module in [*modules()][::step]:
 assert not wrong, wrong[0]
 print(tried)
 """
-# what needs no array, though an install computes it by NumPy and SciPy
+# what needs no array, though an installation computes it with NumPy and SciPy
 NUMBERS = """
 import math
 from newton_euler import Frame, Inertia, Model, cos, integrate, sin
@@ -68,7 +68,7 @@ assert all(abs(x / 8.0 - 1) < ball.error < 1e-9 for x in ball.inertia.moments)
 spring = Model("spring", {}, ("x", "v"), lambda s, p, t: (s.v, -s.x))
 assert abs(integrate(spring, 3.0, (1.0, 0.0)).at(2.0)["x"] - math.cos(2.0)) < 1e-7
 """
-# figures of chapters: those that are given nothing, and some others that draw curves
+# figures of chapters: those without arguments, and some others that draw curves
 CHAPTERS = """
 from inspect import isfunction, signature
 
@@ -129,7 +129,7 @@ print("drawn", Hidden.names & sys.modules.keys())
 
 
 def ran_hidden(*programs, **values):
-    """What the programs print, one after the other in a Python without libraries."""
+    """What the programs print, one after another, in a Python without libraries."""
     known = "".join(f"{name} = {value!r}\n" for name, value in values.items())
     program = sys.executable, "-W", "error", "-c", HIDDEN + known + "".join(programs)
     done = subprocess.run(program, capture_output=True, text=True)

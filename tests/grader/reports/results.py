@@ -1,4 +1,4 @@
-"""Results and a course with records, made up for the tests of reports."""
+"""Invented results, and a course with records, for the tests of reports."""
 
 import json
 import random
@@ -32,7 +32,7 @@ def result(student, right, out_of=4, **more):
 
 
 def graded_course(path, students=20):
-    """Student n of N can do a part with probability n / N, the last part nobody."""
+    """Student n of N gets a part right with probability n / N, and nobody the last part."""
     rng = random.Random(4)
     with new_course(path, "mechanics") as course:
         course.enrol(

@@ -1,4 +1,4 @@
-"""Problems to choose from, in the terminal and as a page before they are built."""
+"""Problems to choose from, in the terminal, and as a page before they are built."""
 
 import json
 import re
@@ -37,7 +37,7 @@ def test_a_filter_that_means_nothing_is_refused_in_words(arguments, words):
     assert command("problems", "4/16", "--search", "nowhere")[1].strip() == "No problem matches."
 
 
-def test_what_a_course_found_hard_stands_beside_the_estimate(course):
+def test_what_a_course_found_hard_appears_beside_the_estimate(course):
     earned, shares = measured(course), {}
     for path in (course.path / "scores/ch04").glob("*.json"):
         for score in json.loads(path.read_text())["scores"]:

@@ -50,7 +50,7 @@ def test_a_mistake_named_as_another_is_misnamed_and_one_taken_for_right_fails(mo
     assert re.search(r"4/16 .*100\.0", out)
 
 
-def test_most_unlisted_slips_are_named_and_hardly_any_wrongly():
+def test_most_unlisted_slips_are_named_and_very_few_wrongly():
     problems = [problem(name) for name in ("2/21", "3/26", "4/41", "7/23", "10/9", "11/2", "A/21")]
     found = slip_shares(problems, 2)
     assert not found.pop("random numbers")["named"]

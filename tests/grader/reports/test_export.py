@@ -63,7 +63,7 @@ def test_no_name_or_id_is_a_formula_of_a_spreadsheet_for_a_platform(fresh, form,
 @pytest.mark.parametrize("text", [
     "=1", "\t=1", "\r=1", "\x00=1", "\u200b=1", "\ufeff＝1", "\xa0@A", "−1", "﹦1", "Ada;=1", "Ada\t+1", "Ada\n-1",
     "Ada;\u200b=1", "Ada\t\xad\u2060@1", "Ada;\ufeff＝1", "⁺1", "⁼1", "Ada;₋1", "\u034f=1", "\ufe0f=1",
-    "\u2800=1", "\u3164=1", "Ada;\uffa0=1", "Ada\v=1", "Ada\x85=1", "Ada\u2028+1", 'Ada;"=1;', '"=1',
+    "\u2800=1", "\u3164=1", "Ada;\xa0=1", "Ada\n\u3000=1", "Ada;\x1f=1", "Ada;\uffa0=1", "Ada\v=1", "Ada\x85=1", "Ada\u2028+1", 'Ada;"=1;', '"=1',
 ])  # fmt: skip
 def test_no_text_is_a_formula_wherever_a_spreadsheet_ends_its_cells(text):
     parts = re.split("[;\t\r\n\v\x85\u2028]", cell(text))

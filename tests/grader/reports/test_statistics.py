@@ -55,7 +55,7 @@ def test_a_mistake_whose_words_or_order_changed_is_counted_as_one_and_two_of_one
 
 
 def test_the_correlation_leaves_the_part_itself_out(tmp_path):
-    """With it, the points of two parts that have nothing in common would correlate."""
+    """Otherwise the points of two parts with nothing in common would correlate."""
     import json
 
     course = graded_course(tmp_path / "c", students=8)

@@ -1,4 +1,4 @@
-"""Tables of results: they fit into 80 columns, sum up, and say what is to be known of each row."""
+"""Tables of results: they fit into 80 columns, sum up, and say what matters about each row."""
 
 import io
 

@@ -24,7 +24,7 @@ from tests.grader.sandbox.jobs import (
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
 
 
-# -- out of reach, each a question to which the cage answers False
+# -- out of reach: each is a question to which the cage answers False
 
 REACH = {
     "the repository": f"x = os.path.exists({str(REPOSITORY / 'grader')!r}) or "
@@ -111,7 +111,7 @@ def test_nothing_in_the_cage_holds_a_key_or_the_exchange(harvester):
     assert answer(harvester, cell, seconds=40, cell_seconds=30) == 0.0
 
 
-# -- what a submission may do to itself and to nobody else; more is in attacks/tables/machine.py
+# -- what a submission may do to itself and nobody else; more in attacks/tables/machine.py
 
 ENDINGS = {
     "ends Python": "import os; os._exit(0)",
@@ -149,10 +149,10 @@ ENDINGS = {
 }
 
 
-# what ends the cells that do not end by themselves; the others have time enough
+# what stops the cells that do not end by themselves; the others have enough time
 AT_THE_DEADLINE = {"endless loop that catches everything"}
 AT_THE_LIMIT_OF_THE_CELL = {"no death with its parent", "endless loop", "endless in C", "sleeps"}
-# signals that reach nobody, or that the first process makes up for
+# signals that reach nobody, or whose effect the first process undoes
 CONTINUED = {"signals pid 1", "stops itself", "stops its group"}
 # the fork bomb: the first process may be stopped at the limit of the cell before its copies fill up
 AT_EITHER = {"fork bomb", "recursion without end", "memory in pieces"}
@@ -209,8 +209,8 @@ def test_without_privileges_the_cage_is_as_tight():
 
 @pytest.mark.slow
 def test_without_privileges_the_worker_survives_too():
-    # no fork bomb where this user is root outside, to whom the kernel grants as many processes as
-    # he likes
+    # no fork bomb where this user is root outside: the kernel then grants any number of
+    # processes
     names = [
         "kills everybody", "kills its group", "stops its group", "signals pid 1",
         "no death with its parent", "daemon", "stops itself", "endless in C", "floods the receipts",
@@ -220,7 +220,7 @@ def test_without_privileges_the_worker_survives_too():
 
 
 def after_each(names, **options):
-    """What the worker, elsewhere, answers after each of these cells, and what stays behind."""
+    """What a worker in another process answers after each of these cells, and what stays behind."""
     before = descendants()
     jobs = [job(x, setup="import os") for n in names for x in (ENDINGS[n], "x = 42")]
     replies = elsewhere(jobs, **options)
@@ -246,7 +246,7 @@ def test_where_the_kernel_refuses_nothing_is_run_and_the_error_names_its_reason(
 
 
 def test_where_the_namespaces_run_out_in_the_middle_the_job_is_refused_too():
-    """In a user namespace of its own, whose limit on namespaces below can be set there."""
+    """In a user namespace of its own, where the limit on nested namespaces can be set."""
     before = """
 import ctypes, os
 ids = os.getuid(), os.getgid()

@@ -1,4 +1,4 @@
-"""The workers: they serve one job after the other, are replaced when they die, and do not wait for
+"""The workers: they serve one job after another, are replaced when they die, and do not wait for
 each other.
 """
 
@@ -42,7 +42,7 @@ def test_many_jobs_in_a_row_leave_no_process_and_no_file_open(harvester):
 def test_a_worker_that_dies_between_jobs_is_replaced(harvester):
     with Harvester(1) as one:
         assert still_serves(one)
-        one._all[-1].settle()  # it dies with nothing to tell
+        one._all[-1].settle()  # it dies without a word
         one._all[-1].process.kill()
         one._all[-1].process.wait()
         assert still_serves(one)
@@ -71,7 +71,7 @@ def test_a_fork_bomb_beside_leaves_another_worker_its_processes():
         bomb.result()
 
 
-def test_a_worker_that_is_busy_delays_no_other():
+def test_a_busy_worker_delays_no_other():
     """The long job ends only when its worker is killed, after the other jobs have come back."""
     with ThreadPoolExecutor(1) as pool, Harvester(2) as two:
         long = pool.submit(two.run, job("while True: pass"), 600, 600)
@@ -166,7 +166,7 @@ NEEDS = {
 
 
 @pytest.mark.parametrize("text", NEEDS)
-def test_libraries_that_few_need_are_imported_for_notebooks_that_may(monkeypatch, harvester, text):
+def test_rare_libraries_are_imported_for_notebooks_that_may_need_them(monkeypatch, harvester, text):
     asked = []
 
     def run(worker, cells, texts, limits):

@@ -1,5 +1,5 @@
 """Nothing that a submission started outlives it, a killed worker, or a killed grader; and all its
-processes together have a limit of memory.
+processes together share a memory limit.
 """
 
 import os
@@ -49,7 +49,7 @@ with Harvester(1) as h:
     print(h.sandbox_state, flush=True)
     h.run({job(SLEEPER)!r}, 600, 600)
 """
-PROCESSES = 2 + 8  # worker, first; and what three forks in a row make of one
+PROCESSES = 2 + 8  # worker and first process; and what three forks in a row make of one
 
 
 def is_alive(pid):
@@ -165,7 +165,7 @@ libc.sbrk.restype = ctypes.c_void_p
 ends = os.pipe()
 
 def content(at):
-    # the kernel reads the page: where there is none this is an error and no crash
+    # the kernel reads the page: where there is none this is an error, not a crash
     return os.read(ends[0], page) if libc.write(ends[1], ctypes.c_void_p(at), page) == page else None
 
 def found_near(at, pages=20_000):
@@ -188,7 +188,7 @@ x = found_near(id(object())) + found_near(libc.sbrk(0) - page) + found_near(id(b
 
 
 def test_nothing_of_another_submission_is_in_the_memory_of_a_process(harvester):
-    """Its answers, its receipts, the texts of tests: looked for where Python and C keep objects."""
+    """Its answers, its receipts, the texts of tests: a search where Python and C keep objects."""
     before = answer(harvester, SCAN)  # copies of its own needle
     test = {"role": "test", "name": "t", "text": "", "hidden": f"'{LEFT}'"}
     cells = [own(f"a = '{LEFT}'\n1 / 0 # {LEFT}"), *job(f"x = 1  # {LEFT}"), test]

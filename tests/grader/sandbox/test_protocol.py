@@ -37,7 +37,7 @@ def test_the_givens_remove_the_answers_of_an_earlier_problem(harvester):
     assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": None}}
 
 
-def test_givens_may_come_again_and_hold_from_there(harvester):
+def test_givens_may_be_repeated_and_hold_from_there_on(harvester):
     ways = [problem(f"0/{n}", "x = a", f"a = {a}") for n, a in enumerate((1, 2, 1), 1)]
     cells = [cell for way in ways for cell in way]
     assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": 2.0}, "0/3": {"x": 1.0}}
@@ -70,20 +70,20 @@ OUTCOMES = {
     "float('nan')": (None, "other"),
     "undefined": ("NameError, line 1: name 'undefined' is not defined", None),
     "if": ("SyntaxError: invalid syntax, line 1: if", None),
-    "assert state == 'then'": (None, None),  # as it was at the place of the test
+    "assert state == 'then'": (None, None),  # as it was where the test is
     "import os; os._exit(0)": ("the test was not run: the notebook ended before it, or its process ended", None),
 }  # fmt: skip
 
 
 def a_notebook_with(texts):
-    """Its cells, with tests of these texts in the middle."""
+    """Cells of a notebook, with tests of these texts in the middle."""
     test = {"role": "test", "text": "seen = 1"}
     tests = [{**test, "name": f"test-{n}", "hidden": text} for n, text in enumerate(texts)]
     before, after = own("def f(n): return n**2\nstate = 'then'"), own("state = 'later'\ndel f")
     return [before, *tests, after, *problem("0/1", "x = seen")]
 
 
-def test_a_test_says_its_error_and_the_value_of_its_last_expression(harvester):
+def test_a_test_reports_its_error_and_the_value_of_its_last_expression(harvester):
     reply = run_caged(harvester, a_notebook_with(OUTCOMES))
     found = [(o["error"], o["value"]) for o in reply["tests"].values()]
     assert dict(zip(OUTCOMES, found, strict=True)) == OUTCOMES
@@ -99,7 +99,7 @@ def test_a_test_has_the_time_limit_of_a_cell_and_the_next_one_runs(harvester):
 
 
 @pytest.mark.parametrize("what", ["ends Python", "endless loop that catches everything"])
-def test_a_test_that_was_reached_counts_also_where_the_notebook_ends_later(harvester, what):
+def test_a_test_that_was_reached_counts_even_where_the_notebook_ends_later(harvester, what):
     late = {"role": "test", "name": "late", "text": "", "hidden": "2"}
     cells = [*a_notebook_with(["1"]), own(ENDINGS[what]), late]
     reply = run_caged(harvester, cells, seconds=2, cell_seconds=1)
@@ -114,7 +114,7 @@ x = sum("hidden-" + "words" in str(o) for o in gc.get_objects() if isinstance(o,
 
 
 def test_the_text_of_a_test_is_nowhere_while_the_cells_run(harvester):
-    """Not of this notebook's test, nor of the one that the worker ran before."""
+    """Neither that of this notebook's test nor that of the one the worker ran before."""
     for _ in range(2):
         cells = [*a_notebook_with(["'hidden-words'"]), *problem("0/2", SEARCH)]
         reply = run_caged(harvester, cells)
@@ -137,7 +137,7 @@ def test_a_token_that_an_earlier_test_has_shown_is_worth_nothing():
         end.close()
 
 
-PATCHES = {  # of a wrong answer; the test is right
+PATCHES = {  # by a wrong answer; the test is right
     "import numpy.testing\nnumpy.testing.assert_allclose = lambda *_, **__: None": (
         "import numpy.testing\nnumpy.testing.assert_allclose(f(2), 5)"
     ),

@@ -1,4 +1,4 @@
-"""What comes out of the cage is data: whatever it is, it is read or left, and it costs little."""
+"""What comes out of the cage is data: whatever it is, it is read or skipped, at little cost."""
 
 import json
 
@@ -14,18 +14,18 @@ OTHERS = {
     "half": b'{"id": "0/1", "answers": {',
     "a list": b'["0/1"]',
     "another problem": b'{"id": "9/9", "answers": {"x": 1}}',
-    "an id that is no text": b'{"id": ["0/1"], "answers": {"x": 1}}',
+    "an id that is not text": b'{"id": ["0/1"], "answers": {"x": 1}}',
     "an id and a half character": b'{"id": "0/1\xff"}',
     "nested deep": b'{"id": "0/1", "answers": ' + b"[" * 985 + b"]" * 985 + b"}",
     "nested deeper": b'{"id": "0/1", "answers": ' + b"[" * 30_000 + b"]" * 30_000 + b"}",
     "too long": b'{"id": "0/1", "answers": {"x": "' + b"a" * 2**16 + b'"}}',
-    "a name that was not asked": b'{"name": "receipt", "error": "x"}',
+    "a name that was not asked for": b'{"name": "receipt", "error": "x"}',
     "a number as an error": b'{"name": "own", "error": 3}',
 }
 
 
 @pytest.mark.parametrize("what", OTHERS)
-def test_a_line_that_is_no_receipt_is_left_and_the_next_one_is_read(what):
+def test_a_line_that_is_not_a_receipt_is_skipped_and_the_next_one_is_read(what):
     read, errors = read_lines(OTHERS[what] + b"\n" + RIGHT + b"\n", {"0/1"}, {"own"})
     assert read == {"0/1": json.loads(RIGHT)}
     assert errors == {}
@@ -53,7 +53,7 @@ def test_errors_of_cells_are_cut_to_a_length():
     assert errors == {"own": "e" * receipts.ERROR_LIMIT}
 
 
-def test_no_more_than_so_many_lines_are_parsed(monkeypatch):
+def test_only_a_limited_number_of_lines_is_parsed(monkeypatch):
     parsed = []
     monkeypatch.setattr(receipts, "_entry", lambda line: parsed.append(line) or {})
     read_lines(b"{}\n" * 300_000, (), ())
@@ -82,7 +82,7 @@ def test_an_outcome_is_read_or_the_test_counts_as_not_reached(data):
     assert read_outcome(line.encode(), "abc") == OUTCOMES[data]
 
 
-def test_an_outcome_without_the_token_of_the_test_is_left():
+def test_an_outcome_without_the_token_of_the_test_is_skipped():
     forged = b'{"error": null, "value": 9}\n{"token": "xyz", "error": null, "value": 9}\nhalf'
     assert read_outcome(forged, "abc") == NOT_REACHED
     right = b'\n{"token": "abc", "error": null, "value": 1}\n'

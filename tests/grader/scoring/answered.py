@@ -1,4 +1,4 @@
-"""Answers of a student of chapter 4 as a receipt holds them, and their scores."""
+"""A student's answers in chapter 4 as a receipt holds them, and their scores."""
 
 from exercises.catalogue import problems
 from exercises.catalogue.variants import draw
@@ -39,5 +39,6 @@ def texts(part):
 
 def judged(p, answers, values=None):
     """{key: Part} of these answers."""
-    score = score_receipt(p, values or VALUES[p.id], {"answers": answers})
+    values = VALUES[p.id] if values is None else values
+    score = score_receipt(p, values, {"answers": answers})
     return {part.key: part for part in score.parts}

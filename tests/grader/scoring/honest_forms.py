@@ -1,4 +1,4 @@
-"""Forms in which students hand in right answers: {name: what makes it of the right answer}."""
+"""Forms in which students hand in right answers: {name: a function of the right answer}."""
 
 import array
 import collections
@@ -23,7 +23,7 @@ except ImportError:
     pandas = None
 
 I, PI = sympy.I, sympy.pi
-t, k = sympy.symbols("t_ k_")  # no symbols of a problem
+t, k = sympy.symbols("t_ k_")  # symbols that no problem has
 GROUND = Frame("ground")
 ARM = GROUND.rotate("arm", "z", angle=0.7, rate=1.1)
 ROD = ARM.rotate("rod", "-x", angle=2.1, rate=0.4)
@@ -181,7 +181,7 @@ if pandas:
 
 
 def _poly(e, *symbols):
-    """As a Poly; unchanged where it is no polynomial, with a root or quotient of its symbols."""
+    """As a Poly; unchanged where it is not one but has a root or quotient of its symbols."""
     try:
         return sympy.Poly(e, *symbols)
     except (BasePolynomialError, KeyError):

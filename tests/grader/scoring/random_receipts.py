@@ -71,7 +71,7 @@ def formula(rng, symbols, depth):
 
 
 def _changed(rng, tree):
-    """A right answer with one thing changed; sometimes it stays right."""
+    """A right answer with one thing changed; sometimes it is still right."""
     if isinstance(tree, (int, float)):
         return tree * rng.choice((-1, 2, 1.01, 0.99, 1e3)) + rng.choice((0, 0, 1, -1e-9))
     if not isinstance(tree, list):
@@ -83,7 +83,7 @@ def _changed(rng, tree):
 
 
 def costly(rng):
-    """What takes long, unless it is bounded."""
+    """What would take long if it were not bounded."""
     n = rng.choice((300, 1600, 2400, 4900, 5000, 20000))
     part = rng.choice(("r", "omega", 1.5, ["sin", "omega"], ["^", -1, 0.5], ["^", "omega", "r"]))
     kind = rng.randrange(6)

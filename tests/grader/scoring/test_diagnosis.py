@@ -14,7 +14,7 @@ from grader.scoring.numbers import Numbers
 from newton_euler.algebra.ledger import equation
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import tolerance
-from tests.grader.scoring.answered import CH04, texts, trees
+from tests.grader.scoring.answered import CH04, judged, texts, trees
 
 DATA = ("book", "variant")
 
@@ -34,7 +34,7 @@ def listed(p, given):
 
 
 def part_of(p, given, key, tree):
-    return {x.key: x for x in score_receipt(p, given, {"answers": {key: tree}}).parts}[key]
+    return judged(p, {key: tree}, given)[key]
 
 
 def numbers_of(p, given):
@@ -84,7 +84,7 @@ def test_every_listed_mistake_earns_nothing_and_is_named_by_its_text_without_a_n
 
 
 @pytest.mark.parametrize(("p", "data"), CASES, ids=IDS)
-def test_a_right_answer_never_gets_a_diagnosis_also_when_rounded(p, data):
+def test_a_right_answer_never_gets_a_diagnosis_even_when_rounded(p, data):
     given = values(p, data)
     right = trees(p, p.solve({**p.sympy_symbols(), **given}))
     for part in score_receipt(p, given, {"answers": right}).parts:
@@ -198,12 +198,12 @@ def test_a_frame_that_the_problem_does_not_name_is_not_named():
 
 @pytest.mark.parametrize(("number", "key"), [("4/16", "alpha_CD"), ("4/28", "alpha_panel")])
 def test_a_cause_that_the_right_parts_contradict_is_named_in_this_part(number, key):
-    """A rate taken the other way shows in the velocity also: a sign is likelier."""
+    """A rate taken the other way would also show in the velocity: a sign is likelier."""
     p = problem(number)
     given = values(p, "variant")
     right = trees(p, p.solve(given))
     turned = {**right, key: [-x for x in right[key]]}
-    parts = {x.key: x for x in score_receipt(p, given, {"answers": turned}).parts}
+    parts = judged(p, turned, given)
     other = {"4/16": "beta_the_other_way", "4/28": "panels_the_other_way"}[number]
     assert "sign" in texts(parts[key])[0]
     assert texts(parts[key])[1:] == [f"in this part {p.mistakes[other]}"]
@@ -222,11 +222,10 @@ def test_a_slip_in_one_part_is_named_where_the_others_are_right(key, change, wor
     given = values(p, "variant")
     right = p.solve(given)
     answers = {**trees(p, right), key: [float(x) for x in change(right[key])]}
-    parts = {x.key: x for x in score_receipt(p, given, {"answers": answers}).parts}
-    assert words in parts[key].diagnosis
+    assert words in judged(p, answers, given)[key].diagnosis
 
 
-def test_a_times_n_alone_in_4_1_is_no_unit_slip_alone():
+def test_a_times_n_alone_in_4_1_is_more_than_a_unit_slip():
     """It also leaves out the axial speed."""
     p = problem("4/1")
     for seed in (b"a", b"b", b"c", b"d"):

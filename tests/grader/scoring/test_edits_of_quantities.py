@@ -1,5 +1,5 @@
 """Slips in whole quantities, and in bodies, angles and ratios: each is found by its numbers, and
-random numbers are hardly ever.
+random numbers rarely are.
 """
 
 import math
@@ -12,7 +12,7 @@ from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler import asin
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI
-from tests.grader.scoring.traced import heard
+from tests.grader.scoring.traced import named_causes
 
 UNITS = {
     "m": "kg", "m1": "kg", "m2": "kg", "m3": "kg", "rho": "kg/m", "L": "m", "d": "m",
@@ -26,7 +26,7 @@ m, m1, m2, m3, rho, L, d, theta, omega, n, N, F = GIVEN.values()
 RPM, SIN, COS = math.pi / 30, math.sin(theta), math.cos(theta)
 
 
-CASES = {  # the right formula, its unit, and the quantities on the way, {words: formula}
+CASES = {  # the right formula, its unit, and intermediate quantities, {words: formula}
     "lever": (lambda F, L, d, **_: F * (L + d), "J", {}),
     "rods": (lambda rho, L, d, **_: (rho * L) * d * d + (rho * d) * L * L, "kg*m^2", {}),
     "masses": (lambda m1, m2, m3, L, d, **_: m1 * L + 2 * m2 * d + 3 * m3 * d, "kg*m", {}),
@@ -56,7 +56,7 @@ def named(key, wrong, slips=None):
     formula, *_ = CASES[key]
     given = {**GIVEN, "n": n * RPM, "N": N * RPM}
     slips = slips or slips_of(key)
-    return heard(slips, [f"{wrong:.7g}"], [formula(**given)])
+    return named_causes(slips, [f"{wrong:.7g}"], [formula(**given)])
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_a_slip_is_named(key, wrong, words):
     assert words in named(key, wrong)
 
 
-def test_random_numbers_are_hardly_ever_named():
+def test_random_numbers_are_rarely_named():
     found = 0
     for key, (formula, *_) in CASES.items():
         rng, slips = random.Random(key), slips_of(key)
@@ -86,7 +86,7 @@ def test_random_numbers_are_hardly_ever_named():
     assert found <= 0.0075 * 200 * len(CASES)
 
 
-def test_kinetic_energy_is_of_no_body_and_an_acceleration_is_not_g():
+def test_kinetic_energy_is_not_taken_for_a_moment_of_inertia_nor_an_acceleration_for_g():
     trace = Trace()
     mass, v, a = (trace.new("argument", name) for name in ("m", "v", "a"))
     answers = {"x": Traced([mass * v * v / 2 + mass * a * (v * v / a)], "J")}
@@ -107,7 +107,7 @@ def of_vector(given, parts, unit="m", stages=(), kind="vector"):
     computed = [Stage(words, "", f(**arguments), words) for words, f in stages]
     answers = {"x": Traced(parts(**arguments), unit)}
     slips = Perturbed(Computation(Formulas(answers, VECTOR, SI, computed)), values)
-    return heard(slips, given, parts(**values), kind)
+    return named_causes(slips, given, parts(**values), kind)
 
 
 def test_components_from_another_origin_are_named_and_no_given_as_the_whole_answer():
@@ -116,12 +116,12 @@ def test_components_from_another_origin_are_named_and_no_given_as_the_whole_answ
     right = [float(x) for x in parts(P, Q)]
     less = (right[0] - P / 2, right[1] - Q / 2, 0.0)
     assert "takes the middle off x" in of_vector(less, parts, stages=middle)
-    # each length is some component by chance
+    # each length equals some component by chance
     assert "alone" not in of_vector((right[0], Q / 2, 0.0), parts)
 
 
-def test_a_multiple_of_a_vector_is_met_as_one_number_is():
-    """Three components that are off by 0.1 % together are no three witnesses."""
+def test_a_multiple_of_a_vector_is_met_by_chance_as_one_number_is():
+    """Three components that are off together by 0.1 % are not three witnesses."""
     parts = lambda p, q, k: [p * (p + q) * k, q * (p + q) * k, p * (p + q)]
     right = parts(P, Q, K)
     turned = [float(f"{x * (P - Q) / (P + Q):.6g}") for x in right]
@@ -129,7 +129,7 @@ def test_a_multiple_of_a_vector_is_met_as_one_number_is():
     assert "opposite sign" not in of_vector([1.001 * x for x in turned], parts, "m^2")
 
 
-def test_a_quantity_is_turned_doubled_and_left_out_also_where_the_trace_moved_its_sign():
+def test_a_quantity_is_turned_doubled_and_left_out_even_where_the_trace_moved_its_sign():
     rate = [("the second rate", lambda p, q, k: [-(k * p / q)])]
     parts = lambda p, q, k: [k * p - (k * p / q) * p, k * q - (k * p / q) * q, k * p]
     p, q, k = P, Q, K

@@ -127,7 +127,7 @@ def test_in_every_problem_a_later_answer_follows_from_a_wrong_one(p, key):
     assert f"it follows from your {first}, which earns {part.points:.3g} of" in part.message
 
 
-# what follows is not written down, but the computation goes through the earlier answer
+# ``follows`` is not written, but the computation goes through the earlier answer
 THROUGH = [("2/16", "v_tape", "a_P1"), ("4/27", "v_A", "a_A"), ("6/18", "t_D", "d_up")]
 
 
@@ -147,8 +147,8 @@ def test_an_answer_follows_from_those_that_its_computation_goes_through(name, fi
     assert "it follows from your" in judged(p, values, given)[key].message
     slips = [x for x in numbers.sequel(key, wrong).at(key, 0) if distance(x, later) > 0.05][:10]
     parts = [judged(p, values, {**given, key: plain(slip)})[key] for slip in slips]
-    heard = [str(part.diagnosis).startswith(f"goes on from your {first}, but ") for part in parts]
-    assert sum(heard) >= 0.7 * len(slips)
+    goes_on = [str(part.diagnosis).startswith(f"goes on from your {first}, but ") for part in parts]
+    assert sum(goes_on) >= 0.7 * len(slips)
 
 
 def plain(components):
@@ -156,7 +156,7 @@ def plain(components):
     return list(map(float, components)) if len(components) > 1 else float(components[0])
 
 
-FACTORS = 1.3, 0.8, 1.05, 3.0  # not every wrong answer has a sequel
+FACTORS = 1.3, 0.8, 1.05, 3.0  # not every wrong answer leads to another
 
 
 def other(p, key, numbers, right, factor):
@@ -166,7 +166,7 @@ def other(p, key, numbers, right, factor):
         wrong = tuple(next(w for w in p.answer(first).of if w != x) for x in right[first])
     elif p.answer(first).kind.name == "count":
         wrong = tuple(x + 1 for x in right[first])
-    else:  # another direction, too
+    else:  # another direction too
         wrong = tuple(x * factor ** (n + 1) or 1.0 for n, x in enumerate(right[first]))
     with np.errstate(all="ignore"):
         try:
@@ -206,3 +206,25 @@ def test_the_way_of_the_solution_is_accepted_where_follows_is_written_with_anoth
     given = numerals if len(found) > 1 else numerals[0]
     part = judged(p, values, {**wrong, key: given})[key]
     assert part.message.startswith(f"not right; it follows from your {earlier}")
+
+
+@pytest.mark.parametrize("number", ["11/11", "11/12", "7/24", "2/25"])
+def test_a_huge_number_for_all_follows_from_nothing_where_more_is_to_be_computed(number):
+    p = problem(number)
+    values = draw(p, b"huge")
+    for x in (1e5, 1e9, -1e9, 1e30, 1e150, 1e300, 8e307):
+        given = {a.key: [x] * a.kind.length if a.kind.length > 1 else x for a in p.answers}
+        parts = judged(p, values, given, follow_through=1).values()
+        assert not sum(part.points for part in parts), x
+
+
+@pytest.mark.parametrize(("number", "key"), [("11/11", "v_A"), ("11/12", "v_C")])
+def test_what_is_computed_from_an_answer_that_is_far_too_large_follows(number, key):
+    p = problem(number)
+    right = numbers_of(p, values := draw(p, b"huge"))
+    (name,) = right.earlier[key]
+    for times in (2, 1e3, 1e6):
+        wrong = times * right.key[name][0][0]
+        (((later,),)) = right.following(key, {name: ((wrong,),)})
+        parts = judged(p, values, {name: wrong, key: later}, follow_through=1)
+        assert parts[key].points > 0, times

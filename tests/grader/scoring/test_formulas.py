@@ -75,7 +75,7 @@ def test_all_formulas_of_a_receipt_share_the_operations():
 
 
 def test_a_number_beside_formulas_is_one_number():
-    """And not one for each point at which the formulas are compared."""
+    """Not one for each point at which the formulas are compared."""
     p = problem("A/9")
     answers = {"dudt": [["*", 4, "t"], ["*", 6, "t"], ["+", ["*", 2, "t"], -1]]}
     parts = score_receipt(p, p.book_values, {"answers": {**answers, "dudt_1": [8, 12, 3]}}).parts
@@ -86,7 +86,7 @@ def test_a_number_beside_formulas_is_one_number():
 
 @pytest.mark.parametrize(("x", "silent"), [(10.4, True), (10.4173, False)])
 def test_a_number_of_few_digits_beside_a_formula_is_met_by_chance(x, silent):
-    """10.4 - 6.6 + 1.4 is a half of 10.4, as many numbers of two digits are."""
+    """10.4 - 6.6 + 1.4 is half of 10.4, as happens with many numbers of two digits."""
     values = {"N_x": x, "N_y": -6.6, "N_z": 1.4}
     plane = ["+", *(["*", a, b] for a, b in zip(values.values(), "xyz", strict=True)), -x / 2]
     causes = judged(problem("A/27"), {"F": plane}, values)["F"].causes

@@ -29,7 +29,7 @@ def earns(p, a, values, value):
 
 
 @pytest.mark.parametrize("chapter", chapters())
-def test_half_turns_of_frames_are_no_further_guesses(chapter):
+def test_half_turns_of_frames_give_no_further_guesses(chapter):
     """Of all patterns of sign one earns the points."""
     mine = Frame("ground")
     for axis in "xyx":

@@ -12,7 +12,7 @@ from newton_euler.answers.receipts import record
 
 from .honest_forms import FORMULAS, NUMBERS, VECTORS, VECTORS_OF_FORMULAS
 
-# NumPy says that its matrix is not recommended; students have it all the same
+# NumPy advises against its matrix; students use it all the same
 pytestmark = pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
 
 KINDS = {

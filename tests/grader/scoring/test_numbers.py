@@ -1,4 +1,4 @@
-"""Key and wrong models of a student: traced once for all, and the same as by the problem's code."""
+"""A student's key and wrong models: traced once for all, with the numbers of the problem's code."""
 
 import math
 
@@ -69,14 +69,14 @@ def test_numbers_that_the_problem_no_longer_gives_are_left_alone():
     assert Numbers(p, {**values, "gone": 1}).key == Numbers(p, values).key
 
 
-def test_the_books_numbers_are_no_mistake_on_a_sheet_that_has_them():
+def test_the_books_numbers_are_not_a_mistake_on_a_sheet_that_has_them():
     p = problem("4/16")
     assert Numbers(p, p.book_values).book == {}
     assert Numbers(p, draw(p, b"any")).book == Numbers(p, p.book_values).key
 
 
-def test_a_wrong_model_without_a_value_stops_no_grading(monkeypatch):
-    """As one that leads to the root of a negative number."""
+def test_a_wrong_model_without_a_value_does_not_stop_grading(monkeypatch):
+    """Such as one that leads to the root of a negative number."""
     p = problem("2/4")  # speeds d/T, with the time T = sqrt(2 h/g)
     fall = p.code.mistakes
     negative = lambda g: {**fall(g), "no_2": {"v_0": (sqrt(-g.h / g.g), g.d)}}
@@ -95,7 +95,7 @@ def test_a_wrong_model_without_a_value_stops_no_grading(monkeypatch):
 
 
 def test_a_wrong_formula_without_symbols_has_all_points(monkeypatch):
-    """As a zero vector: it is compared at every point. A problem with words is not traced."""
+    """Such as a zero vector: it is compared at every point. A problem with words is not traced."""
     p = problem("9/1")
     listed, name = p.code.mistakes, next(iter(p.mistakes))
     key = next(a.key for a in p.answers if a.kind.name == "vector_expression")

@@ -14,7 +14,7 @@ from newton_euler.algebra.linear import Solved, solve_rates, solved_equations
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI, unit
 from newton_euler.answers.near import NO_SLIPS
-from tests.grader.scoring.traced import heard
+from tests.grader.scoring.traced import named_causes
 
 UNITS = {"m": "kg", "g": "m/s^2", "s": "mm", "d": "mm", "alpha": "deg", "v": "km/h", "b": "m"}
 GIVEN = {"m": 2.3, "g": 9.81, "s": 0.71, "d": 0.26, "alpha": 0.61, "v": 3.1, "b": 1.7}
@@ -46,7 +46,7 @@ def perturbed():
 
 
 def named(perturbed, key, given):
-    return heard(perturbed, [given], [FORMULAS[key](**GIVEN)], key=key)
+    return named_causes(perturbed, [given], [FORMULAS[key](**GIVEN)], key=key)
 
 
 m, g, s, d, alpha, v, b = GIVEN.values()
@@ -88,7 +88,7 @@ def texts(slips, key="x"):
 
 
 def test_a_step_that_is_the_same_for_everyone_has_no_slips():
-    """As the quarter turn of the axes in which the code writes an angle."""
+    """Such as the quarter turn of the axes in which the code writes an angle."""
     trace = Trace()
     a, c = trace.new("argument", "a"), trace.new("argument", "c")
     quarter = trace.step("pi") / 2
@@ -100,7 +100,7 @@ def test_a_step_that_is_the_same_for_everyone_has_no_slips():
 def test_terms_have_the_names_of_quantities_that_the_text_knows():
     trace = Trace()
     a, c, e = (trace.new("argument", n) for n in "ace")
-    root = sqrt(a * a + c * c)  # an answer of its own
+    root = sqrt(a * a + c * c)  # a separate answer
     work = (a * c + c * e + a * e) * (a + c + e)
     answers = {"r": Traced([root], "m"), "x": Traced([work - e * e * e * root], "m^4")}
     stages = [Stage("U", "", [work], "the work of the spring")]
@@ -140,7 +140,7 @@ def of_three(given):
     slips = computation({"x": Traced(parts, "m")}, LENGTHS)
     key = (A / 3 + C / 2, A * C / (A + C), math.hypot(A, C))
     points = [k if x is None else f"{x:.5g}" for x, k in zip(given, key, strict=True)]
-    return heard(slips, points, key, "vector")
+    return named_causes(slips, points, key, "vector")
 
 
 def test_a_slip_in_some_components_alone_is_named_there():
@@ -148,7 +148,7 @@ def test_a_slip_in_some_components_alone_is_named_there():
     assert "in some" not in of_three([C / 3 + C / 2, C / 2, math.hypot(C, C)])
 
 
-def test_random_numbers_in_one_component_are_hardly_ever_named():
+def test_random_numbers_in_one_component_are_rarely_named():
     rng = random.Random(2)
     tries = [[(A / 3 + C / 2) * 3 ** rng.uniform(-1, 1), None, None] for _ in range(400)]
     assert sum("in its" in of_three([float(f"{x[0]:.4g}"), *x[1:]]) for x in tries) <= 4
@@ -173,10 +173,10 @@ def test_ratios_roots_and_differences(parts, wrong, words):
     trace = Trace()
     given = [trace.new("argument", n) for n in LENGTHS]
     slips = computation({"x": Traced([parts(*given)], "m")}, dict.fromkeys(LENGTHS, "m"))
-    assert words in heard(slips, [f"{wrong:.6g}"], [parts(A, C, K)])
+    assert words in named_causes(slips, [f"{wrong:.6g}"], [parts(A, C, K)])
 
 
-def test_random_numbers_are_hardly_ever_named(perturbed):
+def test_random_numbers_are_rarely_named(perturbed):
     rng = random.Random(1)
     right = {key: float(f(**GIVEN)) for key, f in FORMULAS.items()}
     tries = [(key, right[key] * 3 ** rng.uniform(-1, 1)) for key in FORMULAS for _ in range(400)]
@@ -229,7 +229,7 @@ def test_a_given_may_be_handed_back_and_a_vector_turned():
     (first, *_) = _causes("d", lambda p, q, **_: [p - 2 * q], lengths)
     assert first.startswith("takes p alone for d")
     found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y, p + s * y], lengths)
-    assert "takes x and y and y with the opposite sign" not in found
+    assert "takes x, y and y with the opposite sign" not in found
     found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y], lengths)
     assert "takes p and q with the opposite sign" in found
 
@@ -264,7 +264,7 @@ def test_rates_about_different_axes_are_added_as_numbers_and_so_are_their_own_ra
 
 @pytest.mark.parametrize("name", ["v", "u_1"])
 def test_of_equations_that_are_solved_the_entries_are_perturbed_and_not_the_elimination(name):
-    """Of an unknown without a name of its own nothing can be named."""
+    """Nothing can be named about an unknown without a name of its own."""
     trace = Trace()
     a, b, c = (trace.new("argument", n) for n in "abc")
     with solved_equations() as found:

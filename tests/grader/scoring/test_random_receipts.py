@@ -1,7 +1,6 @@
 """Random receipts: they earn nothing unless they are right, raise nothing, and none takes long."""
 
 import json
-import math
 import random
 import time
 
@@ -23,7 +22,7 @@ KEYS = {p.id: right_trees(p, VALUES[p.id]) for p in CH04}
 
 
 def is_right(p, key, tree):
-    """Whether an answer is right, found in another way: for formulas, at points of its own."""
+    """Whether an answer is right, found in another way: formulas at points of its own."""
     readings = tree.values() if isinstance(tree, dict) else [tree]
     sample = {n: np.array([x]) for n, x in symbol_values(p, random.Random(7)).items()}
     right = np.ravel(evaluate(p, {**VALUES[p.id], **sample})[0][key]).astype(float)
@@ -64,7 +63,7 @@ def try_receipts(seed, count):
 
 def test_random_receipts_earn_nothing_unless_right_and_raise_nothing():
     for seed in range(4):
-        assert try_receipts(seed, 500) < math.inf
+        try_receipts(seed, 500)
 
 
 def warm_up():

@@ -37,7 +37,7 @@ def test_a_vector_is_right_if_its_components_in_the_ground_are():
 
 
 def test_components_in_two_frames_are_those_of_one_vector():
-    """Else a receipt could hold several guesses."""
+    """Otherwise a receipt could hold several guesses."""
     a_D = key(problem("4/16"))["a_D"]
     part = judged(problem("4/16"), {"a_D": {"arm": [1.0, 2.0, 3.0], "ground": a_D}})["a_D"]
     assert (part.points, part.verdict) == (0, "unreadable")

@@ -1,5 +1,5 @@
-"""Points of a sheet: shared by weights, and scored as the sheet asked, whatever the exercise asks
-today.
+"""Points of a sheet: shared out by weights, and scored as the sheet asked, whatever the exercise
+asks today.
 """
 
 from dataclasses import replace

@@ -81,7 +81,7 @@ def same_numbers(numbers, a, cause, slip):
 
 
 def judged(p, numbers, a, words, slip, others):
-    """Of a slip in part ``a``: named, unnamed, observed, passed, or the text of a false cause."""
+    """What becomes of a slip in part ``a``: named, unnamed, observed, passed, or a false cause."""
     answers = {**others, a.key: tree_of(a, slip)}
     values = {n: numbers.sample[n] for n in p.givens}
     part = next(x for x in score_receipt(p, values, {"answers": answers}).parts if x.key == a.key)
@@ -134,11 +134,11 @@ def test_slips_that_nobody_listed_are_named_and_never_misnamed(alone, draws):
 
 
 @pytest.mark.parametrize(
-    ("problems", "share"),  # of fresh numbers 0.27 %, and three standard deviations more
+    ("problems", "share"),  # 0.27 % for fresh numbers, and three standard deviations more
     [(NUMERIC[::3], 0.005), pytest.param(NUMERIC, 0.004, marks=pytest.mark.slow)],
     ids=["every third", "all"],
 )
-def test_random_wrong_answers_are_hardly_ever_named(problems, share):
+def test_random_wrong_answers_are_rarely_named(problems, share):
     rng, found, tried = random.Random(11), Counter(), Counter()
     for p in problems:
         for n in range(DRAWS):
@@ -210,7 +210,7 @@ def test_two_listed_mistakes_at_once_are_both_named():
                 listed = [(c, x) for c, x in numbers.wrong(a.key) if c.group == "listed"]
                 if a.kind.name != "vector":
                     continue
-                listed = [(c, x) for c, x in listed if any(x[0])]  # to nothing, nothing is added
+                listed = [(c, x) for c, x in listed if any(x[0])]  # nothing is added to nothing
                 for (first, (x,)), (second, (y,)) in itertools.combinations(listed, 2):
                     sum_ = [s + t - k for s, t, k in zip(x, y, numbers.key[a.key][0], strict=True)]
                     words = both(first, second).what

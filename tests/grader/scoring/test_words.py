@@ -5,19 +5,15 @@ import pytest
 from exercises.catalogue import variants
 from grader.reports.diagnoses import diagnosis_shares, handed_in
 from grader.scoring import numbers, score_receipt
-from tests.exercises.kinds.thrown import (
-    DOF,
-    SLIPS,
-    ball,
-)
+from tests.exercises.kinds.thrown import DOF, SLIPS, ball
 from tests.making import made as made
 
-PLACE = " (see section 4.10)"  # of the made problem
+PLACE = " (see section 4.10)"  # of the problem made here
 
 
 @pytest.fixture(autouse=True)
 def scored_problem(made, monkeypatch):
-    """What is made is found by scoring, too."""
+    """Scoring finds the problem made here, too."""
     kept = (numbers._without_givens, numbers._of_book, numbers._traced_key, numbers._traced_wrong)
     monkeypatch.setattr(numbers, "find_problem", lambda problem_id: variants.problem(problem_id))
     for of_problems in kept:
@@ -74,7 +70,7 @@ def test_degrees_of_freedom_counted_wrongly_are_named_in_any_problem(name, given
 
 
 def test_a_mistake_in_a_word_is_not_named_where_the_other_parts_show_none_of_it():
-    """Who takes the result for a stone that is dropped finds "east", and an x of its own."""
+    """Taking the result for a dropped stone gives "east", and an x of its own."""
     p = variants.problem("6/22")
     symbols = p.sympy_symbols()
     dropped = p.wrong(symbols)["dropped_from_the_top"]

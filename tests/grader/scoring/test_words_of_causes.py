@@ -22,7 +22,7 @@ REASON = (
 
 
 def general(p, n):
-    """The causes of a problem that are no slips in its computation."""
+    """The causes of a problem that are not slips in its computation."""
     found = {c for a in p.answers for c, _ in n.wrong(a.key) if c.group != "rate"}
     listed = sorted((c for c in found if c.group == "listed"), key=lambda c: c.name)
     pairs = [causes.both(a, b) for a, b in combinations(listed, 2)]

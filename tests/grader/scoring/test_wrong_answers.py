@@ -1,5 +1,5 @@
-"""Wrong answers that are nearly right earn nothing: every problem of the chapter, fifty draws, each
-perturbation. ``python -m pytest -s`` on this file prints the table.
+"""Nearly right answers earn nothing: every problem of the chapter, fifty draws, every perturbation.
+``python -m pytest -s`` on this file prints the table.
 """
 
 import itertools
@@ -97,7 +97,7 @@ def test_the_books_answers_are_reported_and_earn_nothing(p):
 @pytest.mark.parametrize(
     "p", [p for p in NUMERIC if any(g.vary for g in p.givens.values())], ids=lambda p: p.id
 )
-def test_a_neighbours_answers_hardly_ever_pass(p):
+def test_a_neighbours_answers_rarely_pass(p):
     """A number within half a percent: by chance 1 % of a class, a whole problem 1 of 1000."""
     keys = [numbers_of(p, draw(p, f"neighbour {n}".encode())).key for n in range(DRAWS)]
     pairs = list(itertools.permutations(keys, 2))

@@ -1,4 +1,4 @@
-"""How many wrong answers a notebook says that it has checked, as the instructor sees it."""
+"""How many wrong answers a notebook says it has checked, as the instructor sees it."""
 
 import copy
 

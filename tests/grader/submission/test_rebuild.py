@@ -1,4 +1,4 @@
-"""Of a submission, only the texts of the answer cells count."""
+"""Only the texts of the answer cells of a submission count."""
 
 import pytest
 
@@ -34,5 +34,5 @@ def assigning(text, fresh):
     ("x = v_D", False), ("f(v_D) == 3", False), pytest.param("v_D " * 10**6, False, id="long"),
 ])  # fmt: skip
 def test_an_answer_without_its_marks_is_known_by_its_names(fresh, text, is_one):
-    """Of any length: one pattern for it took quadratic time, weeks for a notebook of 64 MB."""
+    """At any length: a regular expression took quadratic time, weeks for a notebook of 64 MB."""
     assert assigning(text, fresh) == is_one

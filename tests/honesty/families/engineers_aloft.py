@@ -55,7 +55,7 @@ def rocket_of_two_stages(rng):
 
 
 @family("engineers", "near-singular")
-def top_hardly_asleep(rng):
+def top_barely_asleep(rng):
     """Lagrange's top, the vertical in body axes: spin just enough, or not, to stay upright."""
     A, C, mgl = rng.values((0.5, 2.0), (0.3, 1.0), (1.0, 10.0))
     spin = 2 * math.sqrt(A * mgl) / C * (1 + rng.either(rng.decades(1e-4, 1e-1)))

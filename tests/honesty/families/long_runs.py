@@ -8,7 +8,7 @@ from tests.honesty.cases import Case, family
 
 
 @family("long")
-def spring_for_long(rng):
+def spring_for_many_swings(rng):
     """A spring for a hundred to ten thousand swings, in a model without a closed form."""
     w = rng.decades(1e-2, 1e2)
     T = 2 * math.pi / w * rng.decades(1e2, 1e4)
@@ -16,7 +16,7 @@ def spring_for_long(rng):
 
 
 @family("long")
-def pendulum_for_long(rng):
+def pendulum_for_many_swings(rng):
     """A pendulum for ten to a few thousand swings of any amplitude."""
     k = rng.decades(0.1, 100.0)
     T, start = 6.3 / k**0.5 * rng.decades(10.0, 3e3), (rng.uniform(0.1, 2.5), 0.0)
@@ -24,7 +24,7 @@ def pendulum_for_long(rng):
 
 
 @family("long")
-def planet_for_long(rng):
+def planet_for_many_orbits(rng):
     """A planet for ten to a thousand orbits of moderate eccentricity."""
     e, gm = rng.uniform(0.0, 0.6), rng.decades(0.1, 10.0)
     T = 2 * math.pi / gm**0.5 * rng.decades(10.0, 1e3)
@@ -33,7 +33,7 @@ def planet_for_long(rng):
 
 
 @family("long")
-def free_body_for_long(rng):
+def free_body_for_many_turns(rng):
     """A body on which no moments act, for ten to two thousand turns."""
     model = models.free_body(1.0, *rng.values((1.2, 1.8), (2.0, 2.5)))
     T = 2 * math.pi * rng.decades(10.0, 2e3)
@@ -42,7 +42,7 @@ def free_body_for_long(rng):
 
 
 @family("long", "stiff")
-def damped_for_long(rng):
+def oscillator_damped_long_ago(rng):
     """An oscillator that comes to rest long before the end: its last state is tiny."""
     w = rng.decades(0.1, 10.0)
     parameters = {"k": w * w, "c": w * rng.uniform(0.02, 0.2)}

@@ -99,10 +99,7 @@ def foucault_in_map_coordinates(rng):
     parameters = rng.parameters(k=(0.1, 2.0), Om=Log(1e-5, 1e-1), E=(3e5, 7e5), N=(5e6, 6e6))
 
     def accelerations(s, p, t):
-        return (
-            -p.k * (s.x - p.E) + 2 * p.Om * s.dy,
-            -p.k * (s.y - p.N) - 2 * p.Om * s.dx,
-        )
+        return (-p.k * (s.x - p.E) + 2 * p.Om * s.dy, -p.k * (s.y - p.N) - 2 * p.Om * s.dx)
 
     def exact(mp, s, p, t):
         u, du = mp.mpc(s.x - p.E, s.y - p.N), mp.mpc(s.dx, s.dy)

@@ -9,7 +9,7 @@ from tests.honesty.cases import Case, Log, family
 
 
 @family("units")
-def pendulum_in_any_time(rng):
+def pendulum_in_any_unit_of_time(rng):
     """A pendulum in seconds, nanoseconds or years."""
     unit, T, theta, omega = rng.values(Log(1e-9, 1e9), (5.0, 40.0), (0.3, 2.5), (-0.5, 0.5))
     start = theta, omega / unit

@@ -97,7 +97,7 @@ def torsion_wire_after_many_turns(rng):
 
 
 @family("engineers", "near-singular")
-def marble_hardly_over_a_hump(rng):
+def marble_barely_over_a_hump(rng):
     """A marble comes from afar with barely more, or less, energy than the top of a sech^2 hump."""
     V, w = rng.values((0.5, 5.0), (0.2, 3.0))
     E = V * (1 + rng.either(rng.decades(1e-6, 1e-1)))

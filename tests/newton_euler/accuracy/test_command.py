@@ -39,7 +39,7 @@ def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
 def test_an_unknown_name_is_refused_with_the_list(capsys, tmp_path):
     assert run("top", "topp", "--out", str(tmp_path)) == 2
     output = capsys.readouterr()
-    assert "no chart 'topp'" in output.err
+    assert "no chart 'topp'. Did you mean 'top'?" in output.err
     assert "models of projectile" in output.err
     assert not list(tmp_path.iterdir())
 

@@ -75,7 +75,7 @@ def test_answers_have_the_true_error_and_the_estimate(liar):
     assert {a.problem for a in liar} == {SCENE}
 
 
-def test_a_refusal_is_no_broken_promise_and_keeps_its_words(liar):
+def test_a_refusal_breaks_no_promise_and_keeps_its_message(liar):
     refused = liar[-1]
     assert (refused.absent, refused.words) == (REFUSED, "only 1e-8 can be had")
     assert math.isnan(refused.error)
@@ -102,7 +102,7 @@ def test_methods_that_a_scene_cannot_use_are_not_asked():
     assert [a.method for a in found] == ["exact"]
 
 
-def test_a_method_that_takes_long_is_asked_for_no_more_digits():
+def test_a_slow_method_is_asked_for_no_more_digits():
     found = honesty((SCENE,), (1e-3, 1e-4), ("dop853",), longest=0.0)
     assert [a.asked for a in found] == [1e-3]
 
@@ -165,7 +165,7 @@ def test_methods_come_from_the_cheapest_to_the_dearest_and_those_without_an_answ
     assert math.isnan(found[-1].met)
 
 
-def test_only_all_are_a_hundred_per_cent():
+def test_nothing_less_than_all_is_a_hundred_per_cent():
     assert [percent(x) for x in (1.0, 1999 / 2000, 0.5, 0.0)] == ["100", "99.9", "50.0", "0.0"]
 
 
@@ -228,7 +228,7 @@ def test_a_silently_wrong_answer_has_a_ring_and_only_that(liar):
         assert [len(line.get_xdata()) for line in rings] == [1]
 
 
-def test_counts_stand_beside_the_rows():
+def test_counts_are_written_beside_the_rows():
     answers = [answer("good"), answer("bad", error=1.0, cost=1.0)]
     answers += [answer("mute", estimate=None, cost=2.0), answer("lost", absent=FAILED)]
     cost, promise, estimate, counts = drawn(answers)

@@ -41,7 +41,7 @@ def test_a_quick_chart_of_methods_leaves_some_out_and_says_so(displayed):
     assert found.caption.endswith("only these methods were measured; quick=False measures all.")
 
 
-def test_hyphens_may_stand_for_blanks_and_an_unknown_name_is_refused_with_the_list(displayed):
+def test_hyphens_may_replace_blanks_and_an_unknown_name_is_refused_with_the_list(displayed):
     assert show_chart("steady-precession").points
     with pytest.raises(ArgumentError, match=r"no chart 'topp'; there are .*; models of projectile"):
         show_chart("topp")
@@ -53,7 +53,7 @@ def test_a_tolerance_is_for_models_only_and_positive():
             show_chart(name, tolerance=tolerance)
 
 
-def test_ways_of_ones_own_are_compared_with_the_reference(displayed):
+def test_a_users_own_ways_are_compared_with_the_reference(displayed):
     with mpmath.workdps(40):
         exact = 1 - mpmath.cos(mpmath.mpf(1e-4))
     naive, stable = (lambda: 1 - math.cos(1e-4)), (lambda: 2 * math.sin(5e-5) ** 2)
@@ -80,7 +80,7 @@ def test_the_caption_of_ways_names_the_most_accurate_and_the_cheapest():
     assert output.endswith("b. a costs about the same, with an error of 0.001.")
 
 
-def test_ways_of_equal_cost_are_called_so_and_the_dearer_are_named():
+def test_ways_of_equal_cost_are_reported_as_equal_and_the_dearer_are_named():
     points = [Measured("a", 1e-6, 1e-16), Measured("b", 2.9e-6, 1e-16), Measured("c", 1e-5, 1e-6)]
     output = ways_caption(points)
     assert "Of these a and b cost about the same, least." in output

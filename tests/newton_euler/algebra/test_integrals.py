@@ -165,6 +165,11 @@ def test_heyoka_refuses_an_integral_inside_a_formula_and_arrays_go_by_numpy():
         run(hy.expression("a"), hy.expression("k"))
 
 
+def test_a_function_that_leaves_the_real_numbers_is_refused():
+    with pytest.raises(TypeError, match="expected real numbers"):
+        integral(lambda x: x**0.5, 0.0, -1.0)
+
+
 def test_corners_are_refused_unless_they_are_named():
     with pytest.raises(SingularError, match=r"does not settle.*breaks"):
         integral(lambda x: abs(x - 0.3), 0.0, 1.0)

@@ -47,7 +47,7 @@ def test_one_and_several_have_forms_of_their_own():
     assert [plural(*days, n) for n in (1, 3)] == ["yesterday", "3 days ago"]
     with speaking("de"):
         assert [plural(*days, n) for n in (1, 3)] == ["gestern", "vor 3 Tagen"]
-        assert spoken(joined(["a", "b", "c"])) == "a und b und c"
+        assert spoken(joined(["a", "b", "c"])) == "a, b und c"
 
 
 def test_what_is_not_in_the_catalogue_stays_english_with_its_values():
@@ -70,11 +70,11 @@ def test_words_are_kept_with_their_templates(copy):
 @pytest.mark.parametrize(
     "data", [3, [], ["a"], ["a", {"b": 3}], [3, {}], ["a", {"b": ["c", {"d": None}]}], {"a": "b"}]
 )
-def test_what_a_file_has_in_place_of_words_is_not_read(data):
+def test_what_a_file_holds_in_place_of_words_is_not_read(data):
     assert not are_words(data)
 
 
-def test_a_template_reaches_its_values_and_nothing_of_them():
+def test_a_template_reaches_its_values_but_not_their_attributes():
     assert words(["{x.__class__} {x.what} {0} {y}", {"x": "a: b"}]) == "{x.__class__} a {0} {y}"
 
 
@@ -82,7 +82,7 @@ def test_values_with_braces_are_not_filled_in_again():
     assert _("{a} and {b}", a="{b}", b="c") == "{b} and c"
 
 
-def test_an_unknown_language_is_refused_with_those_that_there_are():
+def test_an_unknown_language_is_refused_with_the_known_ones():
     with pytest.raises(NewtonEulerError, match="'xx' here; there are en, de"), speaking("xx"):
         pass
     assert language.language() == "en"

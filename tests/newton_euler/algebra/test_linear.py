@@ -3,6 +3,7 @@ contradictions.
 """
 
 import itertools
+import math
 import random
 
 import mpmath as mp
@@ -128,7 +129,7 @@ def test_more_symbols_than_cramer_takes_are_eliminated(count):
     assert close([x.subs(k, sympy.Rational(37, 100)) for x in found], tuple(numeric), 1e-12)
 
 
-def test_a_zero_that_only_simplification_would_see_is_no_pivot():
+def test_a_zero_that_only_simplification_would_reveal_is_not_a_pivot():
     """sin^2 + cos^2 - 1 multiplies B: its value must show that it is 0, no divisor."""
     t, m = sympy.symbols("t m")
     hidden = sympy.sin(t) ** 2 + sympy.cos(t) ** 2 - 1
@@ -250,7 +251,7 @@ def test_rounding_is_neither_a_pivot_nor_a_contradiction():
     assert left.F == 2.0
 
 
-def test_small_units_are_no_rounding():
+def test_small_units_are_not_taken_for_rounding():
     """A watch wheel in SI units: a moment of inertia of 1e-12, lengths and forces of order 1e-3."""
     moment = lambda F, alpha: 1e-12 * alpha - 1e-3 * F
     s = solve_linear(lambda F, alpha: {"moment": moment(F, alpha), "rolling": 1e-3 * alpha - 5.0})
@@ -273,10 +274,15 @@ def test_names_come_from_the_arguments_or_are_given():
     assert solve_linear(lambda N, a: (N - 1.0, a + N)).names == ("N", "a")
     assert solve_linear(lambda *u: (u[0] - 1.0, u[1] + u[0]), "N, a")["a"] == -1.0
     assert list(solve_linear(lambda u: u - 2.0)) == [2.0]
+    rows = np.array([[1.0, 2.0], [3.0, 4.0]])
+    assert solve_linear(lambda u, v: {"rows": rows @ np.array([u, v]) - [1.0, 2.0]}).v == 0.5
     with pytest.raises(LinearError, match="the unknown 'a' is named twice"):
         solve_linear(lambda *u: u[0], "a a")
     with pytest.raises(LinearError, match="there are no unknowns"):
         solve_linear(lambda *u: 1.0)
+    for name in ("values", "report"):
+        with pytest.raises(LinearError, match=f"'{name}' is a part of the solution"):
+            solve_linear(lambda u: u - 1.0, [name])
     twice = solve_linear(lambda a: {"both": (a - 1.0, 2 * a - 2.0)})
     assert dict(twice.redundant) == {"both.2": ("both.1",)}
 
@@ -294,6 +300,7 @@ def test_equations_of_one_name_are_all_reported():
 
 @pytest.mark.parametrize("conditions", [
     lambda w: w * w - 4.0, lambda w: sin(w) - 0.5, lambda w: 1 / w - 2.0, lambda w: w**2 - 1,
+    abs, math.sin, round, lambda w: w % 2, lambda w: w - (w > 0), lambda w: w - 1 if w == 0 else w,
 ])  # fmt: skip
 def test_what_is_not_linear_is_refused(conditions):
     for solve in (solve_linear, lambda f: solve_rates(f, 1)):
@@ -325,7 +332,7 @@ def test_every_order_of_the_equations_gives_the_same_formula_values():
 @every_kind
 @pytest.mark.parametrize("count", [1, 2, 3])
 @pytest.mark.parametrize("surplus", [0, 2])
-def test_solve_rates_finds_one_two_and_three_rates_also_from_agreeing_surplus_conditions(
+def test_solve_rates_finds_one_two_and_three_rates_even_from_agreeing_surplus_conditions(
     kind, count, surplus
 ):
     m = [[2, 1, -1], [1, 3, "1/2"], [-1, 1, 4], [3, 4, "-1/2"], [1, 2, 7]]

@@ -37,7 +37,7 @@ def test_roots_of_floats_are_exact_to_round_off(f, low, high, expected):
     assert root(f, low, high) == pytest.approx(expected, rel=1e-14, abs=1e-210)
 
 
-def test_no_place_outside_the_bracket_is_asked_for():
+def test_the_function_is_never_evaluated_outside_the_bracket():
     places = []
 
     def f(x):

@@ -186,6 +186,15 @@ def test_functions_take_whole_rational_and_complex_numbers(number):
     assert function("sin", 1j * number) == pytest.approx(1j * math.sinh(number))
 
 
+@pytest.mark.parametrize(("name", "x"), [("sqrt", -1), ("log", -1), ("asin", 2), ("acos", -2)])
+def test_of_real_numbers_there_are_real_values_or_none(name, x):
+    for number in (float(x), mpmath.mpf(x)):
+        with pytest.raises(ValueError, match="has no value: math domain error"):
+            function(name, number)
+    with pytest.raises(OverflowError, match="radians has no value here"):
+        radians(10**400 * x)
+
+
 @pytest.mark.parametrize(("y", "x", "expected"), [
     (0, -1, 1), (0, 1, 0), (1, 0, 0.5), (-1, 0, -0.5), (1, -1, 0.75), (-1, -1, -0.75),
 ])  # fmt: skip
@@ -334,7 +343,7 @@ def test_moving_numbers_wrap_every_kind(kind):
     assert close(m.acceleration, 2 * (scalars.cos(u) * ddu - scalars.sin(u) * du**2))
 
 
-def test_the_size_of_a_moving_number_has_the_rates_of_its_sign():
+def test_the_magnitude_of_a_moving_number_has_the_rates_of_its_sign():
     for u in (-2.0, 3.0, np.array([-2.0, 3.0]), mpmath.mpf(-2)):
         size, root = abs(Moving(u, 5.0, -7.0)), scalars.sqrt(Moving(u, 5.0, -7.0) ** 2)
         assert close(size._parts(), root._parts(), 1e-14)
@@ -345,7 +354,7 @@ def test_the_size_of_a_moving_number_has_the_rates_of_its_sign():
     assert compiled(lambda u, v: abs(Moving(u, v)).rate)(-2.0, 5.0) == -5.0
 
 
-def test_the_size_of_a_moving_number_has_no_rate_at_zero():
+def test_the_magnitude_of_a_moving_number_has_no_rate_at_zero():
     assert abs(Moving(0.0)).value == 0
     with pytest.raises(ZeroDivisionError, match=r"abs\(x\) has no rate where x = 0"):
         abs(Moving(0.0, 1.0))
@@ -368,6 +377,9 @@ def test_moving_expressions_derive_their_rates_in_t():
     (lambda: moving(2.0, 1.0) ** moving(1.0, 1.0), "constant power only"),
     (lambda: moving(moving(1.0), rate=2.0), "already has its rates"),
     (lambda: moving(lambda t: t), r"pass at\(f, t\) instead of f"),
+    *((lambda f=f: at(f, 1.0), "is not one value, which could be compared, rounded") for f in (
+        math.sin, round, lambda t: t % 2, lambda t: t if t > 2 else 0, lambda t: t if t == 1 else 0,
+    )),
     *((wrong, "expected a number") for wrong in (
         lambda: moving("1"), lambda: moving(1.0) + "1", lambda: LENGTH + "m", lambda: at(lambda t: (t, t), 1.0),
         *(lambda bad=bad: Frame("ground").i * bad for bad in ("2", None, [1.0])),

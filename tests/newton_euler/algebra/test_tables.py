@@ -169,6 +169,6 @@ def test_a_place_outside_by_round_off_has_the_value_at_the_end(kind):
     (([0, 1], [1, 2], "linear", "zero"), "outside is one of 'refuse', 'hold'"),
     (([0, 1], np.ones((2, 2))), "one number for each"),
 ])  # fmt: skip
-def test_data_that_make_no_table_are_refused(arguments, words):
+def test_data_that_do_not_make_a_table_are_refused(arguments, words):
     with pytest.raises((TableError, ScalarError, ArgumentError), match=words):
         table(*arguments)

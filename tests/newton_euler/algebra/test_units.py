@@ -60,7 +60,7 @@ def test_round_numbers_come_out_round(text, x, expected):
 
 
 @given(st.sampled_from(SOME), st.floats(-1e6, 1e6))
-def test_there_and_back_is_where_it_began(text, x):
+def test_converting_there_and_back_changes_nothing(text, x):
     assert Unit(text).from_base(Unit(text).to_base(x)) == pytest.approx(x, rel=1e-15, abs=1e-300)
 
 
@@ -91,7 +91,7 @@ def test_vectors_are_converted_with_their_terms():
     assert a.terms["centripetal"].x == a.x
 
 
-def test_a_vector_keeps_its_digits_also_where_its_first_component_is_zero():
+def test_a_vector_keeps_its_digits_even_where_its_first_component_is_zero():
     omega = Unit("rev/min").to_base(Frame("ground").vector(0, 0, mpmath.mpf(30)))
     assert abs(omega.z - mpmath.pi) < 1e-29
 
@@ -138,6 +138,6 @@ def test_an_unknown_unit_lists_the_known_ones():
         ("ft/s^2", False, False, True), ("km/h", False, False, False), ("1", False, False, False),
     ],
 )  # fmt: skip
-def test_a_unit_says_what_it_is_of(text, turning, angle, feet):
+def test_a_unit_says_what_it_measures(text, turning, angle, feet):
     found = unit(text)
     assert (found.is_of_turning, found.is_of_angle, found.is_of_feet) == (turning, angle, feet)

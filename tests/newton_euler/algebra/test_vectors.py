@@ -2,6 +2,7 @@
 
 import math
 import re
+from fractions import Fraction
 
 import mpmath as mp
 import numpy as np
@@ -124,7 +125,7 @@ def test_a_vector_is_indexed_measured_and_converted_like_a_sequence_of_three():
         a[3]
 
 
-def test_alikecompares_relative_to_the_larger():
+def test_alike_compares_relative_to_the_larger():
     a = ground.vector(1e6, 0, 0)
     assert same(a, a + ground.vector(0, 1e-7, 0))
     assert not same(a, a + ground.vector(0, 1e-3, 0))
@@ -146,6 +147,8 @@ def test_directions_and_angles_of_the_smallest_and_largest_vectors(size):
     assert close(a.direction(), ground.vector(1.0, 2.0, 0).direction(), 1e-15)
     assert close(a.angle_to(b), math.pi / 2, 1e-15)
     assert close(a.angle_to(ground.i), math.atan(2.0), 1e-15)
+    exact = ground.vector(Fraction(3, 5) * Fraction(size), 0, Fraction(4, 5) * Fraction(size))
+    assert abs(exact.norm() - size) <= max(1e-15 * size, 5e-324)
 
 
 def moving_arm():
@@ -173,7 +176,7 @@ def test_reweighted_and_without_are_sums_of_changed_terms():
     known = "origin, relative, coriolis, euler, centripetal"
     with pytest.raises(TermError, match=f"no term 'corolis'; the terms are {known}"):
         a.without("corolis")
-    with pytest.raises(TermError, match="no term 'coriolis'; the terms are none"):
+    with pytest.raises(TermError, match="no term 'coriolis'; there are no terms"):
         ground.i.without("coriolis")
 
 
@@ -207,7 +210,7 @@ def test_explain_shows_latex_in_jupyter():
     assert "equation (4.17)" in str(rod.point("Q", 1.0, 0, 0).velocity(ground).explain())
 
 
-def test_no_underscore_of_a_name_stands_bare_in_latex():
+def test_no_underscore_of_a_name_is_bare_in_latex():
     """MathJax shows a formula with a bare underscore as an error."""
     wheel = ground.rotate("wheel_1", "z", rate=2.0).rotate("disk_2", "x", rate=1.0)
     P = wheel.point("P_1", 1.0, 0, 0)

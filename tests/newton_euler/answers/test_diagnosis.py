@@ -292,6 +292,7 @@ def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
     [
         ("vector", ((3.0, 4.0, 9.0),), ((3.0, 4.0, 1.0),), right_but([2], 3)),
         ("vector", ((3.0, 4.0, 1.0),), ((0.0, 0.0, 1.5),), None),
+        ("vector", ((3.0, 7.0, 9.0),), ((3.0, 4.0, 1.0),), right_but([1, 2], 3)),
         ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 1),), INERTIA, right_but([8], 9)),
         ("vector_expression", ((1.0, 2.0, 3.0), (2.0, 5.0, 7.0)),
          ((1.0, 2.0, 4.0), (2.0, 5.0, 6.0)), right_but([2], 3)),
@@ -303,3 +304,8 @@ def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
 )  # fmt: skip
 def test_the_right_part_of_a_wrong_answer_is_named(kind, given, key, remark):
     assert KINDS[kind].observed(given, key) == remark
+
+
+def test_a_remark_on_two_components_is_in_the_plural():
+    remark = right_but([1, 2], 3)
+    assert remark.text == "its second and third components are not right; the rest is"

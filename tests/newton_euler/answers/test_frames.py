@@ -83,13 +83,13 @@ def test_a_ground_that_the_problem_does_not_place_may_lie_as_a_student_chose(axe
 
 
 @pytest.mark.parametrize("axis", ["x", "z", (1, 1, 1)])
-def test_but_not_so_that_its_components_are_another_guess(axis):
+def test_such_a_ground_does_not_make_the_components_another_guess(axis):
     angle = 2 * math.pi / 3 if axis == (1, 1, 1) else math.pi / 2
     assert counted(turned(KEY[0], (axis, angle)), KEY, Asked(), along({})) is None
 
 
 @pytest.mark.parametrize("axes", [{}, {0: ARM}])
-def test_nor_so_that_they_are_a_known_mistake(axes):
+def test_such_a_ground_does_not_excuse_a_known_mistake(axes):
     """Such a mistake is a turn the wrong way, undone by a frame of twice the angle."""
     given = turned(KEY[0], ("z", 0.7))
     mistake = turned_the_wrong_way(1, "the arm"), given[1]

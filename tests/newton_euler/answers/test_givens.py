@@ -73,7 +73,7 @@ def test_what_other_cells_change_after_the_answer_does_not_matter(shell):
     assert run(shell, "givens 4/16", ANSWER, "givens 4/12", "receipt 4/16") == ""
 
 
-def test_a_number_converted_in_the_answer_cell_is_no_fault(shell):
+def test_a_number_converted_in_the_answer_cell_is_not_a_fault(shell):
     answer = "1 from math import radians\nbeta = radians(beta)\na_D = omega * beta"
     assert run(shell, "givens 4/16", answer, "receipt 4/16") == ""
 
@@ -84,7 +84,7 @@ def test_a_number_converted_a_second_time_by_the_same_cell_is_reported(shell):
     assert warning.startswith("a_D was computed when beta was 0.52")
 
 
-def test_a_number_converted_in_a_cell_that_the_student_added_is_no_fault(shell):
+def test_a_number_converted_in_a_cell_that_the_student_added_is_not_a_fault(shell):
     cells = "givens 4/16", "7 beta = beta / 57.3", "1 a_D = omega * beta", "receipt 4/16"
     assert run(shell, *cells) == ""
 
@@ -96,7 +96,7 @@ def test_an_answer_of_another_problem_under_the_name_of_a_given_number_is_report
     _expected.pop("4/13")
 
 
-def test_an_answer_that_is_an_equal_object_was_still_computed_anew(shell):
+def test_an_answer_that_is_an_equal_object_was_still_computed_again(shell):
     cells = "givens 4/12", "1 a_D = 3", "givens 4/16", "1 a_D = 3", "receipt 4/16"
     assert run(shell, *cells) == ""
 

@@ -12,6 +12,7 @@ from newton_euler.answers.causes import (
     computed,
     listed,
     term_reversed,
+    unconverted,
 )
 from newton_euler.answers.fit import Fit
 from newton_euler.answers.kinds import KINDS
@@ -71,7 +72,7 @@ def test_one_term_reversed_of_an_answer_reversed_is_all_but_this(language, words
         assert both(term_reversed("g", "the weight"), OPPOSITE_NUMBER).what == words
 
 
-def test_two_slips_in_symbols_and_what_is_done_to_one_term_twice_are_no_pair():
+def test_two_slips_in_symbols_or_two_changes_to_one_term_are_not_a_pair():
     """A third of the strangers' answers that matched two slips had other causes."""
     given, key, slip = A, A + A * B + B**2, A + A * B
     assert in_symbols(given, key, B, slip=slip, other=A + B**2) == ()
@@ -79,7 +80,7 @@ def test_two_slips_in_symbols_and_what_is_done_to_one_term_twice_are_no_pair():
     assert in_symbols(key - 3 * B**2, key, A, slip=slip, other=reversed_) == ()
 
 
-def test_two_numbers_as_factors_are_no_pair():
+def test_two_numbers_as_factors_are_not_a_pair():
     """Two such factors would also explain a mere guess of the right form."""
     assert in_symbols(A * B * 3 / 2, A * B, A * B * 3, slip=A * B / 2) == ()
 
@@ -123,7 +124,7 @@ def test_numbers_are_named_where_two_components_are_wrong_with_the_digits_that_w
     assert of_numbers((6.309, -4.216, 1.871), own, [one, *many]) == ()
 
 
-def test_random_vectors_are_hardly_ever_two_mistakes():
+def test_random_vectors_are_rarely_taken_for_two_mistakes():
     rng = np.random.default_rng(4)
     draw = lambda: tuple(np.round(KEY * rng.choice((-1, 1), 3) * 3 ** rng.uniform(-1, 1, 3), 3))
     slips = [draw() for _ in range(200)]
@@ -136,9 +137,9 @@ def test_a_mistake_that_the_other_undoes_does_not_count():
     assert of_numbers((5.418, -4.216, 1.871), own, [slip]) == ()
 
 
-def of_number(given, key, own, slips):
+def of_number(given, key, own, slips, is_size=False, slip=SLIP):
     fit = Fit(((given,),), ((key,),), KINDS["number"].rtol)
-    singles = Singles([(1, SLIP)] * len(slips), lambda n: slips)
+    singles = Singles([(1, slip)] * len(slips), lambda n: slips, is_size=is_size)
     own = [(LISTED, ((x,),)) for x in own]
     return of_two(fit, KINDS["number"], own, lambda: singles, lambda cause: False)
 
@@ -153,7 +154,7 @@ def test_a_single_number_is_two_mistakes_where_few_are_as_simple_and_near():
     assert of_number(-own, 4.8175, [own], []) == (both(LISTED, OPPOSITE_NUMBER),)
 
 
-def test_random_numbers_are_hardly_ever_two_mistakes():
+def test_random_numbers_are_rarely_taken_for_two_mistakes():
     rng = np.random.default_rng(7)
     draw = lambda: float(f"{4.8175 * 3 ** rng.uniform(-1, 1):.5g}")
     cases = [
@@ -162,7 +163,7 @@ def test_random_numbers_are_hardly_ever_two_mistakes():
     assert sum(bool(of_number(x, 4.8175, own, slips)) for x, own, slips in cases) <= 3
 
 
-def test_changes_that_are_powers_of_each_other_are_no_pair():
+def test_changes_that_are_powers_of_each_other_are_not_a_pair():
     root = 1.7394
     assert of_number(4.8175 * root, 4.8175, [4.8175 * root**3], [(4.8175 / root**2,)]) == ()
 
@@ -183,3 +184,11 @@ def test_a_term_with_another_factor_is_seen_where_it_shows_twice_and_is_not_the_
     key, without = ((3.12714, -4.21638, 1.87102),), ((2.12714, -2.21638, 1.87102),)
     assert multiple(((3.32714, -4.61638, 1.87102),), key, without, "vector") == expected
     assert multiple(((3.32714, -4.61738, 1.87102),), key, without, "vector") == []
+
+
+def test_a_size_has_lost_the_sign_that_a_mistake_turned():
+    unit = unconverted("theta", "deg")
+    of = lambda is_size, slip: of_number(-7.3128, 4.8175, [], [(7.3128,)], is_size, slip)
+    assert of(True, unit) == (unit,)
+    assert of(False, unit) == (both(unit, OPPOSITE_NUMBER),)
+    assert of(True, SLIP) == (both(SLIP, OPPOSITE_NUMBER),)

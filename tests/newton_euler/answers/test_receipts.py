@@ -114,7 +114,7 @@ def test_plain_nbgrader_cannot_give_points_for_a_receipt(problem, monkeypatch):
         receipt(problem, v=[1, 2, 3])
 
 
-def test_a_hint_stands_in_the_receipt_and_names_the_component():
+def test_a_hint_appears_in_the_receipt_and_names_the_component():
     expect("0/9", {"r": "m", "omega": "rad/s"}, v="vector_expression, m/s")
     assert "look again at v: component 2 is in m, but m/s is asked" in repr(
         receipt("0/9", v=[r * omega, r, 0])
@@ -145,7 +145,7 @@ def test_a_receipt_prints_an_answer_that_is_named_by_a_word_as_the_code_does():
     assert "`state`: stable" in output
 
 
-def test_hints_of_a_receipt_are_text_and_no_markdown():
+def test_hints_in_a_receipt_are_plain_text_not_markdown():
     expect("0/12", {"r": "m", "omega_1": "rad/s"}, v="expression, m/s")
     output = receipt("0/12", v=symbols("r") * symbols("omega_1") ** 2).markdown
     assert "\n- look again at v: it is in" in output

@@ -51,7 +51,7 @@ def test_equal_answers_have_unlike_seals_and_the_number_is_not_in_it():
     assert "2.5" not in json.dumps(one)
 
 
-def test_a_receipt_says_it_only_where_a_seal_is(monkeypatch):
+def test_a_receipt_says_right_or_wrong_only_where_there_is_a_seal(monkeypatch):
     expect("0/8", v="number, m/s", n="count")
     given(
         "0/8", omega=2.0, sealed={"v": seal(KINDS["number"], [2.5]), "n": seal(KINDS["count"], 3)}

@@ -79,7 +79,7 @@ def values_of(tree, *x):
     return [point[0] for point in formulas([tree], {"x": np.array(x)}, [100])]
 
 
-def test_the_logarithm_of_a_negative_number_may_stand_where_the_formula_is_real():
+def test_the_logarithm_of_a_negative_number_may_occur_where_the_formula_is_real():
     square = ["exp", ["*", 2, ["log", "x"]]]  # x^2
     assert values_of(square, -3.0, 2.0) == pytest.approx([9.0, 4.0])
     assert values_of(["^", ["^", "x", 0.5], 2], -3.0, 2.0) == pytest.approx([-3.0, 2.0])

@@ -112,7 +112,7 @@ def test_the_determinant_counts_every_moment_and_product():
             assert bool(refused(moments, products)) == (least < 0)
 
 
-def test_after_a_subtraction_that_leaves_nothing_its_round_off_is_no_product():
+def test_after_a_subtraction_that_leaves_nothing_its_round_off_is_not_a_product():
     assert not refused((0.0, 0.0, 0.0), (1e-3, -1e-3, 1e-3), slack=1e-3)
     assert "product" in refused((0.0, 0.0, 0.0), (1e-3, 0.0, 0.0), slack=1e-4)
 
@@ -180,7 +180,7 @@ def test_a_body_of_which_nearly_all_is_cut_out_has_the_slack_of_what_was_subtrac
     assert composite("ring", [whole], removed=[hole]).mass == pytest.approx(2e-9, rel=1e-6)
 
 
-def test_a_hole_that_is_a_little_too_large_is_no_round_off():
+def test_a_hole_that_is_a_little_too_large_is_not_excused_as_round_off():
     """Its moments exceed those of the sheet, while its mass is less."""
     sheet = Frame("sheet")
     whole = disk(1.0, sheet, "z", mass=1.0)

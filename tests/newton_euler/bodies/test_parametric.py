@@ -157,6 +157,6 @@ line, unit = lambda u: (u, 0, 0), (0.0, 1.0)
     (r"folds back on itself", lambda u: (u**2, 0, 0), [(-1, 1)], {"mass": 1, "exact": True}),
     (r"SymPy finds no formula", line, [(0, h)], {"density": lambda x, y, z: sympy.sin(sympy.sin(x)) + 2, "exact": True}),
 ])  # fmt: skip
-def test_what_is_no_body_is_refused_in_words(words, position, limits, given):
+def test_what_is_not_a_body_is_refused_in_words(words, position, limits, given):
     with pytest.raises(MassError, match=words):
         integrated(position, *limits, frame=F, **given)

@@ -199,7 +199,7 @@ def test_diagonal_symbols_stay_where_they_are():
         (3.0, 3.0, 3.0, 1.0, 1.0, 1.0),
     ],
 )
-def test_a_full_matrix_is_turned_by_a_compiled_formula_also_where_moments_are_equal(given):
+def test_a_full_matrix_is_turned_by_a_compiled_formula_even_where_moments_are_equal(given):
     """Ascending and right-handed, on floats and on arrays. A closed form once had no value, or gave
     the same axis twice.
     """

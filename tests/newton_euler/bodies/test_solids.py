@@ -213,7 +213,7 @@ def test_simplex_between_points_anywhere(kind, corners):
 
 
 @pytest.mark.parametrize(("make", "error", "words"), [
-    (lambda F: B.disk(-1.0, F, mass=1.0), MassError, "the radius of disk must be positive, got -1.0; cut out by"),
+    (lambda F: B.disk(-1.0, F, mass=1.0), MassError, "the radius of disk must be positive, got -1.0; to cut something out"),
     (lambda F: B.tube(1.0, 0.5, 1.0, F, mass=1.0), MassError, "the wall of tube must be positive"),
     (lambda F: B.disk(1.0, F), MassError, "disk needs either mass= or density= .* got none"),
     (lambda F: B.disk(1.0, F, mass=1.0, density=1.0), MassError, "disk needs either mass= or density= .* not both"),

@@ -61,6 +61,6 @@ def test_a_value_with_few_digits_has_no_power_of_ten(capsys):
 
 
 @pytest.mark.parametrize("what", [(), ("v",), (3.0, "m"), ("v", "m/s"), ("v", 1.0, "m", "a")])
-def test_what_is_no_name_and_value_is_refused_in_words(what):
+def test_what_is_not_a_name_and_value_is_refused_in_words(what):
     with pytest.raises(ArgumentError, match="show takes a name, a value and a unit"):
         show(*what)

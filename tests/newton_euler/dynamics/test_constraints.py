@@ -108,7 +108,7 @@ def test_a_dead_point_is_singular():
     assert (general.count, general.singular) == (1, False)
 
 
-def test_forces_are_no_constraints():
+def test_forces_are_not_constraints():
     free = {"A": HEIGHT, "B": HEIGHT}
     assert count(free) == count(free, {}) == 2  # the call takes no springs or dampers
 

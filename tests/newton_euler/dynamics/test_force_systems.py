@@ -133,6 +133,6 @@ def test_moments_can_be_compiled_and_have_the_unit_of_force_times_length():
     (lambda: ForceSystem([(ground.i, ground)]).moment("A"), FrameError,
      "the place of the point that the moment is about is a Point or a Frame"),
 ])  # fmt: skip
-def test_what_is_no_force_is_refused_in_words(ask, error, words):
+def test_what_is_not_a_force_is_refused_in_words(ask, error, words):
     with pytest.raises(error, match=words):
         ask()

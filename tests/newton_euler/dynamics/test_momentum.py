@@ -169,7 +169,7 @@ def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
         assert close(found.F_B, W - m * L * s / 2 * known, 10 * small(kind))
 
 
-def test_a_symbol_with_an_index_stands_in_braces_before_the_index_that_says_of_what():
+def test_a_symbol_with_an_index_is_put_in_braces_before_the_index_that_says_of_what():
     ground, _, body, points, _ = free_body("float")
     latex = resultant_moment(body, ground, points["any"]).explain().latex
     assert r"{\mathbf{M}_B}_{\text{of body" in latex  # MathJax refuses a double subscript

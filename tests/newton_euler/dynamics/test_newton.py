@@ -207,7 +207,7 @@ def at_the_pole(ground):
     (lambda f: acceleration_by(1.0), FrameError, "no force is given; name each of them"),
     (lambda f: coordinate_accelerations(1.0, polar(f, "P", 1.0, 0.0), push=(1, 2, 3, 4)), FrameError, "the force push has 4 components"),
 ])  # fmt: skip
-def test_singular_coordinates_and_what_is_no_force_are_refused_in_words(ask, error, words):
+def test_singular_coordinates_and_what_is_not_a_force_are_refused_in_words(ask, error, words):
     with pytest.raises(error, match=words):
         ask(Frame("ground"))
 

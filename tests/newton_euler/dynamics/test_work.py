@@ -332,7 +332,7 @@ def spring_work_by_hand(k, x):
     return k * x**2 / 2 * (1 - cos(1.5) ** 2) - k * x**2 / 6 * sin(1.5) ** 2
 
 
-def test_the_work_along_a_path_of_arrays_moving_and_traced_numbers():
+def test_the_work_along_a_path_takes_arrays_moving_and_traced_numbers():
     k, x = np.array([100.0, 300.0]), 0.2
     np.testing.assert_allclose(spring_work(k, x), spring_work_by_hand(k, x), rtol=1e-13)
     run = compiled(spring_work)
@@ -350,7 +350,7 @@ def test_a_path_that_moves_is_refused():
         spring_work(100.0, moving(0.2, rate=0.1))
 
 
-def test_the_work_along_a_path_of_dimensions_is_an_energy():
+def test_the_work_along_a_path_has_the_dimension_of_energy():
     force, length = Dimension(1, 1, -2), Dimension(0, 1, 0)
     assert spring_work(force / length, length) == force * length
     twist = lambda x, y, z: (force / length * y, -force / length * x, 0)

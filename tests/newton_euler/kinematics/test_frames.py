@@ -567,6 +567,7 @@ THREE, FOUR = np.zeros(3), np.zeros(4)
 
 @pytest.mark.parametrize(("ask", "words"), [
     (lambda f: f.point("P", 1, 2, 3).velocity(), r"velocity as seen from which frame.*P.velocity\(ground\)"),
+    (lambda f: f.point("P", 1, 2, 3).velocity("ground"), "got 'ground', which is not a Frame"),
     (lambda f: f.point("P", 1, 2, 3).acceleration(), r"acceleration as seen from which frame.*P.acceleration\(ground\)"),
     (lambda f: f.i.rate(), r"is seen from a frame.*Q.rate\(ground\)"),
     (lambda f: f.i.rate("ground"), "expected a frame"),

@@ -146,7 +146,7 @@ def test_on_a_straight_line_rounding_is_not_taken_for_a_normal(line):
 
 
 def test_a_straight_line_in_polar_components_is_seen_from_its_ledger():
-    """r'' and r theta'^2 cancel: the remaining 1e-16 of them is no acceleration."""
+    """r'' and r theta'^2 cancel: the remaining 1e-16 of them is not an acceleration."""
     dice = random.Random(2)
     for _ in range(200):
         angle, off, ahead = dice.uniform(0, 7), dice.uniform(0.1, 3), dice.uniform(-5, 5)

@@ -359,7 +359,7 @@ def test_arrays_are_read_instant_by_instant():
     (rotation_matrix((1, 2, 3), sympy.Symbol("q")), ScalarError, "entries must have values.*cos.*Put in numbers first"),
     (rotation_matrix((1.0, 2.0, 3.0), Dimension()), ScalarError, "entries must have values.*Dimension"),
 ])  # fmt: skip
-def test_what_is_no_rotation_is_refused_in_words(matrix, error, words):
+def test_what_is_not_a_rotation_is_refused_in_words(matrix, error, words):
     for read in (axis_angle, quaternion_from_matrix, euler_angles):
         with pytest.raises(error, match=words):
             read(matrix)
@@ -488,7 +488,7 @@ def test_quaternion_rate_takes_body_components_of_omega(kind):
     (normalised, (math.nan, 0.0, 0.0, 1.0), "length must be finite"),
     (normalised, (1.0, 0.0, 0.0), r"four components, the scalar part first; got \(1"),
 ])  # fmt: skip
-def test_quaternions_that_are_no_rotation_are_refused(read, q, words):
+def test_quaternions_that_are_not_rotations_are_refused(read, q, words):
     with pytest.raises(RotationError, match=words):
         read(q)
 

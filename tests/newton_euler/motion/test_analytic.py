@@ -40,7 +40,7 @@ SQUARES = lambda s: s.x * s.x + s.y * s.y
         lambda s, p, t: s.x**2 + s.x**-3,
         lambda s, p, t: s.x**3,
         lambda s, p, t: sqrt(p.k) * asin(p.k / 4) * exp(p.k) * p.k**0.5 * s.x,
-        # the same root in a denominator, also of another term, and as a factor there
+        # the same root in a denominator, even of another term, and as a factor there
         lambda s, p, t: 1 / sqrt(s.x),
         lambda s, p, t: sqrt(s.x) + 1 / s.x,
         lambda s, p, t: s.x / sqrt(SQUARES(s)),
@@ -67,7 +67,7 @@ SQUARES = lambda s: s.x * s.x + s.y * s.y
         lambda s, p, t: sqrt(sqrt(1 + s.x * s.x)),
     ],
 )
-def test_what_a_series_sees_is_no_hazard(rate):
+def test_what_a_series_sees_is_not_a_hazard(rate):
     assert hazards(traced(rate)) == []
 
 
@@ -113,7 +113,7 @@ def test_what_a_series_may_not_see_is_a_hazard(rate, found):
     assert hazards(traced(rate)) == found
 
 
-def test_what_the_rates_do_not_need_is_no_hazard():
+def test_what_the_rates_do_not_need_is_not_a_hazard():
     assert hazards(traced(lambda s, p, t: (sqrt(s.x), s.y)[1])) == []
 
 

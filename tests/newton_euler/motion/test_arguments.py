@@ -37,7 +37,7 @@ def test_the_time_is_an_end_or_a_pair(t, found):
     ],
     ids=["no time", "not forward, or not finite"],
 )  # fmt: skip
-def test_anything_else_is_not_a_time(given, words):
+def test_anything_else_is_refused_as_a_time(given, words):
     for t in given:
         with pytest.raises(ModelError, match=words):
             time_span(t)
@@ -121,7 +121,7 @@ def test_samples_are_times_of_the_motion_its_ends_among_them(samples):
 
 
 @pytest.mark.parametrize("samples", [0, -1, 2.5, True, "4", b"4", [], [[3.0, 4.0]], ["x"]], ids=str)
-def test_anything_else_is_not_samples(samples):
+def test_anything_else_is_refused_as_samples(samples):
     with pytest.raises(ModelError, match="samples are a number of times, or times; got"):
         sample_request(samples, 2.0, 5.0)
 

@@ -79,7 +79,7 @@ def test_many_steps_far_shorter_than_the_longest_are_refused(unit):
     gone(0, MAX_STALLED_STEPS, 1e-9)
 
 
-def test_progress_is_looked_at_after_each_so_many_steps():
+def test_progress_is_checked_every_so_many_steps():
     assert gone(MAX_STALLED_STEPS, MAX_STALLED_STEPS - 1, 1e-9).checked == MAX_STALLED_STEPS
     assert gone(MAX_STALLED_STEPS, MAX_STALLED_STEPS, 0.5).checked == 2 * MAX_STALLED_STEPS
 

@@ -124,7 +124,7 @@ def test_a_root_at_an_end_is_that_end():
         assert g.count == 2
 
 
-def test_a_root_may_be_as_inaccurate_as_is_asked():
+def test_a_root_may_be_as_inaccurate_as_asked():
     g = Counted(lambda x: math.cos(x) - x)
     assert root(g, 0.0, 2.0, 1e-2) == pytest.approx(0.739, abs=1e-2)
     assert g.count <= 8

@@ -79,7 +79,7 @@ def test_a_jump_moves_a_state_that_was_zero(rate, width, rtol):
     assert abs(motion.end["q"] / (rate * width / 2.1) - 1) <= motion.error <= rtol
 
 
-def test_a_step_whose_error_estimate_is_small_by_chance_counts_for_what_its_halves_differ():
+def test_a_step_whose_error_estimate_is_small_by_chance_is_judged_by_its_two_halves():
     """A disc of wet ice: within it the speed falls by A per metre of the chord."""
     A, R, start = 1.9939835721474755, 0.19590363586154277, (-1.9241012668165525, 1.9880880989080059)
     u, v, T = 0.5210057588496027, -0.5696466544492487, 7.386103643326437
@@ -140,7 +140,7 @@ def test_what_begins_at_a_border_begins_with_the_rates_beside_it(friction, x, rt
 
 
 @pytest.mark.parametrize("friction", FRICTIONS.values(), ids=FRICTIONS)
-def test_where_it_sticks_nothing_is_looked_for_beside_each_step(friction, monkeypatch):
+def test_where_it_sticks_no_narrow_passages_are_searched_for(friction, monkeypatch):
     near = []
     within = trajectory.within_reach
     monkeypatch.setattr(
@@ -158,7 +158,7 @@ def test_where_it_sticks_nothing_is_looked_for_beside_each_step(friction, monkey
     ("x", "t", "rtol"),
     [(1.2, 7.0, 1e-3), (3.3, 20.0, 1e-5), pytest.param(0.3, 10.0, 1e-3, id="from the beginning")],
 )
-def test_what_sticks_for_long_is_refused_with_what_to_write(x, t, rtol):
+def test_what_sticks_for_a_long_time_is_refused_with_what_to_write(x, t, rtol):
     words = r"sticks at s\.v = 0, .*write Event\(lambda s, p, t: s\.v"
     with pytest.raises(StickingError, match=words) as refused:
         integrate(floor(FRICTIONS["of two directions"]), t, (x, 0.0), rtol=rtol)

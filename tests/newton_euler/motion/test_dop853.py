@@ -39,7 +39,7 @@ def lengths(one):
 
 
 @pytest.mark.parametrize("size", [1.0, -1e-9, 1e9])
-def test_in_the_first_step_the_fastest_state_changes_by_a_part_of_its_size(size):
+def test_in_the_first_step_the_fastest_state_changes_by_a_fraction_of_its_size(size):
     assert run(DECAY, (size,)).h == pytest.approx(0.5 * TOL**0.125 / 3.0, rel=1e-12)
 
 
@@ -55,7 +55,7 @@ def test_where_nothing_changes_the_first_step_is_a_thousandth_of_the_time():
     assert run(DECAY, (0.0,), t0=1.0, t1=6.0).h == pytest.approx(5e-3)
 
 
-def test_no_step_is_longer_than_its_part_of_the_time():
+def test_no_step_is_longer_than_its_share_of_the_time():
     slow = second_order("slow", {}, ("x",), lambda s, p, t: (-1e-9 * s.x,))
     for part, t0 in ((0.4, 0.0), (0.13, 2.0)):
         one = run(slow, (1.0, 1.0), t0=t0, longest_part=part)

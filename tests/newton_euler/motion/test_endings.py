@@ -5,13 +5,7 @@ import re
 import pytest
 
 from newton_euler import Event, Model, cos, exp, integrate, sin, sqrt, table, tanh, where
-from newton_euler.motion import (
-    LongError,
-    MotionError,
-    NoValueError,
-    StickingError,
-    second_order,
-)
+from newton_euler.motion import LongError, MotionError, NoValueError, StickingError, second_order
 
 RTOLS = 1e-6, 1e-9
 

@@ -53,7 +53,7 @@ def growth(n):
         (DRIVEN.changed(n=5.0), "scipy DOP853", 1e-5, (1.0,), 10.0, growth(5)),
     ],
 )
-def test_the_prediction_covers_the_true_error_also_where_it_is_tight(
+def test_the_prediction_covers_the_true_error_even_where_it_is_tight(
     model, method, rtol, start, t, end
 ):
     """Of 240 runs of 14 models with closed forms, these few have a true error of more than half

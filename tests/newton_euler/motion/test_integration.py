@@ -68,7 +68,7 @@ def test_each_argument_is_checked(given, words):
 
 
 @pytest.mark.parametrize("method", ["dop853", TAYLOR, "scipy RK45", "auto"])
-def test_a_singular_place_ends_it_with_what_was_reached(method):
+def test_a_singular_point_ends_it_with_what_was_reached(method):
     with pytest.raises(MotionError, match=r"fall could .* beyond t = 0\.[45].*singular") as refused:
         integrate(FALL, 2.0, (1.0,), 1e-6, method)
     reached = refused.value.reached
@@ -109,7 +109,7 @@ def test_a_prepared_run_takes_the_fastest_method(model, method):
 
 
 @pytest.mark.parametrize("method", ["exact", TAYLOR])
-def test_a_prepared_run_is_no_integration_if_it_need_not_be(method, monkeypatch):
+def test_a_prepared_run_does_not_integrate_where_it_need_not(method, monkeypatch):
     run = prepare(oscillator(), 1e-7, method)
     run(3.0, (1.0, 0.0))  # the first series is compared with another one
     monkeypatch.setattr("newton_euler.motion.integration.Run", None)
@@ -127,7 +127,7 @@ def test_the_finer_series_of_a_long_run_vouches_for_no_other():
 
 
 @pytest.mark.parametrize("method", [TAYLOR, "dop853"])
-def test_a_prepared_run_into_a_singular_place_says_so(method):
+def test_a_prepared_run_into_a_singular_point_says_so(method):
     run = prepare(FALL, 1e-6, method)
     assert run(0.4, (1.0,))[0] == pytest.approx(math.sqrt(0.2), rel=1e-5)
     with pytest.raises(MotionError, match="could not be followed beyond t = 0"):

@@ -6,6 +6,7 @@ import math
 import random
 import time
 from dataclasses import FrozenInstanceError
+from statistics import fmean
 from types import SimpleNamespace
 
 import mpmath as mp
@@ -86,6 +87,8 @@ def test_changed_leaves_the_model_as_it_was():
     with pytest.raises(TypeError):
         model.parameters["k"] = 2.0
     assert repr(model) == "Model('oscillator': x, dx; m, k)"
+    odd = Model("odd", {"self": 1.0}, ("_what",), lambda s, p, t: (p.self * s._what,))
+    assert odd.changed(self=3.0).derivative((2.0,)) == (6.0,)
 
 
 def test_an_exact_solution_is_over_every_kind_of_number_and_an_invariant_stays():
@@ -127,6 +130,10 @@ def rhs(s, p, t):
         ({"g": 9.81}, "hv", lambda s, p, t: {s.v, -p.g}, "a tuple in the order h, v; got one set"),
         ({"g": 9.81}, ["h", "ﬁ"], rhs, "'ﬁ' cannot name a state or parameter"),
         ({"g": lambda t: 9.81}, "hv", rhs, r"the parameter g of 'fall' is a number or a function \(s, p, t\)"),
+        ({"g": interpolate.interp1d([0, 1], [9, 9])}, "hv", rhs, r"make a table\(ts, values\), for p\.g\(t\)"),
+        ({"g": 1j}, "hv", rhs, "give its real part"),
+        ({"g": [9.8]}, "hv", rhs, "for many values at once pass an array"),
+        ({"g": 9.81}, "hv", lambda s, p, t: (s.v, fmean([s.h, 1])), "is traced without values"),
         ({"g": 9.81}, "ht", rhs, "'t' cannot name a state or parameter"),
         ({"g": 9.81}, ["h", "v max"], rhs, "'v max' cannot name a state or parameter"),
         ({"lambda": 9.81}, "hv", rhs, "'lambda' cannot name"),

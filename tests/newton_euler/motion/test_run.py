@@ -11,12 +11,7 @@ import pytest
 from newton_euler import Model, cos, exp, integrate, sin, tanh, where
 from newton_euler.motion import ModelError, second_order
 from newton_euler.motion import run as run_module
-from newton_euler.motion.error_estimates import (
-    REGULAR,
-    ROUND_OFF_OF_RATES,
-    SAFETY,
-    SERIES_SAFETY,
-)
+from newton_euler.motion.error_estimates import REGULAR, ROUND_OFF_OF_RATES, SAFETY, SERIES_SAFETY
 from newton_euler.motion.events import Event, EventError
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
@@ -62,7 +57,7 @@ def start_of(trajectory):
     ("coarse", "part", "rel"),
     [(1e-4, 1 / (SAFETY * 1e-3**REGULAR), 1e-2), (1e-9, 1 / SERIES_SAFETY, 0.0)],
 )
-def test_the_run_that_another_is_compared_with_starts_a_little_beside(coarse, part, rel):
+def test_the_run_that_another_is_compared_with_starts_slightly_displaced(coarse, part, rel):
     """This puts the round-off of the rates into the prediction: the shift times the factor of the
     prediction equals it. Every second state is shifted the other way.
     """
@@ -78,7 +73,7 @@ def test_the_run_that_another_is_compared_with_starts_a_little_beside(coarse, pa
     assert one.state == start
 
 
-def test_with_events_it_starts_at_the_same_place():
+def test_with_events_it_starts_at_the_same_point():
     """The start may lie on the surface of an event."""
     one = run(state=(1.0, 2.0), events=(Event(lambda s, p, t: s.a - 1.0),))
     assert start_of(one.compared(METHODS["dop853"], 1e-4, 1e-7)) == (1.0, 2.0)
@@ -312,7 +307,7 @@ def test_auto_goes_on_until_a_method_is_accurate(first, steps, second):
         ({"taylor": stopped(0.2), "dop853": stopped(0.1)}, 2, r"stopped with 0\.1"),
     ],
 )
-def test_auto_refuses_what_no_method_would_mend_and_with_the_most_accurate(outcomes, tried, words):
+def test_auto_refuses_what_no_method_would_mend_and_names_the_most_accurate(outcomes, tried, words):
     one = auto(outcomes)
     with pytest.raises((MotionError, EventError), match=words):
         one.by_name("auto")
@@ -466,7 +461,7 @@ def test_a_closed_form_is_returned_with_its_error():
 
 def test_a_closed_form_that_gives_way_to_a_model_without_one_is_refused():
     event = Event(lambda s, p, t: s.x, then=lambda s, p, t: (PENDULUM, (s.x, s.dx)))
-    for rtol in (1e-9, 1e-15):  # also where the closed form would not be accurate either
+    for rtol in (1e-9, 1e-15):  # even where the closed form would not be accurate either
         with pytest.raises(ModelError, match="it becomes a model without one; take") as refused:
             run(SPRING, 8.0, START, rtol, events=(event,)).by_name("exact")
         assert type(refused.value) is ModelError
@@ -508,7 +503,7 @@ def test_a_refusal_says_what_can_be_had(error, words):
 
 
 @pytest.mark.parametrize("ulps", [1, 2, 3, 11])
-def test_a_time_of_a_few_roundings_ends(ulps):
+def test_a_motion_of_a_few_roundings_of_time_ends(ulps):
     """This once hung: a step shorter than a rounding of the time does not change the time."""
     begin, end = 3.0 - ulps * 2.0**-51, 3.0 + ulps * 2.0**-51
     try:

@@ -47,7 +47,7 @@ def test_the_step_of_a_difference_is_small_beside_the_size_of_the_state(size):
     points, span = [(0.0, (0.0, size**0.5))], 1e9
     known, _ = natural_sizes(rates, points, (size, size**0.5), span)
     assert known == pytest.approx((size, size**0.5), rel=1e-3, abs=0.0)
-    # also where the size is not given but follows from the velocity
+    # even where the size is not given but follows from the velocity
     found, _ = natural_sizes(rates, points, (0.0, size**0.5), span)
     assert found[0] == pytest.approx(size, rel=1e-2, abs=0.0)
 
@@ -138,7 +138,7 @@ def test_the_time_counts_by_how_the_rates_change_with_it():
     )
 
 
-def test_the_change_with_time_is_that_of_a_small_part_of_the_whole_time():
+def test_the_change_with_time_is_taken_over_a_small_fraction_of_the_whole_time():
     """x' = sin(1e5 t) at t = 0, for a millisecond."""
     rates = system(lambda s, t: (sin(1e5 * t + 1.0), 0.0 * s.v))
     _, with_time = natural_sizes(rates, [(1.0, (1.0, 1.0))], (1.0, 1.0), 1e-3)
@@ -167,7 +167,7 @@ def test_the_spectral_radius_of_rates_that_nothing_changes_is_zero_and_of_huge_o
     assert _spectral_radius([[1e200, 0.0], [0.0, 1.0]], [1.0, 1.0]) >= 1e200
 
 
-def test_no_time_in_the_rates_no_error_by_it():
+def test_rates_without_time_have_no_error_from_it():
     assert time_round_off(oscillator(1.0), 1e9, (1.0, 0.0), (1.0, 1.0), 1e9) == 0.0
 
 
@@ -189,10 +189,10 @@ def test_the_round_off_of_the_time_moves_the_phase_of_a_force(t):
         (lambda s, t: (0.0 * t * s.x, 0.0 * s.v), 0.0, 0.0),
         (lambda s, t: (2.0 * t, 7.0 * t), 1.0, 7.0),
     ],
-    ids=["what the states make of a rate is no error of the time",
+    ids=["what the states make of a rate is not an error of the time",
          "of a state of no size it is relative to what it would be", "nothing", "the worst state counts"],
 )  # fmt: skip
-def test_the_error_by_the_time_is_its_round_off_in_the_rates(rates, x, part):
+def test_the_error_from_the_time_is_its_round_off_in_the_rates(rates, x, part):
     found = time_round_off(system(rates), 1.0, (x, 1.0), (x, 1.0), 1.0)
     assert found == pytest.approx(TIME_SAFETY * ROUND_OFF * part, rel=1e-3, abs=0.0)
     assert found >= 2.0**-53 * part  # the round-off of one number

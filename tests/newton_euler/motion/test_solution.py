@@ -55,7 +55,7 @@ def test_samples_are_those_that_the_motion_reached():
     assert drift(samples=4, events=stop).times == pytest.approx([0.0, 1.0, 2.0, 3.0])
 
 
-def test_states_are_those_of_their_segment_and_at_its_begin_of_the_later_one():
+def test_states_are_those_of_their_segment_and_where_two_meet_of_the_later_one():
     motion = leap()
     times = [0.0, 2.9, motion.events[0].t, 4.0, 5.0]
     found = motion.at(times)
@@ -105,11 +105,12 @@ def test_the_drift_is_the_largest_change_over_the_largest_value():
     assert drift_of(lambda s, p, t: 10.0 + s.x * (2.0 - s.x), samples=5)["it"] == pytest.approx(
         4 / 11
     )
+    assert drift_of(lambda s, p, t: float(max(s.x, -9.0))) == {"it": pytest.approx(4.0 / 3.0)}
     assert drift_of(lambda s, p, t: 5.0) == {"it": 0.0}
     assert drift_of(lambda s, p, t: 0 * s.x) == {"it": 0.0}
 
 
-def test_the_start_counts_though_it_is_no_sample():
+def test_the_start_counts_though_it_is_not_a_sample():
     assert drift_of(lambda s, p, t: s.x, samples=[3.0])["it"] == pytest.approx(3.0 / 2.0)
 
 
@@ -125,7 +126,7 @@ def test_each_segment_is_compared_with_its_own_start(places):
 # -- what it says
 
 
-def test_the_record_in_words():
+def test_the_record_reads_in_words():
     motion = replace(drift(t=(1.0, 4.0)), cost=Cost(0.5, 0.25, 7), estimate=2e-10, rtol=1e-9)
     assert motion.explain().splitlines() == [
         "drift, from t = 1 to 4: reached t = 4",

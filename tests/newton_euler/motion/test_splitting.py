@@ -133,13 +133,13 @@ def test_more_steps_than_can_be_kept_are_refused():
 
 @pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
 @pytest.mark.parametrize("start", [(1.0, 0.0), (0.0, 2.0), (-0.7, 1.4)])
-def test_the_step_is_a_part_of_a_radian_of_the_fastest_oscillation(start, size):
+def test_the_step_is_a_fraction_of_a_radian_of_the_fastest_oscillation(start, size):
     start = [size * x for x in start]
     one = run(step=None, start=start, floors=(1e-3 * size, 1e-3 * size), tolerance=1e-8)
     assert one.h == pytest.approx(0.5 * 1e-8**0.25, rel=0.06)
 
 
-def test_where_nothing_changes_the_step_is_a_part_of_the_time():
+def test_where_nothing_changes_the_step_is_a_fraction_of_the_time():
     drift = second_order("drift", {}, ("x",), lambda s, p, t: (0.0 * s.x,))
     one = run(2, step=None, start=(1.0, 1.0), model=drift, t0=2.0, t1=10.0, tolerance=1e-4)
     assert one.h == pytest.approx(2.0 * 1e-4**0.5)

@@ -19,9 +19,7 @@ FLOOR = second_order("floor", {}, ("x",), lambda s, p, t: (where(s.x < 0, -s.x, 
 @pytest.mark.parametrize(
     ("tolerance", "other"), [(1e-12, 1e-9), (1e-6, MAX_COARSE_TOLERANCE), (5e-5, 5e-4)]
 )
-def test_runge_kutta_is_compared_with_a_coarser_run_but_not_with_one_that_tells_nothing(
-    tolerance, other
-):
+def test_runge_kutta_is_compared_with_a_coarser_run_unless_that_shows_nothing(tolerance, other):
     assert RUNGE_KUTTA.other(tolerance) == pytest.approx(other)
 
 

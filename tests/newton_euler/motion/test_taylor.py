@@ -76,7 +76,7 @@ def test_an_integrator_is_made_once_and_has_one_user_at_a_time():
     assert len(system.traced.integrators) == 2
 
 
-def test_of_too_many_kinds_the_one_that_was_made_first_goes():
+def test_of_too_many_kinds_the_oldest_is_dropped():
     system = PreparedModel(second_order("own", {}, ("x",), lambda s, p, t: (-19 * s.x,)))
     known = system.traced.integrators
     known.update({n: [] for n in range(MAX_KINDS - 1)})

@@ -14,7 +14,6 @@ from newton_euler.motion.run import Run
 from newton_euler.motion.sizes import NATURAL_PART, ROUND_OFF
 from newton_euler.motion.solution import MotionError
 from newton_euler.motion.trajectory import (
-    ACCUMULATION,
     INNER_PART,
     KINKED_PART,
     LONGEST_PARTS,
@@ -131,13 +130,15 @@ def shrunk(part):
 def test_events_that_accumulate_end_the_motion_in_words():
     """Each distance is half of the one before: the events accumulate at t = 2."""
     motion = integrate(ZENO, 3.0, (0.0, 1.0, 1.0), events=shrunk(0.5))
-    assert motion.ended.startswith(f"{ACCUMULATION}: next at t = 2; give then=")
+    assert motion.ended.startswith(
+        "events follow each other without end: next at t = 2; give then="
+    )
     # the motion ends at a segment of 1e-9 of the whole time: 2^-n < 3e-9
     assert len(motion.segments) == 30
     assert motion.t_end == pytest.approx(2.0, abs=1e-8)
 
 
-def test_two_events_at_once_are_no_accumulation():
+def test_two_events_at_once_are_not_an_accumulation():
     """The first segment may be arbitrarily short."""
     tap = Event(lambda s, p, t: s.x - 1e-12, then=lambda s, p, t: (DRIFT, (s.x, s.v)), name="tap")
     assert integrate(DRIFT, 3.0, (0.0, 1.0), events=tap).ended == "reached t = 3"
@@ -181,7 +182,7 @@ def test_after_an_event_to_a_model_without_its_solution_the_exact_method_gives_w
 # -- scales
 
 
-def test_a_state_is_judged_at_least_by_a_part_of_its_natural_size():
+def test_a_state_is_judged_by_at_least_a_fraction_of_its_natural_size():
     """A spring at rest at its end has zero velocity, but the velocity of the motion is w."""
     w = 300.0
     found = trajectory(run(spring(w)))
@@ -204,7 +205,7 @@ def test_later_runs_know_the_sizes_of_the_first():
     assert first.longest_part == LONGEST_PARTS[0]
 
 
-def test_with_kinks_a_larger_part_of_its_size_does_not_count():
+def test_with_kinks_a_larger_fraction_of_its_size_does_not_count():
     rough = second_order("rough", {}, ("x",), lambda s, p, t: (-s.x - where(s.dx > 0, 0.1, -0.1),))
     known = (2.0, 3.0), (0.0, 0.0), (0.0, 0.0)
     found = trajectory(run(rough), known)
@@ -215,7 +216,7 @@ def test_a_state_of_which_nothing_is_known_has_the_smallest_scale():
     still = Model("still", {}, ("x", "y"), lambda s, p, t: (0.0 * s.x, 0.0 * s.y))
     found = trajectory(run(still, (0.0, 0.0)))
     assert found.segments[0].stepper.floors == (SMALLEST_SCALE, SMALLEST_SCALE)
-    # that scale is no size of the motion
+    # that scale is not a size of the motion
     assert found.sizes()[0] == (0.0, 0.0)
 
 
@@ -231,7 +232,7 @@ def test_the_natural_sizes_of_the_start_count_unless_a_state_was_nearly_zero():
 
 
 @pytest.mark.parametrize("t1", [0.01, 100.0])
-def test_the_natural_size_of_a_place_is_as_far_as_its_velocity_brings_it(t1):
+def test_the_natural_size_of_a_position_is_how_far_its_velocity_carries_it(t1):
     assert trajectory(run(DRIFT, (0.0, 1.0), t1=t1)).sizes()[1] == pytest.approx((t1, 0.0))
 
 
@@ -323,6 +324,11 @@ def test_accumulating_events_are_compared_by_their_end_only():
     a, b = (trajectory(run(ZENO, start, 4.0, events=(shrunk(part),))) for part in (0.5, 0.6))
     assert len(a.segments) != len(b.segments)
     assert a.difference(b) == pytest.approx(0.5 / 4.0, rel=1e-3)  # they end at 2 and at 2.5
+    called_so = Event(
+        lambda s, p, t: s.x - 1.0, 0, True, name="events follow each other without end"
+    )
+    a, b = (trajectory(run(ZENO, (0.0, 1.0, n), 4.0, events=(called_so,))) for n in (2.0, 5.0))
+    assert a.difference(b) > 0.5  # of n
 
 
 def test_a_state_next_to_zero_sets_no_scale_for_its_error():

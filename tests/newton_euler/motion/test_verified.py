@@ -17,11 +17,11 @@ def verified(error):
     return runs
 
 
-def test_nothing_is_covered_before_a_run_was_verified():
+def test_nothing_is_covered_before_a_run_is_verified():
     assert not Verified().covers(RTOL, 0.0, 10.0, START, END)
 
 
-def test_the_same_run_is_covered_also_if_it_is_just_as_accurate_as_asked():
+def test_the_same_run_is_covered_even_if_it_is_only_just_as_accurate_as_asked():
     assert verified(RTOL).covers(RTOL, 0.0, 10.0, START, END)
 
 
@@ -58,7 +58,7 @@ def test_the_last_run_of_each_rtol_counts():
 
 @pytest.mark.parametrize("size", [1e-150, 1.0, 1e150])
 @pytest.mark.parametrize("sign", [1, -1])
-def test_near_is_a_part_of_the_size_of_each_state(size, sign):
+def test_nearness_is_relative_to_the_size_of_each_state(size, sign):
     """The size is the largest of the four values, whichever that is."""
     one = sign * size
     x = one, one

@@ -111,7 +111,7 @@ def test_only_zeros_of_the_direction_count(direction, numbers):
     assert times(np.cos, 0.0, 9.0, direction=direction) == pytest.approx(exact)
 
 
-def test_the_sign_before_the_interval_tells_whether_it_changes_at_its_beginning():
+def test_the_sign_before_the_interval_shows_whether_it_changes_at_the_beginning():
     for sign, exact in ((1, []), (0, []), (-1, [0.0])):
         assert times(lambda t: t + 1.0, 0.0, 1.0, sign=sign) == pytest.approx(exact, abs=EPS)
 
@@ -125,7 +125,7 @@ def test_the_sign_goes_on_to_the_end():
 
 @pytest.mark.parametrize("value", [0.0, 1e-17, -1e-17])
 @pytest.mark.parametrize("is_zero", [True, False])
-def test_a_zero_at_the_start_does_not_count_whatever_round_off_makes_of_it(value, is_zero):
+def test_a_zero_at_the_start_does_not_count_despite_round_off(value, is_zero):
     for f in (np.sin, lambda t: -np.sin(t)):
         found = times(f, 0.0, 4.0, sign=int(np.sign(value)), start=(value, is_zero))
         assert found == pytest.approx([math.pi])
@@ -180,7 +180,7 @@ def test_a_zero_beside_a_kink_is_found_on_each_side():
     assert found == pytest.approx([2.0 - 1e-5, 2.0 + 1e-5], abs=1e-13)
 
 
-def test_a_pole_is_no_zero_but_those_between_poles_are():
+def test_a_pole_is_not_a_zero_but_zeros_between_poles_count():
     assert times(np.tan, 0.1, 9.0) == pytest.approx([math.pi, 2 * math.pi])
     assert times(lambda t: 1 / (t - 3.0), 0.0, 5.0) == []
 
@@ -211,7 +211,7 @@ def test_each_check_point_alone_shows_an_oscillation_that_vanishes_at_all_other_
 
 
 @pytest.mark.parametrize("foot", [0.9, 1.3, 2.0])
-def test_a_peak_of_which_only_the_end_of_a_step_sees_the_foot_is_resolved(foot):
+def test_a_peak_whose_foot_only_the_end_of_a_step_sees_is_resolved(foot):
     """The zeros are where exp(-u^2) is one half; ``foot`` is |u| at the end of the step."""
     half = math.sqrt(math.log(2))
     for w in (1e-4, 1e-3, 4e-3, 1e-2, 3e-2, 0.1):
@@ -226,7 +226,7 @@ def test_a_rough_function_that_stays_away_from_zero_is_looked_at_once():
 
 
 @pytest.mark.parametrize("late", [2.0**32, -(2.0**32)])
-def test_late_in_the_day_a_smooth_function_is_as_smooth_though_its_times_are_rounded(late):
+def test_at_late_times_a_smooth_function_is_as_smooth_though_its_times_are_rounded(late):
     asked = Function(lambda t: np.cos(t - late), 1e-6)
     found = times(asked, late, late + 20.0)
     assert found == pytest.approx(late + math.pi * (np.arange(6) + 0.5), rel=EPS, abs=0.0)
@@ -299,7 +299,7 @@ def test_the_sign_of_round_off_and_of_nan_is_zero():
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_the_guess_is_the_zero_of_the_polynomial_or_the_end_that_is_nearer(sign):
+def test_the_guess_is_the_zero_of_the_polynomial_or_the_nearer_end(sign):
     one = piece(0.0, 1.0, [-0.3 * sign, 1.0 * sign])  # zero at 0.3
     assert _guess(Bracket(one, -0.5, 0.8, sign)) == pytest.approx(0.3)
     assert _guess(Bracket(one, 0.5, 0.8, sign)) == 0.5

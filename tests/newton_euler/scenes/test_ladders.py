@@ -85,7 +85,7 @@ def test_the_choice_is_the_cheapest_rung_that_holds_and_bounds_are_bounds(name, 
     assert faults(name, count, seed) == []
 
 
-def test_bounds_of_a_physical_pendulum_are_no_wild_guesses():
+def test_bounds_of_a_physical_pendulum_are_not_wild_guesses():
     """Half of the bounds lie within a factor of ten of the error."""
     r, near = random.Random("physical pendulum bounds"), []
     for _ in range(30):
@@ -287,7 +287,7 @@ def test_a_large_bound_is_measured():
     assert evidence["c"] == ladders.Evidence(0.0, None)
 
 
-def test_words_without_a_bound_bound_nothing():
+def test_an_effect_without_a_bound_bounds_nothing():
     rung = Rung(oscillator(neglects=[by(lambda s, p, t: t), by(None)]), (1.0, 0.0), place)
     assert list(rung.model.neglected(2.0, (1.0, 0.0)).values()) == [2.0, math.inf]
     assert rung.bound(2.0) == math.inf

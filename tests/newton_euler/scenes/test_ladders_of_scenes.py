@@ -301,5 +301,5 @@ def test_a_rod_on_the_other_side_swings_about_the_other_angle():
 def test_a_station_that_does_not_turn_has_no_ladder():
     with pytest.raises(ModelError, match="omega must not be zero"):
         space_station.ladder(omega=0.0)
-    hardly = space_station.ladder(omega=1e-9)
-    assert hardly.error(hardly.rungs[0]) < 1.0  # m, from the air alone
+    barely = space_station.ladder(omega=1e-9)
+    assert barely.error(barely.rungs[0]) < 1.0  # m, from the air alone

@@ -1,6 +1,6 @@
-// what axe finds, of one rule or of all
+// what axe finds, by one rule or by all
 const [only, done] = arguments;
-// after a change of theme, in which colours are neither
+// after a change of theme, during which colours are in between
 Promise.all(document.getAnimations().map((one) => one.finished.catch(() => 0)))
   .then(() => axe.run(document, {resultTypes: ["violations"], ...(only && {runOnly: [only]})}))
   .then(({violations}) => done(violations

@@ -19,7 +19,7 @@ if (window.engine) {
       return holder;
     },
   };
-  // scripts that come as text do not run until they are made anew
+  // scripts inserted as text do not run until they are created again
   const scripted = (element) => {
     for (const old of element.querySelectorAll("script")) old.replaceWith(node("script", { textContent: old.textContent }));
     return element;

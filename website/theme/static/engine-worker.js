@@ -1,9 +1,9 @@
-// Python and the engine, which answer one call after the other
+// Python and the engine, which answer one call after another
 const tell = (kind, content) => postMessage([kind, content]);
 let answer;
 const engine = new Promise((resolve) => (answer = resolve));
 
-const allowed = new Set(); // packages that the reader has asked for, from another address
+const allowed = new Set(); // packages from elsewhere that the reader has asked for
 
 onmessage = async ({ data: { root, allow, id, name, text } }) => {
   if (allow) allowed.add(allow);
@@ -14,7 +14,7 @@ onmessage = async ({ data: { root, allow, id, name, text } }) => {
     try {
       const { call, get, packages } = await engine;
       let found = call(name, text), failed;
-      // a cell has used a package that comes later
+      // a cell has used a package that is loaded later
       const come = (needed) => get(needed).catch(({ message }) => void (failed = message));
       while (found.startsWith('{"needs"') && (await come(JSON.parse(found).needs))) found = call(name, text);
       tell("answer", { id, text: found, packages, failed });
@@ -45,24 +45,24 @@ async function load(folder) {
     return true;
   };
   const fetched = async (name) => {
-    const said = [];
-    const come = await python.loadPackage(name, { messageCallback: () => {}, errorCallback: (words) => said.push(words) });
-    if (!come.some((one) => one.name === name)) throw new Error(said.at(-1));
+    const errors = [];
+    const found = await python.loadPackage(name, { messageCallback: () => {}, errorCallback: (words) => errors.push(words) });
+    if (!found.some((one) => one.name === name)) throw new Error(errors.at(-1));
   };
   return { get, packages, call: python.runPython("from website.browser import answer; answer") };
 }
 
-// every fetch from now on tells how much of all has come
+// every fetch from now on reports how much of the whole has arrived
 function countBytes(all) {
   const plain = fetch;
-  let come = 0;
+  let received = 0;
   self.fetch = async (...request) => {
     const response = await plain(...request);
     if (!response.ok) throw new Error(`${response.status} for ${response.url}`);
     const counter = new TransformStream({
       transform(chunk, out) {
-        come += chunk.length;
-        if (come < all) tell("progress", come / all);
+        received += chunk.length;
+        if (received < all) tell("progress", received / all);
         out.enqueue(chunk);
       },
     });

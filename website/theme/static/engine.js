@@ -11,7 +11,7 @@
     loaded = part;
     for (const callback of watching) callback(part);
   };
-  const heard = {
+  const handlers = {
     progress,
     ready: () => progress(1),
     ended: (why) => end(gettext("The engine stopped and is started again by the next call: {error}", { error: why })),
@@ -28,8 +28,8 @@
   const start = () => {
     if (worker) return;
     worker = new Worker(new URL("_static/engine-worker.js", root), { type: "module" });
-    worker.onmessage = ({ data: [kind, content] }) => heard[kind](content);
-    worker.onerror = (event) => heard.failed(event.message || "worker");
+    worker.onmessage = ({ data: [kind, content] }) => handlers[kind](content);
+    worker.onerror = (event) => handlers.failed(event.message || "worker");
     const mine = worker;
     kept().then(() => mine.postMessage({ root: root.href }));
   };
@@ -47,7 +47,7 @@
       if (url.startsWith(root.href)) fetch(url).catch(() => {});
   };
 
-  // ends what runs; the next call starts anew, with nothing of what was computed
+  // ends what runs; the next call starts afresh, with nothing of what was computed
   const end = (words) => {
     worker?.terminate();
     worker = undefined;
@@ -58,12 +58,12 @@
   };
   const stop = () => end(gettext("stopped; cells that were run are forgotten"));
 
-  // draws the formulas that have come into an element; those of the page as it was built are drawn
+  // draws the formulas added to an element; those of the page as built are drawn already
   const typeset = async (element) => {
     if (!window.MathJax) {
       window.MathJax = {
         options: { enableMenu: false, processHtmlClass: "mathjax_process|math" },
-        // texts may come from anywhere: no formula is a link, has a style, or acts
+        // texts may come from anywhere: no formula is a link, has a style, or runs anything
         svg: { scale: 0.93 },
         tex: { tags: "none", packages: { "[-]": ["html", "action", "unicode", "require", "bbox"] }, macros: { mmlToken: "?" } },
         startup: { typeset: false },
@@ -92,12 +92,12 @@
     typeset,
     start,
     stop,
-    // how often the engine has ended: the next one does not know what was given to it before
+    // how often the engine has ended: the next one does not know what the last one was given
     get ends() { return ends; },
     root,
     // lets a package be fetched from the address that an error has named
     allow: (name) => (start(), worker.postMessage({ allow: name })),
-    // called with the part that is loaded, 0 to 1, now and whenever it grows
+    // called with the fraction loaded, 0 to 1, now and whenever it grows
     progress: (callback) => (watching.add(callback), callback(loaded)),
   };
 })();

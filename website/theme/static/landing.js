@@ -16,7 +16,7 @@
         dd.querySelector("b").textContent = `${sizes[n][m]} mm/s²`;
       });
     };
-    // the figure itself can be dragged, too
+    // the figure itself can be dragged too
     const figure = landing.querySelector(".figure");
     let from;
     figure.addEventListener("pointerdown", (e) => ((from = [e.clientX, +slider.value]), figure.setPointerCapture(e.pointerId)));
@@ -30,11 +30,11 @@
     show();
   }
   if (taste) {
-    const said = data(taste), verdict = taste.querySelector("[role=status]");
+    const verdicts = data(taste), verdict = taste.querySelector("[role=status]");
     taste.addEventListener("submit", (event) => {
       event.preventDefault();
       const text = taste.querySelector("input").value.trim().replace(",", ".").replace("−", "-"), x = Number(text);
-      const near = said.find(([value]) => Math.abs(x - value) <= 0.005 * Math.max(Math.abs(value), 1e-6));
+      const near = verdicts.find(([value]) => Math.abs(x - value) <= 0.005 * Math.max(Math.abs(value), 1e-6));
       const right = near?.[1] === "right";
       verdict.className = `verdict ${right ? "right" : "wrong"}`;
       verdict.textContent = !text || Number.isNaN(x) ? gettext("Write a number, as -2.5.") :

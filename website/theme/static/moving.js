@@ -1,5 +1,5 @@
-// figures with sliders: the engine draws them anew while a slider is dragged; until it is loaded,
-// and where it cannot draw them, the nearest of the pictures answers that were built with the page
+// figures with sliders: the engine redraws them while a slider is dragged; until it is loaded, and
+// where it cannot draw them, the nearest of the pictures built with the page is shown
 const moving = (() => {
   const root = window.engine && engine.root;
   const codes = () => [...document.querySelectorAll(".cell_input pre, .cell pre.source")];
@@ -19,13 +19,13 @@ const moving = (() => {
     return made;
   };
 
-  // makes an element with a picture, and what is said of it, a figure with sliders
+  // turns an element with a picture and its description into a figure with sliders
   function figure(holder, { sliders, along, number }) {
     const values = Object.fromEntries(sliders.map((slider) => [slider.name, slider.start]));
     const picture = holder.firstElementChild;
     const first = picture.outerHTML;
-    const said = node("p", { className: "said" });
-    said.setAttribute("role", "status");
+    const reply = node("p", { className: "reply" });
+    reply.setAttribute("role", "status");
     const note = node("p", { className: "note" });
     let asked = 0, busy = false;
 
@@ -78,14 +78,14 @@ const moving = (() => {
         draw();
       });
       input.addEventListener("change", () => {
-        said.textContent = sliders.map((s) => `${s.label} = ${words(s, values[s.name])}`).join(", ");
+        reply.textContent = sliders.map((s) => `${s.label} = ${words(s, values[s.name])}`).join(", ");
       });
       text();
       return node("label", {}, node("span", {}, `${slider.label} =`), shown, input);
     });
-    const wide = picture.classList.contains("wide"); // keys push it aside, too, on a phone
+    const wide = picture.classList.contains("wide"); // on a phone keys move it sideways too
     const stage = node("div", { className: "stage", ...(wide && { tabIndex: 0 }) }, picture);
-    holder.append(stage, node("div", { className: "sliders" }, ...rows), note, said);
+    holder.append(stage, node("div", { className: "sliders" }, ...rows), note, reply);
     engine.progress((part) => {
       if (0 < part && part < 1) note.textContent = gettext("The engine is loaded: {percent} %", { percent: Math.round(100 * part) });
     });

@@ -13,8 +13,8 @@ addEventListener("DOMContentLoaded", () => {
   const keep = (text) => { try { localStorage.setItem(KEPT, text); } catch { /* a private window */ } };
   const static_ = document.querySelector(".statement");
   let { problem } = place.dataset, contents; // of a practice file of the reader's own
-  let given, endsBefore, restart, number = 1; // the practice file, to which engine; the set of numbers
-  let last, note = ""; // the field that was used last; what the reader should know
+  let given, endsBefore, restart, number = 1; // the practice file; to which engine it was given; the set of numbers
+  let last, note = ""; // the field used last; what the reader should know
 
   // -- parts of a page
 
@@ -32,7 +32,7 @@ addEventListener("DOMContentLoaded", () => {
 
   const { typeset } = engine;
 
-  // Markdown as the problems have it, made of elements: no text of it is ever read as HTML
+  // the Markdown of the problems, made into elements: none of its text is ever read as HTML
   const INLINE = /\$\$([^$]+)\$\$|\$([^$]+)\$|`([^`]+)`|\*\*(.+?)\*\*|\*(.+?)\*|\[([^\]]+)\]\([^)]*\)|\\([\\`*_[\]#$|])/g;
   const inline = (text) => {
     const parts = [];
@@ -65,7 +65,7 @@ addEventListener("DOMContentLoaded", () => {
   };
   const markdown = (text) => text.split(/\n\s*\n/).filter((part) => part.trim()).map((part) => block(part.replace(/^\n+|\s+$/g, "")));
 
-  // a figure within the page, where it follows the page's theme, if it is made of shapes alone
+  // a figure inside the page, where it follows the page's theme if it consists of shapes only
   const SHAPES = /^(svg|g|path|rect|circle|text|tspan)$/, LOADS = /^(on.*|.*href|style|src)$/i;
   const isShape = (e) => SHAPES.test(e.localName) && [...e.attributes].every(
     ({ name, value }) => !LOADS.test(name) && !/url\(|script:/i.test(value));
@@ -113,7 +113,7 @@ addEventListener("DOMContentLoaded", () => {
       read.className = fault ? "read fault" : "read";
       read.replaceChildren(latex ? math(latex) : fault);
       if (latex) await typeset(read);
-      read.tabIndex = read.scrollWidth > read.clientWidth ? 0 : -1; // the keyboard moves what is too wide
+      read.tabIndex = read.scrollWidth > read.clientWidth ? 0 : -1; // the keyboard scrolls what is too wide
     };
     const fields = inputs(q, () => {
       verdict.className = "verdict";
@@ -130,7 +130,7 @@ addEventListener("DOMContentLoaded", () => {
       if (found === "unreadable") {
         read.textContent = "";
         clearTimeout(timer);
-        turn += 1; // a reading to come or under way would say the same again
+        turn += 1; // a reading that is due or under way would say the same again
       }
       for (const f of fields) f.setAttribute("aria-invalid", found !== "right");
     };
@@ -202,7 +202,7 @@ addEventListener("DOMContentLoaded", () => {
   };
 
   const show = async (fresh) => {
-    const asked = problem; // another may be chosen while this one is on its way
+    const asked = problem; // another may be chosen while this one is loading
     const p = await call("show", { new: fresh });
     if (problem !== asked) return;
     number = p.number;
@@ -215,7 +215,7 @@ addEventListener("DOMContentLoaded", () => {
       if (problem !== asked) return;
     }
     const answers = p.answers.map(field), steps = p.steps.map(field);
-    const hint = el("div", { class: "said" }), solved = el("div", { class: "said" });
+    const hint = el("div", { class: "reply" }), solved = el("div", { class: "reply" });
     const names = Object.entries(p.names).map(([name, x]) => button(name, () => insert(name), { class: "name", title: `${name} = ${x}` }));
     next.replaceChildren(note);
     note = "";
@@ -252,7 +252,7 @@ addEventListener("DOMContentLoaded", () => {
     await engine.call("practice.take_in", { progress: kept() || NONE }).catch(setAside);
     return found;
   };
-  // what this browser has kept cannot be read: it is no reason not to practise
+  // what this browser has kept cannot be read: no reason not to practise
   const setAside = ({ message }) => {
     say((note = message));
     try {
@@ -260,7 +260,7 @@ addEventListener("DOMContentLoaded", () => {
       localStorage.removeItem(KEPT);
     } catch { /* a private window */ }
   };
-  // a new engine gets the same file, and goes to the numbers that the page shows
+  // a new engine gets the same file, and takes the numbers that the page shows
   const again = async () => {
     await load(...given);
     for (let n = 1; n < number; n += 1) await engine.call("practice.show", { problem, new: true });
@@ -271,13 +271,13 @@ addEventListener("DOMContentLoaded", () => {
     engine.progress((part) => (bar.value = part));
     try { localStorage.setItem("newton-euler.practises", "yes"); } catch { /* a private window */ }
     const found = await fetched(`${file}.practice`);
-    fetched("index.json").catch(() => {}); // so that it is kept for when there is no network
+    fetched("index.json").catch(() => {}); // kept for when there is no network
     await load(file, await base64(await found.blob()));
     await show(false);
     place.dataset.ready = "yes";
   };
 
-  // a practice file of the reader's own: it comes from anywhere, and the engine refuses what is not one
+  // a reader's own practice file: it may come from anywhere, and the engine refuses any other file
   const take = async (blob) => {
     const { name } = blob;
     if (blob.size > MOST) throw tooLarge(blob);
@@ -296,7 +296,7 @@ addEventListener("DOMContentLoaded", () => {
     if (list) list.value = id;
     return show(false).catch(refused);
   };
-  // nothing stays of what was shown before
+  // nothing that was shown before stays
   const refused = (error) => { body.replaceChildren(); static_.replaceChildren(); failed(error); };
   const listed = el("p");
   const chooser = () => {

@@ -1,7 +1,7 @@
 // a page that was opened as a file may not read others: the search then shows titles without excerpts
 if (location.protocol === "file:") DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
 
-// on paper all answers and all code are unfolded, and films stand at their first picture
+// on paper all answers and code are unfolded, and films show their first picture
 addEventListener("beforeprint", () => {
   for (const folded of document.querySelectorAll("details")) folded.open = true;
   for (const image of document.images) image.loading = "eager";
@@ -13,8 +13,8 @@ addEventListener("beforeprint", () => {
 
 // predictions: the first choice, number or sentence is kept in this browser and opens the answer
 const PREDICTED = "newton-euler predictions";
-// {key: [the number of the choice or what was typed, whether it was right]}; what is no such thing
-// in the browser's store is passed over
+// {key: [the number of the choice or what was typed, whether it was right]}; anything else in the
+// browser's store is ignored
 function readKept() {
   const isMade = (x) => Array.isArray(x) && /number|string/.test(typeof x[0]) && [true, false, null].includes(x[1]);
   try {
@@ -33,7 +33,7 @@ function keep(key, prediction, right) {
   count();
 }
 
-// what a number means: right, a mistake that is known, or neither
+// what a number means: right, a known mistake, or neither
 function numberMeans(form, text) {
   const bare = text.replace(form.dataset.unit, "").replace("\u2212", "-").trim();
   const x = bare === "" ? NaN : Number(bare), within = +form.dataset.within;
@@ -85,7 +85,7 @@ const keyOf = (prediction) => prediction.dataset.key;
 const wrong = () => asked.filter((prediction) => (predicted[keyOf(prediction)] || [])[1] === false);
 const fresh = asked.map((prediction) => prediction.cloneNode(true));
 
-// how many predictions above each tally were right, and those above that were wrong once more
+// how many predictions above each tally were right, and the wrong ones among them, asked again
 function count() {
   for (const tally of document.querySelectorAll(".prediction-tally")) {
     const above = asked.filter((p) => p.compareDocumentPosition(tally) & Node.DOCUMENT_POSITION_FOLLOWING);
@@ -114,7 +114,7 @@ function count() {
 for (const prediction of asked) ask(prediction, keyOf(prediction));
 count();
 
-// the table of problems shows those that fit all that is asked for; without this script it shows all
+// the table of problems shows those that fit everything chosen; without this script it shows all
 const choose = document.querySelector("form.choose");
 if (choose) {
   const rows = [...document.querySelectorAll("table.problems tbody tr")];
@@ -141,8 +141,8 @@ if (choose) {
   show();
 }
 
-// for those who do not see or point: the margin's headings have a level, a summary is called what it
-// says, and the keyboard reaches what scrolls within itself
+// for readers who do not see or point: the margin's headings have a level, a summary is named by its
+// text, and the keyboard reaches what scrolls by itself
 for (const caption of document.querySelectorAll(".caption[role=heading]")) caption.setAttribute("aria-level", "2");
 for (const summary of document.querySelectorAll("summary[aria-label]")) summary.removeAttribute("aria-label");
 const besideFormulas = (element) => {

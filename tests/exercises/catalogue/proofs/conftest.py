@@ -1,4 +1,4 @@
-"""Proofs run at their number of digits."""
+"""Proofs run with their fifty digits."""
 
 import pytest
 from mpmath import mp

@@ -1,4 +1,4 @@
-"""Motions that forces cause: to 20 digits, of every step, up to the first event, in floats too."""
+"""Motions that forces cause: to 20 digits, at any step, up to the first event, in floats too."""
 
 import pytest
 from mpmath import mp, mpf

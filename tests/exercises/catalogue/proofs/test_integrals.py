@@ -1,4 +1,4 @@
-"""Integrals of proofs against closed forms, to thirty digits, or refused."""
+"""Integrals in proofs agree with closed forms to thirty digits, or are refused."""
 
 import pytest
 from mpmath import mp, mpf

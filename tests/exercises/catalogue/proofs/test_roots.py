@@ -1,4 +1,4 @@
-"""Roots of proofs: inside the bracket, to nearly fifty digits, or refused."""
+"""Roots in proofs: inside the bracket, to nearly fifty digits, or refused."""
 
 import pytest
 from mpmath import mp, mpf

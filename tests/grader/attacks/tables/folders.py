@@ -1,4 +1,4 @@
-"""Submissions that are no notebook, or no file, and what lies beside a notebook."""
+"""Submissions that are not a notebook, or not a file, and what lies beside a notebook."""
 
 import json
 import os
@@ -96,7 +96,7 @@ ATTACKS = {
     "empty": text(""),
     "cut off": text('{"cells": [{"cell_type": "co'),
     "a list": text("[1, 2, 3]"),
-    "no list of cells": text('{"cells": {"a": 1}, "nbformat": 4}'),
+    "cells that are not a list": text('{"cells": {"a": 1}, "nbformat": 4}'),
     "nested too deep": text("[" * 100_000),
     "bytes": text(b"\xff\xfe\x00\x89PNG"),
     "format 3": text('{"worksheets": [], "nbformat": 3, "nbformat_minor": 0, "metadata": {}}'),
@@ -116,11 +116,11 @@ ATTACKS = {
     "a link to a neighbour's folder": Attack(link_of_the_folder, **UNREADABLE),
     "a link to a neighbour": Attack(link_of_the_student, **UNREADABLE),
     "another name": place(lambda path, scene: named("a\x1b[2J\x1b[1;1H\nada 11 of 11\x07\u202e.ipynb")(path.parent, scene)),
-    "a name that is no text": place(lambda path, scene: named(b"\xff\xfe\x1b[31m.ipynb")(path.parent, scene)),
+    "a name that is not text": place(lambda path, scene: named(b"\xff\xfe\x1b[31m.ipynb")(path.parent, scene)),
     "no file": place(lambda path, scene: None),
     "another notebook beside it": beside(named("ch05\x1b[31m\n[AutogradeApp] done.ipynb", b"{}")),
     "a file with a strange name": beside(named("x\x1b]0;title\x07\nEvil \u202e.txt")),
-    "a file whose name is no text": beside(named(b"\xff\xfe.txt")),
+    "a file whose name is not text": beside(named(b"\xff\xfe.txt")),
     "a page in the place of the page": beside(named("ch04.html", b"<script>alert(1)</script>")),
     "a folder in the place of the page": beside(named("ch04.html/x", b"x")),
     "a folder for the partial file": beside(named(".ch04.ipynb.partial/x", b"x")),
@@ -128,7 +128,7 @@ ATTACKS = {
     "links beside it": beside(links),
     "pipes beside it": beside(pipes),
     "a time in a folder": beside(lambda folder, scene: (folder / "timestamp.txt").mkdir()),
-    "a time in a far year": beside(named("timestamp.txt", b"99999-01-01 10:00:00 UTC")),
+    "a time in the far future": beside(named("timestamp.txt", b"99999-01-01 10:00:00 UTC")),
     "a time with terminal codes": beside(named("timestamp.txt", b"\x1b[2J2026-01-01 10:00:00 UTC")),
     "many files": beside(many_files),
     "deep folders": beside(deep_folders),

@@ -83,7 +83,7 @@ def exchanged_ids(notebook, scene):
 
 
 def role(what, problem="4/16"):
-    """An own cell that says it is another."""
+    """A cell of the student's own that claims another role."""
 
     def change(notebook, scene):
         marks = {"newton_euler": {"role": what, "problem": problem}}
@@ -177,7 +177,7 @@ ATTACKS = {
     "twenty thousand cells": edited(many_cells),
     "one cell": edited(merged),
     "no cell": edited(no_cells),
-    "things that are no cells": edited(strange_cells),
+    "things that are not cells": edited(strange_cells),
     "a kernel of its own": edited(kernel),
     "versions": edited(versions),
     "a picture in many places": edited(pictures),

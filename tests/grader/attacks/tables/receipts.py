@@ -1,4 +1,4 @@
-"""Receipts that are forged, doubled, oversized, nested, malformed; the work and numbers of others."""
+"""Forged, doubled, oversized, nested and malformed receipts; other people's work and numbers."""
 
 from tests.grader.attacks.attack import code, edited, put, right_texts
 from tests.grader.courses import read
@@ -66,7 +66,7 @@ FORGED = {
 
 
 def neighbours_notebook(notebook, scene):
-    """The numbers of another: what is copied of the instructor's question is right for all."""
+    """Another's numbers: what is copied of the instructor's question is right for everyone."""
     theirs = read(scene.honest)
     put(theirs, {"square": ""})
     return theirs

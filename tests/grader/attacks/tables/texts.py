@@ -1,4 +1,4 @@
-"""Texts that are read by others: HTML, JavaScript, terminal escapes, markup, formulas of tables."""
+"""Texts that others read: HTML, JavaScript, terminal escapes, markup, spreadsheet formulas."""
 
 from tests.grader.attacks.attack import added, code, edited
 
@@ -25,7 +25,7 @@ def essay(notebook, scene):
 
 
 def long_essay(notebook, scene):
-    """Libraries for Markdown and HTML take the square of the time for texts like these."""
+    """Libraries for Markdown and HTML take quadratic time for texts like these."""
     cell = next(c for c in notebook["cells"] if c["id"] == "essay")
     cell["source"] = "\\" * 300_000 + "> " * 300_000 + "\\begin{a}" * 10_000
 

@@ -1,4 +1,4 @@
-"""Each wall of the cage for itself, without those around it: in a fork of this process."""
+"""Each wall of the cage by itself, without those around it: in a fork of this process."""
 
 import ctypes
 import errno
@@ -21,7 +21,7 @@ SESSION, SEARCH = -3, 10
 
 
 def in_a_fork(function):
-    """The number that a function returns in a fork; 128 and its number for an error of the system."""
+    """The number that a function returns in a fork; 128 plus errno for a system error."""
     pid = os.fork()
     if pid == 0:
         try:
@@ -103,7 +103,7 @@ def test_forbidden_calls_fail_and_processes_and_threads_can_still_be_started():
 
 
 def test_a_program_that_is_started_gets_no_new_privileges():
-    """Without the filter of system calls, which sets the same: libseccomp is not everywhere."""
+    """Without the filter of system calls, which sets the same flag but needs libseccomp."""
 
     def privileges():
         isolation.drop_capabilities()
@@ -132,7 +132,7 @@ def test_a_submission_is_limited_in(what):
     assert in_a_fork(limited) == 0
 
 
-def test_a_file_may_have_16_mb_and_no_byte_more(tmp_path):
+def test_a_file_may_have_16_mb_and_not_a_byte_more(tmp_path):
     def written():
         isolation.limit(9, used=2**32)
         with open(tmp_path / "file", "wb", buffering=0) as f:
@@ -157,7 +157,7 @@ def test_a_submission_has_a_session_of_its_own(harvester):
     assert answer(harvester, text) == 1
 
 
-CALLS = {  # what a submission tries, to which the answer is False
+CALLS = {  # what a submission tries: each answer must be False
     "keyrings": f"x = libc.syscall({KEYCTL}, 0, -3, 0) >= 0",
     "shared memory that belongs to no process": "x = libc.shmget(0, 2**20, 0o1600) >= 0",
     "files in memory": "os.memfd_create('x'); x = 1",

@@ -1,4 +1,4 @@
-"""Control groups: where one is made, what is written, what is left. On folders that look like a
+"""Control groups: where one is made, what is written, what is left. On folders that look like the
 kernel's, since few machines let a test make one.
 """
 
@@ -87,7 +87,7 @@ def test_each_test_of_a_submission_may_hold_some_memory_of_its_own(monkeypatch, 
 
 
 def test_private_memory_moves_into_large_pages():
-    """A fork copies the page table: of a worker in large pages it takes half the time."""
+    """A fork copies the page table: for a worker in large pages it takes half the time."""
     if sys.platform != "linux" or tuple(map(int, os.uname().release.split(".")[:2])) < (6, 1):
         pytest.skip("large pages are made by Linux 6.1 and later")
     code = (

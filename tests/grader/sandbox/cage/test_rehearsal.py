@@ -1,4 +1,4 @@
-"""What runs before any submission runs without an error, and leaves nothing behind."""
+"""What runs ahead of all submissions raises no error and leaves nothing behind."""
 
 import json
 import sys

@@ -1,4 +1,4 @@
-"""What a notebook shows as working works in the cage: each cell as IPython runs it, and ours."""
+"""What works in a notebook works in the cage: each cell as IPython runs it, and as we do."""
 
 import sys
 
@@ -69,11 +69,11 @@ def test_these_cells_work_in_ipython_itself(tmp_path, monkeypatch):
     pytest.importorskip("IPython")
     from IPython.core.interactiveshell import InteractiveShell
 
-    monkeypatch.delenv("VIRTUAL_ENV", raising=False)  # it warns where that is another Python's
+    monkeypatch.delenv("VIRTUAL_ENV", raising=False)  # it warns if that is another Python's
     monkeypatch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # which it replaces
     shell, failed = InteractiveShell(ipython_dir=str(tmp_path)), {}
     shell.display_pub.publish = lambda *_, **__: None
-    shell.enable_matplotlib = lambda *_: ("inline", "inline")  # which wants a kernel
+    shell.enable_matplotlib = lambda *_: ("inline", "inline")  # which needs a kernel
     for what, text in WORKS.items():
         if what in NOT_IN_A_BARE_SHELL:
             continue
@@ -85,10 +85,10 @@ def test_these_cells_work_in_ipython_itself(tmp_path, monkeypatch):
 
 
 NOT_IN_A_BARE_SHELL = {
-    "a plot",  # wants a screen
-    "a widget",  # wants a kernel
-    "pylab",  # wants a screen
-    "output of a shell command",  # here the folder is empty, and 42 right for that only
+    "a plot",  # needs a screen
+    "a widget",  # needs a kernel
+    "pylab",  # needs a screen
+    "output of a shell command",  # here the folder is empty, and 42 is right only for that
     "pickle",  # the module __main__ is that of the tests
     "a dataclass",
     "main",
@@ -145,7 +145,7 @@ def test_what_the_shell_does_cannot_be_seen_by_the_next_submission(harvester):
     assert "NameError" in answer(harvester, "x = left")
 
 
-CUT = (  # where the last line might be taken for what it is not
+CUT = (  # where the last line might be mistaken for an expression
     "x = 3\nx", "'''a\nx = 3\n'''", "s = '''a\nx = ''' + '''b'''", "f(1,\nx=2)", "x = (1,\n2)\nx", "y = \\\n3",
     "if 1:\n  x = 3\nx", "x = 3\n x", " x = 3\nx", "x = 1; 2", "x = 3 # a; b", "x = 1;", "x = 3\nx == 3",
     "lambda x=3: x", "lambda x = 3: x", "a, b = 1, 2\na, b", "x = yield", "y = 3\nyield y", "return 3",

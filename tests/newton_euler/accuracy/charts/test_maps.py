@@ -31,7 +31,7 @@ def measured(land, timed=False):
     return chart, chart.measure()
 
 
-def test_an_island_of_times_that_is_not_there_again_is_removed():
+def test_an_island_of_times_missing_from_a_repeat_is_removed():
     chart, found = measured(lambda x, y: False, timed=True)
     found[:6, 0] = found[9, 9] = found[:5, 5] = LAND
     better, changed = settled(chart, found)
@@ -41,7 +41,7 @@ def test_an_island_of_times_that_is_not_there_again_is_removed():
     assert "noise of the times" in map_caption(chart, better, changed)
 
 
-def test_a_speck_that_is_there_again_goes_to_its_neighbours_and_a_large_island_stays():
+def test_a_speck_that_recurs_goes_to_its_neighbours_and_a_large_island_stays():
     better, changed = settled(
         *measured(lambda x, y: (y < 5 and x < 4) or (x > 9 and y > 6) or (x > 6 and y < 1), True)
     )

@@ -52,7 +52,7 @@ def test_a_scene_without_invariants_says_so_on_its_chart():
     figure.canvas.draw()
 
 
-def test_all_methods_have_a_look_of_their_own():
+def test_every_method_has_its_own_look():
     assert len({tuple(marker_style(n).values()) for n in range(len(NAMES))}) == len(NAMES)
 
 
@@ -112,7 +112,7 @@ def test_the_caption_has_only_what_all_repeats_agree_on():
     assert "There dop853" not in busy_caption
 
 
-def test_the_band_of_a_point_goes_over_its_repeats():
+def test_the_band_of_a_point_spans_its_repeats():
     ax = Figure().subplots()
     point = replace(Measured("dop853", 0.0, 1e-8), **of_repeats([3e-6, 1e-6, 2e-6]))
     assert point.cost == 2e-6
@@ -120,7 +120,7 @@ def test_the_band_of_a_point_goes_over_its_repeats():
     assert [1e-6, 3e-6] in [list(line.get_xdata()) for line in ax.lines]
 
 
-def test_stepping_methods_have_a_front_beside_that_of_closed_forms():
+def test_stepping_methods_have_their_own_front_beside_that_of_closed_forms():
     figure = Figure()
     ax = figure.subplots()
     found = measured(taylor=(1e-4, 1e-8), dop853=(1e-3, 1e-8))

@@ -42,7 +42,7 @@ def test_models_are_charted_against_the_fullest(shots):
     figure.canvas.draw()
 
 
-def test_a_bar_goes_from_the_median_of_the_error_to_its_largest(shots):
+def test_a_bar_runs_from_the_median_error_to_the_largest(shots):
     coarse, _ = measured_models(shots)
     distances = shots.distances(shots.rungs[0])
     assert coarse.usual == sorted(distances)[len(distances) // 2]

@@ -36,7 +36,7 @@ def test_a_time_is_that_of_one_call_and_the_first_call_does_not_count():
     assert len(calls) > 3 * 2
 
 
-def test_other_work_of_the_machine_in_some_runs_does_not_count():
+def test_other_load_on_the_machine_in_some_runs_does_not_count():
     clock, delays = Clock(), cycle((0.0, 0.3, 0.02))
 
     def f():

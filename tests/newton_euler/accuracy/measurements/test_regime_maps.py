@@ -69,7 +69,7 @@ def test_a_compilation_takes_longer_than_a_run_that_is_compiled():
     assert compiling > min(motion.cost.seconds for motion in runs)
 
 
-def test_integration_fails_where_round_off_has_grown_to_what_is_wanted():
+def test_integration_fails_where_round_off_has_grown_to_the_accuracy_wanted():
     """Within a factor of five of the theory: a random walk is known only on average."""
     pytest.importorskip("heyoka")
     for tilt in (1e-7, 1e-5, 3e-3, 1e-2):
@@ -121,7 +121,7 @@ def test_a_uniform_field_holds_until_the_weight_is_seen_to_be_less_above(flight)
 
 
 @pytest.mark.parametrize("omega_z", [150.0, 400.0, 900.0])
-def test_a_top_let_go_nods_and_only_a_model_that_nods_is_within_less(omega_z):
+def test_a_top_let_go_nods_and_below_its_nutation_only_a_model_that_nods_holds(omega_z):
     chart = MAPS["top"]
     nods = {"top, nutation and precession", chart.choices[-2], chart.choices[-1]}
     assert border(chart, omega_z, nods) == pytest.approx(maps._nutation(omega_z), rel=0.1)
@@ -134,13 +134,13 @@ def test_a_top_that_is_too_slow_has_no_rung_of_steady_precession():
 
 
 @pytest.mark.parametrize("ratio", [0.8, 0.95, 0.99])
-def test_a_top_below_the_critical_rate_falls_when_its_rate_of_growth_says(ratio):
+def test_a_top_below_the_critical_rate_falls_when_its_growth_rate_predicts(ratio):
     assert maps.falling_time(ratio) == pytest.approx(
         float(maps._theoretical_falling_time(np.array(ratio))), rel=0.02
     )
 
 
-def test_beside_the_critical_rate_the_run_says_nothing_and_the_criterion_all():
+def test_near_the_critical_rate_the_criterion_decides_and_the_run_does_not():
     chart = MAPS["sleeping top"]
     assert list(chart.column(0.9999, [10.0, 99.0])) == [maps.UNDECIDED] * 2
     assert list(chart.column(1.0001, [10.0, 99.0])) == [maps.STANDS] * 2

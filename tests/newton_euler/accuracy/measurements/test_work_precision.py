@@ -82,7 +82,7 @@ def test_the_table_has_the_ratios_of_auto_where_it_steps():
     assert "exact solution" not in found.explain()
 
 
-def test_a_method_that_takes_long_is_asked_for_no_more_digits_and_named():
+def test_a_slow_method_is_asked_for_no_more_digits_and_is_named():
     found = work_precision("sphere on an incline", (1e-3, 1e-4), ("dop853",), longest=0.0)
     assert [p.asked for p in found.points] == [1e-3]
     assert found.too_slow["dop853"].startswith("not asked for less than 1e-03, which took")

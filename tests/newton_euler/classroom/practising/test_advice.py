@@ -102,7 +102,7 @@ BAD = [
 
 
 @pytest.mark.parametrize("text", BAD, ids=range(len(BAD)))
-def test_what_is_no_progress_is_refused_in_words_and_changes_nothing(progress, text):
+def test_what_is_not_a_record_of_progress_is_refused_in_words_and_changes_nothing(progress, text):
     progress.tried("1/1", 0, "v", True)
     before = str(progress)
     with pytest.raises(ValueError, match=r"."):

@@ -55,7 +55,7 @@ def test_mastery_needs_enough_right_at_first_go():
 
 
 @pytest.mark.parametrize("content", [None, b"", b"text"])
-def test_a_file_that_is_no_practice_file_is_refused(tmp_path, content):
+def test_a_file_that_is_not_a_practice_file_is_refused(tmp_path, content):
     path = tmp_path / "x.practice"
     if content is not None:
         path.write_bytes(content)

@@ -33,7 +33,7 @@ def boxes(shown):
     return [row.children for row in shown.outputs[1].children]
 
 
-def test_a_slider_draws_the_picture_anew_in_its_place(shown):
+def test_a_slider_redraws_the_picture_in_its_place(shown):
     pytest.importorskip("ipywidgets")
     interactive_figure(plot, A, B, alt=lambda a, b: f"{ALT} a = {a}, b = {b}", size=(2, 2))
     (first, beside), (second, _) = boxes(shown)

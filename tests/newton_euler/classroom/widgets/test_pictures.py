@@ -43,6 +43,6 @@ def test_an_alt_text_of_fewer_than_8_words_is_refused(shown, alt):
     plt.close("all")
 
 
-def test_what_is_no_figure_is_refused():
+def test_what_is_not_a_figure_is_refused():
     with pytest.raises(NewtonEulerError, match="matplotlib figure or a Page; got 3"):
         show_figure(3, ALT)

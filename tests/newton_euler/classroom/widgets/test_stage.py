@@ -131,7 +131,7 @@ def test_a_plot_beside_a_sketch_keeps_room_for_its_labels():
     assert places["force (N)"][1] < places["time (s)"][1] < 285
 
 
-def test_a_plot_beside_a_sketch_is_drawn_anew_for_each_value():
+def test_a_plot_beside_a_sketch_is_redrawn_for_each_value():
     def both(axes, a):
         arrow(axes[0], a)
         axes[1].bar([0, 1], [a, 1], label=f"at {a}")

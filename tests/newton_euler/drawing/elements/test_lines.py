@@ -38,7 +38,7 @@ def test_a_wire_runs_through_all_its_places():
     assert along[:, 1].min() == pytest.approx(0, abs=1e-12)
 
 
-def test_a_dashed_curve_is_one_line_so_that_its_dashes_do_not_begin_anew():
+def test_a_dashed_curve_is_one_line_so_that_its_dashes_do_not_restart():
     s = sketch(plane="xy")
     s.path([(x, x * x, 0) for x in range(20)], style="dashed")
     s.finish()

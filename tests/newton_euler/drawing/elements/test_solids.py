@@ -15,7 +15,7 @@ CORNERS = [(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0)]
 @pytest.mark.parametrize("sense", [1, -1])
 @pytest.mark.parametrize("order", [1, -1])
 @pytest.mark.parametrize("thickness", [0, 0.5])
-def test_one_sees_through_the_holes_of_a_plate(sense, order, thickness):
+def test_the_holes_of_a_plate_can_be_seen_through(sense, order, thickness):
     """This holds whichever way the outline and the hole run."""
     s = sketch(plane="xy")
     hole = s.around((1, 1, 0), (1.5, 1, 0), ground.k * sense)
@@ -112,7 +112,7 @@ def test_the_equator_of_a_sphere_is_its_front_alone_from_all_sides(azimuth):
     assert len({colour_at(s, 0, 0, z / 200) for z in range(-20, 21)}) == 1
 
 
-def test_one_sees_into_an_open_cone():
+def test_the_inside_of_an_open_cone_is_visible():
     s = sketch(azimuth=0, elevation=40)
     s.cone(O, ground.k, 2, 1, open=True)
     assert colour_at(s, 0, 0, 2) == SHADED.lower()

@@ -21,7 +21,7 @@ def test_an_arrow_reaches_from_A_to_B_whatever_else_is_drawn():
     assert shaft == pytest.approx(np.array([(1, 2), (4, 6)]))
 
 
-def test_the_label_of_an_arrow_stands_at_its_middle():
+def test_the_label_of_an_arrow_is_at_its_middle():
     s = sketch(plane="xy")
     s.arrow(O, (4, 2, 0), "$r$")
     png(s)

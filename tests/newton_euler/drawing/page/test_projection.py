@@ -37,7 +37,7 @@ def test_right_up_and_eye_are_a_right_handed_triple_of_unit_vectors(view):
     assert np.linalg.det(R) == pytest.approx(1)
 
 
-def test_the_axis_up_is_seen_upwards_and_the_eye_looks_from_above():
+def test_the_vertical_axis_points_up_the_page_and_the_eye_looks_from_above():
     for up, n in zip("xyz", range(3), strict=True):
         view = space_view(35, 20, up)
         assert view.right[n] == 0

@@ -86,7 +86,7 @@ def test_a_formula_is_written_in_letters(text, shown):
     assert "".join(run.text for run in letters(text).runs) == shown
 
 
-def test_an_index_and_a_power_stand_over_each_other_and_what_follows_on_the_line():
+def test_an_index_and_a_power_are_stacked_and_what_follows_is_on_the_line():
     page = Page()
     page.panel.set_title("$v_x^2$ = <4>")
     (text,) = of_kind(ElementTree.fromstring(svg(page)), "text")
@@ -98,7 +98,7 @@ def test_an_index_and_a_power_stand_over_each_other_and_what_follows_on_the_line
     assert rest.text == " = <4>"
 
 
-def test_every_colour_has_one_for_a_dark_page():
+def test_every_colour_has_a_counterpart_for_a_dark_page():
     for entry in entries():
         page = Page((3, 2))
         draw(entry, page.panel)

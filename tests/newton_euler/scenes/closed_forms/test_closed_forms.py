@@ -363,7 +363,7 @@ def test_the_text_of_the_orbit_agrees_with_keplers_equation_solved_between_bound
             assert math.dist(found[:2], expected[:2]) < 5 * EPS * (2 + speed * (1 + abs(t)))
 
 
-def test_it_has_no_value_for_what_is_no_ellipse():
+def test_it_has_no_value_where_the_orbit_is_not_an_ellipse():
     for start in ((1.0, 0.0, 0.0, 1.5), (1.0, 0.0, 0.5, 0.0)):
         assert all(map(math.isnan, text(orbit(1.0))(3.0, *start)))
 

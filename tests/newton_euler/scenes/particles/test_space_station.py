@@ -47,7 +47,7 @@ def test_example_6_7_a_throw_at_the_opposite_person_misses_behind():
     assert abs(complex(x, y) * np.exp(1j * omega * t) - straight) < 1e-12 * r
 
 
-def test_example_6_7_who_runs_against_the_rotation_stands_still_among_the_stars():
+def test_example_6_7_someone_who_runs_against_the_rotation_stands_still_among_the_stars():
     g, r = 9.81, 100.0
     model = free_body(-station_rate(g, r))
     start = (r, 0.0, 0.0, rim_speed(g, r))
