@@ -20,8 +20,9 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
+from newton_euler.algebra import scalars
 from newton_euler.algebra.language import Words
-from newton_euler.algebra.scalars import Scalar, is_numeric, to_plain
+from newton_euler.algebra.scalars import Scalar
 from newton_euler.algebra.units import Dimension, DimensionError, System, unit
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.forms import kind_named
@@ -110,7 +111,7 @@ def terms(
 
 def is_zero(vector: Vector) -> bool:
     """True if all components are the number zero, hence zero for all values."""
-    return all(is_numeric(x) and x == 0 for x in map(to_plain, vector.c))
+    return all(map(scalars.is_zero, vector.c))
 
 
 def steps(

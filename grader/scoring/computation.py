@@ -19,6 +19,7 @@ from newton_euler.algebra.compile import Compiled
 from newton_euler.algebra.language import Words, cached_by_language, spoken
 from newton_euler.algebra.trace import Step, Trace
 from newton_euler.algebra.units import unit
+from newton_euler.algebra.vectors import Vector
 
 FEW = 7  # words that say what a quantity is
 
@@ -171,6 +172,17 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     where, means = section(p.section), _means(p)
     solved, given = found.solved, found.givens
     return Formulas(answers, p.units, p.system, stages, where, means, solved, symbols, given)
+
+
+@cache
+def sizes_of(problem_id: str) -> Mapping[str, str]:
+    """{answer: the step of which it is the size}, where this is a vector with named terms."""
+    found = traced_quantities(find_problem(problem_id))
+    vectors = [(s.key, s.value) for s in found.steps if isinstance(s.value, Vector)]
+    terms = [(key, v.norm()) for key, v in vectors if v.terms]
+    sizes = {x.number: key for key, x in terms if isinstance(x, Step)}
+    parts = found.components.items()
+    return {k: sizes[x.number] for k, (x, *_) in parts if getattr(x, "number", -1) in sizes}
 
 
 def _with_zeros(parts):

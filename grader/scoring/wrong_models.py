@@ -4,19 +4,22 @@ problem (a term left out or turned, degrees for radians, axes of another frame).
 
 import warnings
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from exercises.catalogue.model import Givens, Problem
+from exercises.catalogue.steps import listed_steps
 from exercises.catalogue.variants import flat
 from exercises.catalogue.wording import body_text, named_in_text, term_text
 from newton_euler.algebra.language import Words
+from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import causes
 from newton_euler.answers.causes import Cause
 from newton_euler.kinematics import AngleWarning
 
-from .computation import section
+from .computation import section, sizes_of
 
 
 def wrong_models(problem, values):
@@ -30,7 +33,43 @@ def wrong_models(problem, values):
         for key, x in problem.in_units(answers).items():
             found.append((key, causes.listed(name, problem.mistakes[name]), flat(x)))
     found += general_models(problem, g, right, lambda g: problem.in_units(problem.code.solve(g)))
-    return [model for model in found if not problem.answer(model[0]).kind.is_word]
+    return _told_apart([model for model in found if not problem.answer(model[0]).kind.is_word])
+
+
+def _told_apart(models):
+    """The models. A general one that is traced to the very steps of a listed mistake is this
+    mistake in other words: it has its name as subject, and tells it where to read on.
+    """
+    found = {(key, cause.group == "listed", _steps(x)): cause for key, cause, x in models}
+    told = []
+    for key, cause, x in models:
+        is_listed, steps = cause.group == "listed", _steps(x)
+        if steps and (twin := found.get((key, not is_listed, steps))):
+            cause = _placed(cause, twin) if is_listed else replace(cause, subject=twin.name)
+        told.append((key, cause, x))
+    return told
+
+
+def _placed(cause, twin):
+    """The cause with the place of its twin, where this is not named beside it and leaves room."""
+    there = cause.at(twin.where)
+    has_room = cause.why in (causes.sentence([there]) or "")
+    return there if has_room and twin.does != causes.REVERSED else cause
+
+
+def _steps(components):
+    """What identifies traced numbers; () of others."""
+    is_traced = any(isinstance(x, Step) for x in components)
+    return tuple(getattr(x, "number", x) for x in components) if is_traced else ()
+
+
+def _of_sizes(problem, g, right):
+    """The mistakes in the terms of a vector, of which the size is asked for."""
+    sizes = {key: step for key, step in sizes_of(problem.id).items() if key in right}
+    steps = {s.key: s.value for s in listed_steps(problem, g)} if sizes else {}
+    for key, step in sizes.items():
+        for cause, wrong in _terms(steps[step], problem):
+            yield key, cause, flat(problem.in_units({key: wrong.norm()})[key])
 
 
 def general_models(
@@ -47,6 +86,7 @@ def general_models(
         if isinstance(x, Vector):
             models = (*_terms(x, problem), *_rates(x), *_frames(x, problem))
             found += [(key, cause, flat(wrong)) for cause, wrong in models]
+    found += _of_sizes(problem, g, right)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AngleWarning)  # degrees for radians are meant
         for cause, changes in _units(problem, g):

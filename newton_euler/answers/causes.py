@@ -33,7 +33,8 @@ class Cause:
     text : its words: what was done and, after a colon, why it is wrong; :class:`Words` appear in
         the reader's language
     where : where to read on in the book
-    subject : shared by slips that are one and the same in other words: the last of them is named
+    subject : shared by slips that are one and the same in other words: the last of them is named;
+        the name of a listed mistake that a general one repeats
     does : what it does, one of :data:`DOES`, or ""
     of : to what, in words; "" of a term without a name
     """
@@ -404,6 +405,8 @@ CORIOLIS_HALVED = Cause(
     "term",
     "coriolis / 2",
     Words("writes the Coriolis term without the factor 2: two equal effects add up in it"),
+    does=RESCALED,
+    of=Words("the Coriolis term"),
 )
 
 

@@ -8,7 +8,17 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from .causes import CORIOLIS_HALVED, LEFT_OUT, NO_COMPONENT, ROUNDED, ZERO, Cause, in_this_part
+from .causes import (
+    CORIOLIS_HALVED,
+    FACTOR_2,
+    LEFT_OUT,
+    NO_COMPONENT,
+    RESCALED,
+    ROUNDED,
+    ZERO,
+    Cause,
+    in_this_part,
+)
 from .fit import CLOSE, EXACT, LOOSE, Fit
 from .kinds import KINDS, Kind
 from .near import NO_SINGLES, Singles
@@ -65,6 +75,11 @@ class Elsewhere:
         )
         return shown and not self.explains(cause)
 
+    def has_more(self, causes: Iterable[Cause]) -> bool:
+        """True if other parts are wrong that these mistakes would show in, but do not explain."""
+        wrong = sum(not part.right for part in self._parts)
+        return wrong > 0 and all(c.shows_everywhere and self.explains(c) < wrong for c in causes)
+
     def explains(self, cause: Cause) -> int:
         """The number of other wrong parts that this mistake explains."""
         return sum(
@@ -108,22 +123,29 @@ def diagnose(
     fit = Fit(given, key, kind.rtol)
     single = [*_stages(fit, wrong, kind, factors or {})]
     general = _closest(single)
-    computed: list[Hit] = []
+    # a factor of some components, within the digits written: one slip goes before two
+    least = LOOSE if kind.is_formula else CLOSE
     doubtful = (_says_little(h.cause, kind) or elsewhere.contradicts(h.cause) for h in general)
-    if slips and all(doubtful):  # listed mistakes cost less to try
+    is_doubtful = all(doubtful)  # or else listed mistakes cost less to try
+    computed: list[Hit] = []
+    if slips and (is_doubtful or elsewhere.has_more(h.cause for h in general)):
         computed = _simplest(fit, slips(fit, kind), elsewhere)
         if any(elsewhere.contradicts(h.cause) for h in general):
             computed = [h for h in computed if not elsewhere.contradicts(h.cause)]
+        if general or _first(of_components(fit), fit, least):  # a factor, in plain words
+            computed = [h for h in computed if not _is_bare(h, fit) or elsewhere.explains(h.cause)]
+        if not is_doubtful:  # one mistake behind more wrong parts is likelier than several
+            most = max(elsewhere.explains(h.cause) for h in general)
+            computed = [h for h in computed if elsewhere.explains(h.cause) > most]
     if general:  # either may have been done: they give the same numbers
         both_kinds = *_best(single, elsewhere, fit.sizes), *_best([computed], elsewhere, fit.sizes)
         found = _most_explaining(both_kinds, elsewhere)[:MOST]
         found = tuple(sorted(found, key=elsewhere.contradicts))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
-    if found and all(c.group == "computed" for c in found):  # many of them give a mere factor
+    # many of them give a mere factor, but not in other parts as well
+    if found and all(c.group == "computed" and not elsewhere.explains(c) for c in found):
         found = *_first(bare(fit), fit, CLOSE), *found
-    # a factor of some components, within the digits written: one slip goes before two
-    least = LOOSE if kind.is_formula else CLOSE
     found = found or _first(of_components(fit), fit, least)
     found = found or (_first(of_powers(fit), fit, least) if slips else ())
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
@@ -135,6 +157,20 @@ def _says_little(cause, kind):
     """True of a cause that a slip may explain better: a factor, a zero, a formula of the book."""
     of_book = cause.group == "book" and kind.is_formula
     return of_book or cause.group == "factor" or cause.does == NO_COMPONENT
+
+
+def _is_bare(hit, fit):
+    """True of twice or half a quantity, where this is a factor of 2 of the whole or of a component:
+    any quantity in it would do. In two of three components it is evidence.
+    """
+    ratios: dict[int, set[float]] = {}
+    for x, key in zip(hit.points, fit.key, strict=True):
+        for n, (a, k) in enumerate(zip(x, key, strict=True)):
+            if k and math.isfinite(a / k):
+                ratios.setdefault(n, set()).add(round(a / k, 9))
+    changed = [r for r in ratios.values() if r != {1.0}]
+    is_whole_or_one = len(changed) in (1, len(ratios)) and changed[1:] == changed[:-1]
+    return hit.cause.does == FACTOR_2 and is_whole_or_one and changed[0] in ({2.0}, {0.5})
 
 
 class Hit(NamedTuple):
@@ -163,18 +199,21 @@ def _best(stages, elsewhere, sizes):
     # numbers in a formula, written in five digits, are never as close
     formulas = ([h for h in hits if len(h.points) > 1] for hits in here)
     best = _closest(possible) or _closest(here) or next(filter(None, [*possible, *formulas]), [])
+    named = {h.cause.name for h in best if h.cause.group == "listed"}
     twins = [
         h
         for hits in (*possible, *here)
         for h in hits
-        if h.cause.adds_to_others and any(_same(h.points, o.points, sizes) for o in best)
+        if h.cause.adds_to_others
+        if not (h.cause.does == RESCALED and h.cause.subject in named)  # the same in other words
+        if any(_same(h.points, o.points, sizes) for o in best)
     ]
     return _chosen([h.cause for h in best], [h.cause for h in twins], elsewhere)
 
 
 def _simplest(fit, near, elsewhere):
-    """The simplest of the slips in a computation that fit best, each in different words; a slip
-    that is made in one part alone is less simple.
+    """The simplest of the slips in a computation that fit best, each in different words: first
+    those that explain most other parts; a slip that is made in one part alone is less simple.
     """
     if not near:
         return []
@@ -184,6 +223,9 @@ def _simplest(fit, near, elsewhere):
         hits = [(1 if hit.cause.does in (LEFT_OUT, ZERO) else n, hit) for n, hit in hits]
     best = max((hit.level for _, hit in hits), default=0)
     fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]
+    if elsewhere.has_more(()):
+        counts = [elsewhere.explains(hit.cause) for _, hit in fitting]
+        fitting = [x for x, n in zip(fitting, counts, strict=True) if n == max(counts)]
     found = [(n + elsewhere.contradicts(hit.cause), hit) for n, hit in fitting]
     simplest = min((n for n, _ in found), default=0)
     words: dict[str, Hit] = {}
@@ -191,7 +233,7 @@ def _simplest(fit, near, elsewhere):
         if n == simplest:
             subject = hit.cause.subject
             words[subject or hit.cause.what] = words.get(hit.cause.what, hit)
-    return sorted(words.values(), key=lambda hit: -elsewhere.explains(hit.cause))[:MOST]
+    return [*words.values()][:MOST]
 
 
 def _closest(stages):
@@ -244,7 +286,7 @@ def _stages(
     rounded = [Hit(EXACT, ROUNDED, fit.given)] if surely_rounded else []
     single = NUMBER_RTOL if kind.is_met_by_chance else None
     yield [*of(group("listed"), single), *of(group("book"), single, apart=False), *rounded]
-    yield of([*group("omitted"), *group("term")])
+    yield of([*group("omitted"), *group("term")], single)
     yield of(group("unit"), single)
     yield [
         *of(multiples(fit, factors), single),

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Sequence
 from decimal import Decimal
+from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -10,6 +11,7 @@ from .tolerance import DIGITS, NOISE, ROUND_OFF, Point, Points, is_apart
 
 LOOSE, CLOSE, EXACT = 1, 2, 3
 LEAST = 1e-3  # of the whole: any component may be off by so much
+SIMPLE = 12  # the largest denominator of a simple number
 EFFECT = 0.05  # of the change by a mistake: a model must be nearer than this to fit
 
 
@@ -55,6 +57,19 @@ class Fit:
         x, *others = self.given[0]
         asked = 0.5 * 10.0 ** (math.floor(math.log10(abs(x))) + 1 - DIGITS) if x else 0.0
         return self.rounding if others else min(self.rounding, asked)
+
+    @cached_property
+    def is_plain(self) -> bool:
+        """True of a formula that is one simple number, or a simple part of pi, at all points: what
+        is computed without the quantity that matters is as plain, and so is any guess.
+        """
+        if len(self.given) == 1 or len(self.given[0]) > 1 or len(set(self.given)) > 1:
+            return False
+        parts = (self.given[0][0] / one for one in (1, math.pi))
+        return any(
+            math.isfinite(x) and abs(x - Fraction(x).limit_denominator(SIMPLE)) <= ROUND_OFF
+            for x in parts
+        )
 
     def times(self, factor: float) -> Points:
         """The key times a factor."""

@@ -58,12 +58,14 @@ class Ranked:
 
 class Singles(NamedTuple):
     """Slips, each with its level, and the answer with each of them at a point, an array (slips,
-    components); ``of_symbols``: the answer is computed from symbols alone.
+    components); ``of_symbols``: the answer is computed from symbols alone; ``is_size``: it is the
+    size of a single component, which has lost its sign.
     """
 
     causes: Sequence[tuple[int, Cause]] = ()
     at: Callable[[int], Any] = lambda point: ()
     of_symbols: bool = False
+    is_size: bool = False
 
 
 NO_SINGLES = Singles()
@@ -103,10 +105,14 @@ class Slips:
             rows = self.at(key, point)
             return [rows[n] for n in places] if isinstance(rows, list) else rows[places]
 
-        return Singles(causes, at, self.is_of_symbols(key))
+        return Singles(causes, at, self.is_of_symbols(key), self.is_size(key))
 
     def is_of_symbols(self, key: str) -> bool:
         """True of an answer that is computed from symbols alone."""
+        return False
+
+    def is_size(self, key: str) -> bool:
+        """True of the size of a single component, in which a slip may turn the sign."""
         return False
 
     def near(self, key: str, fit: Fit, kind: Kind) -> list[tuple[int, Cause, Points]]:
@@ -174,6 +180,8 @@ def _formulas_near(rows, fit, ranked, allowed):
     """For formulas: the places of the slips near the answer at the first point where the key has a
     value, if so few are by chance with the digits that were written.
     """
+    if fit.is_plain:
+        return []
     given, key = fit.given[fit.index], fit.key[fit.index]
     size = math.hypot(*given)
     close, gaps = _within(fit.rtol * size, rows, given)

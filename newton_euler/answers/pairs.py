@@ -18,7 +18,9 @@ from .causes import (
     INVERTED,
     LEFT_OUT,
     OPPOSITE_NUMBER,
+    REVERSED,
     UNNAMED,
+    ZERO,
     Cause,
     both,
     multiple_of,
@@ -47,18 +49,26 @@ def of_two(
     own : the models of the problem's own mistakes
     slips : finds those that may be made beside one of them
     """
-    if fit.index is None or not (kind.has_size or kind.is_formula):
+    if fit.index is None or fit.is_plain or not (kind.has_size or kind.is_formula):
         return ()
     if not is_here("numpy"):  # on a page of the site
         return ()
-    found: dict[int, dict[tuple[Cause, Cause], None]] = {}
+    found: dict[int, dict[tuple[Cause, ...], None]] = {}
     pairs = _Pairs(fit, kind, own, slips())
     for level, pair in pairs.fitting():
         if not any(map(is_contradicted, pair)):
             found.setdefault(level, {})[pair] = None
     simplest = [*found[min(found)]] if found else []
     is_one = len(simplest) == 1 or kind.is_formula
-    return (both(*simplest[0]),) if simplest and is_one else pairs.multiple()
+    if not (simplest and is_one):
+        return pairs.multiple()
+    ((first, *others),) = simplest[:1]
+    return (both(first, *others),) if others else (first,)
+
+
+def _turns(cause):
+    """True of a mistake after which a size may be that of a component of the other sign."""
+    return cause.group == "unit" or cause.does in (REVERSED, LEFT_OUT, ZERO)
 
 
 class _Pairs:
@@ -88,12 +98,13 @@ class _Pairs:
         own, slips = (np.array(x, float).reshape(-1, len(key)) for x in parts)
         return key, np.concatenate((own, (2 * key, key / 2), slips, (-key,)))
 
-    def fitting(self) -> Iterator[tuple[int, tuple[Cause, Cause]]]:
-        """(level, the two causes) of each pair that is met."""
+    def fitting(self) -> Iterator[tuple[int, tuple[Cause, ...]]]:
+        """(level, the two causes) of each pair that is met; one cause that turns a sign as well."""
         with np.errstate(all="ignore"):
             for i, j in [*self._near()]:
                 (n, first), (m, second) = self.causes[i], self.causes[j]
-                yield n + m, (first, second)
+                is_one = second == OPPOSITE_NUMBER and self.slips.is_size and _turns(first)
+                yield n + m, (first,) if is_one else (first, second)
             for i in self._upside_down():
                 yield 1, (self.causes[i][1], INVERTED)
 

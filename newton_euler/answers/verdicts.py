@@ -217,14 +217,23 @@ def _like(given, asked, numbers):
 
 
 def _exchanged(asked, given, found, numbers):
-    """The models that are the right answers to other parts of the same kind and unit."""
+    """The models that are the right answers to other parts of the same kind, and of the same unit
+    or each in the other's place.
+    """
+
+    def is_answered_by_it(other):
+        there = found[other.key].given
+        return there is not None and asked.kind.is_right(
+            there, numbers.key[asked.key], asked.atol, asked.rtol
+        )
+
     return [
         (answer_to(other.key), asked.kind.like(numbers.key[other.key], given))
         for other in numbers.answers
         if other.key != asked.key and other.key in found
         if other.kind == asked.kind and not other.kind.is_word
-        if other.unit == asked.unit or not other.kind.is_met_by_chance
         if not other.kind.is_zero(numbers.key[other.key], other.atol)
+        if other.unit == asked.unit or not other.kind.is_met_by_chance or is_answered_by_it(other)
     ]
 
 

@@ -132,20 +132,31 @@ def of_constants(
             found.setdefault((s.op, abs(float(s.args[1]))), {})[s.number] = s
     inertias = {s.number for s in steps if dimension(s) in INERTIAS}
     yield from _of_exchanged(found, inertias)
+    users = users_of(steps)
     for (op, x), places in found.items():
         c = Fraction(x).limit_denominator(999) if x else Fraction(1)
         if len(places) < 2 or c == 1 or abs(c - Fraction(x)) > 1e-12 * c:
             continue
         own = c if op == "*" else 1 / c
         others = {Fraction(1), 2 * own, own / 2, *(FRACTIONS if own in FRACTIONS else ())}
+        formula = next(filter(None, (_in_full(s, users) for s in places.values())), "")
+        there = Words(" in several places, as in {formula}", formula=formula)
+        there = there if formula else Words(" in several places")
         for other in sorted({*others, *neighbours(own)} - {own}):
             words = Words(
-                "takes the factor {other} for {own} in several places: the formulas have {own}",
-                other=other, own=own,
+                "takes the factor {other} for {own}{there}: the formulas have {own}",
+                other=other, own=own, there=there,
             )  # fmt: skip
             if other == 1:
                 words = Words(
-                    "leaves out the factor {own} in several places: the formulas have it", own=own
+                    "leaves out the factor {own}{there}: the formulas have it", own=own, there=there
                 )
             instead = {n: ("*", s, float(other / own)) for n, s in places.items()}
             yield Edit(LESS, computed(f"{other} everywhere {op} {x}", words), instead)
+
+
+def _in_full(s, users):
+    """The product of which a step is a part, as it is typed; "" for none that is short."""
+    while len(users[s]) == 1 and users[s][0].op in PRODUCT and typed(users[s][0]):
+        (s,) = users[s]
+    return typed(s)

@@ -202,12 +202,23 @@ class Perturbed(Slips):
     def is_of_symbols(self, key: str) -> bool:
         return all(getattr(self.values[n], "shape", ()) for n in self.computation.arguments_of(key))
 
+    def is_size(self, key: str) -> bool:
+        return _is_size(self.computation.answers[key].parts[0])
+
     def at(self, key: str, point: int) -> Any:
         """An answer with each slip at a point; every answer at a point is computed at once."""
         if point not in self._found:
             values = {n: _at(x, point) for n, x in self.values.items()}
             self._found[point] = self.computation.rows(values)
         return self._found[point][key]
+
+
+def _is_size(x):
+    """True of the root of a square, and of such a root times something."""
+    inside = steps_in(x) if isinstance(x, Step) else ()
+    if inside and x.op == "sqrt":
+        return len(steps_in(inside[0])) == 2 and len({*inside[0].args}) == 1
+    return bool(inside) and x.op in ("*", "/") and any(map(_is_size, inside))
 
 
 def _at(x, point):

@@ -19,7 +19,7 @@ ROWS = yaml.safe_load(Path(__file__).with_name("slips_by_hand.yaml").read_text()
 NAMES = ["sin", "cos", "atan", "acos", "asin", "sqrt", "exp", "pi"]
 NUMBERS = {n: getattr(math, n) for n in (*NAMES, "hypot", "radians", "degrees")}
 SYMBOLS = {n: getattr(sympy, n) for n in NAMES}
-SILENT = 9  # of all parts: nothing finds them, as a normal of length other than 1, or two slips
+SILENT = 10  # of all parts: nothing finds them, as a normal of length other than 1, or a guess
 
 
 def evaluated(p, values, let):

@@ -39,5 +39,6 @@ def texts(part):
 
 def judged(p, answers, values=None):
     """{key: Part} of these answers."""
-    score = score_receipt(p, values or VALUES[p.id], {"answers": answers})
+    values = VALUES[p.id] if values is None else values
+    score = score_receipt(p, values, {"answers": answers})
     return {part.key: part for part in score.parts}

@@ -14,7 +14,7 @@ from grader.scoring.numbers import Numbers
 from newton_euler.algebra.ledger import equation
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import tolerance
-from tests.grader.scoring.answered import CH04, texts, trees
+from tests.grader.scoring.answered import CH04, judged, texts, trees
 
 DATA = ("book", "variant")
 
@@ -34,7 +34,7 @@ def listed(p, given):
 
 
 def part_of(p, given, key, tree):
-    return {x.key: x for x in score_receipt(p, given, {"answers": {key: tree}}).parts}[key]
+    return judged(p, {key: tree}, given)[key]
 
 
 def numbers_of(p, given):
@@ -203,7 +203,7 @@ def test_a_cause_that_the_right_parts_contradict_is_named_in_this_part(number, k
     given = values(p, "variant")
     right = trees(p, p.solve(given))
     turned = {**right, key: [-x for x in right[key]]}
-    parts = {x.key: x for x in score_receipt(p, given, {"answers": turned}).parts}
+    parts = judged(p, turned, given)
     other = {"4/16": "beta_the_other_way", "4/28": "panels_the_other_way"}[number]
     assert "sign" in texts(parts[key])[0]
     assert texts(parts[key])[1:] == [f"in this part {p.mistakes[other]}"]
@@ -222,8 +222,7 @@ def test_a_slip_in_one_part_is_named_where_the_others_are_right(key, change, wor
     given = values(p, "variant")
     right = p.solve(given)
     answers = {**trees(p, right), key: [float(x) for x in change(right[key])]}
-    parts = {x.key: x for x in score_receipt(p, given, {"answers": answers}).parts}
-    assert words in parts[key].diagnosis
+    assert words in judged(p, answers, given)[key].diagnosis
 
 
 def test_a_times_n_alone_in_4_1_is_more_than_a_unit_slip():

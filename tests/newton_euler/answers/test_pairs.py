@@ -12,6 +12,7 @@ from newton_euler.answers.causes import (
     computed,
     listed,
     term_reversed,
+    unconverted,
 )
 from newton_euler.answers.fit import Fit
 from newton_euler.answers.kinds import KINDS
@@ -136,9 +137,9 @@ def test_a_mistake_that_the_other_undoes_does_not_count():
     assert of_numbers((5.418, -4.216, 1.871), own, [slip]) == ()
 
 
-def of_number(given, key, own, slips):
+def of_number(given, key, own, slips, is_size=False, slip=SLIP):
     fit = Fit(((given,),), ((key,),), KINDS["number"].rtol)
-    singles = Singles([(1, SLIP)] * len(slips), lambda n: slips)
+    singles = Singles([(1, slip)] * len(slips), lambda n: slips, is_size=is_size)
     own = [(LISTED, ((x,),)) for x in own]
     return of_two(fit, KINDS["number"], own, lambda: singles, lambda cause: False)
 
@@ -183,3 +184,11 @@ def test_a_term_with_another_factor_is_seen_where_it_shows_twice_and_is_not_the_
     key, without = ((3.12714, -4.21638, 1.87102),), ((2.12714, -2.21638, 1.87102),)
     assert multiple(((3.32714, -4.61638, 1.87102),), key, without, "vector") == expected
     assert multiple(((3.32714, -4.61738, 1.87102),), key, without, "vector") == []
+
+
+def test_a_size_has_lost_the_sign_that_a_mistake_turned():
+    unit = unconverted("theta", "deg")
+    of = lambda is_size, slip: of_number(-7.3128, 4.8175, [], [(7.3128,)], is_size, slip)
+    assert of(True, unit) == (unit,)
+    assert of(False, unit) == (both(unit, OPPOSITE_NUMBER),)
+    assert of(True, SLIP) == (both(SLIP, OPPOSITE_NUMBER),)
