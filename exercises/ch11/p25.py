@@ -114,4 +114,4 @@ def draw(g, ax):
     s.dimension(O, foot, label="R", offset=0)
     s.dimension(foot, P, label="z", offset=0)
     s.label(P, "m", offset=(16, 4), bold=False)
-    s.label(O, "O", offset=(-10, 12))
+    s.label(O, "O")

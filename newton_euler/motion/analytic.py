@@ -2,6 +2,8 @@
 formula, a series continues the old one.
 """
 
+from collections import Counter
+
 from ..algebra.source import WITHIN, uses
 from ..algebra.trace import COMPARISONS, Step
 
@@ -10,6 +12,7 @@ KINKS = {"where", "abs", "table", *COMPARISONS}
 BRANCHES = {"sqrt", "asin", "acos", "atan2", "**"}
 # exp(-1000*h) is below round-off in the series of a ball above the floor, yet large on the floor
 HIDDEN = {"exp", "tanh", "sinh", "cosh", "pow"}
+HIGH_POWER = 8  # as is a higher one, whose first terms are zero where its base is
 
 
 def kinks(traced):
@@ -67,7 +70,17 @@ def hazards(traced):
         f.number for s in steps if s.op == "**" and _negative(s.args[1]) for f in factors(s.args[0])
     }
     branches = {s.op for s in steps if s.op in BRANCHES and not _harmless(s, poles)}
-    return sorted(branches | {s.op for s in steps if s.op in HIDDEN})
+    return sorted(branches | {s.op for s in steps if s.op in HIDDEN or is_high_power(s)})
+
+
+def is_high_power(s, unknown=False):
+    """True for x**n with a large n, which is small but where x is largest.
+
+    unknown : the answer for an n that is a parameter
+    """
+    if s.op != "**":
+        return False
+    return unknown if isinstance(s.args[1], Step) else s.args[1] > HIGH_POWER
 
 
 def varying(traced):
@@ -93,6 +106,25 @@ def factors(x):
     elif x.op in ("**", "neg", "sqrt"):
         below = factors(x.args[0])
     return {x} | below
+
+
+def absolutes(s):
+    """The steps of the trace by whose absolute value a step is made: x of abs(x), and of
+    sqrt(4*x*x), which is 2*abs(x).
+    """
+    if s.op == "abs":
+        return [s.args[0]]
+    if s.op == "sqrt" or (s.op == "**" and not isinstance(s.args[1], int)):
+        times = Counter(_multiplied(s.args[0]))
+        return [x for x, count in times.items() if isinstance(x, Step) and count > 1]
+    return []
+
+
+def _multiplied(x):
+    """The factors of a product, each as often as it occurs."""
+    if isinstance(x, Step) and x.op == "*":
+        return [*_multiplied(x.args[0]), *_multiplied(x.args[1])]
+    return [x]
 
 
 def _negative(x):

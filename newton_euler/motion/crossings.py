@@ -8,8 +8,8 @@ from itertools import pairwise
 from math import copysign, inf, nextafter, ulp
 
 from ..algebra.compile import Compiled
-from ..algebra.trace import COMPARISONS, Step
-from .analytic import varying
+from ..algebra.trace import COMPARISONS
+from .analytic import absolutes, varying
 from .chebyshev import root
 from .methods.base import StepError
 
@@ -32,20 +32,10 @@ def choices(traced):
     for s in varying(traced):
         if s.op in COMPARISONS:
             found.append(tuple(s.args))
-        elif s.op == "abs":
-            found.append((s.args[0], 0.0))
         elif s.op == "table":
             found += [(s.args[0], place) for place in s.args[1].places]
-        elif s.op == "sqrt" and _is_square(s.args[0]):  # sqrt(v*v) is abs(v)
-            found.append((s.args[0].args[0], 0.0))
+        found += [(x, 0.0) for x in absolutes(s)]
     return found
-
-
-def _is_square(x):
-    if not isinstance(x, Step) or x.op not in ("*", "**"):
-        return False
-    one, other = x.args
-    return one is other if x.op == "*" else other == 2
 
 
 def compiled_choices(traced):

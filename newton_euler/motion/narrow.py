@@ -70,8 +70,8 @@ def passage(stepper, first):
         stepper.near = clear[key][1]
         return None
     arguments = stepper.system.traced.narrow
-    few = FEW <= len(stepper.steps) - first < MANY and not (stepper.repeated or arguments.tables)
-    if few and _calm(stepper, arguments, first):
+    plain = not (stepper.repeated or arguments.tables or arguments.powers)
+    if plain and FEW <= len(stepper.steps) - first < MANY and _calm(stepper, arguments, first):
         return None
     import numpy as np
 
@@ -358,7 +358,12 @@ def _about(np, kind, u, values):
 def _values(np, stepper, arguments, times, x):
     """The arguments at some times, rows of an array."""
     rows = _array(np, arguments.formula.on(np)(times, *x, *stepper.system.p), len(times))
-    return rows[::2] - rows[1::2]
+    found = rows[::2] - rows[1::2]
+    for j in arguments.powers:
+        # about its largest value x**n is exp(n*log(x)), and this is n*log(x) but smooth at zero
+        squares, n = rows[2 * j] ** 2, np.maximum(rows[2 * j + 1], 0.0)
+        found[j] = n / 2 * (squares / (np.nanmax(squares) or 1.0) - 1.0)
+    return found
 
 
 def _array(np, rows, count):

@@ -1,6 +1,6 @@
 """The arguments of those operations of a formula that have a scale of their own: ``where``,
-``abs``, ``exp``, ``tanh``, a quotient whose denominator comes close to zero, and a table. Far from
-one place of its argument each of them but a table is as good as constant.
+``abs``, ``exp``, ``tanh``, a high power, a quotient whose denominator comes close to zero, and a
+table. Far from one place of its argument each of them but a table is as good as constant.
 """
 
 from functools import cached_property
@@ -8,7 +8,7 @@ from math import inf
 
 from ..algebra.compile import Compiled
 from ..algebra.trace import COMPARISONS, Step
-from .analytic import clocked, factors, varying
+from .analytic import absolutes, clocked, factors, is_high_power, varying
 
 GROWING, STEEP, PERIODIC = {"exp", "pow"}, {"tanh", "sinh", "cosh", "atan"}, {"sin", "cos", "tan"}
 # The change of an argument in a step, or the ratio of its values, from which a structure can lie
@@ -25,10 +25,11 @@ class Arguments:
     "phase", for that of a sine in one of them.
 
     tables : the places of each table, by the number of its argument
+    powers : the numbers of the arguments that are not to be subtracted, but are base and exponent
     """
 
-    def __init__(self, kinds, formula, tables):
-        self.kinds, self.formula, self.tables = kinds, formula, tables
+    def __init__(self, kinds, formula, tables, powers):
+        self.kinds, self.formula, self.tables, self.powers = kinds, formula, tables, powers
 
     @cached_property
     def names(self):
@@ -86,22 +87,26 @@ def narrow_arguments(traced, of_event=False):
     rhs, leaves = traced.rhs, [x for pair in inner for x in pair]
     formula = Compiled("arguments", rhs.parameters, rhs.trace, leaves)
     tables = {n: pair[1] for n, (kind, pair) in enumerate(found) if kind == "table"}
-    return Arguments(tuple(kind for kind, _ in found), formula, tables)
+    powers = [n for n, (kind, _) in enumerate(found) if kind == "power"]
+    kinds = ("largest" if kind == "power" else kind for kind, _ in found)
+    return Arguments(tuple(kinds), formula, tables, powers)
 
 
 def _scaled(s, depends):
     """The arguments of one step, pairs (kind, (a, b)) for the argument a - b."""
-    if s.op in COMPARISONS or s.op == "abs":
-        a, b = s.args if s.op in COMPARISONS else (s.args[0], 0.0)
+    pairs = [tuple(s.args)] if s.op in COMPARISONS else [(x, 0.0) for x in absolutes(s)]
+    for a, b in pairs:
         yield "jump", (a, b)
         for factor in _places_of_sign(a, b):
             if depends.get(factor.number):
                 yield "jump", (factor, 0.0)
-    elif s.op in STEEP:
+    if s.op in STEEP:
         yield "steep", (s.args[0], 0.0)
     elif s.op in GROWING:
         yield "largest", (s.args[-1], 0.0)
     elif s.op in ("/", "sqrt", "**"):
+        if is_high_power(s, unknown=True):
+            yield "power", tuple(s.args)
         for factor in factors(s.args[s.op == "/"]):
             if depends.get(factor.number) and _with_squares(factor, depends):
                 yield "ratio", (factor, 0.0)

@@ -280,11 +280,13 @@ class Run:
                 before = self.compared(method, before.tolerance, tolerance, known, scaled)
             forced = forced_error(*known[:2], trajectory.calls) if known else 0.0
             error = max(forced, self.error(before, trajectory))
-            if error <= self.rtol or trajectory.failed:
+            if error <= self.rtol or self.ended(trajectory):
                 break
-            if known and not narrow and outgrown(known, trajectory):
-                self.narrow = True  # the first one passed over what made it large
+            if known and not narrow and (trajectory.failed or outgrown(known, trajectory)):
+                self.narrow = True  # the first one passed over what made it large, or stopped it
                 return self.calibrated(method)
+            if trajectory.failed:
+                break
             finer = max(tolerance * min(max(self.rtol / 2 / error, 1e-3), 0.1), least)
             if finer > tolerance / 2:
                 # the least tolerance: a run closer to it may give a smaller bound, if it sees all
@@ -307,11 +309,13 @@ class Run:
 
     def stopping(self, last, known, error, forced):
         """The trajectory ``last`` and its error; or those of one whose steps end where the rates
-        change their formula, if there are such places and it is more accurate.
+        change their formula, if there are such places, and see less of states that begin from zero,
+        if it is more accurate.
         """
         method, tolerance, self.narrow = last.method, last.tolerance, True
-        ended = last.failed and issubclass(last.refusal, (StickingError, LongError))
-        if ended or not (method.adaptive and self.system.traced.choices):
+        # where only the fine one failed, it may have been by the round-off of a state near zero
+        other = self.system.traced.choices or (last.failed and known)
+        if self.ended(last) or not (method.adaptive and other):
             return last, error
         comparison = method, 10 * tolerance, tolerance
         # they are those of the first trajectory, which may have missed what made a state large
@@ -325,6 +329,11 @@ class Run:
         alike = last.failed or trajectory.difference(last) <= UNLUCKY * error
         better = alike and not trajectory.failed and (last.failed or found < error)
         return (trajectory, found) if better else (last, error)
+
+    @staticmethod
+    def ended(trajectory):
+        """True if what failed is the motion, which sticks or is too long, by whatever steps."""
+        return bool(trajectory.failed) and trajectory.refusal in (StickingError, LongError)
 
     def far_error(self, method, motion, known):
         """The error to be raised where round-off is too much for states that are small."""

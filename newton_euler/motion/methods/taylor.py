@@ -237,7 +237,8 @@ class Taylor(Stepper):
                 blocks.append(done[-1][1:])
                 found += len(blocks[-1])
                 walk.t = ta.time
-                if walk._stalled(ta, before, done) or not isfinite(walk.t):
+                # where a series is not finite heyoka stops, and may have put the time forward
+                if walk._stalled(ta, before, done) or not isfinite(walk.t + ta.state.sum()):
                     break
                 walk.check_length(walk.taken)
         self.calls += walk.taken * ta.order

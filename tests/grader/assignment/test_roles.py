@@ -1,12 +1,13 @@
 """Components in the formulas of worked solutions, told apart by their places, in all problems."""
 
 import random
+from functools import cache
 from itertools import permutations
 
 import pytest
 import sympy
 
-from exercises.catalogue import select
+from exercises.catalogue import problem, select
 from exercises.catalogue.variants import draw, flat, symbol_values
 from grader.assignment.derivations import component, derivations
 from grader.assignment.lines import lines
@@ -15,8 +16,10 @@ from newton_euler.algebra.scalars import to_plain
 ALL = select(["all"])
 
 
-def derived(p):
+@cache
+def derived(number):
     """The derivations and {vector: {component: formula}}, without sums of terms."""
+    p = problem(number)
     numbers = {**draw(p, b"one"), **p.sympy_symbols()}
     of = {line.step.of for line in lines(p, numbers, formulas=False)}
     found = {k: x.formulas for k, x in derivations(p, numbers).items() if k not in of}
@@ -27,7 +30,7 @@ def derived(p):
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_component_that_is_a_given_has_its_own_name_beside_another_in_the_same_role(p):
     """As m (v_x^2 + v_y^2)/2 and omega_y r_z - omega_z r_y, where v_x and r_y are given."""
-    found, vectors = derived(p)
+    found, vectors = derived(p.id)
     for key, formulas in found.items():
         formulas = [f for f in formulas if f is not None]
         sums = [x.args for f in formulas for x in f.atoms(sympy.Add)]
@@ -45,7 +48,7 @@ def test_a_component_that_is_a_given_has_its_own_name_beside_another_in_the_same
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_product_of_two_vectors_has_the_axes_of_a_cross_product_if_it_can(p):
     """2 Omega_z v_x along y, and not -2 Omega_z v_y, where v_y = -v_x."""
-    _, vectors = derived(p)
+    _, vectors = derived(p.id)
     places = {name: (v, n) for v, own in vectors.items() for n, name in enumerate(own)}
     for own in vectors.values():
         for axis, term in (

@@ -77,6 +77,7 @@ def test_what_a_series_sees_is_not_a_hazard(rate):
         (lambda s, p, t: sqrt(s.x), ["sqrt"]),
         (lambda s, p, t: sqrt(s.x * s.x), ["sqrt"]),
         (lambda s, p, t: s.x**1.5, ["**"]),
+        (lambda s, p, t: s.x**8 + cos(s.y) ** 20, ["**"]),
         (lambda s, p, t: s.x**2.0 + sqrt(s.y), ["sqrt"]),
         (lambda s, p, t: asin(s.x), ["asin"]),
         (lambda s, p, t: acos(s.x), ["acos"]),

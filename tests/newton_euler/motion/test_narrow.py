@@ -17,6 +17,7 @@ from newton_euler.motion.trajectory import Trajectory
 needs_heyoka = pytest.mark.skipif(
     importlib.util.find_spec("heyoka") is None, reason="heyoka is not installed"
 )
+size = lambda x: sqrt(4 * x * x) / 2
 # the speed that each takes, over its strength and its width
 BRAKES = {
     "gauss": (lambda z: exp(-z * z), math.sqrt(math.pi)),
@@ -24,6 +25,7 @@ BRAKES = {
     "slope of tanh": (lambda z: 1 - tanh(z) * tanh(z), 2.0),
     "edges": (lambda z: where(z < 0, 0.0, where(z > 1, 0.0, 1.0)), 1.0),
     "tent": (lambda z: (abs(z + 1) + abs(z - 1) - 2 * abs(z)) / 2, 1.0),
+    "tent by roots": (lambda z: (size(z + 1) + size(z - 1)) / 2 - size(z), 1.0),
 }
 
 
@@ -124,6 +126,18 @@ def test_each_of_many_passages_is_seen():
     assert motion.end["dtheta"] == pytest.approx(1 - lost * turns, rel=2e-4)
 
 
+@pytest.mark.parametrize("known", [True, False])
+@pytest.mark.parametrize("n", [40, 20_000])
+def test_a_high_power_is_seen_where_it_is_large(n, known):
+    """A cam that lifts at one angle in each of three half turns."""
+    rates = lambda s, p, t: (p.u, cos(s.theta - 1.0) ** (n if known else p.n))
+    model = Model("cam", {"u": 2.0, "n": float(n)}, ("theta", "q"), rates)
+    t, start = 1.5 * math.pi, (1.0 - math.pi / 2, 0.0)
+    lift = 1.5 * math.sqrt(math.pi) * math.exp(math.lgamma((n + 1) / 2) - math.lgamma(n / 2 + 1))
+    found = integrate(model, t, start, 1e-6).end["q"], prepare(model, 1e-6)(t, start)[1]
+    assert found == pytest.approx((lift, lift), rel=1e-6)
+
+
 def test_a_blow_beside_a_sine_and_a_clock_that_is_a_state():
     blow = lambda c, p: sin(c) + 0.5 / p.w * exp(-(((c - p.tp) / p.w) ** 2))
     rates = lambda s, p, t: (blow(s.c, p), 1 + 0.0 * s.v)
@@ -161,7 +175,7 @@ def test_a_patch_in_the_plane_and_a_resistance_at_an_energy_are_seen():
 
 
 @pytest.mark.parametrize("rates", [
-    lambda s: -sin(s.x), lambda s: -s.x**3, lambda s: -s.x / sqrt(s.x * s.x),
+    lambda s: -sin(s.x), lambda s: -s.x**3, lambda s: -s.x / sqrt(s.x * s.x + s.dx * s.dx),
 ])  # fmt: skip
 def test_nothing_is_looked_for_in_rates_without_scales_of_their_own(rates):
     model = second_order("smooth", {}, ("x",), lambda s, p, t: (rates(s),))

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from newton_euler import Model, cos, exp, integrate, sin, where
+from newton_euler import Model, cos, exp, integrate, sin, tanh, where
 from newton_euler.motion import ModelError, second_order
 from newton_euler.motion import run as run_module
 from newton_euler.motion.error_estimates import REGULAR, ROUND_OFF_OF_RATES, SAFETY, SERIES_SAFETY
@@ -120,6 +120,15 @@ def test_the_tolerance_is_refined_until_the_error_is_small_enough(method, rtol, 
     assert off < motion.error
     assert (motion.error <= rtol) == (rtol > 1e-13)
     assert motion.error > rtol / 1e4
+
+
+def test_a_state_that_begins_by_round_off_alone_does_not_stop_the_finer_run():
+    def rates(s, p, t):
+        u = tanh(10 * (s.x - 5.61))
+        return p.v, 17.0 * u * (1 - u * u)
+
+    motion = integrate(Model("hill", {"v": 1.7}, ("x", "q"), rates), 6.0, (0.0, 0.0), 1e-12)
+    assert motion.at(3.3)["q"] == pytest.approx(-0.5, abs=1e-11)
 
 
 def test_what_no_tolerance_makes_smaller_is_tried_a_few_times():

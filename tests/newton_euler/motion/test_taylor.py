@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from newton_euler import Model, sin
-from newton_euler.motion import second_order
+from newton_euler.motion import prepare, second_order
 from newton_euler.motion.methods import taylor
 from newton_euler.motion.methods.base import LengthError, StepError
 from newton_euler.motion.methods.taylor import (
@@ -207,6 +207,12 @@ def test_samples_all_over_the_motion_count_for_the_scales(samples):
     one = series(t1=math.pi / 2, samples=samples)
     one.step()
     assert one.scales == pytest.approx((1.0, 2.0), abs=1e-2)
+
+
+def test_a_series_that_is_not_finite_where_it_begins_is_left_to_another_method():
+    """Heyoka has no series of x**8 at x = 0: it stops at once, and went on for ever in a grid."""
+    model = Model("power", {"u": 1.0}, ("x", "q"), lambda s, p, t: (p.u, 9 * s.x**8))
+    assert prepare(model, 1e-3)(1.0, (0.0, 0.0))[1] == pytest.approx(1.0, rel=1e-3)
 
 
 @pytest.mark.parametrize("options", [{}, {"samples": 5}])
