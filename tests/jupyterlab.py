@@ -62,9 +62,7 @@ def served(folder, own, **variables):
         "JUPYTERLAB_SETTINGS_DIR": str(own / "settings"),
         "JUPYTERLAB_WORKSPACES_DIR": str(own / "workspaces"), **variables,
     }  # fmt: skip
-    tracker = (
-        own / "settings" / "@jupyterlab" / "notebook-extension" / "tracker.jupyterlab-settings"
-    )
+    tracker = own / "settings/@jupyterlab/notebook-extension/tracker.jupyterlab-settings"
     tracker.parent.mkdir(parents=True)
     tracker.write_text('{"windowingMode": "none"}')  # all cells are in the page
     with (own / "log").open("w") as log:

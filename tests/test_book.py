@@ -29,7 +29,5 @@ def test_every_numbered_equation_and_worked_example_has_a_test_by_its_number():
 
 def test_every_room_that_the_table_names_exists():
     rooms = {room.strip() for _, names, _, _ in sections() for room in names.split(",")}
-    places = {
-        room: ROOT if room.startswith("chapters/") else ROOT / "newton_euler" for room in rooms
-    }
+    places = {r: ROOT if r.startswith("chapters/") else ROOT / "newton_euler" for r in rooms}
     assert {room for room, place in places.items() if not (place / f"{room}.py").exists()} == set()

@@ -38,9 +38,7 @@ each_notebook = pytest.mark.parametrize("path", CHAPTERS + NOTES, ids=lambda pat
 
 
 def test_there_are_chapters():
-    assert [path.name for path in CHAPTERS if number(path) == "ch04"] == [
-        "ch04_relative_motion.ipynb"
-    ]
+    assert [p.name for p in CHAPTERS if number(p) == "ch04"] == ["ch04_relative_motion.ipynb"]
 
 
 @each_notebook
@@ -253,9 +251,7 @@ def run(run_twice):
 
 def test_a_cell_that_is_run_again_prints_the_same(run_twice, request):
     notebook, again = run_twice
-    other = [
-        cell.id for cell in code(notebook) if cell.id in again and printed(cell) != again[cell.id]
-    ]
+    other = [c.id for c in code(notebook) if c.id in again and printed(c) != again[c.id]]
     assert other == CONTENTS.get(number(request.node.callspec.params["run_twice"]), {}).get(
         "changed", []
     )

@@ -71,6 +71,4 @@ def test_what_goes_beyond_the_primer_is_found(source, names):
 
 
 def test_lists_of_what_goes_beyond_name_no_cell_twice():
-    assert (
-        max(Counter(cell for cells in BEYOND.values() for cell in cells).values(), default=1) == 1
-    )
+    assert max(Counter(c for cells in BEYOND.values() for c in cells).values(), default=1) == 1

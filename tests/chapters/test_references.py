@@ -27,9 +27,7 @@ def unfound(text, sections):
     """The references of a text to something that the section or chapter does not mention."""
     bare = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
     for word, place in REFERENCE.findall(bare):
-        there = " ".join(
-            output for n, output in sections.items() if place in (n, n.partition(".")[0])
-        )
+        there = " ".join(text for n, text in sections.items() if place in (n, n.partition(".")[0]))
         stem = re.sub(r"(ing|es|ed|s|e)$", "", word.lower())
         if word.lower() not in EMPTY.split() and stem not in there:
             yield f"{word} of {place}"

@@ -73,9 +73,8 @@ def test_a_screen_reader_hears_the_name_and_the_value_of_every_slider(page):
     before = page.wait(announced, "names and values")
     page.all(".noUi-handle", 0)[0].send_keys(Keys.ARROW_RIGHT)
     after = page.wait(lambda: announced() != before and announced(), "the next one")
-    assert [a == b for a, b in zip(after, before, strict=True)] == [False] + [True] * (
-        len(after) - 1
-    )
+    assert after[0] != before[0]
+    assert after[1:] == before[1:]
 
 
 each_figure = pytest.mark.parametrize("n", range(len(FIGURES)), ids=list(FIGURES))

@@ -62,9 +62,7 @@ def test_the_good_problem_is_found_good():
     assert found(GOOD) == []
 
 
-SLIPS = yaml.safe_load(
-    Path(__file__).with_name("slips_of_authors.yaml").read_text(encoding="utf-8")
-)
+SLIPS = yaml.safe_load(Path(__file__).with_name("slips_of_authors.yaml").read_text("utf-8"))
 FILES = {"text": "p01.yaml", "code": "p01.py"}
 
 

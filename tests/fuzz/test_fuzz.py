@@ -47,9 +47,7 @@ def test_nearly_every_public_name_has_a_valid_call(public):
     assert len(functions) > 400
     # figures need a drawing function and a notebook, practice its file; choosing writes one;
     # without_rates and cleared have no arguments
-    without = {
-        n for n in set(functions) - set(calls) if not n.endswith((".without_rates", ".cleared"))
-    }
+    without = {n for n in {*functions} - {*calls} if not n.endswith((".without_rates", ".cleared"))}
     of_a_file = {n for n in without if n.lower().startswith("classroom.practice")}
     shown = {"classroom.interactive_figure", "classroom.show_figure"}
     shown |= {"accuracy.compare", "accuracy.show_chart", "classroom.Prediction.choose"}

@@ -113,9 +113,7 @@ def submit(course, student, notebook, assignment="ch04", name=None):
     folder = course.path / "submitted" / student / assignment
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{name or assignment}.ipynb"
-    path.write_text(
-        notebook if isinstance(notebook, str) else json.dumps(notebook), encoding="utf-8"
-    )
+    path.write_text(notebook if isinstance(notebook, str) else json.dumps(notebook), "utf-8")
     return path
 
 
@@ -126,7 +124,7 @@ def change_source(course, change, assignment="ch04", copies=True):
     path = course.source(assignment)
     notebook = read(path)
     change(notebook["cells"])
-    path.write_text(json.dumps(notebook), encoding="utf-8")
+    path.write_text(json.dumps(notebook), "utf-8")
     code, out = nbgrader("generate_assignment", assignment, "--force", cwd=course.path)
     assert code == 0, out
     if copies:

@@ -16,9 +16,7 @@ def work(course, student, assignment="ch04", **changed):
     problems = problems_of(own)
     values = course.values(assignment, student, problems)
     texts = {p.id: sample.cell_text(p, sample.right_answers(p, values[p.id])) for p in problems}
-    return sample.fill_in(
-        own, {**texts, **{k[1:].replace("_", "/"): v for k, v in changed.items()}}
-    )
+    return sample.fill_in(own, texts | {k[1:].replace("_", "/"): v for k, v in changed.items()})
 
 
 def without(notebook, *cell_ids):

@@ -291,9 +291,7 @@ def things():
     """Results of many kinds, each with a function that returns what must stay the same."""
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", moving(0.3, rate=2.0, acceleration=0.5))
-    body = arm.rotate(
-        "body", (0, 0.6, 0.8), moving(0.1, rate=1.0), origin=arm.point("O", 1.0, 0, 0)
-    )
+    body = arm.rotate("body", (0, 0.6, 0.8), moving(0.1, 1.0), origin=arm.point("O", 1.0, 0, 0))
     P = body.point("P", moving(1.0, rate=3.0), 0, 0.5)
     whole = Body("b", 2.0, body, (0.1, 0.2, 0.25))
     seen = lambda v: (v.components(), v.frame.name, *map(str, v.terms.values()))

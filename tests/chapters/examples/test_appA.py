@@ -46,6 +46,4 @@ def test_example_A_3_plane_through_three_points(kind):
 
 def test_three_points_on_a_line_have_no_plane():
     with pytest.raises(SingularError, match="A, B and C lie on one line"):
-        triangle(
-            *(ground.point(n, float(x), 2.0 * x, 0) for n, x in (("A", 0), ("B", 1), ("C", 3)))
-        )
+        triangle(*(ground.point(n, x, 2 * x, 0) for n, x in (("A", 0.0), ("B", 1.0), ("C", 3.0))))

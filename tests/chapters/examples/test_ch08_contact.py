@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy
 from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis.strategies import floats
 
 from newton_euler.chapters.examples import ch08 as rolling_contact
 from tests.kinds import every_kind, numbers, small
@@ -40,13 +40,7 @@ def test_many_contacts_at_once_choose_their_regime_one_by_one():
 
 
 @settings(max_examples=60)
-@given(
-    st.floats(-20, 20),
-    st.floats(-5, 5),
-    st.floats(-3, 3),
-    st.floats(0.01, 1.5),
-    st.floats(0.5, 1.0),
-)
+@given(floats(-20, 20), floats(-5, 5), floats(-3, 3), floats(0.01, 1.5), floats(0.5, 1.0))
 def test_friction_obeys_coulomb_and_newtons_laws_in_both_regimes(force, moment, surface, mu, ratio):
     m, r, I, N = 2.0, 0.5, 0.25, 19.62
     c = rolling_contact.contact(m, r, I, N, mu, mu * ratio, force, moment, surface)

@@ -19,9 +19,7 @@ def symbols(**units):
 @pytest.fixture
 def problem_with(made):
     """A function that makes a problem of this code, these symbols and answers."""
-    return lambda solve, units, answers: made(
-        solve, symbols=symbols(**units), answers=tuple(answers)
-    )
+    return lambda solve, units, answers: made(solve, symbols=symbols(**units), answers=(*answers,))
 
 
 WHEEL = {"r": "ft", "e": "ft", "theta": "rad", "g": "ft/s^2"}

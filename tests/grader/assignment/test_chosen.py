@@ -17,9 +17,7 @@ def test_problems_a_chapter_or_a_file(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert ids(chosen("hw3", ["4/3", "11/1-11/2"])) == ["4/3", "11/1", "11/2"]
     assert len(chosen("ch09").problems) == 9
-    (tmp_path / "hw3.yaml").write_text(
-        "title: T\nproblems:\n - 4/16: {points: 7}\n - text: Go on.\n"
-    )
+    (tmp_path / "hw3.yaml").write_text("title: T\nproblems:\n - 4/16: {points: 7}\n - text: Go on.")
     for name in ("hw3", "hw3.yaml"):
         spec = chosen(name)
         assert (spec.name, spec.title, ids(spec)) == ("hw3", "T", ["4/16"])

@@ -155,9 +155,7 @@ def run(arena, route, ordinary=False, sandbox=True, before="", students="*", tim
 
 def scores(arena):
     """{student: {cell: automatic points}} of the gradebook."""
-    return {
-        s: {name: p[0] for name, p in cells.items()} for s, cells in points(arena.course).items()
-    }
+    return {s: {n: p[0] for n, p in cells.items()} for s, cells in points(arena.course).items()}
 
 
 def files(folder):

@@ -20,9 +20,7 @@ def test_nbgrader_autograde_with_our_settings_gives_the_same_scores_and_comments
     ran(nbgrader("autograde", "ch04", cwd=fresh.path))
     assert points(fresh) == points(course)
     for s in fresh.roster():
-        ours, theirs = (
-            read(c.path / "autograded" / s / "ch04/ch04.ipynb") for c in (course, fresh)
-        )
+        ours, theirs = (read(c.path / f"autograded/{s}/ch04/ch04.ipynb") for c in (course, fresh))
         assert [c["source"] for c in ours["cells"]] == [c["source"] for c in theirs["cells"]]
         tables = [
             ["".join(o["data"]["text/html"]) for c in n["cells"] for o in c.get("outputs", [])]

@@ -56,9 +56,7 @@ def anything(rng, depth):
 def formula(rng, symbols, depth):
     """A tree of the operators that are read."""
     if depth == 0 or rng.random() < 0.1:
-        return (
-            rng.choice(symbols) if symbols and rng.random() < 0.6 else rng.choice((*NUMBERS, "pi"))
-        )
+        return rng.choice(symbols if symbols and rng.random() < 0.6 else (*NUMBERS, "pi"))
     inner = lambda: formula(rng, symbols, depth - 1)
     kind = rng.random()
     if kind < 0.35:

@@ -75,11 +75,9 @@ def test_without_click_or_rich_it_says_what_to_install(package):
         f"import runpy, sys; sys.modules[{package!r}] = None; "
         "runpy.run_module('newton_euler.accuracy', run_name='__main__')"
     )
-    output = subprocess.run(
-        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True
-    )
-    assert output.returncode == 1
-    assert output.stderr == (
+    run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True)
+    assert run.returncode == 1
+    assert run.stderr == (
         f"python -m newton_euler.accuracy needs the package {package}: pip install click rich\n"
     )
 

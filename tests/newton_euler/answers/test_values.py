@@ -76,11 +76,9 @@ def test_an_interval_a_word_and_a_blank_are_read():
     assert one("vector, m", None) is None
 
 
-@pytest.mark.parametrize(
-    "written", ["Both Ends", " both ends\n", "BOTH  ends", np.str_("both ends")]
-)
-def test_a_word_is_read_with_capitals_and_blanks(written):
-    assert one("choice: neither | both ends", written) == "both ends"
+@pytest.mark.parametrize("text", ["Both Ends", " both ends\n", "BOTH  ends", np.str_("both ends")])
+def test_a_word_is_read_with_capitals_and_blanks(text):
+    assert one("choice: neither | both ends", text) == "both ends"
 
 
 def test_words_that_differ_in_a_capital_alone_are_distinguished():

@@ -1,6 +1,6 @@
 """Verdicts on a made-up problem: what is right, what follows from earlier answers, the words."""
 
-import types
+from types import SimpleNamespace
 
 import pytest
 
@@ -14,9 +14,7 @@ from newton_euler.answers.verdicts import explain, judge, value_line
 
 def asked(key, kind, unit="1", of=()):
     form = Form(KINDS[kind], unit, of)
-    return types.SimpleNamespace(
-        key=key, kind=form.kind, unit=unit, atol=1e-6, rtol=RTOL, form=form
-    )
+    return SimpleNamespace(key=key, kind=form.kind, unit=unit, atol=1e-6, rtol=RTOL, form=form)
 
 
 class Fall:

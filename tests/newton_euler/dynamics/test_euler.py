@@ -95,9 +95,7 @@ def test_a_symmetric_body_in_the_frame_that_precesses_without_spinning(kind):
 def test_eqn_8_15_force_and_moment_of_a_body_are_those_of_its_particles(kind):
     ground, _, body, _, _ = free_body(kind)
     F = resultant_force(body.mass, body.centre.acceleration(ground))
-    parts = [
-        part.centre.acceleration(ground).expressed_in(ground) * part.mass for part in body.parts
-    ]
+    parts = [p.centre.acceleration(ground).expressed_in(ground) * p.mass for p in body.parts]
     assert close(F.components(ground), sum(parts[1:], parts[0]), 10 * small(kind))
     L = body.momentum(ground)
     assert close(L.rate(ground).components(ground), F.components(ground), 10 * small(kind))

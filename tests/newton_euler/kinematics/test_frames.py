@@ -300,11 +300,9 @@ def test_eqn_4_18_has_the_units_of_an_acceleration_whatever_the_chain():
     pure, per_s, per_s2 = Dimension(), Dimension(time=-1), Dimension(time=-2)
     m, m_s, m_s2 = Dimension(length=1), Dimension(0, 1, -1), Dimension(0, 1, -2)
     frames = [Frame("f0")]
-    for n, axis in enumerate(["x", (1, 2, 2), "-z", "y"]):
+    for n, axis in enumerate(["x", (1, 2, 2), "-z", "y"], start=1):
         origin = frames[-1].point("O", moving(m, m_s, m_s2), m, 0)
-        frames.append(
-            frames[-1].rotate(f"f{n + 1}", axis, moving(pure, per_s, per_s2), origin=origin)
-        )
+        frames.append(frames[-1].rotate(f"f{n}", axis, moving(pure, per_s, per_s2), origin=origin))
     P = frames[-1].point("P", moving(m, m_s, m_s2), moving(m, m_s), m)
     for observer in frames:
         for via in frames:
@@ -424,9 +422,8 @@ reals = st.floats(-3, 3).map(lambda x: round(x, 4))
 triples = st.tuples(reals, reals, reals)
 axes = st.one_of(st.sampled_from(AXES), triples.filter(lambda e: sum(x * x for x in e) > 0.01))
 
-turns = st.lists(
-    st.tuples(axes, triples, st.tuples(triples, triples, triples)), min_size=1, max_size=5
-)
+nines = st.tuples(triples, triples, triples)
+turns = st.lists(st.tuples(axes, triples, nines), min_size=1, max_size=5)
 
 
 def build(turns_, branch_at=0):
@@ -457,7 +454,7 @@ def test_vectors_and_their_products_do_not_depend_on_the_frame(turns_, a, b, bra
 
 
 @settings(max_examples=30)
-@given(st.tuples(triples, triples, triples), st.tuples(triples, triples, triples), turns)
+@given(nines, nines, turns)
 def test_the_vector_between_two_points_has_the_difference_of_their_velocities_as_rate(x, y, turns_):
     f, *_, last = build(turns_)
     P, Q = (on.point("P", *(moving(*c) for c in r)) for on, r in ((last, x), (f, y)))

@@ -220,9 +220,7 @@ def test_closed_forms_are_judged_at_their_starts_and_ends_with_something_to_spar
 
 def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypatch):
     """Here these are the motions of the faster spring, which have the second number."""
-    monkeypatch.setattr(
-        batch, "known_accurate", lambda system, *_: system.model.parameters["k"] == 1.0
-    )
+    monkeypatch.setattr(batch, "known_accurate", lambda s, *_: s.model.parameters["k"] == 1.0)
     w = np.array([1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 2.0])
     motions = integrate(SPRING.changed(k=w * w), 5.0, (1.0, 0.0), 1e-9, samples=3)
     assert (motions.error[::2] == 1e-9).all()

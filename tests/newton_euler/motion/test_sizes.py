@@ -131,9 +131,7 @@ def test_the_time_counts_by_how_the_rates_change_with_it():
     # the largest change counts, whatever its sign
     falling = system(lambda s, t: (-5.0 * t, -s.v))
     points = [(8.0, (1.0, 1.0)), (0.0, (1.0, 1.0))]
-    assert natural_sizes(falling, points, (1.0, 3.0), 0.5)[1] == pytest.approx(
-        (20.0, 1.5), rel=1e-6
-    )
+    assert natural_sizes(falling, points, (1.0, 3.0), 0.5)[1] == pytest.approx((20, 1.5), rel=1e-6)
 
 
 def test_the_change_with_time_is_taken_over_a_small_fraction_of_the_whole_time():

@@ -102,9 +102,7 @@ def test_the_drift_is_the_largest_change_over_the_largest_value():
     assert drift_of(lambda s, p, t: s.x) == {"it": pytest.approx(4.0 / 3.0)}
     assert drift_of(lambda s, p, t: -s.x) == {"it": pytest.approx(4.0 / 3.0)}
     # neither over the last value nor over the change itself
-    assert drift_of(lambda s, p, t: 10.0 + s.x * (2.0 - s.x), samples=5)["it"] == pytest.approx(
-        4 / 11
-    )
+    assert drift_of(lambda s, p, t: 10 + s.x * (2 - s.x), samples=5)["it"] == pytest.approx(4 / 11)
     assert drift_of(lambda s, p, t: float(max(s.x, -9.0))) == {"it": pytest.approx(4.0 / 3.0)}
     assert drift_of(lambda s, p, t: 5.0) == {"it": 0.0}
     assert drift_of(lambda s, p, t: 0 * s.x) == {"it": 0.0}

@@ -246,9 +246,7 @@ def test_air_near_a_low_with_friction_is_the_sum_of_two_complex_exponentials():
 
 @given(st.floats(1.0, 50.0), st.floats(0.0, 0.3), st.floats(500.0, 5000.0))
 def test_the_fullest_car_spends_the_power_of_11_19(v, slope, force):
-    car = Car(
-        m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, drag=lambda v: 0.4 * v * v, g=9.81
-    )
+    car = Car(m=1200, wheel_mass=20, gyration=0.25, radius=0.3, drag=lambda v: 0.4 * v * v, g=9.81)
     model = ladder("car on a hill", slope=slope, force=force, start=(0.0, v), t=1e-3).fullest.model
     assert car.power(v, model.derivative((0.0, v))[1], slope) == pytest.approx(force * v, rel=1e-9)
 

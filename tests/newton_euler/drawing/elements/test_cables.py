@@ -34,13 +34,11 @@ def test_a_rope_over_a_pulley_hangs_down_on_both_sides():
     assert max(P[1] for P in arcs[1]) == pytest.approx(1, abs=2e-3)
 
 
-@pytest.mark.parametrize(
-    ("turns", "expected"), [((1, 1), 5 * 0.96**0.5), ((1, -1), (25 - 9) ** 0.5)]
-)
-def test_a_span_between_two_pulleys_is_an_outer_or_an_inner_tangent(turns, expected):
+@pytest.mark.parametrize(("turns", "span"), [((1, 1), 5 * 0.96**0.5), ((1, -1), (25 - 9) ** 0.5)])
+def test_a_span_between_two_pulleys_is_an_outer_or_an_inner_tangent(turns, span):
     """Centres 5 apart, radii 1 and 2: sqrt(d^2 - (R - r)^2) and sqrt(d^2 - (R + r)^2)."""
     spans, _ = route([Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 0.0, 0.0), Z, 2.0)], turns)
-    assert length(spans) == pytest.approx(expected, rel=1e-12)
+    assert length(spans) == pytest.approx(span, rel=1e-12)
 
 
 @pytest.mark.parametrize("turns", [(1, 1), (1, -1), (-1, 1), (-1, -1)])

@@ -197,6 +197,4 @@ def test_section_10_4_the_spherical_pendulum_in_a_plane_and_on_a_cone():
     acceleration = planar.derivative(tilted)[4]
     assert acceleration == pytest.approx(3 * 9.81 / (2 * 2.0) * math.sin(2.5), rel=1e-14)
     cone = math.sqrt(3 * 9.81 / (2 * 2.0 * abs(math.cos(2.5))))
-    assert nodding(3.0, 2.0, 9.81, 2.5, cone).derivative((2.5, 0.0))[1] == pytest.approx(
-        0, abs=1e-12
-    )
+    assert nodding(3.0, 2.0, 9.81, 2.5, cone).derivative((2.5, 0))[1] == pytest.approx(0, abs=1e-12)
