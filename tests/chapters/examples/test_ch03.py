@@ -4,15 +4,7 @@ import pytest
 
 from newton_euler import Frame, at, cos, exp, pi, sin, sqrt
 from newton_euler.algebra import SingularError
-from newton_euler.chapters.examples.ch03 import (
-    Spring,
-    cable_load,
-    cable_residuals,
-    point_on_exponential_curve,
-    screw_jack_ball,
-    screw_jack_time,
-    three_systems,
-)
+from newton_euler.chapters.examples import ch03
 from newton_euler.kinematics import T_theta, apply, frenet_along, transpose
 from tests.kinds import close, every_kind, numbers, small
 
@@ -22,7 +14,7 @@ ground = Frame("ground")
 @every_kind
 def test_example_3_1_exponential_curve_at_constant_speed(kind):
     q, speed = numbers(kind, "0.4", 3)
-    P = point_on_exponential_curve(ground, q, speed)
+    P = ch03.point_on_exponential_curve(ground, q, speed)
     length = sqrt(exp(2 * q) + cos(q) ** 2 + 4 * q**2)
     along = [speed * x / length for x in (exp(q), cos(q), 2 * q)]
     assert close(P.velocity(ground), along, small(kind, 0.02))
@@ -33,19 +25,19 @@ def test_example_3_1_exponential_curve_at_constant_speed(kind):
 def test_example_3_2_spring_drawn_out_keeps_a_finite_torsion(kind):
     """The book's is infinite when straight; it goes to 1/wire, and straight there is none."""
     R, c, theta = numbers(kind, "1.2", "0.5", "0.7")
-    spring = Spring(R, c)
+    spring = ch03.Spring(R, c)
     here = spring.intrinsic(theta, ground)
     assert close((here.flexure, here.torsion), (spring.flexure, spring.torsion), small(kind, 0.02))
     assert close(here.speed, spring.wire, small(kind, 0.02))
-    drawn = Spring.drawn_out(
+    drawn = ch03.Spring.drawn_out(
         numbers(kind, 5), numbers("mpmath" if kind == "mpmath" else "float", "1.5707963")
     )
     assert close(drawn.torsion, -1 / drawn.wire, 1e-7)
     assert close(drawn.flexure, 0, 1e-7)
-    flat = Spring.drawn_out(numbers(kind, 5), 0)
+    flat = ch03.Spring.drawn_out(numbers(kind, 5), 0)
     assert close((flat.flexure, flat.torsion), (1 / flat.wire, 0), small(kind, 0.02))
     with pytest.raises(SingularError, match="straight here"):
-        Spring(0.0, 5.0).intrinsic(0.7, ground)
+        ch03.Spring(0.0, 5.0).intrinsic(0.7, ground)
 
 
 @every_kind
@@ -54,20 +46,20 @@ def test_example_3_3_cable_at_rest_in_a_horizontal_plane(kind):
     q = numbers(kind, "0.6")
     path = lambda q: (q, q * q / 2, 0)
     tension = lambda q: 5 + q**3
-    load = cable_load(path, tension, q, ground)
+    load = ch03.cable_load(path, tension, q, ground)
     pull = [at(lambda s, n=n: tension(s) * (1, s)[n] / sqrt(1 + s * s), q).rate for n in (0, 1)]
     ds = sqrt(1 + q * q)
     assert close(load.components(ground), (-pull[0] / ds, -pull[1] / ds, 0), small(kind, 0.02))
     flexure = frenet_along(path, q, ground).flexure
-    left = cable_residuals(tension(q), 3 * q**2 / ds, flexure, load.components())
+    left = ch03.cable_residuals(tension(q), 3 * q**2 / ds, flexure, load.components())
     assert close(left, (0, 0, 0), small(kind, 0.02))
 
 
 def jack_after_one_turn(kind):
     """Arm, lead and K, the time of one turn from rest, and the point A then."""
     a, lead, K = numbers(kind, "0.4", "0.05", 2)
-    t = screw_jack_time(1, K)
-    return a, lead, K, t, screw_jack_ball(ground, a, K, lead, t)
+    t = ch03.screw_jack_time(1, K)
+    return a, lead, K, t, ch03.screw_jack_ball(ground, a, K, lead, t)
 
 
 @every_kind
@@ -102,7 +94,7 @@ def test_example_3_9_1_screw_jack_in_rectangular_components(kind):
 @every_kind
 def test_example_3_9_2_a_velocity_in_three_systems(kind):
     nu, theta, phi = numbers(kind, 5, "0.7", "0.4")
-    _, cylindrical_, spherical_ = three_systems((nu, 0, 0), theta, phi)
+    _, cylindrical_, spherical_ = ch03.three_systems((nu, 0, 0), theta, phi)
     r, theta = nu * cos(theta), -nu * sin(theta)
     assert close(cylindrical_, (r, theta, 0), small(kind, 0.02))
     assert close(spherical_, (r * cos(phi), theta, -r * sin(phi)), small(kind, 0.02))

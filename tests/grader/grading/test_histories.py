@@ -10,15 +10,7 @@ import nbformat
 import pytest
 
 from grader.grading import grade
-from tests.grader.courses import (
-    change_source,
-    copy_of,
-    gradebook_rows,
-    late_policy,
-    nbgrader,
-    ran,
-    submit,
-)
+from tests.grader import courses
 from tests.grader.instructors_cells import with_texts
 from tests.grader.submissions import work
 
@@ -35,7 +27,7 @@ def resubmit(course, rng):
     student = rng.choice(STUDENTS)
     notebook = work(course, student, **CELLS[rng.choice(list(CELLS))])
     essay, square = rng.choice(["", "Why not."]), rng.choice(["", "def square(x): return x*x"])
-    submit(course, student, with_texts(notebook, essay=essay, square=square))
+    courses.submit(course, student, with_texts(notebook, essay=essay, square=square))
     day = rng.randint(1, 28)
     text = rng.choice([f"2026-10-{day:02d} 10:00:00.000000 UTC", "no time", ""])
     (course.path / "submitted" / student / "ch04" / "timestamp.txt").write_text(text)
@@ -61,7 +53,7 @@ def other_due_date(course, rng):
 
 
 def other_policy(course, rng):
-    late_policy(course, rng.choice(["None", "score / 4", "2.0", "-1", "1e9"]))
+    courses.late_policy(course, rng.choice(["None", "score / 4", "2.0", "-1", "1e9"]))
 
 
 def other_points(course, rng):
@@ -71,7 +63,7 @@ def other_points(course, rng):
             if marks.get("grade") and marks.get("points") and rng.random() < 0.3:
                 marks["points"] = rng.randint(1, 9)
 
-    change_source(course, change)
+    courses.change_source(course, change)
 
 
 def forgotten(course, rng):
@@ -104,15 +96,17 @@ def test_both_routes_agree_after_a_random_history(mixed, tmp_path, seed):
     history = [rng.choice(CHANGES) for _ in range(10)]
     for change in history:
         change(mixed, rng)
-    other = copy_of(mixed, tmp_path / "other" / mixed.path.name)
+    other = courses.copy_of(mixed, tmp_path / "other" / mixed.path.name)
     for name in ("scores", "autograded"):
         if (mixed.path / name).exists():
             shutil.copytree(mixed.path / name, other.path / name, dirs_exist_ok=True)
     grade(mixed, "ch04")
-    ran(nbgrader("autograde", "ch04", cwd=other.path))
+    courses.ran(courses.nbgrader("autograde", "ch04", cwd=other.path))
     names = [change.__name__ for change in history]
-    assert gradebook_rows(mixed) == gradebook_rows(other), names
+    assert courses.gradebook_rows(mixed) == courses.gradebook_rows(other), names
     assert notebooks(mixed) == notebooks(other), names
-    before = gradebook_rows(mixed), notebooks(mixed)
+    before = courses.gradebook_rows(mixed), notebooks(mixed)
     grade(mixed, "ch04")
-    assert (gradebook_rows(mixed), notebooks(mixed)) == before, "grading twice changes something"
+    assert (courses.gradebook_rows(mixed), notebooks(mixed)) == before, (
+        "grading twice changes something"
+    )

@@ -14,15 +14,7 @@ import pytest
 
 from grader.sandbox import Harvester
 from tests.grader.courses import REPOSITORY, environment
-from tests.grader.sandbox.jobs import (
-    answer,
-    descendants,
-    job,
-    own,
-    run_caged,
-    still_serves,
-    wait_until,
-)
+from tests.grader.sandbox import jobs
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
 
@@ -47,7 +39,7 @@ sys.path.insert(0, {str(REPOSITORY)!r})
 from grader.sandbox import Harvester
 with Harvester(1) as h:
     print(h.sandbox_state, flush=True)
-    h.run({job(SLEEPER)!r}, 600, 600)
+    h.run({jobs.job(SLEEPER)!r}, 600, 600)
 """
 PROCESSES = 2 + 8  # worker and first process; and what three forks in a row make of one
 
@@ -68,11 +60,11 @@ def test_no_sleeper_outlives_a_killed(killed):
     try:
         if grader.stdout.readline() != b"namespaces\n":
             pytest.skip("this kernel refuses the cage")
-        assert wait_until(lambda: len(descendants(grader.pid)) == PROCESSES)
-        started = descendants(grader.pid)
+        assert jobs.wait_until(lambda: len(jobs.descendants(grader.pid)) == PROCESSES)
+        started = jobs.descendants(grader.pid)
         worker = min(started)
         os.kill(grader.pid if killed == "grader" else worker, signal.SIGKILL)
-        assert wait_until(lambda: not any(map(is_alive, started)))
+        assert jobs.wait_until(lambda: not any(map(is_alive, started)))
     finally:
         grader.kill()
         grader.wait()
@@ -92,10 +84,10 @@ time.sleep(1000)
 
 def test_the_memory_of_all_children_together_is_limited(harvester):
     """Twelve children of half a gigabyte each, within the limit of each process."""
-    reply = run_caged(harvester, job("x = 1", MANY_CHILDREN), seconds=30, cell_seconds=30)
+    reply = jobs.run_caged(harvester, jobs.job("x = 1", MANY_CHILDREN), seconds=30, cell_seconds=30)
     assert reply["ended"] == "stopped at 3 GB of memory"
     assert reply["receipts"]["0/1"]["answers"] == {"x": 1.0}
-    assert still_serves(harvester)
+    assert jobs.still_serves(harvester)
 
 
 def test_children_that_share_what_they_hold_are_not_counted_twice(harvester):
@@ -110,7 +102,7 @@ def test_children_that_share_what_they_hold_are_not_counted_twice(harvester):
     for _ in range(12): os.wait()
     x = 1
     """
-    assert answer(harvester, text, seconds=30, cell_seconds=20) == 1.0
+    assert jobs.answer(harvester, text, seconds=30, cell_seconds=20) == 1.0
 
 
 def test_the_number_of_files_is_limited(harvester):
@@ -123,7 +115,7 @@ def test_the_number_of_files_is_limited(harvester):
     except OSError:
         pass
     """
-    assert 10_000 < answer(harvester, text) < 20_000
+    assert 10_000 < jobs.answer(harvester, text) < 20_000
 
 
 HOG = """
@@ -150,9 +142,9 @@ def test_fifty_busy_processes_leave_a_neighbour_its_share_of_the_processor():
     if not setting.exists() or setting.read_text() != "1\n":
         pytest.skip("this machine does not share by session")
     with Harvester(2) as two, ThreadPoolExecutor(1) as pool:
-        hog = pool.submit(two.run, job(HOG), 6, 5)
+        hog = pool.submit(two.run, jobs.job(HOG), 6, 5)
         time.sleep(2)
-        assert answer(two, SHARE, seconds=60, cell_seconds=60) > 0.2  # and not 1/25
+        assert jobs.answer(two, SHARE, seconds=60, cell_seconds=60) > 0.2  # and not 1/25
         hog.result()
 
 
@@ -189,9 +181,9 @@ x = found_near(id(object())) + found_near(libc.sbrk(0) - page) + found_near(id(b
 
 def test_nothing_of_another_submission_is_in_the_memory_of_a_process(harvester):
     """Its answers, its receipts, the texts of tests: a search where Python and C keep objects."""
-    before = answer(harvester, SCAN)  # copies of its own needle
+    before = jobs.answer(harvester, SCAN)  # copies of its own needle
     test = {"role": "test", "name": "t", "text": "", "hidden": f"'{LEFT}'"}
-    cells = [own(f"a = '{LEFT}'\n1 / 0 # {LEFT}"), *job(f"x = 1  # {LEFT}"), test]
+    cells = [jobs.own(f"a = '{LEFT}'\n1 / 0 # {LEFT}"), *jobs.job(f"x = 1  # {LEFT}"), test]
     for _ in range(5):
-        run_caged(harvester, cells)
-    assert answer(harvester, SCAN) == before
+        jobs.run_caged(harvester, cells)
+    assert jobs.answer(harvester, SCAN) == before

@@ -6,14 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from newton_euler.motion import ModelError, second_order
-from newton_euler.motion.arguments import (
-    check_options,
-    event_tuple,
-    sample_request,
-    start_state,
-    time_span,
-)
+from newton_euler.motion import ModelError, arguments, second_order
 from newton_euler.motion.events import Event
 
 SPRING = second_order("spring", {"k": 4.0, "c": 0}, ("x",), lambda s, p, t: (-p.k * s.x - p.c,))
@@ -24,8 +17,8 @@ SPRING = second_order("spring", {"k": 4.0, "c": 0}, ("x",), lambda s, p, t: (-p.
     [(2.0, (0.0, 2.0)), (3, (0.0, 3.0)), ((1, 2.5), (1.0, 2.5)), ([-2.0, -1.0], (-2.0, -1.0))],
 )
 def test_the_time_is_an_end_or_a_pair(t, found):
-    assert time_span(t) == found
-    assert all(type(x) is float for x in time_span(t))
+    assert arguments.time_span(t) == found
+    assert all(type(x) is float for x in arguments.time_span(t))
 
 
 @pytest.mark.parametrize(
@@ -40,7 +33,7 @@ def test_the_time_is_an_end_or_a_pair(t, found):
 def test_anything_else_is_refused_as_a_time(given, words):
     for t in given:
         with pytest.raises(ModelError, match=words):
-            time_span(t)
+            arguments.time_span(t)
 
 
 @pytest.mark.parametrize(
@@ -48,10 +41,10 @@ def test_anything_else_is_refused_as_a_time(given, words):
     [("auto", 1e-15), ("taylor", 1e-15), ("dop853", 1e-13), ("verlet", 1e-7), ("auto", 0.999)],
 )
 def test_an_rtol_that_a_method_reaches_is_taken_and_less_refused(method, rtol):
-    check_options(rtol, method)
+    arguments.check_options(rtol, method)
     if rtol < 0.5:
         with pytest.raises(ModelError, match=f"cannot reach it, the least is {rtol:g}"):
-            check_options(0.99 * rtol, method)
+            arguments.check_options(0.99 * rtol, method)
 
 
 @pytest.mark.parametrize(
@@ -65,57 +58,57 @@ def test_an_rtol_that_a_method_reaches_is_taken_and_less_refused(method, rtol):
 )
 def test_options_with_which_no_model_can_be_integrated(option, bad, words):
     usual = {"rtol": 1e-6, "method": "auto", "step": None, "progress": print}
-    check_options(**usual)
+    arguments.check_options(**usual)
     for x in bad:
         with pytest.raises(ModelError, match=words):
-            check_options(**usual | {option: x})
+            arguments.check_options(**usual | {option: x})
 
 
 def test_a_tolerance_may_be_any_real_number():
     for x in (np.float32(1e-3), Fraction(1, 1000), np.float64(1e-3)):
-        assert type(check_options(x, "auto")) is float
+        assert type(arguments.check_options(x, "auto")) is float
 
 
 @pytest.mark.parametrize("nothing", [np.array(1.0), np.array(1j)], ids=str)
 def test_an_array_without_an_axis_has_no_entries(nothing):
     with pytest.raises(ModelError, match="a value for each of"):
-        start_state(SPRING, nothing)
+        arguments.start_state(SPRING, nothing)
     with pytest.raises(ModelError, match="events are an Event, or several"):
-        event_tuple(nothing)
+        arguments.event_tuple(nothing)
 
 
 def test_with_a_fixed_step_the_rtol_does_not_matter():
-    check_options(0.0, "verlet", step=0.1)
+    arguments.check_options(0.0, "verlet", step=0.1)
 
 
 def test_events_are_one_or_several():
     event = Event(lambda s, p, t: s.x)
     for given in (event, [event], (event,), iter([event])):
-        assert event_tuple(given) == (event,)
-    assert event_tuple(()) == ()
+        assert arguments.event_tuple(given) == (event,)
+    assert arguments.event_tuple(()) == ()
     for bad in ((3,), [lambda s, p, t: s.x]):
         with pytest.raises(ModelError, match=r"events are made by Event"):
-            event_tuple(bad)
+            arguments.event_tuple(bad)
     for bad in (3, "x", range(3)):
         with pytest.raises(ModelError, match=r"events are an Event, or several, got"):
-            event_tuple(bad)
+            arguments.event_tuple(bad)
 
 
 @pytest.mark.parametrize("samples", [None, 1, 7])
 def test_a_number_of_samples_stays_as_it_is(samples):
-    assert sample_request(samples, 2.0, 5.0) is samples
+    assert arguments.sample_request(samples, 2.0, 5.0) is samples
 
 
 @pytest.mark.parametrize("whole", [np.int64(7), np.array(7), np.uint8(7)], ids=repr)
 def test_a_number_of_samples_may_be_one_of_numpy(whole):
-    assert sample_request(whole, 2.0, 5.0) == 7
+    assert arguments.sample_request(whole, 2.0, 5.0) == 7
     with pytest.raises(ModelError, match="samples are a number of times"):
-        sample_request(0 * whole, 2.0, 5.0)
+        arguments.sample_request(0 * whole, 2.0, 5.0)
 
 
 @pytest.mark.parametrize("samples", [[2.0, 3.5, 5.0], (2, 5), (t for t in (2.0, 5.0)), [5.0]])
 def test_samples_are_times_of_the_motion_its_ends_among_them(samples):
-    found = sample_request(samples, 2.0, 5.0)
+    found = arguments.sample_request(samples, 2.0, 5.0)
     assert found.dtype == float
     assert {found[0], found[-1]} <= {2.0, 5.0}
 
@@ -123,13 +116,13 @@ def test_samples_are_times_of_the_motion_its_ends_among_them(samples):
 @pytest.mark.parametrize("samples", [0, -1, 2.5, True, "4", b"4", [], [[3.0, 4.0]], ["x"]], ids=str)
 def test_anything_else_is_refused_as_samples(samples):
     with pytest.raises(ModelError, match="samples are a number of times, or times; got"):
-        sample_request(samples, 2.0, 5.0)
+        arguments.sample_request(samples, 2.0, 5.0)
 
 
 @pytest.mark.parametrize("t", [1.99, 5.01, math.nan])
 def test_samples_outside_the_motion_are_refused(t):
     with pytest.raises(ModelError, match=f"from t = 2 to 5, .*; got {t:g} among them"):
-        sample_request([3.0, t, 4.0], 2.0, 5.0)
+        arguments.sample_request([3.0, t, 4.0], 2.0, 5.0)
 
 
 STARTS = [
@@ -140,14 +133,14 @@ STARTS = [
 
 @pytest.mark.parametrize("start", STARTS, ids=lambda start: type(start).__name__)
 def test_a_start_is_a_tuple_of_floats_in_the_order_of_the_states(start):
-    found = start_state(SPRING, start)
+    found = arguments.start_state(SPRING, start)
     assert found == (1.0, 2.0)
     assert [type(x) for x in found] == [float, float]
 
 
 def test_arrays_in_a_start_stay_as_they_are():
     many = np.array([1.0, 2.0])
-    x, v = start_state(SPRING, (many, 3))
+    x, v = arguments.start_state(SPRING, (many, 3))
     assert x is many
     assert v == 3.0
 
@@ -170,11 +163,11 @@ def test_arrays_in_a_start_stay_as_they_are():
 )
 def test_a_start_that_does_not_fit_is_refused_in_words(start, words):
     with pytest.raises(ModelError) as refused:
-        start_state(SPRING, start)
+        arguments.start_state(SPRING, start)
     assert words in str(refused.value)
 
 
 def test_the_rows_of_an_array_are_many_values_of_a_state():
-    x, v = start_state(SPRING, np.array([[1.0, 2.0], [3.0, 4.0]]))
+    x, v = arguments.start_state(SPRING, np.array([[1.0, 2.0], [3.0, 4.0]]))
     assert x.tolist() == [1.0, 2.0]
     assert v.tolist() == [3.0, 4.0]

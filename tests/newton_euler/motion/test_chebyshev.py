@@ -6,50 +6,41 @@ import numpy as np
 import pytest
 from numpy.polynomial import chebyshev as numpys
 
-from newton_euler.motion.chebyshev import (
-    DEGREE,
-    EPS,
-    _companions,
-    derivatives_at,
-    extrema,
-    root,
-    value_at,
-    values_at,
-)
+from newton_euler.motion import chebyshev as ours
 
 CHANCE = np.random.default_rng(3)
-POLYNOMIALS = CHANCE.normal(size=(5, DEGREE + 1))
+POLYNOMIALS = CHANCE.normal(size=(5, ours.DEGREE + 1))
 PLACES = CHANCE.uniform(-1.0, 1.0, 5)
 
 
 def test_values_and_slopes_of_polynomials_are_those_of_numpy():
     exact = [numpys.chebval(x, c) for x, c in zip(PLACES, POLYNOMIALS, strict=True)]
-    assert values_at(POLYNOMIALS, PLACES) == pytest.approx(exact)
-    assert [value_at(c, x) for x, c in zip(PLACES, POLYNOMIALS, strict=True)] == pytest.approx(
+    assert ours.values_at(POLYNOMIALS, PLACES) == pytest.approx(exact)
+    assert [ours.value_at(c, x) for x, c in zip(PLACES, POLYNOMIALS, strict=True)] == pytest.approx(
         exact
     )
     slopes = [
         numpys.chebval(x, numpys.chebder(c)) for x, c in zip(PLACES, POLYNOMIALS, strict=True)
     ]
-    assert derivatives_at(POLYNOMIALS, PLACES) == pytest.approx(slopes)
+    assert ours.derivatives_at(POLYNOMIALS, PLACES) == pytest.approx(slopes)
     # the checks follow the coefficients
     longer = np.hstack([POLYNOMIALS, np.ones((5, 3))])
-    assert derivatives_at(longer, PLACES) == pytest.approx(slopes)
+    assert ours.derivatives_at(longer, PLACES) == pytest.approx(slopes)
 
 
 @pytest.mark.parametrize("degree", [1, 2, 3, 8])
 def test_eigenvalues_of_companions_are_the_zeros(degree):
     c = POLYNOMIALS[:, : degree + 1]
-    for matrix, one in zip(_companions(c), c, strict=True):
+    for matrix, one in zip(ours._companions(c), c, strict=True):
         found = np.sort_complex(np.linalg.eigvals(matrix))
         assert found == pytest.approx(np.sort_complex(numpys.chebroots(one)))
 
 
 def all_extrema(*polynomials):
-    c = np.zeros((len(polynomials), DEGREE + 1))
+    c = np.zeros((len(polynomials), ours.DEGREE + 1))
     for row, p in zip(c, polynomials, strict=True):
         row[: len(p)] = p
-    rows, x = extrema(c)
+    rows, x = ours.extrema(c)
     return [x[rows == n].tolist() for n in range(len(c))]
 
 
@@ -70,10 +61,10 @@ def test_a_leading_coefficient_that_is_round_off_does_no_harm(factor):
     small = [factor * c for c in (0.5, 0.8, 1.0, *[1e-17] * 10)]
     assert all_extrema(small) == [pytest.approx([-0.2])]
     # also beside a polynomial of high degree
-    high = [0.0] * DEGREE + [1.0]
+    high = [0.0] * ours.DEGREE + [1.0]
     found = all_extrema(small, high)
     assert found[0] == pytest.approx([-0.2], abs=1e-8)
-    assert len(found[1]) == DEGREE - 1
+    assert len(found[1]) == ours.DEGREE - 1
 
 
 def test_extrema_of_random_polynomials_are_where_their_slope_is_zero():
@@ -112,19 +103,19 @@ class Counted:
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_root_is_found_to_round_off_in_few_steps(f, exact, calls, swapped, sign):
     g = Counted(lambda x: sign * f(x))
-    found = root(g, 2.0, -1.0) if swapped else root(g, -1.0, 2.0)
-    assert found == pytest.approx(exact, rel=4 * EPS, abs=0.0)
+    found = ours.root(g, 2.0, -1.0) if swapped else ours.root(g, -1.0, 2.0)
+    assert found == pytest.approx(exact, rel=4 * ours.EPS, abs=0.0)
     assert g.count <= calls
 
 
 def test_a_root_at_an_end_is_that_end():
     for end in (1.0, 2.0):
         g = Counted(lambda x, end=end: x - end)
-        assert root(g, 1.0, 2.0) == end
+        assert ours.root(g, 1.0, 2.0) == end
         assert g.count == 2
 
 
 def test_a_root_may_be_as_inaccurate_as_asked():
     g = Counted(lambda x: math.cos(x) - x)
-    assert root(g, 0.0, 2.0, 1e-2) == pytest.approx(0.739, abs=1e-2)
+    assert ours.root(g, 0.0, 2.0, 1e-2) == pytest.approx(0.739, abs=1e-2)
     assert g.count <= 8

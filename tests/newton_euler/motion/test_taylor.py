@@ -11,15 +11,6 @@ from newton_euler import Model, sin
 from newton_euler.motion import prepare, second_order
 from newton_euler.motion.methods import taylor
 from newton_euler.motion.methods.base import LengthError, StepError
-from newton_euler.motion.methods.taylor import (
-    LEVELS,
-    MAX_KINDS,
-    Taylor,
-    _made,
-    _power_of_two,
-    integrator,
-    level_of,
-)
 from newton_euler.motion.prepared import PreparedModel, prepared_model
 from tests.models import FALL, begun
 
@@ -40,37 +31,39 @@ def swing(t, size=1.0):
 def series(t1=5.0, size=1.0, model=SPRING, start=None, **options):
     """A run that has not begun; by default the spring starts at rest."""
     start = start or (size, 0.0)
-    usual = {"tolerance": LEVELS[-1], "units": (size,) * len(start)}
-    return begun(Taylor, prepared_model(model), start, t1, **usual | options)
+    usual = {"tolerance": taylor.LEVELS[-1], "units": (size,) * len(start)}
+    return begun(taylor.Taylor, prepared_model(model), start, t1, **usual | options)
 
 
 # -- levels and integrators
 
 
 def test_the_level_of_a_tolerance_is_the_next_below():
-    assert level_of(1.0) == LEVELS[0]
-    assert level_of(LEVELS[3]) == LEVELS[3]
-    assert level_of(0.999 * LEVELS[3]) == LEVELS[4]
-    assert level_of(0.0) == LEVELS[-1] == pytest.approx(2.0**-52, rel=0.05)
+    assert taylor.level_of(1.0) == taylor.LEVELS[0]
+    assert taylor.level_of(taylor.LEVELS[3]) == taylor.LEVELS[3]
+    assert taylor.level_of(0.999 * taylor.LEVELS[3]) == taylor.LEVELS[4]
+    assert taylor.level_of(0.0) == taylor.LEVELS[-1] == pytest.approx(2.0**-52, rel=0.05)
 
 
 @pytest.mark.parametrize("n", [0, 8, 16])
 def test_a_level_is_where_heyoka_takes_another_order(n):
     system = prepared_model(SPRING)
-    orders = [_made(system, part * LEVELS[n], False, None).order for part in (1.0, 0.999999)]
+    orders = [
+        taylor._made(system, part * taylor.LEVELS[n], False, None).order for part in (1.0, 0.999999)
+    ]
     assert orders == [n + 3, n + 4]
 
 
 @pytest.mark.parametrize(("x", "found"), [(1.0, 1.0), (3.9, 2.0), (0.3, 0.25), (0.0, 1.0)])
 def test_scales_are_powers_of_two(x, found):
-    assert _power_of_two(x) == found
+    assert taylor._power_of_two(x) == found
 
 
 def test_an_integrator_is_made_once_and_has_one_user_at_a_time():
     system = PreparedModel(second_order("own", {}, ("x",), lambda s, p, t: (-17 * s.x,)))
-    with integrator(system, 1e-9) as one, integrator(system, 1e-9) as other:
+    with taylor.integrator(system, 1e-9) as one, taylor.integrator(system, 1e-9) as other:
         assert other is not one
-    with integrator(system, 0.99e-9) as again, integrator(system, 1e-12) as finer:
+    with taylor.integrator(system, 0.99e-9) as again, taylor.integrator(system, 1e-12) as finer:
         assert again is one or again is other
         assert finer.order > again.order
     assert len(system.traced.integrators) == 2
@@ -79,10 +72,10 @@ def test_an_integrator_is_made_once_and_has_one_user_at_a_time():
 def test_of_too_many_kinds_the_oldest_is_dropped():
     system = PreparedModel(second_order("own", {}, ("x",), lambda s, p, t: (-19 * s.x,)))
     known = system.traced.integrators
-    known.update({n: [] for n in range(MAX_KINDS - 1)})
-    with integrator(system, 1e-9):
+    known.update({n: [] for n in range(taylor.MAX_KINDS - 1)})
+    with taylor.integrator(system, 1e-9):
         assert list(known)[:2] == [0, 1]
-    with integrator(system, 1e-12):
+    with taylor.integrator(system, 1e-12):
         assert list(known)[:2] == [1, 2]
 
 
@@ -267,7 +260,7 @@ def test_a_series_whose_rates_have_no_value_is_infinitely_far_off(model):
 
 
 def prepared(model=SPRING):
-    return Taylor.fast_run(PreparedModel(model), 1e-12)
+    return taylor.Taylor.fast_run(PreparedModel(model), 1e-12)
 
 
 def test_a_prepared_series_is_the_motion_for_any_parameters():
@@ -288,7 +281,7 @@ def test_a_prepared_series_that_does_not_reach_its_end_has_none(model, t, start)
 def test_a_prepared_series_that_needs_too_many_steps_is_left_to_integration(monkeypatch):
     monkeypatch.setattr(taylor, "MAX_PREPARED_STEPS", 3)
     assert prepared()(50.0, (1.0, 0.0)) is not None
-    monkeypatch.setattr(Taylor, "most_steps", 6)
+    monkeypatch.setattr(taylor.Taylor, "most_steps", 6)
     assert prepared()(50.0, (1.0, 0.0)) is None
 
 

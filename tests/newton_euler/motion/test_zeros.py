@@ -8,15 +8,6 @@ from numpy.polynomial import chebyshev as numpys
 
 from newton_euler.motion import zeros
 from newton_euler.motion.chebyshev import DEGREE, EPS
-from newton_euler.motion.zeros import (
-    CHECKS,
-    Bracket,
-    Piece,
-    UnresolvedError,
-    ZeroSearch,
-    _guess,
-    sampling,
-)
 
 CHANCE = np.random.default_rng(3)
 POLYNOMIALS = CHANCE.normal(size=(5, DEGREE + 1))
@@ -51,7 +42,7 @@ def search(f, a, b, sign=None, round_off=EPS, **options):
     asked.low, asked.high = a, b
     sign = int(np.sign(asked.f(np.array([a]))[0])) if sign is None else sign
     found, ends = [], []
-    for some, end in ZeroSearch(asked.values, asked.noise, a, b, sign, **options):
+    for some, end in zeros.ZeroSearch(asked.values, asked.noise, a, b, sign, **options):
         found += some
         ends.append(end)
         # every zero found so far lies in the part searched so far
@@ -118,7 +109,7 @@ def test_the_sign_before_the_interval_shows_whether_it_changes_at_the_beginning(
 
 def test_the_sign_goes_on_to_the_end():
     asked = Function(np.cos)
-    one = ZeroSearch(asked.values, asked.noise, 0.0, 3.0, 1)
+    one = zeros.ZeroSearch(asked.values, asked.noise, 0.0, 3.0, 1)
     assert len([zero for some, _ in one for zero in some]) == 1
     assert one.sign == -1
 
@@ -222,7 +213,7 @@ def test_a_peak_whose_foot_only_the_end_of_a_step_sees_is_resolved(foot):
 def test_a_rough_function_that_stays_away_from_zero_is_looked_at_once():
     asked = Function(lambda t: 5.0 + np.abs(np.sin(37.0 * t)))
     assert times(asked, 0.0, 5.0) == []
-    assert asked.count == DEGREE + 1 + len(CHECKS)
+    assert asked.count == DEGREE + 1 + len(zeros.CHECKS)
 
 
 @pytest.mark.parametrize("late", [2.0**32, -(2.0**32)])
@@ -246,11 +237,11 @@ def test_where_there_are_no_values_the_search_ends_there():
     asked, found = Function(lambda t: np.where(t < 3.0, np.cos(t), np.nan)), []
 
     def run():
-        for some, _ in ZeroSearch(asked.values, asked.noise, 0.0, 8.0, 1):
+        for some, _ in zeros.ZeroSearch(asked.values, asked.noise, 0.0, 8.0, 1):
             found.extend(zero.t for zero in some)
 
     words = r"^has no value from t = 3.*; give one that is defined along the whole motion"
-    with pytest.raises(UnresolvedError, match=words):
+    with pytest.raises(zeros.UnresolvedError, match=words):
         run()
     assert found == pytest.approx([math.pi / 2])
 
@@ -258,7 +249,9 @@ def test_where_there_are_no_values_the_search_ends_there():
 def test_a_function_with_too_many_zeros_is_refused(monkeypatch):
     monkeypatch.setattr(zeros, "MAX_PIECES", 500)
     assert len(times(lambda t: np.sin(30.0 * t + 1), 0.0, 5.0)) == 48
-    with pytest.raises(UnresolvedError, match=r"from 0 to 5, and is resolved only up to t = 0"):
+    with pytest.raises(
+        zeros.UnresolvedError, match=r"from 0 to 5, and is resolved only up to t = 0"
+    ):
         times(lambda t: np.sin(1e6 * t + 1), 0.0, 5.0)
 
 
@@ -267,17 +260,17 @@ def test_a_function_with_too_many_zeros_is_refused(monkeypatch):
 
 def test_a_polynomial_is_known_by_its_samples():
     """Samples at the points and checks in 0 to 1 give its coefficients and values at the checks."""
-    points, transform = sampling()
+    points, transform = zeros.sampling()
     x = 2 * points - 1
     assert x[:2] == pytest.approx([-1.0, math.cos(math.pi * (1 - 1 / DEGREE))])
-    assert x[DEGREE:] == pytest.approx([1.0, *CHECKS])
+    assert x[DEGREE:] == pytest.approx([1.0, *zeros.CHECKS])
     for c in POLYNOMIALS:
         values = numpys.chebval(x, c)
         assert values[: DEGREE + 1] @ transform == pytest.approx([*c, *values[DEGREE + 1 :]])
 
 
 def piece(left, right, c):
-    one = Piece(left, right)
+    one = zeros.Piece(left, right)
     one.fit = np.zeros(DEGREE + 4)
     one.fit[DEGREE + 1 :] = 9.0  # the checks
     one.fit[: len(c)] = c
@@ -293,7 +286,7 @@ def test_places_and_slopes_of_a_piece_are_in_time():
 
 
 def test_the_sign_of_round_off_and_of_nan_is_zero():
-    one = Piece(0.0, 1.0)
+    one = zeros.Piece(0.0, 1.0)
     one.floor = 0.5
     assert [one.sign(v) for v in (0.6, 0.5, 0.0, -0.5, -0.6, math.nan)] == [1, 0, 0, 0, -1, 0]
 
@@ -301,8 +294,8 @@ def test_the_sign_of_round_off_and_of_nan_is_zero():
 @pytest.mark.parametrize("sign", [1, -1])
 def test_the_guess_is_the_zero_of_the_polynomial_or_the_nearer_end(sign):
     one = piece(0.0, 1.0, [-0.3 * sign, 1.0 * sign])  # zero at 0.3
-    assert _guess(Bracket(one, -0.5, 0.8, sign)) == pytest.approx(0.3)
-    assert _guess(Bracket(one, 0.5, 0.8, sign)) == 0.5
-    assert _guess(Bracket(one, -0.5, 0.1, sign)) == 0.1
+    assert zeros._guess(zeros.Bracket(one, -0.5, 0.8, sign)) == pytest.approx(0.3)
+    assert zeros._guess(zeros.Bracket(one, 0.5, 0.8, sign)) == 0.5
+    assert zeros._guess(zeros.Bracket(one, -0.5, 0.1, sign)) == 0.1
     one.state = "rough"
-    assert _guess(Bracket(one, -0.5, 0.8, sign)) == -0.5
+    assert zeros._guess(zeros.Bracket(one, -0.5, 0.8, sign)) == -0.5

@@ -3,11 +3,7 @@
 import mpmath as mp
 import pytest
 
-from newton_euler.accuracy.measurements.reference import (
-    by_extrapolation,
-    by_heyoka,
-    reference_solution,
-)
+from newton_euler.accuracy.measurements import reference
 from newton_euler.scenes import SCENES
 
 EXACT = [name for name in SCENES if SCENES[name].motion[0].exact]
@@ -18,7 +14,7 @@ def test_references_agree_with_exact_solutions_to_28_digits(name):
     model, t, start = SCENES[name].motion
     with mp.workdps(45):
         exact = in_digits(model).solution(mp.mpf(t), [mp.mpf(x) for x in start])
-        assert apart(reference_solution(model, t, start), exact) < 1e-28
+        assert apart(reference.reference_solution(model, t, start), exact) < 1e-28
 
 
 QUICK_TO_EXTRAPOLATE = ("aircraft", "aircraft in space", "projectile")
@@ -35,15 +31,15 @@ QUICK_TO_EXTRAPOLATE = ("aircraft", "aircraft in space", "projectile")
 def test_references_without_exact_solution_agree_with_extrapolation_to_28_digits(name):
     pytest.importorskip("heyoka")
     motion = SCENES[name].motion
-    assert apart(by_heyoka(*motion), by_extrapolation(*motion)) < 1e-28
+    assert apart(reference.by_heyoka(*motion), reference.by_extrapolation(*motion)) < 1e-28
 
 
 def test_extrapolation_agrees_with_an_exact_solution_to_30_digits():
     model, _, start = SCENES["space station"].motion
     with mp.workdps(45):
         exact = in_digits(model).solution(mp.mpf(7), [mp.mpf(x) for x in start])
-        assert apart(by_extrapolation(model, 7.0, start), exact) < 1e-30
-        assert apart(by_extrapolation(model, 7.0, start, digits=16), exact) > 1e-30
+        assert apart(reference.by_extrapolation(model, 7.0, start), exact) < 1e-30
+        assert apart(reference.by_extrapolation(model, 7.0, start, digits=16), exact) > 1e-30
 
 
 def in_digits(model):
