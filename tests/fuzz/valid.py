@@ -13,21 +13,7 @@ from pkgutil import walk_packages
 
 from matplotlib.figure import Figure
 
-import newton_euler
-from newton_euler import (
-    Body,
-    Force,
-    ForceSystem,
-    Frame,
-    Model,
-    algebra,
-    bodies,
-    drawing,
-    dynamics,
-    integrate,
-    moving,
-    scenes,
-)
+import newton_euler as ne
 from newton_euler.answers.forms import Form
 from newton_euler.classroom import predict_again, tally, try_problem
 
@@ -47,7 +33,7 @@ def valid_calls(functions):
             call = arguments(frame)
             calls.update((name, call) for name in names)
 
-    for module in walk_packages(newton_euler.__path__, "newton_euler."):
+    for module in walk_packages(ne.__path__, "newton_euler."):
         if "chapters" in module.name or module.name.endswith("__main__"):
             continue
         for test in doctest.DocTestFinder().find(import_module(module.name)):
@@ -90,7 +76,7 @@ def arguments(frame):
 
 def more_examples():
     """Calls of names that no docstring calls."""
-    ground = Frame("ground")
+    ground = ne.Frame("ground")
     body = ground.rotate("body", "z", angle=0.3, rate=2.0)
     places = body.point("C", 0.1, 0.2, 0.3), body.point("D", 1.0, 0.0, 0.5)
     solids(body, *places)
@@ -119,70 +105,70 @@ def solids(body, C, D):
         "rod": {"length": 0.3} | round_, "cylinder": {"radius": 0.1, "length": 0.3} | round_,
         "disk": {"radius": 0.1} | round_, "sphere": {"radius": 0.1} | round_,
     }.items():  # fmt: skip
-        getattr(bodies, shape)(**lengths, mass=2.0)
-    bodies.simplex(C, D, mass=2.0, name="rod")
+        getattr(ne.bodies, shape)(**lengths, mass=2.0)
+    ne.bodies.simplex(C, D, mass=2.0, name="rod")
 
 
 def of_a_wheel(ground, body, C, D):
-    wheel = Body("wheel", 2.0, body, (0.1, 0.08, 0.05))
+    wheel = ne.Body("wheel", 2.0, body, (0.1, 0.08, 0.05))
     wheel.check()
     wheel.momentum(ground)
     I = wheel.about(C)
     I.to_array()
     I.expressed_in(body.rotate("tilted", "x", 0.2))
     I + I
-    I - Body("hole", 0.1, body, (0.001, 0.0008, 0.0005)).about(C)
+    I - ne.Body("hole", 0.1, body, (0.001, 0.0008, 0.0005)).about(C)
     sum([I, I])
     I.reweighted(own=2.0)
     I.without("own")
     I.principal().frame("principal")
 
-    T = dynamics.kinetic_energy(wheel, ground)
+    T = ne.dynamics.kinetic_energy(wheel, ground)
     T.explain()
     T.without("rotation")
 
 
 def scalars_and_vectors(ground):
-    length = algebra.Dimension(0, 1, 0)
-    -length, abs(length), 1 / length, length.function("sqrt"), 2.0 ** algebra.Dimension()
-    form = algebra.LinearForm(2.0, (1, 3.0))
+    length = ne.algebra.Dimension(0, 1, 0)
+    -length, abs(length), 1 / length, length.function("sqrt"), 2.0 ** ne.algebra.Dimension()
+    form = ne.algebra.LinearForm(2.0, (1, 3.0))
     form / 2.0, 1.0 - form
     for refused in (
         lambda: 1 / form, lambda: form.function("sin"), lambda: form**2, lambda: 2.0**form,
-        lambda: 1.0 / ground.i, lambda: abs(form), lambda: form == 1.0, lambda: algebra.Moving(2.0) == 1.0,
+        lambda: 1.0 / ground.i, lambda: abs(form), lambda: form == 1.0, lambda: ne.algebra.Moving(2.0) == 1.0,
     ):  # fmt: skip
-        with contextlib.suppress(algebra.ScalarError, algebra.FrameError):
+        with contextlib.suppress(ne.algebra.ScalarError, ne.algebra.FrameError):
             refused()
-    x = algebra.Moving(2.0, 3.0)
+    x = ne.algebra.Moving(2.0, 3.0)
     1 / x, 2.0**x, 1.0 - x, abs(x)
-    data = algebra.table([0.0, 1.0], [2.0, 3.0])
+    data = ne.algebra.table([0.0, 1.0], [2.0, 3.0])
     data == data.derivative(), data.key()
     v = ground.vector(1.0, 2.0, 2.0)
     v[0], abs(v), v.latex(), sum([v, v]), v.direction()
     arm = ground.rotate("arm", "z", rate=2.0)
-    arm.point("P", moving(1.0, rate=3.0), 0, 0).acceleration(ground).without("coriolis")
+    arm.point("P", ne.moving(1.0, rate=3.0), 0, 0).acceleration(ground).without("coriolis")
 
 
 def forces_and_motions(ground, C, D):
     v = ground.vector(1.0, 2.0, 2.0)
-    load = Force(v, C, "load")
-    system = ForceSystem([load])
-    system + ForceSystem([Force(v, D, "other")])
+    load = ne.Force(v, C, "load")
+    system = ne.ForceSystem([load])
+    system + ne.ForceSystem([ne.Force(v, D, "other")])
     system.at(C)
     system.equivalent(system)
-    fall = Model("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g),
+    fall = ne.Model("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g),
                  {"energy": lambda s, p, t: s.v**2 / 2 + p.g * s.h})  # fmt: skip
     fall.invariant("energy", (1.0, 2.0))
-    integrate(fall, 0.1, (1.0, 0.0), 1e-6).explain()
-    ladder = scenes.ladder("projectile")
+    ne.integrate(fall, 0.1, (1.0, 0.0), 1e-6).explain()
+    ladder = ne.scenes.ladder("projectile")
     ladder.rung(ladder.rungs[0].name)
-    balance = dynamics.audit(lambda t: 0.5 * (9.81 * t) ** 2, 0.0, 1.0, {},
+    balance = ne.dynamics.audit(lambda t: 0.5 * (9.81 * t) ** 2, 0.0, 1.0, {},
                              {"weight": lambda t: 9.81**2 * t})  # fmt: skip
     balance.heat()
 
 
 def drawings(ground, body, C, D):
-    s = drawing.Sketch(Figure().add_subplot(), ground, plane="xz")
+    s = ne.drawing.Sketch(Figure().add_subplot(), ground, plane="xz")
     s.axes(C, body)
     s.turn(C, body.k, "omega")
     s.ground(C, ground.k)
@@ -208,9 +194,9 @@ def drawings(ground, body, C, D):
     s.sum(C, body.point("P", 1.0, 0, 0).acceleration(ground))
 
     def draw(t, ax):
-        drawing.Sketch(ax, ground, plane="xz").rod((0, 0, 0), (1, 0, t))
+        ne.drawing.Sketch(ax, ground, plane="xz").rod((0, 0, 0), (1, 0, t))
 
-    film = drawing.animate(draw, (0.0, 0.1, 0.2))
+    film = ne.drawing.animate(draw, (0.0, 0.1, 0.2))
     film.html()
     with tempfile.TemporaryDirectory() as folder:
         film.save(f"{folder}/film.gif")

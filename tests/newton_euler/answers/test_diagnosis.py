@@ -4,37 +4,7 @@ import math
 
 import pytest
 
-from newton_euler.answers.causes import (
-    BOOK,
-    BOUNDS,
-    CORIOLIS_HALVED,
-    DIAGONAL_ONLY,
-    FIRST_DIGITS,
-    INVERTED,
-    NEAR,
-    NEAR_IN_FEW_DIGITS,
-    NUMBERS,
-    OFF_DIAGONAL,
-    ROOT,
-    ROUNDED,
-    SQUARED,
-    TRANSPOSED,
-    Cause,
-    answer_to,
-    both,
-    computed,
-    entry_left_out,
-    entry_reversed,
-    exchanged_entries,
-    left_out_components,
-    listed,
-    multiplied,
-    other_axes,
-    right_but,
-    sentence,
-    term_left_out,
-    term_reversed,
-)
+from newton_euler.answers import causes
 from newton_euler.answers.diagnosis import Answered, Elsewhere, diagnose
 from newton_euler.answers.fit import EXACT, LOOSE, Fit
 from newton_euler.answers.kinds import KINDS
@@ -43,30 +13,30 @@ from newton_euler.answers.tolerance import FORMULA_RTOL
 
 KEY = ((3.0, 4.0, 0.0),)
 MODEL = ((3.0, -4.0, 0.0),)
-TURNS, MIRRORS = listed("turns", "turns y"), listed("mirrors", "mirrors it")
+TURNS, MIRRORS = causes.listed("turns", "turns y"), causes.listed("mirrors", "mirrors it")
 
 
 def test_all_models_that_give_the_same_numbers_are_named_up_to_three():
     assert diagnose(MODEL, KEY, [(TURNS, MODEL)]) == (TURNS,)
     two = diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)])
     assert two == (TURNS, MIRRORS)
-    assert sentence(two) == "turns y; or one that mirrors it"
+    assert causes.sentence(two) == "turns y; or one that mirrors it"
     for count, named in ((3, 3), (4, 0)):
-        models = [(listed(f"m{n}", f"model {n}"), MODEL) for n in range(count)]
+        models = [(causes.listed(f"m{n}", f"model {n}"), MODEL) for n in range(count)]
         assert len(diagnose(MODEL, KEY, models)) == named
 
 
 def test_causes_are_the_same_by_group_and_name_however_they_are_worded():
-    assert listed("a", "once") == listed("a", "reworded")
-    assert listed("a", "same") != listed("b", "same")
-    assert Cause("term", "a", "same") != listed("a", "same")
-    twice = [(listed("a", "once"), MODEL), (listed("a", "reworded"), MODEL)]
+    assert causes.listed("a", "once") == causes.listed("a", "reworded")
+    assert causes.listed("a", "same") != causes.listed("b", "same")
+    assert causes.Cause("term", "a", "same") != causes.listed("a", "same")
+    twice = [(causes.listed("a", "once"), MODEL), (causes.listed("a", "reworded"), MODEL)]
     assert len(diagnose(MODEL, KEY, twice)) == 1
-    assert sentence(diagnose(MODEL, KEY, twice)) == "once"
+    assert causes.sentence(diagnose(MODEL, KEY, twice)) == "once"
 
 
 def test_words_that_contain_the_separator_are_one_cause():
-    odd = listed("odd", "takes x; or one that takes y")
+    odd = causes.listed("odd", "takes x; or one that takes y")
     assert diagnose(MODEL, KEY, [(odd, MODEL)]) == (odd,)
 
 
@@ -78,9 +48,9 @@ def test_of_two_models_that_are_near_the_one_that_fits_all_digits_is_named():
 
 def test_a_term_with_the_numbers_of_a_listed_mistake_is_named_after_it():
     """A term left out is the exception: it is the same mistake in other words."""
-    term = term_reversed("y", "the term y")
+    term = causes.term_reversed("y", "the term y")
     assert diagnose(MODEL, KEY, [(term, MODEL), (TURNS, MODEL)]) == (TURNS, term)
-    left_out = term_left_out("y", "the term y")
+    left_out = causes.term_left_out("y", "the term y")
     assert diagnose(MODEL, KEY, [(left_out, MODEL), (TURNS, MODEL)]) == (TURNS,)
     other = ((3.0, -4.0 + 1e-7, 0.0),)
     assert diagnose(MODEL, KEY, [(term, other), (TURNS, MODEL)]) == (TURNS,)
@@ -107,7 +77,7 @@ def test_a_model_is_compared_where_it_has_a_value():
 
 
 def test_of_frames_with_parallel_axes_the_first_is_named():
-    arm, rod = other_axes(1, "the arm"), other_axes(2, "the arm")
+    arm, rod = causes.other_axes(1, "the arm"), causes.other_axes(2, "the arm")
     assert arm != rod  # two frames of one name
     assert diagnose(MODEL, KEY, [(arm, MODEL), (rod, MODEL)]) == (arm,)
 
@@ -115,11 +85,11 @@ def test_of_frames_with_parallel_axes_the_first_is_named():
 def test_a_pair_is_named_only_if_no_other_pair_and_no_single_mistake_gives_the_same():
     key, a, b = ((1.23, 2.0, 3.0),), ((1.23, 0.0, 3.0),), ((1.23, 2.0, 0.0),)
     given = ((1.23, 0.0, 0.0),)
-    A, B, C = (listed(name, name.upper()) for name in "abc")
+    A, B, C = (causes.listed(name, name.upper()) for name in "abc")
     found = diagnose(given, key, [(A, a), (B, b)])
-    assert found == (both(A, B),)
-    assert sentence(found) == "A, and also B: both change the answer"
-    twin = [(A, a), (B, b), (listed("a too", "A too"), a)]
+    assert found == (causes.both(A, B),)
+    assert causes.sentence(found) == "A, and also B: both change the answer"
+    twin = [(A, a), (B, b), (causes.listed("a too", "A too"), a)]
     assert diagnose(given, key, twin) == ()
     assert diagnose(given, key, [*twin, (C, given)]) == (C,)
 
@@ -127,11 +97,11 @@ def test_a_pair_is_named_only_if_no_other_pair_and_no_single_mistake_gives_the_s
 def test_what_is_listed_is_named_beside_others_with_the_same_numbers_however_many():
     """This includes a vector with round-off in place of zero."""
     contradicted = Elsewhere(lambda: [part(True, KEY, [(TURNS, MODEL)])])
-    general = [(answer_to(name), MODEL) for name in "abc"]
+    general = [(causes.answer_to(name), MODEL) for name in "abc"]
     found = diagnose(MODEL, KEY, [*general, (TURNS, MODEL)], elsewhere=contradicted)
     assert TURNS in found
     assert len(found) == 3
-    nothing = [(term_left_out("y", "y"), ((0.0, 0.0, 0.0),)), (TURNS, ((1e-16, 0.0, 0.0),))]
+    nothing = [(causes.term_left_out("y", "y"), ((0.0, 0.0, 0.0),)), (TURNS, ((1e-16, 0.0, 0.0),))]
     elsewhere = Elsewhere(lambda: [part(True, KEY, [(TURNS, MODEL)])])
     assert TURNS in diagnose(((0.0, 0.0, 0.0),), KEY, nothing, elsewhere=elsewhere)
 
@@ -143,30 +113,30 @@ TURN = ((0.8, -0.6, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0),)
 @pytest.mark.parametrize(
     ("kind", "given", "key", "cause"),
     [
-        ("matrix", ((0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0),), TURN, TRANSPOSED),
-        ("matrix", ((4.0, 1.0, -0.5, 1.0, 5.0, -2.0, -0.5, -2.0, 6.0),), INERTIA, OFF_DIAGONAL),
-        ("matrix", ((4, -1, 0, -1, 5, 2, 0, 2, 6),), INERTIA, entry_left_out(0, 2)),
-        ("matrix", ((4, -1, 0.5, -1, 5, -2, 0.5, -2, 6),), INERTIA, entry_reversed(1, 2)),
+        ("matrix", ((0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0),), TURN, causes.TRANSPOSED),
+        ("matrix", ((4, 1, -0.5, 1, 5, -2, -0.5, -2, 6),), INERTIA, causes.OFF_DIAGONAL),
+        ("matrix", ((4, -1, 0, -1, 5, 2, 0, 2, 6),), INERTIA, causes.entry_left_out(0, 2)),
+        ("matrix", ((4, -1, 0.5, -1, 5, -2, 0.5, -2, 6),), INERTIA, causes.entry_reversed(1, 2)),
         (
             "matrix",
             ((4, -1, 0.5, -1, 6, 2, 0.5, 2, 5),),
             INERTIA,
-            exchanged_entries((1, 1), (2, 2)),
+            causes.exchanged_entries((1, 1), (2, 2)),
         ),
         (
             "matrix",
             ((4, 0.5, -1, 0.5, 5, 2, -1, 2, 6),),
             INERTIA,
-            exchanged_entries((1, 0), (2, 0)),
+            causes.exchanged_entries((1, 0), (2, 0)),
         ),
-        ("matrix", ((4, 0, 0, 0, 5, 0, 0, 0, 6),), INERTIA, DIAGONAL_ONLY),
-        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 0),), INERTIA, entry_left_out(2, 2)),
-        ("number", ((79.13,),), ((7.913,),), multiplied("one decimal place", 10.0, True)),
-        ("interval", ((3.0, 1.0),), ((1.0, 3.0),), BOUNDS),
-        ("number", ((62.41,),), ((7.9,),), SQUARED),
-        ("number", ((2.811,),), ((7.9,),), ROOT),
-        ("number", ((0.1266,),), ((7.9,),), INVERTED),
-        ("vector", ((7.9, 0.0, 0.0),), ((7.9, 2.0, 3.0),), left_out_components([1, 2])),
+        ("matrix", ((4, 0, 0, 0, 5, 0, 0, 0, 6),), INERTIA, causes.DIAGONAL_ONLY),
+        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 0),), INERTIA, causes.entry_left_out(2, 2)),
+        ("number", ((79.13,),), ((7.913,),), causes.multiplied("one decimal place", 10.0, True)),
+        ("interval", ((3.0, 1.0),), ((1.0, 3.0),), causes.BOUNDS),
+        ("number", ((62.41,),), ((7.9,),), causes.SQUARED),
+        ("number", ((2.811,),), ((7.9,),), causes.ROOT),
+        ("number", ((0.1266,),), ((7.9,),), causes.INVERTED),
+        ("vector", ((7.9, 0.0, 0.0),), ((7.9, 2.0, 3.0),), causes.left_out_components([1, 2])),
     ],
 )
 def test_slips_that_need_no_list_are_named_by_kind(kind, given, key, cause):
@@ -174,19 +144,19 @@ def test_slips_that_need_no_list_are_named_by_kind(kind, given, key, cause):
 
 
 @pytest.mark.parametrize(
-    ("kind", "key", "models", "causes"),
+    ("kind", "key", "models", "groups"),
     [
         ("vector", ((6.0, -8.0, 0.0),), [], ["factor", "computed"]),
-        ("vector_expression", ((9.0, 9.0, 0.0),), [(BOOK, MODEL)], ["book", "computed"]),
-        ("vector", ((9.0, 9.0, 0.0),), [(BOOK, MODEL)], ["book"]),
+        ("vector_expression", ((9.0, 9.0, 0.0),), [(causes.BOOK, MODEL)], ["book", "computed"]),
+        ("vector", ((9.0, 9.0, 0.0),), [(causes.BOOK, MODEL)], ["book"]),
         ("vector", ((6.0, -8.0, 0.0),), [(TURNS, MODEL)], ["listed"]),
     ],
 )
-def test_a_factor_and_a_formula_of_the_book_do_not_hide_a_slip(kind, key, models, causes):
-    near = lambda *_: [(1, computed("half", "leaves out the hole"), MODEL)]
+def test_a_factor_and_a_formula_of_the_book_do_not_hide_a_slip(kind, key, models, groups):
+    near = lambda *_: [(1, causes.computed("half", "leaves out the hole"), MODEL)]
     two = {"a factor of 2": 2.0}
     found = diagnose(MODEL, key, models, KINDS[kind], two, slips=near)
-    assert [c.group for c in found] == causes
+    assert [c.group for c in found] == groups
 
 
 @pytest.mark.parametrize(
@@ -214,17 +184,17 @@ def part(right, given, wrong):
 
 def test_a_cause_that_a_right_part_contradicts_is_named_last_and_in_this_part():
     """The cause would show there too; but a term can be left out of one part alone."""
-    reworded = listed("turns", "turns y, as they say here")
+    reworded = causes.listed("turns", "turns y, as they say here")
     other = Elsewhere(lambda: [part(True, KEY, [(reworded, MODEL)])])
     found = diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=other)
     assert found == (MIRRORS, TURNS)
-    assert sentence(found) == f"{MIRRORS.text}; or one that in this part {TURNS.text}"
+    assert causes.sentence(found) == f"{MIRRORS.text}; or one that in this part {TURNS.text}"
     twice, nearly = ((6.5123, 9.0, 0.0),), ((6.5123, 9.0151, 0.0),)
     other = Elsewhere(lambda: [part(True, KEY, [(TURNS, twice)])])
     assert diagnose(twice, KEY, [(TURNS, twice)], elsewhere=other) == (TURNS,)
     assert diagnose(nearly, KEY, [(TURNS, twice)]) == (TURNS,)
     assert diagnose(nearly, KEY, [(TURNS, twice)], elsewhere=other) == ()
-    term = term_reversed("y", "the term y")
+    term = causes.term_reversed("y", "the term y")
     other = Elsewhere(lambda: [part(True, KEY, [(term, MODEL)])])
     assert diagnose(MODEL, KEY, [(term, MODEL)], elsewhere=other) == (term,)
 
@@ -236,16 +206,16 @@ def test_a_cause_that_would_not_show_in_the_right_part_is_not_contradicted():
 
 
 def test_of_equal_causes_the_one_that_explains_another_wrong_part_is_named():
-    other = Elsewhere(lambda: [part(False, MODEL, [(listed("mirrors", "reworded"), MODEL)])])
+    other = Elsewhere(lambda: [part(False, MODEL, [(causes.listed("mirrors", "reworded"), MODEL)])])
     assert diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=other) == (MIRRORS,)
 
 
 def test_the_distance_that_is_called_near_is_the_one_of_the_rule():
     """It is 3 % in both the words and the comparison."""
     vector = KINDS["vector"]
-    assert "within 3 % of" in NEAR.text
-    assert vector.observed(((3.0 * 1.029, 4.0 * 1.029, 0.0),), KEY) == NEAR
-    assert vector.observed(((3.0, 4.1, 0.0),), KEY) == NEAR_IN_FEW_DIGITS
+    assert "within 3 % of" in causes.NEAR.text
+    assert vector.observed(((3.0 * 1.029, 4.0 * 1.029, 0.0),), KEY) == causes.NEAR
+    assert vector.observed(((3.0, 4.1, 0.0),), KEY) == causes.NEAR_IN_FEW_DIGITS
     assert vector.observed(((3.0 * 1.031, 4.0 * 1.031, 0.0),), KEY) is None
 
 
@@ -262,11 +232,11 @@ def test_a_number_that_may_have_lost_its_zeros_is_not_accused_of_rounding(x):
     """2.50 is read as 2.5."""
     given, key = ((x,),), ((1.012 * x,),)
     assert diagnose(given, key, [], KINDS["number"]) == ()
-    assert KINDS["number"].observed(given, key) == FIRST_DIGITS
+    assert KINDS["number"].observed(given, key) == causes.FIRST_DIGITS
 
 
 def test_components_in_two_digits_are_rounded_too_far():
-    assert diagnose(((2.5, 1.3, 0.0),), ((2.53, 1.27, 0.0),), []) == (ROUNDED,)
+    assert diagnose(((2.5, 1.3, 0.0),), ((2.53, 1.27, 0.0),), []) == (causes.ROUNDED,)
 
 
 def test_a_zero_vector_does_not_leave_out_one_component():
@@ -283,20 +253,22 @@ def test_a_formula_fits_as_loosely_as_at_its_worst_point():
 
 def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
     size = Answered(False, KINDS["number"], ((7.0,),), ((5.0,),), [(TURNS, ((7.0,),))])
-    models = [(TURNS, MODEL), (CORIOLIS_HALVED, MODEL)]
-    assert CORIOLIS_HALVED in diagnose(MODEL, KEY, models, elsewhere=Elsewhere(lambda: [size]))
+    models = [(TURNS, MODEL), (causes.CORIOLIS_HALVED, MODEL)]
+    assert causes.CORIOLIS_HALVED in diagnose(
+        MODEL, KEY, models, elsewhere=Elsewhere(lambda: [size])
+    )
 
 
 @pytest.mark.parametrize(
     ("kind", "given", "key", "remark"),
     [
-        ("vector", ((3.0, 4.0, 9.0),), ((3.0, 4.0, 1.0),), right_but([2], 3)),
+        ("vector", ((3.0, 4.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([2], 3)),
         ("vector", ((3.0, 4.0, 1.0),), ((0.0, 0.0, 1.5),), None),
-        ("vector", ((3.0, 7.0, 9.0),), ((3.0, 4.0, 1.0),), right_but([1, 2], 3)),
-        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 1),), INERTIA, right_but([8], 9)),
+        ("vector", ((3.0, 7.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([1, 2], 3)),
+        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 1),), INERTIA, causes.right_but([8], 9)),
         ("vector_expression", ((1.0, 2.0, 3.0), (2.0, 5.0, 7.0)),
-         ((1.0, 2.0, 4.0), (2.0, 5.0, 6.0)), right_but([2], 3)),
-        ("expression", ((1.1,), (2.2,), (3.3,)), ((1.0,), (2.0,), (3.0,)), NUMBERS),
+         ((1.0, 2.0, 4.0), (2.0, 5.0, 6.0)), causes.right_but([2], 3)),
+        ("expression", ((1.1,), (2.2,), (3.3,)), ((1.0,), (2.0,), (3.0,)), causes.NUMBERS),
         ("expression", ((1.1,), (2.2,), (3.4,)), ((1.0,), (2.0,), (3.0,)), None),
         ("expression", ((0.0,), (0.0,)), ((1.0,), (2.0,)), None),
         ("vector_expression", ((0.0, 2.0, 1.0),), ((1.0, 0.0, 0.0),), None),
@@ -307,5 +279,5 @@ def test_the_right_part_of_a_wrong_answer_is_named(kind, given, key, remark):
 
 
 def test_a_remark_on_two_components_is_in_the_plural():
-    remark = right_but([1, 2], 3)
+    remark = causes.right_but([1, 2], 3)
     assert remark.text == "its second and third components are not right; the rest is"

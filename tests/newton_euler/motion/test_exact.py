@@ -9,16 +9,7 @@ import pytest
 from mpmath import mp, mpf
 
 from newton_euler import Model, cos, sin, sqrt, where
-from newton_euler.motion.methods.exact import (
-    FARTHEST,
-    LEAST_RESIDUAL,
-    LINES,
-    Exact,
-    _lines,
-    _size_and_pace,
-    estimated_error,
-    residual,
-)
+from newton_euler.motion.methods import exact as method
 from newton_euler.motion.prepared import PreparedModel, prepared_model
 from tests.models import begun
 
@@ -36,7 +27,7 @@ def spring(off=lambda t: 0.0 * t, part=1.0):
 
 
 def test_the_closed_form_is_one_step_in_which_every_state_is_exact():
-    one = begun(Exact, spring(), (1.0, 0.0), 3.0, 1.0)
+    one = begun(method.Exact, spring(), (1.0, 0.0), 3.0, 1.0)
     one.step()
     assert (one.t, one.step_times, one.calls) == (3.0, [1.0, 3.0], 1)
     assert one.x == pytest.approx((math.cos(2.0), -math.sin(2.0)), abs=1e-15)
@@ -54,30 +45,30 @@ def test_the_closed_form_is_one_step_in_which_every_state_is_exact():
 @pytest.mark.parametrize(("t", "pace"), [(100.0, 0.01), (0.01, 100.0), (0.0, 1.0)])
 def test_where_nothing_changes_the_pace_is_that_of_the_time(t, pace):
     still = Model("still", {}, ("x",), lambda s, p, t: (0.0,), exact=lambda s, p, t: (s.x,))
-    assert _size_and_pace(prepared_model(still), t, (3.0,), (3.0,)) == ([3.0], pace)
+    assert method._size_and_pace(prepared_model(still), t, (3.0,), (3.0,)) == ([3.0], pace)
 
 
 def test_sizes_and_pace_are_the_largest_on_the_way():
     """The velocity is zero at both ends of a whole turn."""
     start, t = (2.0, 0.0), 2 * math.pi
-    size, pace = _size_and_pace(spring(), t, start, start)
+    size, pace = method._size_and_pace(spring(), t, start, start)
     assert size == pytest.approx([2.0, 2.0], rel=0.02)
     assert pace == pytest.approx(1.0, rel=0.02)
 
 
 @pytest.mark.parametrize("count", [3, 8])
 def test_numbers_move_in_directions_that_have_nothing_to_do_with_each_other(count):
-    lines = _lines(count)
-    assert len(set(lines)) == LINES
-    assert np.linalg.matrix_rank(np.array(lines)) == min(count, LINES)
+    lines = method._lines(count)
+    assert len(set(lines)) == method.LINES
+    assert np.linalg.matrix_rank(np.array(lines)) == min(count, method.LINES)
     moves = [n for line in lines for n in line]
-    assert all(1 <= abs(n) <= FARTHEST for n in moves)
+    assert all(1 <= abs(n) <= method.FARTHEST for n in moves)
     assert min(moves) < 0 < max(moves)
 
 
 def residual_of(system, t=20.0, start=(1.0, 0.0)):
-    size, pace = _size_and_pace(system, t, start, system.solution(t, start))
-    return residual(system, t, start, size, pace)
+    size, pace = method._size_and_pace(system, t, start, system.solution(t, start))
+    return method.residual(system, t, start, size, pace)
 
 
 @pytest.mark.parametrize("t", [0.05, 2.0, 20.0, 1e4])
@@ -86,7 +77,7 @@ def test_a_solution_has_no_residual(t):
 
 
 def test_a_formula_that_does_not_start_at_the_start_has_that_error():
-    assert residual_of(spring(part=1 + 0.5 * LEAST_RESIDUAL)) == [0.0, 0.0]
+    assert residual_of(spring(part=1 + 0.5 * method.LEAST_RESIDUAL)) == [0.0, 0.0]
     assert residual_of(spring(part=1 + 1e-8)) == [pytest.approx(1e-8), 0.0]
 
 
@@ -123,9 +114,9 @@ def test_a_formula_that_is_the_same_for_all_numbers_near_but_not_right_is_found(
     x1 = ship.solution(1.0, (0.0, 0.0))
     with mp.workdps(60):
         true = float(1 / (1 + mp.sqrt(1 + mpf(small) ** 2)))
-    assert estimated_error(ship, 1.0, (0.0, 0.0), x1) >= abs(x1[0] / true - 1)
+    assert method.estimated_error(ship, 1.0, (0.0, 0.0), x1) >= abs(x1[0] / true - 1)
     if small in (1e-3, 0.0):
-        assert estimated_error(ship, 1.0, (0.0, 0.0), x1) < 1e-8
+        assert method.estimated_error(ship, 1.0, (0.0, 0.0), x1) < 1e-8
 
 
 def test_a_formula_that_goes_wrong_only_at_the_end_is_found_if_that_is_much():
