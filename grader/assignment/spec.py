@@ -185,6 +185,8 @@ def read_spec(path: Path) -> Spec:
         content: Any = yaml.load(path.read_text(encoding="utf-8"), _Loader)
     except yaml.YAMLError as error:
         raise CourseError(f"{path} {not_yaml(error)}") from error
+    except OSError as error:
+        raise CourseError(f"{path} cannot be read: {error.strerror}") from error
     except (ValueError, RecursionError) as error:  # ValueError: of dates
         raise CourseError(f"{path} cannot be read: {error}") from error
     for key in content if isinstance(content, _Map) else ():
