@@ -2,13 +2,14 @@
 
 import random
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from itertools import combinations
 from typing import Any
 
 from mpmath import mp, mpc, mpf
 
 from newton_euler.algebra.late import np
-from newton_euler.algebra.scalars import max_abs
+from newton_euler.algebra.scalars import SingularError, max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 
@@ -104,7 +105,10 @@ def _fit(p, proof):
     g = p.base({n: np.atleast_1d(float(x)) for n, x in values(p, 0).items()})
     with np.errstate(all="ignore"):
         solved, again, named = p.code.solve(g), p.code.solve(g), p.code.mistakes(g)
-    proved = proof(values(p, 0))
+    asked = [a.key for a in p.answers]
+    proved = dict.fromkeys(asked)
+    with suppress(SingularError):  # not real here either
+        proved = proof(values(p, 0))
     if any(isinstance(x, Vector) for x in proved.values()):
         return ["prove returns vectors of the engine: find the answers in another way, as lists"]
     todo = "is in {}.yaml but not computed; compute it, or move it to struck: with a reason"
@@ -114,7 +118,6 @@ def _fit(p, proof):
         f"the mistake {m} is computed but not in {p.name}.yaml{meant(m, p.mistakes)}"
         for m in undescribed
     ]
-    asked = [a.key for a in p.answers]
     for what, got in (("solve", list(solved)), ("prove", list(proved)[: len(asked)])):
         if got != asked:
             close = "".join(meant(k, asked) for k in got if k not in asked)
@@ -223,12 +226,12 @@ def _both_ways(p, given, proof):
         right = {k: x for k, (x,) in at_points(p, here)[0].items()}
         if not all(map(_is_real, right.values())):
             continue
-        with mp.workdps(DIGITS):
+        with mp.workdps(DIGITS), suppress(SingularError):  # as of the root of a negative number
             proved = {a.key: x for a, x in zip(p.answers, proof(here).values(), strict=False)}
             precise = p.in_units(p.code.solve(_precise(p, here)))
             proved = p.in_units(proved)
-        if all(_is_real(flat(x)) for x in (*proved.values(), *precise.values())):
-            return here, right, proved, precise
+            if all(_is_real(flat(x)) for x in (*proved.values(), *precise.values())):
+                return here, right, proved, precise
     tried = ", ".join(f"{n} = {x:.6g}" for n, x in given.items()) or "no numbers"
     raise CatalogueError(f"solve and prove are nowhere both real; tried {tried}")
 

@@ -40,7 +40,7 @@ REFUSED = [
     (lambda: np.sin(m), r"np.sin .*: write sin\(...\) of newton_euler"),
     (lambda: np.arccos(m), r"np.arccos .*: write acos\("),
     (lambda: np.arctan2(m, 1.0), r"np.arctan2 .*: write atan2\("),
-    (lambda: math.sqrt(m), r"for math.sin\(x\) write sin\(x\)"),
+    (lambda: math.sqrt(m), r"write sin\(x\) of newton_euler for math.sin\(x\)"),
     (lambda: at(lambda t: np.exp(-t), 1.0), r"np.exp .*: write exp\("),
     # names
     (lambda: a.terms["Coriolis"], "Did you mean 'coriolis'"),
@@ -97,7 +97,7 @@ def test_what_has_a_meaning_stays():
     assert "mm/s" in str(v.explain("mm/s"))
     assert "furlong" in str(a.explain("furlong"))
     assert np.arange(2.0) * m * v is not None
-    assert np.float64(2.0) * m != m
+    assert (np.float64(2.0) * m).value == 2 * m.value
     assert moving(math.inf).value == math.inf
     assert moving(1.0).rate == 0
 
