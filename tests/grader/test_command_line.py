@@ -112,7 +112,7 @@ WRONG = [
     (("solve", "4.16"), "; did you mean 4/16?"),
     (("solve", "4/16-4/12"), "expected a range within a chapter, as in 11/1-11/6"),
     (("new", "ch02", "--spec", "{tmp}/file"), "file is not YAML: while scanning a quoted scalar"),
-    (("build", "{tmp}/hw.yaml", "--course", "{tmp}/c"), "hw.yaml: No such file or directory"),
+    (("build", "{tmp}/hw.yaml", "--course", "{tmp}/c"), "hw.yaml cannot be read: No such file or directory"),
     (("solve", "b/1", "--problems-from", "{tmp}/none"), "is not a folder: put them in chapters"),
     (("solve", "4/x"), "'4/x' is not a problem number; write chapter and problem, as in 4/16"),
     (("solve", "../etc"), "is not a problem number"),
