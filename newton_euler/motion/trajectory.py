@@ -44,7 +44,9 @@ NEXT_TO_ZERO = 1e-150  # scales so small that an error relative to them may have
 SMALL_PART = 1e-2
 # steps that a motion which sticks makes in this fraction of the whole time
 STICKING, STICKING_PART = 100, 1e-2
-ROUGHER = 2.0  # times the round-off so far, by which more of it explains why no step is possible
+# times the round-off so far, and part of what a step may be off, from which on more round-off
+# explains why no step is possible
+ROUGHER, HINDERING = 2.0, 1e-2
 CRAWLING = 100_000  # steps between two checks for sticking
 
 
@@ -227,7 +229,9 @@ class Trajectory:
         here, span = [(stepper.t, stepper.x)], self.goal - begun
         *_, noise = natural_sizes(stepper.system, here, stepper.scales, span)
         noise = tuple([max(ROUND_OFF * a, b) for a, b in zip(noise, stepper.noise, strict=True)])
-        if not any(a > ROUGHER * b for a, b in zip(noise, stepper.noise, strict=True)):
+        rows = zip(noise, stepper.noise, stepper.scales, strict=True)
+        least = HINDERING * stepper.tolerance
+        if not any(a > max(ROUGHER * b, least * scale) for a, b, scale in rows):
             return False
         stepper.noise, self.repeated = noise, True
         stepper.resume()
