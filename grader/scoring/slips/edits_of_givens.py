@@ -15,10 +15,15 @@ from .formulas import Edit
 from .typed import terms_of
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
+TIME = Dimension(0, 0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
 RATES = Dimension(0, 0, -1), Dimension(0, 0, -2)
 TWICE, HALF, ONE = "doubled", "halved", "one"
 G, G_OF_FEET = 9.81, 32.2  # of g, where the text gives none
+OTHERS = {  # units from which a number is converted that is already in this one
+    "rad/s": ("rev/min", "rev/s"), "rad": ("deg",), "m": ("mm", "cm"), "ft": ("in",),
+    "m/s": ("km/h",), "ft/s": ("mi/h",), "s": ("min",), "kg": ("g",),
+}  # fmt: skip
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
 OF_TURNS = {"s": "min"}  # what a rate of turning is divided by
@@ -141,6 +146,20 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
 
+def of_projections(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+    """The component of a given, by a given angle, in its place."""
+    angles = [n for n in given if read[n].is_of_angle]
+    for name, angle in product(given, angles):
+        own = read[name].dimension
+        for f in ("cos", "sin") if own not in (MASS, TIME, Dimension(), *RATES) else ():
+            words = Words(
+                "takes {part} for {name}: the whole of it belongs there",
+                part=f"{name}*{f}({angle})", name=name,
+            )  # fmt: skip
+            x = ("*", given[name], (f, given[angle]))
+            yield Edit(LEAST, computed(f"{name} {f} {angle}", words), {given[name].number: x})
+
+
 def of_weights(
     answers: Mapping[str, Sequence[Any]], masses: Mapping[str, Step], g: Any, of: DimensionOf
 ) -> Iterator[Edit]:
@@ -164,6 +183,16 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
         yield SIMPLE, "unit", unconverted(name, own.text), ("*", s, ratio)
         words = Words(INVERTED, name=name, unit=own.text)
         yield LESS + 1, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
+    for other in OTHERS.get(own.text, ()):
+        words = Words(
+            "converts {name} from {other}: it is given in {unit}",
+            name=name, other=other, unit=own.text,
+        )  # fmt: skip
+        ratio = float(unit(other).to_base(1.0, SI) / own.to_base(1.0, SI))
+        yield LESS, f"from {other}", words, ("*", s, ratio)
+    if own.text == "rad/s":
+        words = Words("divides {name} by 2*pi: it is in radians already", name=name)
+        yield LESS, "in turns", words, ("*", s, 0.5 / pi)
     if _is_of_turns(own):
         yield SIMPLE, "2 pi", Words(TWO_PI, name=name), ("*", s, 0.5 / pi)
     for part in own.parts:
@@ -239,6 +268,9 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
                 found.setdefault(frozenset(steps), steps)
             yield from _of_whole_vectors(key, parts, own)
             yield from _of_factors(parts)
+    for one, other in permutations(found.values(), 2):
+        if len(one) == len(other):
+            yield from _of_another_vector(one, other)
     for steps in found.values():
         names = joined(s.args[0] for s in steps)
         turned = Words("takes {names} with the opposite sign: they are one vector", names=names)
@@ -248,6 +280,15 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
         )
         cause = computed(f"no {names}", zero, "", LEFT_OUT, names)
         yield Edit(SIMPLE, cause, {s.number: 0.0 for s in steps})
+
+
+def _of_another_vector(one, other):
+    """The vector from one place to another, for one of them."""
+    a, b = (joined(s.args[0] for s in steps) for steps in (one, other))
+    words = Words("takes the difference of {a} and {b} for {a}: each is a vector", a=a, b=b)
+    for sign, pair in (("-", lambda s, t: ("-", s, t)), ("+", lambda s, t: ("-", t, s))):
+        instead = {s.number: pair(s, t) for s, t in zip(one, other, strict=True)}
+        yield Edit(LESS, computed(f"{a} {sign} {b}", words), instead)
 
 
 def _of_factors(steps):
