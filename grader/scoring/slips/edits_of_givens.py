@@ -183,13 +183,13 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
         yield SIMPLE, "unit", unconverted(name, own.text), ("*", s, ratio)
         words = Words(INVERTED, name=name, unit=own.text)
         yield LESS + 1, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
-    for other in OTHERS.get(own.text, ()):
+    for foreign in OTHERS.get(own.text, ()):
         words = Words(
             "converts {name} from {other}: it is given in {unit}",
-            name=name, other=other, unit=own.text,
+            name=name, other=foreign, unit=own.text,
         )  # fmt: skip
-        ratio = float(unit(other).to_base(1.0, SI) / own.to_base(1.0, SI))
-        yield LESS, f"from {other}", words, ("*", s, ratio)
+        ratio = float(unit(foreign).to_base(1.0, SI) / own.to_base(1.0, SI))
+        yield LESS, f"from {foreign}", words, ("*", s, ratio)
     if own.text == "rad/s":
         words = Words("divides {name} by 2*pi: it is in radians already", name=name)
         yield LESS, "in turns", words, ("*", s, 0.5 / pi)

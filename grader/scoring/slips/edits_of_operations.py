@@ -118,7 +118,7 @@ def of_product(
         parts += [(part, op, 2) for part, op in parts_of(s.args[0], "/")]
     squared = [x for x, power in product.powers.items() if power == 2]
     if len(squared) > 1 and all(map(described, squared)):
-        names = Words("{factors} together", factors=joined(map(described, squared)))
+        names = joined(map(described, squared))
         words = Words("does not square {factor}{of}: {why}", factor=names, of=of, why=why(s))
         lost = reduce(lambda a, b: ("*", a, b), map(number, squared))
         yield LESS, "squares", words, ("/", s, lost)
@@ -355,8 +355,9 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
             exchanged = {s.number: ("cos", x), c.number: ("sin", x)}
             yield Edit(SIMPLE, computed(f"axis {s.number}", words), exchanged)
         words = Words(
-            "takes {angle} as small, sin as the angle and cos as 1: it is not", angle=named
-        )
+            "takes {angle} as small, its sine as the angle and its cosine as 1: it is not small",
+            angle=named,
+        )  # fmt: skip
         small = {s.number: x} | ({cosines[x].number: 1.0} if x in cosines else {})
         yield Edit(LESS, computed(f"small {s.number}", words), small)
 
@@ -371,8 +372,8 @@ def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
             wholes.setdefault((s.args[0].number,), []).append((s, s.args[1]))
         one, other = s.args if s.op == "-" else (s, s)
         if _are_of_one_integrand(one, other):
-            key = one.args[0].number, other.args[0].number
-            wholes.setdefault(key, []).append((s, one.args[1]))
+            both = (one.args[0].number, other.args[0].number)
+            wholes.setdefault(both, []).append((s, one.args[1]))
     for key, items in wholes.items():
         s, _ = items[0]
         inner, start, end, *outer = (s if len(key) == 1 else s.args[0]).args[0].args
@@ -401,7 +402,9 @@ def _of_integral(inner, start, end, outer):
     """(words, {component: expression}) of the slips in one integral."""
     way = ("-", end, start)
     constant = Words("takes what is integrated as constant: it changes on the way")
-    mean = Words("takes the mean of both ends for what is integrated: its change is not even")
+    mean = Words(
+        "takes the mean of the values at both ends: what is integrated does not change evenly"
+    )
     itself = Words("gives what is to be integrated: its integral is asked for")
 
     def at(x, n):

@@ -48,7 +48,7 @@ def of_quantities(
             rank = LESS if factor or words in answers else RARER
             yield Edit(rank, cause, {n: ("*", x, factor) for n, x in own.items()})
         if len(parts) == 1 and len(own) == 1 and of(parts[0][0]) == Dimension():
-            text = Words("takes {quantity} as 1, as at 45 degrees: it is not", quantity=words)
+            text = Words("takes {quantity} as 1: it is another number here", quantity=words)
             yield Edit(LESS, computed(f"1 for {[*own]}", text), dict.fromkeys(own, 1.0))
         for other, instead in named if len(own) == len(parts) else ():
             pairs = [*zip(parts, instead, strict=False)]

@@ -29,19 +29,20 @@ MOVED = Words("puts {what} along another axis: look where it points in the figur
 EXCHANGED = Words("exchanges {what}: each belongs to its own axis").template
 TURNED = Words("turns {what} by a right angle: look where they point in the figure").template
 SIDE = Words("has {what} on the other side: look where it points in the figure").template
-AT_REST = Words("leaves out the motion with {what}: it adds to the rest").template
+AT_REST = Words("leaves out the motion with {what}: that point is not at rest").template
 NOT_LESS = Words("does not subtract {what}: the difference of two vectors is needed").template
 NOTHING = Words("leaves out the vector of {what}: it is not zero here").template
-DIRECTION = Words("puts {term} in another direction: look up its directions in the sum").template
+DIRECTION = Words("has {term} in another direction: check the axes of what it is made of").template
 OTHER_WAY = Words("turns {what} the other way: look for its sense in the figure").template
 ABOUT = Words("has {what} about another axis: look for its axis in the figure").template
 NO_TRANSFER = Words(
-    "leaves out the parallel-axis terms of the body with its centre at {what}: it is not there"
+    "leaves out the parallel-axis terms of the body with its centre at {what}: "
+    "the axes do not pass through it"
 ).template
 NO_TRANSFERS = Words(
-    "leaves out all parallel-axis terms: the centres of the bodies are not at that point"
+    "leaves out all parallel-axis terms: the axes do not pass through the centres of the bodies"
 )
-LINEAR = Words("takes {name} as small, in its first power alone: it is not").template
+LINEAR = Words("takes {name} as small, in its first power alone: it is not small").template
 BRIEF = 16  # letters of a component that is named
 MANY = 12  # things of a kind that a problem is built of, beyond which none is put otherwise
 
