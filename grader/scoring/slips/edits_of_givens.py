@@ -32,6 +32,7 @@ SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inverted").template
+FROM = Words("converts {name} from {other}: it is given in {unit}").template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
 DimensionOf = Callable[[Step], Dimension | None]
@@ -152,10 +153,8 @@ def of_projections(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Itera
     for name, angle in product(given, angles):
         own = read[name].dimension
         for f in ("cos", "sin") if own not in (MASS, TIME, Dimension(), *RATES) else ():
-            words = Words(
-                "takes {part} for {name}: the whole of it belongs there",
-                part=f"{name}*{f}({angle})", name=name,
-            )  # fmt: skip
+            part = f"{name}*{f}({angle})"
+            words = Words("takes {part} for {name}: all of it counts", part=part, name=name)
             x = ("*", given[name], (f, given[angle]))
             yield Edit(LEAST, computed(f"{name} {f} {angle}", words), {given[name].number: x})
 
@@ -184,10 +183,7 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
         words = Words(INVERTED, name=name, unit=own.text)
         yield LESS + 1, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
     for foreign in OTHERS.get(own.text, ()):
-        words = Words(
-            "converts {name} from {other}: it is given in {unit}",
-            name=name, other=foreign, unit=own.text,
-        )  # fmt: skip
+        words = Words(FROM, name=name, other=foreign, unit=own.text)
         ratio = float(unit(foreign).to_base(1.0, SI) / own.to_base(1.0, SI))
         yield LESS, f"from {foreign}", words, ("*", s, ratio)
     if own.text == "rad/s":

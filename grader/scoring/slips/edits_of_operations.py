@@ -25,6 +25,7 @@ COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
 SINES = {"asin": Words("sine"), "acos": Words("cosine"), "atan": Words("tangent")}
 PRODUCT = ("*", "/")
+FACTOR = Words("takes the factor {other} for {own}{of}: the formula has {own}").template
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
 RATIOS = {
     -1: Words("inverts {ratio}{of}: it is the other way round").template,
@@ -140,17 +141,11 @@ def of_product(
     if product.is_exact and c != 1 and c.denominator < 100:
         for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c))):
             rank = LESS if other in (c / 2, 2 * c) else LEAST
-            words = Words(
-                "takes the factor {other} for {own}{of}: the formula has {own}",
-                other=other, own=c, of=of,
-            )  # fmt: skip
+            words = Words(FACTOR, other=other, own=c, of=of)
             yield rank, f"constant for {other}", words, ("*", s, float(other / c))
         if c in RODS:  # also where no dimension shows that it is of a moment of inertia
             (other,) = RODS - {c}
-            words = Words(
-                "takes the factor {other} for {own}{of}: the formula has {own}",
-                other=other, own=c, of=of,
-            )  # fmt: skip
+            words = Words(FACTOR, other=other, own=c, of=of)
             yield LEAST, f"constant for {other}", words, ("*", s, float(other / c))
         for lost in {Fraction(c.numerator), Fraction(1, c.denominator), c} - {Fraction(1)}:
             words = Words(
@@ -357,7 +352,7 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
         words = Words(
             "takes {angle} as small, its sine as the angle and its cosine as 1: it is not small",
             angle=named,
-        )  # fmt: skip
+        )
         small = {s.number: x} | ({cosines[x].number: 1.0} if x in cosines else {})
         yield Edit(LESS, computed(f"small {s.number}", words), small)
 

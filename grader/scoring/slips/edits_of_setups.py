@@ -244,5 +244,8 @@ def _of_transfer(parts, of):
 
 
 _WAYS: Mapping[str, Callable[[Parts, Parts], Iterator[Way]]] = {
-    "point": _of_components, "vector": _of_vector, "turn": _of_turn, "transfer": _of_transfer,
-}  # fmt: skip
+    "point": _of_components,
+    "vector": _of_vector,
+    "turn": _of_turn,
+    "transfer": _of_transfer,
+}
