@@ -19,7 +19,8 @@ def built_otherwise(change: Change) -> Iterator[None]:
 
     kind : "point" or "vector", whose parts are the components; "turn", with the axis as its part;
         "transfer", with the factor of the parallel-axis terms, which is 1
-    of : what the parts belong to: of a turn its angle and rates, of a transfer the mass and the way
+    of : what the parts belong to: of a turn its angle and rates, of a transfer the mass, the way
+        and the moments of inertia at its start
     """
     token = _change.set(change)
     try:

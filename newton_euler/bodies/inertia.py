@@ -195,7 +195,7 @@ class Inertia(Scaled, NamedTerms):
         to_G = ZERO3
         if self.centre is not self.point:
             to_G = (self.centre - self.point).expressed_in(self.frame).c
-        (factor,) = built("transfer", (1,), (self.mass, *step))
+        (factor,) = built("transfer", (1,), (self.mass, *step, *self.moments))
         moments, products = _transfer(factor * self.mass, step, to_G)
         added = self._like(moments, products, point=point, mass=ZERO)
         out = self._like(add3(self.moments, moments), add3(self.products, products), point=point)

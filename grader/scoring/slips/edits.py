@@ -81,7 +81,7 @@ def _edits(formulas):
     yield from givens.of_lengths(given, read)
     vectors = {key: a.parts for key, a in answers.items()}
     yield from givens.of_vectors(vectors)
-    yield from givens.of_projections(given, read)
+    yield from givens.of_projections(vectors, given, read)
     yield from operations.of_integrals(steps)
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
     yield from _of_differences(answers, numbers, formulas.stages, dimensions)

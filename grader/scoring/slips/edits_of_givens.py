@@ -147,9 +147,17 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
 
-def of_projections(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
-    """The component of a given, by a given angle, in its place."""
+def of_projections(
+    answers: Mapping[str, Sequence[Any]], given: Mapping[str, Step], read: Mapping[str, Unit]
+) -> Iterator[Edit]:
+    """The component of a given, or of an answer, by a given angle, in its place."""
     angles = [n for n in given if read[n].is_of_angle]
+    for (key, parts), angle, f in product(answers.items(), angles, ("cos", "sin")):
+        if len(parts) == 1 and isinstance(parts[0], Step):
+            part = f"{key}*{f}({angle})"
+            words = Words("gives {part}, a component: the whole is asked for", part=part)
+            x = ("*", parts[0], (f, given[angle]))
+            yield Edit(LESS, computed(f"component {key} {f} {angle}", words), {parts[0].number: x})
     for name, angle in product(given, angles):
         own = read[name].dimension
         for f in ("cos", "sin") if own not in (MASS, TIME, Dimension(), *RATES) else ():
@@ -267,6 +275,10 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
     for one, other in permutations(found.values(), 2):
         if len(one) == len(other):
             yield from _of_another_vector(one, other)
+            a, b = (joined(s.args[0] for s in steps) for steps in (one, other))
+            words = Words("exchanges {a} with {b}: each is a vector of its own", a=a, b=b)
+            instead = dict(zip((s.number for s in (*one, *other)), (*other, *one), strict=True))
+            yield Edit(LESS, computed(f"exchanged {a} with {b}", words), instead)
     for steps in found.values():
         names = joined(s.args[0] for s in steps)
         turned = Words("takes {names} with the opposite sign: they are one vector", names=names)

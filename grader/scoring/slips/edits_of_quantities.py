@@ -16,7 +16,7 @@ from newton_euler.answers.near import LEAST, LESS, RARER
 from .edits_of_givens import LENGTH, MASS, DimensionOf, Slip
 from .edits_of_operations import parts_of
 from .formulas import Edit, Stage, Traced, needed, steps_in, users_of
-from .typed import Product, described, repeats, terms_of, typed
+from .typed import Product, described, repeats, terms_of
 
 Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
 SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
@@ -141,7 +141,7 @@ def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
     """The square of a sum, taken term by term."""
     squared = {s: s.args[0] for s in steps if _is_square(s)}
     for s, x in squared.items():
-        named = typed(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
+        named = described(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
         if named:
             squares = [("*", term, term) for _, term in terms_of(x)]
             words = Words(
@@ -167,12 +167,16 @@ def of_differences_of_squares(steps: Iterable[Step]) -> Iterator[Edit]:
             if m == n:
                 words = Words("squares the sum: the sum of the squares belongs there")
             square = ("*", ("/", ("/", x, a), a), ("*", whole, whole))
-            instead = {x.number: square, y.number: 0.0}
-            yield Edit(LESS, computed(f"square of {[*instead]} in {s.number}", words), instead)
+            rest = ("-", ("-", s, ("*", float(m), x)), ("*", float(n), y))
+            instead = {s.number: ("+", rest, ("*", float(m), square))}
+            name = f"square of {x.number} {y.number} in {s.number}"
+            yield Edit(LESS, computed(name, words), instead)
 
 
 def _unlike(x, y):
     """The steps whose squares alone tell two products apart, as a and b of m*a^2 and m*b^2."""
+    if _is_square(x) and _is_square(y):
+        return x.args[0], y.args[0]
     one, other = Product(x), Product(y)
     if not (one.is_exact and other.is_exact and one.coefficient == other.coefficient):
         return ()

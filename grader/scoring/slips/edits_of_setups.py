@@ -39,6 +39,7 @@ NO_TRANSFER = Words(
     "leaves out the parallel-axis terms of the body with its centre at {what}: "
     "the axes do not pass through it"
 ).template
+NO_PARTICLE = Words("leaves out the particle at {what}: it has a moment of inertia, too").template
 NO_TRANSFERS = Words(
     "leaves out all parallel-axis terms: the axes do not pass through the centres of the bodies"
 )
@@ -68,7 +69,8 @@ def of_setups(
     with built_otherwise(note):
         right = compute({})
     seen, known = {_same(right)}, _within(right)
-    in_space = any(len(parts) == 3 for parts in right.values())
+    # one component of a turn about another axis is met by other mistakes
+    in_space = [key for key, x in right.items() if len(x) == 3 and sum(map(_is_there, x)) > 1]
     for name, rank, words, find in (
         *_otherwise(compute, things, in_space),
         *_small(compute, given),
@@ -80,6 +82,8 @@ def of_setups(
         same = _same(answers)
         if same not in seen and _within(answers) <= known:
             seen.add(same)
+            if name.startswith("turn"):
+                answers = {key: answers[key] for key in in_space}
             does = LEFT_OUT if name.startswith("transfer") else ""
             yield Edit(rank, computed(name, words, "", does, words if does else ""), {}, answers)
 
@@ -89,8 +93,8 @@ def _otherwise(compute, things, in_space):
     parallel-axis terms left out.
     """
     kinds = Counter(kind for kind, _, _ in things.values())
-    if kinds["transfer"] > 1:
-        every = {key for key, (kind, _, _) in things.items() if kind == "transfer"}
+    every = {key for key, (kind, _, of) in things.items() if kind == "transfer" and _is_body(of)}
+    if len(every) > 1:
         yield "transfers", LESS, NO_TRANSFERS, partial(_answers, compute, every, (0,))
     for n, (key, (kind, parts, of)) in enumerate(things.items()):
         if kinds[kind] > MANY or (kind == "turn" and not in_space):
@@ -173,12 +177,13 @@ def of_directions(
             there = {n for n, x in enumerate(c) if _is_there(x)}
             words = Words(DIRECTION, term=named(name, v))
             for n, m in combinations(range(3), 2) if len(there) < 3 else ():
-                if (len(there) == 1 and there & {n, m}) or there == {n, m}:
-                    for sign in (1, -1):
-                        turned = _turned(c, n, m, sign, -sign)
-                        parts = [x + y for x, y in zip(rest, turned, strict=True)]
-                        cause = computed(f"direction {key} {name} {n} {m} {sign}", words)
-                        yield Edit(LESS, cause, {}, {key: parts})
+                if not ((len(there) == 1 and there & {n, m}) or there == {n, m}):
+                    continue
+                for a, b in (1, -1), (-1, 1), *[(1, 1), (-1, -1)] * (len(there) > 1):
+                    turned = _turned(c, n, m, a, b)
+                    parts = [x + y for x, y in zip(rest, turned, strict=True)]
+                    cause = computed(f"direction {key} {name} {n} {m} {a} {b}", words)
+                    yield Edit(LESS, cause, {}, {key: parts})
 
 
 def _of_vector(parts, of):
@@ -239,8 +244,15 @@ def _of_turn(parts, of):
 
 
 def _of_transfer(parts, of):
-    if what := _named(of[1:]):
-        yield RARER, Words(NO_TRANSFER, what=what), (0,)
+    _, *way = of[:4]
+    words = NO_TRANSFER if _is_body(of) else NO_PARTICLE
+    if what := _named(way):
+        yield RARER, Words(words, what=what), (0,)
+
+
+def _is_body(of):
+    """False of a particle, whose own moments of inertia are zero."""
+    return any(map(_is_there, of[4:]))
 
 
 _WAYS: Mapping[str, Callable[[Parts, Parts], Iterator[Way]]] = {
