@@ -172,21 +172,23 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     symbols = p.units.keys() - p.givens.keys()
     where, means = section(p.section), _means(p)
     solved, given = found.solved, found.givens
+    setups = [] if of_steps else [*_setups(p, answers.keys(), given)]
+    return Formulas(
+        answers, p.units, p.system, stages, where, means, solved, symbols, given, setups
+    )
+
+
+def _setups(p, keys, given):
+    """The slips in setting up the system, as they show in the answers ``keys``."""
     g = p.base(dict.fromkeys(p.units, 1.0)).but(**given)
 
     def compute(changes):
         right = p.code.solve(g.but(**changes))
-        return {key: flat(right[key]) for key in answers}
+        return {key: flat(right[key]) for key in keys}
 
-    def named(name, v):
-        return term_text(name, v.equation, p)
-
-    right = {} if of_steps else p.code.solve(g)
-    vectors = {k: v for k, v in right.items() if k in answers and isinstance(v, Vector)}
-    setups = [] if of_steps else [*of_setups(compute, given), *of_directions(vectors, named)]
-    return Formulas(
-        answers, p.units, p.system, stages, where, means, solved, symbols, given, setups
-    )
+    yield from of_setups(compute, given)
+    vectors = {k: v for k, v in p.code.solve(g).items() if k in keys and isinstance(v, Vector)}
+    yield from of_directions(vectors, lambda name, v: term_text(name, v.equation, p))
 
 
 @cache

@@ -237,10 +237,10 @@ def _simplest(fit, near, elsewhere):
 
 
 def _level(fit, x):
-    """How well a slip fits; one that is met in the digits written may be as near to the key as a
-    number that was rounded early.
+    """How well a slip fits; a number that it gives in the digits written may be as near to the key
+    as one that was rounded early.
     """
-    level = fit(x, apart=False)
+    level = fit(x, apart=len(fit.key[0]) > 1)
     return level if level >= CLOSE else fit(x)
 
 

@@ -197,7 +197,8 @@ def _of_factor(s, x, power, factor, of, why):
         words = Words("does not square {factor}{of}: {why}", factor=named, of=of, why=why)
         yield SIMPLE, "square", words, ("/", s, factor)
         words = Words("leaves out {factor}^2{of}: {why}", factor=named, of=of, why=why)
-        yield LESS, "whole square", words, ("/", ("/", s, factor), factor)
+        cause = computed(f"whole {s.number} {x.number}", words, f"without {x.number}")
+        yield LESS, "whole square", cause, ("/", ("/", s, factor), factor)
         words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
         yield LEAST, "half", words, ("*", s, 0.25)
     elif power == -2:

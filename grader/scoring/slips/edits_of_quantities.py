@@ -64,7 +64,9 @@ def of_quantities(
 
 def of_shared(s: Step) -> Iterator[Slip]:
     """Twice or half of a product that several others use, as one of two equal bodies."""
-    named = "" if Product(s).coefficient != 1 else described(s)
+    known = {*s.trace.meant, *s.trace.called}  # quantities, which are halved themselves
+    is_part = any(x.number in known for x in (s, *(x for x, _ in parts_of(s, "/"))))
+    named = "" if is_part or Product(s).coefficient != 1 else described(s)
     for factor, does, text in TIMES if named else ():
         if factor > 0:
             yield (

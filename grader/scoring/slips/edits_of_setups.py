@@ -27,7 +27,6 @@ Way = tuple[int, str, Parts]  # rank, words, the parts instead
 
 MOVED = Words("puts {what} along another axis: look where it points in the figure").template
 EXCHANGED = Words("exchanges {what}: each belongs to its own axis").template
-TURNED = Words("turns {what} by a right angle: look where they point in the figure").template
 SIDE = Words("has {what} on the other side: look where it points in the figure").template
 AT_REST = Words("leaves out the motion with {what}: that point is not at rest").template
 NOT_LESS = Words("does not subtract {what}: the difference of two vectors is needed").template
@@ -156,11 +155,7 @@ def _named(parts):
     """The components that are not zero, in words: as they are typed, or by their rates."""
     steps = [[s for s in _scalars([x]) if isinstance(s, Step)] for x in parts]
     words = [described(s.args[0] if s.op == "neg" else s) for s, *_ in filter(None, steps)]
-    return (
-        joined(dict.fromkeys(filter(None, words)))
-        if max(map(len, words), default=99) <= BRIEF
-        else ""
-    )
+    return joined(words) if words and all(0 < len(x) <= BRIEF for x in words) else ""
 
 
 def _is_there(x):
@@ -215,12 +210,11 @@ def _of_components(parts, of):
         what = _named([parts[k] for k in (n, m) if k in there])
         if not what:
             continue
-        both = {n, m} <= {*there}
-        if both:
+        if {n, m} <= {*there}:
             yield LESS, Words(EXCHANGED, what=what), _turned(parts, n, m, 1, 1)
-        words, rank = (TURNED, LEAST) if both else (MOVED, LESS)
-        for a, b in ((1, -1), (-1, 1)) if not both or len(there) == 2 else ():
-            yield rank, Words(words, what=what), _turned(parts, n, m, a, b)
+        else:
+            yield LESS, Words(MOVED, what=what), _turned(parts, n, m, 1, -1)
+            yield LESS, Words(MOVED, what=what), _turned(parts, n, m, -1, 1)
 
 
 def _turned(parts, n, m, a, b):

@@ -2,7 +2,7 @@
 numbers: each is named in its own words.
 """
 
-from math import pi, radians, sin
+from math import pi, radians, sin, tan
 
 import numpy as np
 import pytest
@@ -61,6 +61,14 @@ def over_the_difference(c, d, t_1, t_2):
     return {"whole": (0, t**4 / 4 + c * t**3 / 3, d * t)}
 
 
+def without_the_fourth(m_1, m_2, m_3, m_4, d, omega, alpha):
+    """8/19: the angular momentum of three of the four particles."""
+    places = (d, d, 0), (2 * d, 0, d), (d, -d, 2 * d)
+    each = [(m, np.array(r)) for m, r in zip((m_1, m_2, m_3), places, strict=True)]
+    column = sum(m * (r @ r * np.array([1, 0, 0]) - r[0] * r) for m, r in each)
+    return {"H_O": [float(f"{x:.5g}") * omega for x in column]}
+
+
 def swinging(a, b, M, theta):
     """8/10: the angular acceleration at the start all the way."""
     return {"theta_dot": sympy.sqrt(3 * a * theta / b)}
@@ -70,6 +78,11 @@ CASES = {
     "a point": ("4/41", top_of_the_rim, "puts r along another axis"),
     "all transfers": ("7/3", lambda **g: blocks((0, 0), **g), "leaves out all parallel-axis terms"),
     "one transfer": ("7/3", lambda **g: blocks((1, 0), **g), "of the body with its centre at x_c"),
+    "a particle": ("8/19", without_the_fourth, "leaves out the particle at d, 2*d and d"),
+    "near the key": (
+        "8/9", lambda m, a, theta, v_0, g: {"d_OP": 3 * v_0**2 / (4 * g * tan(radians(theta)))},
+        "takes tan(theta) for sin(theta)",
+    ),
     "a unit once": ("7/3", lambda **g: blocks((1, 1), **g, in_feet=12), "in one factor too few"),
     "unit": ("9/5", from_revolutions, "converts omega from rev/min: it is given in rad/s"),
     "direction": (
