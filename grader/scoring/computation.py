@@ -13,6 +13,7 @@ from exercises.catalogue.following import earlier_answers, follow_in_base
 from exercises.catalogue.tracing import traced_quantities
 from exercises.catalogue.variants import POINTS, flat
 from exercises.catalogue.wording import term_text
+from grader.scoring.slips.edits_of_setups import of_directions, of_setups
 from grader.scoring.slips.formulas import Formulas, Stage, Traced, needed, with_arguments
 from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler.algebra.compile import Compiled
@@ -171,7 +172,23 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     symbols = p.units.keys() - p.givens.keys()
     where, means = section(p.section), _means(p)
     solved, given = found.solved, found.givens
-    return Formulas(answers, p.units, p.system, stages, where, means, solved, symbols, given)
+    setups = [] if of_steps else [*_setups(p, answers.keys(), given)]
+    return Formulas(
+        answers, p.units, p.system, stages, where, means, solved, symbols, given, setups
+    )
+
+
+def _setups(p, keys, given):
+    """The slips in setting up the system, as they show in the answers ``keys``."""
+    g = p.base(dict.fromkeys(p.units, 1.0)).but(**given)
+
+    def compute(changes):
+        right = p.code.solve(g.but(**changes))
+        return {key: flat(right[key]) for key in keys}
+
+    yield from of_setups(compute, given)
+    vectors = {k: v for k, v in p.code.solve(g).items() if k in keys and isinstance(v, Vector)}
+    yield from of_directions(vectors, lambda name, v: term_text(name, v.equation, p))
 
 
 @cache

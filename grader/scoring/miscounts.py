@@ -29,6 +29,7 @@ OTHERWISE = (
 
 ONCE = Words("each independent equation counts once")
 TAKEN = Words("they are to be taken off")
+ONLY = Words("coordinates alone are counted")
 TOO_MANY = Words("forgets constraints, or counts coordinates that are not free")
 TOO_FEW = Words("takes off too many constraints, or forgets coordinates")
 
@@ -73,6 +74,7 @@ def _otherwise(right: Freedom) -> Iterator[tuple[int, int, str, str]]:
     if off:
         yield 1, off, Words("gives the number of constraints"), TAKEN
         yield 1, every, Words("takes no constraint off the coordinates"), TAKEN
+    yield 1, 2 * right.count, Words("counts velocities beside coordinates"), ONLY
     others = []
     for kinds, what, why in OTHERWISE:
         changed = sum(KINDS.get(kinds.get(_named(k), k), k) for k in right.bodies.values())

@@ -217,7 +217,7 @@ def _simplest(fit, near, elsewhere):
     """
     if not near:
         return []
-    hits = [(level, Hit(fit(x), cause, x)) for level, cause, x in near]
+    hits = [(level, Hit(_level(fit, x), cause, x)) for level, cause, x in near]
     if any(hit.cause.group == "unit" for _, hit in hits):
         # a number in a wrong unit may be nearly zero, or nearly the whole
         hits = [(1 if hit.cause.does in (LEFT_OUT, ZERO) else n, hit) for n, hit in hits]
@@ -234,6 +234,14 @@ def _simplest(fit, near, elsewhere):
             subject = hit.cause.subject
             words[subject or hit.cause.what] = words.get(hit.cause.what, hit)
     return [*words.values()][:MOST]
+
+
+def _level(fit, x):
+    """How well a slip fits; a number that it gives in the digits written may be as near to the key
+    as one that was rounded early.
+    """
+    level = fit(x, apart=len(fit.key[0]) > 1)
+    return level if level >= CLOSE else fit(x)
 
 
 def _closest(stages):

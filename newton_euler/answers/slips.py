@@ -48,7 +48,14 @@ def factors(stated_in: str) -> Mapping[str, float]:
         found |= {Words("a fraction against percent"): 100.0}
     mass, length, _ = unit(stated_in).dimension.powers
     if length:
-        found |= {words: factor ** abs(float(length)) for words, factor in LENGTHS.items()}
+        power = abs(float(length))
+        found |= {words: factor**power for words, factor in LENGTHS.items()}
+        less = Words("{units}, in one factor too few")
+        found |= {
+            Words(less.template, units=words): factor ** (power - 1)
+            for words, factor in LENGTHS.items()
+            if power > 1
+        }
     return found | WEIGHTS if mass else found
 
 

@@ -19,6 +19,7 @@ from ..algebra.jets import Moving
 from ..algebra.late import np
 from ..algebra.ledger import NamedTerms, Terms, latex_number
 from ..algebra.names import guided
+from ..algebra.otherwise import built
 from ..algebra.scalars import (
     ZERO,
     Rows,
@@ -194,7 +195,8 @@ class Inertia(Scaled, NamedTerms):
         to_G = ZERO3
         if self.centre is not self.point:
             to_G = (self.centre - self.point).expressed_in(self.frame).c
-        moments, products = _transfer(self.mass, step, to_G)
+        (factor,) = built("transfer", (1,), (self.mass, *step, *self.moments))
+        moments, products = _transfer(factor * self.mass, step, to_G)
         added = self._like(moments, products, point=point, mass=ZERO)
         out = self._like(add3(self.moments, moments), add3(self.products, products), point=point)
         out._terms = Terms({"own": self, "transfer": added})

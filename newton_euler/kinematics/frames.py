@@ -17,6 +17,7 @@ from weakref import WeakValueDictionary, ref
 from ..algebra.jets import DERIVED, Moving, moving
 from ..algebra.ledger import Ledger
 from ..algebra.names import guided
+from ..algebra.otherwise import built
 from ..algebra.scalars import (
     ZERO,
     Scalar,
@@ -163,6 +164,7 @@ class Frame:
         _ask_radians(name, angle)
         angle = moving(angle, rate, acceleration)
         _same_shape((angle,), f"the angle of {name} and its rates")
+        (axis,) = built("turn", (axis,), (angle,))
         unit: Any
         if isinstance(axis, str) and axis.removeprefix("-") in _AXES:
             unit, angle = _AXES[axis[-1]], -angle if axis[0] == "-" else angle
@@ -186,11 +188,13 @@ class Frame:
         """The point at (x, y, z) from the origin; fixed in the frame unless they are moving."""
         if not isinstance(name, str):
             raise FrameError(f"a point has a name, as point('P', 1.0, 0, 0); got {clipped(name)}")
+        x, y, z = built("point", (x, y, z))
         return Point(name, self, _same_shape(map(moving, (x, y, z)), f"the coordinates of {name}"))
 
     @guided
     def vector(self, x: Scalar, y: Scalar, z: Scalar) -> Vector:
         """The vector with these components; fixed in the frame unless they are :func:`moving`."""
+        x, y, z = built("vector", (x, y, z))
         return _moving_vector(_same_shape(map(moving, (x, y, z)), "the components"), self)
 
     i = property(lambda self: self.vector(1, 0, 0), doc="unit vector of the first axis")

@@ -115,17 +115,18 @@ def test_the_engine_answers_in_words_and_offline_with_figures_and_cells(site, dr
     complaints(driver)  # the engine's that was ended, and of the time without a server
 
 
-def test_a_slider_moves_its_figure_and_until_then_an_end_answers(site, driver, address):
-    """One slider of each chapter."""
+@pytest.mark.parametrize("every", [4, pytest.param(1, marks=pytest.mark.slow)])
+def test_a_slider_moves_its_figure_and_until_then_an_end_answers(site, driver, address, every):
+    """One slider of each chapter, or of one chapter in four."""
     moved, still = [], []
-    for path in sorted(site.glob("chapters/*.html")):
+    for path in sorted(site.glob("chapters/*.html"))[::every]:
         driver.get(f"{address}/chapters/{path.name}")
         count = driver.execute_script("return document.querySelectorAll('[data-moving]').length")
         drawn = any(drag(driver, n, "end" if moved else "a step") for n in range(count))
         (moved if drawn else still).append(path.stem)
     assert complaints(driver) == []
     assert set(still) <= {"sample", "speed_and_accuracy"}  # which have no sliders
-    assert len(moved) == 13
+    assert len(moved) >= 13 // every
 
 
 def test_the_cells_of_a_chapter_run_by_their_buttons_and_print_what_was_built(driver, address):

@@ -18,7 +18,8 @@ from website.npm import Package
 
 pytestmark = pytest.mark.integration
 
-FIVE = "4/1", "4/2", "4/7", "4/12", "4/16"
+WORKED = "4/1", "4/16"
+MORE_WORKED = "4/1", "4/2", "4/7", "4/12", "4/16"
 PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
 AXE = Package(
     "axe-core",
@@ -108,17 +109,18 @@ def steps_and_answers(site, number):
     return ({k: texts[k] for k in names} for names in (p.steps, p.answers))
 
 
-def test_five_problems_are_worked_by_keyboard_and_taken_along(site, address, phone, tmp_path):
+@pytest.mark.parametrize("numbers", [WORKED, pytest.param(MORE_WORKED, marks=pytest.mark.slow)])
+def test_problems_are_worked_by_keyboard_and_taken_along(site, address, phone, tmp_path, numbers):
     from selenium.webdriver import Keys
 
     save = {"behavior": "allow", "downloadPath": str(tmp_path)}
     phone.execute_cdp_cmd("Browser.setDownloadBehavior", save)
     taken = {}
-    for number in FIVE:
+    for number in numbers:
         phone.get(f"{address}/problems/{number.replace('/', '-')}.html")
         tab_to(phone, ".skip-to-content")
         press(phone, Keys.ENTER)
-        if number == FIVE[0]:
+        if number == numbers[0]:
             tab_to(phone, ".practice button")
             press(phone, Keys.ENTER)
         wait(phone, TOUCHED, "the form")
@@ -418,8 +420,9 @@ def found_by_axe(driver, address, pages):
     return faults
 
 
-def test_axe_finds_nothing_serious_in_light_or_dark(address, phone):
-    assert found_by_axe(phone, address, KINDS) == {}
+@pytest.mark.parametrize("pages", [KINDS[::2], pytest.param(KINDS, marks=pytest.mark.slow)])
+def test_axe_finds_nothing_serious_in_light_or_dark(address, phone, pages):
+    assert found_by_axe(phone, address, pages) == {}
 
 
 @pytest.mark.slow  # minutes

@@ -53,7 +53,8 @@ def _call(formulas):
 def _placed(edit, cones, otherwise):
     """The cause with the place of the first quantity that is computed by what is edited."""
     edited = edit.instead.keys()
-    where = next((where for cone, where in cones if where and edited <= cone), otherwise)
+    around = (where for cone, where in cones if where and edited and edited <= cone)
+    where = next(around, otherwise)
     return edit.cause.at(where)
 
 
@@ -68,6 +69,7 @@ def _edits(formulas):
     dimensions = dimensions_of(every, {n: unit(u) for n, u in formulas.units.items()})
     own = US if any(u.is_of_feet for u in read.values()) else SI
     number = partial(_in_students_units, dimensions, system, own)
+    yield from formulas.setups
     yield from operations.of_angles(steps)
     yield from groups.of_constants(steps, dimensions.get)
     yield from givens.of_one_unit(given, read, system)
@@ -79,6 +81,8 @@ def _edits(formulas):
     yield from givens.of_lengths(given, read)
     vectors = {key: a.parts for key, a in answers.items()}
     yield from givens.of_vectors(vectors)
+    yield from givens.of_projections(vectors, given, read)
+    yield from operations.of_integrals(steps)
     numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
     yield from _of_differences(answers, numbers, formulas.stages, dimensions)
     masses = {n: s for n, s in numbers.items() if read[n].dimension == givens.MASS}
@@ -129,6 +133,7 @@ def _edits(formulas):
             slips += givens.of_unit(s, read[name], system) if name not in symbols else ()
         if s in products:
             slips += operations.of_product(s, number, dimensions.get)
+            slips += quantities.of_shared(s) if len(users) > 1 else ()
         for n, slip in enumerate(slips):
             yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in unwritten])
 

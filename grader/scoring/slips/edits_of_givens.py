@@ -15,10 +15,15 @@ from .formulas import Edit
 from .typed import terms_of
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
+TIME = Dimension(0, 0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
 RATES = Dimension(0, 0, -1), Dimension(0, 0, -2)
 TWICE, HALF, ONE = "doubled", "halved", "one"
 G, G_OF_FEET = 9.81, 32.2  # of g, where the text gives none
+OTHERS = {  # units from which a number is converted that is already in this one
+    "rad/s": ("rev/min", "rev/s"), "rad": ("deg",), "m": ("mm", "cm"), "ft": ("in",),
+    "m/s": ("km/h",), "ft/s": ("mi/h",), "s": ("min",), "kg": ("g",),
+}  # fmt: skip
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
 
 OF_TURNS = {"s": "min"}  # what a rate of turning is divided by
@@ -27,6 +32,7 @@ SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inverted").template
+FROM = Words("converts {name} from {other}: it is given in {unit}").template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
 DimensionOf = Callable[[Step], Dimension | None]
@@ -141,6 +147,26 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
 
+def of_projections(
+    answers: Mapping[str, Sequence[Any]], given: Mapping[str, Step], read: Mapping[str, Unit]
+) -> Iterator[Edit]:
+    """The component of a given, or of an answer, by a given angle, in its place."""
+    angles = [n for n in given if read[n].is_of_angle]
+    for (key, parts), angle, f in product(answers.items(), angles, ("cos", "sin")):
+        if len(parts) == 1 and isinstance(parts[0], Step):
+            part = f"{key}*{f}({angle})"
+            words = Words("gives {part}, a component: the whole is asked for", part=part)
+            x = ("*", parts[0], (f, given[angle]))
+            yield Edit(LESS, computed(f"component {key} {f} {angle}", words), {parts[0].number: x})
+    for name, angle in product(given, angles):
+        own = read[name].dimension
+        for f in ("cos", "sin") if own not in (MASS, TIME, Dimension(), *RATES) else ():
+            part = f"{name}*{f}({angle})"
+            words = Words("takes {part} for {name}: all of it counts", part=part, name=name)
+            x = ("*", given[name], (f, given[angle]))
+            yield Edit(LEAST, computed(f"{name} {f} {angle}", words), {given[name].number: x})
+
+
 def of_weights(
     answers: Mapping[str, Sequence[Any]], masses: Mapping[str, Step], g: Any, of: DimensionOf
 ) -> Iterator[Edit]:
@@ -164,6 +190,13 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
         yield SIMPLE, "unit", unconverted(name, own.text), ("*", s, ratio)
         words = Words(INVERTED, name=name, unit=own.text)
         yield LESS + 1, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
+    for foreign in OTHERS.get(own.text, ()):
+        words = Words(FROM, name=name, other=foreign, unit=own.text)
+        ratio = float(unit(foreign).to_base(1.0, SI) / own.to_base(1.0, SI))
+        yield LESS, f"from {foreign}", words, ("*", s, ratio)
+    if own.text == "rad/s":
+        words = Words("divides {name} by 2*pi: it is in radians already", name=name)
+        yield LESS, "in turns", words, ("*", s, 0.5 / pi)
     if _is_of_turns(own):
         yield SIMPLE, "2 pi", Words(TWO_PI, name=name), ("*", s, 0.5 / pi)
     for part in own.parts:
@@ -239,6 +272,13 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
                 found.setdefault(frozenset(steps), steps)
             yield from _of_whole_vectors(key, parts, own)
             yield from _of_factors(parts)
+    for one, other in permutations(found.values(), 2):
+        if len(one) == len(other):
+            yield from _of_another_vector(one, other)
+            a, b = (joined(s.args[0] for s in steps) for steps in (one, other))
+            words = Words("exchanges {a} with {b}: each is a vector of its own", a=a, b=b)
+            instead = dict(zip((s.number for s in (*one, *other)), (*other, *one), strict=True))
+            yield Edit(LESS, computed(f"exchanged {a} with {b}", words), instead)
     for steps in found.values():
         names = joined(s.args[0] for s in steps)
         turned = Words("takes {names} with the opposite sign: they are one vector", names=names)
@@ -248,6 +288,15 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
         )
         cause = computed(f"no {names}", zero, "", LEFT_OUT, names)
         yield Edit(SIMPLE, cause, {s.number: 0.0 for s in steps})
+
+
+def _of_another_vector(one, other):
+    """The vector from one place to another, for one of them."""
+    a, b = (joined(s.args[0] for s in steps) for steps in (one, other))
+    words = Words("takes the difference of {a} and {b} for {a}: each is a vector", a=a, b=b)
+    for sign, pair in (("-", lambda s, t: ("-", s, t)), ("+", lambda s, t: ("-", t, s))):
+        instead = {s.number: pair(s, t) for s, t in zip(one, other, strict=True)}
+        yield Edit(LESS, computed(f"{a} {sign} {b}", words), instead)
 
 
 def _of_factors(steps):

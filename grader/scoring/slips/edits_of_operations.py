@@ -5,10 +5,11 @@ kind, words, replacement), and of terms what it does, and to which.
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
+from itertools import product as signs_of
 from math import pi
 from typing import Any
 
-from newton_euler.algebra.language import Words
+from newton_euler.algebra.language import Words, joined
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import Dimension
 from newton_euler.answers.causes import LEFT_OUT, RESCALED, REVERSED, UNNAMED, computed
@@ -24,6 +25,7 @@ COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
 SINES = {"asin": Words("sine"), "acos": Words("cosine"), "atan": Words("tangent")}
 PRODUCT = ("*", "/")
+FACTOR = Words("takes the factor {other} for {own}{of}: the formula has {own}").template
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
 RATIOS = {
     -1: Words("inverts {ratio}{of}: it is the other way round").template,
@@ -115,6 +117,12 @@ def of_product(
     parts = [(part, op, 1) for part, op in parts_of(s, "/")]
     if s.args[0] is s.args[1]:
         parts += [(part, op, 2) for part, op in parts_of(s.args[0], "/")]
+    squared = [x for x, power in product.powers.items() if power == 2]
+    if len(squared) > 1 and all(map(described, squared)):
+        names = joined(map(described, squared))
+        words = Words("does not square {factor}{of}: {why}", factor=names, of=of, why=why(s))
+        lost = reduce(lambda a, b: ("*", a, b), map(number, squared))
+        yield LESS, "squares", words, ("/", s, lost)
     for part, op, times in parts:
         inner = Product(part)
         if inner.is_exact and inner.coefficient == 1 and len(inner.powers) == 1:
@@ -133,11 +141,12 @@ def of_product(
     if product.is_exact and c != 1 and c.denominator < 100:
         for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c))):
             rank = LESS if other in (c / 2, 2 * c) else LEAST
-            words = Words(
-                "takes the factor {other} for {own}{of}: the formula has {own}",
-                other=other, own=c, of=of,
-            )  # fmt: skip
+            words = Words(FACTOR, other=other, own=c, of=of)
             yield rank, f"constant for {other}", words, ("*", s, float(other / c))
+        if c in RODS:  # also where no dimension shows that it is of a moment of inertia
+            (other,) = RODS - {c}
+            words = Words(FACTOR, other=other, own=c, of=of)
+            yield LEAST, f"constant for {other}", words, ("*", s, float(other / c))
         for lost in {Fraction(c.numerator), Fraction(1, c.denominator), c} - {Fraction(1)}:
             words = Words(
                 "leaves out the factor {factor}{of}: the formula has it", factor=lost, of=of
@@ -187,6 +196,9 @@ def _of_factor(s, x, power, factor, of, why):
         of = "" if of == f" of {named}^2" else of
         words = Words("does not square {factor}{of}: {why}", factor=named, of=of, why=why)
         yield SIMPLE, "square", words, ("/", s, factor)
+        words = Words("leaves out {factor}^2{of}: {why}", factor=named, of=of, why=why)
+        cause = computed(f"whole {s.number} {x.number}", words, f"without {x.number}")
+        yield LESS, "whole square", cause, ("/", ("/", s, factor), factor)
         words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
         yield LEAST, "half", words, ("*", s, 0.25)
     elif power == -2:
@@ -229,8 +241,9 @@ def _of_root(s):
         words = Words("does not square the numbers in {sum}: the whole term is squared", sum=inside)
         sums = [roots.get(getattr(y, "number", -1), y) for y in squares]
         yield SIMPLE, "numbers", words, ("sqrt", reduce(lambda a, b: ("+", a, b), sums))
-    if len(squares) > 1 and all(Product(a).is_square and Product(a).powers for a in squares):
-        yield from _of_components([Product(a) for a in squares])
+    sides = [*map(_side, squares)]
+    if len(sides) > 1 and all(side is not None for side in sides):
+        yield from _of_components(sides, [next(iter(Product(a).powers)) for a in squares])
         return
     sums = [y for y, n in Product(x).powers.items() if n == 1 and y.op in ("+", "-")]
     for y in [x] if x.op in ("+", "-") else sums:
@@ -239,24 +252,33 @@ def _of_root(s):
         yield LESS, "roots", words, ("*", s, ("/", roots, ("sqrt", y)))
 
 
-def _of_components(squares):
+def _side(x):
+    """The expression of which x is the square; None of another one."""
+    product = Product(x)
+    if not (product.powers and product.is_exact and product.coefficient > 0):
+        return None
+    if any(p % 2 for p in product.powers.values()):
+        return None
+    factors = [("**", y, p / 2) for y, p in product.powers.items()]
+    return reduce(lambda a, b: ("*", a, b), factors, float(product.coefficient) ** 0.5)
+
+
+def _of_components(sides, sums):
     """The size of a vector with its components added as numbers, not squared, or, where they are
-    sums, squared term by term.
+    ``sums``, squared term by term.
     """
 
     def total(parts):
         return reduce(lambda a, b: ("+", a, b), parts)
 
-    sides = [
-        reduce(lambda a, b: ("*", a, b), [("**", x, p / 2) for x, p in square.powers.items()])
-        for square in squares
-    ]
     words = Words("adds components as numbers: they are at right angles")
     yield SIMPLE, "components", words, total([("abs", side) for side in sides])
     yield LESS, "signed components", words, ("abs", total(sides))
+    for signs in signs_of(("", "neg"), repeat=len(sides)):  # a formula may be of either sign
+        signed = [(s, side) if s else side for s, side in zip(signs, sides, strict=True)]
+        yield LESS, f"components {signs}", words, total(signed)
     words = Words("does not square the components: the squares are added, and then the root taken")
     yield LESS, "no squares", words, ("sqrt", ("abs", total(sides)))
-    sums = [next(iter(square.powers)) for square in squares]
     if all(x.op in ("+", "-") for x in sums):
         words = Words("squares each term of a sum by itself: twice their product belongs to it")
         for op in ("+", "-"):
@@ -328,6 +350,74 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
             c = cosines[x]
             exchanged = {s.number: ("cos", x), c.number: ("sin", x)}
             yield Edit(SIMPLE, computed(f"axis {s.number}", words), exchanged)
+        words = Words(
+            "takes {angle} as small, its sine as the angle and its cosine as 1: it is not small",
+            angle=named,
+        )
+        small = {s.number: x} | ({cosines[x].number: 1.0} if x in cosines else {})
+        yield Edit(LESS, computed(f"small {s.number}", words), small)
+
+
+def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
+    """What is integrated taken as constant, or not integrated, and wrong limits; also of the
+    difference of two integrals, which is one between other limits.
+    """
+    wholes: dict[tuple[int, ...], list[tuple[Step, int]]] = {}
+    for s in steps:
+        if s.op == "item" and s.args[0].op == "integral":
+            wholes.setdefault((s.args[0].number,), []).append((s, s.args[1]))
+        one, other = s.args if s.op == "-" else (s, s)
+        if _are_of_one_integrand(one, other):
+            both = (one.args[0].number, other.args[0].number)
+            wholes.setdefault(both, []).append((s, one.args[1]))
+    for key, items in wholes.items():
+        s, _ = items[0]
+        inner, start, end, *outer = (s if len(key) == 1 else s.args[0]).args[0].args
+        start = start if len(key) == 1 else s.args[1].args[0].args[2]
+        for k, (words, slip) in enumerate(_of_integral(inner, start, end, outer)):
+            instead = {s.number: slip(n) for s, n in items}
+            yield Edit(LESS, computed(f"integral {key} {k}", words), instead)
+
+
+def _are_of_one_integrand(x, y):
+    """True of two integrals of one function from one place to two others."""
+    if x is y or not all(
+        isinstance(s, Step) and s.op == "item" and s.args[0].op == "integral" for s in (x, y)
+    ):
+        return False
+    (f, a, _, *more), (g, b, _, *others) = x.args[0].args, y.args[0].args
+    alike = f.key() == g.key() and [*map(_identity, (a, *more))] == [*map(_identity, (b, *others))]
+    return alike and x.args[1] == y.args[1]
+
+
+def _identity(x):
+    return ("#", x.number) if isinstance(x, Step) else x
+
+
+def _of_integral(inner, start, end, outer):
+    """(words, {component: expression}) of the slips in one integral."""
+    way = ("-", end, start)
+    constant = Words("takes what is integrated as constant: it changes on the way")
+    mean = Words(
+        "takes the mean of the values at both ends: what is integrated does not change evenly"
+    )
+    itself = Words("gives what is to be integrated: its integral is asked for")
+
+    def at(x, n):
+        return ("inside", inner, n, x, *outer)
+
+    def between(low, high):
+        return lambda n: ("item", ("between", inner, low, high, *outer), n)
+
+    yield constant, lambda n: ("*", way, at(end, n))
+    yield constant, lambda n: ("*", way, at(start, n))
+    yield mean, lambda n: ("*", ("*", way, 0.5), ("+", at(start, n), at(end, n)))
+    yield itself, lambda n: at(end, n)
+    yield itself, lambda n: ("-", at(end, n), at(start, n))
+    if isinstance(start, Step) or start != 0:
+        yield Words("integrates from zero: the integral starts elsewhere"), between(0.0, end)
+        words = Words("integrates from zero over the difference of the limits: put each one in")
+        yield words, between(0.0, way)
 
 
 def of_moment(s: Step, dimension: Callable[[Step], Dimension | None]) -> Iterator[Slip]:

@@ -4,7 +4,7 @@ for a distance, a density for a mass, rates that turn the other way.
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
-from itertools import product
+from itertools import combinations, product
 from typing import Any
 
 from newton_euler.algebra.language import Words, joined
@@ -13,10 +13,10 @@ from newton_euler.algebra.units import Dimension
 from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, computed
 from newton_euler.answers.near import LEAST, LESS, RARER
 
-from .edits_of_givens import LENGTH, MASS, DimensionOf
+from .edits_of_givens import LENGTH, MASS, DimensionOf, Slip
 from .edits_of_operations import parts_of
 from .formulas import Edit, Stage, Traced, needed, steps_in, users_of
-from .typed import Product, described, repeats, terms_of, typed
+from .typed import Product, described, repeats, terms_of
 
 Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
 SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
@@ -47,6 +47,9 @@ def of_quantities(
             cause = computed(f"{factor} times {[*own]}", wording, "", does, words)
             rank = LESS if factor or words in answers else RARER
             yield Edit(rank, cause, {n: ("*", x, factor) for n, x in own.items()})
+        if len(parts) == 1 and len(own) == 1 and of(parts[0][0]) == Dimension():
+            text = Words("takes {quantity} as 1: it is another number here", quantity=words)
+            yield Edit(LESS, computed(f"1 for {[*own]}", text), dict.fromkeys(own, 1.0))
         for other, instead in named if len(own) == len(parts) else ():
             pairs = [*zip(parts, instead, strict=False)]
             if len(instead) != len(parts) or not all(_are_alike(x, y, of) for x, y in pairs):
@@ -57,6 +60,23 @@ def of_quantities(
             cause = computed(f"{other} for {[*own]}", text)
             signed = {x.number: y if s == t else ("neg", y) for (x, s), (y, t) in pairs}
             yield Edit(LESS, cause, signed)
+
+
+def of_shared(s: Step) -> Iterator[Slip]:
+    """Twice or half of a product that several others use, as one of two equal bodies."""
+    known = {*s.trace.meant, *s.trace.called}  # quantities, which are halved themselves
+    is_part = any(x.number in known for x in (s, *(x for x, _ in parts_of(s, "/"))))
+    named = "" if is_part or Product(s).coefficient != 1 else described(s)
+    for factor, does, text in TIMES if named else ():
+        if factor > 0:
+            yield (
+                LESS,
+                f"{factor} times",
+                Words(text.template, quantity=named),
+                ("*", s, factor),
+                does,
+                named,
+            )
 
 
 def of_ratios(
@@ -123,7 +143,7 @@ def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
     """The square of a sum, taken term by term."""
     squared = {s: s.args[0] for s in steps if _is_square(s)}
     for s, x in squared.items():
-        named = typed(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
+        named = described(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
         if named:
             squares = [("*", term, term) for _, term in terms_of(x)]
             words = Words(
@@ -134,14 +154,41 @@ def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
 
 
 def of_differences_of_squares(steps: Iterable[Step]) -> Iterator[Edit]:
-    """The square of a difference for the difference of two squares."""
+    """The square of a difference for the difference of two squares, as m*(a - b)^2 for
+    m*a^2 - m*b^2; that of a sum for a sum.
+    """
     for s in steps:
-        squares = s.args if s.op == "-" and all(map(_is_square, s.args)) else ()
-        if squares:
-            less = ("-", *(x.args[0] for x in squares))
+        terms = terms_of(s) if s.op in ("+", "-") else []
+        for (m, x), (n, y) in combinations(terms, 2):
+            pair = _unlike(x, y)
+            if not pair:
+                continue
+            a, b = pair
+            whole = ("+" if m == n else "-", a, b)
             words = Words("squares the difference: the difference of the squares belongs there")
-            cause = computed(f"square of {s.number}", words)
-            yield Edit(LESS, cause, {s.number: ("*", less, less)})
+            if m == n:
+                words = Words("squares the sum: the sum of the squares belongs there")
+            square = ("*", ("/", ("/", x, a), a), ("*", whole, whole))
+            rest = ("-", ("-", s, ("*", float(m), x)), ("*", float(n), y))
+            instead = {s.number: ("+", rest, ("*", float(m), square))}
+            name = f"square of {x.number} {y.number} in {s.number}"
+            yield Edit(LESS, computed(name, words), instead)
+
+
+def _unlike(x, y):
+    """The steps whose squares alone tell two products apart, as a and b of m*a^2 and m*b^2."""
+    if _is_square(x) and _is_square(y):
+        return x.args[0], y.args[0]
+    one, other = Product(x), Product(y)
+    if not (one.is_exact and other.is_exact and one.coefficient == other.coefficient):
+        return ()
+    own, others = (
+        one.powers.items() - other.powers.items(),
+        other.powers.items() - one.powers.items(),
+    )
+    if [power for _, power in (*own, *others)] != [2, 2] or len(own) != 1:
+        return ()
+    return tuple(s for s, _ in (*own, *others))
 
 
 def _is_square(x):

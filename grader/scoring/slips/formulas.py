@@ -42,6 +42,7 @@ class Formulas(NamedTuple):
     systems : the linear equations that are solved on the way
     symbols : the arguments that stay symbols in the answers
     given : the steps of all givens and symbols of the problem, even those that no answer needs
+    setups : the slips in setting up the system
     """
 
     answers: Mapping[str, Traced]
@@ -53,17 +54,20 @@ class Formulas(NamedTuple):
     systems: Sequence[Solved] = ()
     symbols: Collection[str] = ()
     given: Mapping[str, Step] = {}
+    setups: "Sequence[Edit]" = ()
 
 
 class Edit(NamedTuple):
     """A slip: other expressions for some steps, {number: expression}. An expression is a number, a
     step, or an operation and its expressions, as a tuple. The lower the ``rank``, the simpler; two
-    of one ``level`` are equally simple.
+    of one ``level`` are equally simple. Where something is set up otherwise, all ``answers`` are
+    computed anew, {key: components}.
     """
 
     rank: int
     cause: Cause
     instead: dict[int, Any]
+    answers: Mapping[str, Sequence[Any]] = {}
 
 
 def steps_in(s: Step) -> list[Step]:

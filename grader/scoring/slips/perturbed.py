@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from newton_euler.algebra.compile import Compiled
+from newton_euler.algebra.integrals import integrals
 from newton_euler.algebra.late import np
 from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.source import WITHIN, operations
@@ -31,7 +32,8 @@ class Computation:
         self.ranked = Ranked([(e.rank, e.cause) for e in self.edits])
         stages = [x for stage in formulas.stages for x in stage.parts]
         inside = [x for system in square(formulas.systems) for x in entries(system)]
-        self.every = needed([*self.steps, *stages, *inside, *formulas.given.values()])
+        anew = [x for edit in self.edits for parts in edit.answers.values() for x in parts]
+        self.every = needed([*self.steps, *stages, *inside, *anew, *formulas.given.values()])
         self.arguments = [s.args[0] for s in self.every if s.op == "argument"]
         self._arguments: dict[str, list[str]] = {}
         system = formulas.system
@@ -39,6 +41,7 @@ class Computation:
         self.to_base = {n: unit(formulas.units[n]).to_base(1.0, system) for n in self.arguments}
         self.names: dict[str, Any] = operations(np)
         self.names |= {"answer": self._answer, "within": self._within, "equations": solution}
+        self.names |= {"inside": _inside, "between": _between}
         exec(compile(_Text(self).text, "the slips", "exec"), self.names)
         self._run = self.names["slips"]
 
@@ -57,10 +60,12 @@ class Computation:
         with np.errstate(all="ignore"):
             return dict(zip(self.answers, self._run(*base), strict=True))
 
-    def _answer(self, key, *components):
+    def _answer(self, key, anew, *components):
         found = np.empty((len(components), len(self.edits)))
         for n, x in enumerate(components):
             found[n] = x
+        for lane, parts in anew.items():
+            found[:, lane] = parts
         return (self.factors[key] * found).T
 
     def _within(self, op, base, before, args):
@@ -168,13 +173,31 @@ class _Text:
         return f"({_written(x[0], [self._expression(a) for a in x[1:]])})"
 
     def _answer(self, key, a):
-        return f"answer({key!r}, {', '.join(self._spelled(x, '') for x in a.parts)})"
+        anew = "".join(
+            f"{lane}: ({', '.join(self._spelled(x, 'b') for x in edit.answers[key])},), "
+            for lane, edit in enumerate(self.edits)
+            if key in edit.answers
+        )
+        parts = ", ".join(self._spelled(x, "") for x in a.parts)
+        return f"answer({key!r}, {{{anew}}}, {parts})"
 
 
 def _written(op, args):
     if op in INFIX:
         return f"{args[0]} {op} {args[1]}"
     return f"{args[0]}[{args[1]}]" if op == "item" else f"{op}({', '.join(args)})"
+
+
+def _inside(formula, n, *args):
+    return formula(*args)[n]
+
+
+def _between(formula, low, high, *outer):
+    """The integrals; nan where there are none."""
+    try:
+        return integrals(lambda x: formula(x, *outer), low, high)
+    except (ArithmeticError, ValueError):
+        return [math.nan] * len(formula.leaves)
 
 
 def _full(count, x):

@@ -7,13 +7,12 @@ from itertools import permutations
 import pytest
 import sympy
 
-from exercises.catalogue import problem, select
+from exercises.catalogue import problem
 from exercises.catalogue.variants import draw, flat, symbol_values
 from grader.assignment.derivations import component, derivations
 from grader.assignment.lines import lines
 from newton_euler.algebra.scalars import to_plain
-
-ALL = select(["all"])
+from tests.grader.assignment.test_solution import ALL, EACH
 
 
 @cache
@@ -27,7 +26,7 @@ def derived(number):
     return found, {k: {component(k, n, 3): f for n, f in enumerate(x)} for k, x in whole.items()}
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_a_component_that_is_a_given_has_its_own_name_beside_another_in_the_same_role(p):
     """As m (v_x^2 + v_y^2)/2 and omega_y r_z - omega_z r_y, where v_x and r_y are given."""
     found, vectors = derived(p.id)
@@ -45,7 +44,7 @@ def test_a_component_that_is_a_given_has_its_own_name_beside_another_in_the_same
                     assert not mixed or above[1] != below[1], (key, one, other)
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_a_product_of_two_vectors_has_the_axes_of_a_cross_product_if_it_can(p):
     """2 Omega_z v_x along y, and not -2 Omega_z v_y, where v_y = -v_x."""
     _, vectors = derived(p.id)

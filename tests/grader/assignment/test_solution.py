@@ -24,6 +24,8 @@ from newton_euler.answers.notation import number_symbol, symbol
 from tests.book import sections
 
 ALL = select(["all"])
+# one problem in three by default
+EACH = [p if n % 3 == 0 else pytest.param(p, marks=pytest.mark.slow) for n, p in enumerate(ALL)]
 SECTION_OF = {
     f"{section.partition('.')[0]}.{n}": section
     for section, _, numbered, _ in sections()
@@ -44,15 +46,35 @@ def numbers(p, seed):
 
 
 @cache
+def computed(p, seed):
+    return steps(p, numbers(p, seed))
+
+
+@cache
+def derived(p, seed):
+    return derivations(p, numbers(p, seed))
+
+
+@cache
 def as_python(p, seed):
     return list(lines(p, numbers(p, seed), latex=False))
+
+
+@cache
+def as_latex(p, seed):
+    return list(lines(p, numbers(p, seed)))
+
+
+@cache
+def written(p, seed, text=True):
+    return worked_solution(p, numbers(p, seed), text=text)
 
 
 @pytest.mark.parametrize("seed", SEEDS, ids=bytes.decode)
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
     values = numbers(p, seed)
-    text = worked_solution(p, values)
+    text = written(p, seed)
     for a in p.answers:
         assert typeset_formulas(a.means, p.notation, lambda x: typeset(x, p))[1:] in text
     for name, given in p.givens.items():
@@ -77,32 +99,32 @@ def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
 DOT, PRIME = r"\b[A-Z] \. [A-Z§]", r"\b[a-z]'+(?![a-z])"
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_a_cited_equation_is_in_the_cited_section(p):
-    for s in steps(p, numbers(p, b"one")):
+    for s in computed(p, b"one"):
         if s.section and s.equation and own_number(s.equation, p):
             assert SECTION_OF[s.equation] == s.section, s.key
 
 
 @pytest.mark.parametrize("p", [p for p in ALL if any(a.of for a in p.answers)], ids=lambda p: p.id)
 def test_a_worked_solution_says_why_a_word_is_right(p):
-    text = worked_solution(p, numbers(p, b"one"))
+    text = written(p, b"one")
     for a in p.answers:
         if a.of:
             assert a.because, a.key
             assert f"$. {a.because[:2]}" in text
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_the_sum_of_the_terms_that_are_shown_is_shown_too_and_no_table_twice(p):
     shown = {line.step.key for line in as_python(p, b"one")}
     assert {line.step.of for line in as_python(p, b"one")} <= {"", *shown}
-    text = worked_solution(p, numbers(p, b"one"), text=False)
+    text = written(p, b"one", False)
     tables = re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE)
     assert len(tables) == len({*tables})
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_each_component_found_from_equations_occurs_in_them(p):
     words = ""
     for line in as_python(p, b"one"):
@@ -112,10 +134,10 @@ def test_each_component_found_from_equations_occurs_in_them(p):
             assert found <= {*NAME.findall(words)}, s.key
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_no_fraction_contains_a_fraction_and_no_description_repeats_its_formula(p):
     """But in a root, a function or a power."""
-    text = worked_solution(p, numbers(p, b"one"), text=False)
+    text = written(p, b"one", False)
     for formula in re.findall(r"\$([^$]*)\$", text):
         for part in re.findall(r"\\frac(.*)", without_arguments(formula)):
             fraction = "".join(islice(groups(part), 2))
@@ -158,12 +180,12 @@ def letters(latex):
     return sorted({*words} - {"0", r"\frac", r"\left", r"\right", r"\cdot", r"\mathbf"})
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_a_term_is_not_named_after_a_quantity_that_equals_it_by_chance(p):
     """As a component of another sum whose other terms are zero, of a vector that is another term of
     its sum, or of an answer in another unit: H_O_y omega for -I_xy omega^2.
     """
-    found = derivations(p, numbers(p, b"one"))
+    found = derived(p, b"one")
     shown = [line.step for line in as_python(p, b"one")]
     sums = {s.of for s in shown if s.of}
     units = {s.key: s.unit for s in shown}
@@ -186,10 +208,10 @@ def test_a_term_is_not_named_after_a_quantity_that_equals_it_by_chance(p):
             whole |= {(s.of, v) for v in used if vectors[v] <= names}
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_a_matrix_names_the_place_of_its_body_by_components_only(p):
     """As m d_x d_y beside m d_x^2, and no m x_c d_y, where d_x is the given x_c."""
-    found = derivations(p, numbers(p, b"one"))
+    found = derived(p, b"one")
     formulas = {key: x.formulas for key, x in found.items() if None not in x.formulas}
     for key in (key for key, x in formulas.items() if len(x) == 9):
         names = {x.name for f in formulas[key] for x in f.free_symbols}
@@ -199,13 +221,13 @@ def test_a_matrix_names_the_place_of_its_body_by_components_only(p):
             assert not {f for f in given if given.count(f) == 1} & names, (key, place)
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_a_name_in_a_formula_is_the_one_that_its_place_asks_for(p):
     """A term as -r theta_dot^2 e_r has no component of a vector, a point that turns has r omega^2
     and not omega v, a component of a turned vector has entries of its row of the matrix, and no
     scalar is two terms of a sum.
     """
-    found = derivations(p, numbers(p, b"one"))
+    found = derived(p, b"one")
     shown = {line.step.key: line.step for line in as_python(p, b"one")}
     units, own, rows = dict(p.units), {}, {}
     for key, s in ((key, s) for key, s in shown.items() if key in found):
@@ -255,22 +277,22 @@ def test_a_result_has_positive_denominators_and_bars_where_they_are_needed(p):
                 assert not all(y.subs(values).is_positive for values in at), text
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_an_answer_that_others_use_has_a_name(p):
-    found = derivations(p, numbers(p, b"one"))
+    found = derived(p, b"one")
     formulas = (f for x in found.values() for f in x.formulas if f is not None)
     used = {x.name for f in formulas for x in f.free_symbols}
-    for line in lines(p, numbers(p, b"one")):
+    for line in as_latex(p, b"one"):
         assert line.name or not used & own_names(line), line.step.key
         assert not re.fullmatch(r"\\mathbf\{\w\}", line.equal[0]) or any(
             line.equal[0] == symbol(key, True) for key in found
         ), line.step.key
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_components_are_named_after_their_unit_vectors(p):
     """A component along e_theta is a_theta, and not a_y; from axes to others turns T_12, not T_xy."""
-    text = worked_solution(p, numbers(p, b"one"), text=False)
+    text = written(p, b"one", False)
     for s in (line.step for line in as_python(p, b"one")):
         if isinstance(s.value, (list, tuple)) and len(flat(s.value)) == 9 and s.unit == "1":
             assert not any(symbol(f"{s.key}_{a}{b}") in text for a in "xyz" for b in "xyz")
@@ -281,7 +303,7 @@ def test_components_are_named_after_their_unit_vectors(p):
             assert symbol(f"{s.key}_y") not in text
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_a_variable_of_integration_is_introduced(p):
     introduced = " ".join([p.text, *(line.step.means for line in as_python(p, b"one"))])
     for line in as_python(p, b"one"):
@@ -289,10 +311,10 @@ def test_a_variable_of_integration_is_introduced(p):
             assert re.search(rf"\b{name}\b", introduced), (line.step.key, name)
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_no_sum_has_two_common_factors_and_no_equation_has_two_leading_signs(p):
     """m (a^2 + b^2)/12 for m a^2/12 + m b^2/12; but terms divided by different quantities stay."""
-    for key, found in derivations(p, numbers(p, b"one")).items():
+    for key, found in derived(p, b"one").items():
         for f in (f for f in found.formulas if f is not None and not f.has(sympy.Integral)):
             for x in laid_out(f, p.units)[0].atoms(sympy.Add):
                 terms = [y.as_coeff_Mul() for y in x.args]
@@ -320,22 +342,22 @@ def are_one(*terms):
 @pytest.mark.parametrize("name", ["7/15", "8/19", "9/1"])
 def test_what_particles_have_is_a_sum_and_not_an_integral(name):
     p = problem(name)
-    cited = {s.equation for s in steps(p, numbers(p, b"one"))}
+    cited = {s.equation for s in computed(p, b"one")}
     assert "7.9" in cited
     assert not {"7.10", "7.25"} & cited
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_a_step_is_not_a_given_under_another_name(p):
     """As the mass of a part that the text gives."""
-    found = derivations(p, numbers(p, b"one"))
-    for s in steps(p, numbers(p, b"one")):
+    found = derived(p, b"one")
+    for s in computed(p, b"one"):
         formula = str(*found[s.key].formulas[:1]) if s.key in found else ""
         same = not s.term and not s.is_vector and p.units.get(formula) == s.unit
         assert not same or p.id in NAMED_GIVENS, s.key
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_no_two_numbers_share_a_name(p):
     """As a given v_x along i and the component v_x of a vector v in other axes."""
     values = numbers(p, b"one")
@@ -357,7 +379,7 @@ def digits(number):
 
 
 @pytest.mark.parametrize("seed", SEEDS, ids=bytes.decode)
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_what_is_shown_with_numbers_is_the_key(p, seed):
     """The text with numbers, computed by Python, gives the value behind it, and that is the key."""
     values = numbers(p, seed)
@@ -386,7 +408,7 @@ def test_what_is_shown_with_numbers_is_the_key(p, seed):
                 assert computed == pytest.approx(shown, rel=2e-4, abs=2e-4 * size), text
 
 
-@pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
+@pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
 def test_a_step_is_introduced_in_thirty_words(p):
     """A formula is one word."""
     for line in as_python(p, b"one"):
@@ -456,7 +478,7 @@ def test_the_terms_of_an_answer_are_in_its_table_and_not_among_the_steps_too():
 
 def found_by(p, key):
     """The names in each component's formula of a quantity."""
-    found = derivations(p, numbers(p, b"one"))[key].formulas
+    found = derived(p, b"one")[key].formulas
     return [{x.name for x in f.free_symbols} for f in found]
 
 
@@ -467,9 +489,9 @@ def test_the_terms_of_a_step_come_before_it():
 
 def test_terms_are_those_of_the_own_chapter():
     p = problem("2/13")
-    assert r"\frac{\nu^2}{\rho}\,\hat{e}_n$ |" in worked_solution(p, numbers(p, b"one"))
+    assert r"\frac{\nu^2}{\rho}\,\hat{e}_n$ |" in written(p, b"one")
     for later in map(problem, ("A/8", "3/15")):  # which do not have the equation of these terms yet
-        assert "| --- |" not in worked_solution(later, numbers(later, b"one"))
+        assert "| --- |" not in written(later, b"one")
 
 
 def test_a_step_is_not_named_after_a_quantity_that_equals_it_by_chance():
@@ -532,6 +554,6 @@ def test_without_formulas_there_are_values_only(name):
 
 @pytest.mark.parametrize("name", ["9/1", "9/5"])
 def test_each_bearing_has_its_own_letter(name):
-    _, *tables = worked_solution(problem(name), numbers(problem(name), b"one")).split("(9.9)")
+    _, *tables = written(problem(name), b"one").split("(9.9)")
     assert [re.findall(r"mathbf\{([AB])\}_\{m\\omega", x)[0] for x in tables] == ["A", "B"]
     assert [re.findall(r"[AB]_x =", x)[0] for x in tables] == ["A_x =", "B_x ="]

@@ -126,6 +126,7 @@ def test_students_of_two_courses_fetch_and_submit_under_their_own_accounts(hub):
     assert not (hub / "statics").stat().st_mode & 0o077
 
 
+@pytest.mark.slow  # minutes
 @pytest.mark.integration
 def test_an_assistant_grades_under_an_account_of_their_own(hub):
     homes = {uid: home_of(uid, hub) for uid in (TEACHER, ASSISTANT)}

@@ -298,6 +298,7 @@ def hanging(pids, monkeypatch):
     monkeypatch.setattr(grading, "_grade", grade_there)
 
 
+@pytest.mark.slow  # waits for what hangs, and busy processes beside it hang as well
 def test_others_do_what_hung_once_and_what_hung_twice_is_named(fresh, cluster, course, monkeypatch):
     """The second time the workers have imported everything, and nothing has to be run."""
     address, output = cluster.at_least(4).address, []

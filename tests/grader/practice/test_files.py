@@ -75,15 +75,15 @@ def test_whatever_part_of_a_file_is_broken_is_refused_in_words(whole, tmp_path, 
     places = [path for path in spots(data) if path]
     by_kind = {tuple(n for n in path if isinstance(n, str)): path for path in places}
     refused = 0
-    for path in {*by_kind.values(), *rng.sample(places, min(60, len(places)))}:
-        for bad in rng.sample((*BAD, KeyError), 4):
+    for path in {*by_kind.values(), *rng.sample(places, min(30, len(places)))}:
+        for bad in rng.sample((*BAD, KeyError), 2):
             made = json.dumps(changed(data, path, bad))
             made = written(tmp_path / "p", {**whole, member: made})
             try:
                 everything(made)
             except NewtonEulerError as error:
                 refused += bool(str(error))
-    assert refused > len(by_kind)
+    assert refused > len(by_kind) / 2
 
 
 @pytest.mark.parametrize("content", [

@@ -1,0 +1,257 @@
+"""Slips in setting up a system: a point or a vector along another axis, a turn about another one,
+parallel-axis terms left out. A trace has no zeros, so each is traced by itself.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from itertools import combinations
+from typing import Any
+
+from newton_euler.algebra.jets import Moving
+from newton_euler.algebra.language import Words, joined
+from newton_euler.algebra.otherwise import built_otherwise
+from newton_euler.algebra.scalars import ZERO, NewtonEulerError
+from newton_euler.algebra.source import WITHIN
+from newton_euler.algebra.trace import Step
+from newton_euler.algebra.vectors import Vector
+from newton_euler.answers.causes import LEFT_OUT, computed
+from newton_euler.answers.near import LEAST, LESS, RARER
+
+from .formulas import Edit, needed
+from .typed import described
+
+Answers = Mapping[str, Sequence[Any]]
+Parts = tuple[Any, ...]
+Way = tuple[int, str, Parts]  # rank, words, the parts instead
+
+MOVED = Words("puts {what} along another axis: look where it points in the figure").template
+EXCHANGED = Words("exchanges {what}: each belongs to its own axis").template
+SIDE = Words("has {what} on the other side: look where it points in the figure").template
+AT_REST = Words("leaves out the motion with {what}: that point is not at rest").template
+NOT_LESS = Words("does not subtract {what}: the difference of two vectors is needed").template
+NOTHING = Words("leaves out the vector of {what}: it is not zero here").template
+DIRECTION = Words("has {term} in another direction: check the axes of what it is made of").template
+OTHER_WAY = Words("turns {what} the other way: look for its sense in the figure").template
+ABOUT = Words("has {what} about another axis: look for its axis in the figure").template
+NO_TRANSFER = Words(
+    "leaves out the parallel-axis terms of the body with its centre at {what}: "
+    "the axes do not pass through it"
+).template
+NO_PARTICLE = Words("leaves out the particle at {what}: it has a moment of inertia, too").template
+NO_TRANSFERS = Words(
+    "leaves out all parallel-axis terms: the axes do not pass through the centres of the bodies"
+)
+LINEAR = Words("takes {name} as small, in its first power alone: it is not small").template
+BRIEF = 16  # letters of a component that is named
+MANY = 12  # things of a kind that a problem is built of, beyond which none is put otherwise
+
+
+def of_setups(
+    compute: Callable[[Mapping[str, Any]], Answers], given: Mapping[str, Step]
+) -> Iterator[Edit]:
+    """The answers that are computed with one thing put otherwise, or as if a given were small.
+    ``compute`` computes them with other values of some givens.
+    """
+    things: dict[Any, tuple[str, Parts, Parts]] = {}
+    trace = next(iter(given.values())).trace if given else None
+
+    def note(kind, parts, of):
+        inside = [*_scalars((*parts, *of))]
+        # unknowns, and what is inside an integral, have no steps of their own
+        usual = all(x is ZERO or isinstance(x, (Step, float, int, str)) for x in inside)
+        steps = [x for x in inside if isinstance(x, Step)]
+        if steps and usual and all(x.trace is trace for x in steps):
+            things.setdefault(_key(kind, parts, of), (kind, parts, tuple(of)))
+        return parts
+
+    with built_otherwise(note):
+        right = compute({})
+    seen, known = {_same(right)}, _within(right)
+    # one component of a turn about another axis is met by other mistakes
+    in_space = [key for key, x in right.items() if len(x) == 3 and sum(map(_is_there, x)) > 1]
+    for name, rank, words, find in (
+        *_otherwise(compute, things, in_space),
+        *_small(compute, given),
+    ):
+        try:
+            answers = find()
+        except (NewtonEulerError, ArithmeticError, TypeError, ValueError):
+            continue
+        same = _same(answers)
+        if same not in seen and _within(answers) <= known:
+            seen.add(same)
+            if name.startswith("turn"):
+                answers = {key: answers[key] for key in in_space}
+            does = LEFT_OUT if name.startswith("transfer") else ""
+            yield Edit(rank, computed(name, words, "", does, words if does else ""), {}, answers)
+
+
+def _otherwise(compute, things, in_space):
+    """(name, rank, words, how to compute the answers) of one thing put otherwise, or of all
+    parallel-axis terms left out.
+    """
+    kinds = Counter(kind for kind, _, _ in things.values())
+    every = {key for key, (kind, _, of) in things.items() if kind == "transfer" and _is_body(of)}
+    if len(every) > 1:
+        yield "transfers", LESS, NO_TRANSFERS, partial(_answers, compute, every, (0,))
+    for n, (key, (kind, parts, of)) in enumerate(things.items()):
+        if kinds[kind] > MANY or (kind == "turn" and not in_space):
+            continue
+        for m, (rank, words, instead) in enumerate(_WAYS[kind](parts, of)):
+            yield f"{kind} {n} {m}", rank, words, partial(_answers, compute, {key}, instead)
+
+
+def _answers(compute, keys, instead):
+    def change(kind, parts, of):
+        return instead if _key(kind, parts, of) in keys else parts
+
+    with built_otherwise(change):
+        return compute({})
+
+
+def _small(compute, given):
+    """The same of the givens, each as if it were small: in its first power alone."""
+    for name, step in given.items():
+        words = Words(LINEAR, name=name)
+        yield f"linear {name}", LEAST, words, partial(_linear, compute, name, step)
+
+
+def _linear(compute, name, step):
+    return {
+        key: [x.value + x.rate if isinstance(x, Moving) else x for x in parts]
+        for key, parts in compute({name: Moving(0.0, step)}).items()
+    }
+
+
+def _within(answers):
+    """The integrals and roots in answers: those of others may have no value."""
+    leaves = [x for parts in answers.values() for x in parts]
+    return {s.number for s in needed(leaves) if s.op in WITHIN}
+
+
+def _key(kind, parts, of):
+    return kind, *map(_plain, (*_scalars(parts), *_scalars(of)))
+
+
+def _plain(x):
+    return ("#", x.number) if isinstance(x, Step) else repr(x)
+
+
+def _same(answers):
+    return tuple((key, *map(_plain, parts)) for key, parts in answers.items())
+
+
+def _scalars(parts):
+    """The scalars in components, moving or not; an axis is one of them."""
+    for x in parts:
+        if isinstance(x, Moving):
+            yield from _scalars((x.value, x.rate, x.acceleration))
+        else:
+            yield x
+
+
+def _named(parts):
+    """The components that are not zero, in words: as they are typed, or by their rates."""
+    steps = [[s for s in _scalars([x]) if isinstance(s, Step)] for x in parts]
+    words = [described(s.args[0] if s.op == "neg" else s) for s, *_ in filter(None, steps)]
+    return joined(words) if words and all(0 < len(x) <= BRIEF for x in words) else ""
+
+
+def _is_there(x):
+    return any(isinstance(s, Step) or s != 0 for s in _scalars([x]))
+
+
+def of_directions(
+    vectors: Mapping[str, Vector], named: Callable[[str, Vector], str]
+) -> Iterator[Edit]:
+    """A named term of an answer along another axis, or turned in its plane."""
+    for key, v in vectors.items():
+        for name, term in (v.terms or {}).items():
+            c, rest = term.expressed_in(v.frame).c, v.reweighted(**{name: 0}).c
+            there = {n for n, x in enumerate(c) if _is_there(x)}
+            words = Words(DIRECTION, term=named(name, v))
+            for n, m in combinations(range(3), 2) if len(there) < 3 else ():
+                if not ((len(there) == 1 and there & {n, m}) or there == {n, m}):
+                    continue
+                for a, b in (1, -1), (-1, 1), *[(1, 1), (-1, -1)] * (len(there) > 1):
+                    turned = _turned(c, n, m, a, b)
+                    parts = [x + y for x, y in zip(rest, turned, strict=True)]
+                    cause = computed(f"direction {key} {name} {n} {m} {a} {b}", words)
+                    yield Edit(LESS, cause, {}, {key: parts})
+
+
+def _of_vector(parts, of):
+    """The same of a vector, and it left out."""
+    yield from _of_components(parts, of)
+    there = [x for x in parts if _is_there(x)]
+    differ = all(isinstance(x, Step) and x.op == "-" for x in there)
+    if differ and (what := _named([x.args[1] for x in there])):
+        minuend = tuple(x.args[0] if isinstance(x, Step) else x for x in parts)
+        yield LESS, Words(NOT_LESS, what=what), minuend
+    if what := _named(parts):
+        yield LEAST, Words(NOTHING, what=what), (0, 0, 0)
+
+
+def _of_components(parts, of):
+    """A point, or a vector, of which one component is along another axis, or two are exchanged."""
+    there = [n for n, x in enumerate(parts) if _is_there(x)]
+    for n in there:
+        if what := _named([parts[n]]):
+            reversed_one = tuple(-x if m == n else x for m, x in enumerate(parts))
+            yield LEAST, Words(SIDE, what=what), reversed_one
+    moving = [x for x in parts if isinstance(x, Moving)]
+    if what := _named([Moving(x.rate, x.acceleration) for x in moving]):
+        at_rest = tuple(x.value if isinstance(x, Moving) else x for x in parts)
+        yield LESS, Words(AT_REST, what=what), at_rest
+    for n, m in combinations(range(3), 2):
+        if not {n, m} & {*there}:
+            continue
+        what = _named([parts[k] for k in (n, m) if k in there])
+        if not what:
+            continue
+        if {n, m} <= {*there}:
+            yield LESS, Words(EXCHANGED, what=what), _turned(parts, n, m, 1, 1)
+        else:
+            yield LESS, Words(MOVED, what=what), _turned(parts, n, m, 1, -1)
+            yield LESS, Words(MOVED, what=what), _turned(parts, n, m, -1, 1)
+
+
+def _turned(parts, n, m, a, b):
+    """The components with the n-th in the place of the m-th, times b, and back, times a."""
+    moved = [*parts]
+    moved[n], moved[m] = a * parts[m], b * parts[n]
+    return tuple(moved)
+
+
+def _of_turn(parts, of):
+    (axis,) = parts
+    value, *rates = _scalars(of)
+    what = _named(rates[:1]) or _named([value])
+    own = axis.removeprefix("-") if isinstance(axis, str) else ""
+    for other in "xyz" if own and what else "":
+        for sign in ("", "-"):
+            if other != own:
+                yield LESS, Words(ABOUT, what=what), (sign + other,)
+            elif sign + own != axis:
+                yield LEAST, Words(OTHER_WAY, what=what), (sign + own,)
+
+
+def _of_transfer(parts, of):
+    _, *way = of[:4]
+    words = NO_TRANSFER if _is_body(of) else NO_PARTICLE
+    if what := _named(way):
+        yield RARER, Words(words, what=what), (0,)
+
+
+def _is_body(of):
+    """False of a particle, whose own moments of inertia are zero."""
+    return any(map(_is_there, of[4:]))
+
+
+_WAYS: Mapping[str, Callable[[Parts, Parts], Iterator[Way]]] = {
+    "point": _of_components,
+    "vector": _of_vector,
+    "turn": _of_turn,
+    "transfer": _of_transfer,
+}

@@ -1,0 +1,35 @@
+"""Systems built otherwise than their code says: what a student sets up wrongly, for all that is
+computed from it.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import Any
+
+Change = Callable[[str, tuple[Any, ...], Sequence[Any]], tuple[Any, ...]]
+
+_change: ContextVar[Change | None] = ContextVar("change", default=None)
+
+
+@contextmanager
+def built_otherwise(change: Change) -> Iterator[None]:
+    """In the ``with`` block every point, vector, turn and transfer of an inertia is built of what
+    ``change(kind, parts, of)`` returns in place of its ``parts``.
+
+    kind : "point" or "vector", whose parts are the components; "turn", with the axis as its part;
+        "transfer", with the factor of the parallel-axis terms, which is 1
+    of : what the parts belong to: of a turn its angle and rates, of a transfer the mass, the way
+        and the moments of inertia at its start
+    """
+    token = _change.set(change)
+    try:
+        yield
+    finally:
+        _change.reset(token)
+
+
+def built(kind: str, parts: tuple[Any, ...], of: Sequence[Any] = ()) -> tuple[Any, ...]:
+    """The parts of which something is built here."""
+    change = _change.get()
+    return change(kind, parts, of) if change else parts

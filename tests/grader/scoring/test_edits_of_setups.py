@@ -1,0 +1,130 @@
+"""Mistakes in setting up a system, and in its formulas, made from the printed text with a student's
+numbers: each is named in its own words.
+"""
+
+from math import pi, radians, sin, tan
+
+import numpy as np
+import pytest
+import sympy
+
+from exercises.catalogue import problem
+from exercises.catalogue.variants import draw
+from tests.grader.scoring.answered import judged, right_trees, trees
+
+
+def top_of_the_rim(r, P, omega_b, b):
+    """4/41: the point at z = r for that at x = r."""
+    bracket, disk, CP = (0, 0, omega_b), (0, P, omega_b), (0, 0, r)
+    growth, centre = np.cross(bracket, (0, P, 0)), np.cross(bracket, (0, b, 0))
+    v = centre + np.cross(disk, CP)
+    a = np.cross(bracket, centre) + np.cross(growth, CP) + np.cross(disk, np.cross(disk, CP))
+    return {"v_B": v, "a_B": a}
+
+
+def blocks(moved, a, b, c, r_c, l_c, x_c, rho, in_feet=144):
+    """7/3: with the parallel-axis terms of the block and of the cylinder, each or not."""
+
+    def inertia(m, own, d, by):
+        return np.diag(own) + by * m * (np.dot(d, d) * np.eye(3) - np.outer(d, d))
+
+    block, cylinder = (rho * v / 12**3 for v in (a * b * c, pi * r_c**2 * l_c))
+    edges = block / 12 * np.array([b * b + c * c, a * a + c * c, a * a + b * b])
+    across = cylinder * (3 * r_c**2 + l_c**2) / 12
+    whole = inertia(block, edges, (a / 2, b / 2, c / 2), moved[0])
+    own = (across, across, cylinder * r_c**2 / 2)
+    return {"I_O": (whole + inertia(cylinder, own, (x_c, b / 2, c + l_c / 2), moved[1])) / in_feet}
+
+
+def from_revolutions(m, omega, l, p, q, d):
+    """9/5: omega, given in rad/s, converted from rev/min; lengths in mm."""
+    slow = omega * pi / 30
+    return {"Hdot_O": (0, slow**2 * m * q * l / 2e6, -(slow**2) * m * p * l / 2e6)}
+
+
+def along_the_rod(omega, alpha, u, x_B, y_B):
+    """2/37: the Coriolis term along the relative velocity, the bracket turning clockwise."""
+    x = alpha * y_B + omega**2 * x_B + 2 * omega * u
+    return {"a_B": (x, alpha * x_B - omega**2 * y_B, 0)}
+
+
+def one_panel(c, q):
+    """7/29: the moments of inertia with one of the two panels."""
+    share = c * q / (2 * pi)
+    I_x = 1 + share * (c**2 / 12 + (1 + c / 2) ** 2)
+    return {"l_r": ((I_x - 0.5) / ((1 + share * q**2) / 12)) ** 0.5}
+
+
+def over_the_difference(c, d, t_1, t_2):
+    """A/25: t_2 - t_1 put into the antiderivative."""
+    t = t_2 - t_1
+    return {"whole": (0, t**4 / 4 + c * t**3 / 3, d * t)}
+
+
+def without_the_fourth(m_1, m_2, m_3, m_4, d, omega, alpha):
+    """8/19: the angular momentum of three of the four particles."""
+    places = (d, d, 0), (2 * d, 0, d), (d, -d, 2 * d)
+    each = [(m, np.array(r)) for m, r in zip((m_1, m_2, m_3), places, strict=True)]
+    column = sum(m * (r @ r * np.array([1, 0, 0]) - r[0] * r) for m, r in each)
+    return {"H_O": [float(f"{x:.5g}") * omega for x in column]}
+
+
+def swinging(a, b, M, theta):
+    """8/10: the angular acceleration at the start all the way."""
+    return {"theta_dot": sympy.sqrt(3 * a * theta / b)}
+
+
+CASES = {
+    "a point": ("4/41", top_of_the_rim, "puts r along another axis"),
+    "all transfers": ("7/3", lambda **g: blocks((0, 0), **g), "leaves out all parallel-axis terms"),
+    "one transfer": ("7/3", lambda **g: blocks((1, 0), **g), "of the body with its centre at x_c"),
+    "a particle": ("8/19", without_the_fourth, "leaves out the particle at d, 2*d and d"),
+    "near the key": (
+        "8/9", lambda m, a, theta, v_0, g: {"d_OP": 3 * v_0**2 / (4 * g * tan(radians(theta)))},
+        "takes tan(theta) for sin(theta)",
+    ),
+    "a unit once": ("7/3", lambda **g: blocks((1, 1), **g, in_feet=12), "in one factor too few"),
+    "unit": ("9/5", from_revolutions, "converts omega from rev/min: it is given in rad/s"),
+    "direction": (
+        "2/37", along_the_rod, "has the Coriolis term 2 omega x v_r in another direction"
+    ),
+    "components": (
+        "3/12", lambda lead, n, a: {"speed": 2 * pi * n * a + lead * n},
+        "adds components as numbers",
+    ),
+    "composite": (
+        "2/11", lambda v_0, phi, g: {"rho_top": v_0 * sin(radians(phi)) / g},
+        "does not square v_0 and sin(phi)",
+    ),
+    "small": ("5/17", lambda W0, h, R_e: {"W": W0 * (1 - 2 * h / R_e)}, "takes h as small"),
+    "difference": (
+        "7/21", lambda m, I_AA, r_a, r_b: {"I_BB": I_AA - m * (r_a - r_b) ** 2 / 1e3},
+        "squares the difference",
+    ),
+    "limits": ("A/25", over_the_difference, "over the difference of the limits"),
+    "constant": ("8/10", swinging, "takes what is integrated as constant"),
+    "one of two": ("7/29", one_panel, "halves q*c"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_each_slip_is_named_in_its_own_words(case):
+    name, wrong, words = CASES[case]
+    p = problem(name)
+    values = draw(p, b"setups")
+    given = wrong(**values, **p.sympy_symbols())
+    written = {key: _written(x) for key, x in given.items()}
+    answers = {**right_trees(p, values), **trees(p, written)}
+    parts = judged(p, answers, values)
+    for key in given:
+        assert parts[key].verdict == "wrong"
+        assert words in parts[key].message
+
+
+def _written(x):
+    """An answer in five digits, as students write it; a formula as it is."""
+    if isinstance(x, sympy.Basic):
+        return x
+    if np.ndim(x):
+        return [_written(y) for y in x]
+    return float(f"{x:.5g}")

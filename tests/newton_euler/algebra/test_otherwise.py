@@ -1,0 +1,37 @@
+"""Systems that are built otherwise than their code says."""
+
+from newton_euler import Frame
+from newton_euler.algebra.otherwise import built_otherwise
+from newton_euler.bodies import rod
+
+
+def rod_about_its_end(length):
+    """The moment of inertia about y at the origin of a rod of mass 3 along x."""
+    body = Frame("body")
+    return rod(length, body.point("G", length / 2, 0, 0), mass=3.0).about(body).moment("y")
+
+
+def test_a_change_holds_in_its_block_alone():
+    def without_transfers(kind, parts, of):
+        return (0,) if kind == "transfer" else parts
+
+    with built_otherwise(without_transfers):
+        assert rod_about_its_end(2.0) == 1.0
+    assert rod_about_its_end(2.0) == 4.0
+
+
+def test_a_change_sees_points_vectors_turns_and_transfers():
+    seen = []
+
+    def note(kind, parts, of):
+        seen.append((kind, parts))
+        return parts
+
+    with built_otherwise(note):
+        ground = Frame("ground")
+        ground.rotate("arm", "z", rate=2.0).vector(1.0, 0, 0)
+        rod_about_its_end(2.0)
+    assert ("turn", ("z",)) in seen
+    assert ("vector", (1.0, 0, 0)) in seen
+    assert ("point", (1.0, 0, 0)) in seen
+    assert ("transfer", (1,)) in seen
