@@ -75,12 +75,8 @@ def driven(system, ends, x, natural):
     """
     begin, end = ends
     found = {k for k, n in enumerate(natural) if abs(x[k]) > 2 * THERE * LAST_DIGIT * n}
-    names, first = set(system.model.states), system.rates(begin, x)
-    # a state whose rate is that of no state is a clock
-    clocks = [
-        0.0 if names & needs else rate
-        for rate, needs in zip(first, system.traced.rhs.dependencies, strict=True)
-    ]
+    rows = zip(system.rates(begin, x), system.clocks, strict=True)
+    clocks = [rate if clock else 0.0 for rate, clock in rows]
     for part in MOMENTS if any(clocks) or not system.autonomous else MOMENTS[:1]:
         passed = part * (end - begin)
         t, hidden = begin + passed, [0.0] * len(x)
