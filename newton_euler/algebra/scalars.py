@@ -299,7 +299,10 @@ def _of_numpy(x):
             f"{type(x).__name__} of {x.dtype}; convert it to floats first"
         )
     kinds = {type(scalar(entry)) for entry in x.flat}
-    return x.astype(float) if kinds <= {float, int, bool, Fraction, _Zero} else x
+    try:
+        return x.astype(float) if kinds <= {float, int, bool, Fraction, _Zero} else x
+    except OverflowError as error:
+        raise RangeError(f"an array has an entry that is no float: {error}") from error
 
 
 def real_scalar(x: object) -> Scalar:

@@ -9,6 +9,7 @@ from .errors import checked
 from .late import np, sympy
 from .scalars import (
     NewtonEulerError,
+    RangeError,
     Scalar,
     ScalarError,
     SingularError,
@@ -157,9 +158,12 @@ class Table:
         """
         key = type(x) is float or (type(x), epsilon(x))
         if key not in self._kept:
-            xs, ys = [[_like(v, x) for v in data] for data in (self.places, self.values)]
             steps = self.kind == "previous"
-            inner = [(y,) for y in ys[:-1]] if steps else _cubics(self.kind, xs, ys)
+            try:
+                xs, ys = [[_like(v, x) for v in data] for data in (self.places, self.values)]
+                inner = [(y,) for y in ys[:-1]] if steps else _cubics(self.kind, xs, ys)
+            except OverflowError as error:
+                raise RangeError(f"{self} has no value in floats: {error}") from error
             pieces = [(xs[0], inner[0]), *zip(xs, inner, strict=False), (xs[-2], inner[-1])]
             if self.hold:
                 pieces[0] = xs[0], (ys[0],)

@@ -103,7 +103,7 @@ def event_tuple(events):
 
 def sample_request(samples, t0, t1):
     """The samples: None, a number of times, or an array of times between t0 and t1."""
-    if samples is None or (type(samples) is int and samples > 0):
+    if samples is None or (type(samples) is int and 0 < samples <= LONGEST_SEQUENCE):
         return samples
     if getattr(samples, "shape", None) == () and samples.dtype.kind in "iu":
         return sample_request(int(samples), t0, t1)  # a whole number of NumPy

@@ -5,7 +5,7 @@ hundred times that; steps up to it and from it on are as accurate as any.
 
 from bisect import bisect_right
 from itertools import pairwise
-from math import copysign, inf, nextafter, ulp
+from math import copysign, hypot, inf, nextafter, ulp
 
 from ..algebra.compile import Compiled
 from ..algebra.trace import COMPARISONS
@@ -19,6 +19,7 @@ WAYS = 1, 4, 16  # multiples of the room, by which a crossing is passed
 SLIDING = 3  # steps in which a motion that slides passes over a place again
 SHORTEST = 1e3  # units in the last place of the time: no step could be much shorter
 LIMIT = 10.0  # tolerances by which a step may differ from its halves
+EPS = 2.0**-53  # the part by which each side of a comparison may be off
 JUMP = 1e-6  # of the rates, between neighbouring states
 FROM_ZERO = 1e-100  # part of its rate by which a state that is zero is moved off a border
 NEAR = 4  # multiples of the room: a crossing so close to the end of a step needs no stop
@@ -77,23 +78,45 @@ def unsettled(stepper, end):
     """The summed differences, relative to the scales, of the steps up to the time ``end`` that pass
     over such a place from two halves of each: a step that was shortened until its error estimate
     was small may have got there by chance. Steps of a motion that slides, one of which soon leads
-    back, do not count.
+    back, do not count. And what the last digit of each place makes: see :func:`_last_digit`.
     """
     system, count = stepper.system, bisect_right(stepper.step_times, end) - 1
     run, p, ends = system.traced.compiled_choices, system.p, stepper.steps[: count + 1]
-    values = [run(t, *x, *p) for t, _, *x in ends]
-    values += [run(stepper.t, *stepper.x, *p)] * (count == len(ends))
+    ends = [(t, *x) for t, _, *x in ends] + [(stepper.t, *stepper.x)] * (count == len(ends))
+    values = [run(*point, *p) for point in ends]
     signs = [[a > b for a, b in zip(v[::2], v[1::2], strict=True)] for v in values]
     crossed = [n for n, (a, b) in enumerate(pairwise(signs)) if a != b]
-    off, largest = [0.0] * len(stepper.x), 0.0
+    off, largest, squares = [0.0] * len(stepper.x), 0.0, [0.0] * len(stepper.x)
     for before, n, after in zip([-inf, *crossed], crossed, [*crossed[1:], inf], strict=False):
         begin, h = stepper.steps[n][:2]
-        if min(n - before, after - n) > SLIDING and h > SHORTEST * ulp(begin + h):
+        if min(n - before, after - n) <= SLIDING:
+            continue
+        lost = _last_digit(system, ends[n], ends[n + 1], values[n], values[n + 1])
+        squares = [s + v * v for s, v in zip(squares, lost, strict=True)]
+        if h > SHORTEST * ulp(begin + h):
             apart = stepper.halved(n)
             if max(map(abs, apart)) > LIMIT * stepper.tolerance:
                 off = [a + b for a, b in zip(off, apart, strict=True)]
                 largest = max(largest, *map(abs, off))
-    return largest
+    rows = zip(squares, stepper.scales, strict=True)
+    return hypot(largest, max(s**0.5 / (scale or 1.0) for s, scale in rows))
+
+
+def _last_digit(system, before, after, first, last):
+    """How much each state is off between two points (time, *state) since the last digit of what is
+    compared decides when the rates jump: their jump for that time.
+
+    first, last : the values of :func:`choices` at the points
+    """
+    run, p = system.traced.compiled_choices, system.p
+    moved, late = run(before[0], *after[1:], *p), 0.0  # by the states alone
+    columns = [w[k::2] for w in (first, last, moved) for k in (0, 1)]
+    for a, b, c, d, u, v in zip(*columns, strict=True):
+        if (a > b) != (c > d) and (u, v) != (a, b):
+            late = max(late, (abs(c) + abs(d)) * EPS / abs((c - d) - (a - b)))
+    late *= after[0] - before[0]
+    rates = system.rates(before[0], before[1:]), system.rates(after[0], after[1:])
+    return [late * abs(m - k) for k, m in zip(*rates, strict=True)]
 
 
 class Crossings:

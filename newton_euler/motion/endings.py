@@ -10,6 +10,8 @@ from .solution import LongError, MotionError, NoValueError, StickingError
 
 TINY, NEAR = 1e-9, 1e-3  # parts of the whole time: a trial step; the time to reach a border
 
+DIGITS = 1e-12  # part of two values by which they differ in their last digits only
+
 TOO_LARGE = (
     "a power or an exponential is too large for a float; if the rates are not infinite, write them "
     "differently, as (1 - tanh(x/2))/2 in place of 1/(1 + exp(x))"
@@ -29,7 +31,11 @@ def why(error, system, t, x, span):
         return (StickingError, words) if words else (LongError, "")
     if isinstance(error, StepError):
         with suppress(ArithmeticError):
-            for kind, found in (NoValueError, _without_value), (StickingError, _sticking):
+            for kind, found in (
+                (NoValueError, _without_value),
+                (StickingError, _sticking),
+                (MotionError, _hidden),
+            ):
                 words = found(system, t, x, span)
                 if words:
                     return kind, words
@@ -80,14 +86,34 @@ def _sticking(system, t, x, span):
     pair = stuck_at(system, t, x, span)
     if not pair:
         return ""
-    one, other = [_spelled(side, system) for side in pair]
-    place = f"{one} = {other}" if one and other else "the border of a choice"
+    one, other, place = _border(pair, system)
     event = (one if other == "0" else f"{one} - {other}") if one and other else "..."
     return (
         f"; it sticks at {place}, to which the rates on both sides lead back: write "
         f"Event(lambda s, p, t: {event}, then=...), which goes on with the model and the "
         "start of what sticks"
     )
+
+
+def _border(pair, system):
+    """The two sides of a choice, each in words or None, and the words for their border."""
+    one, other = [_spelled(side, system) for side in pair]
+    return one, other, f"{one} = {other}" if one and other else "the border of a choice"
+
+
+def _hidden(system, t, x, span):
+    """The end of a message where the rates change their formula within the last digits of what is
+    compared, as on a floor far from the origin; "" if they do not.
+    """
+    values = system.traced.compiled_choices(t, *x, *system.p) if system.traced.choices else ()
+    for pair, a, b in zip(system.traced.choices, values[::2], values[1::2], strict=True):
+        if abs(a - b) < DIGITS * (abs(a) + abs(b)):
+            return (
+                f"; the rates change at {_border(pair, system)[2]}, which is known to the last "
+                f"digit of {max(a, b, key=abs):.6g} only: ask for a larger rtol, or take the "
+                "distance from there as the state"
+            )
+    return ""
 
 
 def _leads_back(system, distance, t, x, span):

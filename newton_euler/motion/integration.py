@@ -42,9 +42,9 @@ def integrate(
         are arrays among the parameters of the model
     rtol : the requested tolerance: the error that each state may have at the end, relative to its
         largest absolute value during the motion. A state that is nothing but round-off, being
-        zero by cancellation, may be wrong by that. Where round-off makes a larger error in a state
-        that is not zero, as in the speed on a spring far from the origin, the motion is refused:
-        take the distance from there as the state
+        zero by cancellation but for the last digits, may be wrong by that. Where round-off makes a
+        larger error in a state that is not zero, as in the speed on a spring far from the origin,
+        the motion is refused: take the distance from there as the state
     method : one of :data:`~newton_euler.motion.methods.table.METHODS`; "auto" takes the exact
         solution if there is one, else the straight-line DOP853 until compiling with heyoka pays
         off, if it is installed and a series sees all that the rates do; where one method cannot

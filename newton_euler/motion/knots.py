@@ -13,6 +13,7 @@ INTERVALS = 16384  # parts of the time: a pulse is found if it is longer than on
 # change in any interval, and if this many neighbours are quiet too: what a step may miss there is
 # less than any rtol
 QUIET, QUIET_RUN = 1e-14, 4
+POLISHED = 2  # steps of Newton's rule by which such a time is exact, where its clock is linear
 MAX_EVENTS = 1000  # pulses: more are an oscillation, which no step can miss
 
 
@@ -46,7 +47,11 @@ def _joints(system, t0, t1):
         for x in step.args[1].places if step.op == "table" else (0.0,):
             part = (x - first) / ((last - first) or math.inf)
             if 0.0 < part <= 1.0:
-                yield t0 + part * (t1 - t0)
+                t, slope = t0 + part * (t1 - t0), (last - first) / (t1 - t0)
+                for _ in range(POLISHED):  # to the last digit: a jump may be large
+                    one, other = read(t, *states, *system.p)[2 * n : 2 * n + 2]
+                    t = min(max(t - (one - other - x) / slope, t0), t1)
+                yield t
 
 
 def _found(system, t0, t1):

@@ -175,6 +175,10 @@ class Model(Portable):
                 f"{self.name} has no rates at {self._state(state)}: {error}; the coordinates are "
                 "singular there"
             ) from error
+        except OverflowError as error:
+            raise ModelError(
+                f"{self.name} has no rates at {clipped(self._state(state))}: {error}"
+            ) from error
 
     def compiled_rhs(self, *free: str) -> Callable:
         """The right-hand side as fast straight-line code, see :func:`newton_euler.compiled`: a

@@ -20,12 +20,14 @@ from .prepared import PreparedModel
 from .sizes import (
     NATURAL_PART,
     as_natural,
+    driven,
     far_states,
     forced_error,
     reproduced,
     round_off_over,
     settled,
     small,
+    without_round_off,
     worst_ratio,
 )
 from .solution import (
@@ -319,10 +321,10 @@ class Run:
             return last, error
         comparison = method, 10 * tolerance, tolerance
         # they are those of the first trajectory, which may have missed what made a state large
-        known = known if last.failed else last.sizes()
+        known = known if last.failed else self.sizes(last)
         before = self.compared(*comparison, known, stopping=True)
         if known is None and not before.failed:
-            known = before.sizes()
+            known = self.sizes(before)
             before = self.compared(*comparison, known, stopping=True)
         trajectory = self.trajectory(method, tolerance, known, stopping=True)
         found = max(forced, self.error(before, trajectory))
@@ -351,9 +353,7 @@ class Run:
         """
         known = None
         for _ in range(MAX_REFINEMENTS):
-            last, known = known, None if before.failed else before.sizes()
-            if known and not self.own:
-                known = as_natural(known)
+            last, known = known, None if before.failed else self.sizes(before)
             if not known or not (last or small(*known[:2])):
                 return before, known
             if last and settled(last[0], known[0]):
@@ -363,11 +363,22 @@ class Run:
         if not again.failed:
             ends = before.segments[-1].x1, again.segments[-1].x1
             apart = [abs(u - v) for u, v in zip(*ends, strict=False)]
-            sizes = reproduced(known, again.sizes(), apart, self.rtol)
+            sizes = reproduced(known, again.sizes(), apart, self.rtol, self.there)
             if sizes != known[0]:
                 known = sizes, *known[1:]
                 before = self.compared(method, coarse, fine, known, scaled)
         return before, known
+
+    def there(self, natural):
+        """The numbers of the states that are not mere round-off: see
+        :func:`~newton_euler.motion.sizes.driven`.
+        """
+        return driven(self.system, (self.t0, self.t1), self.state, natural)
+
+    def sizes(self, trajectory):
+        """The sizes of a trajectory by which the next ones take their steps."""
+        known = without_round_off(trajectory.sizes(), self.there, self.rtol)
+        return known if self.own else as_natural(known)
 
     def briefly(self, run, *arguments):
         """The trajectory ``run(*arguments)``, which stops if it would take many steps: the motion

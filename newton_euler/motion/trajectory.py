@@ -11,7 +11,7 @@ from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
 from .events import EventLocator, Occurrence, events_in_step
 from .knots import knots
-from .methods.base import SMALLEST_SCALE, StepError, Stepper
+from .methods.base import SMALLEST_SCALE, LengthError, StepError, Stepper
 from .methods.table import METHODS
 from .model import ModelError
 from .narrow import passage, within_reach
@@ -44,6 +44,9 @@ NEXT_TO_ZERO = 1e-150  # scales so small that an error relative to them may have
 SMALL_PART = 1e-2
 # steps that a motion which sticks makes in this fraction of the whole time
 STICKING, STICKING_PART = 100, 1e-2
+# times the round-off so far, and part of what a step may be off, from which on more round-off
+# explains why no step is possible
+ROUGHER, HINDERING = 2.0, 1e-2
 CRAWLING = 100_000  # steps between two checks for sticking
 
 
@@ -188,7 +191,11 @@ class Trajectory:
         stopping = self.stopping and stepper.system.traced.choices
         step = Crossings(stepper).step if stopping else stepper.step
         while stepper.t < self.goal:
-            step(limit)
+            try:
+                step(limit)
+            except StepError as error:
+                if isinstance(error, LengthError) or not self._rougher(stepper):
+                    raise
             if len(stepper.step_times) > patience:
                 patience += CRAWLING
                 self._check_crawling(stepper)
@@ -211,6 +218,24 @@ class Trajectory:
             if self.progress:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
         return None
+
+    def _rougher(self, stepper):
+        """Go on where no step was possible since the rates are rougher by round-off than at the
+        start, as those of a stiff floor far from the origin; False where that is not the reason.
+        """
+        if not stepper.resumable:
+            return False
+        begun, *_ = stepper.start
+        here, span = [(stepper.t, stepper.x)], self.goal - begun
+        *_, noise = natural_sizes(stepper.system, here, stepper.scales, span)
+        noise = tuple([max(ROUND_OFF * a, b) for a, b in zip(noise, stepper.noise, strict=True)])
+        rows = zip(noise, stepper.noise, stepper.scales, strict=True)
+        least = HINDERING * stepper.tolerance
+        if not any(a > max(ROUGHER * b, least * scale) for a, b, scale in rows):
+            return False
+        stepper.noise, self.repeated = noise, True
+        stepper.resume()
+        return True
 
     def _see(self, stepper, step, first, limit):
         """Repeat the steps from number ``first`` on that passed over something narrow."""

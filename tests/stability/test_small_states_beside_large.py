@@ -118,6 +118,49 @@ def test_the_speed_on_a_far_spring_is_right_by_its_own_size_or_refused(method, p
         assert not words or ("take the distance from" in words and 30 * lost > rtol)
 
 
+KICKED, DRIVEN, BY_A_CLOCK = range(3)
+
+
+@pytest.mark.parametrize("how", [None, KICKED, DRIVEN, BY_A_CLOCK])
+@pytest.mark.parametrize("place", [1e3, 6.371e6, 1e9])
+def test_a_swing_of_a_few_last_digits_of_its_place_is_right_or_refused_in_words(place, how):
+    """From 1e-1 down to 8 units in the last place; at 1e-12 floats cannot do any."""
+    k, w, T, least = 4.0, 1.3, 4.1, 8 * math.ulp(place)
+    push = lambda s, p, t: p.f * sin({DRIVEN: p.w * t, BY_A_CLOCK: s.clock}.get(how, 0.0))
+    rates = lambda s, p, t: (s.v, -p.k * (s.x - p.place) + push(s, p, t), p.w)
+    for a in [least, *(10.0**-n for n in range(1, 9) if 10.0**-n > least)]:
+        f = a * k if how in (DRIVEN, BY_A_CLOCK) else 0.0
+        start = place if how is not None else place + a, 3 * a if how == KICKED else 0.0, 0.0
+        parameters = {"k": k, "place": place, "f": f, "w": w}
+        model = Model("far swing", parameters, ("x", "v", "clock"), rates)
+        begin, b = start[0] - place, f / (k - w * w)
+        exact = -2 * begin * math.sin(2 * T) + (start[1] - b * w) * math.cos(2 * T)
+        exact += b * w * math.cos(w * T)
+        for rtol in (1e-3, 1e-6, 1e-9, 1e-12):
+            try:
+                v, words = integrate(model, T, start, rtol).end["v"], ""
+            except AccuracyError as error:
+                v, words = math.inf, str(error)
+            if words:
+                assert "take the distance from" in words
+                assert 300 * 2.0**-52 * place / a > rtol
+            else:
+                assert abs(v - exact) <= rtol * 3 * a
+
+
+def test_what_hangs_or_turns_at_rest_is_not_refused_for_the_last_digit_of_its_place():
+    """Its speed should be zero, but a float is not quite where it is at rest."""
+    hanging = lambda s, p, t: (s.v, p.g - p.k * s.x / p.m)
+    turning = lambda s, p, t: (s.v, s.r * s.w * s.w - p.g / (s.r * s.r), -2 * s.v * s.w / s.r)
+    for n in range(1, 30):
+        m, k, g = 0.1 * n, 1.0 + 3.7 * n, 9.81
+        hung = Model("hanging", {"m": m, "k": k, "g": g}, ("x", "v"), hanging), (m * g / k, 0.0)
+        circle = Model("circle", {"g": g}, ("r", "v", "w"), turning), (m, 0.0, math.sqrt(g / m**3))
+        for model, start in (hung, circle):
+            for rtol in (1e-3, 1e-9):
+                assert abs(integrate(model, 1.0, start, rtol, "dop853").end["v"]) < rtol
+
+
 def test_a_small_state_is_not_refused_where_round_off_leaves_it_as_accurate_as_asked():
     """A kilometre beside a millimetre: 2e-10 of its size is lost, and 1e-9 was asked for."""
     pytest.importorskip("heyoka")

@@ -13,6 +13,7 @@ from scipy.interpolate import CubicSpline, interp1d
 from newton_euler import compiled, moving, sin, table
 from newton_euler.algebra import DimensionError, ScalarError, SingularError, TableError
 from newton_euler.algebra.errors import ArgumentError
+from newton_euler.algebra.scalars import RangeError
 from tests.kinds import LENGTH, MASS, TIME, close, compiled_by, every_kind, numbers
 
 KINDS = "linear", "cubic", "natural", "previous"
@@ -172,3 +173,17 @@ def test_a_place_outside_by_round_off_has_the_value_at_the_end(kind):
 def test_data_that_do_not_make_a_table_are_refused(arguments, words):
     with pytest.raises((TableError, ScalarError, ArgumentError), match=words):
         table(*arguments)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_whole_numbers_beyond_floats_are_refused_where_a_value_is_a_float(kind):
+    huge = 10**400
+    values, places = table([0, 1, 2, 3], [0, huge, 2, 3], kind), table([0, 1, huge], YS[:3], kind)
+    for data, place in ((values, 0.5), (places, 0.5), (places, np.array([huge], dtype=object))):
+        with pytest.raises(RangeError, match="too large"):
+            data(place)
+    if kind == "previous":
+        assert values(1) == huge
+    else:
+        with pytest.raises(RangeError, match="too large"):
+            values(1)

@@ -1,12 +1,13 @@
 """Steps that end where the rates change their formula, against solutions in closed form."""
 
 import math
+import random
 
 import mpmath
 import pytest
 
 from newton_euler import Model, exp, integrate, sqrt, table, where
-from newton_euler.motion import StickingError, trajectory
+from newton_euler.motion import MotionError, StickingError, trajectory
 from newton_euler.motion.crossings import distances
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
@@ -163,3 +164,30 @@ def test_what_sticks_for_a_long_time_is_refused_with_what_to_write(x, t, rtol):
     with pytest.raises(StickingError, match=words) as refused:
         integrate(floor(FRICTIONS["of two directions"]), t, (x, 0.0), rtol=rtol)
     assert refused.value.reached.cost.calls < 5e6
+
+
+@pytest.mark.parametrize("width", [1e-3, 1e-4, 3e-5, 1e-5, 1e-6])
+def test_the_error_covers_what_the_last_digit_of_an_edge_makes(width):
+    """A push between two hard edges, narrow beside how far they are; no result is off."""
+    inside = lambda s, p: where(s.x < p.c, 0.0, where(s.x > p.c + p.w, 0.0, p.a))
+    rng, answered = random.Random(f"push {width}"), 0
+    for _ in range(8):
+        v, c, part = rng.uniform(0.5, 3.0), rng.uniform(3.0, 7.0), rng.uniform(0.1, 2.0)
+        w = 10 * width
+        parameters = {"a": part * v * v / w, "c": c, "w": w}
+        model = Model("push", parameters, ("x", "v"), lambda s, p, t: (s.v, inside(s, p)))
+        with mpmath.workdps(40):
+            a, edge = mpmath.mpf(parameters["a"]), mpmath.mpf(c + w)
+            u = mpmath.sqrt(mpmath.mpf(v) ** 2 + 2 * a * (edge - mpmath.mpf(c)))
+            end = mpmath.mpf(c) / v + (u - v) / a
+            T = float(end + 5 / v)
+            exact = edge + u * (T - end), u
+        for rtol in (1e-9, 1e-11, 1e-12):
+            try:
+                found = integrate(model, T, (0.0, v), rtol)
+            except MotionError:
+                continue
+            pairs = zip(found.end.values(), exact, strict=True)
+            assert max(float(abs(x / y - 1)) for x, y in pairs) <= found.error <= rtol
+            answered += 1
+    assert answered >= (8 if width > 1e-6 else 1)

@@ -106,3 +106,27 @@ def test_a_switch_that_is_crossed_does_not_stick():
     rates = lambda s, p, t: (s.v, -s.x - where(s.v > 0, 0.01, -0.01) * cos(t) ** 2)
     motion = integrate(Model("swing", {}, ("x", "v"), rates), 10.0, (1.0, 0.0), rtol=1e-6)
     assert motion.error <= 1e-6
+
+
+@pytest.mark.parametrize("place", [1e3, 1e5, 6.371e6])
+@pytest.mark.parametrize("jumps", [False, True], ids=["springs", "jumps"])
+def test_a_floor_far_from_the_origin_is_bounced_off_or_refused_for_the_last_digit(place, jumps):
+    """The rates are rougher by round-off on the floor than at the start, which is no singularity.
+    On a spring it is followed as far as round-off allows.
+    """
+    k, height = 1000.0, 0.1
+    floor = lambda s, p: 3 * p.g if jumps else p.k * (p.place - s.x)
+    rates = lambda s, p, t: (s.v, where(s.x < p.place, floor(s, p), 0.0) - p.g)
+    model = Model("floor", {"k": k, "place": place, "g": 9.81}, ("x", "v"), rates)
+    for rtol in (1e-3, 1e-6, 1e-9):
+        try:
+            found = integrate(model, 0.5, (place + height, 0.0), rtol)
+        except MotionError as error:
+            words = str(error)
+        else:
+            words = ""
+            energy = found.end["v"] ** 2 / 2 + 9.81 * (found.end["x"] - place)
+            assert jumps or found.end["x"] < place or abs(energy / 0.981 - 1) < 10 * rtol
+        assert not words or rtol < 1e-3
+        assert "singular" not in words
+        assert jumps or "could not be followed" not in words

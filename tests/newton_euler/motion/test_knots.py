@@ -1,6 +1,7 @@
 """Where a method must stop to look: at the ends of pulses in functions of time, nowhere else."""
 
 import math
+import random
 
 import pytest
 
@@ -92,6 +93,18 @@ def test_a_switch_between_constants_is_stopped_at_within_an_interval():
     begin, end = at(lambda s, p, t: where(t * t > p.on**2, 2.0, 1.0) * s.x, on=math.e)
     assert begin <= math.e <= end
     assert end - begin == pytest.approx(WIDTH)
+
+
+def test_the_edges_of_a_window_of_time_are_its_stops_to_the_last_digit():
+    """A push that is short beside its time is off by its force for what a stop is late."""
+    inside = lambda p, t: where(t < p.a, 0.0, where(t > p.b, 0.0, p.f))
+    rng = random.Random(5)
+    for _ in range(100):
+        a, end = rng.uniform(1.0, 9.0), rng.uniform(10.0, 30.0)
+        parameters = {"a": a, "b": a + 10.0 ** rng.uniform(-7, -1), "f": 1e6}
+        model = Model("window", parameters, ("v",), lambda s, p, t: (inside(p, t) - s.v,))
+        found = knots(prepared_model(model), rng.uniform(-1.0, 0.5), end)
+        assert {parameters["a"], parameters["b"]} <= set(found)
 
 
 def test_the_time_asked_for_is_looked_at_not_another():

@@ -297,3 +297,9 @@ def test_a_table_among_the_parameters_is_read_by_formulas_and_laws():
     end = integrate(model, 4.0, (0.5,)).end["w"]
     many = integrate(model.changed(k=np.array([0.5, 0.6])), 4.0, (0.5,))
     assert many.end["w"][0] == pytest.approx(end, rel=1e-9)
+
+
+def test_rates_beyond_floats_are_refused_in_words():
+    spring = Model("spring", {"k": 1.5}, ("x", "v"), lambda s, p, t: (s.v, -p.k * s.x))
+    with pytest.raises(ModelError, match=r"spring has no rates at .*too large"):
+        spring.derivative((10**400, 0.0))
