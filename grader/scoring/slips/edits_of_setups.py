@@ -44,6 +44,7 @@ NO_TRANSFERS = Words(
 )
 LINEAR = Words("takes {name} as small, in its first power alone: it is not small").template
 BRIEF = 16  # letters of a component that is named
+SIMPLE = ("+", "-", "*", "neg", "argument", "item")
 MANY = 12  # things of a kind that a problem is built of, beyond which none is put otherwise
 
 
@@ -68,11 +69,12 @@ def of_setups(
     with built_otherwise(note):
         right = compute({})
     seen, known = {_same(right)}, _within(right)
+    curved = _curved(right)
     # one component of a turn about another axis is met by other mistakes
     in_space = [key for key, x in right.items() if len(x) == 3 and sum(map(_is_there, x)) > 1]
     for name, rank, words, find in (
         *_otherwise(compute, things, in_space),
-        *_small(compute, given),
+        *_small(compute, {n: s for n, s in given.items() if s in curved}),
     ):
         try:
             answers = find()
@@ -122,6 +124,14 @@ def _linear(compute, name, step):
         key: [x.value + x.rate if isinstance(x, Moving) else x for x in parts]
         for key, parts in compute({name: Moving(0.0, step)}).items()
     }
+
+
+def _curved(answers):
+    """The steps on which answers do not depend as a polynomial."""
+    inside = []
+    for s in needed(x for parts in answers.values() for x in parts):
+        inside += s.args[1:] if s.op == "/" else () if s.op in SIMPLE else s.args
+    return {*needed(inside)}
 
 
 def _within(answers):

@@ -60,12 +60,12 @@ class Computation:
         with np.errstate(all="ignore"):
             return dict(zip(self.answers, self._run(*base), strict=True))
 
-    def _answer(self, key, anew, *components):
+    def _answer(self, key, lanes, anew, *components):
         found = np.empty((len(components), len(self.edits)))
         for n, x in enumerate(components):
             found[n] = x
-        for lane, parts in anew.items():
-            found[:, lane] = parts
+        if lanes is not None:
+            found[:, lanes] = anew
         return (self.factors[key] * found).T
 
     def _within(self, op, base, before, args):
@@ -173,13 +173,13 @@ class _Text:
         return f"({_written(x[0], [self._expression(a) for a in x[1:]])})"
 
     def _answer(self, key, a):
-        anew = "".join(
-            f"{lane}: ({', '.join(self._spelled(x, 'b') for x in edit.answers[key])},), "
-            for lane, edit in enumerate(self.edits)
-            if key in edit.answers
-        )
+        anew = {n: e.answers[key] for n, e in enumerate(self.edits) if key in e.answers}
+        self.names[lanes := f"lanes_{key}"] = np.array([*anew]) if anew else None
+        rows = ""
+        for row in zip(*anew.values(), strict=True):
+            rows += f"({''.join(self._spelled(x, 'b') + ', ' for x in row)}), "
         parts = ", ".join(self._spelled(x, "") for x in a.parts)
-        return f"answer({key!r}, {{{anew}}}, {parts})"
+        return f"answer({key!r}, {lanes}, ({rows}), {parts})"
 
 
 def _written(op, args):
