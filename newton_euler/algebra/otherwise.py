@@ -14,13 +14,15 @@ _change: ContextVar[Change | None] = ContextVar("change", default=None)
 
 @contextmanager
 def built_otherwise(change: Change) -> Iterator[None]:
-    """In the ``with`` block every point, vector, turn and transfer of an inertia is built of what
-    ``change(kind, parts, of)`` returns in place of its ``parts``.
+    """In the ``with`` block every point, vector, turn, transfer and matrix of an inertia and rate is
+    built of what ``change(kind, parts, of)`` returns in place of its ``parts``.
 
     kind : "point" or "vector", whose parts are the components; "turn", with the axis as its part;
-        "transfer", with the factor of the parallel-axis terms, which is 1
+        "transfer", with the factor of the parallel-axis terms, which is 1; "matrix", with the nine
+        entries of an inertia; "rate", with the components of the rate of a vector in its frame
     of : what the parts belong to: of a turn its angle and rates, of a transfer the mass, the way
-        and the moments of inertia at its start
+        and the moments of inertia at its start, of a matrix the entries about the centre of mass,
+        where it is elsewhere, of a rate the components of the vector
     """
     token = _change.set(change)
     try:
@@ -29,7 +31,17 @@ def built_otherwise(change: Change) -> Iterator[None]:
         _change.reset(token)
 
 
-def built(kind: str, parts: tuple[Any, ...], of: Sequence[Any] = ()) -> tuple[Any, ...]:
-    """The parts of which something is built here."""
+def built(
+    kind: str, parts: tuple[Any, ...], of: Sequence[Any] | Callable[[], Sequence[Any]] = ()
+) -> tuple[Any, ...]:
+    """The parts of which something is built here; ``of`` may be a function that finds them."""
     change = _change.get()
-    return change(kind, parts, of) if change else parts
+    if not change:
+        return parts
+    if callable(of):
+        token = _change.set(None)
+        try:
+            of = of()
+        finally:
+            _change.reset(token)
+    return change(kind, parts, of)

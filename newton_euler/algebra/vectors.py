@@ -26,6 +26,7 @@ from .ledger import (
     unlike,
 )
 from .names import guided
+from .otherwise import built
 from .pickles import Computed
 from .scalars import (
     ZERO,
@@ -399,7 +400,8 @@ class Vector(Scaled, NamedTerms):
             raise FrameError(f"the rate of {self} is not known; build it from moving(x, rate=...)")
         seen = self._own_rate().expressed_in(self.frame)
         if observer is self.frame:
-            return seen
+            c = built("rate", seen.c, self.c)
+            return seen if c is seen.c else Vector(c, self.frame, self._own_rate)
         f = self.frame
         turned = f.angular_velocity(observer).expressed_in(f).cross(self)
         terms = {"relative": seen, "rotation": turned}

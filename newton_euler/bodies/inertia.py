@@ -103,7 +103,15 @@ class Inertia(Scaled, NamedTerms):
     @property
     def matrix(self) -> Rows:
         """The inertia matrix (7.13): three rows of three, minus the products off the diagonal."""
-        return tuple(tuple(to_plain(x) for x in row) for row in self._rows())
+        entries = tuple(to_plain(x) for row in self._rows() for x in row)
+        entries = built("matrix", entries, self._at_centre)
+        return entries[:3], entries[3:6], entries[6:]
+
+    def _at_centre(self):
+        """The entries about the centre of mass; () where they are known to be these, or unknown."""
+        if self.mass is None or self.centre is None or self.centre is self.point:
+            return ()
+        return tuple(to_plain(x) for row in self.about(self.centre)._rows() for x in row)
 
     def __iter__(self) -> Iterator:
         return iter(self.matrix)

@@ -16,6 +16,7 @@ from . import edits_of_givens as givens
 from . import edits_of_groups as groups
 from . import edits_of_operations as operations
 from . import edits_of_quantities as quantities
+from .edits_of_operations import PRODUCT
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
 from .typed import Product, described, repeats
 
@@ -65,7 +66,8 @@ def _edits(formulas):
     anything = {**formulas.given, **given}  # also givens that no answer needs
     read = {name: unit(formulas.units[name]) for name in anything}
     parts = (x for a in (*answers.values(), *formulas.stages) for x in a.parts)
-    every = needed([*parts, *anything.values()])
+    unknowns = (x for s in formulas.systems for x in s.values.values())
+    every = needed([*parts, *anything.values(), *unknowns])
     dimensions = dimensions_of(every, {n: unit(u) for n, u in formulas.units.items()})
     own = US if any(u.is_of_feet for u in read.values()) else SI
     number = partial(_in_students_units, dimensions, system, own)
@@ -100,7 +102,7 @@ def _edits(formulas):
     }
     products = {
         s: None for s, users in users_in.items()
-        if s.op in operations.PRODUCT and s in written
+        if s.op in PRODUCT and s in written
         if s in leaves or s in entries or not _is_factor(users)
     }  # fmt: skip
     factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
@@ -112,6 +114,7 @@ def _edits(formulas):
     yield from quantities.of_ratios(named, answers, given, dimensions.get)
     yield from quantities.of_distances(given, products, dimensions.get)
     yield from quantities.of_densities(given, steps, dimensions.get)
+    yield from quantities.of_masses(steps, number, dimensions.get)
     yield from quantities.of_squares(products, number, dimensions.get)
     yield from quantities.of_sums_squared(steps)
     yield from quantities.of_differences_of_squares(steps)
@@ -149,7 +152,7 @@ def _unwritten(users_in):
     """The sums that repeat a given, and the steps used in them alone: nobody writes them."""
     found = {s for s in users_in if repeats(s)}
     for s, users in reversed(users_in.items()):
-        if s.op in (*operations.PRODUCT, "+", "-") and users and found.issuperset(users):
+        if s.op in (*PRODUCT, "+", "-") and users and found.issuperset(users):
             found.add(s)
     return found
 
@@ -165,7 +168,7 @@ def _varying(steps):
 
 def _is_factor(users):
     """True of a step whose only use is in a product."""
-    return len(users) == 1 and users[0].op in operations.PRODUCT
+    return len(users) == 1 and users[0].op in PRODUCT
 
 
 def _in_students_units(dimensions, system, own, s):
@@ -187,18 +190,23 @@ def _everywhere_and_once(s, place, slip, users):
     if kind in (givens.TWICE, givens.HALF):
         return  # of one quantity, or a factor of one term
     users = [user for user in users if user.op not in WITHIN] if len(users) > 1 else []
+    if s.op in ("+", "-"):  # the square of a sum is written once
+        products = {user for user in users if user.op in PRODUCT}
+        pairs = [{a, b} for b in products for a in steps_in(b) if a in products]
+        users = [user for user in users if not any(user in pair for pair in pairs)]
     for user in users if len(users) <= MANY and rank <= LESS else ():
         once = (user.op, *(expression if a is s else a for a in user.args))
         name = f"{kind} {s.number} {place} {user.number}"
-        more, *in_one_place = _in_one_place(cause, kind, user)
+        more, *in_one_place = _in_one_place(s, cause, kind, user)
         yield Edit(rank + more, computed(name, *in_one_place), {user.number: once})
 
 
-def _in_one_place(cause, kind, user):
+def _in_one_place(s, cause, kind, user):
     """The rank added to a slip in one use, its words and what it does: a given that is zero or of
     the other sign in one product makes the product so.
     """
-    term = described(user, "the term") if user.op in operations.PRODUCT else ""
+    is_factor = s.op == "argument" and user.op in PRODUCT
+    term = described(user, "the term") if is_factor else ""
     if term and kind == "zero":
         words = Words("leaves out {term}: it is not zero here", term=term)
         return 1, words, "", LEFT_OUT, term
@@ -295,7 +303,7 @@ def _of_stages(answers, stages, dimensions):
     """Answers that stop half way: a quantity of the same dimension, its size, a component."""
     vectors = [Stage(key, "", a.parts, key) for key, a in answers.items() if len(a.parts) == 3]
     known = {
-        s.number for s, of in dimensions.items() if of is not None or s.op not in operations.PRODUCT
+        s.number for s, of in dimensions.items() if of is not None or s.op not in PRODUCT
     }
     for key, answer in answers.items():
         named = [s for s in stages if s.means]  # the others have no words

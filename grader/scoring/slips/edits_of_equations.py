@@ -1,10 +1,11 @@
 """Slips in linear equations that are solved together: an unknown or a right side with the opposite
-sign, or left out, in one of them.
+sign, or left out, in one of them, or in finding one unknown from the others.
 """
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from functools import lru_cache
+from functools import lru_cache, reduce
+from itertools import permutations
 from typing import Any
 
 from newton_euler.algebra.language import Words
@@ -13,7 +14,7 @@ from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import Dimension
 from newton_euler.answers.causes import computed
-from newton_euler.answers.near import LESS, SIMPLE
+from newton_euler.answers.near import LEAST, LESS, SIMPLE
 
 from .edits_of_givens import LENGTH
 from .formulas import Edit, needed
@@ -29,6 +30,9 @@ ARMS = {
         "takes twice {arm} beside {term} in one equation: look for it in the figure"
     ).template,
 }
+LATER = Words("has {term} reversed in finding {unknown}: check which way it points").template
+EQUAL = Words("takes {unknown} and {other} as equal: they are two unknowns").template
+FEW = 3  # unknowns: of more, none is found from the others
 NAMELESS = re.compile(r"u_\d+")  # unknowns without a name of their own
 
 
@@ -92,6 +96,40 @@ def of_equations(
                     if isinstance(s, Step)
                 }
                 yield Edit(rank, computed(f"equations {[*instead]} {place} {n}", words), instead)
+        yield from _of_one_unknown(system, of)
+
+
+def _of_one_unknown(system, of):
+    """One unknown from one equation, the others known, with a term of it reversed, or with another
+    unknown taken as equal.
+    """
+    names, values = system.names, [to_float(system.values[n]) for n in system.names]
+    for n, (row, right) in enumerate(system.equations if len(names) <= FEW else ()):
+        a, terms = [*map(to_float, row)], [to_float(right)]
+        terms += [("*", ("neg", c), x) for c, x in zip(a, values, strict=True)]
+        there = [k for k, c in enumerate([terms[0], *a]) if isinstance(c, Step) or c != 0]
+        for k, other in permutations(there, 2):
+            x, name = values[k - 1], names[k - 1]
+            if k == 0 or not isinstance(x, Step) or NAMELESS.fullmatch(name):
+                continue
+            rest = [m for m in there if m not in (k, other)]
+            known = {y.number: y for y in values if isinstance(y, Step)}
+            term = _name((other - 1) % (len(names) + 1), right, names)
+            if term:
+                total = _sum([*(terms[m] for m in rest), ("neg", terms[other])])
+                words = Words(LATER, term=term, unknown=name)
+                cause = computed(f"{x.number} of {n} {other}", words)
+                yield Edit(LEAST, cause, {**known, x.number: ("/", total, a[k - 1])})
+            y = values[other - 1]
+            if other and isinstance(y, Step) and of(x) is not None and of(x) == of(y) and rest:
+                both = ("/", _sum([terms[m] for m in rest]), ("+", a[k - 1], a[other - 1]))
+                words = Words(EQUAL, unknown=name, other=names[other - 1])
+                cause = computed(f"equal {n} {x.number} {y.number}", words)
+                yield Edit(LESS, cause, {**known, x.number: both, y.number: both})
+
+
+def _sum(terms):
+    return reduce(lambda a, b: ("+", a, b), terms)
 
 
 def _name(column, x, names):

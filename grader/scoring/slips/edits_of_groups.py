@@ -30,7 +30,7 @@ def of_terms(steps: Sequence[Step], units: Mapping[str, str]) -> Iterator[Edit]:
     users = users_of(steps)
     alike: dict[Any, list[Step]] = {}
     for s in users:
-        ends = _sums(s, users) if s.op in PRODUCT and described(s) else 0
+        ends = _sums(s, users) if s.op in (*PRODUCT, "sqrt") and described(s) else 0
         if ends > 1:
             yield from _of_terms([s], described(s, "the term"))
         if ends and (shape := _shape(s, units)):

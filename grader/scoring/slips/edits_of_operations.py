@@ -18,7 +18,7 @@ from newton_euler.answers.near import LEAST, LESS, RARER, SIMPLE
 from .edits_of_givens import LENGTH, NO_FIT, NOT_ONE, Slip
 from .edits_of_groups import neighbours
 from .formulas import Edit, needed
-from .typed import Product, described, is_given, typed
+from .typed import Product, described, is_given, is_nothing, settled, typed
 
 AREA, INERTIA, ENERGY = Dimension(0, 2), Dimension(1, 2), Dimension(1, 2, -2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
@@ -53,8 +53,8 @@ def _of_nothing(s):
 def _of_sum(s):
     a, b = s.args
     minus = s.op == "-"
-    if minus and a is b:
-        return  # zero for every student
+    if settled(s) is not s or is_nothing(s):
+        return  # a term, or the whole, is zero for every student
     signs = (
         Words("one of the two terms there is subtracted")
         if minus
@@ -81,7 +81,7 @@ def _of_sum(s):
         for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
             yield LESS, kind, words, (s.op, *scaled), RESCALED, name
-        for factor in (4, 2, 0.5, 0.25) if not isinstance(term, Step) and term else ():
+        for factor in (4, 2, 0.5, 0.25) if not isinstance(term, Step) and abs(term) not in (0, 1) else ():
             words = Words(
                 "takes {other} for {term}: look up the number",
                 other=f"{factor * term:g}",

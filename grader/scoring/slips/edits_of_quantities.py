@@ -13,13 +13,12 @@ from newton_euler.algebra.units import Dimension
 from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, computed
 from newton_euler.answers.near import LEAST, LESS, RARER
 
-from .edits_of_givens import LENGTH, MASS, DimensionOf, Slip
+from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS, DimensionOf, Slip
 from .edits_of_operations import parts_of
 from .formulas import Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, repeats, terms_of
 
 Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
-SPEED, RATE = Dimension(0, 1, -1), Dimension(0, 0, -1)
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
 TIMES = (
     (-1.0, "", Words("takes {quantity} with the opposite sign: it points the other way")),
@@ -236,17 +235,32 @@ def of_densities(
                 yield Edit(LESS, computed(f"{name} as mass", words), {s.number: rho for s in first})
 
 
+def of_masses(
+    steps: Iterable[Step], number: Callable[[Step], Any], of: DimensionOf
+) -> Iterator[Edit]:
+    """The weights of all bodies in place of their masses, as W for W/g."""
+    masses = [s for s in steps if s.op == "/" and [*map(of, s.args)] == [FORCE, GRAVITY]]
+    if len(masses) > 1:
+        words = Words("takes the weights for masses: a mass is a weight over g")
+        instead = {s.number: ("*", s, number(s.args[1])) for s in masses}
+        yield Edit(RARER, computed("weights as masses", words), instead)
+
+
 def of_squares(
     products: Iterable[Step], number: Callable[[Step], Any], of: DimensionOf
 ) -> Iterator[Edit]:
-    """A factor, or all rates, not squared in any product."""
+    """A factor, or all of one dimension, not squared in any product."""
     squared: dict[Step, list[Step]] = {}
     for s in products:
+        inside = {part for part, _ in parts_of(s, "/")}
         for x, power in Product(s).powers.items():
-            if power == 2:
-                squared.setdefault(x, []).append(s)
+            known = squared.setdefault(x, [])
+            if power == 2 and not inside & {*known}:  # or else it is the same square
+                known.append(s)
+    squared = {x: products for x, products in squared.items() if products}
+    kinds = {of(x) for x in squared} - {None}
     groups = [[x] for x in squared]
-    groups += [[x for x in squared if of(x) == RATE]]
+    groups += [[x for x in squared if of(x) == kind] for kind in sorted(kinds, key=str)]
     for group in groups:
         lost: dict[int, Any] = {}
         for x in group:

@@ -44,6 +44,8 @@ NO_TRANSFERS = Words(
 )
 LINEAR = Words("takes {name} as small, in its first power alone: it is not small").template
 BRIEF = 16  # letters of a component that is named
+AT_G = Words("gives the moments of inertia about the centre of mass: another point is asked for")
+ITSELF = Words("does not differentiate the vector: its rate is asked for")
 SIMPLE = ("+", "-", "*", "neg", "argument", "item")
 MANY = 12  # things of a kind that a problem is built of, beyond which none is put otherwise
 
@@ -242,7 +244,8 @@ def _of_turn(parts, of):
     for other in "xyz" if own and what else "":
         for sign in ("", "-"):
             if other != own:
-                yield LESS, Words(ABOUT, what=what), (sign + other,)
+                # rarer than one given for another, whose answers it may have
+                yield LEAST + 2, Words(ABOUT, what=what), (sign + other,)
             elif sign + own != axis:
                 yield LEAST, Words(OTHER_WAY, what=what), (sign + own,)
 
@@ -259,9 +262,20 @@ def _is_body(of):
     return any(map(_is_there, of[4:]))
 
 
+def _of_matrix(parts, of):
+    if of:
+        yield RARER, AT_G, of
+
+
+def _of_rate(parts, of):
+    yield LESS, ITSELF, of
+
+
 _WAYS: Mapping[str, Callable[[Parts, Parts], Iterator[Way]]] = {
     "point": _of_components,
     "vector": _of_vector,
     "turn": _of_turn,
     "transfer": _of_transfer,
+    "matrix": _of_matrix,
+    "rate": _of_rate,
 }

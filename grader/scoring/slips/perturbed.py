@@ -31,7 +31,8 @@ class Computation:
         self.edits: list[Edit] = edits_of(formulas)
         self.ranked = Ranked([(e.rank, e.cause) for e in self.edits])
         stages = [x for stage in formulas.stages for x in stage.parts]
-        inside = [x for system in square(formulas.systems) for x in entries(system)]
+        systems = square(formulas.systems)
+        inside = [x for s in systems for x in (*entries(s), *s.values.values())]
         anew = [x for edit in self.edits for parts in edit.answers.values() for x in parts]
         self.every = needed([*self.steps, *stages, *inside, *anew, *formulas.given.values()])
         self.arguments = [s.args[0] for s in self.every if s.op == "argument"]

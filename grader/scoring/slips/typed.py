@@ -22,6 +22,7 @@ class Product:
         self._take(x, 1)
 
     def _take(self, x, power):
+        x = settled(x)
         if not isinstance(x, Step):
             self._constant(x, power)
         elif x.op in ("*", "/"):
@@ -34,6 +35,11 @@ class Product:
         elif x.op == "neg":
             self.coefficient *= (-1) ** power
             self._take(x.args[0], power)
+        elif x.op == "+" and x.args[0] is x.args[1]:
+            self.coefficient *= 2**power if power > 0 else Fraction(1, 2**-power)
+            self._take(x.args[0], power)
+        elif x.op == "sqrt" and _under_root(x) and _under_root(x)[0] < 0:
+            self._put(x, power)
         elif x.op == "sqrt" and (inside := Product(x.args[0])).is_square:
             for s, p in inside.powers.items():
                 self._put(s, power * p // 2)
@@ -108,12 +114,48 @@ def _names(x, seen):
             yield from _names(a, seen)
 
 
+def settled(x: Any) -> Any:
+    """An expression without terms that are zero for every student, as c - c."""
+    while isinstance(x, Step) and x.op in ("+", "-"):
+        a, b = x.args
+        if is_nothing(b):
+            x = a
+        elif is_nothing(a) and x.op == "+":
+            x = b
+        else:
+            break
+    return x
+
+
+def is_nothing(x: Any) -> bool:
+    """True of an expression that is zero for every student, as c - c."""
+    if not isinstance(x, Step):
+        return x == 0
+    if x.op == "*":
+        return any(map(is_nothing, x.args))
+    return (x.op == "-" and x.args[0] is x.args[1]) or (x.op == "/" and is_nothing(x.args[0]))
+
+
 def terms_of(x: Any, sign: int = 1) -> list[tuple[int, Any]]:
     """[(sign, term)] of nested sums."""
+    x = settled(x)
+    if root := _under_root(x):
+        return terms_of(root[1], sign * root[0])
     if not isinstance(x, Step) or x.op not in ("+", "-"):
         return [(sign, x)]
     a, b = x.args
     return [*terms_of(a, sign), *terms_of(b, sign if x.op == "+" else -sign)]
+
+
+def _under_root(x):
+    """(sign, sum) of the root of the square of a sum whose terms all have this sign, or None: that
+    of (-a - b)^2 is a + b.
+    """
+    square = x.args[0] if isinstance(x, Step) and x.op == "sqrt" else None
+    if not isinstance(square, Step) or square.op != "*" or square.args[0] is not square.args[1]:
+        return None
+    signs = {c > 0 for c in _collected(square.args[0]).values()}
+    return (1 if signs == {True} else -1, square.args[0]) if len(signs) == 1 else None
 
 
 def repeats(x: Any) -> bool:
@@ -125,7 +167,7 @@ def repeats(x: Any) -> bool:
 
 def _collected(x):
     """{given: its coefficient} in a sum of multiples of givens; {} of any other step."""
-    if x.op not in ("+", "-"):
+    if not isinstance(x, Step) or (x.op not in ("+", "-") and not _under_root(x)):
         return {}
     found: dict[Step, Fraction] = {}
     for sign, term in terms_of(x):
@@ -147,6 +189,7 @@ def _in_full(found):
 
 
 def _sum(x):
+    x = settled(x)
     if not isinstance(x, Step) or x.op not in ("+", "-"):
         return _product(x)
     if repeats(x):
@@ -196,6 +239,8 @@ def _atom(s):
         return f"({inside})" if (inside := _sum(s)) else ""
     if s.op == "pi":
         return "pi"
+    if _under_root(s):
+        return f"({_in_full(_collected(s))})"
     if s.op not in FUNCTIONS or not any(_names(s, {})):
         return ""  # sin(pi) is a number
     inside = [_sum(_acute(a) if s.op == "sin" else a) for a in s.args]

@@ -9,21 +9,28 @@ import pytest
 
 from grader.scoring.slips.formulas import Formulas, Stage, Traced
 from grader.scoring.slips.perturbed import Computation, Perturbed
-from newton_euler import asin
+from grader.scoring.slips.typed import typed
+from newton_euler import asin, sqrt
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI
 from tests.grader.scoring.traced import named_causes
 
 UNITS = {
     "m": "kg", "m1": "kg", "m2": "kg", "m3": "kg", "rho": "kg/m", "L": "m", "d": "m",
-    "theta": "rad", "omega": "rad/s", "n": "rev/min", "N": "rev/min", "F": "N",
+    "theta": "rad", "omega": "rad/s", "n": "rev/min", "N": "rev/min", "F": "N", "g": "m/s^2",
 }  # fmt: skip
 GIVEN = {
     "m": 2.3, "m1": 1.7, "m2": 0.9, "m3": 3.1, "rho": 0.83, "L": 1.37, "d": 0.31, "theta": 0.61,
     "omega": 3.7, "n": 12.7, "N": 5.3, "F": 71.0,
+    "g": 9.81,
 }  # fmt: skip
-m, m1, m2, m3, rho, L, d, theta, omega, n, N, F = GIVEN.values()
+m, m1, m2, m3, rho, L, d, theta, omega, n, N, F, g = GIVEN.values()
 RPM, SIN, COS = math.pi / 30, math.sin(theta), math.cos(theta)
+
+
+def abs_of(x):
+    """A size, as that of a vector of one component."""
+    return sqrt(x * x)
 
 
 CASES = {  # the right formula, its unit, and intermediate quantities, {words: formula}
@@ -40,6 +47,13 @@ CASES = {  # the right formula, its unit, and intermediate quantities, {words: f
     ),
     "root": (lambda L, d, theta, **_: theta + asin(d / L), "rad", {}),
     "legs": (lambda F, L, d, **_: F * ((L + d) / (2 * L - d)), "N", {}),
+    "hole": (lambda L, d, theta, **_: theta * d**2 * L / (theta * L**2 - theta * d**2), "m", {}),
+    "weights": (
+        lambda F, m, g, theta, **_: (F - m * g * theta) / (F / g + (m * g + F) / g), "m/s^2", {}
+    ),
+    "free": (
+        lambda F, L, d, **_: F * ((abs_of(L + d) - abs_of(d)) ** 2 - (L - abs_of(d)) ** 2), "J", {}
+    ),
 }
 
 
@@ -69,6 +83,9 @@ def named(key, wrong, slips=None):
         ("rates", (n * n * L + N * N * d) / 3600, "leaves out 2*pi in rev/min"),
         ("rates", RPM * (n * L + N * d), "does not square n and N"),
         ("spring", F * (L + d), "takes the depth for the stretch"),
+        ("hole", d * L / (L - d), "does not square d and L"),
+        ("weights", (F - m * g * theta) / (m * g + 2 * F), "takes the weights for masses"),
+        ("free", F * ((L + d) ** 2 - L**2), "leaves out the term d"),
         ("legs", F * (2 * L - d) / (L + d), "inverts the ratio of L + d to 2*L - d"),
     ],
 )
@@ -138,3 +155,25 @@ def test_a_quantity_is_turned_doubled_and_left_out_even_where_the_trace_moved_it
         found = of_vector(given, parts, "m/s", rate)
         assert words in found
         assert "the second rate" in found
+
+
+def test_terms_that_are_zero_for_everyone_and_roots_of_squares_are_written_as_a_student_does():
+    trace = Trace()
+    a, b = (trace.new("argument", name) for name in "ab")
+    nothing = trace.new("-", a, a)
+    assert typed(trace.new("*", trace.new("+", a, nothing), b)) == "a*b"
+    assert typed(abs_of(-2 * a - b) - b) == "2*a"
+    assert typed(abs_of(-2 * a - b) * a) == "(2*a + b)*a"
+    assert typed(abs_of(a - b)) == "(a - b)"
+
+
+def test_the_square_of_a_sum_is_written_once_and_a_1_is_not_looked_up():
+    trace = Trace()
+    a, b, k = (trace.new("argument", name) for name in "abk")
+    x = trace.new("-", a, b)
+    answers = {"x": Traced([k * x * x + (1 - k) * a * a], "m^2")}
+    units = {"a": "m", "b": "m", "k": "1"}
+    found = [e.cause.what for e in Computation(Formulas(answers, units, SI)).edits]
+    assert "has the term b with the opposite sign" in found
+    assert not [words for words in found if "b with the opposite sign, in one" in words]
+    assert not [words for words in found if "for the 1 of" in words]

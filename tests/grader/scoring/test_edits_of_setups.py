@@ -74,7 +74,23 @@ def swinging(a, b, M, theta):
     return {"theta_dot": sympy.sqrt(3 * a * theta / b)}
 
 
+def about_their_centre(a, b, c, r_c, l_c, x_c, rho):
+    """7/3: the matrix about the centre of mass of the block and the cylinder."""
+    masses = rho / 12**3 * np.array([a * b * c, pi * r_c**2 * l_c])
+    places = np.array([(a / 2, b / 2, c / 2), (x_c, b / 2, c + l_c / 2)])
+    G, about_O = masses @ places / masses.sum(), blocks((1, 1), a, b, c, r_c, l_c, x_c, rho)
+    moved = masses.sum() * (G @ G * np.eye(3) - np.outer(G, G)) / 144
+    return {"I_O": about_O["I_O"] - moved}
+
+
+def as_it_is(c, d, t):
+    """A/17: the cross product itself."""
+    return {"dudt": sympy.Matrix([t, t**2, c]).cross(sympy.Matrix([d * t, t**2, t**3])).T}
+
+
 CASES = {
+    "another point": ("7/3", about_their_centre, "moments of inertia about the centre of mass"),
+    "no rate": ("A/17", as_it_is, "does not differentiate the vector"),
     "a point": ("4/41", top_of_the_rim, "puts r along another axis"),
     "all transfers": ("7/3", lambda **g: blocks((0, 0), **g), "leaves out all parallel-axis terms"),
     "one transfer": ("7/3", lambda **g: blocks((1, 0), **g), "of the body with its centre at x_c"),

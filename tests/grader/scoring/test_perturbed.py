@@ -262,6 +262,24 @@ def test_rates_about_different_axes_are_added_as_numbers_and_so_are_their_own_ra
     assert [12.0, 0.0, 25.0] in [[*map(float, row)] for row in added]
 
 
+def test_an_unknown_is_found_from_the_others_with_a_sign_or_taken_as_equal_to_another():
+    """2*v - w = a and b*v + 2*w = c."""
+    unknowns = lambda a, b, c: ((c + 2 * a) / (b + 4), (2 * c - b * a) / (b + 4))
+    units, trace = {"a": "N", "b": "1", "c": "N"}, Trace()
+    a, b, c = (trace.new("argument", n) for n in "abc")
+    v, w = unknowns(a, b, c)
+    system = Solved([((2, -1), a), ((b, 2), c)], ["v", "w"], {"v": v, "w": w})
+    slips = computation({"v": Traced([v], "N")}, units, systems=[system])
+    a, b, c = 1.3, 2.3, 3.3  # of computation()
+    right, w = unknowns(a, b, c)
+    for given, words in (
+        (c / (b + 2), "takes v and w as equal"),
+        ((w - a) / 2, "has the term a reversed in finding v"),
+        ((c + 2 * w) / b, "has w reversed in finding v"),
+    ):
+        assert words in named_causes(slips, [float(f"{given:.6g}")], [right], key="v")
+
+
 @pytest.mark.parametrize("name", ["v", "u_1"])
 def test_of_equations_that_are_solved_the_entries_are_perturbed_and_not_the_elimination(name):
     """Nothing can be named about an unknown without a name of its own."""
