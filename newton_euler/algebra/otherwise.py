@@ -14,8 +14,8 @@ _change: ContextVar[Change | None] = ContextVar("change", default=None)
 
 @contextmanager
 def built_otherwise(change: Change) -> Iterator[None]:
-    """In the ``with`` block every point, vector, turn, transfer and matrix of an inertia and rate is
-    built of what ``change(kind, parts, of)`` returns in place of its ``parts``.
+    """In the ``with`` block every point, vector, rate, turn, and every transfer and matrix of an
+    inertia is built of what ``change(kind, parts, of)`` returns in place of its ``parts``.
 
     kind : "point" or "vector", whose parts are the components; "turn", with the axis as its part;
         "transfer", with the factor of the parallel-axis terms, which is 1; "matrix", with the nine

@@ -66,7 +66,7 @@ def _edits(formulas):
     anything = {**formulas.given, **given}  # also givens that no answer needs
     read = {name: unit(formulas.units[name]) for name in anything}
     parts = (x for a in (*answers.values(), *formulas.stages) for x in a.parts)
-    unknowns = (x for s in formulas.systems for x in s.values.values())
+    unknowns = (x for s in equations.square(formulas.systems) for x in s.values.values())
     every = needed([*parts, *anything.values(), *unknowns])
     dimensions = dimensions_of(every, {n: unit(u) for n, u in formulas.units.items()})
     own = US if any(u.is_of_feet for u in read.values()) else SI
@@ -302,9 +302,7 @@ def _of_angles(answers):
 def _of_stages(answers, stages, dimensions):
     """Answers that stop half way: a quantity of the same dimension, its size, a component."""
     vectors = [Stage(key, "", a.parts, key) for key, a in answers.items() if len(a.parts) == 3]
-    known = {
-        s.number for s, of in dimensions.items() if of is not None or s.op not in PRODUCT
-    }
+    known = {s.number for s, of in dimensions.items() if of is not None or s.op not in PRODUCT}
     for key, answer in answers.items():
         named = [s for s in stages if s.means]  # the others have no words
         for stage in (*named, *(vectors if len(answer.parts) == 1 else ())):

@@ -81,7 +81,9 @@ def _of_sum(s):
         for factor, kind, words in kinds if varies and not several else ():
             scaled = (("*", x, factor) if x is term else x for x in (a, b))
             yield LESS, kind, words, (s.op, *scaled), RESCALED, name
-        for factor in (4, 2, 0.5, 0.25) if not isinstance(term, Step) and abs(term) not in (0, 1) else ():
+        for factor in (
+            (4, 2, 0.5, 0.25) if not isinstance(term, Step) and abs(term) not in (0, 1) else ()
+        ):
             words = Words(
                 "takes {other} for {term}: look up the number",
                 other=f"{factor * term:g}",

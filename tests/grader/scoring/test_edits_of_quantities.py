@@ -49,10 +49,14 @@ CASES = {  # the right formula, its unit, and intermediate quantities, {words: f
     "legs": (lambda F, L, d, **_: F * ((L + d) / (2 * L - d)), "N", {}),
     "hole": (lambda L, d, theta, **_: theta * d**2 * L / (theta * L**2 - theta * d**2), "m", {}),
     "weights": (
-        lambda F, m, g, theta, **_: (F - m * g * theta) / (F / g + (m * g + F) / g), "m/s^2", {}
+        lambda F, m, g, theta, **_: (F - m * g * theta) / (F / g + (m * g + F) / g),
+        "m/s^2",
+        {},
     ),
     "free": (
-        lambda F, L, d, **_: F * ((abs_of(L + d) - abs_of(d)) ** 2 - (L - abs_of(d)) ** 2), "J", {}
+        lambda F, L, d, **_: F * ((abs_of(L + d) - abs_of(d)) ** 2 - (L - abs_of(d)) ** 2),
+        "J",
+        {},
     ),
 }
 
