@@ -13,7 +13,7 @@ from tests.website.test_practice import AXE, FAULTS, practise, typed
 from website import build, command, notebooks
 from website.build import CACHE
 
-pytestmark = pytest.mark.integration, pytest.mark.slow  # minutes
+pytestmark = [pytest.mark.integration, pytest.mark.slow]  # minutes
 
 CHAPTER = "chapters/ch09_rotors.html"
 SHOWN = (0, 27, 33)  # of its cells: the opening, a prediction, the tally
