@@ -312,7 +312,8 @@ def test_others_do_what_hung_once_and_what_hung_twice_is_named(fresh, cluster, c
         assert not [r.problem for r in results[1:] if r.problem]
         assert gradebook_rows(fresh) == gradebook_rows(course)
         hung = [x.split(": ")[0] for x in output if "finished nothing for 20 s, and the oth" in x]
-        assert len({*hung}) == len(hung) == 3
+        assert len({*hung}) == len(hung)
+        assert len(hung) in (2, 3)  # the worker that always hangs may be one of the two
         monkeypatch.setattr(grading, "READY_SECONDS", 5)
         with pytest.raises(CourseError, match=r"all workers .* hang or have died; .* are kept"):
             grade(fresh, "ch04", ["ada"], scheduler=address, report=output.append)
