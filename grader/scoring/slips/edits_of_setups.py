@@ -74,7 +74,7 @@ def of_setups(
     curved = _curved(right)
     # one component of a turn about another axis is met by other mistakes
     in_space = [key for key, x in right.items() if len(x) == 3 and sum(map(_is_there, x)) > 1]
-    for name, rank, words, find in (
+    for kind, name, rank, words, find in (
         *_otherwise(compute, things, in_space),
         *_small(compute, {n: s for n, s in given.items() if s in curved}),
     ):
@@ -85,25 +85,27 @@ def of_setups(
         same = _same(answers)
         if same not in seen and _within(answers) <= known:
             seen.add(same)
-            if name.startswith("turn"):
+            if kind == "turn":
                 answers = {key: answers[key] for key in in_space}
-            does = LEFT_OUT if name.startswith("transfer") else ""
+            does = LEFT_OUT if kind == "transfer" else ""
             yield Edit(rank, computed(name, words, "", does, words if does else ""), {}, answers)
 
 
 def _otherwise(compute, things, in_space):
-    """(name, rank, words, how to compute the answers) of one thing put otherwise, or of all
+    """(kind, name, rank, words, how to compute the answers) of one thing put otherwise, or of all
     parallel-axis terms left out.
     """
     kinds = Counter(kind for kind, _, _ in things.values())
     every = {key for key, (kind, _, of) in things.items() if kind == "transfer" and _is_body(of)}
     if len(every) > 1:
-        yield "transfers", LESS, NO_TRANSFERS, partial(_answers, compute, every, (0,))
+        find = partial(_answers, compute, every, (0,))
+        yield "transfer", "transfers", LESS, NO_TRANSFERS, find
     for n, (key, (kind, parts, of)) in enumerate(things.items()):
         if kinds[kind] > MANY or (kind == "turn" and not in_space):
             continue
         for m, (rank, words, instead) in enumerate(_WAYS[kind](parts, of)):
-            yield f"{kind} {n} {m}", rank, words, partial(_answers, compute, {key}, instead)
+            find = partial(_answers, compute, {key}, instead)
+            yield kind, f"{kind} {n} {m}", rank, words, find
 
 
 def _answers(compute, keys, instead):
@@ -118,7 +120,7 @@ def _small(compute, given):
     """The same of the givens, each as if it were small: in its first power alone."""
     for name, step in given.items():
         words = Words(LINEAR, name=name)
-        yield f"linear {name}", LEAST, words, partial(_linear, compute, name, step)
+        yield "linear", f"linear {name}", LEAST, words, partial(_linear, compute, name, step)
 
 
 def _linear(compute, name, step):
@@ -147,7 +149,10 @@ def _key(kind, parts, of):
 
 
 def _plain(x):
-    return ("#", x.number) if isinstance(x, Step) else repr(x)
+    """What is the same for two of the same value; for other kinds of number never."""
+    if isinstance(x, Step):
+        return Step, x.number
+    return (type(x), x) if x is ZERO or isinstance(x, (float, int, str)) else object()
 
 
 def _same(answers):
