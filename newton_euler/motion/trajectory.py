@@ -2,6 +2,7 @@
 which the state jumps or the model changes.
 """
 
+from itertools import pairwise
 from math import inf
 from typing import NamedTuple
 
@@ -47,6 +48,7 @@ STICKING, STICKING_PART = 100, 1e-2
 # times the round-off so far, and part of what a step may be off, from which on more round-off
 # explains why no step is possible
 ROUGHER, HINDERING = 2.0, 1e-2
+CRAWL, FEWEST = 100.0, 100  # times the shortest of so many steps: those that are repeated then
 CRAWLING = 100_000  # steps between two checks for sticking
 
 
@@ -234,8 +236,17 @@ class Trajectory:
         least = HINDERING * stepper.tolerance
         if not any(a > max(ROUGHER * b, least * scale) for a, b, scale in rows):
             return False
-        stepper.noise, self.repeated = noise, True
-        stepper.resume()
+        stepper.noise, self.repeated, times = noise, True, stepper.step_times
+        lengths = [b - a for a, b in pairwise(times)]
+        # each of the short steps that led here has lost a part of the last digit
+        short, n = CRAWL * min(lengths[-FEWEST:], default=0.0), len(lengths)
+        while n and lengths[n - 1] < short:
+            n -= 1
+        stepper.h = 0.0
+        if n < len(lengths):
+            stepper.back_to(n, ())
+        else:
+            stepper.resume()
         return True
 
     def _see(self, stepper, step, first, limit):
