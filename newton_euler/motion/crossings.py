@@ -110,9 +110,7 @@ def _last_digit(system, before, after, first, last):
     first, last : the values of :func:`choices` at the points
     """
     run, p = system.traced.compiled_choices, system.p
-    # by the states alone that are no clocks, which are as exact as the time
-    states = zip(before[1:], after[1:], system.clocks, strict=True)
-    moved, late = run(before[0], *(a if clock else b for a, b, clock in states), *p), 0.0
+    moved, late = run(before[0], *after[1:], *p), 0.0  # by the states alone
     columns = [w[k::2] for w in (first, last, moved) for k in (0, 1)]
     for a, b, c, d, u, v in zip(*columns, strict=True):
         if (a > b) != (c > d) and (u, v) != (a, b):

@@ -197,8 +197,9 @@ class Trajectory:
             try:
                 step(limit)
             except StepError as error:
-                if isinstance(error, LengthError) or not self._rougher(stepper):
+                if isinstance(error, LengthError) or not self._rougher(stepper, done):
                     raise
+                continue
             if len(stepper.step_times) > patience:
                 patience += CRAWLING
                 self._check_crawling(stepper)
@@ -222,9 +223,10 @@ class Trajectory:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
         return None
 
-    def _rougher(self, stepper):
-        """Go on where no step was possible since the rates are rougher by round-off than at the
-        start, as those of a stiff floor far from the origin; False where that is not the reason.
+    def _rougher(self, stepper, first):
+        """Go on, from one of the steps from number ``first`` on, where no step was possible since
+        the rates are rougher by round-off than at the start, as those of a stiff floor far from the
+        origin; False where that is not the reason.
         """
         if not stepper.resumable:
             return False
@@ -240,7 +242,7 @@ class Trajectory:
         lengths = [b - a for a, b in pairwise(times)]
         # each of the short steps that led here has lost a part of the last digit
         short, n = CRAWL * min(lengths[-FEWEST:], default=0.0), len(lengths)
-        while n and lengths[n - 1] < short:
+        while n > first and lengths[n - 1] < short:
             n -= 1
         stepper.h = 0.0
         if n < len(lengths):
