@@ -91,7 +91,7 @@ class Crossed(str):
         name.factors = (first, second)
         return name
 
-    def __getnewargs__(self):
+    def __getnewargs__(self) -> tuple[str, str]:
         return self.factors
 
 
