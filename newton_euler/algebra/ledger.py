@@ -86,13 +86,13 @@ class Crossed(str):
 
     factors: tuple[str, str]
 
-    def __new__(cls, first: str, second: str):
+    def __new__(cls, first: str, second: str) -> "Crossed":
         name = super().__new__(cls, f"{first} x {second}")
         name.factors = (first, second)
         return name
 
-    def __getnewargs__(self) -> tuple[str, str]:
-        return self.factors
+    def __reduce__(self):
+        return Crossed, self.factors
 
 
 class Terms(Guided, dict[str, T], Generic[T]):
