@@ -313,5 +313,8 @@ def at(f: Callable[..., Scalar], t: Scalar) -> Moving:
     try:
         return as_moving(f(Moving(t, integer_like(1, t))))
     except OverflowError as error:
-        at = short_repr(t)
-        raise RangeError(f"the function is too large for a float at {at}: {error}") from error
+        from .errors import at_a_place  # here, since it imports this module
+
+        place = f"the function is too large for a float at {short_repr(t)}"
+        at_a_place(error, RangeError, place)
+        raise
