@@ -7,7 +7,7 @@ from typing import Any
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
-from newton_euler.algebra.units import SI, US, Dimension, unit
+from newton_euler.algebra.units import SI, US, Dimension, System, unit
 from newton_euler.answers.causes import LEFT_OUT, RESCALED, REVERSED, Cause, computed
 from newton_euler.answers.near import FIRST, LEAST, LESS, RARER, SIMPLE
 
@@ -69,7 +69,7 @@ def _edits(formulas):
     unknowns = (x for s in equations.square(formulas.systems) for x in s.values.values())
     every = needed([*parts, *anything.values(), *unknowns])
     dimensions = dimensions_of(every, {n: unit(u) for n, u in formulas.units.items()})
-    own = US if any(u.is_of_feet for u in read.values()) else SI
+    own = _students([*read.values(), *(unit(a.unit) for a in answers.values())])
     number = partial(_in_students_units, dimensions, system, own)
     yield from formulas.setups
     yield from operations.of_angles(steps)
@@ -141,9 +141,21 @@ def _edits(formulas):
             yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in unwritten])
 
 
+def _students(units):
+    """The system in which a student computes: with the one unit of length of the text, as inches or
+    millimetres, if nothing in it needs another.
+    """
+    usual = US if any(u.is_of_feet for u in units) else SI
+    lengths = {u.factor for u in units if u.dimension == givens.LENGTH}
+    for own in (System(x, usual.mass) for x in lengths if len(lengths) == 1):
+        if all(u.factor == own.factor(u.dimension) for u in units if any(u.dimension.powers[:2])):
+            return own
+    return usual
+
+
 def _gravity(own, system):
     """g in base units, where the text does not give it."""
-    if own is US:
+    if own.mass == US.mass:
         return unit("ft/s^2").to_base(givens.G_OF_FEET, system)
     return unit("m/s^2").to_base(givens.G, system)
 
@@ -176,9 +188,8 @@ def _in_students_units(dimensions, system, own, s):
     that in the ``system`` in which the steps are computed.
     """
     dimension = dimensions[s]
-    if system is own or dimension is None:
-        return s
-    return ("*", s, float(system.factor(dimension) / own.factor(dimension)))
+    times = 1 if dimension is None else system.factor(dimension) / own.factor(dimension)
+    return s if times == 1 else ("*", s, float(times))
 
 
 def _everywhere_and_once(s, place, slip, users):
