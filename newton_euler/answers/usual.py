@@ -136,11 +136,12 @@ def _monomial(column, symbols):
     """The :class:`_Monomial` with these values, to the digits in which numbers are typed; None of
     another formula.
     """
-    rows = [np.broadcast_to(np.log(np.abs(x)), len(column)) for x in symbols.values()]
-    matrix = np.column_stack([np.ones(len(column)), *rows])
     with np.errstate(all="ignore"):
+        rows = [np.broadcast_to(np.log(np.abs(x)), len(column)) for x in symbols.values()]
+        matrix = np.column_stack([np.ones(len(column)), *rows])
         wanted = np.log(np.abs(column))
-    if matrix.shape[1] >= len(column) or not np.isfinite(wanted).all():
+    have_values = np.isfinite(matrix).all() and np.isfinite(wanted).all()
+    if matrix.shape[1] >= len(column) or not have_values:
         return None
     (_, *found), *_ = np.linalg.lstsq(matrix, wanted, rcond=None)
     found = (np.round(2 * np.array(found)) / 2).tolist()
@@ -148,4 +149,5 @@ def _monomial(column, symbols):
     if np.ptp(gaps) > NOISE:
         return None
     names = tuple(n for n, power in zip(symbols, found, strict=True) if power)
-    return _Monomial(math.exp(gaps.mean()), tuple(sorted(filter(None, found))), names)
+    with np.errstate(all="ignore"):  # a student may write 1e307
+        return _Monomial(float(np.exp(gaps.mean())), tuple(sorted(filter(None, found))), names)
