@@ -46,6 +46,13 @@ LINEAR = Words("takes {name} as small, in its first power alone: it is not small
 BRIEF = 16  # letters of a component that is named
 AT_G = Words("gives the moments of inertia about the centre of mass: another point is asked for")
 ITSELF = Words("does not differentiate the vector: its rate is asked for")
+VELOCITY = Words("takes a velocity for the acceleration: that is its rate")
+CONSTANT = Words("takes {what} as constant: it changes with time").template
+INNER = Words("leaves out the inner derivative {what}: the chain rule brings it in").template
+SLOPE = Words(
+    "has the wrong sign in differentiating a function of {what}: the derivative of a cosine is "
+    "minus the sine"
+).template
 SIMPLE = ("+", "-", "*", "neg", "argument", "item")
 MANY = 12  # things of a kind that a problem is built of, beyond which none is put otherwise
 
@@ -276,6 +283,25 @@ def _of_rate(parts, of):
     yield LESS, ITSELF, of
 
 
+def _of_motion(parts, of):
+    yield LEAST, VELOCITY, of
+
+
+def _of_coordinate(parts, of):
+    (r,) = parts
+    if (what := _named([r])) and any(isinstance(x, Step) for x in (r.rate, r.acceleration)):
+        yield LESS, Words(CONSTANT, what=what), (Moving(r.value),)
+
+
+def _of_chain(parts, of):
+    rate, growth, slope, curvature = parts
+    if what := _named([rate]):
+        yield LESS, Words(INNER, what=what), (1, ZERO, slope, curvature)
+    if what := _named(of):
+        for sign in (-1, 1):
+            yield LEAST, Words(SLOPE, what=what), (rate, growth, -slope, sign * curvature)
+
+
 _WAYS: Mapping[str, Callable[[Parts, Parts], Iterator[Way]]] = {
     "point": _of_components,
     "vector": _of_vector,
@@ -283,4 +309,7 @@ _WAYS: Mapping[str, Callable[[Parts, Parts], Iterator[Way]]] = {
     "transfer": _of_transfer,
     "matrix": _of_matrix,
     "rate": _of_rate,
+    "motion": _of_motion,
+    "coordinate": _of_coordinate,
+    "chain": _of_chain,
 }
