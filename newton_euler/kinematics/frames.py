@@ -164,7 +164,7 @@ class Frame:
         _ask_radians(name, angle)
         angle = moving(angle, rate, acceleration)
         _same_shape((angle,), f"the angle of {name} and its rates")
-        (axis,) = built("turn", (axis,), (angle,))
+        axis, angle = built("turn", (axis, angle))
         unit: Any
         if isinstance(axis, str) and axis.removeprefix("-") in _AXES:
             unit, angle = _AXES[axis[-1]], -angle if axis[0] == "-" else angle

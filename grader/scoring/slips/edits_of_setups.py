@@ -32,6 +32,7 @@ AT_REST = Words("leaves out the motion with {what}: that point is not at rest").
 NOT_LESS = Words("does not subtract {what}: the difference of two vectors is needed").template
 NOTHING = Words("leaves out the vector of {what}: it is not zero here").template
 DIRECTION = Words("has {term} in another direction: check the axes of what it is made of").template
+NO_TURN = Words("leaves out the turning with {what}: it goes on at this instant").template
 OTHER_WAY = Words("turns {what} the other way: look for its sense in the figure").template
 ABOUT = Words("has {what} about another axis: look for its axis in the figure").template
 NO_TRANSFER = Words(
@@ -92,7 +93,7 @@ def of_setups(
         same = _same(answers)
         if same not in seen and _within(answers) <= known:
             seen.add(same)
-            if kind == "turn":
+            if kind == "axis":
                 answers = {key: answers[key] for key in in_space}
             does = LEFT_OUT if kind == "transfer" else ""
             yield Edit(rank, computed(name, words, "", does, words if does else ""), {}, answers)
@@ -108,11 +109,11 @@ def _otherwise(compute, things, in_space):
         find = partial(_answers, compute, every, (0,))
         yield "transfer", "transfers", LESS, NO_TRANSFERS, find
     for n, (key, (kind, parts, of)) in enumerate(things.items()):
-        if kinds[kind] > MANY or (kind == "turn" and not in_space):
-            continue
-        for m, (rank, words, instead) in enumerate(_WAYS[kind](parts, of)):
-            find = partial(_answers, compute, {key}, instead)
-            yield kind, f"{kind} {n} {m}", rank, words, find
+        ways = [kind, *["axis"] * (kind == "turn" and bool(in_space))]
+        for what in ways if kinds[kind] <= MANY else ():
+            for m, (rank, words, instead) in enumerate(_WAYS[what](parts, of)):
+                find = partial(_answers, compute, {key}, instead)
+                yield what, f"{what} {n} {m}", rank, words, find
 
 
 def _answers(compute, keys, instead):
@@ -249,17 +250,21 @@ def _turned(parts, n, m, a, b):
 
 
 def _of_turn(parts, of):
-    (axis,) = parts
-    value, *rates = _scalars(of)
-    what = _named(rates[:1]) or _named([value])
+    axis, angle = parts
+    if what := _named([angle.rate]):
+        yield LEAST, Words(NO_TURN, what=what), (axis, Moving(angle.value))
+    if what := what or _named([angle.value]):
+        yield LEAST, Words(OTHER_WAY, what=what), (axis, -angle)
+
+
+def _of_axis(parts, of):
+    axis, angle = parts
+    what = _named([angle.rate]) or _named([angle.value])
     own = axis.removeprefix("-") if isinstance(axis, str) else ""
     for other in "xyz" if own and what else "":
-        for sign in ("", "-"):
-            if other != own:
-                # rarer than one given for another, whose answers it may have
-                yield LEAST + 2, Words(ABOUT, what=what), (sign + other,)
-            elif sign + own != axis:
-                yield LEAST, Words(OTHER_WAY, what=what), (sign + own,)
+        for sign in ("", "-") if other != own else ():
+            # rarer than one given for another, whose answers it may have
+            yield LEAST + 2, Words(ABOUT, what=what), (sign + other, angle)
 
 
 def _of_transfer(parts, of):
@@ -306,6 +311,7 @@ _WAYS: Mapping[str, Callable[[Parts, Parts], Iterator[Way]]] = {
     "point": _of_components,
     "vector": _of_vector,
     "turn": _of_turn,
+    "axis": _of_axis,
     "transfer": _of_transfer,
     "matrix": _of_matrix,
     "rate": _of_rate,
