@@ -21,7 +21,7 @@ def built_otherwise(change: Change) -> Iterator[None]:
         "transfer", with the factor of the parallel-axis terms, which is 1; "matrix", with the nine
         entries of an inertia; "rate", with the components of the rate of a vector in its frame, or
         of an angular acceleration; "motion", with those of the acceleration of a point;
-        "body", with its mass, its moments and its products of inertia;
+        "body", with its mass, products and moments of inertia;
         "coordinate", with the distance of a point in polar coordinates; "chain", with the rates of
         what a function is of, and the two derivatives of the function
     of : what the parts belong to: of a transfer the mass, the way and the moments of inertia at its

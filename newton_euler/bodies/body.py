@@ -50,8 +50,8 @@ class Body:
             not_negative(mass, f"the mass of {name}")
             triangle_inequality(inertia.moments, ROUNDED)
         self.frame = frame or inertia.frame
-        own = built("body", (mass, *inertia.moments, *inertia.products))
-        self.mass, moments, products = own[0], own[1:4], own[4:]
+        own = built("body", (mass, *inertia.products, *inertia.moments))
+        self.mass, products, moments = own[0], own[1:4], own[4:]
         self._inertia = inertia._like(moments, products, mass=self.mass, centre=G)
 
     def __repr__(self):

@@ -167,6 +167,8 @@ def _of_quantities(f):
     yield from quantities.of_ratios(f.named, f.answers, f.given, of)
     yield from quantities.of_distances(f.given, f.products, of)
     yield from quantities.of_densities(f.given, f.steps, of)
+    yield from quantities.of_areas(f.answers, f.steps, of)
+    yield from quantities.of_transfers(f.given, f.steps, of)
     yield from quantities.of_masses(f.steps, f.number, of)
     yield from quantities.of_squares(f.products, f.number, of)
     yield from quantities.of_sums_squared(f.steps)
@@ -308,9 +310,11 @@ def _of_differences(answers, given, stages, dimensions):
                     continue
                 more = Words("adds {name} to {key}: it alone is asked for", name=name, key=key)
                 whole, half = (Words(less.template, name=n, key=key) for n in (name, f"{name}/2"))
+                rest = Words("gives {name} less {key}: {key} is asked for", name=name, key=key)
                 for what, text, other in (
                     ("less", whole, ("-", x, step)), ("more", more, ("+", x, step)),
                     ("less half", half, ("-", x, ("*", step, 0.5))),
+                    ("rest", rest, ("-", step, x)),
                 ):  # fmt: skip
                     cause = computed(f"{what} {name} {x.number}", text)
                     yield Edit(LEAST, cause, {x.number: other})

@@ -136,8 +136,16 @@ def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Ed
 
 
 def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
-    """A length to another point: another length, or half of it, added or subtracted."""
+    """A length to another point: another length, or half of it, added or subtracted, or the other
+    side of a right angle; or in the ratio of two others.
+    """
     lengths = [n for n in given if read[n].dimension == LENGTH]
+    for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
+        squares = [("*", given[n], given[n]) for n in (name, other)]
+        words = Words("takes the slant length sqrt({name}^2 + {other}^2) for {name}: "
+                      "another distance counts", name=name, other=other)  # fmt: skip
+        slant = ("sqrt", ("+", *squares))
+        yield Edit(LEAST, computed(f"slant {name} {other}", words), {given[name].number: slant})
     for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
         for part, x in ((other, given[other]), (f"{other}/2", ("*", given[other], 0.5))):
             for op in ("+", "-"):
@@ -272,6 +280,8 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
                 found.setdefault(frozenset(steps), steps)
             yield from _of_whole_vectors(key, parts, own)
             yield from _of_factors(parts)
+            for one, other in combinations(own, 2) if len(parts) == 3 else ():
+                yield from _of_both(key, parts, one, other)
     for one, other in permutations(found.values(), 2):
         if len(one) == len(other):
             yield from _of_another_vector(one, other)
@@ -297,6 +307,20 @@ def _of_another_vector(one, other):
     for sign, pair in (("-", lambda s, t: ("-", s, t)), ("+", lambda s, t: ("-", t, s))):
         instead = {s.number: pair(s, t) for s, t in zip(one, other, strict=True)}
         yield Edit(LESS, computed(f"{a} {sign} {b}", words), instead)
+
+
+def _of_both(key, parts, one, other):
+    """The mean of two vectors, or their products in pairs, for the answer."""
+    a, b = (joined(s.args[0] for s in steps) for steps in (one, other))
+    mean = Words("takes the mean of {a} and {b} for {key}: look up what {key} stands for",
+                 a=a, b=b, key=key)  # fmt: skip
+    pairs = Words("multiplies {a} by {b}, each by each, for {key}: look up what {key} stands for",
+                  a=a, b=b, key=key)  # fmt: skip
+    for kind, words, op in ("mean", mean, "+"), ("pairs", pairs, "*"):
+        both = [(op, s, t) for s, t in zip(one, other, strict=True)]
+        both = [("*", x, 0.5) for x in both] if op == "+" else both
+        instead = {x.number: y for x, y in zip(parts, both, strict=True)}
+        yield Edit(LEAST, computed(f"{kind} {a} {b} for {key}", words), instead)
 
 
 def _of_factors(steps):

@@ -19,6 +19,8 @@ from .formulas import Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, repeats, terms_of
 
 Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
+INERTIA, MOMENT = Dimension(1, 2), Dimension(1, 1)
+FEW = 3  # moments of inertia: to more, no parallel-axis term is added
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
 TIMES = (
     (-1.0, "", Words("takes {quantity} with the opposite sign: it points the other way")),
@@ -233,6 +235,45 @@ def of_densities(
             )
             if first:
                 yield Edit(LESS, computed(f"{name} as mass", words), {s.number: rho for s in first})
+
+
+def of_areas(
+    answers: Mapping[str, Traced], steps: Iterable[Step], of: DimensionOf
+) -> Iterator[Edit]:
+    """Answers without the mass per length, area or volume: those of a line, an area, a volume."""
+    found = [s for s in steps if of(s) in DENSITIES and s.op != "argument"]
+    words = Words("leaves out the mass per length, area or volume: the moments of the mass count")
+    parts = [x for a in answers.values() for x in a.parts if isinstance(x, Step)]
+    parts = [x for x in parts if of(x) in (INERTIA, MOMENT)]
+    for rho in found if parts else ():
+        instead = {x.number: ("/", x, rho) for x in parts}
+        yield Edit(LESS, computed(f"areas {rho.number}", words), instead)
+
+
+def of_transfers(
+    given: Mapping[str, Step], steps: Iterable[Step], of: DimensionOf
+) -> Iterator[Edit]:
+    """A parallel-axis term added to a moment of inertia, or taken off, where none belongs: of a
+    given mass, or of a weight, and a given length, or half of it.
+    """
+    masses = [s for s in steps if of(s) == MASS]
+    moments = {s for s in steps if of(s) == INERTIA}
+    first = [s for s in moments if not any(a in moments for a in steps_in(s))]
+    lengths = [(n, s) for n, s in given.items() if of(s) == LENGTH]
+    some = first if len(first) <= FEW else ()  # of many bodies, a setup shows the place of each
+    for I, m, (name, d) in product(some, masses, lengths):
+        m_d = described(m)
+        for text, factor in (
+            ((f"{m_d}*{name}^2", 1.0), (f"{m_d}*({name}/2)^2", 0.25)) if m_d else ()
+        ):
+            term = ("*", ("*", ("*", m, d), d), factor)
+            more = Words("adds {term} to a moment of inertia: it is about this axis already",
+                         term=text)  # fmt: skip
+            less = Words("takes {term} off a moment of inertia: it is about this axis already",
+                         term=text)  # fmt: skip
+            for op, words in ("+", more), ("-", less):
+                cause = computed(f"{op} {text} {I.number}", words)
+                yield Edit(LEAST, cause, {I.number: (op, I, term)})
 
 
 def of_masses(

@@ -32,6 +32,7 @@ AT_REST = Words("leaves out the motion with {what}: that point is not at rest").
 NOT_LESS = Words("does not subtract {what}: the difference of two vectors is needed").template
 NOTHING = Words("leaves out the vector of {what}: it is not zero here").template
 NO_TURN = Words("leaves out the turning with {what}: it goes on at this instant").template
+ONE_TURN = Words("leaves out one of the turns of a body: all of them add to its angular velocity")
 OTHER_WAY = Words("turns {what} the other way: look for its sense in the figure").template
 ABOUT = Words("has {what} about another axis: look for its axis in the figure").template
 NO_TRANSFER = Words(
@@ -48,6 +49,7 @@ AT_G = Words("gives the moments of inertia about the centre of mass: another poi
 OF_MASS = Words("the body of mass {m}").template
 NO_BODY = Words("leaves out {body}: it counts, too").template
 AS_PARTICLE = Words("takes {body} as a particle: it has moments of inertia of its own").template
+PARTICLES = Words("takes all bodies as particles: they have moments of inertia of their own")
 NOT_CUT = Words("adds {body}, which is cut out: it is subtracted").template
 ITSELF = Words("does not differentiate the vector: its rate is asked for")
 VELOCITY = Words("takes a velocity for the acceleration: that is its rate")
@@ -107,21 +109,25 @@ def _otherwise(compute, things, in_space):
     parallel-axis terms left out.
     """
     kinds = Counter(kind for kind, _, _ in things.values())
-    every = {key for key, (kind, _, of) in things.items() if kind == "transfer" and _is_body(of)}
-    if len(every) > 1:
-        find = partial(_answers, compute, every, (0,))
-        yield "transfer", "transfers", LESS, NO_TRANSFERS, find
+    own = {key for key, (kind, _, of) in things.items() if kind == "transfer" and _is_body(of)}
+    bodies = {k for k, (kind, parts, _) in things.items() if kind == "body" and _is_body(parts)}
+    for kind, keys, words, instead in (
+        ("transfer", own, NO_TRANSFERS, lambda parts: (0,)),
+        ("body", bodies, PARTICLES, lambda parts: (parts[0], *[0] * len(parts[1:]))),
+    ):
+        if len(keys) > 1:
+            yield kind, f"every {kind}", LESS, words, partial(_answers, compute, keys, instead)
     for n, (key, (kind, parts, of)) in enumerate(things.items()):
         ways = [kind, *["axis"] * (kind == "turn" and bool(in_space))]
         for what in ways if kinds[kind] <= MANY else ():
             for m, (rank, words, instead) in enumerate(_WAYS[what](parts, of)):
-                find = partial(_answers, compute, {key}, instead)
+                find = partial(_answers, compute, {key}, lambda _, new=instead: new)
                 yield what, f"{what} {n} {m}", rank, words, find
 
 
 def _answers(compute, keys, instead):
     def change(kind, parts, of):
-        return instead if _key(kind, parts, of) in keys else parts
+        return instead(parts) if _key(kind, parts, of) in keys else parts
 
     with built_otherwise(change):
         return compute({})
@@ -215,8 +221,9 @@ def _of_components(parts, of):
 
 def _of_turn(parts, of):
     axis, angle = parts
-    if what := _named([angle.rate]):
-        yield LEAST, Words(NO_TURN, what=what), (axis, Moving(angle.value))
+    what = _named([angle.rate])
+    if any(isinstance(x, Step) for x in scalars_in([Moving(angle.rate, angle.acceleration)])):
+        yield LEAST, Words(NO_TURN, what=what) if what else ONE_TURN, (axis, Moving(angle.value))
     if what := what or _named([angle.value]):
         yield LEAST, Words(OTHER_WAY, what=what), (axis, -angle)
 
@@ -238,9 +245,9 @@ def _of_transfer(parts, of):
         yield RARER, Words(words, what=what), (0,)
 
 
-def _is_body(of):
-    """False of a particle, whose own moments of inertia are zero."""
-    return any(map(is_there, of[4:]))
+def _is_body(parts):
+    """False of a particle, whose own moments of inertia, the last of the parts, are zero."""
+    return any(map(is_there, parts[-3:]))
 
 
 def _of_matrix(parts, of):
