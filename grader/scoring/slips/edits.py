@@ -16,6 +16,7 @@ from . import edits_of_givens as givens
 from . import edits_of_groups as groups
 from . import edits_of_operations as operations
 from . import edits_of_quantities as quantities
+from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
 from .typed import Product, described, repeats
@@ -166,6 +167,7 @@ def _of_quantities(f):
     yield from quantities.of_cross_products(f.named)
     yield from quantities.of_ratios(f.named, f.answers, f.given, of)
     yield from quantities.of_distances(f.given, f.products, of)
+    yield from of_laws(f.answers, f.anything, f.read)
     yield from quantities.of_densities(f.given, f.steps, of)
     yield from quantities.of_areas(f.answers, f.steps, of)
     yield from quantities.of_transfers(f.given, f.steps, of)
