@@ -285,7 +285,7 @@ def _of_power(name, power, change):
 
 
 def _of_unchanged(answers, given, read):
-    """A given, or its half, as the answer."""
+    """A given, or its half, as the answer, or the answer with its ratio to a given inverted."""
     for key, answer in answers.items():
         own, (x, *others) = unit(answer.unit).dimension, answer.parts
         if others or not isinstance(x, Step) or own == Dimension():
@@ -298,6 +298,10 @@ def _of_unchanged(answers, given, read):
                     "takes {name} alone for {key}, as if nothing else counted", name=part, key=key
                 )
                 yield Edit(rank, computed(f"{part} for {x.number}", words), {x.number: other})
+            words = Words("inverts the ratio of {key} to {name}: it is the other way round",
+                          key=key, name=name)  # fmt: skip
+            inverted = ("/", ("*", step, step), x)
+            yield Edit(LESS, computed(f"inverted {name} {x.number}", words), {x.number: inverted})
 
 
 def _of_differences(answers, given, stages, dimensions):

@@ -4,7 +4,7 @@ one in another direction, or with its whole size along one axis; sizes added as 
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import reduce
-from itertools import chain, combinations
+from itertools import chain, combinations, product
 from operator import add
 from typing import Any
 
@@ -19,6 +19,7 @@ from .formulas import Edit
 
 DIRECTION = Words("has {term} in another direction: check the axes of what it is made of").template
 WHOLE = Words("has all of {term} along one axis: it has components along several").template
+ONE_AXIS = Words("puts all of {key} along one axis: it has components along several").template
 WITHOUT = Words("leaves out {terms}: they are not zero here").template
 ALONE = Words("gives {terms} alone: the sum has more terms").template
 SIZES = Words("adds the sizes of the terms as numbers: they are vectors in different directions")
@@ -36,12 +37,23 @@ def of_terms(
     """
     for key, v in vectors.items():
         yield from _of_vector(key, v, named, lambda c: c)
+        yield from _of_size(key, v)
     for key, v in sizes.items():
         yield from _of_vector(key, v, named, lambda c, v=v: [Vector(tuple(c), v.frame).norm()])
         there = [t for t in (v.terms or {}).values() if any(map(is_there, t.c))]
         if len(there) > 1:
             total = reduce(add, (t.norm() for t in there))
             yield Edit(LESS, computed(f"sizes of terms {key}", SIZES), {}, {key: [total]})
+
+
+def _of_size(key, v):
+    """The size of an answer along one axis: it has not been resolved."""
+    there = [n for n, x in enumerate(v.c) if is_there(x)]
+    size = v.norm() if len(there) > 1 else 0
+    for n, sign in product(range(3) if len(there) > 1 else (), (1, -1)):
+        along = [sign * size if m == n else 0 for m in range(3)]
+        words = Words(ONE_AXIS, key=key)
+        yield Edit(LEAST, computed(f"size {key} {n} {sign}", words), {}, {key: along})
 
 
 def _of_vector(key, v, named, seen):
