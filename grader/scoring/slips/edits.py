@@ -16,6 +16,7 @@ from . import edits_of_givens as givens
 from . import edits_of_groups as groups
 from . import edits_of_operations as operations
 from . import edits_of_quantities as quantities
+from .edits_of_integrals import of_integrals
 from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
@@ -150,7 +151,7 @@ def _of_givens(f):
     yield from givens.of_lengths(f.given, f.read)
     yield from givens.of_vectors(vectors)
     yield from givens.of_projections(vectors, f.given, f.read)
-    yield from operations.of_integrals(f.steps)
+    yield from of_integrals(f.steps)
     numbers = {n: s for n, s in f.given.items() if n not in f.formulas.symbols}
     yield from _of_differences(f.answers, numbers, f.formulas.stages, f.dimensions)
     masses = {n: s for n, s in numbers.items() if f.read[n].dimension == givens.MASS}

@@ -17,7 +17,7 @@ from .formulas import Edit, Traced
 MOST = 8  # givens: of more, no laws are tried
 FACTORS = 3  # in a law, beside a pure number
 POWERS = (1, -1, 2, -2)
-LAWS = 24  # for one answer: the simplest
+LAWS = 12  # for one answer: the simplest
 CONSTANTS = {1.0: "", 0.5: "1/2*", 2.0: "2*"}
 OF_ROOTS = CONSTANTS | {0.25: "1/4*", 4.0: "4*"}
 OTHER = Words("takes {law} for {key}: look up the law that gives {key}").template
