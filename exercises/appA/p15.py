@@ -15,6 +15,9 @@ def answers(triple):
     return {"triple": triple, "right_handed": lambda: "yes" if triple > 0 else "no"}
 
 
+follows = {"right_handed": lambda g, triple: answers(triple)["right_handed"]}
+
+
 def solve(g):
     _, A, B, G = vectors(g)
     return answers(A.dot(B.cross(G)))

@@ -11,6 +11,9 @@ def sense(slope):
     return "ascending" if slope > 0 else "descending"
 
 
+follows = {"sense": lambda g, slope: sense(slope)}
+
+
 def solve(g):
     slope = device.at_wall(g, device.best_slope(g))[1]
     # the height v_0^2/(2 g) - g d^2/(2 v_0^2) of 2/7 vanishes

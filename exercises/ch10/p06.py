@@ -42,6 +42,10 @@ def by_sign(along):
     return "direct" if along > 0 else "retrograde"
 
 
+# the component along OC of a spin about an axis that may point away from it
+follows = {"sense": lambda g, phi_dot: by_sign(phi_dot * cos(g.theta) * g.psi_dot)}
+
+
 def prove(g):
     """The spin for which the angular momentum is along OC, hence constant."""
     points = [

@@ -21,6 +21,9 @@ def answers(theta):
     return {"drops": lambda: "yes" if theta <= 0 else "no", "theta_min": theta}
 
 
+follows = {"drops": lambda g, theta_min: answers(theta_min)["drops"]}
+
+
 def solve(g):
     return answers(acos(cosine(g)))
 

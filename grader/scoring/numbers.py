@@ -179,7 +179,13 @@ class Numbers:
 
     def _as_written(self, key, earlier):
         numbers = [x for name in self.earlier[key] for x in _columns(earlier[name])]
-        return _traced_following(self.problem.id, key)(*self.sample.values(), *numbers)
+        follow = _traced_following(self.problem.id, key)
+        if self.problem.answer(key).kind.is_word:  # code that branches, called at every point
+            rows = np.broadcast_arrays(*self.sample.values(), *numbers)
+            at_points = zip(*(np.ravel(x).tolist() for x in rows), strict=True)
+            (word,) = {follow(*point) for point in at_points}  # ValueError of several
+            return word
+        return follow(*self.sample.values(), *numbers)
 
 
 def numbers_of(

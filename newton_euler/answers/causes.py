@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from ..algebra.language import Words, _, joined, spoken
-from .tolerance import NEARLY
+from .tolerance import NEARLY, NOISE
 
 WORDS = 30  # in a diagnosis, at most
 BRIEF = 20  # in two mistakes that are both named in full, at most
@@ -26,9 +26,10 @@ class Cause:
     worded.
 
     group : listed (a mistake of the problem's own list), omitted or term, unit, axes or turned (of
-        another frame), rate, book, exchanged, factor, slip, computed (a slip in one step), sequel
-        (the same in going on from earlier answers), both (two listed ones at once), follows (from
-        an earlier answer), seen (a remark, where nothing explains it)
+        another frame), rate, book, exchanged, factor, usual (the number of another body), slip,
+        computed (a slip in one step), sequel (the same in going on from earlier answers), both (two
+        listed ones at once), follows (from an earlier answer), seen (a remark, where nothing
+        explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
     text : its words: what was done and, after a colon, why it is wrong; :class:`Words` appear in
         the reader's language
@@ -162,6 +163,19 @@ DIAGONAL_ONLY = slip(
     "diagonal only",
     Words("leaves out every product of inertia: only the entries on the diagonal are right"),
 )
+POLAR = slip(
+    "polar",
+    Words(
+        "takes the distance to the point for each moment of inertia: that to the axis is asked for"
+    ),
+)
+PLANAR = slip(
+    "planar",
+    Words("takes the integral of x^2 for I_xx: it is that of y^2 + z^2, and so for each axis"),
+)
+GIVES_ZERO = slip(
+    "zero", Words("gives zero: what was taken as zero is not, or two terms do not cancel")
+)
 BOUNDS = slip("bounds", Words("has its bounds in the wrong order: the lower one comes first"))
 OTHER_ORDER = slip(
     "order", Words("has its components in another order: each belongs to one axis of the text")
@@ -201,16 +215,23 @@ FIRST_DIGITS = Cause(
 )
 
 
-def right_but(places: Sequence[int], length: int) -> Cause:
+def right_but(places: Sequence[int], key: Sequence[float]) -> Cause:
     """A remark: some components, or entries of a matrix, are not right; the others are."""
-    if length == 9:
-        entries = joined(_entry(*divmod(n, 3)) for n in places if n // 3 <= n % 3)
-        text = Words("all but {entries} is right", entries=entries)
+    if len(key) == 9:
+        text = Words("all but {entries} is right", entries=_entries(places, key))
     else:
         one = Words("all but its {which} component is right")
         several = Words("its {which} components are not right; the rest is")
         text = _of_places(places, one, several)
     return Cause("seen", f"right but {places}", text)
+
+
+def _entries(places, key):
+    """The names of entries of a matrix, as I_xy of an inertia matrix, which is symmetric."""
+    if all(abs(key[3 * n + m] - key[3 * m + n]) <= NOISE for n, m in ((0, 1), (0, 2), (1, 2))):
+        return joined(dict.fromkeys(_entry(*sorted(divmod(n, 3))) for n in places))
+    places = [(row + 1, column + 1) for row, column in (divmod(n, 3) for n in places)]
+    return joined(Words("row {n}, column {m}", n=n, m=m) for n, m in places)
 
 
 def reversed_components(places: Sequence[int]) -> Cause:
@@ -320,6 +341,14 @@ def bare(factor: str, large: bool) -> Cause:
     return Cause("factor", f"{factor} {how}", text)
 
 
+def usual(number: str, body: str, is_place: bool) -> Cause:
+    """The number in front is one by which another body is known."""
+    text = Words("has the number {number}, as {body} has: the body, or the axis, is another one")
+    if is_place:
+        text = Words("has the number {number}, as the centre of {body} has: look which body it is")
+    return Cause("usual", number, Words(text.template, number=number, body=body))
+
+
 def component_multiplied(places: Sequence[int], what: str, factor: float, large: bool) -> Cause:
     """Some components are off by one factor."""
     how = Words("large") if large else Words("small")
@@ -357,12 +386,14 @@ def in_this_part(cause: Cause) -> Cause:
     return here if len(words.split()) <= WORDS and here.why in words else cause
 
 
-def in_components(cause: Cause, places: Sequence[int]) -> Cause:
+def in_components(cause: Cause, places: Sequence[int], key: Sequence[float]) -> Cause:
     """The same cause in some components alone, where the others are right."""
-    which = _ordinals(places) if max(places) < len(ORDINALS) else ""
-    text = Words("in some components {cause}", cause=cause.text)
-    if which and len(places) == 1:
-        text = Words("in its {which} component {cause}", which=which, cause=cause.text)
+    if len(key) == 9:
+        text = Words("in {entries} {cause}", entries=_entries(places, key), cause=cause.text)
+    else:
+        one = Words("in its {which} component {cause}")
+        several = Words("in its {which} components {cause}")
+        text = _of_places(places, one, several, cause=cause.text)
     return replace(cause, name=f"{cause.name} in {places}", text=text)
 
 

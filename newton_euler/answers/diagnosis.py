@@ -11,6 +11,7 @@ from typing import NamedTuple
 from .causes import (
     CORIOLIS_HALVED,
     FACTOR_2,
+    GIVES_ZERO,
     LEFT_OUT,
     NO_COMPONENT,
     RESCALED,
@@ -132,6 +133,8 @@ def diagnose(
         computed = _simplest(fit, slips(fit, kind), elsewhere)
         if any(elsewhere.contradicts(h.cause) for h in general):
             computed = [h for h in computed if not elsewhere.contradicts(h.cause)]
+        if is_doubtful and max((h.level for h in computed), default=0) > _level_of(general):
+            single, general = [], []  # a mere factor, in fewer digits
         if general or _first(of_components(fit), fit, least):  # a factor, in plain words
             computed = [h for h in computed if not _is_bare(h, fit) or elsewhere.explains(h.cause)]
         if not is_doubtful:  # one mistake behind more wrong parts is likelier than several
@@ -149,14 +152,20 @@ def diagnose(
     found = found or _first(of_components(fit), fit, least)
     found = found or (_first(of_powers(fit), fit, least) if slips else ())
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
+    if not found and not any(map(any, given)) and any(map(any, key)):
+        return (GIVES_ZERO,)
     found = found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
     return found or tuple(cause for cause, x in of_none(fit) if fit(x))
+
+
+def _level_of(hits):
+    return min((h.level for h in hits), default=EXACT)
 
 
 def _says_little(cause, kind):
     """True of a cause that a slip may explain better: a factor, a zero, a formula of the book."""
     of_book = cause.group == "book" and kind.is_formula
-    return of_book or cause.group == "factor" or cause.does == NO_COMPONENT
+    return of_book or cause.group in ("factor", "usual") or cause.does == NO_COMPONENT
 
 
 def _is_bare(hit, fit):
@@ -298,6 +307,7 @@ def _stages(
     yield of(group("unit"), single)
     yield [
         *of(multiples(fit, factors), single),
+        *of(group("usual", wrong)),
         *_of_unlike_axes(group("axes"), fit),
         *_of_unlike_axes(group("turned"), fit),
     ]

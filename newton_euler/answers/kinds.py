@@ -150,10 +150,10 @@ class Kind:
         >>> KINDS["number"].observed(((1.02,),), ((1.0,),)).name
         'near'
         """
-        size = math.hypot(*key[0])
-        if slips.is_rounded(given, key):
+        size, gap = math.hypot(*key[0]), math.dist(given[0], key[0])
+        if slips.is_rounded(given, key) and gap <= tolerance.TWO_DIGITS * size:
             return FIRST_DIGITS
-        if not size or math.dist(given[0], key[0]) > tolerance.NEARLY * size:
+        if not size or gap > tolerance.NEARLY * size:
             return None
         return NEAR_IN_FEW_DIGITS if most_digits(given[0]) < tolerance.DIGITS else NEAR
 
@@ -164,7 +164,7 @@ class Kind:
         places = range(self.length)
         off = [n for n in places if any(not abs(x[n] - k[n]) <= e for x, k, e in triples)]
         right = any(abs(k[n]) > e for _, k, e in triples for n in {*places} - {*off})
-        return right_but(off, self.length) if right and off else None
+        return right_but(off, key[0]) if right and off else None
 
     # -- other numbers
 

@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..algebra.late import np
-from .causes import FACTOR_2, Cause, in_components
+from .causes import FACTOR_2, LEFT_OUT, ZERO, Cause, in_components
 from .fit import Fit, rounding, written
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
@@ -21,6 +21,7 @@ from .tolerance import NOISE, ROUND_OFF, Points
 # ranks, the simplest first; the two of a pair are equally simple, the second is made less often
 FIRST, SIMPLE, RARER, LESS, LEAST = 1, 2, 3, 4, 6
 
+FEW = 3  # slips that are named together, which give zero
 AROUND = 0.25  # of the size of an answer: where slips are counted
 ROUNDED = 1e-5  # of a number in a formula that was written in five digits
 CHANCE = 0.01  # by which a random answer may meet a slip that is named, where slips are many
@@ -120,6 +121,8 @@ class Slips:
         ranked = self.ranked(key)
         if ranked is None or fit.index is None:
             return []
+        if not any(map(any, fit.given)):
+            return self._giving_zero(key, ranked, fit)
         if not 0 < AROUND * math.hypot(*fit.first[0]) < math.inf:  # 5e-324 has no quarter
             return []
         rows = self.at(key, fit.index if kind.is_formula else 0)
@@ -138,11 +141,33 @@ class Slips:
         mixed[:, right] = [fit.first[1][n] for n in right]
         wrong = [n for n in range(len(fit.first[1])) if n not in right]
         return [
-            (level // 2, in_components(cause, wrong), _mixed(self._points(key, n), fit.key, right))
+            (
+                level // 2,
+                in_components(cause, wrong, fit.first[1]),
+                _mixed(self._points(key, n), fit.key, right),
+            )
             for n in _near(mixed, fit, kind, ranked, CHANCE_IN_ONE)
             for level, cause in (ranked.slips[n],)
             if cause.does != FACTOR_2  # named as a factor of these components
         ]
+
+    def _giving_zero(self, key, ranked, fit):
+        """The slips after which terms cancel in an answer, if few are as simple; what leaves
+        nothing of it by itself says no more than the zero.
+        """
+        noise, rows = NOISE * fit.first[2], self.at(key, fit.index if self.points(key) > 1 else 0)
+        found = [n for n, row in enumerate(rows) if max(map(abs, row)) <= noise]
+        found = [n for n in found if ranked.slips[n][1].does not in (LEFT_OUT, ZERO)]
+        found = [n for n in found if ranked.ranks[n] == min(ranked.ranks[m] for m in found)]
+        points = {n: self._points(key, n) for n in found[: FEW + 1]}
+        vanish = len(points) <= FEW and all(
+            max(map(abs, p)) <= NOISE * size
+            for own in points.values()
+            for p, size in zip(own, fit.sizes, strict=True)
+            if math.isfinite(size)
+        )
+        slips = ranked.slips
+        return [(slips[n][0] // 2, slips[n][1], fit.given) for n in points] if vanish else []
 
     def _points(self, key, place):
         """The points of an answer with one slip."""
@@ -256,7 +281,9 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
         is_met = n in few and gaps[n] <= NOISE * size
         others = few if is_met else around
         count = len({around[m] for m in others if ranked.ranks[m] <= ranked.ranks[n]})
-        share = (written_by if is_met else max(gaps[n], nearest)) / (AROUND * size)
+        # a given alone has the digits of the text
+        typed = min(written_by, fit.nearest) if ranked.ranks[n] == FIRST else written_by
+        share = (typed if is_met else max(gaps[n], nearest)) / (AROUND * size)
         limit = CHANCE_MET if is_met else CHANCE if gaps[n] <= nearest else CHANCE_ROUNDED
         few_are = beside * (1 if gaps[n] <= nearest else loosely)
         # met loosely, components are not independent evidence: slips of one body lie on a line

@@ -148,11 +148,28 @@ def _factors(fit, ratio, found):
 
 
 def of_matrix(fit: Fit) -> Models:
-    """A matrix transposed, or with products of inertia of the other sign."""
-    yield causes.TRANSPOSED, _ordered((0, 3, 6, 1, 4, 7, 2, 5, 8), fit.key)
+    """A matrix transposed; one of inertia, which is symmetric, with other moments, or products of
+    inertia of the other sign.
+    """
+    transposed = _ordered((0, 3, 6, 1, 4, 7, 2, 5, 8), fit.key)
+    yield causes.TRANSPOSED, transposed
+    if not all(map(_is_near, transposed, fit.key)):
+        return
+    for cause, own, others in (causes.POLAR, 0.5, 0.5), (causes.PLANAR, -0.5, 0.5):
+        yield cause, tuple(_with_moments(point, own, others) for point in fit.key)
     yield causes.OFF_DIAGONAL, _signed((1, -1, -1, -1, 1, -1, -1, -1, 1), fit.key)
     yield causes.DIAGONAL_ONLY, _signed((1, 0, 0, 0, 1, 0, 0, 0, 1), fit.key)
     yield from _of_one_entry(fit)
+
+
+def _is_near(point, other):
+    return math.dist(point, other) <= NOISE * math.hypot(*point)
+
+
+def _with_moments(point, own, others):
+    """A matrix in which each moment is the sum of these parts of itself and of the two others."""
+    whole = others * sum(point[::4])
+    return tuple(whole + (own - others) * x if n % 4 == 0 else x for n, x in enumerate(point))
 
 
 def _of_one_entry(fit):

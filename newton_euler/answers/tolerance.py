@@ -20,6 +20,7 @@ COMPONENT = 0.01
 ROUND_OFF = 1e-6  # an answer with all its digits is nearer than this to its own model
 NUMBER_RTOL = 6e-4  # a single number meets a wrong model by chance much sooner than a vector does
 NEARLY = 0.03  # of the size of the key: a wrong answer so near was rounded too early
+TWO_DIGITS = 0.05  # the same where it is the key in its first digits: 30 for 26.6 may be computed
 SAME_SIZE = 1e-4  # relative: the size of a vector is right although its direction is not
 ONE_VECTOR = 1e-6  # relative: components in two frames have one size, or are of two vectors
 EARLY = 1e-3  # of the size of the key: a right answer farther off was rounded too early

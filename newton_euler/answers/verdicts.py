@@ -9,8 +9,10 @@ from functools import cache, partial
 from typing import Any, Protocol
 
 from ..algebra.language import Words, _, joined, spoken
+from ..algebra.units import unit as unit_of
 from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
 from .diagnosis import Answered, Elsewhere, Model, diagnose
+from .fit import Fit
 from .forms import Form
 from .frames import Toleranced, counted
 from .messages import one_line
@@ -18,6 +20,7 @@ from .near import LESS, RARER, Slips
 from .reading import Budget
 from .tolerance import Points
 from .trees import TreeError, in_words
+from .usual import of_other_bodies
 
 NO_ANSWER = Words("no answer")
 OTHER_NUMBERS = {
@@ -179,6 +182,9 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
 def _causes(asked, given, found, numbers, *slips):
     key, wrong = _like(given, asked, numbers)
     wrong += _exchanged(asked, given, found, numbers)
+    if asked.kind.is_formula:
+        fit, of = Fit(given, key, asked.kind.rtol), unit_of(asked.unit).dimension
+        wrong += of_other_bodies(fit, of, numbers.symbols, asked.kind.is_vector)
     factors = asked.kind.factors(asked.unit)
     elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
     return diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
@@ -193,7 +199,8 @@ def _slips(asked, found, numbers):
 
     def near(fit, kind):
         slips = numbers.slips.near(asked.key, fit, kind)
-        if slips or not earlier or None in earlier.values():
+        is_zero = not any(map(any, fit.given))  # of anything that follows, too
+        if slips or is_zero or not earlier or None in earlier.values():
             return slips
         later = sequel().near(asked.key, fit, kind)
         return [(level, c.after(wrong), points) for level, c, points in later]

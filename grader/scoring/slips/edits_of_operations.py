@@ -14,6 +14,7 @@ from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import Dimension
 from newton_euler.answers.causes import LEFT_OUT, RESCALED, REVERSED, UNNAMED, computed
 from newton_euler.answers.near import LEAST, LESS, RARER, SIMPLE
+from newton_euler.answers.usual import MOMENTS as BODIES
 
 from .edits_of_givens import LENGTH, NO_FIT, NOT_ONE, Slip
 from .edits_of_groups import neighbours
@@ -33,12 +34,6 @@ RATIOS = {
 }
 RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
 CONE = Fraction(3, 10)  # others are taken for it, but it is not taken for them
-BODIES = {
-    Fraction(1): Words("a ring"), Fraction(1, 2): Words("a disk about its axis"),
-    Fraction(1, 4): Words("a disk about a diameter"), Fraction(1, 3): Words("a rod about its end"),
-    Fraction(1, 12): Words("a rod about its centre"), Fraction(2, 5): Words("a solid sphere"),
-    Fraction(2, 3): Words("a spherical shell"),
-}  # fmt: skip
 
 
 def of_operation(s: Step) -> Iterator[Slip]:

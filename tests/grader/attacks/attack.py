@@ -4,6 +4,7 @@ of every one.
 
 import json
 import textwrap
+import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -66,6 +67,11 @@ def cell_of(notebook, cell_id):
     return next(c for c in notebook["cells"] if c["id"] == cell_id)
 
 
+def cells(module):
+    """The tables of cells in the TOML file beside a module."""
+    return tomllib.loads(Path(module).with_suffix(".toml").read_text(encoding="utf-8"))
+
+
 def code(text, **flags):
     """Python in the answer cell of 4/1; $COURSE, $OUTSIDE, $MARK, $PORT and others stand for themselves."""
 
@@ -77,7 +83,6 @@ def code(text, **flags):
 
 def lie(text, **flags):
     """Python that defines ``Lie``, an instance of which is the answer to everything asked."""
-    text = textwrap.dedent(text)
     both = {
         "answer-4-1": f"{text}\nspeed = acc_mag = Lie()",
         "answer-4-16": f"{text}\nalpha_CD = v_D = a_D = Lie()",

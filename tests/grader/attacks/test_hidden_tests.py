@@ -3,6 +3,8 @@ student's own process cannot promise.
 """
 
 import sys
+import tomllib
+from pathlib import Path
 
 import pytest
 
@@ -27,53 +29,13 @@ def outcome(harvester, text, hidden=HIDDEN, **limits):
     return run_caged(harvester, notebook(text, hidden), **limits)["tests"]["t"]
 
 
-FORGED = {  # each with a wrong answer, made without knowledge of the cage's code
-    "written ahead, to all files": f"""
-        {WRONG}
-        import os
-        for fd in range(3, 64):
-            try: os.write(fd, b'{{"error": null, "value": 4}}\\n' * 20)
-            except OSError: pass
-    """,
-    "written by the answer": """
-        def square(x):
-            import os
-            for fd in range(3, 64):
-                try: os.write(fd, b'\\n{"token": "", "error": null, "value": 4.0}\\n')
-                except OSError: pass
-            os._exit(0)
-    """,
-    "the process ends": "def square(x):\n    import os\n    os._exit(0)",
-    "SystemExit": "def square(x): raise SystemExit(0)",
-    "a process that ends well": "def square(x):\n    import sys\n    sys.exit()",
-    "never returns": "def square(x):\n    while True: pass",
-    "kills who waits": "def square(x):\n    import os, signal\n    os.kill(os.getppid(), signal.SIGKILL)",
-    "assertions that are not": f"{WRONG}\nimport builtins\nbuiltins.AssertionError = Warning",
-    "optimised away": f"{WRONG}\nimport sys\n__debug__1 = False\nsys.flags = None",
-    "another compile": f"{WRONG}\nimport builtins\nbuiltins.compile = lambda *_, **__: compile('1', '', 'eval')",
-    "another ast": f"{WRONG}\nimport ast\nast.parse = lambda *_: compile('4', '', 'exec', ast.PyCF_ONLY_AST)",
-    "an audit hook": f"""
-        {WRONG}
-        import sys
-        def hook(event, arguments):
-            if event in ("compile", "exec"): raise KeyboardInterrupt
-        sys.addaudithook(hook)
-    """,
-    "a profile of the test": f"{WRONG}\nimport sys\nsys.setprofile(lambda *_: 1 / 0)",
-    "a display hook": f"{WRONG}\nimport sys\nsys.displayhook = sys.excepthook = lambda *_: 4",
-    "no answer": "del_this = 1",
-}
+FORGED = tomllib.loads(Path(__file__).with_name("forged.toml").read_text())["cells"]
 
 
 @pytest.mark.parametrize("how", FORGED)
 def test_a_forged_outcome_earns_nothing(harvester, how):
-    found = outcome(harvester, _dedented(FORGED[how]), seconds=8, cell_seconds=1)
+    found = outcome(harvester, FORGED[how].replace("$WRONG", WRONG), seconds=8, cell_seconds=1)
     assert found["error"] is not None, found
-
-
-def _dedented(text):
-    """Without the indentation of this file, which the one line put in does not have."""
-    return "\n".join(line.removeprefix(8 * " ") for line in text.splitlines())
 
 
 LEAKS = {  # how code called by the test tries to pass on what it sees; ``caught`` is the text

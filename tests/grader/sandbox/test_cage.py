@@ -5,6 +5,7 @@ without privileges, and without a cage.
 import os
 import sys
 import time
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -26,37 +27,10 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Lin
 
 # -- out of reach: each is a question to which the cage answers False
 
+CELLS = tomllib.loads(Path(__file__).with_name("cells.toml").read_text())
 REACH = {
-    "the repository": f"x = os.path.exists({str(REPOSITORY / 'grader')!r}) or "
-    f"os.path.exists({str(REPOSITORY / 'exercises')!r})",
-    "the exercises": "import exercises; x = 1",
-    "the folder of the repository": f"x = 'exercises' in os.listdir({str(REPOSITORY)!r})",
-    "the home of the instructor": f"x = len(set(os.listdir({str(Path.home())!r})) - "
-    "{'.pyenv', '.local', 'miniconda3', '.venv'})",
-    "proc": "x = os.path.exists('/proc/1') or os.path.exists('/proc/self')",
-    "sys": "x = os.path.exists('/sys/kernel')",
-    "the network": "socket.create_connection(('127.0.0.1', 22), 1); x = 1",
-    "any network but lo": "x = len(socket.if_nameindex()) > 1",
-    "unix sockets by path": "socket.socket(socket.AF_UNIX).connect('/var/run/docker.sock'); x = 1",
-    "its parents": "x = os.getppid() > 1",  # 1 is the first process of its own namespace
-    "other processes": "x = sum(works(os.kill, n, 0) for n in range(2, 3000) if n != os.getpid())",
-    "root": "x = os.getuid() == 0 or os.geteuid() == 0",
-    "capabilities": "d = (ctypes.c_uint32 * 6)()\n"
-    "libc.capget((ctypes.c_uint32 * 2)(0x20080522, 0), d)\nx = sum(d)",
-    "writing beside its folder": "x = sum(works(open, p + '/probe', 'w') for p in "
-    "('/', '/usr/lib', '/lib', os.path.dirname(os.__file__), '/dev', '/etc'))",
-    "a writable engine": "import newton_euler\nplace = os.path.dirname(newton_euler.__file__)\n"
-    "libc.mount(None, place.encode(), None, ctypes.c_ulong(32 | 4096), None)\n"
-    "open(place + '/probe', 'w'); x = 1",
-    "user namespaces": "x = libc.unshare(0x10000000) == 0",
-    "the first process": "x = libc.ptrace(16, 1, 0, 0) == 0",
-    "a new mount": "x = libc.mount(b'none', b'/tmp', b'tmpfs', ctypes.c_ulong(0), None) == 0",
-    "privileges of other programs": "x = libc.prctl(39, 0, 0, 0, 0) != 1",
-    "the environment": "x = sum('SECRET' in k or 'TOKEN' in k for k in os.environ)",
-    # one is the pipe for receipts
-    "open files": "x = sum(works(os.fstat, fd) for fd in range(3, 256)) - 1",
-    "what was written before": "x = os.path.exists('/tmp/left-behind')\n"
-    "open('/tmp/left-behind', 'w').close()",
+    name: text.replace("$REPOSITORY", str(REPOSITORY)).replace("$HOME", str(Path.home()))
+    for name, text in CELLS["reach"].items()
 }
 SETUP = """
 import ctypes, os, socket
@@ -111,42 +85,9 @@ def test_nothing_in_the_cage_holds_a_key_or_the_exchange(harvester):
     assert answer(harvester, cell, seconds=40, cell_seconds=30) == 0.0
 
 
-# -- what a submission may do to itself and nobody else; more in attacks/tables/machine.py
+# -- what a submission may do to itself and nobody else
 
-ENDINGS = {
-    "ends Python": "import os; os._exit(0)",
-    "kills everybody": "import os, signal; os.kill(-1, signal.SIGKILL); x = 1",
-    "kills its group": "import os, signal; os.killpg(0, signal.SIGKILL); x = 1",
-    "stops its group": "import os, signal; os.kill(0, signal.SIGSTOP); x = 1",
-    "signals pid 1": "import os\nfor n in range(1, 65):\n    try: os.kill(1, n)\n    except OSError: pass\nx = 1",
-    "writes to all files": "import os\nfor fd in range(3, 256):\n    try: os.write(fd, b'forged\\n' * 100)\n    "
-    "except OSError: pass",
-    "aborts": "import os; os.abort()",
-    "recursion": "def f(n): return f(n + 1)\nx = f(0)",
-    "recursion without end": "import sys\nsys.setrecursionlimit(10**9)\ndef f(n): return f(n + 1)\nx = f(0)",
-    "memory in pieces": "x = []\nwhile True: x.append(bytearray(2**26))",
-    "open files": "x = []\nwhile True: x.append(open('/dev/null'))",
-    "fork bomb": "import os\nwhile True:\n    try: os.fork()\n    except OSError: pass",
-    "daemon": "import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        "
-    "time.sleep(1000)\n    os._exit(0)\nx = 1",
-    "no death with its parent": "import ctypes, time; ctypes.CDLL(None).prctl(1, 0, 0, 0, 0); time.sleep(1000)",
-    "stops itself": "import os, signal; os.kill(os.getpid(), signal.SIGSTOP); x = 1",
-    "endless loop": "while True: pass",
-    "endless loop that catches everything": "n = 0\nwhile True:\n    try:\n        while True:\n            n += 1\n    except "
-    "BaseException: pass",
-    "endless in C": "x = 10**10**8",
-    "sleeps": "import time; time.sleep(1000)",
-    "floods the receipts": "import os\nwhile True:\n    for fd in range(3, 20):\n        try: os.write(fd, b'x' * "
-    "65536)\n"
-    "        except OSError: pass",
-    "deep json": "import os\nline = b'{\"id\": \"0/1\", \"answers\": ' + b'[' * 985 + b']' * 985 + "
-    "b'}\\n'\nfor fd in range(3, 20):\n"
-    "    try: os.write(fd, line)\n    except OSError: pass",
-    "rewrites builtins": "import builtins, json, os\njson.dumps = None\nos.write = None\nbuiltins.len = lambda "
-    "*_: -1\nx = 1",
-    "an error that fails to print": "class E(Exception):\n    def __str__(self): raise E()\nraise E()",
-    "half characters": "raise ValueError('\\ud800')",
-}
+ENDINGS = CELLS["endings"]
 
 
 # what stops the cells that do not end by themselves; the others have enough time

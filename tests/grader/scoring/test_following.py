@@ -104,13 +104,16 @@ def test_the_key_follows_from_the_key(p, key):
     for n in range(10):
         numbers = numbers_of(p, draw(p, f"following {n}".encode()))
         earlier = {name: rows(numbers.key[name]) for name in earlier_answers(p)[key]}
+        if p.answer(key).kind.is_word:
+            assert numbers.following(key, numbers.key) == numbers.key[key]
+            continue
         found = follow(p, key, numbers.sample, earlier)
         for x, right in zip(found, rows(numbers.key[key]), strict=True):
             size = np.linalg.norm(np.array(rows(numbers.key[key])))
             assert np.abs(x - right).max() <= 1e-9 * size
 
 
-NUMERIC = [(p, key) for p, key in FOLLOWING if not p.symbolic]
+NUMERIC = [(p, key) for p, key in FOLLOWING if not (p.symbolic or p.answer(key).kind.is_word)]
 
 
 @pytest.mark.parametrize(("p", "key"), NUMERIC, ids=[f"{p.id} {k}" for p, k in NUMERIC])

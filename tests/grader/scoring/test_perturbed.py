@@ -144,7 +144,9 @@ def of_three(given):
 
 
 def test_a_slip_in_some_components_alone_is_named_there():
-    assert "in some components takes c for a" in of_three([C / 3 + C / 2, C / 2, None])
+    assert "in its first and second components takes c for a" in of_three(
+        [C / 3 + C / 2, C / 2, None]
+    )
     assert "in some" not in of_three([C / 3 + C / 2, C / 2, math.hypot(C, C)])
 
 

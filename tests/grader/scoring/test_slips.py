@@ -44,8 +44,8 @@ def slips_of(right, kind, stated_in):
         yield "factor", f"{words} too large", [factor * x for x in right]
         yield "factor", f"{words} too small", [x / factor for x in right]
     yield "all signs", "opposite sign", [-x for x in right]
-    for digits in (1, 2):
-        # a single number may have lost its zeros
+    for digits in (1, 2) if len(there) > 1 else (2,):
+        # a single number may have lost its zeros; in one digit it may be another model's
         words = "too far" if len(there) > 1 else "in one or two digits only"
         yield "rounded", words, [float(f"{x:.{digits}g}") if x else x for x in right]
     if kind != "vector":

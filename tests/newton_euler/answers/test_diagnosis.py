@@ -2,14 +2,17 @@
 
 import math
 
+import numpy as np
 import pytest
 
+from newton_euler.algebra.units import Dimension
 from newton_euler.answers import causes
 from newton_euler.answers.diagnosis import Answered, Elsewhere, diagnose
 from newton_euler.answers.fit import EXACT, LOOSE, Fit
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.slips import factors
 from newton_euler.answers.tolerance import FORMULA_RTOL
+from newton_euler.answers.usual import of_other_bodies
 
 KEY = ((3.0, 4.0, 0.0),)
 MODEL = ((3.0, -4.0, 0.0),)
@@ -116,6 +119,8 @@ TURN = ((0.8, -0.6, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0),)
         ("matrix", ((0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0),), TURN, causes.TRANSPOSED),
         ("matrix", ((4, 1, -0.5, 1, 5, -2, -0.5, -2, 6),), INERTIA, causes.OFF_DIAGONAL),
         ("matrix", ((4, -1, 0, -1, 5, 2, 0, 2, 6),), INERTIA, causes.entry_left_out(0, 2)),
+        ("matrix", ((7.5, -1, 0.5, -1, 7.5, 2, 0.5, 2, 7.5),), INERTIA, causes.POLAR),
+        ("matrix", ((3.5, -1, 0.5, -1, 2.5, 2, 0.5, 2, 1.5),), INERTIA, causes.PLANAR),
         ("matrix", ((4, -1, 0.5, -1, 5, -2, 0.5, -2, 6),), INERTIA, causes.entry_reversed(1, 2)),
         (
             "matrix",
@@ -240,7 +245,7 @@ def test_components_in_two_digits_are_rounded_too_far():
 
 
 def test_a_zero_vector_does_not_leave_out_one_component():
-    assert diagnose(((0.0, 0.0, 0.0),), ((3.0, 0.0, 0.0),), []) == ()
+    assert diagnose(((0.0, 0.0, 0.0),), ((3.0, 0.0, 0.0),), []) == (causes.GIVES_ZERO,)
 
 
 def test_a_formula_fits_as_loosely_as_at_its_worst_point():
@@ -262,12 +267,12 @@ def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
 @pytest.mark.parametrize(
     ("kind", "given", "key", "remark"),
     [
-        ("vector", ((3.0, 4.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([2], 3)),
+        ("vector", ((3.0, 4.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([2], (1, 2, 3))),
         ("vector", ((3.0, 4.0, 1.0),), ((0.0, 0.0, 1.5),), None),
-        ("vector", ((3.0, 7.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([1, 2], 3)),
-        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 1),), INERTIA, causes.right_but([8], 9)),
+        ("vector", ((3.0, 7.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([1, 2], (1, 2, 3))),
+        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 1),), INERTIA, causes.right_but([8], INERTIA[0])),
         ("vector_expression", ((1.0, 2.0, 3.0), (2.0, 5.0, 7.0)),
-         ((1.0, 2.0, 4.0), (2.0, 5.0, 6.0)), causes.right_but([2], 3)),
+         ((1.0, 2.0, 4.0), (2.0, 5.0, 6.0)), causes.right_but([2], (1, 2, 3))),
         ("expression", ((1.1,), (2.2,), (3.3,)), ((1.0,), (2.0,), (3.0,)), causes.NUMBERS),
         ("expression", ((1.1,), (2.2,), (3.4,)), ((1.0,), (2.0,), (3.0,)), None),
         ("expression", ((0.0,), (0.0,)), ((1.0,), (2.0,)), None),
@@ -279,5 +284,24 @@ def test_the_right_part_of_a_wrong_answer_is_named(kind, given, key, remark):
 
 
 def test_a_remark_on_two_components_is_in_the_plural():
-    remark = causes.right_but([1, 2], 3)
+    remark = causes.right_but([1, 2], (1, 2, 3))
     assert remark.text == "its second and third components are not right; the rest is"
+
+
+def test_a_formula_with_the_number_of_another_body_hears_which_body_that_is():
+    """A moment of inertia m h^2/18, and the centre of half a disk; what is no such formula."""
+    m, h = np.array([1.0, 2.0, 3.0, 5.0]), np.array([0.3, 1.5, 0.7, 2.0])
+    rows = lambda *columns: tuple(zip(*(x.tolist() for x in columns), strict=True))
+    found = lambda given, key, of, place=False: [
+        cause.name
+        for cause, _ in of_other_bodies(Fit(given, key, FORMULA_RTOL), of, {"m": m, "h": h}, place)
+    ]
+    inertia, plate = Dimension(1, 2), rows(m * h**2 / 18)
+    assert found(rows(m * h**2 / 12), plate, inertia) == ["1/12"]
+    assert found(rows(m * h**2 / 13), plate, inertia) == []
+    assert found(rows(m * h**3 / 12), rows(m * h**3 / 18), inertia) == []
+    assert found(rows(m * h**2 / 12), rows(m * h**2 / 18 + h), inertia) == []
+    centre, solid = (rows(0 * h, x * h) for x in (4 / (3 * np.pi), 3 / 8))
+    assert found(solid, centre, Dimension(0, 1), True) == ["3/8"]
+    assert found(centre, solid, Dimension(0, 1), True) == ["4/(3*pi)"]
+    assert found(rows(0 * h, h), solid, Dimension(0, 1), True) == []

@@ -1,6 +1,8 @@
 """What works in a notebook works in the cage: each cell as IPython runs it, and as we do."""
 
 import sys
+import tomllib
+from pathlib import Path
 
 import pytest
 
@@ -9,54 +11,7 @@ from tests.grader.sandbox.jobs import answer, job, own, problem, run_caged
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
 
-WORKS = {  # in a notebook x is then 42
-    "display": "x = 42\ndisplay(x)",
-    "display by import": "from IPython.display import Math, display\ndisplay(Math('x'))\nx = 42",
-    "help": "import numpy as np\nnp.cross?\nx = 42",
-    "help before": "?len\nx = 42",
-    "source": "len??\nx = 42",
-    "search": "*int*?\nx = 42",
-    "a line magic": "%matplotlib inline\nx = 42",
-    "a magic after code": "x = 42\n%who",
-    "an assigned magic": "place = %pwd\nx = 42",
-    "time": "%time x = 42",
-    "time of a value": "x = %time 6 * 7",
-    "time it": "def f(): return 1\n%timeit -n 10 -r1 f()\nx = 42",
-    "time it changes things": "seen = []\n%timeit -n1 seen.append(1)\nx = 41 + bool(seen)",
-    "a timed cell": "%%time\nx = 6\nx = x * 7",
-    "a timed cell with an option": "%%time --no-raise-error\nx = 42",
-    "a captured cell": "%%capture\nprint(1)\nx = 42",
-    "a captured cell with a name": "%%capture said\nx = 42",
-    "a profiled cell": "%%prun\nx = 42",
-    "a shell command": "!ls\nx = 42",
-    "output of a shell command": "files = !ls\nx = 42 + len(files)",
-    "a shell command in a block": "if True:\n    !ls\n    x = 42",
-    "a magic in a function": "def f():\n    %matplotlib inline\n    return 42\nx = f()",
-    "get_ipython": "get_ipython().run_line_magic('matplotlib', 'inline')\nx = 42",
-    "get_ipython and something rare": "get_ipython().events.register('post_execute', int)\nx = 42",
-    "await": "import asyncio\nawait asyncio.sleep(0)\nx = 42",
-    "await a value": "async def f(): return 42\nx = await f()",
-    "async for": "async def f():\n    yield 42\nasync for x in f(): pass",
-    "await at the end": "async def f():\n    global x\n    x = 42\nawait f()",
-    "a line that begins with %": "x = (1042\n% 100)",
-    "a line that begins with !=": "x = (42 if 3\n!= 4 else 1)",
-    "percent in a text": "text = '''\n%time\n!ls\n'''\nx = 42 if '%time' in text and '!ls' in text else 0",
-    "a question in a comment": "x = 42  # is it?",
-    "pasted with prompts": ">>> x = 42\n>>> x\n42",
-    "pasted from IPython": "In [1]: x = 42\n   ...: y = 3",
-    "indented": "    x = 42\n    y = 1",
-    "a formfeed": "x = 42\x0c\n",
-    "a dataclass": "from dataclasses import dataclass\n@dataclass\nclass A:\n    x: 'float'\nx = A(42).x",
-    "pickle": "import pickle\nclass A: pass\npickle.dumps(A())\nx = 42",
-    "main": "if __name__ == '__main__': x = 42",
-    "the source of a function": "import inspect\ndef f(): return 42\nx = f() * ('42' in inspect.getsource(f))",
-    "a plot": "import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.show()\nx = 42",
-    "pretty printing": "from sympy import Symbol, init_printing\ninit_printing()\nSymbol('q')\nx = 42",
-    "a widget": "from ipywidgets import interact\ninteract(lambda a: a, a=(0, 10))\nx = 42",
-    "threads": "from concurrent.futures import ThreadPoolExecutor\nwith ThreadPoolExecutor(4) as p: x = sum(p.map(int, [40, 2]))",
-    "only a comment after": "x = 42\n# %time\n",
-    "pylab": "%pylab inline\nx = float(array([40, 2]).sum())",
-}
+WORKS = tomllib.loads(Path(__file__).with_name("cells.toml").read_text())["works"]
 
 
 @pytest.mark.parametrize("what", WORKS)
