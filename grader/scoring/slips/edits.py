@@ -170,7 +170,7 @@ def _of_quantities(f):
     yield from quantities.of_distances(f.given, f.products, of)
     yield from of_laws(f.answers, f.anything, f.read)
     yield from quantities.of_densities(f.given, f.steps, of)
-    yield from quantities.of_areas(f.answers, f.steps, of)
+    yield from quantities.of_areas(f.answers, f.given, f.steps, of)
     yield from quantities.of_transfers(f.given, f.steps, of)
     yield from quantities.of_masses(f.steps, f.number, of)
     yield from quantities.of_squares(f.products, f.number, of)

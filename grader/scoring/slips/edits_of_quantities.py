@@ -4,7 +4,7 @@ for a distance, a density for a mass, rates that turn the other way.
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
-from itertools import combinations, product
+from itertools import combinations, combinations_with_replacement, product
 from typing import Any
 
 from newton_euler.algebra.language import Words, joined
@@ -238,16 +238,23 @@ def of_densities(
 
 
 def of_areas(
-    answers: Mapping[str, Traced], steps: Iterable[Step], of: DimensionOf
+    answers: Mapping[str, Traced], given: Mapping[str, Step], steps: Iterable[Step], of: DimensionOf
 ) -> Iterator[Edit]:
-    """Answers without the mass per length, area or volume: those of a line, an area, a volume."""
-    found = [s for s in steps if of(s) in DENSITIES and s.op != "argument"]
+    """Answers without the mass per length, area or volume: those of a line, an area, a volume.
+    A given mass may be spread over a given length, a rectangle, a triangle.
+    """
     words = Words("leaves out the mass per length, area or volume: the moments of the mass count")
     parts = [x for a in answers.values() for x in a.parts if isinstance(x, Step)]
     parts = [x for x in parts if of(x) in (INERTIA, MOMENT)]
-    for rho in found if parts else ():
+    found: list[Any] = [s for s in steps if of(s) in DENSITIES and s.op != "argument"]
+    masses, lengths = ([s for s in given.values() if of(s) == kind] for kind in (MASS, LENGTH))
+    for m in masses if len(masses) == 1 else ():
+        found += [("/", m, d) for d in lengths]
+        areas = [("*", a, b) for a, b in combinations_with_replacement(lengths, 2)]
+        found += [("/", ("/", m, area), share) for area in areas for share in (1.0, 0.5)]
+    for n, rho in enumerate(found if parts else ()):
         instead = {x.number: ("/", x, rho) for x in parts}
-        yield Edit(LESS, computed(f"areas {rho.number}", words), instead)
+        yield Edit(LESS, computed(f"areas {n}", words), instead)
 
 
 def of_transfers(

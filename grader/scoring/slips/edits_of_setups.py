@@ -116,7 +116,7 @@ def _otherwise(compute, things, in_space):
         ("body", bodies, PARTICLES, lambda parts: (parts[0], *[0] * len(parts[1:]))),
     ):
         if len(keys) > 1:
-            yield kind, f"every {kind}", LESS, words, partial(_answers, compute, keys, instead)
+            yield kind, f"every {kind}", RARER, words, partial(_answers, compute, keys, instead)
     for n, (key, (kind, parts, of)) in enumerate(things.items()):
         ways = [kind, *["axis"] * (kind == "turn" and bool(in_space))]
         for what in ways if kinds[kind] <= MANY else ():
@@ -264,7 +264,7 @@ def _of_body(parts, of):
     words = described(mass)
     body = Words(OF_MASS, m=words) if words else ""
     if body and any(map(is_there, own)):
-        yield LESS, Words(AS_PARTICLE, body=body), (mass, *[0] * len(own))
+        yield RARER, Words(AS_PARTICLE, body=body), (mass, *[0] * len(own))
     if body:
         yield LESS, Words(NO_BODY, body=body), (0,) * len(parts)
     if body and isinstance(mass, Step) and mass.op == "neg":
