@@ -7,6 +7,7 @@ from typing import Any
 
 from newton_euler.algebra.units import unit
 from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.sanity import QUANTITIES
 
 from .errors import meant
 from .model import Answer, CatalogueError, Chapter, Given, Problem, Symbol, place
@@ -86,7 +87,7 @@ def _symbol(name, s):
 
 
 def _answer(a):
-    optional = ("unit", "of", "atol", "weight", "follow_through", "symbol", "because")
+    optional = ("unit", "of", "atol", "weight", "follow_through", "symbol", "because", "quantity")
     _check_keys(a, "an answer", ("key", "kind", "means"), optional)
     key, name, of, atol = _text(a, "key"), _text(a, "kind"), a.get("of", []), a.get("atol", 1e-6)
     _require(name in KINDS, f"{key}: kind {name!r} is not one of {', '.join(sorted(KINDS))}")
@@ -113,10 +114,14 @@ def _answer(a):
     numbers = float(atol), float(weight), float(follow)
     because = _text(a, "because") if "because" in a else ""
     _require(kind.has_options or not because, f"{key}: because is for a choice; this is a {kind}")
-    means, latex = _text(a, "means"), _latex(key, a)
-    return Answer(
-        key, kind, _unit(key, a), means, tuple(of), *numbers, latex=latex, because=because
+    quantity = _text(a, "quantity") if "quantity" in a else ""
+    _require(
+        not quantity or (quantity in QUANTITIES and kind.length == 1),
+        f"{key}: quantity is {' or '.join(QUANTITIES)}, of one number or formula; "
+        f"this is {quantity}, a {kind}",
     )
+    read = _unit(key, a), _text(a, "means"), tuple(of), *numbers
+    return Answer(key, kind, *read, latex=_latex(key, a), because=because, quantity=quantity)
 
 
 def _step(key, s):

@@ -24,7 +24,7 @@ from newton_euler.algebra.trace import Step, Trace
 from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 
-FEW = 7  # words that say what a quantity is
+FEW, MORE = 7, 11  # words that say what a given is, and what a step is, which has no other name
 
 
 def perturbed(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
@@ -217,7 +217,7 @@ def _with_zeros(parts):
 
 def _named(step):
     """What a step is, in a few words: its name does not occur in the text."""
-    if brief := _brief(spoken(step.means)):
+    if brief := _brief(spoken(step.means), MORE):
         owner, _, rest = brief.partition(" ")
         if owner in ("its", "their"):  # refers to the step before
             return Words("the {what}", what=f"{rest} {step.key}")
@@ -229,11 +229,11 @@ def _means(p):
     return {n: _brief(q.means) for n, q in p.givens.items()}
 
 
-def _brief(means):
+def _brief(means, most=FEW):
     """The first words of a meaning, as "mass" of "mass, W/g"; "" if they are long."""
     first = re.split("[,;:=]", re.sub(r"(?<!\bof )\(.*", "", means))[0].strip()
     is_whole = not re.search(r"[$\\{]|[-+*/]$", first)
-    return first if len(first.split()) <= FEW and is_whole else ""
+    return first if len(first.split()) <= most and is_whole else ""
 
 
 def _where(p, step):

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
+from .by_component import of_each_component
 from .causes import (
     CORIOLIS_HALVED,
     FACTOR_2,
@@ -155,6 +156,7 @@ def diagnose(
     if not found and not any(map(any, given)) and any(map(any, key)):
         return (GIVES_ZERO,)
     found = found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
+    found = found or (of_each_component(fit, kind, wrong, slips) if slips else ())
     return found or tuple(cause for cause, x in of_none(fit) if fit(x))
 
 

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 from weakref import WeakValueDictionary, ref
 
 from ..algebra.jets import DERIVED, Moving, moving
-from ..algebra.ledger import Ledger
+from ..algebra.ledger import Crossed, Ledger
 from ..algebra.names import guided
 from ..algebra.otherwise import built
 from ..algebra.scalars import (
@@ -392,7 +392,7 @@ class Frame:
 
     def _alpha_terms(self, observer):
         pairs = combinations(self._omega_terms(observer), 2)
-        crossed = [(f"{n} x {m}", u.cross(v)) for (n, u), (m, v) in pairs]
+        crossed = [(Crossed(n, m), u.cross(v)) for (n, u), (m, v) in pairs]
         return self._omega_terms(observer, "acceleration") + crossed
 
 

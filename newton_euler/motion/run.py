@@ -6,9 +6,11 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 from time import perf_counter
 from typing import Any
 
+from .drives import driven
 from .error_estimates import ROUND_OFF_OF_RATES, error_by_comparison, relative_shift, reported_error
 from .events import EventError
 from .knots import knots
@@ -20,7 +22,6 @@ from .prepared import PreparedModel
 from .sizes import (
     NATURAL_PART,
     as_natural,
-    driven,
     far_states,
     forced_error,
     reproduced,
@@ -249,9 +250,11 @@ class Run:
             self.system.verified.add(self.rtol, *ends, found)
         return self.motion(trajectory, method, reported_error(found, self.rtol))
 
-    def calibrated(self, method, heyoka=False):
+    def calibrated(self, method, heyoka=False, known=None):
         """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`; with
         ``heyoka`` by heyoka if the first run shows that the second would take long.
+
+        known : the sizes of the states, where a run has shown them
         """
         begun, least, scaled = perf_counter(), method.min_tolerance, method.series
         tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), least)
@@ -259,7 +262,7 @@ class Run:
         if method.series and self.long:
             tolerance = least
         coarse = method.other(tolerance)
-        comparison = method, coarse, tolerance, None, scaled
+        comparison, sure = (method, coarse, tolerance, known, scaled), known
         run = self.briefly if heyoka else lambda f, *arguments: f(*arguments)
         before = run(self.compared, *comparison)
         if heyoka and self.long:
@@ -271,13 +274,19 @@ class Run:
                 before = self.compared(*comparison)
         if isinstance(before.failed, LengthError):
             return self.motion(before, method, math.nan)
-        before, known = self.resolved(before, method, coarse, tolerance, scaled)
+        first, (before, known) = before, self.resolved(before, method, coarse, tolerance, scaled)
         # of order 8: the number of steps grows as tolerance**(-1/8)
         if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
                 return self.by(METHODS["taylor"])
         for _ in range(MAX_REFINEMENTS):
             trajectory = self.trajectory(method, tolerance, known, scaled)
+            if not sure and before is first and known and not trajectory.failed:
+                # the first run may have been far off, and have made a state large
+                shrunk = not settled(known[0], trajectory.largest())
+                sure = self.sizes(trajectory) if shrunk else known
+                if not settled(known[0], sure[0]):
+                    return self.calibrated(method, known=sure)
             if trajectory.repeated and not before.watched:
                 before = self.compared(method, before.tolerance, tolerance, known, scaled)
             forced = forced_error(*known[:2], trajectory.calls) if known else 0.0
@@ -363,21 +372,17 @@ class Run:
         if not again.failed:
             ends = before.segments[-1].x1, again.segments[-1].x1
             apart = [abs(u - v) for u, v in zip(*ends, strict=False)]
-            sizes = reproduced(known, again.sizes(), apart, self.rtol, self.there)
+            there = partial(driven, before, self.state)
+            sizes = reproduced(known, again.sizes(), apart, self.rtol, there)
             if sizes != known[0]:
                 known = sizes, *known[1:]
                 before = self.compared(method, coarse, fine, known, scaled)
         return before, known
 
-    def there(self, natural):
-        """The numbers of the states that are not mere round-off: see
-        :func:`~newton_euler.motion.sizes.driven`.
-        """
-        return driven(self.system, (self.t0, self.t1), self.state, natural)
-
     def sizes(self, trajectory):
         """The sizes of a trajectory by which the next ones take their steps."""
-        known = without_round_off(trajectory.sizes(), self.there, self.rtol)
+        there = partial(driven, trajectory, self.state)
+        known = without_round_off(trajectory.sizes(), there, self.rtol)
         return known if self.own else as_natural(known)
 
     def briefly(self, run, *arguments):

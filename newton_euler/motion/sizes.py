@@ -3,7 +3,6 @@ each state, but the rate of nutation of a steady precession is zero, and has an 
 """
 
 import math
-from contextlib import suppress
 
 # fraction of its natural size above which the scale of a state is not below this fraction either
 NATURAL_PART = 1e-3
@@ -12,9 +11,6 @@ ROUND_OFF = 2e-16  # that its rate brings into a state, as a fraction of its nat
 # nutation of a steady precession; the second is the error by one step, which grows like a random
 # walk (measured)
 NOTHING, FORCED = 300.0, 2.0
-# times what the last digits of states and parameters make of a rate, or of a state, above which it
-# is there; below 1.5 for 10 000 steady motions of tops, pendulums and orbits
-THERE, LAST_DIGIT, MOMENTS = 1.5, 2.0**-52, (0.0, 0.38, 0.79)
 STEP_CALLS = 12  # of the rates, about
 TIME_SAFETY = 3.0  # on the error by round-off of the time; measured
 
@@ -66,40 +62,16 @@ def small(sizes, natural):
     return [k for k, (s, n) in rows if 0.0 < s <= NATURAL_PART * n]
 
 
-def driven(system, ends, x, natural):
-    """The numbers of the states that begin, or whose rates do, with more than the last digits of
-    the states and parameters make: a swing of a micrometre about the surface of the Earth is there,
-    however much of it round-off hides.
-
-    ends : the times of the begin and of the end
-    """
-    begin, end = ends
-    found = {k for k, n in enumerate(natural) if abs(x[k]) > 2 * THERE * LAST_DIGIT * n}
-    rows = zip(system.rates(begin, x), system.clocks, strict=True)
-    clocks = [rate if clock else 0.0 for rate, clock in rows]
-    for part in MOMENTS if any(clocks) or not system.autonomous else MOMENTS[:1]:
-        passed = part * (end - begin)
-        t, hidden = begin + passed, [0.0] * len(x)
-        numbers = *(v + passed * rate for v, rate in zip(x, clocks, strict=True)), *system.p
-        with suppress(ArithmeticError, ValueError):  # it may have no value at another time
-            rates = system.f(t, *numbers)
-            for j, z in enumerate(numbers):
-                other = system.f(t, *numbers[:j], z * (1 + LAST_DIGIT), *numbers[j + 1 :])
-                hidden = [h + abs(a - b) for h, a, b in zip(hidden, rates, other, strict=True)]
-            rows = enumerate(zip(rates, hidden, strict=True))
-            found.update(k for k, (rate, h) in rows if abs(rate) > THERE * h)
-    return found
-
-
 def without_round_off(known, there, rtol):
     """The sizes ``known``, larger for the states that are mere round-off.
 
-    there : a function that returns the numbers of the states that are not, as :func:`driven`
+    there : a function that returns those of a set of numbers of states that are not, with their
+        natural sizes; see :mod:`.drives`
     """
     sizes, natural = list(known[0]), known[1]
     nothing = [NOTHING * ROUND_OFF * n for n in natural]
     tiny = [k for k in small(sizes, natural) if sizes[k] < nothing[k]]
-    for k in set(tiny) - there(natural) if tiny else ():
+    for k in set(tiny) - there(natural, set(tiny)) if tiny else ():
         sizes[k] = min(nothing[k] / (rtol * NATURAL_PART), natural[k])
     return tuple(sizes), *known[1:]
 
@@ -126,7 +98,8 @@ def reproduced(known, again, apart, rtol, there):
     there : as in :func:`without_round_off`
     """
     found, natural = list(known[0]), known[1]
-    for k in set(small(found, natural)) - there(natural):
+    cancel = set(small(found, natural))
+    for k in cancel - there(natural, cancel):
         size, other, n = found[k], again[0][k], natural[k]
         nothing = NOTHING * ROUND_OFF * n
         noise = size < nothing or (apart[k] > size / 3 and size < 100 * nothing)

@@ -103,23 +103,24 @@ class Trajectory:
         """The number of steps."""
         return sum([len(part.stepper.step_times) - 1 for part in self.segments])
 
+    def largest(self):
+        """The largest absolute value of each state in the first segment, a tuple."""
+        _, stepper, _, t1, x1 = self.segments[0]
+        points = [stepper.start, *stepper.checkpoints, (t1, x1)]
+        seen = [max(map(abs, column)) for column in zip(*[x for _, x in points], strict=True)]
+        rows = zip(stepper.scales, stepper.floors, seen, strict=True)
+        return tuple([s if s > f else v for s, f, v in rows])
+
     def sizes(self):
         """Of the first segment three tuples: the largest absolute value of each state, its natural
         size, and its natural size with the round-off of the time.
         """
         system, stepper, t0, t1, x1 = self.segments[0]
-        points = [stepper.start, *stepper.checkpoints, (t1, x1)]
-        seen = [max(map(abs, column)) for column in zip(*[x for _, x in points], strict=True)]
-        largest = tuple(
-            [
-                s if s > f else v
-                for s, f, v in zip(stepper.scales, stepper.floors, seen, strict=True)
-            ]
-        )
+        points, largest = (stepper.start, (t1, x1)), self.largest()
         natural, noise = self.natural or (largest, largest)
         # the sizes at the start will do, unless a state is or was nearly zero
         if not all(s > SMALL_PART * n > 0 for s, n in zip(largest, natural, strict=True)):
-            natural, noise = natural_sizes(system, (points[0], points[-1]), largest, t1 - t0 or 1.0)
+            natural, noise = natural_sizes(system, points, largest, t1 - t0 or 1.0)
         return largest, natural, noise
 
     def limits(self, system, t, x):

@@ -3,11 +3,12 @@ small because these cancel: the error of each is relative to its own size.
 """
 
 import math
+from contextlib import suppress
 
 import numpy as np
 import pytest
 
-from newton_euler import Event, Model, cos, integrate, prepare, sin, sqrt
+from newton_euler import Event, Model, cos, integrate, prepare, sin, sqrt, where
 from newton_euler.motion import AccuracyError, FarError, second_order
 
 EARTH = 3.986004418e14
@@ -118,18 +119,20 @@ def test_the_speed_on_a_far_spring_is_right_by_its_own_size_or_refused(method, p
         assert not words or ("take the distance from" in words and 30 * lost > rtol)
 
 
-KICKED, DRIVEN, BY_A_CLOCK = range(3)
+KICKED, DRIVEN, BY_A_CLOCK, BY_A_CLOCK_OF_STATES = range(4)
 
 
-@pytest.mark.parametrize("how", [None, KICKED, DRIVEN, BY_A_CLOCK])
+@pytest.mark.parametrize("how", [None, KICKED, DRIVEN, BY_A_CLOCK, BY_A_CLOCK_OF_STATES])
 @pytest.mark.parametrize("place", [1e3, 6.371e6, 1e9])
 def test_a_swing_of_a_few_last_digits_of_its_place_is_right_or_refused_in_words(place, how):
     """From 1e-1 down to 8 units in the last place; at 1e-12 floats cannot do any."""
     k, w, T, least = 4.0, 1.3, 4.1, 8 * math.ulp(place)
-    push = lambda s, p, t: p.f * sin({DRIVEN: p.w * t, BY_A_CLOCK: s.clock}.get(how, 0.0))
-    rates = lambda s, p, t: (s.v, -p.k * (s.x - p.place) + push(s, p, t), p.w)
+    phase = lambda s, p, t: {DRIVEN: p.w * t, BY_A_CLOCK: s.clock}.get(how, -s.clock)
+    push = lambda s, p, t: p.f * sin(phase(s, p, t))
+    clock = lambda s, p: 0.0 * s.x - p.w if how == BY_A_CLOCK_OF_STATES else p.w
+    rates = lambda s, p, t: (s.v, -p.k * (s.x - p.place) + push(s, p, t), clock(s, p))
     for a in [least, *(10.0**-n for n in range(1, 9) if 10.0**-n > least)]:
-        f = a * k if how in (DRIVEN, BY_A_CLOCK) else 0.0
+        f = 0.0 if how in (None, KICKED) else a * k
         start = place if how is not None else place + a, 3 * a if how == KICKED else 0.0, 0.0
         parameters = {"k": k, "place": place, "f": f, "w": w}
         model = Model("far swing", parameters, ("x", "v", "clock"), rates)
@@ -146,6 +149,28 @@ def test_a_swing_of_a_few_last_digits_of_its_place_is_right_or_refused_in_words(
                 assert 300 * 2.0**-52 * place / a > rtol
             else:
                 assert abs(v - exact) <= rtol * 3 * a
+
+
+@pytest.mark.parametrize("rtol", [1e-2, 1e-3])
+@pytest.mark.parametrize("width", [1.0, 1e-2])
+def test_a_short_push_of_a_micrometre_by_a_clock_is_right_or_refused(width, rtol):
+    k, place, f, T = 4.0, 6.4e6, 1e-6 / width, 10.3
+
+    def rates(s, p, t):
+        push = where(s.clock > -6.0, where(s.clock < width - 6.0, f, 0.0), 0.0)
+        return s.v, push - k * (s.x - place), 1.0 + 0.0 * s.x
+
+    exact = f / 2 * (math.sin(2 * (T - 5)) - math.sin(2 * (T - 5 - width)))
+    model = Model("pushed", {}, ("x", "v", "clock"), rates)
+    with suppress(FarError):
+        assert abs(integrate(model, T, (place, 0, -11), rtol).end["v"] - exact) <= rtol * 1e-6
+
+
+@pytest.mark.parametrize("rtol", [1e-1, 1e-3])
+def test_a_state_that_a_first_run_makes_large_is_judged_by_its_own_size_over_a_long_time(rtol):
+    rates = lambda s, p, t: (s.v, sin(1.7 * s.c) * 1e-3 - 4.0 * (s.x - 6.4e6), 1e3 + 0 * s.x)
+    with pytest.raises(FarError, match="take the distance from"):
+        integrate(Model("driven fast", {}, ("x", "v", "c"), rates), 10.0, (6.4e6, 0.0, 0.0), rtol)
 
 
 def test_what_hangs_or_turns_at_rest_is_not_refused_for_the_last_digit_of_its_place():

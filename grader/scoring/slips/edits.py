@@ -316,10 +316,12 @@ def _of_differences(answers, given, stages, dimensions):
                 if x is step or dimensions[x] is None or dimensions[x] != dimensions[step]:
                     continue
                 more = Words("adds {name} to {key}: it alone is asked for", name=name, key=key)
+                rest = Words("gives what is left of {name}: {key} is asked for", name=name, key=key)
                 whole, half = (Words(less.template, name=n, key=key) for n in (name, f"{name}/2"))
                 rest = Words("gives {name} less {key}: {key} is asked for", name=name, key=key)
                 for what, text, other in (
                     ("less", whole, ("-", x, step)), ("more", more, ("+", x, step)),
+                    ("rest", rest, ("-", step, x)),
                     ("less half", half, ("-", x, ("*", step, 0.5))),
                     ("rest", rest, ("-", step, x)),
                 ):  # fmt: skip

@@ -158,7 +158,7 @@ CASES = {
     ),
     "limits": ("A/25", over_the_difference, "over the difference of the limits"),
     "constant": ("8/10", swinging, "takes what is integrated as constant"),
-    "one of two": ("7/29", one_panel, "halves q*c"),
+    "one of two": ("7/29", one_panel, "or q*c"),
 }  # fmt: skip
 
 
@@ -177,9 +177,9 @@ def test_each_slip_is_named_in_its_own_words(case):
 
 
 def _written(x):
-    """An answer in five digits, as students write it; a formula as it is."""
+    """An answer in six digits, as students write it; a formula as it is."""
     if isinstance(x, sympy.Basic):
         return x
     if np.ndim(x):
         return [_written(y) for y in x]
-    return float(f"{x:.5g}")
+    return float(f"{x:.6g}")

@@ -305,3 +305,22 @@ def test_a_formula_with_the_number_of_another_body_hears_which_body_that_is():
     assert found(solid, centre, Dimension(0, 1), True) == ["3/8"]
     assert found(centre, solid, Dimension(0, 1), True) == ["4/(3*pi)"]
     assert found(rows(0 * h, h), solid, Dimension(0, 1), True) == []
+
+
+def test_what_explains_each_wrong_component_is_named():
+    """A listed mistake in one component alone; in a formula, a slip in each of two."""
+    key, model, given = ((3.0, 4.0, 5.0),), ((9.1, 7.3, 6.2),), ((3.0, 7.3, 5.0),)
+    none = lambda fit, kind: ()
+    (cause,) = diagnose(given, key, [(TURNS, model)], slips=none)
+    assert cause.text == "in its second component turns y"
+    assert not diagnose(((3.0, 7.4, 5.0),), key, [(TURNS, model)], slips=none)
+    alone = {(6.1, 4.0, 5.0): TURNS, (3.0, 4.0, 1.3): MIRRORS}
+
+    def each(fit, kind):
+        return [(1, alone[fit.given[0]], fit.given)] if fit.given[0] in alone else []
+
+    formula, key = KINDS["vector_expression"], 2 * ((3.0, 4.0, 5.0),)
+    (cause,) = diagnose(2 * ((6.1, 4.0, 1.3),), key, [], formula, slips=each)
+    assert cause.name == "turns + mirrors"
+    assert not diagnose(2 * ((6.1, 4.7, 1.3),), key, [], formula, slips=each)
+    assert not diagnose(((6.1, 4.0, 1.3),), key[:1], [], slips=each)
