@@ -23,6 +23,7 @@ from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, us
 from .typed import Product, described, repeats
 
 MANY = 8  # uses of a step, beyond which single uses are not tried
+INVERTED = Words("inverts the ratio of {key} to {name}: it is the other way round").template
 ONCE = 4  # added to the rank of a slip in one use, over that of the same slip in all
 
 
@@ -299,8 +300,7 @@ def _of_unchanged(answers, given, read):
                     "takes {name} alone for {key}, as if nothing else counted", name=part, key=key
                 )
                 yield Edit(rank, computed(f"{part} for {x.number}", words), {x.number: other})
-            words = Words("inverts the ratio of {key} to {name}: it is the other way round",
-                          key=key, name=name)  # fmt: skip
+            words = Words(INVERTED, key=key, name=name)
             inverted = ("/", ("*", step, step), x)
             yield Edit(LESS, computed(f"inverted {name} {x.number}", words), {x.number: inverted})
 
@@ -318,12 +318,10 @@ def _of_differences(answers, given, stages, dimensions):
                 more = Words("adds {name} to {key}: it alone is asked for", name=name, key=key)
                 rest = Words("gives what is left of {name}: {key} is asked for", name=name, key=key)
                 whole, half = (Words(less.template, name=n, key=key) for n in (name, f"{name}/2"))
-                rest = Words("gives {name} less {key}: {key} is asked for", name=name, key=key)
                 for what, text, other in (
                     ("less", whole, ("-", x, step)), ("more", more, ("+", x, step)),
                     ("rest", rest, ("-", step, x)),
                     ("less half", half, ("-", x, ("*", step, 0.5))),
-                    ("rest", rest, ("-", step, x)),
                 ):  # fmt: skip
                     cause = computed(f"{what} {name} {x.number}", text)
                     yield Edit(LEAST, cause, {x.number: other})

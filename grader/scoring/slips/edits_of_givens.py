@@ -33,6 +33,13 @@ SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inverted").template
 FROM = Words("converts {name} from {other}: it is given in {unit}").template
+SLANT = Words(
+    "takes the slant length sqrt({name}^2 + {other}^2) for {name}: another distance counts"
+).template
+MEAN = Words("takes the mean of {a} and {b} for {key}: look up what {key} stands for").template
+PAIRS = Words(
+    "multiplies {a} by {b}, each by each, for {key}: look up what {key} stands for"
+).template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
 DimensionOf = Callable[[Step], Dimension | None]
@@ -142,8 +149,7 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
     lengths = [n for n in given if read[n].dimension == LENGTH]
     for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
         squares = [("*", given[n], given[n]) for n in (name, other)]
-        words = Words("takes the slant length sqrt({name}^2 + {other}^2) for {name}: "
-                      "another distance counts", name=name, other=other)  # fmt: skip
+        words = Words(SLANT, name=name, other=other)
         slant = ("sqrt", ("+", *squares))
         yield Edit(LEAST, computed(f"slant {name} {other}", words), {given[name].number: slant})
     for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
@@ -312,11 +318,8 @@ def _of_another_vector(one, other):
 def _of_both(key, parts, one, other):
     """The mean of two vectors, or their products in pairs, for the answer."""
     a, b = (joined(s.args[0] for s in steps) for steps in (one, other))
-    mean = Words("takes the mean of {a} and {b} for {key}: look up what {key} stands for",
-                 a=a, b=b, key=key)  # fmt: skip
-    pairs = Words("multiplies {a} by {b}, each by each, for {key}: look up what {key} stands for",
-                  a=a, b=b, key=key)  # fmt: skip
-    for kind, words, op in ("mean", mean, "+"), ("pairs", pairs, "*"):
+    for kind, text, op in ("mean", MEAN, "+"), ("pairs", PAIRS, "*"):
+        words = Words(text, a=a, b=b, key=key)
         both = [(op, s, t) for s, t in zip(one, other, strict=True)]
         both = [("*", x, 0.5) for x in both] if op == "+" else both
         instead = {x.number: y for x, y in zip(parts, both, strict=True)}

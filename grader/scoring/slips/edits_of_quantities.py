@@ -22,6 +22,10 @@ Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its component
 INERTIA, MOMENT = Dimension(1, 2), Dimension(1, 1)
 FEW = 3  # moments of inertia: to more, no parallel-axis term is added
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
+TRANSFERS = {
+    "+": Words("adds {term} to a moment of inertia: it is about this axis already").template,
+    "-": Words("takes {term} off a moment of inertia: it is about this axis already").template,
+}
 TIMES = (
     (-1.0, "", Words("takes {quantity} with the opposite sign: it points the other way")),
     (2.0, FACTOR_2, Words("doubles {quantity}, or has a 2 too many beside it: it counts once")),
@@ -274,12 +278,8 @@ def of_transfers(
             ((f"{m_d}*{name}^2", 1.0), (f"{m_d}*({name}/2)^2", 0.25)) if m_d else ()
         ):
             term = ("*", ("*", ("*", m, d), d), factor)
-            more = Words("adds {term} to a moment of inertia: it is about this axis already",
-                         term=text)  # fmt: skip
-            less = Words("takes {term} off a moment of inertia: it is about this axis already",
-                         term=text)  # fmt: skip
-            for op, words in ("+", more), ("-", less):
-                cause = computed(f"{op} {text} {I.number}", words)
+            for op, words in TRANSFERS.items():
+                cause = computed(f"{op} {text} {I.number}", Words(words, term=text))
                 yield Edit(LEAST, cause, {I.number: (op, I, term)})
 
 
