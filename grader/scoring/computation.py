@@ -10,10 +10,12 @@ import numpy as np
 from exercises.catalogue import Problem
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow_in_base
+from exercises.catalogue.steps import listed_steps
 from exercises.catalogue.tracing import traced_quantities
 from exercises.catalogue.variants import POINTS, flat
 from exercises.catalogue.wording import term_text
-from grader.scoring.slips.edits_of_setups import of_directions, of_setups
+from grader.scoring.slips.edits_of_setups import of_setups
+from grader.scoring.slips.edits_of_terms import of_terms
 from grader.scoring.slips.formulas import Formulas, Stage, Traced, needed, with_arguments
 from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler.algebra.compile import Compiled
@@ -188,7 +190,9 @@ def _setups(p, keys, given):
 
     yield from of_setups(compute, given)
     vectors = {k: v for k, v in p.code.solve(g).items() if k in keys and isinstance(v, Vector)}
-    yield from of_directions(vectors, lambda name, v: term_text(name, v.equation, p))
+    steps = {s.key: s.value for s in listed_steps(p, g)}
+    sizes = {key: steps[step] for key, step in sizes_of(p.id).items() if key in keys}
+    yield from of_terms(vectors, sizes, lambda name, v: term_text(name, v.equation, p))
 
 
 @cache

@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..algebra.late import np
-from .causes import FACTOR_2, LEFT_OUT, ZERO, Cause, in_components
+from .causes import FACTOR_2, REVERSED, Cause, in_components
 from .fit import Fit, mixed, rounding, written
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
@@ -152,12 +152,12 @@ class Slips:
         ]
 
     def _giving_zero(self, key, ranked, fit):
-        """The slips after which terms cancel in an answer, if few are as simple; what leaves
-        nothing of it by itself says no more than the zero.
+        """The terms of which one cancels the others if it is reversed, if few are as simple; what
+        leaves nothing of an answer by itself says no more than the zero.
         """
         noise, rows = NOISE * fit.first[2], self.at(key, fit.index if self.points(key) > 1 else 0)
         found = [n for n, row in enumerate(rows) if max(map(abs, row)) <= noise]
-        found = [n for n in found if ranked.slips[n][1].does not in (LEFT_OUT, ZERO)]
+        found = [n for n in found if ranked.slips[n][1].does == REVERSED]
         found = [n for n in found if ranked.ranks[n] == min(ranked.ranks[m] for m in found)]
         points = {n: self._points(key, n) for n in found[: FEW + 1]}
         vanish = len(points) <= FEW and all(
