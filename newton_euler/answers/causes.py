@@ -359,11 +359,6 @@ def powers(names: Sequence[str]) -> Cause:
     return Cause("powers", " ".join(names), text)
 
 
-BARE_MOMENT = Cause(
-    "powers", "bare", Words("gives the moment of a bare line, area or volume: its mass is missing")
-)
-
-
 def component_multiplied(places: Sequence[int], what: str, factor: float, large: bool) -> Cause:
     """Some components are off by one factor."""
     how = Words("large") if large else Words("small")

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from ..algebra.language import Words
 from ..algebra.late import is_here, np
 from ..algebra.units import Dimension
-from .causes import BARE_MOMENT, Cause, in_components, powers, usual
+from .causes import Cause, in_components, powers, usual
 from .fit import Fit, mixed
 from .tolerance import FORMULA_FIT, NOISE, Points
 
@@ -76,18 +76,14 @@ def of_other_bodies(
             yield _in(places, cause, fit), mixed(fit.given, fit.key, places)
 
 
-def of_other_powers(
-    fit: Fit, dimension: Dimension, symbols: Mapping[str, Any]
-) -> Iterator[tuple[Cause, Points]]:
+def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[tuple[Cause, Points]]:
     """The answer itself, if it is the right one times powers of ``symbols``: in every component
     that is wrong the same.
     """
     off = _off(fit)
-    found = {x and x[1:] for x in (_monomial(_ratios(fit, n), symbols) for n in off)}
-    if len(found) == 1 and (ratio := found.pop()) and ratio[0]:
-        (least, *more), names = ratio
-        is_bare = dimension == INERTIA and least == -1 and min(more, default=0) > 0
-        yield _in(off, BARE_MOMENT if is_bare else powers(names), fit), fit.given
+    names = {x and (x.names, x.powers) for x in (_monomial(_ratios(fit, n), symbols) for n in off)}
+    if len(names) == 1 and (found := names.pop()) and found[0]:
+        yield _in(off, powers(found[0]), fit), fit.given
 
 
 def _in(places, cause, fit):
