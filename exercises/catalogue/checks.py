@@ -20,6 +20,7 @@ from .overlooked import overlooked
 from .proofs import DIGITS
 from .steps import faults as step_faults
 from .steps import in_unit, steps
+from .units import lineage
 from .variants import apart, at_points, distance, draw, flat, symbol_points, symbol_values
 from .words import word
 
@@ -129,9 +130,9 @@ def _fit(p, proof):
             faults.append(f"the mistake {name} must give some of {asked}, but {gives}")
         for key, answer in answers.items():
             here = getattr(answer, "frame", None)
-            if key in solved and here and here.name != (there := solved[key].frame.name):
+            if key in solved and here and lineage(here) != lineage(there := solved[key].frame):
                 faults.append(
-                    f"{key} is in {there}, but the mistake {name} has it in {here.name}: use "
+                    f"{key} is in {there.name}, but the mistake {name} has it in {here.name}: use "
                     "in_frame"
                 )
     return faults

@@ -1,12 +1,15 @@
 """The format of the YAML files of chapters and problems; what does not fit is refused in words."""
 
 import math
+from keyword import iskeyword
 from pathlib import Path
 from reprlib import repr as short
 from typing import Any
+from unicodedata import normalize
 
 from newton_euler.algebra.units import unit
 from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.sanity import QUANTITIES
 
 from .errors import meant
 from .model import Answer, CatalogueError, Chapter, Given, Problem, Symbol, place
@@ -15,6 +18,7 @@ from .model import Answer, CatalogueError, Chapter, Given, Problem, Symbol, plac
 SYMBOL_RANGES = {"rad": (0.25, 1.1), "deg": (15, 65)}
 OTHER_RANGE = (0.6, 1.9)
 # the keys of a problem
+IN_CELLS = "expect", "given", "receipt", "symbols"  # called in cells beside an answer's
 NEEDED = "id", "title", "section", "text", "answers"
 OPTIONAL = "figure", "givens", "symbols", "frame", "steps", "mistakes", "struck", "checked"
 
@@ -32,6 +36,13 @@ def read_problem(entry: Any, path: Path) -> Problem:
     answered = isinstance(entry["answers"], list) and entry["answers"]
     _require(answered, f"answers must be a list, not {short(entry['answers'])}")
     answers = tuple(_answer(a) for a in entry["answers"])
+    _check_names(
+        {
+            "a given": _named(entry, "givens"),
+            "a symbol": _named(entry, "symbols"),
+            "an answer": [a.key for a in answers],
+        }
+    )
     return Problem(
         id=entry["id"],
         title=_text(entry, "title"),
@@ -69,6 +80,24 @@ def _check_place(problem_id, path):
     )
 
 
+def _check_names(named):
+    """Refuse a name that students cannot use, and one that stands for two things."""
+    taken = {}
+    for what, names in named.items():
+        for name in names:
+            _require(
+                name.isidentifier() and not iskeyword(name) and name not in IN_CELLS,
+                f"{what} cannot be called {name!r}: students write the name in Python, beside "
+                f"{', '.join(IN_CELLS)}",
+            )
+            name = normalize("NFKC", name)  # as Python reads it
+            _require(
+                name not in taken,
+                f"{name} is {taken.get(name)} and {what}: give one of them another name",
+            )
+            taken[name] = what
+
+
 def _given(name, g):
     _check_keys(g, name, ("value", "unit", "means"), ("vary", "figure", "symbol"))
     value = g["value"]
@@ -86,7 +115,7 @@ def _symbol(name, s):
 
 
 def _answer(a):
-    optional = ("unit", "of", "atol", "weight", "follow_through", "symbol", "because")
+    optional = ("unit", "of", "atol", "weight", "follow_through", "symbol", "because", "quantity")
     _check_keys(a, "an answer", ("key", "kind", "means"), optional)
     key, name, of, atol = _text(a, "key"), _text(a, "kind"), a.get("of", []), a.get("atol", 1e-6)
     _require(name in KINDS, f"{key}: kind {name!r} is not one of {', '.join(sorted(KINDS))}")
@@ -97,6 +126,7 @@ def _answer(a):
         kind.has_options == bool(of),
         f"{key}: a choice, and no other kind, has of: [...] with its words; this is a {kind}",
     )
+    _require(len(set(map(str, of))) == len(of), f"{key}: of has a word twice: {short(of)}")
     _require(
         all(isinstance(w, str) and not set(w) & set("|\n") for w in of),
         f"{key}: of must be a list of words without a |, not {short(of)}; yes and no need "
@@ -113,10 +143,14 @@ def _answer(a):
     numbers = float(atol), float(weight), float(follow)
     because = _text(a, "because") if "because" in a else ""
     _require(kind.has_options or not because, f"{key}: because is for a choice; this is a {kind}")
-    means, latex = _text(a, "means"), _latex(key, a)
-    return Answer(
-        key, kind, _unit(key, a), means, tuple(of), *numbers, latex=latex, because=because
+    quantity = _text(a, "quantity") if "quantity" in a else ""
+    _require(
+        not quantity or (quantity in QUANTITIES and kind.length == 1),
+        f"{key}: quantity is {' or '.join(QUANTITIES)}, of one number or formula; "
+        f"this is {quantity}, a {kind}",
     )
+    read = _unit(key, a), _text(a, "means"), tuple(of), *numbers
+    return Answer(key, kind, *read, latex=_latex(key, a), because=because, quantity=quantity)
 
 
 def _step(key, s):

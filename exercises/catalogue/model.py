@@ -67,6 +67,7 @@ class Answer:
     for a wrong answer that follows from the student's own earlier ones. latex : its symbol, where
     that does not follow from the key. rtol : relative tolerance, which a sheet may change. because
     : the reason for a choice, for the worked solution: a sentence that holds for all numbers.
+    quantity : "magnitude" or "kinetic energy", which are never negative.
     """
 
     key: str
@@ -80,6 +81,7 @@ class Answer:
     latex: str = ""
     rtol: float = RTOL
     because: str = ""
+    quantity: str = ""
 
     def __post_init__(self) -> None:
         if isinstance(self.kind, str):

@@ -23,8 +23,7 @@ def sane_answers(p: Problem) -> dict[str, Sane]:
     """{answer: (low, high) of its size, "kinetic energy", "magnitude" or "magnitude of" another
     answer, or size and word} of problem ``p``, for answers of which something is known.
     """
-    # at the start only: a change of kinetic energy may be negative
-    words = {a.key: KINETIC for a in p.answers if a.means.lower().startswith(KINETIC)}
+    words = {a.key: KINETIC for a in p.answers if a.quantity == KINETIC}
     rng = random.Random(f"sizes of {p.id}")
     values = {
         n: np.array([g.value, *(drawn_value(g, rng) for _ in range(DRAWS))])
@@ -33,7 +32,7 @@ def sane_answers(p: Problem) -> dict[str, Sane]:
     values |= {n: np.array([rng.uniform(*s.vary) for _ in range(DRAWS + 1)])
                for n, s in p.symbols.items()}  # fmt: skip
     asked = [a for a in p.answers if a.kind.has_size and a.key not in words]
-    magnitudes = [a for a in p.answers if a.means.startswith(MAGNITUDE) and a.kind.length == 1]
+    magnitudes = [a for a in p.answers if a.quantity == MAGNITUDE]
     if not asked and not magnitudes:
         return dict(words)
     right, _ = at_points(p, values)

@@ -51,11 +51,20 @@ def in_unit(value: Any, answer: HasUnit, system: System = SI) -> Any:
 
 
 def in_frame(frame: Frame, answers: Any) -> Any:
-    """The answers, also nested by mistake, with every Vector expressed in ``frame`` (or the frame
-    of that name in its own tree).
+    """The answers, also nested by mistake, with every Vector expressed in ``frame``. One that comes
+    from another call of the problem's code, with frames of its own, is in its own such frame.
     """
     if isinstance(answers, dict):
         return {name: in_frame(frame, answer) for name, answer in answers.items()}
     if not isinstance(answers, Vector):
         return answers
-    return answers if answers.frame.name == frame.name else answers.expressed_in(frame)
+    if frame not in answers.frame.tree and lineage(frame) == lineage(answers.frame):
+        return answers
+    return answers.expressed_in(frame)
+
+
+def lineage(frame: Frame) -> list[str]:
+    """The names from the ground to ``frame``: by these the frames of two calls are compared, each
+    of which makes its own.
+    """
+    return [*(lineage(frame.parent) if frame.parent else []), frame.name]

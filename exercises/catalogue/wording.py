@@ -3,7 +3,7 @@
 import re
 
 from newton_euler.algebra.language import Words, joined
-from newton_euler.algebra.ledger import Equation
+from newton_euler.algebra.ledger import Crossed, Equation
 
 from .book_equations import own_term
 from .model import Problem
@@ -78,13 +78,13 @@ def term_text(
         return Words("{term} {formula}", term=the_term, formula=formula)
     if not equation.kind.startswith("angular"):
         return Words("the term {formula}", formula=name)
-    if " x " not in name:
+    if not isinstance(name, Crossed):
         # of an angular acceleration: the cross products are the change of direction
         whose = _of_frame(name, problem)
         if equation.kind == "angular acceleration":
             return Words("the rate of the turning {whose}", whose=whose)
         return Words("the turning {whose}", whose=whose)
-    first, second = (_of_frame(n, problem) for n in name.split(" x "))
+    first, second = (_of_frame(n, problem) for n in name.factors)
     return Words(
         "the cross product of the turning {first} and the turning {second}",
         first=first, second=second,

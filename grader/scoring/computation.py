@@ -10,10 +10,12 @@ import numpy as np
 from exercises.catalogue import Problem
 from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow_in_base
+from exercises.catalogue.steps import listed_steps
 from exercises.catalogue.tracing import traced_quantities
 from exercises.catalogue.variants import POINTS, flat
 from exercises.catalogue.wording import term_text
-from grader.scoring.slips.edits_of_setups import of_directions, of_setups
+from grader.scoring.slips.edits_of_setups import of_setups
+from grader.scoring.slips.edits_of_terms import of_terms
 from grader.scoring.slips.formulas import Formulas, Stage, Traced, needed, with_arguments
 from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler.algebra.compile import Compiled
@@ -22,7 +24,7 @@ from newton_euler.algebra.trace import Step, Trace
 from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 
-FEW = 7  # words that say what a quantity is
+FEW, MORE = 7, 11  # words that say what a given is, and what a step is, which has no other name
 
 
 def perturbed(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
@@ -188,7 +190,9 @@ def _setups(p, keys, given):
 
     yield from of_setups(compute, given)
     vectors = {k: v for k, v in p.code.solve(g).items() if k in keys and isinstance(v, Vector)}
-    yield from of_directions(vectors, lambda name, v: term_text(name, v.equation, p))
+    steps = {s.key: s.value for s in listed_steps(p, g)}
+    sizes = {key: steps[step] for key, step in sizes_of(p.id).items() if key in keys}
+    yield from of_terms(vectors, sizes, lambda name, v: term_text(name, v.equation, p))
 
 
 @cache
@@ -213,7 +217,7 @@ def _with_zeros(parts):
 
 def _named(step):
     """What a step is, in a few words: its name does not occur in the text."""
-    if brief := _brief(spoken(step.means)):
+    if brief := _brief(spoken(step.means), MORE):
         owner, _, rest = brief.partition(" ")
         if owner in ("its", "their"):  # refers to the step before
             return Words("the {what}", what=f"{rest} {step.key}")
@@ -225,11 +229,11 @@ def _means(p):
     return {n: _brief(q.means) for n, q in p.givens.items()}
 
 
-def _brief(means):
+def _brief(means, most=FEW):
     """The first words of a meaning, as "mass" of "mass, W/g"; "" if they are long."""
     first = re.split("[,;:=]", re.sub(r"(?<!\bof )\(.*", "", means))[0].strip()
     is_whole = not re.search(r"[$\\{]|[-+*/]$", first)
-    return first if len(first.split()) <= FEW and is_whole else ""
+    return first if len(first.split()) <= most and is_whole else ""
 
 
 def _where(p, step):

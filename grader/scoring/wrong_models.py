@@ -104,7 +104,8 @@ def _terms(right, problem):
         yield causes.term_left_out(name, term).at(where), right.reweighted(**{name: 0})
         yield causes.term_reversed(name, term).at(where), right.reweighted(**{name: -1})
     # spherical components have three Coriolis terms
-    halved = {name: 0.5 for name in right.terms or () if name.startswith("coriolis")}
+    known = right.terms.keys() & right.equation.terms if right.terms else ()
+    halved = {name: 0.5 for name in known if name.startswith("coriolis")}
     if halved:
         yield causes.CORIOLIS_HALVED.at(where), right.reweighted(**halved)
 

@@ -139,6 +139,16 @@ def raised_by_the_engine(error: BaseException) -> bool:
     return module.partition(".")[0] == "newton_euler"
 
 
+def at_a_place(error: Exception, kind: type[Exception], place: str, advice: str = "") -> None:
+    """Add the ``place`` to an error that was raised while a function of the caller was called. It
+    is a note, since the error reaches the caller as raised; one of the engine becomes a ``kind`` of
+    error, with ``advice``.
+    """
+    if isinstance(error, NewtonEulerError) or raised_by_the_engine(error):
+        raise kind(f"{place}: {error}{advice}") from error
+    error.add_note(f"{place}{advice}")
+
+
 def _in_words(called, error):
     """The error of the engine for one of Python or a library."""
     if isinstance(error, ZeroDivisionError):

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .names import ArgumentError, guided, misfit
+from .otherwise import built
 from .scalars import (
     FUNCTIONS,
     LIBRARIES,
@@ -188,7 +189,10 @@ class Moving(Unordered, _Own):
         if self.rests():
             return Moving(function(name, self.value))
         try:
-            return self._chain(*_DERIVATIVES[name](self.value))
+            f, df, ddf = _DERIVATIVES[name](self.value)
+            parts = self.rate, self.acceleration, df, ddf
+            rate, acceleration, df, ddf = built("chain", parts, (self.value,))
+            return Moving(self.value, rate, acceleration)._chain(f, df, ddf)
         except ZeroDivisionError as error:
             raise DivisionError(f"no rate of {name}({short_repr(self.value)}): {error}") from None
 
@@ -313,5 +317,8 @@ def at(f: Callable[..., Scalar], t: Scalar) -> Moving:
     try:
         return as_moving(f(Moving(t, integer_like(1, t))))
     except OverflowError as error:
-        at = short_repr(t)
-        raise RangeError(f"the function is too large for a float at {at}: {error}") from error
+        from .errors import at_a_place  # here, since it imports this module
+
+        place = f"the function is too large for a float at {short_repr(t)}"
+        at_a_place(error, RangeError, place)
+        raise

@@ -81,6 +81,20 @@ T = TypeVar("T")
 NOISE = 1e-14  # share of the largest component; anything smaller is round-off and printed as 0
 
 
+class Crossed(str):
+    """The name of the cross product of two terms, "arm x rod"; ``factors`` are their names."""
+
+    factors: tuple[str, str]
+
+    def __new__(cls, first: str, second: str) -> "Crossed":
+        name = super().__new__(cls, f"{first} x {second}")
+        name.factors = (first, second)
+        return name
+
+    def __reduce__(self):
+        return Crossed, self.factors
+
+
 class Terms(Guided, dict[str, T], Generic[T]):
     """The terms of a sum, in order, by name. Names are for people: two terms may be called "arm".
     They are then listed as "arm 1" and "arm 2", and "arm" names both of them to ``without`` and
@@ -157,12 +171,19 @@ def distinct(names: list[str]) -> list[str]:
     if len(set(names)) == len(names):
         return names
     counts = Counter(names)
-    numbered = {name: _numbered(name, counts) for name, n in counts.items() if n > 1}
-    return [next(numbered[name]) if name in numbered else name for name in names]
+    numbers = {name: _free_numbers(name, counts) for name, n in counts.items() if n > 1}
+    return [_numbered(name, next(numbers[name])) if name in numbers else name for name in names]
 
 
-def _numbered(name, taken):
-    return (new for n in itertools.count(1) if (new := f"{name} {n}") not in taken)
+def _free_numbers(name, taken):
+    return (n for n in itertools.count(1) if f"{name} {n}" not in taken)
+
+
+def _numbered(name, n):
+    if isinstance(name, Crossed):
+        first, second = name.factors
+        return Crossed(first, f"{second} {n}")
+    return f"{name} {n}"
 
 
 class NamedTerms:
@@ -321,10 +342,10 @@ def in_columns(heading: str, rows: Sequence[tuple[str, str]]) -> str:
 
 
 def _product(name, symbol):
-    """LaTeX of a term named after frames: "arm" is an index, "arm x rod" a cross product."""
-    parts = name.split(" x ")
-    symbol = symbol if len(parts) == 1 else r"\boldsymbol{\omega}"
-    return r"\times".join(rf"{symbol}_{{{latex_text(part)}}}" for part in parts)
+    """LaTeX of a term named after frames: "arm" is an index, two names make a cross product."""
+    if not isinstance(name, Crossed):
+        return rf"{symbol}_{{{latex_text(name)}}}"
+    return r"\times".join(rf"\boldsymbol{{\omega}}_{{{latex_text(n)}}}" for n in name.factors)
 
 
 def latex_text(words):

@@ -406,7 +406,10 @@ class Vector(Scaled, NamedTerms):
         turned = f.angular_velocity(observer).expressed_in(f).cross(self)
         terms = {"relative": seen, "rotation": turned}
         ledger = Ledger("rate", f"{f.name}/{observer.name}", lambda: terms)
-        return Vector(add3(seen.c, turned.c), f, lambda: seen.rate(f) + turned.rate(f), ledger)
+        total = add3(seen.c, turned.c)
+        c = built("rate", total, self.c)
+        own = ledger if c is total else None
+        return Vector(c, f, lambda: seen.rate(f) + turned.rate(f), own)
 
     # -- the term ledger
 

@@ -13,7 +13,7 @@ from .forms import Form
 from .tolerance import ROOM, RTOL
 from .trees import TreeError, evaluate
 
-KINETIC, MAGNITUDE = "kinetic energy", "magnitude"
+KINETIC, MAGNITUDE = QUANTITIES = "kinetic energy", "magnitude"  # which are never negative
 POINTS = 8  # places at which formulas are tried
 
 

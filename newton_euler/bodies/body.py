@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from ..algebra.errors import Tolerance, checked, checked_but
 from ..algebra.ledger import Terms
+from ..algebra.otherwise import built
 from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, real_scalar, short_repr
 from ..algebra.vectors import Vector, sum3
 from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
@@ -42,14 +43,16 @@ class Body:
         frame: Frame | None = None,
         parts: Sequence["Body"] = (),
     ):
-        self.name, self.mass, self.parts = name, real_scalar(mass), tuple(parts)
+        self.name, self.parts, mass = name, tuple(parts), real_scalar(mass)
         self.centre = G = place(centre, f"the centre of mass of {name}")
         if not isinstance(inertia, Inertia):
             inertia = Inertia(G, inertia, frame=frame or axes_at(G), tolerance=None)
-            not_negative(self.mass, f"the mass of {name}")
+            not_negative(mass, f"the mass of {name}")
             triangle_inequality(inertia.moments, ROUNDED)
         self.frame = frame or inertia.frame
-        self._inertia = inertia._like(inertia.moments, inertia.products, mass=self.mass, centre=G)
+        own = built("body", (mass, *inertia.products, *inertia.moments))
+        self.mass, products, moments = own[0], own[1:4], own[4:]
+        self._inertia = inertia._like(moments, products, mass=self.mass, centre=G)
 
     def __repr__(self):
         return f"Body({self.name}, mass {short_repr(self.mass)}, centre {self.centre!r})"

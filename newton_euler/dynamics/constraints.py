@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from operator import mul
 from typing import Any
 
-from ..algebra.errors import NewtonEulerError, Tolerance, checked
+from ..algebra.errors import NewtonEulerError, Tolerance, at_a_place, checked
 from ..algebra.jets import Moving
 from ..algebra.scalars import is_finite, is_numeric, scalar
 from ..algebra.vectors import Vector
@@ -135,7 +135,8 @@ class _System:
                 problem.add_note(f"the constraint {name!r} gets coordinates: {', '.join(kinds)}")
                 raise
             except (ZeroDivisionError, OverflowError) as problem:
-                raise ConstraintError(f"the constraint {name!r} fails: {problem}") from problem
+                at_a_place(problem, ConstraintError, f"the constraint {name!r} fails")
+                raise
             for x in value if isinstance(value, (tuple, list, Vector)) else (value,):
                 yield name, scalar(x)
 

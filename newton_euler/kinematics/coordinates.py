@@ -15,6 +15,7 @@ from functools import partial
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, moving
 from ..algebra.ledger import Terms
+from ..algebra.otherwise import built
 from ..algebra.pickles import Computed
 from ..algebra.scalars import (
     ZERO,
@@ -132,7 +133,7 @@ def polar(ground: Frame, name: str, r: Scalar, theta: Scalar) -> CoordinatePoint
     [0.5, -1.5, 0] in polar axes of B [0, -0.075, 0] in polar axes of B
     """
     local = cylindrical_frame(ground, theta, f"polar axes of {name}")
-    r = moving(r)
+    (r,) = built("coordinate", (moving(r),))
     factors = 1, to_plain(r.value)
     return _point("polar", name, ground, local, (r, ZERO, ZERO), (r, local.angle), factors)
 
@@ -149,7 +150,7 @@ def cylindrical(ground: Frame, name: str, r: Scalar, theta: Scalar, z: Scalar) -
     ((0, 6.0, 4.0), (-18.0, 0, 0))
     """
     local = cylindrical_frame(ground, theta, f"cylindrical axes of {name}")
-    r, z = moving(r), moving(z)
+    (r,), z = built("coordinate", (moving(r),)), moving(z)
     q, factors = (r, local.angle, z), (1, to_plain(r.value), 1)
     return _point("cylindrical", name, ground, local, (r, ZERO, z), q, factors)
 
@@ -170,7 +171,7 @@ def spherical(ground: Frame, name: str, R: Scalar, theta: Scalar, phi: Scalar) -
     ((0, 6.0, 8.0), -32.0)
     """
     local = spherical_frame(ground, theta, phi, f"spherical axes of {name}")
-    R, theta, phi = moving(R), local.parent.angle, moving(phi)
+    (R,), theta, phi = built("coordinate", (moving(R),)), local.parent.angle, moving(phi)
     factors = 1, to_plain(R.value * cos(phi.value)), to_plain(R.value)
     x, q = (R, ZERO, ZERO), (R, theta, phi)
     return _point("spherical", name, ground, local, x, q, factors)

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 from weakref import WeakValueDictionary, ref
 
 from ..algebra.jets import DERIVED, Moving, moving
-from ..algebra.ledger import Ledger
+from ..algebra.ledger import Crossed, Ledger
 from ..algebra.names import guided
 from ..algebra.otherwise import built
 from ..algebra.scalars import (
@@ -164,7 +164,7 @@ class Frame:
         _ask_radians(name, angle)
         angle = moving(angle, rate, acceleration)
         _same_shape((angle,), f"the angle of {name} and its rates")
-        (axis,) = built("turn", (axis,), (angle,))
+        axis, angle = built("turn", (axis, angle))
         unit: Any
         if isinstance(axis, str) and axis.removeprefix("-") in _AXES:
             unit, angle = _AXES[axis[-1]], -angle if axis[0] == "-" else angle
@@ -319,7 +319,9 @@ class Frame:
         (4.26); terms: one for each frame between, and ``"arm x rod"`` for two of them.
         """
         ledger = self._ledger("angular acceleration", observer, self._alpha_terms)
-        return Vector(self._alpha(observer), self, None, ledger)
+        alpha = self._alpha(observer)
+        c = built("rate", alpha, lambda: self._omega(observer))
+        return Vector(c, self, None, ledger if c is alpha else None)
 
     def _ledger(self, what, observer, terms):
         self.common(observer)
@@ -390,7 +392,7 @@ class Frame:
 
     def _alpha_terms(self, observer):
         pairs = combinations(self._omega_terms(observer), 2)
-        crossed = [(f"{n} x {m}", u.cross(v)) for (n, u), (m, v) in pairs]
+        crossed = [(Crossed(n, m), u.cross(v)) for (n, u), (m, v) in pairs]
         return self._omega_terms(observer, "acceleration") + crossed
 
 
@@ -526,7 +528,9 @@ class Point:
             others = {name: Vector(c, via) for name, c in turned.items()}
             return {"origin": origin, "relative": relative, **others}
 
-        return Vector(total, via, None, self._ledger("acceleration", observer, via, terms))
+        ledger = self._ledger("acceleration", observer, via, terms)
+        c = built("motion", total, lambda: self.velocity(observer, via).c)
+        return Vector(c, via, None, ledger if c is total else None)
 
     def _ledger(self, what, observer, via, terms):
         subject = f"of {self.name} in {observer.name}, by way of {via.name}"

@@ -1,13 +1,13 @@
 """The slips that can be made in a traced computation, as edits of its steps, simplest first."""
 
-from functools import partial
+from functools import cached_property
 from math import pi
 from typing import Any
 
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
-from newton_euler.algebra.units import SI, US, Dimension, unit
+from newton_euler.algebra.units import SI, US, Dimension, System, unit
 from newton_euler.answers.causes import LEFT_OUT, RESCALED, REVERSED, Cause, computed
 from newton_euler.answers.near import FIRST, LEAST, LESS, RARER, SIMPLE
 
@@ -16,11 +16,14 @@ from . import edits_of_givens as givens
 from . import edits_of_groups as groups
 from . import edits_of_operations as operations
 from . import edits_of_quantities as quantities
+from .edits_of_integrals import of_integrals
+from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
 from .typed import Product, described, repeats
 
 MANY = 8  # uses of a step, beyond which single uses are not tried
+INVERTED = Words("inverts the ratio of {key} to {name}: it is the other way round").template
 ONCE = 4  # added to the rank of a slip in one use, over that of the same slip in all
 
 
@@ -59,93 +62,157 @@ def _placed(edit, cones, otherwise):
     return edit.cause.at(where)
 
 
+class _Facts:
+    """What the edits of a computation ask about it.
+
+    steps : those that the answers need
+    given : the givens among them; ``anything``: all givens, also those that no answer needs
+    read : {given: its unit}
+    dimensions : {step: its dimension, or None}
+    own : the system of units in which a student computes
+    users : {step: those that use it}
+    written, unwritten : the steps that a student writes down, and that nobody does
+    products : the products with all their factors, each once
+    """
+
+    def __init__(self, formulas):
+        self.formulas, self.answers = formulas, formulas.answers
+        self.system, self.units = formulas.system, formulas.units
+        self.steps = needed(x for a in self.answers.values() for x in a.parts)
+        self.given = {s.args[0]: s for s in self.steps if s.op == "argument"}
+        self.anything = {**formulas.given, **self.given}
+        self.read = {name: unit(self.units[name]) for name in self.anything}
+        parts = (x for a in (*self.answers.values(), *formulas.stages) for x in a.parts)
+        systems = equations.square(formulas.systems)
+        unknowns = (x for s in systems for x in s.values.values())
+        every = needed([*parts, *self.anything.values(), *unknowns])
+        self.dimensions = dimensions_of(every, {n: unit(u) for n, u in self.units.items()})
+        stated = [*self.read.values(), *(unit(a.unit) for a in self.answers.values())]
+        self.own = _students(stated)
+        self.users = users_of(self.steps)
+        self.unwritten = _unwritten(self.users)
+        of_elimination = equations.of_elimination(formulas.systems)
+        self.written = _varying(self.steps) - self.unwritten - of_elimination
+        leaves = {x for a in self.answers.values() for x in a.parts if isinstance(x, Step)}
+        leaves |= {x for system in systems for x in equations.entries(system)}
+        self.products = {
+            s: None for s, users in self.users.items()
+            if s.op in PRODUCT and s in self.written
+            if s in leaves or not _is_factor(users)
+        }  # fmt: skip
+
+    def number(self, s):
+        """The number by which a student multiplies for a step: where the text has feet and pounds,
+        or lengths in one other unit, not that in the ``system`` in which the steps are computed.
+        """
+        dimension = self.dimensions[s]
+        if dimension is None:
+            return s
+        times = self.system.factor(dimension) / self.own.factor(dimension)
+        return s if times == 1 else ("*", s, float(times))
+
+    @property
+    def g(self):
+        """g in base units, where the text does not give it."""
+        of, size = ("ft/s^2", givens.G_OF_FEET) if self.own.mass == US.mass else ("m/s^2", givens.G)
+        return self.given.get("g", unit(of).to_base(size, self.system))
+
+    @cached_property
+    def factors(self):
+        """The factors of products with several."""
+        powers = [Product(s).powers for s in self.products]
+        return {x for own in powers for x in own if len(own) > 1}
+
+    @property
+    def named(self):
+        """(words, components) of each quantity that has words, and of each answer."""
+        stages = [(s.means, s.parts) for s in self.formulas.stages if s.means]
+        return [*stages, *((key, a.parts) for key, a in self.answers.items())]
+
+
+def _students(units):
+    """The system in which a student computes: with the one unit of length of the text, as inches or
+    millimetres, if nothing in it needs another.
+    """
+    usual = US if any(u.is_of_feet for u in units) else SI
+    lengths = {u.factor for u in units if u.dimension == givens.LENGTH}
+    for own in (System(x, usual.mass) for x in lengths if len(lengths) == 1):
+        if all(u.factor == own.factor(u.dimension) for u in units if any(u.dimension.powers[:2])):
+            return own
+    return usual
+
+
 def _edits(formulas):
-    answers, system = formulas.answers, formulas.system
-    steps = needed(x for a in answers.values() for x in a.parts)
-    given = {s.args[0]: s for s in steps if s.op == "argument"}
-    anything = {**formulas.given, **given}  # also givens that no answer needs
-    read = {name: unit(formulas.units[name]) for name in anything}
-    parts = (x for a in (*answers.values(), *formulas.stages) for x in a.parts)
-    unknowns = (x for s in equations.square(formulas.systems) for x in s.values.values())
-    every = needed([*parts, *anything.values(), *unknowns])
-    dimensions = dimensions_of(every, {n: unit(u) for n, u in formulas.units.items()})
-    own = US if any(u.is_of_feet for u in read.values()) else SI
-    number = partial(_in_students_units, dimensions, system, own)
+    f = _Facts(formulas)
     yield from formulas.setups
-    yield from operations.of_angles(steps)
-    yield from groups.of_constants(steps, dimensions.get)
-    yield from givens.of_one_unit(given, read, system)
-    yield from givens.of_exchanged(given, read)
-    yield from givens.of_planes(s for s in steps if s.op in ("+", "-"))
-    yield from givens.of_rates(anything, read)
-    yield from _of_wholes(answers, given, number)
-    yield from _of_unchanged(answers, given, read)
-    yield from givens.of_lengths(given, read)
-    vectors = {key: a.parts for key, a in answers.items()}
+    yield from _of_givens(f)
+    yield from _of_quantities(f)
+    for s, users in f.users.items():
+        for n, slip in enumerate(_of_step(f, s, users) if s in f.written else ()):
+            yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in f.unwritten])
+
+
+def _of_givens(f):
+    """The edits of givens, and of whole answers by them."""
+    of, vectors = f.dimensions.get, {key: a.parts for key, a in f.answers.items()}
+    yield from operations.of_angles(f.steps)
+    yield from groups.of_constants(f.steps, of)
+    yield from givens.of_one_unit(f.given, f.read, f.system)
+    yield from givens.of_exchanged(f.given, f.read)
+    yield from givens.of_planes(s for s in f.steps if s.op in ("+", "-"))
+    yield from givens.of_rates(f.anything, f.read)
+    yield from _of_wholes(f.answers, f.given, f.number)
+    yield from _of_unchanged(f.answers, f.given, f.read)
+    yield from givens.of_lengths(f.given, f.read)
     yield from givens.of_vectors(vectors)
-    yield from givens.of_projections(vectors, given, read)
-    yield from operations.of_integrals(steps)
-    numbers = {n: s for n, s in given.items() if n not in formulas.symbols}
-    yield from _of_differences(answers, numbers, formulas.stages, dimensions)
-    masses = {n: s for n, s in numbers.items() if read[n].dimension == givens.MASS}
-    yield from givens.of_weights(
-        vectors, masses, given.get("g", _gravity(own, system)), dimensions.get
-    )
-    yield from _of_stages(answers, formulas.stages, dimensions)
-    yield from _of_angles(answers)
-    leaves = {x for a in answers.values() for x in a.parts if isinstance(x, Step)}
-    symbols, users_in = formulas.symbols, users_of(steps)
-    unwritten = _unwritten(users_in)
-    written = _varying(steps) - unwritten - equations.of_elimination(formulas.systems)
-    entries = {
-        x for system in equations.square(formulas.systems) for x in equations.entries(system)
-    }
-    products = {
-        s: None for s, users in users_in.items()
-        if s.op in PRODUCT and s in written
-        if s in leaves or s in entries or not _is_factor(users)
-    }  # fmt: skip
-    factors = {x for s in products for x in Product(s).powers if len(Product(s).powers) > 1}
-    yield from equations.of_equations(formulas.systems, number, dimensions.get)
-    yield from quantities.of_quantities(answers, formulas.stages, steps, dimensions.get)
-    named = [(s.means, s.parts) for s in formulas.stages if s.means]
-    named += [(key, a.parts) for key, a in answers.items()]
-    yield from quantities.of_cross_products(named)
-    yield from quantities.of_ratios(named, answers, given, dimensions.get)
-    yield from quantities.of_distances(given, products, dimensions.get)
-    yield from quantities.of_densities(given, steps, dimensions.get)
-    yield from quantities.of_masses(steps, number, dimensions.get)
-    yield from quantities.of_squares(products, number, dimensions.get)
-    yield from quantities.of_sums_squared(steps)
-    yield from quantities.of_differences_of_squares(steps)
-    yield from groups.of_terms(steps, formulas.units)
-    yield from groups.of_factors(products, number)
-    for s, users in users_in.items():
-        if s not in written:
-            continue
-        slips = [*operations.of_operation(s), *operations.of_moment(s, dimensions.get)]
-        if s.op == "argument":
-            name, means = s.args[0], formulas.means.get(s.args[0], "")
-            found = givens.of_given(
-                s, anything, read, number, means, read[name].to_base(1.0, system)
-            )
-            # a given alone in its term, as H in D^2 + H^2, is not a factor
-            is_factor = s in factors or any(user.op in WITHIN for user in users)
-            slips += [slip for slip in found if slip[1] != givens.ONE or is_factor]
-            # nobody converts the symbols of a formula
-            slips += givens.of_unit(s, read[name], system) if name not in symbols else ()
-        if s in products:
-            slips += operations.of_product(s, number, dimensions.get)
-            slips += quantities.of_shared(s) if len(users) > 1 else ()
-        for n, slip in enumerate(slips):
-            yield from _everywhere_and_once(s, n, slip, [u for u in users if u not in unwritten])
+    yield from givens.of_projections(vectors, f.given, f.read)
+    yield from of_integrals(f.steps)
+    numbers = {n: s for n, s in f.given.items() if n not in f.formulas.symbols}
+    yield from _of_differences(f.answers, numbers, f.formulas.stages, f.dimensions)
+    masses = {n: s for n, s in numbers.items() if f.read[n].dimension == givens.MASS}
+    yield from givens.of_weights(vectors, masses, f.g, of)
 
 
-def _gravity(own, system):
-    """g in base units, where the text does not give it."""
-    if own is US:
-        return unit("ft/s^2").to_base(givens.G_OF_FEET, system)
-    return unit("m/s^2").to_base(givens.G, system)
+def _of_quantities(f):
+    """The edits of quantities on the way, of equations, and of several places at once."""
+    of, stages = f.dimensions.get, f.formulas.stages
+    yield from _of_stages(f.answers, stages, f.dimensions)
+    yield from _of_angles(f.answers)
+    yield from equations.of_equations(f.formulas.systems, f.number, of)
+    yield from quantities.of_quantities(f.answers, stages, f.steps, of)
+    yield from quantities.of_cross_products(f.named)
+    yield from quantities.of_ratios(f.named, f.answers, f.given, of)
+    yield from quantities.of_distances(f.given, f.products, of)
+    yield from of_laws(f.answers, f.anything, f.read)
+    yield from quantities.of_densities(f.given, f.steps, of)
+    yield from quantities.of_areas(f.answers, f.given, f.steps, of)
+    yield from quantities.of_transfers(f.given, f.steps, of)
+    yield from quantities.of_masses(f.steps, f.number, of)
+    yield from quantities.of_squares(f.products, f.number, of)
+    yield from quantities.of_sums_squared(f.steps)
+    yield from quantities.of_differences_of_squares(f.steps)
+    yield from groups.of_terms(f.steps, f.units)
+    yield from groups.of_factors(f.products, f.number)
+
+
+def _of_step(f, s, users):
+    """The slips in one step."""
+    of, factors = f.dimensions.get, f.factors
+    yield from operations.of_operation(s)
+    yield from operations.of_moment(s, of)
+    if s.op == "argument":
+        name, means = s.args[0], f.formulas.means.get(s.args[0], "")
+        one = f.read[name].to_base(1.0, f.system)
+        found = givens.of_given(s, f.anything, f.read, f.number, means, one)
+        # a given alone in its term, as H in D^2 + H^2, is not a factor
+        is_factor = s in factors or any(user.op in WITHIN for user in users)
+        yield from (slip for slip in found if slip[1] != givens.ONE or is_factor)
+        # nobody converts the symbols of a formula
+        if name not in f.formulas.symbols:
+            yield from givens.of_unit(s, f.read[name], f.system)
+    if s in f.products:
+        yield from operations.of_product(s, f.number, of)
+        yield from quantities.of_shared(s) if len(users) > 1 else ()
 
 
 def _unwritten(users_in):
@@ -169,16 +236,6 @@ def _varying(steps):
 def _is_factor(users):
     """True of a step whose only use is in a product."""
     return len(users) == 1 and users[0].op in PRODUCT
-
-
-def _in_students_units(dimensions, system, own, s):
-    """The number by which a student multiplies for a step: where the text has feet and pounds, not
-    that in the ``system`` in which the steps are computed.
-    """
-    dimension = dimensions[s]
-    if system is own or dimension is None:
-        return s
-    return ("*", s, float(system.factor(dimension) / own.factor(dimension)))
 
 
 def _everywhere_and_once(s, place, slip, users):
@@ -244,7 +301,7 @@ def _of_power(name, power, change):
 
 
 def _of_unchanged(answers, given, read):
-    """A given, or its half, as the answer."""
+    """A given, or its half, as the answer, or the answer with its ratio to a given inverted."""
     for key, answer in answers.items():
         own, (x, *others) = unit(answer.unit).dimension, answer.parts
         if others or not isinstance(x, Step) or own == Dimension():
@@ -257,6 +314,9 @@ def _of_unchanged(answers, given, read):
                     "takes {name} alone for {key}, as if nothing else counted", name=part, key=key
                 )
                 yield Edit(rank, computed(f"{part} for {x.number}", words), {x.number: other})
+            words = Words(INVERTED, key=key, name=name)
+            inverted = ("/", ("*", step, step), x)
+            yield Edit(LESS, computed(f"inverted {name} {x.number}", words), {x.number: inverted})
 
 
 def _of_differences(answers, given, stages, dimensions):
@@ -270,9 +330,11 @@ def _of_differences(answers, given, stages, dimensions):
                 if x is step or dimensions[x] is None or dimensions[x] != dimensions[step]:
                     continue
                 more = Words("adds {name} to {key}: it alone is asked for", name=name, key=key)
+                rest = Words("gives what is left of {name}: {key} is asked for", name=name, key=key)
                 whole, half = (Words(less.template, name=n, key=key) for n in (name, f"{name}/2"))
                 for what, text, other in (
                     ("less", whole, ("-", x, step)), ("more", more, ("+", x, step)),
+                    ("rest", rest, ("-", step, x)),
                     ("less half", half, ("-", x, ("*", step, 0.5))),
                 ):  # fmt: skip
                     cause = computed(f"{what} {name} {x.number}", text)

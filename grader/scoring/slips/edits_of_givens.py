@@ -33,6 +33,13 @@ SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
 INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inverted").template
 FROM = Words("converts {name} from {other}: it is given in {unit}").template
+SLANT = Words(
+    "takes the slant length sqrt({name}^2 + {other}^2) for {name}: another distance counts"
+).template
+MEAN = Words("takes the mean of {a} and {b} for {key}: look up what {key} stands for").template
+PAIRS = Words(
+    "multiplies {a} by {b}, each by each, for {key}: look up what {key} stands for"
+).template
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
 
 DimensionOf = Callable[[Step], Dimension | None]
@@ -136,8 +143,15 @@ def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Ed
 
 
 def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
-    """A length to another point: another length, or half of it, added or subtracted."""
+    """A length to another point: another length, or half of it, added or subtracted, or the other
+    side of a right angle; or in the ratio of two others.
+    """
     lengths = [n for n in given if read[n].dimension == LENGTH]
+    for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
+        squares = [("*", given[n], given[n]) for n in (name, other)]
+        words = Words(SLANT, name=name, other=other)
+        slant = ("sqrt", ("+", *squares))
+        yield Edit(LEAST, computed(f"slant {name} {other}", words), {given[name].number: slant})
     for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
         for part, x in ((other, given[other]), (f"{other}/2", ("*", given[other], 0.5))):
             for op in ("+", "-"):
@@ -272,6 +286,8 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
                 found.setdefault(frozenset(steps), steps)
             yield from _of_whole_vectors(key, parts, own)
             yield from _of_factors(parts)
+            for one, other in combinations(own, 2) if len(parts) == 3 else ():
+                yield from _of_both(key, parts, one, other)
     for one, other in permutations(found.values(), 2):
         if len(one) == len(other):
             yield from _of_another_vector(one, other)
@@ -297,6 +313,17 @@ def _of_another_vector(one, other):
     for sign, pair in (("-", lambda s, t: ("-", s, t)), ("+", lambda s, t: ("-", t, s))):
         instead = {s.number: pair(s, t) for s, t in zip(one, other, strict=True)}
         yield Edit(LESS, computed(f"{a} {sign} {b}", words), instead)
+
+
+def _of_both(key, parts, one, other):
+    """The mean of two vectors, or their products in pairs, for the answer."""
+    a, b = (joined(s.args[0] for s in steps) for steps in (one, other))
+    for kind, text, op in ("mean", MEAN, "+"), ("pairs", PAIRS, "*"):
+        words = Words(text, a=a, b=b, key=key)
+        both = [(op, s, t) for s, t in zip(one, other, strict=True)]
+        both = [("*", x, 0.5) for x in both] if op == "+" else both
+        instead = {x.number: y for x, y in zip(parts, both, strict=True)}
+        yield Edit(LEAST, computed(f"{kind} {a} {b} for {key}", words), instead)
 
 
 def _of_factors(steps):

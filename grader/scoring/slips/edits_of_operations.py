@@ -355,68 +355,6 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
         yield Edit(LESS, computed(f"small {s.number}", words), small)
 
 
-def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
-    """What is integrated taken as constant, or not integrated, and wrong limits; also of the
-    difference of two integrals, which is one between other limits.
-    """
-    wholes: dict[tuple[int, ...], list[tuple[Step, int]]] = {}
-    for s in steps:
-        if s.op == "item" and s.args[0].op == "integral":
-            wholes.setdefault((s.args[0].number,), []).append((s, s.args[1]))
-        one, other = s.args if s.op == "-" else (s, s)
-        if _are_of_one_integrand(one, other):
-            both = (one.args[0].number, other.args[0].number)
-            wholes.setdefault(both, []).append((s, one.args[1]))
-    for key, items in wholes.items():
-        s, _ = items[0]
-        inner, start, end, *outer = (s if len(key) == 1 else s.args[0]).args[0].args
-        start = start if len(key) == 1 else s.args[1].args[0].args[2]
-        for k, (words, slip) in enumerate(_of_integral(inner, start, end, outer)):
-            instead = {s.number: slip(n) for s, n in items}
-            yield Edit(LESS, computed(f"integral {key} {k}", words), instead)
-
-
-def _are_of_one_integrand(x, y):
-    """True of two integrals of one function from one place to two others."""
-    if x is y or not all(
-        isinstance(s, Step) and s.op == "item" and s.args[0].op == "integral" for s in (x, y)
-    ):
-        return False
-    (f, a, _, *more), (g, b, _, *others) = x.args[0].args, y.args[0].args
-    alike = f.key() == g.key() and [*map(_identity, (a, *more))] == [*map(_identity, (b, *others))]
-    return alike and x.args[1] == y.args[1]
-
-
-def _identity(x):
-    return ("#", x.number) if isinstance(x, Step) else x
-
-
-def _of_integral(inner, start, end, outer):
-    """(words, {component: expression}) of the slips in one integral."""
-    way = ("-", end, start)
-    constant = Words("takes what is integrated as constant: it changes on the way")
-    mean = Words(
-        "takes the mean of the values at both ends: what is integrated does not change evenly"
-    )
-    itself = Words("gives what is to be integrated: its integral is asked for")
-
-    def at(x, n):
-        return ("inside", inner, n, x, *outer)
-
-    def between(low, high):
-        return lambda n: ("item", ("between", inner, low, high, *outer), n)
-
-    yield constant, lambda n: ("*", way, at(end, n))
-    yield constant, lambda n: ("*", way, at(start, n))
-    yield mean, lambda n: ("*", ("*", way, 0.5), ("+", at(start, n), at(end, n)))
-    yield itself, lambda n: at(end, n)
-    yield itself, lambda n: ("-", at(end, n), at(start, n))
-    if isinstance(start, Step) or start != 0:
-        yield Words("integrates from zero: the integral starts elsewhere"), between(0.0, end)
-        words = Words("integrates from zero over the difference of the limits: put each one in")
-        yield words, between(0.0, way)
-
-
 def of_moment(s: Step, dimension: Callable[[Step], Dimension | None]) -> Iterator[Slip]:
     """The moment of inertia of another body, in a product."""
     product, whole = Product(s), dimension(s)

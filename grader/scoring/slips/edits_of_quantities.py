@@ -4,7 +4,7 @@ for a distance, a density for a mass, rates that turn the other way.
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
-from itertools import combinations, product
+from itertools import combinations, combinations_with_replacement, product
 from typing import Any
 
 from newton_euler.algebra.language import Words, joined
@@ -19,7 +19,13 @@ from .formulas import Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, repeats, terms_of
 
 Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its components
+INERTIA, MOMENT = Dimension(1, 2), Dimension(1, 1)
+FEW = 3  # moments of inertia: to more, no parallel-axis term is added
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
+TRANSFERS = {
+    "+": Words("adds {term} to a moment of inertia: it is about this axis already").template,
+    "-": Words("takes {term} off a moment of inertia: it is about this axis already").template,
+}
 TIMES = (
     (-1.0, "", Words("takes {quantity} with the opposite sign: it points the other way")),
     (2.0, FACTOR_2, Words("doubles {quantity}, or has a 2 too many beside it: it counts once")),
@@ -233,6 +239,48 @@ def of_densities(
             )
             if first:
                 yield Edit(LESS, computed(f"{name} as mass", words), {s.number: rho for s in first})
+
+
+def of_areas(
+    answers: Mapping[str, Traced], given: Mapping[str, Step], steps: Iterable[Step], of: DimensionOf
+) -> Iterator[Edit]:
+    """Answers without the mass per length, area or volume: those of a line, an area, a volume.
+    A given mass may be spread over a given length, a rectangle, a triangle.
+    """
+    words = Words("leaves out the mass per length, area or volume: the moments of the mass count")
+    parts = [x for a in answers.values() for x in a.parts if isinstance(x, Step)]
+    parts = [x for x in parts if of(x) in (INERTIA, MOMENT)]
+    found: list[Any] = [s for s in steps if of(s) in DENSITIES and s.op != "argument"]
+    masses, lengths = ([s for s in given.values() if of(s) == kind] for kind in (MASS, LENGTH))
+    for m in masses if len(masses) == 1 else ():
+        found += [("/", m, d) for d in lengths]
+        areas = [("*", a, b) for a, b in combinations_with_replacement(lengths, 2)]
+        found += [("/", ("/", m, area), share) for area in areas for share in (1.0, 0.5)]
+    for n, rho in enumerate(found if parts else ()):
+        instead = {x.number: ("/", x, rho) for x in parts}
+        yield Edit(LESS, computed(f"areas {n}", words), instead)
+
+
+def of_transfers(
+    given: Mapping[str, Step], steps: Iterable[Step], of: DimensionOf
+) -> Iterator[Edit]:
+    """A parallel-axis term added to a moment of inertia, or taken off, where none belongs: of a
+    given mass, or of a weight, and a given length, or half of it.
+    """
+    masses = [s for s in steps if of(s) == MASS]
+    moments = {s for s in steps if of(s) == INERTIA}
+    first = [s for s in moments if not any(a in moments for a in steps_in(s))]
+    lengths = [(n, s) for n, s in given.items() if of(s) == LENGTH]
+    some = first if len(first) <= FEW else ()  # of many bodies, a setup shows the place of each
+    for I, m, (name, d) in product(some, masses, lengths):
+        m_d = described(m)
+        for text, factor in (
+            ((f"{m_d}*{name}^2", 1.0), (f"{m_d}*({name}/2)^2", 0.25)) if m_d else ()
+        ):
+            term = ("*", ("*", ("*", m, d), d), factor)
+            for op, words in TRANSFERS.items():
+                cause = computed(f"{op} {text} {I.number}", Words(words, term=text))
+                yield Edit(LEAST, cause, {I.number: (op, I, term)})
 
 
 def of_masses(

@@ -14,10 +14,10 @@ from newton_euler.algebra.otherwise import built_otherwise
 from newton_euler.algebra.scalars import ZERO, NewtonEulerError
 from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
-from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.causes import LEFT_OUT, computed
 from newton_euler.answers.near import LEAST, LESS, RARER
 
+from .edits_of_terms import is_there, scalars_in, turned
 from .formulas import Edit, needed
 from .typed import described
 
@@ -31,7 +31,8 @@ SIDE = Words("has {what} on the other side: look where it points in the figure")
 AT_REST = Words("leaves out the motion with {what}: that point is not at rest").template
 NOT_LESS = Words("does not subtract {what}: the difference of two vectors is needed").template
 NOTHING = Words("leaves out the vector of {what}: it is not zero here").template
-DIRECTION = Words("has {term} in another direction: check the axes of what it is made of").template
+NO_TURN = Words("leaves out the turning with {what}: it goes on at this instant").template
+ONE_TURN = Words("leaves out one of the turns of a body: all of them add to its angular velocity")
 OTHER_WAY = Words("turns {what} the other way: look for its sense in the figure").template
 ABOUT = Words("has {what} about another axis: look for its axis in the figure").template
 NO_TRANSFER = Words(
@@ -45,7 +46,19 @@ NO_TRANSFERS = Words(
 LINEAR = Words("takes {name} as small, in its first power alone: it is not small").template
 BRIEF = 16  # letters of a component that is named
 AT_G = Words("gives the moments of inertia about the centre of mass: another point is asked for")
+OF_MASS = Words("the body of mass {m}").template
+NO_BODY = Words("leaves out {body}: it counts, too").template
+AS_PARTICLE = Words("takes {body} as a particle: it has moments of inertia of its own").template
+PARTICLES = Words("takes all bodies as particles: they have moments of inertia of their own")
+NOT_CUT = Words("adds {body}, which is cut out: it is subtracted").template
 ITSELF = Words("does not differentiate the vector: its rate is asked for")
+VELOCITY = Words("takes a velocity for the acceleration: that is its rate")
+CONSTANT = Words("takes {what} as constant: it changes with time").template
+INNER = Words("leaves out the inner derivative {what}: the chain rule brings it in").template
+SLOPE = Words(
+    "has the wrong sign in differentiating a function of {what}: the derivative of a cosine is "
+    "minus the sine"
+).template
 SIMPLE = ("+", "-", "*", "neg", "argument", "item")
 MANY = 12  # things of a kind that a problem is built of, beyond which none is put otherwise
 
@@ -60,7 +73,7 @@ def of_setups(
     trace = next(iter(given.values())).trace if given else None
 
     def note(kind, parts, of):
-        inside = [*_scalars((*parts, *of))]
+        inside = [*scalars_in((*parts, *of))]
         # unknowns, and what is inside an integral, have no steps of their own
         usual = all(x is ZERO or isinstance(x, (Step, float, int, str)) for x in inside)
         steps = [x for x in inside if isinstance(x, Step)]
@@ -73,7 +86,7 @@ def of_setups(
     seen, known = {_same(right)}, _within(right)
     curved = _curved(right)
     # one component of a turn about another axis is met by other mistakes
-    in_space = [key for key, x in right.items() if len(x) == 3 and sum(map(_is_there, x)) > 1]
+    in_space = [key for key, x in right.items() if len(x) == 3 and sum(map(is_there, x)) > 1]
     for kind, name, rank, words, find in (
         *_otherwise(compute, things, in_space),
         *_small(compute, {n: s for n, s in given.items() if s in curved}),
@@ -85,7 +98,7 @@ def of_setups(
         same = _same(answers)
         if same not in seen and _within(answers) <= known:
             seen.add(same)
-            if kind == "turn":
+            if kind == "axis":
                 answers = {key: answers[key] for key in in_space}
             does = LEFT_OUT if kind == "transfer" else ""
             yield Edit(rank, computed(name, words, "", does, words if does else ""), {}, answers)
@@ -96,21 +109,25 @@ def _otherwise(compute, things, in_space):
     parallel-axis terms left out.
     """
     kinds = Counter(kind for kind, _, _ in things.values())
-    every = {key for key, (kind, _, of) in things.items() if kind == "transfer" and _is_body(of)}
-    if len(every) > 1:
-        find = partial(_answers, compute, every, (0,))
-        yield "transfer", "transfers", LESS, NO_TRANSFERS, find
+    own = {key for key, (kind, _, of) in things.items() if kind == "transfer" and _is_body(of)}
+    bodies = {k for k, (kind, parts, _) in things.items() if kind == "body" and _is_body(parts)}
+    for kind, keys, words, instead in (
+        ("transfer", own, NO_TRANSFERS, lambda parts: (0,)),
+        ("body", bodies, PARTICLES, lambda parts: (parts[0], *[0] * len(parts[1:]))),
+    ):
+        if len(keys) > 1:
+            yield kind, f"every {kind}", RARER, words, partial(_answers, compute, keys, instead)
     for n, (key, (kind, parts, of)) in enumerate(things.items()):
-        if kinds[kind] > MANY or (kind == "turn" and not in_space):
-            continue
-        for m, (rank, words, instead) in enumerate(_WAYS[kind](parts, of)):
-            find = partial(_answers, compute, {key}, instead)
-            yield kind, f"{kind} {n} {m}", rank, words, find
+        ways = [kind, *["axis"] * (kind == "turn" and bool(in_space))]
+        for what in ways if kinds[kind] <= MANY else ():
+            for m, (rank, words, instead) in enumerate(_WAYS[what](parts, of)):
+                find = partial(_answers, compute, {key}, lambda _, new=instead: new)
+                yield what, f"{what} {n} {m}", rank, words, find
 
 
 def _answers(compute, keys, instead):
     def change(kind, parts, of):
-        return instead if _key(kind, parts, of) in keys else parts
+        return instead(parts) if _key(kind, parts, of) in keys else parts
 
     with built_otherwise(change):
         return compute({})
@@ -145,7 +162,7 @@ def _within(answers):
 
 
 def _key(kind, parts, of):
-    return kind, *map(_plain, (*_scalars(parts), *_scalars(of)))
+    return kind, *map(_plain, (*scalars_in(parts), *scalars_in(of)))
 
 
 def _plain(x):
@@ -159,49 +176,17 @@ def _same(answers):
     return tuple((key, *map(_plain, parts)) for key, parts in answers.items())
 
 
-def _scalars(parts):
-    """The scalars in components, moving or not; an axis is one of them."""
-    for x in parts:
-        if isinstance(x, Moving):
-            yield from _scalars((x.value, x.rate, x.acceleration))
-        else:
-            yield x
-
-
 def _named(parts):
     """The components that are not zero, in words: as they are typed, or by their rates."""
-    steps = [[s for s in _scalars([x]) if isinstance(s, Step)] for x in parts]
+    steps = [[s for s in scalars_in([x]) if isinstance(s, Step)] for x in parts]
     words = [described(s.args[0] if s.op == "neg" else s) for s, *_ in filter(None, steps)]
     return joined(words) if words and all(0 < len(x) <= BRIEF for x in words) else ""
-
-
-def _is_there(x):
-    return any(isinstance(s, Step) or s != 0 for s in _scalars([x]))
-
-
-def of_directions(
-    vectors: Mapping[str, Vector], named: Callable[[str, Vector], str]
-) -> Iterator[Edit]:
-    """A named term of an answer along another axis, or turned in its plane."""
-    for key, v in vectors.items():
-        for name, term in (v.terms or {}).items():
-            c, rest = term.expressed_in(v.frame).c, v.reweighted(**{name: 0}).c
-            there = {n for n, x in enumerate(c) if _is_there(x)}
-            words = Words(DIRECTION, term=named(name, v))
-            for n, m in combinations(range(3), 2) if len(there) < 3 else ():
-                if not ((len(there) == 1 and there & {n, m}) or there == {n, m}):
-                    continue
-                for a, b in (1, -1), (-1, 1), *[(1, 1), (-1, -1)] * (len(there) > 1):
-                    turned = _turned(c, n, m, a, b)
-                    parts = [x + y for x, y in zip(rest, turned, strict=True)]
-                    cause = computed(f"direction {key} {name} {n} {m} {a} {b}", words)
-                    yield Edit(LESS, cause, {}, {key: parts})
 
 
 def _of_vector(parts, of):
     """The same of a vector, and it left out."""
     yield from _of_components(parts, of)
-    there = [x for x in parts if _is_there(x)]
+    there = [x for x in parts if is_there(x)]
     differ = all(isinstance(x, Step) and x.op == "-" for x in there)
     if differ and (what := _named([x.args[1] for x in there])):
         minuend = tuple(x.args[0] if isinstance(x, Step) else x for x in parts)
@@ -212,7 +197,7 @@ def _of_vector(parts, of):
 
 def _of_components(parts, of):
     """A point, or a vector, of which one component is along another axis, or two are exchanged."""
-    there = [n for n, x in enumerate(parts) if _is_there(x)]
+    there = [n for n, x in enumerate(parts) if is_there(x)]
     for n in there:
         if what := _named([parts[n]]):
             reversed_one = tuple(-x if m == n else x for m, x in enumerate(parts))
@@ -228,31 +213,29 @@ def _of_components(parts, of):
         if not what:
             continue
         if {n, m} <= {*there}:
-            yield LESS, Words(EXCHANGED, what=what), _turned(parts, n, m, 1, 1)
+            yield LESS, Words(EXCHANGED, what=what), turned(parts, n, m, 1, 1)
         else:
-            yield LESS, Words(MOVED, what=what), _turned(parts, n, m, 1, -1)
-            yield LESS, Words(MOVED, what=what), _turned(parts, n, m, -1, 1)
-
-
-def _turned(parts, n, m, a, b):
-    """The components with the n-th in the place of the m-th, times b, and back, times a."""
-    moved = [*parts]
-    moved[n], moved[m] = a * parts[m], b * parts[n]
-    return tuple(moved)
+            yield LESS, Words(MOVED, what=what), turned(parts, n, m, 1, -1)
+            yield LESS, Words(MOVED, what=what), turned(parts, n, m, -1, 1)
 
 
 def _of_turn(parts, of):
-    (axis,) = parts
-    value, *rates = _scalars(of)
-    what = _named(rates[:1]) or _named([value])
+    axis, angle = parts
+    what = _named([angle.rate])
+    if any(isinstance(x, Step) for x in scalars_in([Moving(angle.rate, angle.acceleration)])):
+        yield LEAST, Words(NO_TURN, what=what) if what else ONE_TURN, (axis, Moving(angle.value))
+    if what := what or _named([angle.value]):
+        yield LEAST, Words(OTHER_WAY, what=what), (axis, -angle)
+
+
+def _of_axis(parts, of):
+    axis, angle = parts
+    what = _named([angle.rate]) or _named([angle.value])
     own = axis.removeprefix("-") if isinstance(axis, str) else ""
     for other in "xyz" if own and what else "":
-        for sign in ("", "-"):
-            if other != own:
-                # rarer than one given for another, whose answers it may have
-                yield LEAST + 2, Words(ABOUT, what=what), (sign + other,)
-            elif sign + own != axis:
-                yield LEAST, Words(OTHER_WAY, what=what), (sign + own,)
+        for sign in ("", "-") if other != own else ():
+            # rarer than one given for another, whose answers it may have
+            yield LEAST + 2, Words(ABOUT, what=what), (sign + other, angle)
 
 
 def _of_transfer(parts, of):
@@ -262,9 +245,9 @@ def _of_transfer(parts, of):
         yield RARER, Words(words, what=what), (0,)
 
 
-def _is_body(of):
-    """False of a particle, whose own moments of inertia are zero."""
-    return any(map(_is_there, of[4:]))
+def _is_body(parts):
+    """False of a particle, whose own moments of inertia, the last of the parts, are zero."""
+    return any(map(is_there, parts[-3:]))
 
 
 def _of_matrix(parts, of):
@@ -276,11 +259,47 @@ def _of_rate(parts, of):
     yield LESS, ITSELF, of
 
 
+def _of_body(parts, of):
+    mass, *own = parts
+    words = described(mass)
+    body = Words(OF_MASS, m=words) if words else ""
+    if body and any(map(is_there, own)):
+        yield RARER, Words(AS_PARTICLE, body=body), (mass, *[0] * len(own))
+    if body:
+        yield LESS, Words(NO_BODY, body=body), (0,) * len(parts)
+    if body and isinstance(mass, Step) and mass.op == "neg":
+        yield LESS, Words(NOT_CUT, body=body), tuple(-x for x in parts)
+
+
+def _of_motion(parts, of):
+    yield LEAST, VELOCITY, of
+
+
+def _of_coordinate(parts, of):
+    (r,) = parts
+    if (what := _named([r])) and any(isinstance(x, Step) for x in (r.rate, r.acceleration)):
+        yield LESS, Words(CONSTANT, what=what), (Moving(r.value),)
+
+
+def _of_chain(parts, of):
+    rate, growth, slope, curvature = parts
+    if what := _named([rate]):
+        yield LESS, Words(INNER, what=what), (1, ZERO, slope, curvature)
+    if what := _named(of):
+        for sign in (-1, 1):
+            yield LEAST, Words(SLOPE, what=what), (rate, growth, -slope, sign * curvature)
+
+
 _WAYS: Mapping[str, Callable[[Parts, Parts], Iterator[Way]]] = {
     "point": _of_components,
     "vector": _of_vector,
     "turn": _of_turn,
+    "axis": _of_axis,
     "transfer": _of_transfer,
     "matrix": _of_matrix,
     "rate": _of_rate,
+    "body": _of_body,
+    "motion": _of_motion,
+    "coordinate": _of_coordinate,
+    "chain": _of_chain,
 }

@@ -109,17 +109,35 @@ def users_of(steps: Iterable[Step]) -> dict[Step, list[Step]]:
 
 
 def dimensions_of(steps: Sequence[Step], units: Mapping[str, Unit]) -> dict[Step, Dimension | None]:
-    """The dimension of each step; None where it has no whole powers, or is within an integral."""
+    """The dimension of each step; None where it has no whole powers, or is within a root."""
+    given = {s: units[s.args[0]].dimension for s in steps if s.op == "argument"}
+    found = _dimensions(steps, given)
+    return {s: d if isinstance(d, Dimension) and _is_whole(d) else None for s, d in found.items()}
+
+
+def _dimensions(steps, given):
     run, found = operations(scalars), dict[Step, Any]()
     for s in steps:
         try:
             args = [found[a] if isinstance(a, Step) else a for a in s.args]
-            number = Dimension() if s.op == "pi" else None
-            given = units[s.args[0]].dimension if s.op == "argument" else number
-            found[s] = given or run[s.op](*args)
+            if s.op == "integral":
+                found[s] = _of_integral(*args)
+            else:
+                number = Dimension() if s.op == "pi" else None
+                found[s] = given.get(s) or number or run[s.op](*args)
         except (NewtonEulerError, TypeError, AttributeError, KeyError):
             found[s] = None
-    return {s: d if isinstance(d, Dimension) and _is_whole(d) else None for s, d in found.items()}
+    return found
+
+
+def _of_integral(inner, low, high, *outer):
+    """The dimensions of an integral: a limit that is a number is zero, or of no dimension."""
+    own = next((d for d in (low, high) if isinstance(d, Dimension)), Dimension())
+    values = dict(zip(inner.parameters, (own, *outer), strict=True))
+    steps = needed(inner.leaves)
+    given = {s: values[s.args[0]] for s in steps if s.op == "argument"}
+    found = _dimensions(steps, given)
+    return [found[x] * own if isinstance(x, Step) else own for x in inner.leaves]
 
 
 def _is_whole(dimension):

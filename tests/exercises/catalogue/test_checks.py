@@ -6,6 +6,7 @@ from exercises import problem
 from exercises.catalogue import variants
 from exercises.catalogue.checks import alike, check
 from exercises.catalogue.following import earlier_answers
+from exercises.catalogue.units import in_frame
 from newton_euler import Frame, pi
 
 P = problem("4/16")
@@ -108,14 +109,16 @@ def test_frames_of_another_call_in_the_tree_of_an_answer_are_a_fault(tamper):
     assert fault.startswith("v_D has the frame arm of an earlier call in its tree")
 
 
-def test_a_mistake_in_other_axes_is_caught(tamper):
-    def in_the_axes_of_the_rod(g):
+@pytest.mark.parametrize("name", ["rod", "ground"])
+def test_a_mistake_in_other_axes_is_caught_whatever_their_name(tamper, name):
+    def in_turned_axes(g):
         a = MISTAKES(g)["no_coriolis"]["a_D"]
-        turned = a.frame.rotate("rod", "x", angle=0.5)
+        turned = a.frame.rotate(name, "x", angle=0.5)
+        assert in_frame(a.frame, a.expressed_in(turned)).frame is a.frame
         return {**MISTAKES(g), "no_coriolis": {"a_D": a.expressed_in(turned)}}
 
-    (fault,) = tamper(mistakes=in_the_axes_of_the_rod)
-    assert fault == "a_D is in ground, but the mistake no_coriolis has it in rod: use in_frame"
+    (fault,) = tamper(mistakes=in_turned_axes)
+    assert fault == f"a_D is in ground, but the mistake no_coriolis has it in {name}: use in_frame"
 
 
 def test_a_misread_angle_is_caught(tamper):

@@ -2,6 +2,7 @@
 
 import math
 import random
+from dataclasses import replace
 
 import pytest
 
@@ -48,3 +49,10 @@ def test_every_problem_has_its_bounds():
     some = random.Random(3).sample(select(["all"]), 40)
     asked = [p for p in some if any(a.kind.name in ("number", "vector") for a in p.answers)]
     assert sum(bool(sane_answers(p)) for p in asked) >= 0.9 * len(asked)
+
+
+def test_what_is_never_negative_is_known_in_any_words():
+    p = problem("4/1")
+    told = replace(p, answers=tuple(replace(a, means="Betrag") for a in p.answers))
+    assert sane_answers(told) == sane_answers(p)
+    assert {x[2] for x in sane_answers(p).values()} == {"magnitude"}

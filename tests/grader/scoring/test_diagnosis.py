@@ -11,7 +11,7 @@ from exercises.catalogue.variants import SEPARATION, draw, evaluate, flat
 from exercises.catalogue.wording import term_text
 from grader.scoring import score_receipt
 from grader.scoring.numbers import Numbers
-from newton_euler.algebra.ledger import equation
+from newton_euler.algebra.ledger import Crossed, equation
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers import tolerance
 from tests.grader.scoring.answered import CH04, judged, texts, trees
@@ -177,7 +177,8 @@ def test_terms_are_named_in_the_words_of_the_problem():
     assert term_text("about y", turning) == "the turning about y"
     assert term_text("arm", growing) == "the rate of the turning of the arm"
     both = "the cross product of the turning of the arm and the turning of the rod"
-    assert term_text("arm x rod", growing) == both
+    assert term_text(Crossed("arm", "rod"), growing) == both
+    assert term_text("2 x 4 x 8", growing) == "the rate of the turning of the 2 x 4 x 8"
     assert term_text("u''", equation("curvilinear acceleration")) == "the term u''"
 
 

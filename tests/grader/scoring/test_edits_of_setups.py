@@ -88,7 +88,46 @@ def as_it_is(c, d, t):
     return {"dudt": sympy.Matrix([t, t**2, c]).cross(sympy.Matrix([d * t, t**2, t**3])).T}
 
 
+def not_resolved(R, R_dot, R_ddot, theta_dot, theta_ddot, phi, phi_dot, phi_ddot):
+    """3/16: the acceleration toward the axis all along e_R."""
+    c, s = sympy.cos(phi), sympy.sin(phi)
+    across = R * theta_ddot * c + 2 * R_dot * theta_dot * c - 2 * R * theta_dot * phi_dot * s
+    outward = R_ddot - R * phi_dot**2 - R * theta_dot**2 * c
+    return {"a": [outward, across, R * phi_ddot + 2 * R_dot * phi_dot]}
+
+
+def with_one_more_transfer(W, k_z, k_x, c, phi_dot, theta, g):
+    """10/5: the transverse moment of inertia moved to O, about which it already is."""
+    spin = phi_dot * 2 * pi / 60
+    return {"psi_fast": k_z**2 * spin / ((k_x**2 + c**2 - k_z**2) * np.cos(radians(theta)))}
+
+
+def particles(m, a, omega, alpha):
+    """8/17: each rod a particle at its centre."""
+    h = m * a**2
+    return {"H_O": [5 * h * omega / 2, -h * omega / 2, -3 * h * omega / 2]}
+
+
 CASES = {
+    "not resolved": ("3/16", not_resolved, "along one axis"),
+    "one more transfer": ("10/5", with_one_more_transfer, "to a moment of inertia"),
+    "particles": ("8/17", particles, "takes all bodies as particles"),
+    "no rate of a motion": (
+        "2/33", lambda x_dot, **g: {"a": [x_dot, 0, 0]}, "takes a velocity for the acceleration"
+    ),
+    "no inner derivative": (
+        "2/17", lambda b, c, omega, theta: {"a": sympy.sqrt(
+            (c * sympy.cos(theta) - (b - c * sympy.cos(theta)) * omega**2) ** 2
+            + (2 * c * sympy.sin(theta) * omega) ** 2)},
+        "leaves out the inner derivative omega",
+    ),
+    "another law": (
+        "2/2", lambda A, theta, v: {"a_n": v**2 * theta / A}, "takes v^2*theta/A for a_n"
+    ),
+    "an area": ("7/18", lambda m, b, h: {"I_xx": b * h**3 / 36}, "leaves out the mass per"),
+    "inside an integral": (
+        "5/8", lambda R: {"d": [0, 0, sympy.pi * R / 4]}, "in what is integrated"
+    ),
     "another point": ("7/3", about_their_centre, "moments of inertia about the centre of mass"),
     "no rate": ("A/17", as_it_is, "does not differentiate the vector"),
     "a point": ("4/41", top_of_the_rim, "puts r along another axis"),
@@ -119,7 +158,10 @@ CASES = {
     ),
     "limits": ("A/25", over_the_difference, "over the difference of the limits"),
     "constant": ("8/10", swinging, "takes what is integrated as constant"),
-    "one of two": ("7/29", one_panel, "halves q*c"),
+    "in inches": (
+        "2/16", lambda a_n1, r_1, **_: {"v_tape": (a_n1 / r_1) ** 0.5}, "one factor r_1 too few",
+    ),
+    "one of two": ("7/29", one_panel, "or q*c"),
 }  # fmt: skip
 
 
@@ -138,9 +180,9 @@ def test_each_slip_is_named_in_its_own_words(case):
 
 
 def _written(x):
-    """An answer in five digits, as students write it; a formula as it is."""
+    """An answer in six digits, as students write it; a formula as it is."""
     if isinstance(x, sympy.Basic):
         return x
     if np.ndim(x):
         return [_written(y) for y in x]
-    return float(f"{x:.5g}")
+    return float(f"{x:.6g}")

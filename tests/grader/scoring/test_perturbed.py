@@ -181,8 +181,9 @@ def test_ratios_roots_and_differences(parts, wrong, words):
 def test_random_numbers_are_rarely_named(perturbed):
     rng = random.Random(1)
     right = {key: float(f(**GIVEN)) for key, f in FORMULAS.items()}
-    tries = [(key, right[key] * 3 ** rng.uniform(-1, 1)) for key in FORMULAS for _ in range(400)]
-    assert sum(bool(named(perturbed, k, float(f"{x:.4g}"))) for k, x in tries) <= 6
+    tries = [(key, right[key] * 3 ** rng.uniform(-1, 1)) for key in FORMULAS for _ in range(1000)]
+    # in four digits; in problems, whose slips are more, a quarter of a percent
+    assert sum(bool(named(perturbed, k, float(f"{x:.4g}"))) for k, x in tries) <= 20
 
 
 def test_in_few_digits_a_number_meets_a_slip_by_chance_and_is_not_named(perturbed):

@@ -216,7 +216,7 @@ def test_two_listed_mistakes_at_once_are_both_named():
                     words = both(first, second).what
                     found[judged(p, numbers, a, words, sum_, {})] += 1
     print("\n", found.most_common(6))
-    assert found["named"] >= 0.79 * sum(found.values())
+    assert found["named"] >= 0.78 * sum(found.values())
 
 
 def test_rates_added_as_numbers_are_reported():

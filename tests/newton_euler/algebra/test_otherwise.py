@@ -1,6 +1,6 @@
 """Systems that are built otherwise than their code says."""
 
-from newton_euler import Frame
+from newton_euler import Frame, moving, polar, sin
 from newton_euler.algebra.otherwise import built_otherwise
 from newton_euler.bodies import rod
 
@@ -20,7 +20,7 @@ def test_a_change_holds_in_its_block_alone():
     assert rod_about_its_end(2.0) == 4.0
 
 
-def test_a_change_sees_points_vectors_turns_and_transfers():
+def test_a_change_sees_what_systems_are_built_of():
     seen = []
 
     def note(kind, parts, of):
@@ -29,9 +29,14 @@ def test_a_change_sees_points_vectors_turns_and_transfers():
 
     with built_otherwise(note):
         ground = Frame("ground")
-        ground.rotate("arm", "z", rate=2.0).vector(1.0, 0, 0)
+        arm = ground.rotate("arm", "z", rate=2.0)
+        arm.vector(1.0, 0, 0)
+        arm.angular_acceleration(ground)
         rod_about_its_end(2.0)
-    assert ("turn", ("z",)) in seen
+        polar(ground, "P", sin(moving(0.0, rate=5.0)), 0.0).acceleration(ground)
+    kinds = "turn vector point body transfer rate motion coordinate chain"
+    assert {kind for kind, _ in seen} == {*kinds.split()}
     assert ("vector", (1.0, 0, 0)) in seen
     assert ("point", (1.0, 0, 0)) in seen
     assert ("transfer", (1,)) in seen
+    assert ("chain", (5.0, 0, 1.0, 0.0)) in seen

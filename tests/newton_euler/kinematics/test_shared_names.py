@@ -43,7 +43,10 @@ def test_every_frame_and_pair_of_frames_has_its_term_in_the_angular_acceleration
     names = [t[0] for t in turns]
     crossed = [f"{u} x {v}" for n, u in enumerate(names) for v in names[n + 1 :]]
     parts = [value(v) for v in end.angular_acceleration(other).terms.values()]
-    check_terms(last.angular_acceleration(ground), parts, names + crossed)
+    found = last.angular_acceleration(ground)
+    check_terms(found, parts, names + crossed)
+    formula = found.explain().latex.partition(r"\tag")[0]
+    assert formula.count(r"\times") == len(crossed)  # and none for a frame called "a x b"
 
 
 @by_any_names

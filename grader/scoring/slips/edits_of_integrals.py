@@ -1,0 +1,133 @@
+"""Slips in integrals: what is integrated taken as constant or not integrated, wrong limits, and a
+slip in what is integrated.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from newton_euler.algebra.language import Words
+from newton_euler.algebra.trace import Inner, Step, Trace
+from newton_euler.answers.causes import computed
+from newton_euler.answers.near import LEAST, LESS
+
+from .formulas import Edit, needed
+from .typed import is_given
+
+TWINS = {"sin": "cos", "cos": "sin"}
+FEW = 4  # integrals: of more, no slip inside is tried
+INSIDE = {
+    "twin": Words("takes {twin} for {own} in what is integrated: check what it stands for"),
+    "all twins": Words("exchanges sine and cosine in what is integrated: check the angle"),
+    "factor": Words("leaves out a factor in what is integrated: each part of it has one"),
+    "square": Words("does not square a factor in what is integrated: it stands there twice"),
+    "term": Words("leaves out a term of what is integrated: it counts, too"),
+    "sign": Words("has the wrong sign in what is integrated: check each term of it"),
+}
+
+
+def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
+    """What is integrated taken as constant, or not integrated, and wrong limits; also of the
+    difference of two integrals, which is one between other limits.
+    """
+    wholes: dict[tuple[int, ...], list[tuple[Step, int]]] = {}
+    for s in steps:
+        if s.op == "item" and s.args[0].op == "integral":
+            wholes.setdefault((s.args[0].number,), []).append((s, s.args[1]))
+        one, other = s.args if s.op == "-" else (s, s)
+        if _are_of_one_integrand(one, other):
+            both = (one.args[0].number, other.args[0].number)
+            wholes.setdefault(both, []).append((s, one.args[1]))
+    few = len(wholes) <= FEW
+    for key, items in wholes.items():
+        s, _ = items[0]
+        inner, start, end, *outer = (s if len(key) == 1 else s.args[0]).args[0].args
+        start = start if len(key) == 1 else s.args[1].args[0].args[2]
+        for k, (words, slip) in enumerate(_of_integral(inner, start, end, outer)):
+            instead = {s.number: slip(n) for s, n in items}
+            yield Edit(LESS, computed(f"integral {key} {k}", words), instead)
+        for k, (words, other) in enumerate(_of_integrand(inner) if few and len(key) == 1 else ()):
+            instead = {s.number: _between(other, start, end, outer)(n) for s, n in items}
+            yield Edit(LEAST, computed(f"integrand {key} {k}", words), instead)
+
+
+def _are_of_one_integrand(x, y):
+    """True of two integrals of one function from one place to two others."""
+    if x is y or not all(
+        isinstance(s, Step) and s.op == "item" and s.args[0].op == "integral" for s in (x, y)
+    ):
+        return False
+    (f, a, _, *more), (g, b, _, *others) = x.args[0].args, y.args[0].args
+    alike = f.key() == g.key() and [*map(_identity, (a, *more))] == [*map(_identity, (b, *others))]
+    return alike and x.args[1] == y.args[1]
+
+
+def _identity(x):
+    return ("#", x.number) if isinstance(x, Step) else x
+
+
+def _of_integral(inner, start, end, outer):
+    """(words, {component: expression}) of the slips in one integral."""
+    way = ("-", end, start)
+    constant = Words("takes what is integrated as constant: it changes on the way")
+    mean = Words(
+        "takes the mean of the values at both ends: what is integrated does not change evenly"
+    )
+    itself = Words("gives what is to be integrated: its integral is asked for")
+
+    def at(x, n):
+        return ("inside", inner, n, x, *outer)
+
+    def between(low, high):
+        return _between(inner, low, high, outer)
+
+    yield constant, lambda n: ("*", way, at(end, n))
+    yield constant, lambda n: ("*", way, at(start, n))
+    yield mean, lambda n: ("*", ("*", way, 0.5), ("+", at(start, n), at(end, n)))
+    yield itself, lambda n: at(end, n)
+    yield itself, lambda n: ("-", at(end, n), at(start, n))
+    if isinstance(start, Step) or start != 0:
+        yield Words("integrates from zero: the integral starts elsewhere"), between(0.0, end)
+        words = Words("integrates from zero over the difference of the limits: put each one in")
+        yield words, between(0.0, way)
+
+
+def _between(inner, low, high, outer):
+    return lambda n: ("item", ("between", inner, low, high, *outer), n)
+
+
+def _of_integrand(inner: Inner) -> Iterator[tuple[Words, Inner]]:
+    """(words, other formula) of the slips in one place of what is integrated."""
+    steps = needed(inner.leaves)
+    twins = [s for s in steps if s.op in TWINS and is_given(s)]
+    for s in twins:
+        words = Words(INSIDE["twin"].template, own=f"{s.op}(...)", twin=f"{TWINS[s.op]}(...)")
+        yield words, _changed(inner, {s.number: (TWINS[s.op], *s.args)})
+    if len(twins) > 1:
+        every = {s.number: (TWINS[s.op], *s.args) for s in twins}
+        yield INSIDE["all twins"], _changed(inner, every)
+    for s in steps:
+        if s.op in ("*", "/"):
+            is_square = s.args[0] is s.args[1]
+            kept = s.args if s.op == "*" and not is_square else s.args[:1]
+            for x in kept:
+                yield INSIDE["square" if is_square else "factor"], _changed(inner, {s.number: x})
+        elif s.op in ("+", "-"):
+            a, b = s.args
+            yield INSIDE["term"], _changed(inner, {s.number: a})
+            yield INSIDE["term"], _changed(inner, {s.number: b})
+            yield INSIDE["sign"], _changed(inner, {s.number: ("+-"[s.op == "+"], a, b)})
+
+
+def _changed(inner, instead):
+    """The formula with other expressions, of its own steps, in place of some steps."""
+    trace, found = Trace(), dict[int, Any]()
+
+    def now(x):
+        if isinstance(x, tuple):
+            return trace.new(x[0], *map(now, x[1:]))
+        return found[x.number] if isinstance(x, Step) else x
+
+    for s in needed(inner.leaves):
+        other = instead.get(s.number)
+        found[s.number] = trace.new(s.op, *map(now, s.args)) if other is None else now(other)
+    return Inner(inner.parameters, trace, [*map(now, inner.leaves)], inner.variable)

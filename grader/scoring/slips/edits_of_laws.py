@@ -1,0 +1,109 @@
+"""Answers by another law: products of powers of a few givens that have the right dimension, and the
+roots of such products.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
+from typing import Any, NamedTuple
+
+from newton_euler.algebra.language import Words
+from newton_euler.algebra.trace import Step
+from newton_euler.algebra.units import Unit, unit
+from newton_euler.answers.causes import computed
+from newton_euler.answers.near import LEAST
+
+from .formulas import Edit, Traced
+
+MOST = 8  # givens: of more, no laws are tried
+FACTORS = 3  # in a law, beside a pure number
+POWERS = (1, -1, 2, -2)
+LAWS = 12  # for one answer: the simplest
+CONSTANTS = {1.0: "", 0.5: "1/2*", 2.0: "2*"}
+OF_ROOTS = CONSTANTS | {0.25: "1/4*", 4.0: "4*"}
+OTHER = Words("takes {law} for {key}: look up the law that gives {key}").template
+
+Powers = tuple[float, ...]
+Factors = tuple[tuple[str, int], ...]
+
+
+class Law(NamedTuple):
+    """A product of powers of givens, {given: power}, or its root."""
+
+    powers: Factors
+    is_root: bool
+
+    @property
+    def size(self) -> int:
+        """How long it is to write."""
+        return sum(1 + abs(p) for _, p in self.powers) + self.is_root
+
+    def written(self, constant: str = "", function: str = "") -> str:
+        """The law as it is typed, after a constant, with a function of an angle as a factor."""
+        over = [f"{n}^{p}" if p > 1 else n for n, p in self.powers if p > 0]
+        under = [f"{n}^{-p}" if p < -1 else n for n, p in self.powers if p < 0]
+        over += [function] if function and not self.is_root else []
+        below = f"/({'*'.join(under)})" if len(under) > 1 else "".join(f"/{n}" for n in under)
+        text = constant + ("*".join(over) or "1") + below
+        text = f"sqrt({text})" if self.is_root else text
+        return f"{text}*{function}" if function and self.is_root else text
+
+    def of(self, given: Mapping[str, Step], constant: float = 1.0) -> Any:
+        """The expression of these givens."""
+        whole: Any = constant
+        for n, p in self.powers:
+            whole = ("*", whole, given[n] if p == 1 else ("**", given[n], float(p)))
+        return ("sqrt", ("abs", whole)) if self.is_root else whole
+
+
+def of_laws(
+    answers: Mapping[str, Traced], given: Mapping[str, Step], read: Mapping[str, Unit]
+) -> Iterator[Edit]:
+    """Each answer that is one number or formula by the simplest other laws, also with the sine or
+    cosine of a given angle.
+    """
+    angles = [n for n in given if read[n].is_of_angle]
+    plain = {n: _powers(read[n]) for n in given if read[n].text != "deg"}
+    for key, answer in answers.items() if len(plain) <= MOST else ():
+        x, *others = answer.parts
+        own = _powers(unit(answer.unit))
+        if others or not isinstance(x, Step) or not any(own):
+            continue
+        for law in _laws(plain, own):
+            for c, text in (OF_ROOTS if law.is_root else CONSTANTS).items():
+                yield _edit(key, x, law.written(text), law.of(given, c), LEAST + 2 + (c != 1))
+            for f, angle in product(("sin", "cos"), angles):
+                turned = ("*", law.of(given), (f, given[angle]))
+                yield _edit(key, x, law.written("", f"{f}({angle})"), turned, LEAST + 3)
+
+
+def _edit(key, x, law, expression, rank):
+    words = Words(OTHER, law=law, key=key)
+    return Edit(rank, computed(f"law {law} for {key}", words), {x.number: expression})
+
+
+def _powers(of: Unit) -> Powers:
+    return tuple(map(float, of.dimension.powers))
+
+
+def _laws(plain: Mapping[str, Powers], own: Powers) -> Sequence[Law]:
+    """The simplest laws that give this dimension."""
+    order = [*plain]
+    factors = {(n, p): tuple(p * x for x in plain[n]) for n in order for p in POWERS}
+    giving: dict[Powers, list[tuple[str, int]]] = {}
+    for factor, dimension in factors.items():
+        giving.setdefault(dimension, []).append(factor)
+    found = list[Law]()
+    begun: list[tuple[Factors, Powers]] = [((), (0.0, 0.0, 0.0))]
+    for _ in range(FACTORS):
+        longer = []
+        for some, total in begun:
+            after = order.index(some[-1][0]) + 1 if some else 0
+            for whole, is_root in (own, False), (tuple(2 * x for x in own), True):
+                rest = tuple(a - b for a, b in zip(whole, total, strict=True))
+                last = [x for x in giving.get(rest, ()) if order.index(x[0]) >= after]
+                found += [Law((*some, x), is_root) for x in last]
+            for x in ((n, p) for n in order[after:] for p in POWERS):
+                sum_of = tuple(a + b for a, b in zip(total, factors[x], strict=True))
+                longer.append(((*some, x), sum_of))
+        begun = longer
+    return sorted(found, key=lambda law: law.size)[:LAWS]

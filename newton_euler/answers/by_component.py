@@ -1,0 +1,65 @@
+"""Mistakes made in some components alone, where none explains the whole: a listed one in those that
+are wrong; in a formula, a slip in each of them, met with all digits at all points.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+
+from .causes import Cause, both, in_components
+from .fit import CLOSE, Fit, mixed
+from .kinds import Kind
+from .tolerance import NOISE, Points
+
+MOST = 3  # components, or entries of a symmetric matrix, that are wrong
+Slip = tuple[int, Cause, Points]
+
+
+def of_each_component(
+    fit: Fit,
+    kind: Kind,
+    wrong: Sequence[tuple[Cause, Points]],
+    slips: Callable[[Fit, Kind], Sequence[Slip]],
+) -> tuple[Cause, ...]:
+    """The mistake of the components that are wrong; or the simplest slips in the first two of them,
+    as one cause, if there is one in each.
+    """
+    groups = _wrong(fit, kind)
+    if not groups:
+        return ()
+    off = [n for places in groups for n in places]
+    if found := [*_listed(fit, off, wrong)]:
+        return (found[0],)
+    if not kind.is_formula or not 1 < len(groups) <= MOST:
+        return ()
+    for places in groups:
+        alone = Fit(mixed(fit.given, fit.key, places), fit.key, fit.rtol)
+        near = [(-1, cause, ()) for cause in _listed(alone, places, wrong)] or slips(alone, kind)
+        if not near:
+            return ()
+        found.append(min(near, key=lambda slip: slip[0])[1])
+    return (both(*found[:2]),)
+
+
+def _listed(fit: Fit, off: Sequence[int], wrong: Sequence[tuple[Cause, Points]]) -> Iterator[Cause]:
+    """The listed mistakes that give the components ``off``, where others are right."""
+    for cause, points in wrong:
+        is_in_part = cause.group in ("listed", "usual") and len(off) < len(fit.key[0])
+        if is_in_part and fit(mixed(points, fit.key, off)) >= CLOSE:
+            is_listed = cause.group == "listed"
+            yield in_components(cause, off, fit.key[0]) if is_listed else cause
+
+
+def _wrong(fit, kind):
+    """The places of each wrong component; of a matrix, an entry with its mirror image."""
+    near = NOISE if kind.is_formula else kind.rtol
+    pairs = [*zip(fit.given, fit.key, fit.sizes, strict=True)]
+    places = range(len(fit.key[0]) if len(fit.key[0]) > 2 else 0)
+    off = [n for n in places if any(abs(x[n] - k[n]) > near * size for x, k, size in pairs)]
+    mirrored = [3 * (n % 3) + n // 3 if len(places) == 9 else n for n in places]
+    if len(places) == 9 and _is_flat(fit.given) and _is_flat(fit.key):
+        off = [n for n in off if n != 8 or len(off) == 1]  # I_zz follows from the two others
+    return [tuple({n, mirrored[n]}) for n in off if n <= mirrored[n] or mirrored[n] not in off]
+
+
+def _is_flat(points):
+    """True of the matrix of a plate, in which the third moment is the sum of the others."""
+    return all(abs(x[0] + x[4] - x[8]) <= NOISE * abs(x[8]) for x in points)
