@@ -12,7 +12,7 @@ from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, ZERO, Cause, compute
 from newton_euler.answers.near import LEAST, LESS, RARER, SIMPLE
 
 from .formulas import Edit
-from .typed import terms_of
+from .typed import is_nothing, terms_of
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
 TIME = Dimension(0, 0, 1)
@@ -279,14 +279,15 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
     of an answer: reversed or left out, taken for the answer, or added to it.
     """
     found = dict[frozenset[Step], tuple[Step, ...]]()
-    for key, parts in answers.items():
+    for key, components in answers.items():
+        parts = [x for x in components if not is_nothing(x)]
         if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
             own = dict.fromkeys(_alike(parts))
             for steps in own:
                 found.setdefault(frozenset(steps), steps)
-            yield from _of_whole_vectors(key, parts, own)
+            yield from _of_whole_vectors(key, parts, own) if len(components) == 3 else ()
             yield from _of_factors(parts)
-            for one, other in combinations(own, 2) if len(parts) == 3 else ():
+            for one, other in combinations(own, 2) if len(components) == 3 else ():
                 yield from _of_both(key, parts, one, other)
     for one, other in permutations(found.values(), 2):
         if len(one) == len(other):
@@ -341,7 +342,7 @@ def _of_factors(steps):
 
 
 def _of_whole_vectors(key, parts, vectors):
-    for steps in vectors if len(parts) == 3 else ():
+    for steps in vectors:
         names = joined(s.args[0] for s in steps)
         alone = Words(
             "takes {names} for {key}: look up what {key} stands for", names=names, key=key
