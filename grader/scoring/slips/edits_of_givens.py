@@ -28,6 +28,7 @@ CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "m
 
 OF_TURNS = {"s": "min"}  # what a rate of turning is divided by
 
+MANY = 9  # lengths: of more, not even whole ones are added
 SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
@@ -152,8 +153,10 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
         words = Words(SLANT, name=name, other=other)
         slant = ("sqrt", ("+", *squares))
         yield Edit(LEAST, computed(f"slant {name} {other}", words), {given[name].number: slant})
-    for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
-        for part, x in ((other, given[other]), (f"{other}/2", ("*", given[other], 0.5))):
+    for name, other in permutations(lengths, 2) if len(lengths) <= MANY else ():
+        parts: list[tuple[str, Any]] = [(other, given[other])]
+        parts += [(f"{other}/2", ("*", given[other], 0.5))] if len(lengths) <= SEVERAL else []
+        for part, x in parts:
             for op in ("+", "-"):
                 words = Words("takes {name} {op} {part} for {name}: it leads to another point",
                               name=name, op=op, part=part)  # fmt: skip
