@@ -5,7 +5,7 @@ are wrong; in a formula, a slip in each of them, met with all digits at all poin
 from collections.abc import Callable, Iterator, Sequence
 
 from .causes import Cause, both, in_components
-from .fit import CLOSE, Fit
+from .fit import CLOSE, Fit, mixed
 from .kinds import Kind
 from .tolerance import NOISE, Points
 
@@ -31,7 +31,7 @@ def of_each_component(
     if not kind.is_formula or not 1 < len(groups) <= MOST:
         return ()
     for places in groups:
-        alone = Fit(_mixed(fit.given, fit.key, places), fit.key, fit.rtol)
+        alone = Fit(mixed(fit.given, fit.key, places), fit.key, fit.rtol)
         near = [(-1, cause, ()) for cause in _listed(alone, places, wrong)] or slips(alone, kind)
         if not near:
             return ()
@@ -42,17 +42,10 @@ def of_each_component(
 def _listed(fit: Fit, off: Sequence[int], wrong: Sequence[tuple[Cause, Points]]) -> Iterator[Cause]:
     """The listed mistakes that give the components ``off``, where others are right."""
     for cause, points in wrong:
-        is_in_part = cause.group == "listed" and len(off) < len(fit.key[0])
-        if is_in_part and fit(_mixed(points, fit.key, off)) >= CLOSE:
-            yield in_components(cause, off, fit.key[0])
-
-
-def _mixed(points, key, places):
-    """The key, with these components of other points."""
-    return tuple(
-        tuple(x if n in places else k for n, (x, k) in enumerate(zip(*pair, strict=True)))
-        for pair in zip(points, key, strict=True)
-    )
+        is_in_part = cause.group in ("listed", "usual") and len(off) < len(fit.key[0])
+        if is_in_part and fit(mixed(points, fit.key, off)) >= CLOSE:
+            is_listed = cause.group == "listed"
+            yield in_components(cause, off, fit.key[0]) if is_listed else cause
 
 
 def _wrong(fit, kind):
@@ -62,4 +55,11 @@ def _wrong(fit, kind):
     places = range(len(fit.key[0]) if len(fit.key[0]) > 2 else 0)
     off = [n for n in places if any(abs(x[n] - k[n]) > near * size for x, k, size in pairs)]
     mirrored = [3 * (n % 3) + n // 3 if len(places) == 9 else n for n in places]
+    if len(places) == 9 and _is_flat(fit.given) and _is_flat(fit.key):
+        off = [n for n in off if n != 8 or len(off) == 1]  # I_zz follows from the two others
     return [tuple({n, mirrored[n]}) for n in off if n <= mirrored[n] or mirrored[n] not in off]
+
+
+def _is_flat(points):
+    """True of the matrix of a plate, in which the third moment is the sum of the others."""
+    return all(abs(x[0] + x[4] - x[8]) <= NOISE * abs(x[8]) for x in points)

@@ -26,10 +26,10 @@ class Cause:
     worded.
 
     group : listed (a mistake of the problem's own list), omitted or term, unit, axes or turned (of
-        another frame), rate, book, exchanged, factor, usual (the number of another body), slip,
-        computed (a slip in one step), sequel (the same in going on from earlier answers), both (two
-        listed ones at once), follows (from an earlier answer), seen (a remark, where nothing
-        explains it)
+        another frame), rate, book, exchanged, factor, usual (the number of another body), powers,
+        slip, computed (a slip in one step), sequel (the same in going on from earlier answers),
+        both (two listed ones at once), follows (from an earlier answer), seen (a remark, where
+        nothing explains it)
     name : which one of its group: the name of the mistake, of the term, of the given …
     text : its words: what was done and, after a colon, why it is wrong; :class:`Words` appear in
         the reader's language
@@ -347,6 +347,16 @@ def usual(number: str, body: str, is_place: bool) -> Cause:
     if is_place:
         text = Words("has the number {number}, as the centre of {body} has: look which body it is")
     return Cause("usual", number, Words(text.template, number=number, body=body))
+
+
+def powers(names: Sequence[str]) -> Cause:
+    """The answer has other powers of some symbols."""
+    text = Words(
+        "has another power of {names} than asked for: look where it comes in, and compare the "
+        "units",
+        names=joined(names),
+    )
+    return Cause("powers", " ".join(names), text)
 
 
 def component_multiplied(places: Sequence[int], what: str, factor: float, large: bool) -> Cause:

@@ -118,6 +118,14 @@ class Fit:
         return CLOSE if gap <= self.nearest else LOOSE if gap <= rtol * own else 0
 
 
+def mixed(points: Points, key: Points, places: Sequence[int]) -> Points:
+    """The key, with these components of other points."""
+    return tuple(
+        tuple(x if n in places else k for n, (x, k) in enumerate(zip(*pair, strict=True)))
+        for pair in zip(points, key, strict=True)
+    )
+
+
 def rounding(point: Sequence[float]) -> float:
     """How far rounding may have moved this point: half of the last digits written."""
     return math.hypot(*(0.5 * 10.0 ** written(x)[1] for x in point if x))

@@ -13,8 +13,8 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..algebra.late import np
-from .causes import FACTOR_2, LEFT_OUT, ZERO, Cause, in_components
-from .fit import Fit, rounding, written
+from .causes import FACTOR_2, REVERSED, Cause, in_components
+from .fit import Fit, mixed, rounding, written
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
 
@@ -137,27 +137,27 @@ class Slips:
         )
         if not right:
             return []
-        mixed = rows.copy()
-        mixed[:, right] = [fit.first[1][n] for n in right]
+        rows = rows.copy()
+        rows[:, right] = [fit.first[1][n] for n in right]
         wrong = [n for n in range(len(fit.first[1])) if n not in right]
         return [
             (
                 level // 2,
                 in_components(cause, wrong, fit.first[1]),
-                _mixed(self._points(key, n), fit.key, right),
+                mixed(self._points(key, n), fit.key, wrong),
             )
-            for n in _near(mixed, fit, kind, ranked, CHANCE_IN_ONE)
+            for n in _near(rows, fit, kind, ranked, CHANCE_IN_ONE)
             for level, cause in (ranked.slips[n],)
             if cause.does != FACTOR_2  # named as a factor of these components
         ]
 
     def _giving_zero(self, key, ranked, fit):
-        """The slips after which terms cancel in an answer, if few are as simple; what leaves
-        nothing of it by itself says no more than the zero.
+        """The terms of which one cancels the others if it is reversed, if few are as simple; what
+        leaves nothing of an answer by itself says no more than the zero.
         """
         noise, rows = NOISE * fit.first[2], self.at(key, fit.index if self.points(key) > 1 else 0)
         found = [n for n, row in enumerate(rows) if max(map(abs, row)) <= noise]
-        found = [n for n in found if ranked.slips[n][1].does not in (LEFT_OUT, ZERO)]
+        found = [n for n in found if ranked.slips[n][1].does == REVERSED]
         found = [n for n in found if ranked.ranks[n] == min(ranked.ranks[m] for m in found)]
         points = {n: self._points(key, n) for n in found[: FEW + 1]}
         vanish = len(points) <= FEW and all(
@@ -191,14 +191,6 @@ def _right(fit):
     right = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) <= near]
     some = any(abs(key[n]) > NOISE * size for n in right)
     return right if some and any(x for n, x in enumerate(given) if n not in right) else []
-
-
-def _mixed(points, key, right):
-    """The key in the components that are right, and a slip in the others."""
-    return tuple(
-        tuple(k if n in right else x for n, (x, k) in enumerate(zip(*pair, strict=True)))
-        for pair in zip(points, key, strict=True)
-    )
 
 
 def _formulas_near(rows, fit, ranked, allowed):

@@ -5,13 +5,13 @@ centre of mass. A formula with such a number in place of the right one is that o
 import math
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..algebra.language import Words
 from ..algebra.late import is_here, np
 from ..algebra.units import Dimension
-from .causes import Cause, in_components, usual
-from .fit import Fit
+from .causes import Cause, in_components, powers, usual
+from .fit import Fit, mixed
 from .tolerance import FORMULA_FIT, NOISE, Points
 
 INERTIA, LENGTH = Dimension(1, 2), Dimension(0, 1)
@@ -48,35 +48,62 @@ CENTRES: dict[Fraction | float, str] = {
 def of_other_bodies(
     fit: Fit, dimension: Dimension, symbols: Mapping[str, Any], is_place: bool
 ) -> Iterator[tuple[Cause, Points]]:
-    """[(cause, points)] of a formula with the number of another body, where the right one is a
-    number times powers of ``symbols``; ``is_place``: it is a position vector.
+    """[(cause, points)] of a formula with the number of another body, in all components that are
+    wrong or in each by itself, where the right one is a number times powers of ``symbols``;
+    ``is_place``: it is a position vector.
     """
     of: dict[Any, str] = {}
     if dimension == INERTIA:
         of = MOMENTS | OTHER_MOMENTS
     elif dimension == LENGTH and is_place:
         of = CENTRES
-    found = _multiple(fit) if of and len(fit.key) > 1 else None
-    if found is None or not is_here("numpy"):  # on a page of the site
-        return
-    off, ratio = found
-    of_moments = is_place or all(n % 4 == 0 for n in off)
-    own = _number([point[off[0]] for point in fit.key], symbols, (1,) if is_place else (1, 2))
-    if own is None or not of_moments or (is_place and not _known(own, of)):
-        return
-    for number, body in _known(own * ratio, of):
-        times = float(number) / own
-        points = tuple(
-            tuple(times * x if n in off else x for n, x in enumerate(point)) for point in fit.key
+    off = _off(fit) if of else []
+    found: dict[Any, list[int]] = {}
+    for n in off if is_place else [n for n in off if n % 4 == 0]:
+        own, ratio = (
+            _monomial([x[n] for x in fit.key], symbols),
+            _monomial(_ratios(fit, n), symbols),
         )
-        cause = usual(_spelled(number), body, is_place)
-        there = [n for n, x in enumerate(fit.first[1]) if x]
-        yield (cause if len(off) == len(there) else in_components(cause, off, fit.first[1])), points
+        if not own or not ratio or ratio.powers or own.powers != ((1,) if is_place else (1, 2)):
+            continue
+        known = _known(own.number, of)
+        for number in _known(own.number * ratio.number, of):
+            if number not in known and (known or not is_place):
+                found.setdefault(number, []).append(n)
+    for number, every in found.items():
+        cause = usual(_spelled(number), of[number], is_place)
+        for places in [every] if every == off else [[n] for n in every]:
+            yield _in(places, cause, fit), mixed(fit.given, fit.key, places)
+
+
+def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[tuple[Cause, Points]]:
+    """The answer itself, if it is the right one times powers of ``symbols``: in every component
+    that is wrong the same.
+    """
+    off = _off(fit)
+    names = {x and (x.names, x.powers) for x in (_monomial(_ratios(fit, n), symbols) for n in off)}
+    if len(names) == 1 and (found := names.pop()) and found[0]:
+        yield _in(off, powers(found[0]), fit), fit.given
+
+
+def _in(places, cause, fit):
+    """The cause, in some components if others are right."""
+    _, key, size = fit.first
+    is_all = {*places}.issuperset(n for n, x in enumerate(key) if abs(x) > NOISE * size)
+    return cause if is_all else in_components(cause, places, key)
+
+
+class _Monomial(NamedTuple):
+    """A number times powers of symbols: the powers in order, the names that have one."""
+
+    number: float
+    powers: tuple[float, ...]
+    names: tuple[str, ...]
 
 
 def _known(number, of):
-    """[(number, body)] of the table that is this one, as closely as formulas are compared."""
-    return [(n, b) for n, b in of.items() if math.isclose(n, abs(number), rel_tol=FORMULA_FIT)]
+    """The numbers of the table that are this one, as closely as formulas are compared."""
+    return [n for n in of if math.isclose(n, abs(number), rel_tol=FORMULA_FIT)]
 
 
 def _spelled(number):
@@ -87,31 +114,36 @@ def _spelled(number):
     return f"{part.numerator}/{below}"
 
 
-def _multiple(fit):
-    """(the components that are wrong, their one ratio to the right ones); None without one."""
-    if fit.index is None:
-        return None
-    given, key, size = fit.first
-    off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > NOISE * size]
-    ratios = [
-        x[n] / k[n] if k[n] else math.inf
-        for x, k in zip(fit.given, fit.key, strict=True)
-        if all(map(math.isfinite, k))
-        for n in off
-    ]
-    alike = ratios and all(abs(r - ratios[0]) <= fit.rtol * abs(ratios[0]) for r in ratios)
-    return (off, ratios[0]) if alike and math.isfinite(ratios[0]) else None
+def _off(fit):
+    """The components that are wrong, of a formula that is compared at several points."""
+    if fit.index is None or len(fit.key) == 1 or not is_here("numpy"):  # on a page of the site
+        return []
+    pairs = [*zip(fit.given, fit.key, fit.sizes, strict=True)]
+    places = range(len(fit.key[0]))
+    return [n for n in places if any(abs(x[n] - k[n]) > NOISE * size for x, k, size in pairs)]
 
 
-def _number(column, symbols, powers):
-    """The number in front of these powers of symbols; None of another formula."""
-    rows = [np.broadcast_to(np.log(np.abs(x)), len(column)) for x in symbols.values()]
-    matrix = np.column_stack([np.ones(len(column)), *rows])
+def _ratios(fit, n):
+    pairs = zip(fit.given, fit.key, strict=True)
+    return [x[n] / k[n] if k[n] else math.nan for x, k in pairs]
+
+
+def _monomial(column, symbols):
+    """The :class:`_Monomial` with these values, to the digits in which numbers are typed; None of
+    another formula.
+    """
     with np.errstate(all="ignore"):
+        rows = [np.broadcast_to(np.log(np.abs(x)), len(column)) for x in symbols.values()]
+        matrix = np.column_stack([np.ones(len(column)), *rows])
         wanted = np.log(np.abs(column))
-    if matrix.shape[1] > len(column) or not np.isfinite(wanted).all():
+    have_values = np.isfinite(matrix).all() and np.isfinite(wanted).all()
+    if matrix.shape[1] >= len(column) or not have_values:
         return None
-    (number, *found), *_ = np.linalg.lstsq(matrix, wanted, rcond=None)
-    exact = abs(matrix @ [number, *np.round(found)] - wanted).max() < NOISE
-    is_of_powers = tuple(sorted(filter(None, np.round(found)))) == powers
-    return math.exp(number) if exact and is_of_powers else None
+    (_, *found), *_ = np.linalg.lstsq(matrix, wanted, rcond=None)
+    found = (np.round(2 * np.array(found)) / 2).tolist()
+    gaps = wanted - matrix[:, 1:] @ found
+    if np.ptp(gaps) > NOISE:
+        return None
+    names = tuple(n for n, power in zip(symbols, found, strict=True) if power)
+    with np.errstate(all="ignore"):  # a student may write 1e307
+        return _Monomial(float(np.exp(gaps.mean())), tuple(sorted(filter(None, found))), names)

@@ -20,7 +20,7 @@ from .near import LESS, RARER, Slips
 from .reading import Budget
 from .tolerance import Points
 from .trees import TreeError, in_words
-from .usual import of_other_bodies
+from .usual import of_other_bodies, of_other_powers
 
 NO_ANSWER = Words("no answer")
 OTHER_NUMBERS = {
@@ -185,6 +185,7 @@ def _causes(asked, given, found, numbers, *slips):
     if asked.kind.is_formula:
         fit, of = Fit(given, key, asked.kind.rtol), unit_of(asked.unit).dimension
         wrong += of_other_bodies(fit, of, numbers.symbols, asked.kind.is_vector)
+        wrong += of_other_powers(fit, numbers.symbols)
     factors = asked.kind.factors(asked.unit)
     elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
     return diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)

@@ -7,7 +7,7 @@ from typing import Any
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
-from newton_euler.algebra.units import SI, US, Dimension, unit
+from newton_euler.algebra.units import SI, US, Dimension, System, unit
 from newton_euler.answers.causes import LEFT_OUT, REVERSED, Cause, computed
 from newton_euler.answers.near import FIRST, LEAST, LESS, RARER, SIMPLE
 
@@ -88,7 +88,8 @@ class _Facts:
         unknowns = (x for s in systems for x in s.values.values())
         every = needed([*parts, *self.anything.values(), *unknowns])
         self.dimensions = dimensions_of(every, {n: unit(u) for n, u in self.units.items()})
-        self.own = US if any(u.is_of_feet for u in self.read.values()) else SI
+        stated = [*self.read.values(), *(unit(a.unit) for a in self.answers.values())]
+        self.own = _students(stated)
         self.users = users_of(self.steps)
         self.unwritten = _unwritten(self.users)
         of_elimination = equations.of_elimination(formulas.systems)
@@ -103,17 +104,18 @@ class _Facts:
 
     def number(self, s):
         """The number by which a student multiplies for a step: where the text has feet and pounds,
-        not that in the ``system`` in which the steps are computed.
+        or lengths in one other unit, not that in the ``system`` in which the steps are computed.
         """
         dimension = self.dimensions[s]
-        if self.system is self.own or dimension is None:
+        if dimension is None:
             return s
-        return ("*", s, float(self.system.factor(dimension) / self.own.factor(dimension)))
+        times = self.system.factor(dimension) / self.own.factor(dimension)
+        return s if times == 1 else ("*", s, float(times))
 
     @property
     def g(self):
         """g in base units, where the text does not give it."""
-        of, size = ("ft/s^2", givens.G_OF_FEET) if self.own is US else ("m/s^2", givens.G)
+        of, size = ("ft/s^2", givens.G_OF_FEET) if self.own.mass == US.mass else ("m/s^2", givens.G)
         return self.given.get("g", unit(of).to_base(size, self.system))
 
     @cached_property
@@ -127,6 +129,18 @@ class _Facts:
         """(words, components) of each quantity that has words, and of each answer."""
         stages = [(s.means, s.parts) for s in self.formulas.stages if s.means]
         return [*stages, *((key, a.parts) for key, a in self.answers.items())]
+
+
+def _students(units):
+    """The system in which a student computes: with the one unit of length of the text, as inches or
+    millimetres, if nothing in it needs another.
+    """
+    usual = US if any(u.is_of_feet for u in units) else SI
+    lengths = {u.factor for u in units if u.dimension == givens.LENGTH}
+    for own in (System(x, usual.mass) for x in lengths if len(lengths) == 1):
+        if all(u.factor == own.factor(u.dimension) for u in units if any(u.dimension.powers[:2])):
+            return own
+    return usual
 
 
 def _edits(formulas):

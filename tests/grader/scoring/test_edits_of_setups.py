@@ -158,6 +158,9 @@ CASES = {
     ),
     "limits": ("A/25", over_the_difference, "over the difference of the limits"),
     "constant": ("8/10", swinging, "takes what is integrated as constant"),
+    "in inches": (
+        "2/16", lambda a_n1, r_1, **_: {"v_tape": (a_n1 / r_1) ** 0.5}, "one factor r_1 too few",
+    ),
     "one of two": ("7/29", one_panel, "or q*c"),
 }  # fmt: skip
 

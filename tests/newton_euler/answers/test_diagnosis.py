@@ -12,7 +12,7 @@ from newton_euler.answers.fit import EXACT, LOOSE, Fit
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.slips import factors
 from newton_euler.answers.tolerance import FORMULA_RTOL
-from newton_euler.answers.usual import of_other_bodies
+from newton_euler.answers.usual import of_other_bodies, of_other_powers
 
 KEY = ((3.0, 4.0, 0.0),)
 MODEL = ((3.0, -4.0, 0.0),)
@@ -324,3 +324,15 @@ def test_what_explains_each_wrong_component_is_named():
     assert cause.name == "turns + mirrors"
     assert not diagnose(2 * ((6.1, 4.7, 1.3),), key, [], formula, slips=each)
     assert not diagnose(((6.1, 4.0, 1.3),), key[:1], [], slips=each)
+
+
+def test_a_formula_with_other_powers_of_its_symbols_hears_of_which():
+    m, h = np.array([1.0, 2.0, 3.0, 5.0]), np.array([0.3, 1.5, 0.7, 2.0])
+    rows = lambda *columns: tuple(zip(*(x.tolist() for x in columns), strict=True))
+    found = lambda given, key: [
+        cause.text for cause, _ in of_other_powers(Fit(given, key, FORMULA_RTOL), {"m": m, "h": h})
+    ]
+    (other,) = found(rows(m + h, m * h), rows(m + h, m / h))
+    assert other.startswith("in its second component has another power of h than")
+    assert not found(rows(m + h), rows(m))
+    assert not found(rows(2 * m), rows(m))
