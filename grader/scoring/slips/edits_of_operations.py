@@ -198,6 +198,8 @@ def _of_factor(s, x, power, factor, of, why):
         yield LESS, "whole square", cause, ("/", ("/", s, factor), factor)
         words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
         yield LEAST, "half", words, ("*", s, 0.25)
+        words = Words("takes twice {factor}{of}: the formula has it once", factor=named, of=of)
+        yield LEAST, "twice", words, ("*", s, 4.0)
     elif power == -2:
         words = Words("divides by {factor}, not by its square: {why}", factor=named, why=why)
         yield SIMPLE, "square", words, ("*", s, factor)
