@@ -165,7 +165,7 @@ def _of_givens(f):
     yield from of_wholes(f.answers, f.given, f.number)
     yield from of_quantities_in_wholes(f.answers, f.named, f.number, of)
     yield from of_sides(f.answers, f.given, f.number)
-    yield from of_unneeded(f.anything, f.answers, f.steps, f.number)
+    yield from of_unneeded(f.anything, f.answers, f.number, of)
     yield from _of_unchanged(f.answers, f.given, f.read)
     yield from givens.of_lengths(f.given, f.read)
     yield from givens.of_vectors(vectors)

@@ -1,6 +1,6 @@
 """Whole answers with one factor too many or too few, or on the wrong side of a fraction."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import product
 from typing import Any
 
@@ -9,14 +9,14 @@ from newton_euler.algebra.trace import Step
 from newton_euler.answers.causes import RESCALED, computed
 from newton_euler.answers.near import LEAST, LESS
 
-from .edits_of_givens import DimensionOf
+from .edits_of_givens import FORCE, GRAVITY, MASS, DimensionOf
+from .edits_of_operations import CANCELS
 from .edits_of_quantities import Named
 from .formulas import Edit, Traced, needed
 from .typed import Product, is_given
 
 IN_TERMS = {"+", "-", "sqrt", "asin", "acos", "atan"}
 MANY = 24  # places: in more, no given is left
-CANCELS = Words("has {name} left in one place: it cancels, if each term has it").template
 SIDE = Words("has {name} on the wrong side of the fraction: put your units into the whole formula")
 TIMES = {
     "*": Words("multiplies {key} by {quantity}: look up what {key} stands for").template,
@@ -70,20 +70,23 @@ def of_sides(
 def of_unneeded(
     given: Mapping[str, Step],
     answers: Mapping[str, Traced],
-    steps: Sequence[Step],
     number: Callable[[Step], Any],
+    of: DimensionOf,
 ) -> Iterator[Edit]:
-    """Givens that no answer needs, left in one term of a sum, in a root or an angle, or in a whole
-    answer: they cancel.
+    """Masses, weights and g that an answer does not need, left in one term of a sum, in a root or
+    an angle, or in the whole: they cancel.
     """
-    places = {x.number: x for s in steps if s.op in IN_TERMS for x in s.args if is_given(x)}
-    places |= {x.number: x for a in answers.values() for x in _steps(a)}
-    known = {s.number for s in steps}
-    idle = {n: s for n, s in given.items() if s.number not in known}
-    for name, step in idle.items() if len(places) <= MANY else ():
-        words = Words(CANCELS, name=name)
-        for (n, x), op in product(places.items(), "*/"):
-            yield Edit(LEAST, computed(f"{n} {op} {name}", words), {n: (op, x, number(step))})
+    kinds = {n: of(s) for n, s in given.items()}
+    heavy = {n for n, kind in kinds.items() if kind in (MASS, FORCE) or (n, kind) == ("g", GRAVITY)}
+    for a in answers.values():
+        steps = needed(a.parts)
+        places = {x.number: x for s in steps if s.op in IN_TERMS for x in s.args if is_given(x)}
+        places |= {x.number: x for x in _steps(a)}
+        idle = {n: given[n] for n in heavy if all(given[n] is not x for x in steps)}
+        for name, step in idle.items() if len(places) <= MANY else ():
+            words = Words(CANCELS, name=name)
+            for (n, x), op in product(places.items(), "*/"):
+                yield Edit(LEAST, computed(f"{n} {op} {name}", words), {n: (op, x, number(step))})
 
 
 def of_quantities_in_wholes(
