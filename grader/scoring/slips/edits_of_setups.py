@@ -45,7 +45,7 @@ NO_TRANSFERS = Words(
 )
 LINEAR = Words("takes {name} as small, in its first power alone: it is not small").template
 BRIEF = 16  # letters of a component that is named
-AT_G = Words("gives the moments of inertia about the centre of mass: another point is asked for")
+AT_G = Words("takes the moments of inertia about the centre of mass: another point is asked for")
 OF_MASS = Words("the body of mass {m}").template
 NO_BODY = Words("leaves out {body}: it counts, too").template
 AS_PARTICLE = Words("takes {body} as a particle: it has moments of inertia of its own").template
