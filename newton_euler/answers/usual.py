@@ -19,7 +19,7 @@ MOMENTS: dict[Fraction, str] = {
     Fraction(1): Words("a ring"),
     Fraction(1, 2): Words("a disk about its axis"),
     Fraction(1, 4): Words("a disk about a diameter"),
-    Fraction(1, 3): Words("a rod about its end or a rectangle about an edge"),
+    Fraction(1, 3): Words("a rod or rectangle about its end"),
     Fraction(1, 12): Words("a rod or rectangle about its centre"),
     Fraction(2, 5): Words("a solid sphere"),
     Fraction(2, 3): Words("a spherical shell"),
