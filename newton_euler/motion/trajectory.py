@@ -5,7 +5,8 @@ which the state jumps or the model changes.
 from math import inf
 from typing import NamedTuple
 
-from ..algebra.errors import NewtonEulerError, callers_line
+from ..algebra.errors import NewtonEulerError
+from ..algebra.places import callers_line
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
