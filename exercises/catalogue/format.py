@@ -1,9 +1,11 @@
 """The format of the YAML files of chapters and problems; what does not fit is refused in words."""
 
 import math
+from keyword import iskeyword
 from pathlib import Path
 from reprlib import repr as short
 from typing import Any
+from unicodedata import normalize
 
 from newton_euler.algebra.units import unit
 from newton_euler.answers.kinds import KINDS
@@ -16,6 +18,7 @@ from .model import Answer, CatalogueError, Chapter, Given, Problem, Symbol, plac
 SYMBOL_RANGES = {"rad": (0.25, 1.1), "deg": (15, 65)}
 OTHER_RANGE = (0.6, 1.9)
 # the keys of a problem
+IN_CELLS = "expect", "given", "receipt", "symbols"  # called in cells beside an answer's
 NEEDED = "id", "title", "section", "text", "answers"
 OPTIONAL = "figure", "givens", "symbols", "frame", "steps", "mistakes", "struck", "checked"
 
@@ -33,6 +36,13 @@ def read_problem(entry: Any, path: Path) -> Problem:
     answered = isinstance(entry["answers"], list) and entry["answers"]
     _require(answered, f"answers must be a list, not {short(entry['answers'])}")
     answers = tuple(_answer(a) for a in entry["answers"])
+    _check_names(
+        {
+            "a given": _named(entry, "givens"),
+            "a symbol": _named(entry, "symbols"),
+            "an answer": [a.key for a in answers],
+        }
+    )
     return Problem(
         id=entry["id"],
         title=_text(entry, "title"),
@@ -70,6 +80,24 @@ def _check_place(problem_id, path):
     )
 
 
+def _check_names(named):
+    """Refuse a name that students cannot use, and one that stands for two things."""
+    taken = {}
+    for what, names in named.items():
+        for name in names:
+            _require(
+                name.isidentifier() and not iskeyword(name) and name not in IN_CELLS,
+                f"{what} cannot be called {name!r}: students write the name in Python, beside "
+                f"{', '.join(IN_CELLS)}",
+            )
+            name = normalize("NFKC", name)  # as Python reads it
+            _require(
+                name not in taken,
+                f"{name} is {taken.get(name)} and {what}: give one of them another name",
+            )
+            taken[name] = what
+
+
 def _given(name, g):
     _check_keys(g, name, ("value", "unit", "means"), ("vary", "figure", "symbol"))
     value = g["value"]
@@ -98,6 +126,7 @@ def _answer(a):
         kind.has_options == bool(of),
         f"{key}: a choice, and no other kind, has of: [...] with its words; this is a {kind}",
     )
+    _require(len(set(map(str, of))) == len(of), f"{key}: of has a word twice: {short(of)}")
     _require(
         all(isinstance(w, str) and not set(w) & set("|\n") for w in of),
         f"{key}: of must be a list of words without a |, not {short(of)}; yes and no need "

@@ -37,8 +37,6 @@ def _in_texts(p: Problem) -> Iterator[str]:
                     f"{', '.join(p.units)}{meant(name, p.notation, '{{{}}}')}"
                 )
     for a in p.answers:
-        if a.key in p.units:
-            yield f"{a.key} is a given and an answer: give one of them another name"
         if a.kind.is_vector and not p.frame:
             yield f"{a.key} is a vector: name its axes under frame:"
     for name, text in p.mistakes.items():

@@ -8,6 +8,7 @@ from typing import Any
 
 from .integrals import WorkError, by_formula, gauss, integral
 from .late import np
+from .places import at_a_place
 from .scalars import (
     ZERO,
     Scalar,
@@ -77,7 +78,8 @@ def _value(f, x):
     try:
         return scalar(f(x))
     except NO_VALUE as problem:
-        raise WorkError(f"the integrand has no value at {short(x)}: {problem}") from problem
+        at_a_place(problem, WorkError, f"the integrand has no value at {short(x)}")
+        raise
 
 
 def _finite(f, x):

@@ -13,6 +13,7 @@ from typing import Any
 
 from ..algebra.errors import NewtonEulerError, Tolerance, checked
 from ..algebra.jets import Moving
+from ..algebra.places import at_a_place
 from ..algebra.scalars import is_finite, is_numeric, scalar
 from ..algebra.vectors import Vector
 
@@ -135,7 +136,8 @@ class _System:
                 problem.add_note(f"the constraint {name!r} gets coordinates: {', '.join(kinds)}")
                 raise
             except (ZeroDivisionError, OverflowError) as problem:
-                raise ConstraintError(f"the constraint {name!r} fails: {problem}") from problem
+                at_a_place(problem, ConstraintError, f"the constraint {name!r} fails")
+                raise
             for x in value if isinstance(value, (tuple, list, Vector)) else (value,):
                 yield name, scalar(x)
 

@@ -12,6 +12,7 @@ from itertools import pairwise, product
 from ..algebra import WorkError
 from ..algebra.errors import Accuracy, Tolerance, checked
 from ..algebra.jets import Moving
+from ..algebra.places import at_a_place
 from ..algebra.quadrature import NO_VALUE, quadrature
 from ..algebra.scalars import (
     ZERO,
@@ -156,9 +157,9 @@ def _checked(force):
         try:
             F = tuple(real_scalar(f) for f in force(*place))
         except (*NO_VALUE, ScalarError) as problem:
-            raise WorkError(
-                f"the force has no value at {where}: {problem}; keep base, box and loops away"
-            ) from problem
+            advice = "; keep base, box and loops away"
+            at_a_place(problem, WorkError, f"the force has no value at {where}", advice)
+            raise
         if len(F) != 3:
             raise WorkError(f"a force field returns (F_x, F_y, F_z); got {len(F)} components")
         if not all(map(is_finite, F)):

@@ -74,7 +74,8 @@ def curvilinear(
 
 def tangents(position: Callable[..., Triple], q: Sequence[Scalar]) -> Rows:
     """dr/dq_1, dr/dq_2, dr/dq_3, triples, of the position at ``q``; moving if ``q`` is."""
-    return tuple(tuple(_rate(x) for x in position(*_seeded(q, n))) for n in range(3))
+    places = [position(*_seeded(q, n)) for n in range(3)]
+    return tuple(tuple(map(_rate, place)) for place in places)
 
 
 def _seeded(q, n):

@@ -22,6 +22,7 @@ LIMIT = 10.0  # tolerances by which a step may differ from its halves
 EPS = 2.0**-53  # the part by which each side of a comparison may be off
 JUMP = 1e-6  # of the rates, between neighbouring states
 FROM_ZERO = 1e-100  # part of its rate by which a state that is zero is moved off a border
+SHORT, DIGITS = 1e-6, 16  # part of the time by which to look ahead; last digits about a border
 NEAR = 4  # multiples of the room: a crossing so close to the end of a step needs no stop
 
 
@@ -109,9 +110,7 @@ def _last_digit(system, before, after, first, last):
     first, last : the values of :func:`choices` at the points
     """
     run, p = system.traced.compiled_choices, system.p
-    # by the states alone that are no clocks, which are as exact as the time
-    states = zip(before[1:], after[1:], system.clocks, strict=True)
-    moved, late = run(before[0], *(a if clock else b for a, b, clock in states), *p), 0.0
+    moved, late = run(before[0], *after[1:], *p), 0.0  # by the states alone
     columns = [w[k::2] for w in (first, last, moved) for k in (0, 1)]
     for a, b, c, d, u, v in zip(*columns, strict=True):
         if (a > b) != (c > d) and (u, v) != (a, b):
@@ -130,6 +129,7 @@ class Crossings:
     def __init__(self, stepper):
         self.stepper, self.away, self.tries = stepper, distances(stepper.system), 0
         stepper.around = AROUND
+        self.short = SHORT * (stepper.goal - stepper.t)
         self.room = 2 * AROUND * ulp(max(abs(stepper.t), abs(stepper.goal)))
 
     def step(self, limit):
@@ -143,6 +143,7 @@ class Crossings:
             scales = stepper.scales
             try:
                 stepper.step(1)
+                self._check_digits()
             except StepError:
                 if not self._pass():
                     raise
@@ -157,12 +158,37 @@ class Crossings:
                 stepper.back_to(len(stepper.steps) - 1, (stop,), scales)
                 self.tries += 2
 
+    def _check_digits(self):
+        """Raise :class:`StepError` after a step so short that it does not change the last digit of
+        what is compared: such steps would go on without end.
+        """
+        stepper = self.stepper
+        length = stepper.t - stepper.steps[-1][0]
+        if stepper.t < stepper.goal and length < self.short and length < self._last_digit():
+            raise StepError("the step became too small to go on")
+
+    def _last_digit(self):
+        """The longest time for which the last digits of what is compared here stay the same on the
+        way to its border, as those of a place far from the origin: in less no step can pass.
+        """
+        system, t, x = self.stepper.system, self.stepper.t, self.stepper.x
+        moves = zip(x, self.stepper.rates, strict=True)
+        run, p, longest = system.traced.compiled_choices, system.p, 0.0
+        here = run(t, *x, *p)
+        there = run(t + self.short, *(v + self.short * k for v, k in moves), *p)
+        for a, b, c, d in zip(here[::2], here[1::2], there[::2], there[1::2], strict=True):
+            digit, away, change = EPS * (abs(a) + abs(b)), a - b, (c - d) - (a - b)
+            if abs(away) <= DIGITS * digit and away * change <= 0 != change:
+                longest = max(longest, 2 * digit * self.short / abs(change))
+        return longest
+
     def _changed(self, before, after):
         """{number of a distance: the part of the way at which it would be zero if it were linear},
         for those whose signs differ at two pairs (time, state).
         """
         both = zip(self.away(*before), self.away(*after), strict=True)
-        return {k: a / (a - b) for k, (a, b) in enumerate(both) if (a < 0 < b) or (b < 0 < a)}
+        # far from the origin the first state may lie on the border itself
+        return {k: a / (a - b) for k, (a, b) in enumerate(both) if (a <= 0 < b) or (b < 0 <= a)}
 
     def _stop(self):
         """The time at which the last step should have ended; None if its end is right."""
@@ -182,8 +208,9 @@ class Crossings:
         if there is none.
         """
         stepper, before = self.stepper, (self.stepper.t, self.stepper.x)
+        room = max(self.room, self._last_digit())
         for rooms in WAYS if stepper.steps and self.tries < TRIES else ():
-            after = stepper.t + rooms * self.room
+            after = stepper.t + rooms * room
             ahead = [
                 v + (after - stepper.t) * k for v, k in zip(before[1], stepper.rates, strict=True)
             ]

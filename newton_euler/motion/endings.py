@@ -8,7 +8,8 @@ from ..algebra.trace import Step
 from .methods.base import LengthError, StepError
 from .solution import LongError, MotionError, NoValueError, StickingError
 
-TINY, NEAR = 1e-9, 1e-3  # parts of the whole time: a trial step; the time to reach a border
+# parts of the whole time: a trial step, and the time to reach a border; how a step grows
+TINY, NEAR, LONGER = 1e-9, 1e-3, 10.0
 
 DIGITS = 1e-12  # part of two values by which they differ in their last digits only
 
@@ -123,6 +124,9 @@ def _leads_back(system, distance, t, x, span):
     step, signs = TINY * span, []
     for _ in range(2):
         here, there = distance(t, *x), distance(*_moved(system, t, x, step))
+        while there == here and step < NEAR * span:  # as within the last digit of a place far away
+            step *= LONGER
+            there = distance(*_moved(system, t, x, step))
         time = here * step / ((here - there) or here or step)
         if not 0.0 <= time < NEAR * span:
             return False

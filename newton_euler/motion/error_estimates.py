@@ -3,7 +3,7 @@
 import math
 
 from ..algebra.late import is_here
-from .narrow import round_off_of_rates
+from .round_off import round_off_far_away, round_off_of_rates
 from .sizes import small, time_round_off
 
 # A run is compared with one of a coarser tolerance. If both are in the regime in which errors are
@@ -66,6 +66,7 @@ def error_by_comparison(before, trajectory, method):
     if tolerance <= TIGHT and (method.series or method.adaptive) and is_here("numpy"):
         found = [round_off_of_rates(part.stepper) for part in trajectory.segments]
         more = math.hypot(more, *found)
+    more = math.hypot(more, *(round_off_far_away(part.stepper) for part in trajectory.segments))
     return math.hypot(error_by_difference(difference, ratio, tolerance, regular, fine), more)
 
 

@@ -8,14 +8,14 @@ from heapq import merge
 from math import nan
 from numbers import Real
 
-from ..algebra.errors import raised_by_the_engine
 from ..algebra.names import guided
+from ..algebra.places import at_a_place, raised_by_the_engine
 from ..algebra.portable import Portable
 from .chebyshev import EPS, root
 from .methods.base import Stepper
 from .model import ModelError, expect
 from .narrow import narrow_times
-from .zeros import UnresolvedError, ZeroSearch
+from .zeros import UnresolvedError, VoidError, ZeroSearch
 
 # relative change of the time and of each state by which the round-off of a function is measured
 NUDGE = 2.0**-50
@@ -172,7 +172,7 @@ class EventLocator:
         search.closed = b == stepper.goal
         if a == stepper.start[0]:
             search.start = self.first, self.at_start
-        last = a
+        last, failed = a, None
         try:
             for zeros, end in search:
                 for zero in zeros:
@@ -183,7 +183,13 @@ class EventLocator:
                 self.sign = search.sign
                 yield max(end, last), False
         except UnresolvedError as error:
-            raise EventError(f"{self._name} {error}") from self.failed or error
+            what = f"{self._name} {error}"
+            failed = self.failed
+            if not (isinstance(error, VoidError) and failed):
+                raise EventError(what) from error
+            at_a_place(failed, EventError, what)
+        if failed:
+            raise failed
 
     def _value(self, t, *x):
         """The value at one state, or nan."""

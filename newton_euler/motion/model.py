@@ -19,8 +19,9 @@ from unicodedata import normalize
 from warnings import warn
 
 from ..algebra.compile import compiled, content, recorded, text_of
-from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked, raised_by_the_engine
+from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
 from ..algebra.names import guided, misfit
+from ..algebra.places import at_a_place, raised_by_the_engine
 from ..algebra.portable import Portable
 from ..algebra.reads import Reads
 from ..algebra.scalars import (
@@ -166,19 +167,15 @@ class Model(Portable):
         """The rates of the states, a tuple in their order.
 
         state : a sequence in that order or a mapping by name, of scalars of any kind
-        Raises :class:`ModelError` where the coordinates are singular.
         """
         try:
             return tuple(self._value(self.rhs, state, t))
-        except ZeroDivisionError as error:
-            raise ModelError(
-                f"{self.name} has no rates at {self._state(state)}: {error}; the coordinates are "
-                "singular there"
-            ) from error
-        except OverflowError as error:
-            raise ModelError(
-                f"{self.name} has no rates at {clipped(self._state(state))}: {error}"
-            ) from error
+        except (ZeroDivisionError, OverflowError) as error:
+            singular = isinstance(error, ZeroDivisionError)
+            advice = "; the coordinates are singular there" if singular else ""
+            what = f"{self.name} has no rates at {clipped(self._state(state))}"
+            at_a_place(error, ModelError, what, advice)
+            raise
 
     def compiled_rhs(self, *free: str) -> Callable:
         """The right-hand side as fast straight-line code, see :func:`newton_euler.compiled`: a
@@ -257,10 +254,9 @@ class Model(Portable):
             return self._value(f, state, t)
         except (ZeroDivisionError, OverflowError) as error:
             kind = DivisionError if isinstance(error, ZeroDivisionError) else RangeError
-            raise kind(
-                f"the {what} of {self.name!r} has no value at t = {clipped(t)}, "
-                f"{clipped(state)}: {error}"
-            ) from error
+            place = f"at t = {clipped(t)}, {clipped(state)}"
+            at_a_place(error, kind, f"the {what} of {self.name!r} has no value {place}")
+            raise
 
     def neglected(self, t: Scalar, start: State) -> dict:
         """A dict: for each :class:`Neglected` the bound on its error until ``t`` after ``start``,

@@ -14,7 +14,7 @@ from itertools import pairwise
 from math import ulp
 from typing import NamedTuple
 
-from .chebyshev import DEGREE, EPS, extrema, values_at
+from .chebyshev import DEGREE, extrema, values_at
 from .narrow_arguments import CHANGE, LIMITS, RATIO
 from .zeros import sampling
 
@@ -36,11 +36,6 @@ ASIDE = 0.0618
 SHORT = 0.1  # time between two jumps, over the longest step, that may be passed over
 UNEQUAL = 2  # the most distances at which a function that turns may have two signs
 SLIGHT, HIT = 0.01, 40.0  # the least change that matters of an argument; the largest one of exp
-MOVED = 2.0**-40  # relative change by which the slopes of the rates are measured
-# steps over which what a state loses by round-off moves the rates, and what part of the last bit it
-# is; measured on 150 bounces off poles, gates and brakes
-LASTING, LOST = 16, 0.2
-MOST_STEPS = 20_000  # in more the round-off of the steps themselves is more
 NUDGE = 2.0**-51  # relative change of states and constants that changes rates by round-off only
 
 
@@ -374,52 +369,12 @@ def _array(np, rows, count):
     return out
 
 
-def _rates(np, stepper, times, x, nudge=0.0):
+def rates_along(np, stepper, times, x, nudge=0.0):
     """The rates; ``nudge`` is a relative change, by turns up and down, of states and constants."""
     system = stepper.system
     numbers = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(system.constants)]
     x = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(x)]
     return _array(np, system.traced.folded[0].on(np)(times, *x, *numbers), len(times))
-
-
-def round_off_of_rates(stepper):
-    """The error, over the scales, by round-off of time and states in the rates, a random walk over
-    the steps: large where something narrow is reached by a large coordinate, as c - x beside c.
-    What a state loses moves the rates of the next steps, too.
-    """
-    import numpy as np
-
-    if max(stepper.taken, len(stepper.step_times)) > MOST_STEPS or stepper.t == stepper.start[0]:
-        return 0.0
-    kept, stepper = stepper.steps, stepper.dense
-    times, size = np.array(stepper.step_times), len(stepper.x)
-    x = np.array([*(s[-size:] for s in kept), stepper.x]).T if kept else stepper.states(times)
-    made, x, lengths = abs(np.diff(x)), x[:, :-1], np.diff(times)
-    rows = np.vstack([times[:-1], x])
-    number, slopes = np.arange(len(lengths)), []
-    with np.errstate(all="ignore"):
-        rates = _rates(np, stepper, rows[0], x)
-        for k, row in enumerate(rows):
-            apart = []
-            for part in (MOVED, -MOVED):
-                moved = rows.copy()
-                moved[k] *= 1 + part
-                apart.append((_rates(np, stepper, moved[0], moved[1:]) - rates) / part)
-            # across a jump on one side the difference is not a slope
-            least = np.where(abs(apart[0]) < abs(apart[1]), *apart)
-            slopes.append(np.nan_to_num(least / row, posinf=0.0, neginf=0.0))
-    # a state that decays fast has forgotten it within the step
-    own = np.array([slopes[k + 1][k] for k in range(size)])
-    lengths, total = lengths / (1 + lengths * np.maximum(-own, 0.0)), np.zeros(size)
-    for k, row in enumerate(rows):
-        sums = np.pad((slopes[k] * lengths).cumsum(axis=1), ((0, 0), (1, 0)))
-        later = np.minimum(number + (LASTING if k else 1), len(number))
-        # a state that does not change loses nothing
-        part = LOST * np.minimum(abs(row), made[k - 1] * 2 / EPS) if k else row
-        lost = (sums[:, later] - sums[:, number]) * part
-        total += (lost**2).sum(axis=1)
-    scales = np.array([s or 1.0 for s in stepper.scales])
-    return float((np.sqrt(total) / scales).max()) * EPS / 2
 
 
 def _located(np, stepper, arguments, brackets):
@@ -475,8 +430,8 @@ def _difference(stepper, n, centres, knots):
 
 def _along(np, stepper, ends, states, centres, knots=()):
     """The ends of the pieces between two times, see :func:`_difference`, and a function of a nudge,
-    see :func:`_rates`, and of a shift of each state: the integrals of the rates over each piece,
-    and the largest difference of each rate.
+    see :func:`rates_along`, and of a shift of each state: the integrals of the rates over each
+    piece, and the largest difference of each rate.
     """
     a, b = ends
     reach = (b - a) * 0.5 ** np.arange(1, HALVINGS)
@@ -488,7 +443,7 @@ def _along(np, stepper, ends, states, centres, knots=()):
     x = states(times)
 
     def integrals(nudge=0.0, shift=0.0):
-        rates = _rates(np, stepper, times, x + shift, nudge).reshape(len(x), len(widths), -1)
+        rates = rates_along(np, stepper, times, x + shift, nudge).reshape(len(x), len(widths), -1)
         sums = (rates * weights).sum(axis=2) * widths[:, 0]
         return sums, np.ptp(rates.reshape(len(x), -1), axis=1)
 
@@ -541,7 +496,7 @@ def within_reach(stepper, error):
             best = np.argmin(found, axis=0)
             needed.append(abs(below - least) + abs(above - least) > 0)
             closer, least = np.choose(best, tried), np.choose(best, found)
-        along = needed * _rates(np, dense, times, x) / scales
+        along = needed * rates_along(np, dense, times, x) / scales
         along /= np.sqrt((along**2).sum(axis=0)) + 1e-300
         across = [way - error * scales * along * along[i] for i, way in enumerate(ways)]
         most = np.array([levels(way * needed[i]) for i, way in enumerate(across)])

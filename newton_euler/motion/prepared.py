@@ -151,12 +151,6 @@ class PreparedModel:
         return all("t" not in needs for needs in self.traced.rhs.dependencies)
 
     @cached_property
-    def clocks(self) -> tuple[bool, ...]:
-        """For each state True if its rate is that of no state, as that of a clock."""
-        states = set(self.model.states)
-        return tuple([not states & needs for needs in self.traced.rhs.dependencies])
-
-    @cached_property
     def constants(self) -> Floats:
         """The constants of the folded right-hand side, a tuple; nan where they have no value."""
         early = self.traced.folded[1]

@@ -2,10 +2,12 @@
 which the state jumps or the model changes.
 """
 
+from itertools import pairwise
 from math import inf
 from typing import NamedTuple
 
-from ..algebra.errors import NewtonEulerError, callers_line
+from ..algebra.errors import NewtonEulerError
+from ..algebra.places import callers_line
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
@@ -47,6 +49,7 @@ STICKING, STICKING_PART = 100, 1e-2
 # times the round-off so far, and part of what a step may be off, from which on more round-off
 # explains why no step is possible
 ROUGHER, HINDERING = 2.0, 1e-2
+CRAWL, FEWEST = 100.0, 100  # times the shortest of so many steps: those that are repeated then
 CRAWLING = 100_000  # steps between two checks for sticking
 
 
@@ -195,8 +198,9 @@ class Trajectory:
             try:
                 step(limit)
             except StepError as error:
-                if isinstance(error, LengthError) or not self._rougher(stepper):
+                if isinstance(error, LengthError) or not self._rougher(stepper, done):
                     raise
+                continue
             if len(stepper.step_times) > patience:
                 patience += CRAWLING
                 self._check_crawling(stepper)
@@ -220,9 +224,10 @@ class Trajectory:
                 self.progress((stepper.t - self.origin) / (self.goal - self.origin))
         return None
 
-    def _rougher(self, stepper):
-        """Go on where no step was possible since the rates are rougher by round-off than at the
-        start, as those of a stiff floor far from the origin; False where that is not the reason.
+    def _rougher(self, stepper, first):
+        """Go on, from one of the steps from number ``first`` on, where no step was possible since
+        the rates are rougher by round-off than at the start, as those of a stiff floor far from the
+        origin; False where that is not the reason.
         """
         if not stepper.resumable:
             return False
@@ -234,8 +239,17 @@ class Trajectory:
         least = HINDERING * stepper.tolerance
         if not any(a > max(ROUGHER * b, least * scale) for a, b, scale in rows):
             return False
-        stepper.noise, self.repeated = noise, True
-        stepper.resume()
+        stepper.noise, self.repeated, times = noise, True, stepper.step_times
+        lengths = [b - a for a, b in pairwise(times)]
+        # each of the short steps that led here has lost a part of the last digit
+        short, n = CRAWL * min(lengths[-FEWEST:], default=0.0), len(lengths)
+        while n > first and lengths[n - 1] < short:
+            n -= 1
+        stepper.h = 0.0
+        if n < len(lengths):
+            stepper.back_to(n, ())
+        else:
+            stepper.resume()
         return True
 
     def _see(self, stepper, step, first, limit):

@@ -41,6 +41,10 @@ class UnresolvedError(NewtonEulerError, ArithmeticError):
     """Raised where not all zeros of a function can be found; the message says where, and why."""
 
 
+class VoidError(UnresolvedError):
+    """Raised where the function has no value on part of the way."""
+
+
 class Zero(NamedTuple):
     """A zero at the time ``t``; ``slope`` of the function there, 0 at a kink or a jump."""
 
@@ -137,7 +141,7 @@ class ZeroSearch:
     def _check(self, piece, count):
         """Raise :class:`UnresolvedError` if the search cannot continue with this piece."""
         if piece.state == "void":
-            raise UnresolvedError(
+            raise VoidError(
                 f"has no value from t = {piece.left:.9g} to {piece.right:.9g}; give one that is "
                 "defined along the whole motion, also a little beyond its zero"
             )

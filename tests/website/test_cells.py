@@ -50,6 +50,7 @@ def test_what_a_cell_shows(page, case):
     ("source", "words"),
     [
         ("x = 1\n1 / 0", "ZeroDivisionError: division by zero (line 2)"),
+        ("e = KeyError('m')\ne.add_note('at 2 s')\nraise e", "KeyError: 'm'; at 2 s (line 3)"),
         ("x = (", "SyntaxError: '(' was never closed (line 1)"),
         ("y", "NameError: name 'y' is not defined (line 1)"),
     ],

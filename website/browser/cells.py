@@ -91,4 +91,5 @@ def _in_words(error, number):
             line = trace.tb_lineno
         trace = trace.tb_next
     kind = "" if isinstance(error, NewtonEulerError) else f"{type(error).__name__}: "
-    return f"{kind}{getattr(error, 'msg', error)}" + (f" (line {line})" if line else "")
+    words = "; ".join([str(getattr(error, "msg", error)), *getattr(error, "__notes__", ())])
+    return f"{kind}{words}" + (f" (line {line})" if line else "")

@@ -152,7 +152,7 @@ def _plain(value):
 
 def _in_words(error):
     try:
-        message = str(error)
+        message = "; ".join([str(error), *map(str, getattr(error, "__notes__", ()))])
     except BaseException:
         message = "an error whose message cannot be made"
     return f"{type(error).__name__}{_line_of(error)}: {message}"

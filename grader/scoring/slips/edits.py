@@ -21,7 +21,7 @@ from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
 from .edits_of_wholes import of_quantities_in_wholes, of_sides, of_unneeded, of_wholes
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
-from .typed import Product, described, repeats
+from .typed import Product, described, is_nothing, repeats
 
 MANY = 8  # uses of a step, beyond which single uses are not tried
 INVERTED = Words("inverts the ratio of {key} to {name}: it is the other way round").template
@@ -279,11 +279,14 @@ def _in_one_place(s, cause, kind, user):
 
 
 def _of_unchanged(answers, given, read):
-    """A given, or its half, as the answer, or the answer with its ratio to a given inverted."""
+    """A given, or its half, as the answer, or as the only component of it that is not zero; or the
+    answer with its ratio to a given inverted.
+    """
     for key, answer in answers.items():
-        own, (x, *others) = unit(answer.unit).dimension, answer.parts
-        if others or not isinstance(x, Step) or own == Dimension():
+        own, there = unit(answer.unit).dimension, [x for x in answer.parts if not is_nothing(x)]
+        if len(there) != 1 or not isinstance(there[0], Step) or own == Dimension():
             continue
+        (x,) = there
         for name, step in given.items():
             if x is step or read[name].dimension != own:
                 continue

@@ -108,6 +108,12 @@ def particles(m, a, omega, alpha):
     return {"H_O": [5 * h * omega / 2, -h * omega / 2, -3 * h * omega / 2]}
 
 
+def about_the_centre(m, omega, l, p, q, **_):
+    """The angular momentum of two rods about their common centre."""
+    off = m * omega * l * (q - p) / 4e6
+    return {"H_O": [5 * m * omega * l**2 / 12e6, off, -off]}
+
+
 CASES = {
     "not resolved": ("3/16", not_resolved, "along one axis"),
     "one more transfer": ("10/5", with_one_more_transfer, "to a moment of inertia"),
@@ -171,6 +177,7 @@ CASES = {
     ),
     "limits": ("A/25", over_the_difference, "over the difference of the limits"),
     "constant": ("8/10", swinging, "takes what is integrated as constant"),
+    "about the centre": ("9/5", about_the_centre, "moments of inertia about the centre of mass"),
     "in inches": (
         "2/16", lambda a_n1, r_1, **_: {"v_tape": (a_n1 / r_1) ** 0.5}, "one factor r_1 too few",
     ),

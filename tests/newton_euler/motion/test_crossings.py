@@ -1,13 +1,15 @@
 """Steps that end where the rates change their formula, against solutions in closed form."""
 
+import itertools
 import math
 import random
+from contextlib import suppress
 
 import mpmath
 import pytest
 
 from newton_euler import Model, exp, integrate, sqrt, table, where
-from newton_euler.motion import MotionError, StickingError, trajectory
+from newton_euler.motion import AccuracyError, MotionError, StickingError, trajectory
 from newton_euler.motion.crossings import distances
 from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
@@ -191,3 +193,37 @@ def test_the_error_covers_what_the_last_digit_of_an_edge_makes(width):
             assert max(float(abs(x / y - 1)) for x, y in pairs) <= found.error <= rtol
             answered += 1
     assert answered >= (8 if width > 1e-6 else 1)
+
+
+FLOORS = {
+    "layer": (lambda d, k: k, lambda u, g, k: 2 * u / (k - g), (20.7, 60.0)),
+    "spring": (
+        lambda d, k: k * d,
+        lambda u, g, k: 2 * (math.pi - math.atan(u * math.sqrt(k) / g)) / math.sqrt(k),
+        (1e3, 1e5),
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", FLOORS)
+@pytest.mark.parametrize("place", [1.0, 6.4e6])
+def test_a_floor_far_from_zero_throws_back_as_one_at_zero(kind, place):
+    """Steps up to an edge there do not change the last digit of a place, or lose a part of it."""
+    push, contact, strengths = FLOORS[kind]
+    g, answered = 9.0, 0
+    for k, height, count in itertools.product(strengths, (0.5, 1.5, 3.0), (1, 4)):
+        rates = lambda s, p, t, k=k: (s.v, where(s.x < place, push(place - s.x, k), 0.0) - g)
+        u, fall = math.sqrt(2 * g * height), math.sqrt(2 * height / g)
+        T = 1.7 * fall + contact(u, g, k) + count * (2 * fall + contact(u, g, k))
+        with suppress(AccuracyError):
+            motion = integrate(Model(kind, {}, ("x", "v"), rates), T, (place + height, 0.0), 1e-6)
+            assert abs(motion.end["v"] - 0.3 * u) <= motion.error * u
+            answered += 1
+    assert answered >= (12 if kind == "layer" or place == 1.0 else 7)
+
+
+def test_a_border_very_far_away_is_known_to_its_last_digit_and_nothing_sticks_at_it():
+    rates = lambda s, p, t: (s.v, where(s.x < p.place, 20.0, 0.0) - 9.0)
+    layer = Model("layer", {"place": 1e9}, ("x", "v"), rates)
+    with pytest.raises(AccuracyError, match="ask for rtol"):
+        integrate(layer, 4.0, (1e9 + 2.0, 0.0), 1e-6)

@@ -153,7 +153,7 @@ def made(steps, tolerance=1e-12, difference=0.0, system=None, residuals=(0.0,), 
     parts = []
     for n, r in itertools.zip_longest(steps, residuals, fillvalue=0.0):
         of = {"step_times": range(n + 1), "scales": (1.0,), "residual": lambda r=r: r}
-        of |= {"taken": 0, "t": 0.0, "start": (0.0, (1.0,))}
+        of |= {"taken": 0, "t": 0.0, "start": (0.0, (1.0,)), "resumable": False}
         parts.append(Segment(system or Still(), SimpleNamespace(**of), 0.0, 1.0, (1.0,)))
     return SimpleNamespace(
         segments=parts, tolerance=tolerance, count=sum(steps), difference=lambda other: difference,

@@ -226,9 +226,8 @@ def test_what_a_function_refuses_on_the_way_is_raised_as_it_is(closed):
 
     with pytest.raises(ModelError, match=r"^the table ends at 1 s$"):
         times(table, closed=closed)
-    with pytest.raises(ModelError, match="has no value from t = ") as found:
+    with pytest.raises(ValueError, match=r"(?s)math domain error.*has no value from t = "):
         times(lambda s, p, t: math.sqrt(1.0 - t) + (s.x > 9.0 and 0.0), closed=closed)
-    assert isinstance(found.value.__cause__, ValueError)  # of sqrt, with its place
 
 
 def test_direction_and_end_may_be_of_numpy():

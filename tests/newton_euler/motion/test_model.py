@@ -17,7 +17,7 @@ from scipy import interpolate
 
 from newton_euler import Dimension, cos, exp, integrate, sin, table, where
 from newton_euler.algebra import ZERO
-from newton_euler.algebra.scalars import DivisionError, RangeError
+from newton_euler.algebra.scalars import RangeError
 from newton_euler.motion.model import (
     Model,
     ModelError,
@@ -236,7 +236,6 @@ PULLED = Model("pulled", {}, ("x",), lambda s, p, t: (-1 / s.x,))
         (lambda m: m.changed(c=1.0), "oscillator has no parameter 'c'; it has m, k"),
         (lambda m: m.compiled_rhs("c"), "oscillator has no parameter 'c'"),
         (lambda m: PULLED.changed(c=1.0), "pulled has no parameter 'c'; it has none"),
-        (lambda m: PULLED.derivative((0.0,)), r"pulled has no rates at \{'x': 0.0\}: .* singular there"),
         (lambda m: second_order("s", {}, ("x",), 3), r"accelerations of 's' is a function \(s, p, t\), got 3"),
     ],
 )  # fmt: skip
@@ -246,11 +245,15 @@ def test_questions_that_a_model_cannot_answer(ask, words):
 
 
 def test_where_a_formula_has_no_value_the_kind_of_error_is_that_of_the_numbers():
+    with pytest.raises(ZeroDivisionError, match=r"pulled has no rates at \{'x': 0.0\};.* singular"):
+        PULLED.derivative((0.0,))
     exact = lambda s, p, t: (exp(t) / s.x,)
     grows = Model("grows", {}, ("x",), lambda s, p, t: (s.x,), exact=exact)
     with pytest.raises(RangeError, match="the exact solution of 'grows' has no value at t = 1000"):
         grows.solution(1000.0, (1.0,))
-    with pytest.raises(DivisionError, match="the exact solution of 'grows' has no value at t = 1"):
+    with pytest.raises(
+        ZeroDivisionError, match="the exact solution of 'grows' has no value at t = 1"
+    ):
         grows.solution(1.0, (0.0,))
 
 
@@ -299,7 +302,7 @@ def test_a_table_among_the_parameters_is_read_by_formulas_and_laws():
     assert many.end["w"][0] == pytest.approx(end, rel=1e-9)
 
 
-def test_rates_beyond_floats_are_refused_in_words():
+def test_rates_beyond_floats_are_named_with_their_place():
     spring = Model("spring", {"k": 1.5}, ("x", "v"), lambda s, p, t: (s.v, -p.k * s.x))
-    with pytest.raises(ModelError, match=r"spring has no rates at .*too large"):
+    with pytest.raises(OverflowError, match=r"(?s)too large.*spring has no rates at "):
         spring.derivative((10**400, 0.0))

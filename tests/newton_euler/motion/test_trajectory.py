@@ -12,7 +12,7 @@ from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.run import Run
 from newton_euler.motion.sizes import NATURAL_PART, ROUND_OFF
-from newton_euler.motion.solution import MotionError
+from newton_euler.motion.solution import AccuracyError, MotionError
 from newton_euler.motion.trajectory import (
     INNER_PART,
     KINKED_PART,
@@ -336,3 +336,12 @@ def test_a_state_next_to_zero_sets_no_scale_for_its_error():
     model = Model("two decays", {}, ("x", "y"), lambda s, p, t: (-s.x, -s.y))
     motion = integrate(model, 1.0, (1.0, 2e-317), 1e-9, "dop853")
     assert motion.end["y"] == pytest.approx(2e-317 / math.e, rel=1e-3)
+
+
+def test_steps_that_are_repeated_are_none_of_those_before_the_last_search():
+    """At the top of a throw lies a layer, so thin that round-off in it is large."""
+    p = {"g": 7.691800999360371, "w": 3.719184142370538e-07, "c": 19.563782473654317}
+    rates = lambda s, p, t: (s.v, -p.g, 10.0 * exp(-(((s.y - p.c) / p.w) ** 2)))
+    start = 0.0, 17.348240384324477, 0.0
+    with pytest.raises(AccuracyError, match="ask for rtol"):
+        integrate(Model("throw", p, ("y", "v", "dose"), rates), 4.2852976478405385, start, 1e-12)

@@ -83,6 +83,7 @@ FAILS = {  # in a notebook too
     "x = 1 +": "SyntaxError: invalid syntax, line 1: x = 1 +",
     "%time undefined": "NameError, line 1: name 'undefined' is not defined",
     "%%time\n1/0": "ZeroDivisionError, line 2: division by zero",
+    "e = KeyError('m')\ne.add_note('at 2 s')\nraise e": "KeyError, line 3: 'm'; at 2 s",
     "a = 1\n\nb = undefined\n": "NameError, line 3: name 'undefined' is not defined",
     "%timeit y = 3\nx = y": "NameError, line 2: name 'y' is not defined",
     "await 3": "TypeError, line 1: object int can't be used in 'await' expression",
