@@ -20,8 +20,9 @@ from types import ModuleType
 from typing import Any, NamedTuple
 
 from . import scalars
-from .errors import callers_line, checked
+from .errors import checked
 from .jets import Moving
+from .places import callers_line
 from .scalars import (
     FUNCTIONS,
     DivisionError,

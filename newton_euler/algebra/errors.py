@@ -12,18 +12,15 @@ got '2' of type str; write numbers without quotation marks
 Functions that are called millions of times, as the methods of vectors, have checks of their own.
 """
 
-import linecache
-import sys
 import types
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
 from inspect import Parameter, signature
-from traceback import walk_tb
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
 from .names import ArgumentError, misfit
+from .places import callers_places
 from .scalars import (
-    LIBRARIES,
     ZERO,
     DivisionError,
     NewtonEulerError,
@@ -82,7 +79,7 @@ def checked(f: F, unchecked: tuple[str, ...] = ()) -> F:
                 raise
             if isinstance(error, TypeError) and (words := misfit(f, args, named)):
                 raise ArgumentError(words) from None
-            if any(_callers_places(error)):  # what the caller passed raised it, or called what did
+            if any(callers_places(error)):  # what the caller passed raised it, or called what did
                 raise
             given = [*map(_brief, given), *(f"{n}={_brief(x)}" for n, x in named.items())]
             raise _in_words(f"{f.__name__}({', '.join(given)})", error) from error
@@ -105,48 +102,6 @@ def checked_words(cls: type) -> type:
 def checked_but(*unchecked: str) -> Callable[[F], F]:
     """:func:`checked` as a decorator that leaves these arguments to the function."""
     return lambda f: checked(f, unchecked)
-
-
-# top-level modules: a frame of any other one is that of a function that the caller passed; the
-# empty name is that of generated code
-_NOT_A_CALLERS = {"newton_euler", "scipy", "", *LIBRARIES, *sys.stdlib_module_names}
-
-
-def _callers_places(error):
-    """Where functions that the caller passed stand in the traceback of an error, below the frame
-    that caught it: pairs of a frame and the number of its line.
-    """
-    for frame, line in walk_tb(error.__traceback__.tb_next):
-        if frame.f_globals.get("__name__", "").partition(".")[0] not in _NOT_A_CALLERS:
-            yield frame, line
-
-
-def callers_line(error: BaseException) -> str:
-    """The line of a function of the caller in which an error arose, "" if there is none."""
-    places = list(_callers_places(error))
-    if not places:
-        return ""
-    frame, number = places[-1]
-    return linecache.getline(frame.f_code.co_filename, number).strip()
-
-
-def raised_by_the_engine(error: BaseException) -> bool:
-    """True if the engine itself raised this error, False if a function that it called did."""
-    at = error.__traceback__
-    while at and at.tb_next:
-        at = at.tb_next
-    module = at.tb_frame.f_globals.get("__name__", "") if at else ""
-    return module.partition(".")[0] == "newton_euler"
-
-
-def at_a_place(error: Exception, kind: type[Exception], place: str, advice: str = "") -> None:
-    """Add the ``place`` to an error that was raised while a function of the caller was called. It
-    is a note, since the error reaches the caller as raised; one of the engine becomes a ``kind`` of
-    error, with ``advice``.
-    """
-    if isinstance(error, NewtonEulerError) or raised_by_the_engine(error):
-        raise kind(f"{place}: {error}{advice}") from error
-    error.add_note(f"{place}{advice}")
 
 
 def _in_words(called, error):

@@ -5,6 +5,7 @@ from typing import Any
 
 from .names import ArgumentError, guided, misfit
 from .otherwise import built
+from .places import at_a_place
 from .scalars import (
     FUNCTIONS,
     LIBRARIES,
@@ -317,8 +318,6 @@ def at(f: Callable[..., Scalar], t: Scalar) -> Moving:
     try:
         return as_moving(f(Moving(t, integer_like(1, t))))
     except OverflowError as error:
-        from .errors import at_a_place  # here, since it imports this module
-
         place = f"the function is too large for a float at {short_repr(t)}"
         at_a_place(error, RangeError, place)
         raise

@@ -6,9 +6,9 @@ from itertools import pairwise
 from sys import float_info
 from typing import Any
 
-from .errors import at_a_place
 from .integrals import WorkError, by_formula, gauss, integral
 from .late import np
+from .places import at_a_place
 from .scalars import (
     ZERO,
     Scalar,

@@ -36,7 +36,8 @@ def of_each_component(
         if not near:
             return ()
         found.append(min(near, key=lambda slip: slip[0])[1])
-    return (both(*found[:2]),)
+    first, *others = {cause.what: cause for cause in found}.values()
+    return (both(first, *others[:1]),) if others else (first,)
 
 
 def _listed(fit: Fit, off: Sequence[int], wrong: Sequence[tuple[Cause, Points]]) -> Iterator[Cause]:

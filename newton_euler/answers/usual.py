@@ -19,7 +19,7 @@ MOMENTS: dict[Fraction, str] = {
     Fraction(1): Words("a ring"),
     Fraction(1, 2): Words("a disk about its axis"),
     Fraction(1, 4): Words("a disk about a diameter"),
-    Fraction(1, 3): Words("a rod about its end"),
+    Fraction(1, 3): Words("a rod or rectangle about its end"),
     Fraction(1, 12): Words("a rod or rectangle about its centre"),
     Fraction(2, 5): Words("a solid sphere"),
     Fraction(2, 3): Words("a spherical shell"),
@@ -72,8 +72,11 @@ def of_other_bodies(
                 found.setdefault(number, []).append(n)
     for number, every in found.items():
         cause = usual(_spelled(number), of[number], is_place)
-        for places in [every] if every == off else [[n] for n in every]:
-            yield _in(places, cause, fit), mixed(fit.given, fit.key, places)
+        # two moments are evidence even where products of inertia are wrong, too
+        if every == off or (not is_place and len(every) > 1):
+            yield _in(every, cause, fit), fit.given
+        else:
+            yield from ((_in([n], cause, fit), mixed(fit.given, fit.key, [n])) for n in every)
 
 
 def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[tuple[Cause, Points]]:

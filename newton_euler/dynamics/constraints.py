@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from operator import mul
 from typing import Any
 
-from ..algebra.errors import NewtonEulerError, Tolerance, at_a_place, checked
+from ..algebra.errors import NewtonEulerError, Tolerance, checked
 from ..algebra.jets import Moving
+from ..algebra.places import at_a_place
 from ..algebra.scalars import is_finite, is_numeric, scalar
 from ..algebra.vectors import Vector
 

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from itertools import pairwise, product
 
 from ..algebra import WorkError
-from ..algebra.errors import Accuracy, Tolerance, at_a_place, checked
+from ..algebra.errors import Accuracy, Tolerance, checked
 from ..algebra.jets import Moving
+from ..algebra.places import at_a_place
 from ..algebra.quadrature import NO_VALUE, quadrature
 from ..algebra.scalars import (
     ZERO,

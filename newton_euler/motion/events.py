@@ -8,8 +8,8 @@ from heapq import merge
 from math import nan
 from numbers import Real
 
-from ..algebra.errors import at_a_place, raised_by_the_engine
 from ..algebra.names import guided
+from ..algebra.places import at_a_place, raised_by_the_engine
 from ..algebra.portable import Portable
 from .chebyshev import EPS, root
 from .methods.base import Stepper

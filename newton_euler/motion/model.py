@@ -19,14 +19,9 @@ from unicodedata import normalize
 from warnings import warn
 
 from ..algebra.compile import compiled, content, recorded, text_of
-from ..algebra.errors import (
-    LONGEST_SEQUENCE,
-    NewtonEulerError,
-    at_a_place,
-    checked,
-    raised_by_the_engine,
-)
+from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
 from ..algebra.names import guided, misfit
+from ..algebra.places import at_a_place, raised_by_the_engine
 from ..algebra.portable import Portable
 from ..algebra.reads import Reads
 from ..algebra.scalars import (

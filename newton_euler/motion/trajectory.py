@@ -6,7 +6,8 @@ from itertools import pairwise
 from math import inf
 from typing import NamedTuple
 
-from ..algebra.errors import NewtonEulerError, callers_line
+from ..algebra.errors import NewtonEulerError
+from ..algebra.places import callers_line
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why

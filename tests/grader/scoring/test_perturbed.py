@@ -65,7 +65,7 @@ m, g, s, d, alpha, v, b = GIVEN.values()
         ("E", m * (3.6 * v) ** 2 / 2 + m * g * s * math.sin(alpha), "uses v in km/h without"),
         ("E", m * v**2 / 2 + m * g * s * math.sin(math.degrees(alpha)), "uses alpha in deg"),
         ("E", (v**2 / 2 + g * s * math.sin(alpha)), "has one factor m too few"),
-        ("I", m * b**2 / 3 + m * d**2, "a rod about its end"),
+        ("I", m * b**2 / 3 + m * d**2, "about its end"),
         ("I", m * b**2 / 12 - m * d**2, "the term m*d^2 with the opposite sign"),
         ("u", math.sqrt(g * s * math.cos(alpha)), "leaves out the factor 2"),
         ("u", 2 * g * s * math.cos(alpha), "leaves out the square root"),
