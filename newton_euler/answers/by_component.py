@@ -35,7 +35,8 @@ def of_each_component(
         return ()
     for places in groups:
         alone = Fit(mixed(fit.given, fit.key, places), fit.key, fit.rtol)
-        near = [(-1, cause, ()) for cause in _listed(alone, places, wrong)] or slips(alone, kind)
+        near = [(-1, cause, alone.given) for cause in _listed(alone, places, wrong)]
+        near = near or [slip for slip in slips(alone, kind) if alone(slip[2])]
         if not near:
             return ()
         found.append(min(near, key=lambda slip: slip[0])[1])
