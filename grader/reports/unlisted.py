@@ -120,7 +120,8 @@ def _gives(causes, asked, numbers, whole):
     models += [(c, numbers.book[asked.key]) for c in causes if c.group == "book"]
     models += [(c, numbers.key[c.name]) for c in causes if c.group == "exchanged"]
     gives = any(fit(kind.like(x, exact)) == EXACT for cause, x in models if cause in causes)
-    return gives or any(c in causes for c in _again(asked, numbers, whole))
+    is_zero = GIVES_ZERO in causes and not any(map(any, exact))
+    return gives or is_zero or any(c in causes for c in _again(asked, numbers, whole))
 
 
 def _again(asked, numbers, whole):

@@ -12,7 +12,7 @@ from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, ZERO, Cause, compute
 from newton_euler.answers.near import LEAST, LESS, RARER, SIMPLE
 
 from .formulas import Edit
-from .typed import terms_of
+from .typed import is_nothing, terms_of
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
 TIME = Dimension(0, 0, 1)
@@ -28,6 +28,7 @@ CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "m
 
 OF_TURNS = {"s": "min"}  # what a rate of turning is divided by
 
+MANY = 9  # lengths: of more, not even whole ones are added
 SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
@@ -152,8 +153,10 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
         words = Words(SLANT, name=name, other=other)
         slant = ("sqrt", ("+", *squares))
         yield Edit(LEAST, computed(f"slant {name} {other}", words), {given[name].number: slant})
-    for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
-        for part, x in ((other, given[other]), (f"{other}/2", ("*", given[other], 0.5))):
+    for name, other in permutations(lengths, 2) if len(lengths) <= MANY else ():
+        parts: list[tuple[str, Any]] = [(other, given[other])]
+        parts += [(f"{other}/2", ("*", given[other], 0.5))] if len(lengths) <= SEVERAL else []
+        for part, x in parts:
             for op in ("+", "-"):
                 words = Words("takes {name} {op} {part} for {name}: it leads to another point",
                               name=name, op=op, part=part)  # fmt: skip
@@ -279,14 +282,15 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
     of an answer: reversed or left out, taken for the answer, or added to it.
     """
     found = dict[frozenset[Step], tuple[Step, ...]]()
-    for key, parts in answers.items():
+    for key, components in answers.items():
+        parts = [x for x in components if not is_nothing(x)]
         if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
             own = dict.fromkeys(_alike(parts))
             for steps in own:
                 found.setdefault(frozenset(steps), steps)
-            yield from _of_whole_vectors(key, parts, own)
+            yield from _of_whole_vectors(key, parts, own) if len(components) == 3 else ()
             yield from _of_factors(parts)
-            for one, other in combinations(own, 2) if len(parts) == 3 else ():
+            for one, other in combinations(own, 2) if len(components) == 3 else ():
                 yield from _of_both(key, parts, one, other)
     for one, other in permutations(found.values(), 2):
         if len(one) == len(other):
@@ -341,7 +345,7 @@ def _of_factors(steps):
 
 
 def _of_whole_vectors(key, parts, vectors):
-    for steps in vectors if len(parts) == 3 else ():
+    for steps in vectors:
         names = joined(s.args[0] for s in steps)
         alone = Words(
             "takes {names} for {key}: look up what {key} stands for", names=names, key=key

@@ -130,6 +130,19 @@ CASES = {
     "another law": (
         "2/2", lambda A, theta, v: {"a_n": v**2 * theta / A}, "takes v^2*theta/A for a_n"
     ),
+    "a mass that cancels": (
+        "11/4", lambda m, k, R, g: {"v_B": (2 * g * R * m) ** 0.5}, "has m left in one place"
+    ),
+    "wrong side": (
+        "6/4", lambda m, A, omega, B, t_1: {"F": [
+            -A * omega * sin(omega * t_1) / m, 2 * B * t_1 / m, -A * omega * np.cos(omega * t_1) / m
+        ]}, "has m on the wrong side",
+    ),
+    "a velocity for its rate": (
+        "6/4", lambda m, A, omega, B, t_1: {"F": [
+            m * A * np.cos(omega * t_1), m * B * t_1**2, -m * A * sin(omega * t_1)
+        ]}, "does not differentiate",
+    ),
     "an area": ("7/18", lambda m, b, h: {"I_xx": b * h**3 / 36}, "leaves out the mass per"),
     "inside an integral": (
         "5/8", lambda R: {"d": [0, 0, sympy.pi * R / 4]}, "in what is integrated"
