@@ -33,6 +33,8 @@ def of_each_component(
         return (found[0],)
     if not kind.is_formula or not 1 < len(groups) <= MOST:
         return ()
+    if all(_is_multiple(fit, places) for places in groups):
+        return ()  # each is a number times the right one, which some slip gives by chance
     for places in groups:
         alone = Fit(mixed(fit.given, fit.key, places), fit.key, fit.rtol)
         near = [(-1, cause, alone.given) for cause in _listed(alone, places, wrong)]
@@ -64,6 +66,13 @@ def _wrong(fit, kind):
     if len(places) == 9 and _is_flat(fit.given) and _is_flat(fit.key):
         off = [n for n in off if n != 8 or len(off) == 1]  # I_zz follows from the two others
     return [tuple({n, mirrored[n]}) for n in off if n <= mirrored[n] or mirrored[n] not in off]
+
+
+def _is_multiple(fit, places):
+    """True of a component that is one number times the right one at all points, as zero is."""
+    pairs = [(x[n], k[n]) for x, k in zip(fit.given, fit.key, strict=True) for n in places]
+    ratios = [x / k if k else 0.0 for x, k in pairs]
+    return max(ratios) - min(ratios) <= NOISE * (1 + abs(ratios[0]))
 
 
 def _is_flat(points):

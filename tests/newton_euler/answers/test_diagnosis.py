@@ -319,10 +319,12 @@ def test_what_explains_each_wrong_component_is_named():
     def each(fit, kind):
         return [(1, alone[fit.given[0]], fit.given)] if fit.given[0] in alone else []
 
-    formula, key = KINDS["vector_expression"], 2 * ((3.0, 4.0, 5.0),)
-    (cause,) = diagnose(2 * ((6.1, 4.0, 1.3),), key, [], formula, slips=each)
+    formula, key, there = KINDS["vector_expression"], ((3.0, 4.0, 5.0),), (1.0, 2.0, 2.0)
+    (cause,) = diagnose(((6.1, 4.0, 1.3), there), (*key, (2.0, 2.0, 2.0)), [], formula, slips=each)
     assert cause.name == "turns + mirrors"
-    assert not diagnose(2 * ((6.1, 4.7, 1.3),), key, [], formula, slips=each)
+    assert not diagnose(((6.1, 4.7, 1.3), there), (*key, (2.0, 2.1, 2.0)), [], formula, slips=each)
+    # of a number times each right component, some slip is met by chance
+    assert not diagnose(2 * ((6.1, 4.0, 1.3),), 2 * key, [], formula, slips=each)
     assert not diagnose(((6.1, 4.0, 1.3),), key[:1], [], slips=each)
 
 
