@@ -235,7 +235,6 @@ def test_what_is_computed_from_an_answer_that_is_far_too_large_follows(number, k
     ("name", "key", "given", "word"),
     [
         ("6/22", "side", {"x": 0}, "same point"),
-        ("7/23", "trend", {"err_1": 1.0, "err_2": 2.0}, "worsens"),
         ("9/5", "balance", {"Hdot_O": [0, 0, 0]}, "dynamic"),
     ],
 )
