@@ -125,8 +125,9 @@ def _gives(causes, asked, numbers, whole):
 
 
 def _again(asked, numbers, whole):
-    """The slips in going on and the two mistakes together that are found where all digits are
-    written too: almost none is by chance.
+    """The causes that are found where all digits are written too: slips in going on and two
+    mistakes together, almost none by chance; what is true of any such answer.
     """
     found, _ = _causes(asked, whole, numbers)
-    return [c for c in found if c.group in ("sequel", "both")]
+    groups = "sequel", "both", "usual", "powers"
+    return [c for c in found if c.group in groups or c == GIVES_ZERO]

@@ -66,6 +66,8 @@ def of_given(
     not_one = NOT_ONE if own.dimension == Dimension() else NO_FIT
     for other, step in given.items():
         if read[other].dimension != own.dimension:
+            if not _are_confused(read[other].dimension, own.dimension):
+                continue  # few would, and many would be met by chance
             words = Words("takes {other} for {name}: {why}", other=other, name=name, why=NO_FIT)
             yield LEAST, f"given {other}", words, step
         elif other != name:
@@ -114,6 +116,14 @@ def of_given(
             less = Words("divides {name} by g: it is a mass, not a weight", name=name)
         yield LESS, "g", more, ("*", s, g)
         yield LESS, "g", less, ("/", s, g)
+
+
+def _are_confused(a, b):
+    """True of the dimensions of a quantity and its rate, of a length and an area, a mass and a
+    weight.
+    """
+    mass, length, time = (a / b).powers
+    return {a, b} == {MASS, FORCE} or (not mass and not (length and time))
 
 
 def _of_sign(s, dimension):
@@ -273,6 +283,8 @@ def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterato
     """Two givens, each in the place of the other."""
     for (a, s), (b, t) in combinations(given.items(), 2):
         words = Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
+        if not _are_confused(read[a].dimension, read[b].dimension):
+            continue
         rank = LESS if read[a].text == read[b].text else LEAST + 2
         yield Edit(rank, computed(f"exchanged {a} {b}", words), {s.number: t, t.number: s})
 
