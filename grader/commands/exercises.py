@@ -225,7 +225,7 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
 
     Each mistake is made with each set of numbers and scored as a student's answer: it is named,
     misnamed as another, or unnamed; one that passed as right gives exit code 1. A second table has
-    unlisted slips, random edits of the formulas.
+    unlisted slips, random edits of the formulas and of the set-up.
     """
     from exercises.catalogue import select
 

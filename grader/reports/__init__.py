@@ -8,7 +8,7 @@ records      the scores that the grader has kept, part by part
 statistics   difficulty, discrimination and mistakes of each part
 export       CSV of every part, and the files that learning platforms import
 diagnoses    how often the mistakes of the exercises are recognised
-unlisted     the same of unlisted slips (slips_made makes them)
+unlisted     the same of unlisted slips (slips_made makes them, setups_made those in a set-up)
 """
 
 from .answers import answers_json, answers_text, given_values, nested, solution_text, solve_problem

@@ -17,6 +17,8 @@ from newton_euler.algebra.trace import Inner, Step, Trace
 from newton_euler.algebra.units import SI, US, Dimension, unit
 from newton_euler.algebra.vectors import Vector
 
+from .setups_made import of_setups
+
 BETWEEN: dict[str, Callable[..., Any]] = {
     "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
     "/": lambda a, b: a / b, "**": lambda a, b: a**b, "pow": lambda a, b: a**b,
@@ -25,6 +27,7 @@ BETWEEN: dict[str, Callable[..., Any]] = {
     "gt": lambda a, b: a > b, "ge": lambda a, b: a >= b,
 }  # fmt: skip
 TWINS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
+SETUPS = 4  # of a problem
 OF_INERTIA = Dimension(1, 2, 0)
 OF_GRAVITY = Dimension(0, 1, -2)
 
@@ -261,6 +264,9 @@ def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterato
     for kind, choices in edits(f, base).items():
         for edit in rng.sample(choices, min(2, len(choices))):
             yield from _spread(kind, _changed(f, base, right, edit), right, rng)
+    own = random.Random(f"{p.id} {values}")  # the others stay the same
+    for wrong in of_setups(p, values, own, SETUPS):
+        yield from _spread("another set-up", {k: wrong[k] for k in right}, right, own)
     yield from _of_other_numbers(p, f, right, rng)
     yield from _following(f, base, right, rng)
     yield from _going_on(f, base, right, rng)

@@ -9,6 +9,7 @@ import numpy as np
 
 from exercises.catalogue import Problem
 from exercises.catalogue.variants import draw
+from newton_euler.answers.causes import GIVES_ZERO
 from newton_euler.answers.fit import EXACT, Fit
 from newton_euler.answers.slips import multiples, of_components, of_none, of_powers
 from newton_euler.answers.tolerance import is_apart
@@ -119,12 +120,14 @@ def _gives(causes, asked, numbers, whole):
     models += [(c, numbers.book[asked.key]) for c in causes if c.group == "book"]
     models += [(c, numbers.key[c.name]) for c in causes if c.group == "exchanged"]
     gives = any(fit(kind.like(x, exact)) == EXACT for cause, x in models if cause in causes)
-    return gives or any(c in causes for c in _again(asked, numbers, whole))
+    is_zero = GIVES_ZERO in causes and not any(map(any, exact))
+    return gives or is_zero or any(c in causes for c in _again(asked, numbers, whole))
 
 
 def _again(asked, numbers, whole):
-    """The slips in going on and the two mistakes together that are found where all digits are
-    written too: almost none is by chance.
+    """The causes that are found where all digits are written too: slips in going on and two
+    mistakes together, almost none by chance; what is true of any such answer.
     """
     found, _ = _causes(asked, whole, numbers)
-    return [c for c in found if c.group in ("sequel", "both")]
+    groups = "sequel", "both", "usual", "powers"
+    return [c for c in found if c.group in groups or c == GIVES_ZERO]

@@ -16,6 +16,7 @@ IN_SPACE = {
     "particle in plane": "particle", "particle on line": "particle", "body in plane": "body",
 }  # fmt: skip
 IN_PLANE = {"particle": "particle in plane", "body": "body in plane"}
+OFF_LINE = {"particle on line": "particle in plane"}
 PARTICLES = {"body": "particle", "body in plane": "particle in plane"}
 BODIES = {
     "particle": "body", "particle in plane": "body in plane", "particle on line": "body in plane",
@@ -23,6 +24,7 @@ BODIES = {
 OTHERWISE = (
     (IN_SPACE, Words("counts coordinates in space"), Words("not all directions are free")),
     (IN_PLANE, Words("counts coordinates in a plane"), Words("the motion is in space")),
+    (OFF_LINE, Words("counts coordinates across a line"), Words("the motion is along it")),
     (PARTICLES, Words("takes bodies for particles"), Words("a body can turn as well")),
     (BODIES, Words("takes particles for bodies"), Words("turning is not counted here")),
 )

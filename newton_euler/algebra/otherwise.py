@@ -20,14 +20,15 @@ def built_otherwise(change: Change) -> Iterator[None]:
     kind : "point" or "vector", whose parts are the components; "turn", with its axis and angle;
         "transfer", with the factor of the parallel-axis terms, which is 1; "matrix", with the nine
         entries of an inertia; "rate", with the components of the rate of a vector in its frame, or
-        of an angular acceleration; "motion", with those of the acceleration of a point;
+        of an angular acceleration, or of the velocity of a point; "dot", with a scalar product;
+        "motion", with those of the acceleration of a point;
         "body", with its mass, products and moments of inertia;
         "coordinate", with the distance of a point in polar coordinates; "chain", with the rates of
         what a function is of, and the two derivatives of the function
     of : what the parts belong to: of a transfer the mass, the way and the moments of inertia at its
         start, of a matrix the entries about the centre of mass, where it is elsewhere, of a rate
         the components of the vector, of a motion those of the velocity, of a chain what the
-        function is of
+        function is of, of a scalar product the components of both vectors
     """
     token = _change.set(change)
     try:

@@ -331,7 +331,9 @@ class Vector(Scaled, NamedTerms):
 
     def dot(self, other: "Vector") -> Scalar:
         """The scalar product (A.2), (A.11)."""
-        return to_plain(dot3(self.c, self._other(other, "take the dot product of")))
+        c = self._other(other, "take the dot product of")
+        (found,) = built("dot", (to_plain(dot3(self.c, c)),), (*self.c, *c))
+        return found
 
     def cross(self, other: "Vector") -> "Vector":
         """The vector product (A.4), (A.13), in the frame of the left vector; right-handed."""

@@ -9,6 +9,7 @@ from .fit import CLOSE, Fit, mixed
 from .kinds import Kind
 from .tolerance import NOISE, Points
 
+PRECISE = 1e-3  # of a component: a number in fewer digits meets a mistake by chance
 MOST = 3  # components, or entries of a symmetric matrix, that are wrong
 Slip = tuple[int, Cause, Points]
 
@@ -26,17 +27,23 @@ def of_each_component(
     if not groups:
         return ()
     off = [n for places in groups for n in places]
+    if fit.rounding > PRECISE * max(abs(fit.first[0][n]) for n in off):
+        return ()
     if found := [*_listed(fit, off, wrong)]:
         return (found[0],)
     if not kind.is_formula or not 1 < len(groups) <= MOST:
         return ()
+    if all(_is_multiple(fit, places) for places in groups):
+        return ()  # each is a number times the right one, which some slip gives by chance
     for places in groups:
         alone = Fit(mixed(fit.given, fit.key, places), fit.key, fit.rtol)
-        near = [(-1, cause, ()) for cause in _listed(alone, places, wrong)] or slips(alone, kind)
+        near = [(-1, cause, alone.given) for cause in _listed(alone, places, wrong)]
+        near = near or [slip for slip in slips(alone, kind) if alone(slip[2])]
         if not near:
             return ()
         found.append(min(near, key=lambda slip: slip[0])[1])
-    return (both(*found[:2]),)
+    first, *others = {cause.what: cause for cause in found}.values()
+    return (both(first, *others[:1]),) if others else (first,)
 
 
 def _listed(fit: Fit, off: Sequence[int], wrong: Sequence[tuple[Cause, Points]]) -> Iterator[Cause]:
@@ -52,12 +59,20 @@ def _wrong(fit, kind):
     """The places of each wrong component; of a matrix, an entry with its mirror image."""
     near = NOISE if kind.is_formula else kind.rtol
     pairs = [*zip(fit.given, fit.key, fit.sizes, strict=True)]
-    places = range(len(fit.key[0]) if len(fit.key[0]) > 2 else 0)
+    has_places = fit.index is not None and len(fit.key[0]) > 2
+    places = range(len(fit.key[0]) if has_places else 0)
     off = [n for n in places if any(abs(x[n] - k[n]) > near * size for x, k, size in pairs)]
     mirrored = [3 * (n % 3) + n // 3 if len(places) == 9 else n for n in places]
     if len(places) == 9 and _is_flat(fit.given) and _is_flat(fit.key):
         off = [n for n in off if n != 8 or len(off) == 1]  # I_zz follows from the two others
     return [tuple({n, mirrored[n]}) for n in off if n <= mirrored[n] or mirrored[n] not in off]
+
+
+def _is_multiple(fit, places):
+    """True of a component that is one number times the right one at all points, as zero is."""
+    pairs = [(x[n], k[n]) for x, k in zip(fit.given, fit.key, strict=True) for n in places]
+    ratios = [x / k if k else 0.0 for x, k in pairs]
+    return max(ratios) - min(ratios) <= NOISE * (1 + abs(ratios[0]))
 
 
 def _is_flat(points):

@@ -155,8 +155,6 @@ def diagnose(
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
     if not found and not any(map(any, given)) and any(map(any, key)):
         return (GIVES_ZERO,)
-    of_symbols = [m for m in wrong if m[0].group == "powers"]
-    found = found or (_first(of_symbols, fit, least) if slips else ())
     found = found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
     found = found or (of_each_component(fit, kind, wrong, slips) if slips else ())
     return found or tuple(cause for cause, x in of_none(fit) if fit(x))

@@ -262,6 +262,7 @@ def exchanged(fit: Fit) -> Models:
         if all(abs(given[n] - key[m]) <= near for n, m in enumerate(order)):
             moved = [n for n in range(3) if order[n] != n]
             yield causes.exchanged_components(moved), _ordered(order, fit.key)
+            return
 
 
 def _ordered(order, points):

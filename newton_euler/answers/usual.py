@@ -5,6 +5,7 @@ centre of mass. A formula with such a number in place of the right one is that o
 import math
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from ..algebra.language import Words
@@ -19,7 +20,7 @@ MOMENTS: dict[Fraction, str] = {
     Fraction(1): Words("a ring"),
     Fraction(1, 2): Words("a disk about its axis"),
     Fraction(1, 4): Words("a disk about a diameter"),
-    Fraction(1, 3): Words("a rod about its end"),
+    Fraction(1, 3): Words("a rod or rectangle about its end"),
     Fraction(1, 12): Words("a rod or rectangle about its centre"),
     Fraction(2, 5): Words("a solid sphere"),
     Fraction(2, 3): Words("a spherical shell"),
@@ -58,11 +59,12 @@ def of_other_bodies(
     elif dimension == LENGTH and is_place:
         of = CENTRES
     off = _off(fit) if of else []
+    logarithms = _logarithms_at(len(fit.key), symbols) if off else None
     found: dict[Any, list[int]] = {}
     for n in off if is_place else [n for n in off if n % 4 == 0]:
         own, ratio = (
-            _monomial([x[n] for x in fit.key], symbols),
-            _monomial(_ratios(fit, n), symbols),
+            _monomial([x[n] for x in fit.key], symbols, logarithms),
+            _monomial(_ratios(fit, n), symbols, logarithms),
         )
         if not own or not ratio or ratio.powers or own.powers != ((1,) if is_place else (1, 2)):
             continue
@@ -72,18 +74,23 @@ def of_other_bodies(
                 found.setdefault(number, []).append(n)
     for number, every in found.items():
         cause = usual(_spelled(number), of[number], is_place)
-        for places in [every] if every == off else [[n] for n in every]:
-            yield _in(places, cause, fit), mixed(fit.given, fit.key, places)
+        # two moments are evidence even where products of inertia are wrong, too
+        if every == off or (not is_place and len(every) > 1):
+            yield _in(every, cause, fit), fit.given
+        else:
+            yield from ((_in([n], cause, fit), mixed(fit.given, fit.key, [n])) for n in every)
 
 
-def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[tuple[Cause, Points]]:
-    """The answer itself, if it is the right one times powers of ``symbols``: in every component
+def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
+    """Why an answer is wrong that is the right one times powers of ``symbols``, in every component
     that is wrong the same.
     """
     off = _off(fit)
-    names = {x and (x.names, x.powers) for x in (_monomial(_ratios(fit, n), symbols) for n in off)}
+    logarithms = _logarithms_at(len(fit.key), symbols) if off else None
+    ratios = (_monomial(_ratios(fit, n), symbols, logarithms) for n in off)
+    names = {x and (x.names, x.powers) for x in ratios}
     if len(names) == 1 and (found := names.pop()) and found[0]:
-        yield _in(off, powers(found[0]), fit), fit.given
+        yield _in(off, powers(found[0]), fit)
 
 
 def _in(places, cause, fit):
@@ -128,22 +135,37 @@ def _ratios(fit, n):
     return [x[n] / k[n] if k[n] else math.nan for x, k in pairs]
 
 
-def _monomial(column, symbols):
+def _monomial(column, symbols, logarithms):
     """The :class:`_Monomial` with these values, to the digits in which numbers are typed; None of
     another formula.
     """
     with np.errstate(all="ignore"):
-        rows = [np.broadcast_to(np.log(np.abs(x)), len(column)) for x in symbols.values()]
-        matrix = np.column_stack([np.ones(len(column)), *rows])
         wanted = np.log(np.abs(column))
-    have_values = np.isfinite(matrix).all() and np.isfinite(wanted).all()
-    if matrix.shape[1] >= len(column) or not have_values:
+    logs, inverse = logarithms
+    if logs is None or not np.isfinite(wanted).all():
         return None
-    (_, *found), *_ = np.linalg.lstsq(matrix, wanted, rcond=None)
-    found = (np.round(2 * np.array(found)) / 2).tolist()
-    gaps = wanted - matrix[:, 1:] @ found
+    found = np.round(2 * (inverse @ wanted)[1:]) / 2
+    gaps = wanted - logs[:, 1:] @ found
     if np.ptp(gaps) > NOISE:
         return None
     names = tuple(n for n, power in zip(symbols, found, strict=True) if power)
     with np.errstate(all="ignore"):  # a student may write 1e307
-        return _Monomial(float(np.exp(gaps.mean())), tuple(sorted(filter(None, found))), names)
+        number = float(np.exp(gaps.mean()))
+    return _Monomial(number, tuple(sorted(filter(None, found.tolist()))), names)
+
+
+def _logarithms_at(count, symbols):
+    rows = tuple(tuple(np.broadcast_to(x, count).tolist()) for x in symbols.values())
+    return _logarithms(rows, count)
+
+
+@lru_cache(maxsize=64)  # of one problem for several answers
+def _logarithms(rows, count):
+    """The logarithms of the symbols at the points, beside ones, and the pseudo-inverse; None if
+    these are too few to tell.
+    """
+    with np.errstate(all="ignore"):
+        logs = np.log(np.abs(np.array([[math.e] * count, *rows]))).T
+    if logs.shape[1] >= count or not np.isfinite(logs).all():
+        return None, None
+    return logs, np.linalg.pinv(logs)

@@ -185,10 +185,12 @@ def _causes(asked, given, found, numbers, *slips):
     if asked.kind.is_formula:
         fit, of = Fit(given, key, asked.kind.rtol), unit_of(asked.unit).dimension
         wrong += of_other_bodies(fit, of, numbers.symbols, asked.kind.is_vector)
-        wrong += of_other_powers(fit, numbers.symbols)
     factors = asked.kind.factors(asked.unit)
     elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
-    return diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
+    causes = diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
+    if not causes and slips and asked.kind.is_formula:
+        return tuple(of_other_powers(Fit(given, key, asked.kind.rtol), numbers.symbols))
+    return causes
 
 
 def _slips(asked, found, numbers):
@@ -196,12 +198,14 @@ def _slips(asked, found, numbers):
     answers.
     """
     wrong, earlier = _earlier(numbers.earlier.get(asked.key, ()), found, numbers)
+    given = found[asked.key].given
     sequel = cache(lambda: numbers.sequel(asked.key, earlier))
 
     def near(fit, kind):
         slips = numbers.slips.near(asked.key, fit, kind)
-        is_zero = not any(map(any, fit.given))  # of anything that follows, too
-        if slips or is_zero or not earlier or None in earlier.values():
+        goes_on = earlier and None not in earlier.values()
+        # zero, of anything; and a component by itself does not go on
+        if slips or not goes_on or not any(map(any, fit.given)) or fit.given is not given:
             return slips
         later = sequel().near(asked.key, fit, kind)
         return [(level, c.after(wrong), points) for level, c, points in later]

@@ -149,8 +149,11 @@ class Inertia(Scaled, NamedTerms):
         """The matrix times a triple of components along its axes."""
         if c is ZERO3:
             return ZERO3
-        c = tuple(map(real_scalar, c))
-        return tuple(dot3(row, c) for row in self._rows())
+        c, rows = tuple(map(real_scalar, c)), self._rows()
+        entries = tuple(to_plain(x) for row in rows for x in row)
+        if (other := built("matrix", entries, self._at_centre)) is not entries:
+            rows = other[:3], other[3:6], other[6:]
+        return tuple(dot3(row, c) for row in rows)
 
     @checked
     def moment(self, axis: str | Vector) -> Scalar:

@@ -481,7 +481,9 @@ class Point:
         """
         via = self._checked(observer, via, "velocity")
         if observer is self.frame and via is observer:
-            return _moving_vector(self.x, observer, 1, _VELOCITY)
+            v = _moving_vector(self.x, observer, 1, _VELOCITY)
+            c = v.c if v.c is ZERO3 else built("rate", v.c, lambda: self._c)
+            return v if c is v.c else Vector(c, observer, lambda: v)
         if via is observer:
             return self.velocity(observer).expressed_in(observer)
         r = self._from(via)

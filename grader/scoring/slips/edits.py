@@ -8,7 +8,7 @@ from newton_euler.algebra.language import Words
 from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import SI, US, Dimension, System, unit
-from newton_euler.answers.causes import LEFT_OUT, RESCALED, REVERSED, Cause, computed
+from newton_euler.answers.causes import LEFT_OUT, REVERSED, Cause, computed
 from newton_euler.answers.near import FIRST, LEAST, LESS, RARER, SIMPLE
 
 from . import edits_of_equations as equations
@@ -19,8 +19,9 @@ from . import edits_of_quantities as quantities
 from .edits_of_integrals import of_integrals
 from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
+from .edits_of_wholes import of_quantities_in_wholes, of_sides, of_unneeded, of_wholes
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
-from .typed import Product, described, repeats
+from .typed import Product, described, is_nothing, repeats
 
 MANY = 8  # uses of a step, beyond which single uses are not tried
 INVERTED = Words("inverts the ratio of {key} to {name}: it is the other way round").template
@@ -161,7 +162,10 @@ def _of_givens(f):
     yield from givens.of_exchanged(f.given, f.read)
     yield from givens.of_planes(s for s in f.steps if s.op in ("+", "-"))
     yield from givens.of_rates(f.anything, f.read)
-    yield from _of_wholes(f.answers, f.given, f.number)
+    yield from of_wholes(f.answers, f.given, f.number)
+    yield from of_quantities_in_wholes(f.answers, f.named, f.number, of)
+    yield from of_sides(f.answers, f.given, f.number)
+    yield from of_unneeded(f.anything, f.answers, f.number, of)
     yield from _of_unchanged(f.answers, f.given, f.read)
     yield from givens.of_lengths(f.given, f.read)
     yield from givens.of_vectors(vectors)
@@ -274,38 +278,15 @@ def _in_one_place(s, cause, kind, user):
     return ONCE, words, "", cause.does, cause.of
 
 
-def _of_wholes(answers, given, number):
-    """Whole answers with one factor of a given too many or too few."""
-    components = [x for a in answers.values() for x in a.parts if isinstance(x, Step)]
-    for name, step in given.items():
-        powers = {Product(x).powers.get(step, 0) for x in components}
-        for op, change in (("/", -1), ("*", 1)):
-            if -change in powers:
-                continue  # would cancel the factor itself: a slip in the product
-            text = _of_power(name, max(powers, key=abs), change)
-            # without a name in a pair: one that mends the units of another is not a mistake
-            cause = computed(f"whole {op} {name}", text, does=RESCALED)
-            instead = {x.number: (op, x, number(step)) for x in components if x is not step}
-            yield Edit(LESS, cause, instead)
-
-
-def _of_power(name, power, change):
-    """The words for a whole formula with another power of a given."""
-    if power * change > 0:
-        square = Words("squares {name}", name=name) if abs(power) == 1 else ""
-        more = square or Words("has too high a power of {name}", name=name)
-        return Words("{power}: put your units into the whole formula", power=more)
-    few = Words("has one factor {name} too few: put your units into the whole formula", name=name)
-    many = Words("has one factor {name} too many: put your units into the whole formula", name=name)
-    return few if change < 0 else many
-
-
 def _of_unchanged(answers, given, read):
-    """A given, or its half, as the answer, or the answer with its ratio to a given inverted."""
+    """A given, or its half, as the answer, or as the only component of it that is not zero; or the
+    answer with its ratio to a given inverted.
+    """
     for key, answer in answers.items():
-        own, (x, *others) = unit(answer.unit).dimension, answer.parts
-        if others or not isinstance(x, Step) or own == Dimension():
+        own, there = unit(answer.unit).dimension, [x for x in answer.parts if not is_nothing(x)]
+        if len(there) != 1 or not isinstance(there[0], Step) or own == Dimension():
             continue
+        (x,) = there
         for name, step in given.items():
             if x is step or read[name].dimension != own:
                 continue

@@ -12,7 +12,7 @@ from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, ZERO, Cause, compute
 from newton_euler.answers.near import LEAST, LESS, RARER, SIMPLE
 
 from .formulas import Edit
-from .typed import terms_of
+from .typed import is_nothing, terms_of
 
 MASS, LENGTH = Dimension(1), Dimension(0, 1)
 TIME = Dimension(0, 0, 1)
@@ -28,6 +28,7 @@ CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "m
 
 OF_TURNS = {"s": "min"}  # what a rate of turning is divided by
 
+MANY = 9  # lengths: of more, not even whole ones are added
 SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 
 TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
@@ -65,6 +66,8 @@ def of_given(
     not_one = NOT_ONE if own.dimension == Dimension() else NO_FIT
     for other, step in given.items():
         if read[other].dimension != own.dimension:
+            if not _are_confused(read[other].dimension, own.dimension):
+                continue  # few would, and many would be met by chance
             words = Words("takes {other} for {name}: {why}", other=other, name=name, why=NO_FIT)
             yield LEAST, f"given {other}", words, step
         elif other != name:
@@ -115,6 +118,14 @@ def of_given(
         yield LESS, "g", less, ("/", s, g)
 
 
+def _are_confused(a, b):
+    """True of the dimensions of a quantity and its rate, of a length and an area, a mass and a
+    weight.
+    """
+    mass, length, time = (a / b).powers
+    return {a, b} == {MASS, FORCE} or (not mass and not (length and time))
+
+
 def _of_sign(s, dimension):
     """A given with the opposite sign, a length on the other side; not for a mass."""
     name, rank = s.args[0], RARER
@@ -152,8 +163,10 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
         words = Words(SLANT, name=name, other=other)
         slant = ("sqrt", ("+", *squares))
         yield Edit(LEAST, computed(f"slant {name} {other}", words), {given[name].number: slant})
-    for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
-        for part, x in ((other, given[other]), (f"{other}/2", ("*", given[other], 0.5))):
+    for name, other in permutations(lengths, 2) if len(lengths) <= MANY else ():
+        parts: list[tuple[str, Any]] = [(other, given[other])]
+        parts += [(f"{other}/2", ("*", given[other], 0.5))] if len(lengths) <= SEVERAL else []
+        for part, x in parts:
             for op in ("+", "-"):
                 words = Words("takes {name} {op} {part} for {name}: it leads to another point",
                               name=name, op=op, part=part)  # fmt: skip
@@ -270,6 +283,8 @@ def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterato
     """Two givens, each in the place of the other."""
     for (a, s), (b, t) in combinations(given.items(), 2):
         words = Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
+        if not _are_confused(read[a].dimension, read[b].dimension):
+            continue
         rank = LESS if read[a].text == read[b].text else LEAST + 2
         yield Edit(rank, computed(f"exchanged {a} {b}", words), {s.number: t, t.number: s})
 
@@ -279,14 +294,15 @@ def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
     of an answer: reversed or left out, taken for the answer, or added to it.
     """
     found = dict[frozenset[Step], tuple[Step, ...]]()
-    for key, parts in answers.items():
+    for key, components in answers.items():
+        parts = [x for x in components if not is_nothing(x)]
         if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
             own = dict.fromkeys(_alike(parts))
             for steps in own:
                 found.setdefault(frozenset(steps), steps)
-            yield from _of_whole_vectors(key, parts, own)
+            yield from _of_whole_vectors(key, parts, own) if len(components) == 3 else ()
             yield from _of_factors(parts)
-            for one, other in combinations(own, 2) if len(parts) == 3 else ():
+            for one, other in combinations(own, 2) if len(components) == 3 else ():
                 yield from _of_both(key, parts, one, other)
     for one, other in permutations(found.values(), 2):
         if len(one) == len(other):
@@ -341,7 +357,7 @@ def _of_factors(steps):
 
 
 def _of_whole_vectors(key, parts, vectors):
-    for steps in vectors if len(parts) == 3 else ():
+    for steps in vectors:
         names = joined(s.args[0] for s in steps)
         alone = Words(
             "takes {names} for {key}: look up what {key} stands for", names=names, key=key

@@ -106,4 +106,5 @@ def _laws(plain: Mapping[str, Powers], own: Powers) -> Sequence[Law]:
                 sum_of = tuple(a + b for a, b in zip(total, factors[x], strict=True))
                 longer.append(((*some, x), sum_of))
         begun = longer
-    return sorted(found, key=lambda law: law.size)[:LAWS]
+    real = (law for law in found if not law.is_root or any(p % 2 for _, p in law.powers))
+    return sorted(real, key=lambda law: law.size)[:LAWS]

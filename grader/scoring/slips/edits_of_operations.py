@@ -28,6 +28,7 @@ SINES = {"asin": Words("sine"), "acos": Words("cosine"), "atan": Words("tangent"
 PRODUCT = ("*", "/")
 FACTOR = Words("takes the factor {other} for {own}{of}: the formula has {own}").template
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
+CANCELS = Words("has {name} left in one place: it cancels, if each term has it").template
 RATIOS = {
     -1: Words("inverts {ratio}{of}: it is the other way round").template,
     1: Words("does not square {ratio}{of}: the formula does").template,
@@ -111,6 +112,9 @@ def of_product(
     for factor, power in product.powers.items():
         if described(factor):
             yield from _of_factor(s, factor, power, number(factor), of, why(factor))
+    for x in product.cancelled.keys() - product.powers.keys():
+        for op in "*/" if x.op == "argument" else ():
+            yield LEAST, f"left {x.number} {op}", Words(CANCELS, name=x.args[0]), (op, s, number(x))
     parts = [(part, op, 1) for part, op in parts_of(s, "/")]
     if s.args[0] is s.args[1]:
         parts += [(part, op, 2) for part, op in parts_of(s.args[0], "/")]
@@ -198,6 +202,8 @@ def _of_factor(s, x, power, factor, of, why):
         yield LESS, "whole square", cause, ("/", ("/", s, factor), factor)
         words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
         yield LEAST, "half", words, ("*", s, 0.25)
+        words = Words("takes twice {factor}{of}: the formula has it once", factor=named, of=of)
+        yield LEAST, "twice", words, ("*", s, 4.0)
     elif power == -2:
         words = Words("divides by {factor}, not by its square: {why}", factor=named, why=why)
         yield SIMPLE, "square", words, ("*", s, factor)

@@ -5,6 +5,7 @@ for a distance, a density for a mass, rates that turn the other way.
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import combinations, combinations_with_replacement, product
+from math import pi
 from typing import Any
 
 from newton_euler.algebra.language import Words, joined
@@ -22,6 +23,8 @@ Named = tuple[str, Sequence[Any]]  # the words for a quantity, and its component
 INERTIA, MOMENT = Dimension(1, 2), Dimension(1, 1)
 FEW = 3  # moments of inertia: to more, no parallel-axis term is added
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
+HALF_RIGHT = Words("takes {quantity} as 45 degrees: it follows from the text").template
+ANGULAR = {"sin", "cos", "tan"}
 TRANSFERS = {
     "+": Words("adds {term} to a moment of inertia: it is about this axis already").template,
     "-": Words("takes {term} off a moment of inertia: it is about this axis already").template,
@@ -55,6 +58,9 @@ def of_quantities(
         if len(parts) == 1 and len(own) == 1 and of(parts[0][0]) == Dimension():
             text = Words("takes {quantity} as 1: it is another number here", quantity=words)
             yield Edit(LESS, computed(f"1 for {[*own]}", text), dict.fromkeys(own, 1.0))
+            if {user.op for x in own.values() for user in users.get(x, ())} & ANGULAR:
+                text = Words(HALF_RIGHT, quantity=words)
+                yield Edit(LESS, computed(f"45 for {[*own]}", text), dict.fromkeys(own, pi / 4))
         for other, instead in named if len(own) == len(parts) else ():
             pairs = [*zip(parts, instead, strict=False)]
             if len(instead) != len(parts) or not all(_are_alike(x, y, of) for x, y in pairs):

@@ -11,9 +11,10 @@ from typing import Any
 from newton_euler.algebra.jets import Moving
 from newton_euler.algebra.language import Words, joined
 from newton_euler.algebra.otherwise import built_otherwise
-from newton_euler.algebra.scalars import ZERO, NewtonEulerError
+from newton_euler.algebra.scalars import ZERO, NewtonEulerError, sqrt
 from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
+from newton_euler.algebra.vectors import cross3, dot3
 from newton_euler.answers.causes import LEFT_OUT, computed
 from newton_euler.answers.near import LEAST, LESS, RARER
 
@@ -44,14 +45,17 @@ NO_TRANSFERS = Words(
     "leaves out all parallel-axis terms: the axes do not pass through the centres of the bodies"
 )
 LINEAR = Words("takes {name} as small, in its first power alone: it is not small").template
+TRANSFERRED = Words("the parallel-axis terms")
 BRIEF = 16  # letters of a component that is named
-AT_G = Words("gives the moments of inertia about the centre of mass: another point is asked for")
+AT_G = Words("takes the moments of inertia about the centre of mass: another point is asked for")
 OF_MASS = Words("the body of mass {m}").template
 NO_BODY = Words("leaves out {body}: it counts, too").template
 AS_PARTICLE = Words("takes {body} as a particle: it has moments of inertia of its own").template
 PARTICLES = Words("takes all bodies as particles: they have moments of inertia of their own")
 NOT_CUT = Words("adds {body}, which is cut out: it is subtracted").template
 ITSELF = Words("does not differentiate the vector: its rate is asked for")
+NO_COSINE = Words("multiplies the sizes of two vectors: only what lies along the other counts")
+SINE = Words("takes the sine of the angle between two vectors: a scalar product has its cosine")
 VELOCITY = Words("takes a velocity for the acceleration: that is its rate")
 CONSTANT = Words("takes {what} as constant: it changes with time").template
 INNER = Words("leaves out the inner derivative {what}: the chain rule brings it in").template
@@ -100,8 +104,8 @@ def of_setups(
             seen.add(same)
             if kind == "axis":
                 answers = {key: answers[key] for key in in_space}
-            does = LEFT_OUT if kind == "transfer" else ""
-            yield Edit(rank, computed(name, words, "", does, words if does else ""), {}, answers)
+            does, of = (LEFT_OUT, TRANSFERRED) if kind == "transfer" else ("", "")
+            yield Edit(rank, computed(name, words, "", does, of), {}, answers)
 
 
 def _otherwise(compute, things, in_space):
@@ -275,6 +279,15 @@ def _of_motion(parts, of):
     yield LEAST, VELOCITY, of
 
 
+def _of_dot(parts, of):
+    """The product of the sizes, and the size of the cross product, for a scalar product."""
+    if is_there(parts[0]):
+        a, b = of[:3], of[3:]
+        yield LEAST, NO_COSINE, (sqrt(dot3(a, a)) * sqrt(dot3(b, b)),)
+        c = cross3(a, b)
+        yield LEAST, SINE, (sqrt(dot3(c, c)),)
+
+
 def _of_coordinate(parts, of):
     (r,) = parts
     if (what := _named([r])) and any(isinstance(x, Step) for x in (r.rate, r.acceleration)):
@@ -300,6 +313,7 @@ _WAYS: Mapping[str, Callable[[Parts, Parts], Iterator[Way]]] = {
     "rate": _of_rate,
     "body": _of_body,
     "motion": _of_motion,
+    "dot": _of_dot,
     "coordinate": _of_coordinate,
     "chain": _of_chain,
 }

@@ -14,10 +14,13 @@ NAMES = 4  # givens, at most, that are named where a formula is too long
 
 
 class Product:
-    """A coefficient and powers of steps, {step: power}, that are not products themselves."""
+    """A coefficient and powers of steps, {step: power}, that are not products themselves, without
+    those that cancel.
+    """
 
     def __init__(self, x: Any):
         self.coefficient, self.powers = Fraction(1), dict[Step, int]()
+        self.cancelled = dict[Step, None]()
         self.is_exact = True
         self._take(x, 1)
 
@@ -52,6 +55,7 @@ class Product:
         self.powers[s] = self.powers.get(s, 0) + power
         if not self.powers[s]:
             del self.powers[s]
+            self.cancelled[s] = None
 
     def _constant(self, x, power):
         near = Fraction(x).limit_denominator(999)

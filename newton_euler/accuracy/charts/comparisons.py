@@ -6,12 +6,19 @@ from operator import attrgetter
 
 from ...algebra.late import EngFormatter
 from ...algebra.names import listed
-from ..measurements.measure import ALIKE, EQUAL_WITHIN, ROUND_OFF, cheapest, of_equal_cost, repeated
+from ..measurements.measure import (
+    ALIKE,
+    EQUAL_WITHIN,
+    NEAR,
+    ROUND_OFF,
+    cheapest,
+    of_equal_cost,
+    repeated,
+)
 from .axes import COLOURS, MARKERS, chart, log_log
 from .words import about_times, agreed, seconds, two_digits
 
 WRONG = 1e-2  # a relative error
-NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic
 
 
 def draw_comparison(comparison, points, figure):
@@ -60,8 +67,7 @@ def ways_caption(points):
 
 
 def _of_ways(points):
-    floor = max(min(p.error for p in points), ROUND_OFF)
-    best = cheapest(points, EQUAL_WITHIN * floor)
+    best = cheapest(points, max(NEAR, EQUAL_WITHIN * min(p.error for p in points)))
     yield from _of_best(best, points)
     yield from (_cheaper(points, best), _prepared(points), _beaten(points, best))
 

@@ -18,6 +18,7 @@ from ...algebra.vectors import dot3, sub3
 # errors that differ by less than this factor count as equal: round-off is not known better
 EQUAL_WITHIN = 2.0
 ROUND_OFF = 2.0**-52  # smaller relative errors are luck
+NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic: more so is luck, too
 EQUAL_COST = 1.2  # counts of operations that differ by less count as equal
 # times that differ by less are "about the same" in words: so they vary on a busy machine
 ALIKE = 3.0
@@ -120,7 +121,7 @@ def relative_error(a: Sequence[Scalar], exact: Sequence[Scalar]) -> float:
 @checked
 def front(points: Sequence[Measured], cost: Cost = "cost") -> list[Measured]:
     """The points that no other beats in error or ``cost`` ("cost", the time, or "calls"), the
-    cheapest first. Errors within a factor of two count as equal.
+    cheapest first. Errors within a factor of two count as equal, and those of round-off.
 
     >>> coarse, fine = Measured("coarse", 1e-3, 1e-3), Measured("fine", 2e-3, 1e-9)
     >>> [p.method for p in front([fine, coarse, Measured("slow", 3e-3, 1e-9)])]
@@ -128,7 +129,7 @@ def front(points: Sequence[Measured], cost: Cost = "cost") -> list[Measured]:
     """
     best: list[Measured] = []
     for p in sorted(points, key=attrgetter(cost, "error")):
-        if not best or p.error < best[-1].error / EQUAL_WITHIN:
+        if not best or NEAR < best[-1].error > EQUAL_WITHIN * p.error:
             best.append(p)
     return best
 

@@ -108,6 +108,12 @@ def particles(m, a, omega, alpha):
     return {"H_O": [5 * h * omega / 2, -h * omega / 2, -3 * h * omega / 2]}
 
 
+def about_the_centre(m, omega, l, p, q, **_):
+    """The angular momentum of two rods about their common centre."""
+    off = m * omega * l * (q - p) / 4e6
+    return {"H_O": [5 * m * omega * l**2 / 12e6, off, -off]}
+
+
 CASES = {
     "not resolved": ("3/16", not_resolved, "along one axis"),
     "one more transfer": ("10/5", with_one_more_transfer, "to a moment of inertia"),
@@ -123,6 +129,19 @@ CASES = {
     ),
     "another law": (
         "2/2", lambda A, theta, v: {"a_n": v**2 * theta / A}, "takes v^2*theta/A for a_n"
+    ),
+    "a mass that cancels": (
+        "11/4", lambda m, k, R, g: {"v_B": (2 * g * R * m) ** 0.5}, "has m left in one place"
+    ),
+    "wrong side": (
+        "6/4", lambda m, A, omega, B, t_1: {"F": [
+            -A * omega * sin(omega * t_1) / m, 2 * B * t_1 / m, -A * omega * np.cos(omega * t_1) / m
+        ]}, "has m on the wrong side",
+    ),
+    "a velocity for its rate": (
+        "6/4", lambda m, A, omega, B, t_1: {"F": [
+            m * A * np.cos(omega * t_1), m * B * t_1**2, -m * A * sin(omega * t_1)
+        ]}, "does not differentiate",
     ),
     "an area": ("7/18", lambda m, b, h: {"I_xx": b * h**3 / 36}, "leaves out the mass per"),
     "inside an integral": (
@@ -158,6 +177,7 @@ CASES = {
     ),
     "limits": ("A/25", over_the_difference, "over the difference of the limits"),
     "constant": ("8/10", swinging, "takes what is integrated as constant"),
+    "about the centre": ("9/5", about_the_centre, "moments of inertia about the centre of mass"),
     "in inches": (
         "2/16", lambda a_n1, r_1, **_: {"v_tape": (a_n1 / r_1) ** 0.5}, "one factor r_1 too few",
     ),

@@ -229,3 +229,19 @@ def test_what_is_computed_from_an_answer_that_is_far_too_large_follows(number, k
         (((later,),)) = right.following(key, {name: ((wrong,),)})
         parts = judged(p, values, {name: wrong, key: later}, follow_through=1)
         assert parts[key].points > 0, times
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "given", "word"),
+    [
+        ("6/22", "side", {"x": 0}, "same point"),
+        ("9/5", "balance", {"Hdot_O": [0, 0, 0]}, "dynamic"),
+    ],
+)
+def test_a_word_follows_from_a_wrong_answer(name, key, given, word):
+    p = problem(name)
+    values = draw(p, b"words") if p.givens else {}
+    keys = numbers_of(p, values).key.items()
+    right = {k: plain(x[0]) for k, x in keys if not p.symbolic and not p.answer(k).kind.is_word}
+    message = judged(p, values, {**right, **given, key: word})[key].message
+    assert message.startswith(f"not right; it follows from your {next(iter(given))}")

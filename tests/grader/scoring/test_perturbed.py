@@ -65,7 +65,7 @@ m, g, s, d, alpha, v, b = GIVEN.values()
         ("E", m * (3.6 * v) ** 2 / 2 + m * g * s * math.sin(alpha), "uses v in km/h without"),
         ("E", m * v**2 / 2 + m * g * s * math.sin(math.degrees(alpha)), "uses alpha in deg"),
         ("E", (v**2 / 2 + g * s * math.sin(alpha)), "has one factor m too few"),
-        ("I", m * b**2 / 3 + m * d**2, "a rod about its end"),
+        ("I", m * b**2 / 3 + m * d**2, "about its end"),
         ("I", m * b**2 / 12 - m * d**2, "the term m*d^2 with the opposite sign"),
         ("u", math.sqrt(g * s * math.cos(alpha)), "leaves out the factor 2"),
         ("u", 2 * g * s * math.cos(alpha), "leaves out the square root"),
@@ -237,16 +237,18 @@ def test_a_given_may_be_handed_back_and_a_vector_turned():
     assert "takes p and q with the opposite sign" in found
 
 
-def test_a_given_or_symbol_stands_for_any_other():
-    units = {"r": "m", "e": "m", "k": "s"}
+def test_a_given_or_symbol_stands_for_another_of_its_kind_or_for_its_rate():
+    units = {"r": "m", "e": "m", "v": "m/s", "k": "kg"}
     trace = Trace()
     given = {n: trace.new("argument", n) for n in units}
-    answers = {"x": Traced([given["r"] * given["r"]], "m^2")}  # e and k are needed by no answer
+    answers = {"x": Traced([given["r"] * given["r"]], "m^2")}  # the others are needed by no answer
     for symbols in (units, ()):
         slips = Computation(Formulas(answers, units, SI, symbols=symbols, given=given))
         found = [e.cause.what for e in slips.edits]
-        assert {"takes e for r", "takes k for r"} < {*found}
-    assert len(Perturbed(slips, {"r": 1.3, "e": 2.3, "k": 3.3}).at("x", 0)) == len(found)
+        assert {"takes e for r", "takes v for r"} < {*found}
+        assert "takes k for r" not in found
+    values = {"r": 1.3, "e": 2.3, "v": 3.3, "k": 4.3}
+    assert len(Perturbed(slips, values).at("x", 0)) == len(found)
 
 
 def test_rates_about_different_axes_are_added_as_numbers_and_so_are_their_own_rates():

@@ -54,6 +54,7 @@ MISCOUNTS = [
     ("5/27", 0, "takes each constraint off twice"),
     ("5/27", 1, "takes off too many constraints, or forgets coordinates"),
     ("5/27", 6, "counts coordinates in space, and takes no constraint off"),
+    ("5/24", 6, "counts coordinates across a line"),
     ("5/26", 6, "takes particles for bodies"),
     ("5/25", 5, "forgets constraints, or counts coordinates that are not free"),
     ("5/25", 1, "movable pulleys; or one that takes off too many constraints"),

@@ -2,7 +2,7 @@
 
 import math
 
-from newton_euler import Model, sqrt
+from newton_euler import Model, cos, sqrt, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
 from tests.honesty.cases import Case, Log, family
@@ -68,3 +68,44 @@ def tethered_satellites(rng):
     far, v = r + L * (1 + rng.uniform(1e-6, 1e-4)), math.sqrt(EARTH / r**3) * r
     start = r, 0.0, far, 0.0, 0.0, v, 0.0, v / r * far
     return Case(Model("tethered satellites", parameters, names, rates), 20.0 / n, start)
+
+
+@family("multi-scale", "far", "kinked")
+def layer_far_from_zero(rng):
+    """A fall onto a layer with a hard edge, which pushes up, in coordinates of the Earth."""
+    g, h, place, n = rng.values((5.0, 15.0), (0.5, 5.0), Log(1e3, 1e7), (2.0, 12.0))
+    parameters = {"g": g, "place": place, "push": g * rng.uniform(1.5, 5.0)}
+    rates = lambda s, p, t: (s.v, where(s.x < p.place, p.push, 0.0) - p.g)
+
+    def exact(mp, s, p, t):
+        fall, up = mp.sqrt(2 * (s.x - p.place) / p.g), p.push - p.g
+        u = p.g * fall
+        inside = 2 * u / up
+        t = (t + fall) % (2 * fall + inside)  # since it left the layer
+        if t > 2 * fall:
+            t -= 2 * fall
+            return p.place - u * t + up * t * t / 2, up * t - u
+        return p.place + u * t - p.g * t * t / 2, u - p.g * t
+
+    model = Model("layer far from zero", parameters, ("x", "v"), rates)
+    return Case(model, n * math.sqrt(2 * h / g), (place + h, 0.0), exact=exact)
+
+
+@family("multi-scale", "far", "tiny", "forced")
+def shaken_by_a_clock_of_states(rng):
+    """A swing of micrometres or millimetres far from zero, by a clock whose rate names a state."""
+    w, q, place, f = rng.values((0.5, 5.0), (0.5, 5.0), Log(1e3, 1e7), Log(1e-6, 1e-2))
+    way, part = rng.choice((-1.0, 1.0)), rng.choice((1.0, 1.7))
+    parameters = {"k": w * w, "q": q / part, "place": place, "f": f, "rate": way * part}
+
+    def rates(s, p, t):
+        pull = p.f * cos(p.q * s.clock) - p.k * (s.x - p.place)
+        return s.v, pull, p.rate + 0.0 * s.x
+
+    def exact(mp, s, p, t):
+        of = mp.sqrt(p.k), p.f, p.q * p.rate, s.x - p.place, s.v, t
+        x, v = closed_forms.driven(mp, *of)
+        return p.place + x, v, p.rate * t
+
+    model = Model("shaken by a clock", parameters, ("x", "v", "clock"), rates)
+    return Case(model, rng.uniform(3.0, 30.0), (place, 0.0, 0.0), exact=exact)

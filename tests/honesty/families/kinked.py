@@ -197,3 +197,60 @@ def friction_between_two(rng):
     T, y = rng.values((2.0, 8.0), (0.8, 1.5))
     branches = Branches((lambda s, p, t: s.dx - s.dy,), pieces)
     return Case(model, T, (1.0, y, 0.0, 0.0), branches=branches)
+
+
+@family("kinked", "mechanics")
+def string_that_goes_slack(rng):
+    """A bob on an elastic string in a plane, thrown so high that the string hangs through."""
+    parameters = rng.parameters(g=9.81, L=(0.8, 1.5), k=Log(50.0, 2000.0), c=(0.0, 0.05))
+    excess = lambda s, p, t: s.x * s.x + s.y * s.y - p.L * p.L
+
+    def accelerations(s, p, taut):
+        r = sqrt(s.x * s.x + s.y * s.y)
+        pull = taut * p.k * (r - p.L) / r
+        return -pull * s.x - p.c * s.dx, -pull * s.y - p.c * s.dy - p.g
+
+    a = lambda s, p, t: accelerations(s, p, where(excess(s, p, t) > 0, 1.0, 0.0))
+    pieces = lambda s, p, t, b: (s.dx, s.dy, *accelerations(s, p, (1 + b[0]) / 2))
+    T, angle, part = rng.values((1.5, 3.0), (1.7, 2.6), (0.9, 1.0))
+    l, model = part * parameters["L"], second_order("slack string", parameters, ("x", "y"), a)
+    start = l * math.sin(angle), -l * math.cos(angle), 0.3, 0.0
+    return Case(model, T, start, branches=Branches((excess,), pieces))
+
+
+@family("kinked", "mechanics")
+def thruster_with_a_dead_band(rng):
+    """A satellite under a steady torque, turned back by jets beyond two angles, with some lead."""
+    parameters = rng.parameters(U=(0.5, 2.0), d=(0.1, 0.4), K=(0.01, 0.1), M=(0.02, 0.1))
+    switches = lambda s, p, t: s.x + p.K * s.dx - p.d, lambda s, p, t: s.x + p.K * s.dx + p.d
+
+    def a(s, p, t):
+        above, below = (f(s, p, t) for f in switches)
+        return (p.M - where(above > 0, p.U, 0.0) + where(below > 0, 0.0, p.U),)
+
+    pieces = lambda s, p, t, b: (s.dx, p.M - p.U * (b[0] + b[1]) / 2)
+    model = second_order("dead band", parameters, ("x",), a)
+    T, x, v = rng.values((8.0, 15.0), (0.5, 2.0), (-1.0, 1.0))
+    return Case(model, T, (x, v), branches=Branches(switches, pieces))
+
+
+@family("kinked", "forced")
+def friction_of_two_thresholds(rng):
+    """A driven mass whose friction rises with its speed up to one speed, and drops at another."""
+    parameters = rng.parameters(k=(1.0, 10.0), F=(2.0, 6.0), w=(0.7, 3.0), m=(0.2, 1.0))
+    parameters |= {"n": -parameters["m"] * rng.uniform(0.2, 0.8), "u": rng.uniform(0.05, 0.3)}
+    parameters["U"] = parameters["u"] * rng.uniform(3.0, 6.0)
+    speeds = lambda p: (p.u, -p.u, p.U, -p.U)
+    switches = tuple(lambda s, p, t, j=j: s.dx - speeds(p)[j] for j in range(4))
+
+    def accelerations(s, p, t, b):
+        slow = (b[1] - b[0]) / 2  # 1 between -u and u
+        friction = p.m * ((b[0] + b[1]) / 2 + slow * s.dx / p.u) + p.n * (b[2] + b[3]) / 2
+        return (p.F * sin(p.w * t) - p.k * s.x - friction,)
+
+    signs = lambda s, p, t: [where(f(s, p, t) > 0, 1.0, -1.0) for f in switches]
+    a = lambda s, p, t: accelerations(s, p, t, signs(s, p, t))
+    pieces = lambda s, p, t, b: (s.dx, *accelerations(s, p, t, b))
+    model = second_order("two thresholds", parameters, ("x",), a)
+    T, x, v = rng.values((6.0, 20.0), (-1.0, 1.0), (0.5, 2.0))
+    return Case(model, T, (x, v), branches=Branches(switches, pieces))
