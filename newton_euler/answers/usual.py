@@ -59,11 +59,12 @@ def of_other_bodies(
     elif dimension == LENGTH and is_place:
         of = CENTRES
     off = _off(fit) if of else []
+    logarithms = _logarithms_at(len(fit.key), symbols) if off else None
     found: dict[Any, list[int]] = {}
     for n in off if is_place else [n for n in off if n % 4 == 0]:
         own, ratio = (
-            _monomial([x[n] for x in fit.key], symbols),
-            _monomial(_ratios(fit, n), symbols),
+            _monomial([x[n] for x in fit.key], symbols, logarithms),
+            _monomial(_ratios(fit, n), symbols, logarithms),
         )
         if not own or not ratio or ratio.powers or own.powers != ((1,) if is_place else (1, 2)):
             continue
@@ -85,7 +86,9 @@ def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
     that is wrong the same.
     """
     off = _off(fit)
-    names = {x and (x.names, x.powers) for x in (_monomial(_ratios(fit, n), symbols) for n in off)}
+    logarithms = _logarithms_at(len(fit.key), symbols) if off else None
+    ratios = (_monomial(_ratios(fit, n), symbols, logarithms) for n in off)
+    names = {x and (x.names, x.powers) for x in ratios}
     if len(names) == 1 and (found := names.pop()) and found[0]:
         yield _in(off, powers(found[0]), fit)
 
@@ -132,14 +135,13 @@ def _ratios(fit, n):
     return [x[n] / k[n] if k[n] else math.nan for x, k in pairs]
 
 
-def _monomial(column, symbols):
+def _monomial(column, symbols, logarithms):
     """The :class:`_Monomial` with these values, to the digits in which numbers are typed; None of
     another formula.
     """
     with np.errstate(all="ignore"):
         wanted = np.log(np.abs(column))
-    rows = tuple(tuple(np.broadcast_to(x, len(column)).tolist()) for x in symbols.values())
-    logs, inverse = _logarithms(rows, len(column))
+    logs, inverse = logarithms
     if logs is None or not np.isfinite(wanted).all():
         return None
     found = np.round(2 * (inverse @ wanted)[1:]) / 2
@@ -150,6 +152,11 @@ def _monomial(column, symbols):
     with np.errstate(all="ignore"):  # a student may write 1e307
         number = float(np.exp(gaps.mean()))
     return _Monomial(number, tuple(sorted(filter(None, found.tolist()))), names)
+
+
+def _logarithms_at(count, symbols):
+    rows = tuple(tuple(np.broadcast_to(x, count).tolist()) for x in symbols.values())
+    return _logarithms(rows, count)
 
 
 @lru_cache(maxsize=64)  # of one problem for several answers
