@@ -43,7 +43,8 @@ def of_each_component(
             return ()
         found.append(min(near, key=lambda slip: slip[0])[1])
     first, *others = {cause.what: cause for cause in found}.values()
-    return (both(first, *others[:1]),) if others else (first,)
+    cause = both(first, *others[:1]) if others else first
+    return (cause,) if cause else ()
 
 
 def _listed(fit: Fit, off: Sequence[int], wrong: Sequence[tuple[Cause, Points]]) -> Iterator[Cause]:

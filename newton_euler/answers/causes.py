@@ -9,7 +9,9 @@ from ..algebra.language import Words, _, joined, spoken
 from .tolerance import NEARLY, NOISE
 
 WORDS = 30  # in a diagnosis, at most
-BRIEF = 20  # in two mistakes that are both named in full, at most
+BRIEF = 22  # in two mistakes that are both named, at most
+CLAUSE = 4  # before a comma, at least: fewer are no sentence
+ENTRIES = 3  # of a matrix that are listed as wrong, at most
 UNNAMED = Words("one term of a sum")
 ORDINALS = Words("first"), Words("second"), Words("third")
 # what a mistake does, where more than its words depends on it: leaves out a term or a quantity,
@@ -215,10 +217,15 @@ FIRST_DIGITS = Cause(
 )
 
 
-def right_but(places: Sequence[int], key: Sequence[float]) -> Cause:
-    """A remark: some components, or entries of a matrix, are not right; the others are."""
+def right_but(places: Sequence[int], key: Sequence[float]) -> Cause | None:
+    """A remark: some components, or entries of a matrix, are not right; the others are. None of
+    more entries than a student reads.
+    """
     if len(key) == 9:
-        text = Words("all but {entries} is right", entries=_entries(places, key))
+        names = _entries(places, key)
+        if len(names) > ENTRIES:
+            return None
+        text = Words("all but {entries} is right", entries=joined(names))
     else:
         one = Words("all but its {which} component is right")
         several = Words("its {which} components are not right; the rest is")
@@ -227,11 +234,13 @@ def right_but(places: Sequence[int], key: Sequence[float]) -> Cause:
 
 
 def _entries(places, key):
-    """The names of entries of a matrix, as I_xy of an inertia matrix, which is symmetric."""
+    """The names of entries of a matrix, each once: as I_xy of an inertia matrix, which is
+    symmetric.
+    """
     if all(abs(key[3 * n + m] - key[3 * m + n]) <= NOISE for n, m in ((0, 1), (0, 2), (1, 2))):
-        return joined(dict.fromkeys(_entry(*sorted(divmod(n, 3))) for n in places))
+        return [*dict.fromkeys(_entry(*sorted(divmod(n, 3))) for n in places)]
     places = [(row + 1, column + 1) for row, column in (divmod(n, 3) for n in places)]
-    return joined(Words("row {n}, column {m}", n=n, m=m) for n, m in places)
+    return [Words("row {n}, column {m}", n=n, m=m) for n, m in places]
 
 
 def reversed_components(places: Sequence[int]) -> Cause:
@@ -370,21 +379,28 @@ def component_multiplied(places: Sequence[int], what: str, factor: float, large:
     return Cause("factor", f"{places} {what} {how}", text)
 
 
-def both(first: Cause, second: Cause) -> Cause:
-    """Two mistakes made together; where naming both is too long, the shorter one and that there is
-    a second.
+def both(first: Cause, second: Cause) -> Cause | None:
+    """Two mistakes made together; None where naming both is too long: one of them, which alone does
+    not explain the answer, would say nothing.
     """
-    name, one, other = f"{first.name} + {second.name}", first.what, second.what
-    text = Words("{first}, and also {second}: both change the answer", first=one, second=other)
+    name = f"{first.name} + {second.name}"
     if second == OPPOSITE_NUMBER and first.does == REVERSED:
         text = Words("has all but {term} with the opposite sign", term=first.of)
         return Cause("both", name, text)
-    if len(f"{one} {other}".split()) > BRIEF:
-        short = min(one, other, key=lambda x: len(x.split())).partition(", ")[0]
-        words, more = short.split()[: BRIEF - 3], short.split()[BRIEF - 3 :]
-        short = " ".join([*words, "…"] if more else words)
-        text = Words("{first}, and makes a second mistake: both change the answer", first=short)
-    return Cause("both", name, text)
+    whole = first.what, second.what
+    brief = _main_clause(whole[0]), _main_clause(whole[1])
+    for one, other in (whole, brief):
+        if len(f"{one} {other}".split()) <= BRIEF:
+            text = Words("{first}, and also {second}: both count", first=one, second=other)
+            return Cause("both", name, text)
+    return None
+
+
+def _main_clause(what):
+    """What was done, without what is said after a comma about it."""
+    clause = what.partition(", ")[0]
+    is_whole = len(clause.split()) >= CLAUSE and clause.count("(") == clause.count(")")
+    return clause if is_whole else what
 
 
 def in_this_part(cause: Cause) -> Cause:
@@ -399,7 +415,8 @@ def in_this_part(cause: Cause) -> Cause:
 def in_components(cause: Cause, places: Sequence[int], key: Sequence[float]) -> Cause:
     """The same cause in some components alone, where the others are right."""
     if len(key) == 9:
-        text = Words("in {entries} {cause}", entries=_entries(places, key), cause=cause.text)
+        names = joined(_entries(places, key))
+        text = Words("in {entries} {cause}", entries=names, cause=cause.text)
     else:
         one = Words("in its {which} component {cause}")
         several = Words("in its {which} components {cause}")

@@ -44,7 +44,7 @@ def of_two(
     is_contradicted: Callable[[Cause], bool],
 ) -> tuple[Cause, ...]:
     """The two mistakes that give an answer together, as one cause: the simplest two, of numbers
-    only if there are no others as simple; () if there are none.
+    only if there are no others as simple; () if there are none whose words have room.
 
     own : the models of the problem's own mistakes
     slips : finds those that may be made beside one of them
@@ -60,10 +60,9 @@ def of_two(
             found.setdefault(level, {})[pair] = None
     simplest = [*found[min(found)]] if found else []
     is_one = len(simplest) == 1 or kind.is_formula
-    if not (simplest and is_one):
-        return pairs.multiple()
-    ((first, *others),) = simplest[:1]
-    return (both(first, *others),) if others else (first,)
+    causes = (both(*pair) if len(pair) > 1 else pair[0] for pair in simplest if is_one)
+    named = next(filter(None, causes), None)
+    return (named,) if named else pairs.multiple()
 
 
 def _turns(cause):

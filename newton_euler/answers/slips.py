@@ -195,7 +195,8 @@ def _of_one_entry(fit):
             yield cause, points
             if one != (n, n):
                 signs = [-1 if x in order else 1 for x in range(9)]
-                yield causes.both(cause, causes.OFF_DIAGONAL), _signed(signs, points)
+                if two := causes.both(cause, causes.OFF_DIAGONAL):
+                    yield two, _signed(signs, points)
 
 
 def of_interval(fit: Fit) -> Models:

@@ -8,7 +8,7 @@ from newton_euler.algebra.language import Words
 from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import SI, US, Dimension, System, unit
-from newton_euler.answers.causes import LEFT_OUT, REVERSED, Cause, computed
+from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, REVERSED, Cause, computed
 from newton_euler.answers.near import FIRST, LEAST, LESS, RARER, SIMPLE
 
 from . import edits_of_equations as equations
@@ -294,7 +294,9 @@ def _of_unchanged(answers, given, read):
                 words = Words(
                     "takes {name} alone for {key}, as if nothing else counted", name=part, key=key
                 )
-                yield Edit(rank, computed(f"{part} for {x.number}", words), {x.number: other})
+                # where the answer is its half, a factor of 2 says it all
+                cause = computed(f"{part} for {x.number}", words, does=FACTOR_2)
+                yield Edit(rank, cause, {x.number: other})
             words = Words(INVERTED, key=key, name=name)
             inverted = ("/", ("*", step, step), x)
             yield Edit(LESS, computed(f"inverted {name} {x.number}", words), {x.number: inverted})

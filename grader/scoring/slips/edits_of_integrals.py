@@ -11,17 +11,17 @@ from newton_euler.answers.causes import computed
 from newton_euler.answers.near import LEAST, LESS
 
 from .formulas import Edit, needed
-from .typed import is_given
+from .typed import described, is_given
 
 TWINS = {"sin": "cos", "cos": "sin"}
 FEW = 4  # integrals: of more, no slip inside is tried
 INSIDE = {
     "twin": Words("takes {twin} for {own} in what is integrated: check what it stands for"),
     "all twins": Words("exchanges sine and cosine in what is integrated: check the angle"),
-    "factor": Words("leaves out a factor in what is integrated: each part of it has one"),
-    "square": Words("does not square a factor in what is integrated: it stands there twice"),
-    "term": Words("leaves out a term of what is integrated: it counts, too"),
-    "sign": Words("has the wrong sign in what is integrated: check each term of it"),
+    "factor": Words("leaves out {what} in what is integrated: each part of it has one"),
+    "square": Words("does not square {what} in what is integrated: it stands there twice"),
+    "term": Words("leaves out {what} of what is integrated: it counts, too"),
+    "sign": Words("has {what} with the wrong sign in what is integrated: check how it comes in"),
 }
 
 
@@ -45,7 +45,7 @@ def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
         for k, (words, slip) in enumerate(_of_integral(inner, start, end, outer)):
             instead = {s.number: slip(n) for s, n in items}
             yield Edit(LESS, computed(f"integral {key} {k}", words), instead)
-        for k, (words, other) in enumerate(_of_integrand(inner) if few and len(key) == 1 else ()):
+        for k, (words, other) in enumerate(_of_integrand(inner, outer) if few and len(key) == 1 else ()):
             instead = {s.number: _between(other, start, end, outer)(n) for s, n in items}
             yield Edit(LEAST, computed(f"integrand {key} {k}", words), instead)
 
@@ -95,9 +95,10 @@ def _between(inner, low, high, outer):
     return lambda n: ("item", ("between", inner, low, high, *outer), n)
 
 
-def _of_integrand(inner: Inner) -> Iterator[tuple[Words, Inner]]:
+def _of_integrand(inner: Inner, outer: Sequence[Any]) -> Iterator[tuple[Words, Inner]]:
     """(words, other formula) of the slips in one place of what is integrated."""
     steps = needed(inner.leaves)
+    spoken_of = _in_words(inner, outer)
     twins = [s for s in steps if s.op in TWINS and is_given(s)]
     for s in twins:
         words = Words(INSIDE["twin"].template, own=f"{s.op}(...)", twin=f"{TWINS[s.op]}(...)")
@@ -106,16 +107,42 @@ def _of_integrand(inner: Inner) -> Iterator[tuple[Words, Inner]]:
         every = {s.number: (TWINS[s.op], *s.args) for s in twins}
         yield INSIDE["all twins"], _changed(inner, every)
     for s in steps:
+        a, b = s.args if s.op in ("*", "/", "+", "-") else (s, s)
+        slips: list[tuple[str, Any, str, Any]] = []
         if s.op in ("*", "/"):
-            is_square = s.args[0] is s.args[1]
-            kept = s.args if s.op == "*" and not is_square else s.args[:1]
-            for x in kept:
-                yield INSIDE["square" if is_square else "factor"], _changed(inner, {s.number: x})
+            kind = "square" if a is b else "factor"
+            slips = [(kind, b, "the factor", a)]
+            slips += [(kind, a, "the factor", b)] if s.op == "*" and a is not b else []
         elif s.op in ("+", "-"):
-            a, b = s.args
-            yield INSIDE["term"], _changed(inner, {s.number: a})
-            yield INSIDE["term"], _changed(inner, {s.number: b})
-            yield INSIDE["sign"], _changed(inner, {s.number: ("+-"[s.op == "+"], a, b)})
+            other = ("+-"[s.op == "+"], a, b)
+            slips = [("term", b, "the term", a), ("term", a, "the term", b)]
+            slips.append(("sign", b, "the term", other))
+        for kind, x, noun, expression in slips:
+            if what := spoken_of(x, noun):
+                yield Words(INSIDE[kind].template, what=what), _changed(inner, {s.number: expression})
+
+
+def _in_words(inner, outer):
+    """A function that says what a step of a formula is, by the names of what is passed to it; ""
+    where these say nothing: the variable as a term has a name of the student's own.
+    """
+    called = {p: x.args[0] for p, x in zip(inner.parameters[1:], outer, strict=True)
+              if isinstance(x, Step) and x.op == "argument"}
+    trace, found = Trace(), dict[int, Any]()
+    for s in needed(inner.leaves):
+        if s.op == "argument":
+            name = inner.variable if s.args[0] == inner.parameters[0] else called.get(s.args[0])
+            found[s.number] = trace.new("argument", name) if name else trace.new("unnamed", s.number)
+        else:
+            args = (found[x.number] if isinstance(x, Step) else x for x in s.args)
+            found[s.number] = trace.new(s.op, *args)
+
+    def words(x, noun):
+        x = found[x.number] if isinstance(x, Step) else x
+        names = {s.args[0] for s in needed([x]) if s.op == "argument"}
+        return "" if noun == "the term" and names <= {inner.variable} else described(x, noun)
+
+    return words
 
 
 def _changed(inner, instead):

@@ -58,15 +58,15 @@ class Law(NamedTuple):
 def of_laws(
     answers: Mapping[str, Traced], given: Mapping[str, Step], read: Mapping[str, Unit]
 ) -> Iterator[Edit]:
-    """Each answer that is one number or formula by the simplest other laws, also with the sine or
-    cosine of a given angle.
+    """Each answer that is one number by the simplest other laws, also with the sine or cosine of a
+    given angle. Of a formula they would only repeat what the student wrote.
     """
     angles = [n for n in given if read[n].is_of_angle]
     plain = {n: _powers(read[n]) for n in given if read[n].text != "deg"}
     for key, answer in answers.items() if len(plain) <= MOST else ():
         x, *others = answer.parts
         own = _powers(unit(answer.unit))
-        if others or not isinstance(x, Step) or not any(own):
+        if others or answer.points > 1 or not isinstance(x, Step) or not any(own):
             continue
         for law in _laws(plain, own):
             for c, text in (OF_ROOTS if law.is_root else CONSTANTS).items():

@@ -127,9 +127,8 @@ CASES = {
             + (2 * c * sympy.sin(theta) * omega) ** 2)},
         "leaves out the inner derivative omega",
     ),
-    "another law": (
-        "2/2", lambda A, theta, v: {"a_n": v**2 * theta / A}, "takes v^2*theta/A for a_n"
-    ),
+    "another law": ("5/18", lambda W0, n_R, **_: {"W": W0 / n_R**2}, "takes W0/n_R^2 for W"),
+    "a factor of 2 alone": ("5/8", lambda R: {"d": [0, 0, R]}, "look for something halved"),
     "a mass that cancels": (
         "11/4", lambda m, k, R, g: {"v_B": (2 * g * R * m) ** 0.5}, "has m left in one place"
     ),

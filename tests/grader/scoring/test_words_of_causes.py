@@ -26,7 +26,7 @@ def general(p, n):
     found = {c for a in p.answers for c, _ in n.wrong(a.key) if c.group != "rate"}
     listed = sorted((c for c in found if c.group == "listed"), key=lambda c: c.name)
     pairs = [causes.both(a, b) for a, b in combinations(listed, 2)]
-    return [*found, *map(causes.in_this_part, found), *pairs]
+    return [*found, *map(causes.in_this_part, found), *filter(None, pairs)]
 
 
 def slips(p, n):
