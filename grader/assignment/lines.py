@@ -4,7 +4,7 @@ symbols, with the numbers of a sheet, and the value.
 
 import random
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -324,7 +324,7 @@ def _without_dots(row):
     return row.replace(r" \cdot ", " ").replace("*", "")
 
 
-def latex_of(value, notation, sheets=()):
+def latex_of(value: Any, notation: Mapping[str, str], sheets: Sequence[Any] = ()) -> str:
     """An answer in LaTeX, numbers with six significant digits, and names in the order of
     ``notation``, which is {name: LaTeX}; ``sheets`` as for :func:`as_drawn`.
     """

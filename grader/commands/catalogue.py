@@ -4,7 +4,7 @@ import json
 import math
 import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -21,14 +21,14 @@ class Span(click.ParamType):
 
     name = "LOW-HIGH"
 
-    def convert(self, value, param, context):
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         low, dash, high = value.partition("-")
         try:
             first, last = float(low or 0), float(high or math.inf) if dash else float(low)
         except ValueError:
             first, last = math.nan, math.nan
         if not first <= last:
-            self.fail(f"{value!r} is not a range: write 3, 2-4, 2- or -4", param, context)
+            self.fail(f"{value!r} is not a range: write 3, 2-4, 2- or -4", param, ctx)
         return first, last
 
 

@@ -19,8 +19,9 @@ from exercises.catalogue.model import Answer
 from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points, traced
 from newton_euler.algebra.language import cached_by_language
 from newton_euler.answers.causes import Cause, listed
-from newton_euler.answers.near import NO_SLIPS
+from newton_euler.answers.near import NO_SLIPS, Slips
 from newton_euler.answers.tolerance import Points
+from newton_euler.answers.verdicts import Way
 from newton_euler.dynamics.constraints import Freedom
 
 from .computation import (
@@ -54,22 +55,22 @@ class Numbers:
         self._wrong: dict[str, list[tuple[Cause, Points]]] = {}
 
     @property
-    def answers(self):
+    def answers(self) -> Sequence[Answer]:
         """What the problem asks for."""
         return self.problem.answers
 
     @property
-    def earlier(self):
+    def earlier(self) -> Mapping[str, Sequence[str]]:
         """{later answer: names of the earlier ones from which it follows}."""
         return earlier_of(self.problem)
 
     @property
-    def symbols(self):
+    def symbols(self) -> Mapping[str, Any]:
         """The points of each symbol, as arrays."""
         return {n: self.sample[n] for n in self.problem.symbols}
 
     @cached_property
-    def key(self):
+    def key(self) -> dict[str, Points]:
         """{answer: points} of the right answers; of a word or count, ((word,),)."""
         found = _run_key(self.problem, self.sample)
         answers = self.problem.answers
@@ -78,7 +79,7 @@ class Numbers:
             for a, x in zip(answers, found, strict=True)
         }
 
-    def wrong(self, key):
+    def wrong(self, key: str) -> list[tuple[Cause, Points]]:
         """[(cause, points)] of every wrong model of the answer ``key``."""
         answer = self.problem.answer(key)
         if key not in self._wrong and answer.kind.is_word:
@@ -119,27 +120,27 @@ class Numbers:
         return _run_wrong(self.problem, self.sample)
 
     @cached_property
-    def book(self):
+    def book(self) -> Mapping[str, Points]:
         """{answer: points} for the book's numbers; {} if the student has these."""
         same = all(self.sample[n] == value for n, value in self.problem.book_values.items())
         return {} if same else _of_book(self.problem.id)
 
     @cached_property
-    def sheets(self):
+    def sheets(self) -> list[dict[str, Points]]:
         """[{answer: points}] for the numbers of earlier sheets."""
         return [Numbers(self.problem, values).key for values in self._earlier_sheets]
 
     @property
-    def where(self):
+    def where(self) -> str:
         """The section that the problem practises."""
         return section(self.problem.section)
 
     @cached_property
-    def slips(self):
+    def slips(self) -> Slips:
         """The slips in the computation of the answers."""
         return perturbed(self.problem, self.sample)
 
-    def sequel(self, key, earlier):
+    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Slips:
         """The slips in computing ``key`` from a student's ``earlier`` answers, {answer: points}."""
         if not earlier or any(self.problem.answer(n).kind.is_word for n in (key, *earlier)):
             return NO_SLIPS
@@ -152,14 +153,14 @@ class Numbers:
         a = self.problem.answer(key)
         return a.kind.is_right(points, self.key[key], a.atol, a.rtol)
 
-    def following(self, key, earlier):
+    def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None:
         """The points of the answer ``key`` that follows from a student's ``earlier`` answers,
         {answer: points}; None if there is no such answer.
         """
         written = key in earlier_answers(self.problem)
         return self._points(key, self._as_written if written else self._as_computed, earlier)
 
-    def other_ways(self, key):
+    def other_ways(self, key: str) -> Sequence[Way]:
         """The way that the computation takes, where ``follows`` is written and takes another."""
         names = computed_from(self.problem).get(key)
         if names is None or key not in earlier_answers(self.problem):

@@ -1,9 +1,10 @@
 """What a released sheet asked for, and what each part of it is worth."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
-from exercises.catalogue import Answer
+from exercises.catalogue import Answer, Problem
 from newton_euler.algebra.units import unit
 from newton_euler.answers.forms import AnswerError, Form
 
@@ -28,7 +29,13 @@ class AskedPart:
     following: float = 0.0
 
 
-def asked_parts(problem, points=None, weights=None, asked=None, follow_through=None):
+def asked_parts(
+    problem: Problem,
+    points: float | None = None,
+    weights: Mapping[str, float] | None = None,
+    asked: Mapping[str, str] | None = None,
+    follow_through: float | None = None,
+) -> list[AskedPart]:
     """The :class:`AskedPart` of each answer to ``problem``, in order.
 
     points : what all parts are worth together (default: the number of parts)

@@ -22,7 +22,7 @@ from newton_euler.kinematics import AngleWarning
 from .computation import section, sizes_of
 
 
-def wrong_models(problem, values):
+def wrong_models(problem: Problem, values: Mapping[str, Any]) -> list[tuple[str, Cause, Any]]:
     """[(answer, cause, numbers)] of every wrong model, for ``values`` in the units of the text.
     Those of words and counts are not traced; they are found separately.
     """

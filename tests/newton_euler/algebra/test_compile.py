@@ -127,8 +127,16 @@ def test_whole_numbers_as_arguments():
     f = compiled(lambda x, y: x / y + sqrt(x))
     assert f(9, 2) == f(9.0, 2.0) == 7.5
     assert f(np.array([9, 4]), 2).tolist() == [7.5, 4.0]
+    assert compiled(lambda x: x * x)(np.array([4 * 10**9])).tolist() == [1.6e19]  # no int64
     assert f(True, 2.0) == 1.5
     assert f(Fraction(9), Fraction(2)) == 7.5
+
+
+def test_a_choice_is_the_one_of_its_comparison():
+    f = compiled(lambda x, y: where(x < y, x, 10 * y) + where(x >= y, 100.0, 200 * x))
+    assert (f(1.0, 2.0), f(2.0, 1.0)) == (201.0, 110.0)
+    assert f(np.array([1.0, 2.0]), np.array([2.0, 1.0])).tolist() == [201.0, 110.0]
+    assert compiled(lambda x: 0 + x * x).operations == 1
 
 
 @with_backends("auto", "numpy", "heyoka")
@@ -192,8 +200,8 @@ def test_moving_arguments_carry_their_rates_through():
 
 
 def test_moving_30_digit_numbers_meet_pi_with_30_digits():
-    got = compiled(lambda x: pi(x) * x)(moving(mpmath.mpf(1), mpmath.mpf(2)))
-    assert abs(got.rate - 2 * mpmath.pi) < 1e-28
+    got = compiled(lambda n, x: pi(x) * x * n)(2, moving(mpmath.mpf(1), mpmath.mpf(2)))
+    assert abs(got.rate - 4 * mpmath.pi) < 1e-28
 
 
 def test_a_moving_result_stays_moving():
