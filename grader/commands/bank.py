@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .shared import FILE, ONLY, count_option, course_option, progress_bar
+from .shared import FILE, ONLY, amount, count_option, course_option, progress_bar
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -81,4 +81,5 @@ def bank(
     for note in made.notes:
         click.echo(note, err=True)
     write_text(path.with_name(path.name + ".txt"), "\n".join([*made.notes, ""]))
-    click.echo(f"{path}: {made.questions} questions of {made.problems} problems")
+    made_of = f"{amount(made.questions, 'question')} of {amount(made.problems, 'problem')}"
+    click.echo(f"{path}: {made_of}")

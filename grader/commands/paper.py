@@ -76,6 +76,6 @@ def paper(
         written = write_papers(folder, spec, class_, course, key_for, done=done)
     if written.sheets:
         click.echo(f"{amount(len(written.sheets), 'sheet')} in {folder / 'sheets'}")
-    click.echo(f"{len(written.keys)} keys in {folder / 'keys'}: not for students")
+    click.echo(f"{amount(len(written.keys), 'key')} in {folder / 'keys'}: not for students")
     if spec.left_out:
         click.echo(f"Left out, since paper does not run it: {', '.join(spec.left_out)}", err=True)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .shared import COURSE, FILE, console
+from .shared import COURSE, FILE, amount, console
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -75,9 +75,9 @@ def export(
     click.echo(f"Wrote {path}")
     if late and form != "parts":
         what = "subtracted; see --no-penalties" if penalties else "not subtracted"
-        click.echo(f"The penalties of {late} students for lateness are {what}.")
+        click.echo(f"The penalties of {amount(late, 'student')} for lateness are {what}.")
     if waiting:
         click.echo(
-            f"{waiting} students have cells that wait for a person (nbgrader's formgrader); their "
-            "points are not final."
+            f"{amount(waiting, 'student')} with cells that wait for a person (nbgrader's "
+            "formgrader): these points are not final."
         )

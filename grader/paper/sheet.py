@@ -121,7 +121,8 @@ def overview(title: str, entries: Iterable[PaperItem], students: Iterable[Studen
         )
         cells = ", ".join([*head, *(cell for row in rows for cell in row)])
         out.append(f"#terms-table((auto, auto) + (1fr,) * {len(p.answers)}, {cells})\n\n")
-    return _files(title, f"{len(students)} students", "", out, "key: true, flipped: true")
+    whose = f"{len(students)} student{'s' * (len(students) != 1)}"
+    return _files(title, whose, "", out, "key: true, flipped: true")
 
 
 def answers(p: Problem, values: Values) -> list[tuple[Any, str, str]]:

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from ..algebra.late import np
 from .causes import FACTOR_2, REVERSED, Cause, in_components
-from .fit import Fit, mixed, rounding, written
+from .fit import Fit, mixed, most_digits, rounding, written
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
 
@@ -262,7 +262,7 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
     there = sum(abs(k) > NOISE * fit.sizes[0] for k in key) or 1
     least = max(nearest, NOISE * fit.sizes[0])
     off = [n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > least]
-    wrong, written_by = len(off), rounding([given[n] for n in off])
+    wrong, written_by = len(off), _typed([given[n] for n in off])
     is_multiple = _is_multiple(given, key, off)
     few = _in_few_digits(rows, around, given, off)
     beside = CHANCE_BESIDE if allowed == 1 else allowed * CHANCE
@@ -287,6 +287,15 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
         if is_few or (n not in few and count * met ** min(wrong, most) <= allowed * CHANCE_ZEROS):
             found.append(n)
     return found
+
+
+def _typed(point):
+    """How far rounding may have moved this point, if each component has as many digits as the one
+    that has most: 2.0 beside 3.775 has lost its zeros.
+    """
+    digits = most_digits(point)
+    places = (math.floor(math.log10(abs(x))) + 1 - digits for x in point if x)
+    return min(rounding(point), math.hypot(*(0.5 * 10.0**place for place in places)))
 
 
 def _in_few_digits(rows, places, given, off):

@@ -115,8 +115,8 @@ def test_the_points_are_those_of_the_gradebook_with_what_a_person_gave_and_took(
     assert ["Love, Jr., Ada", "4711", "", "ada", "", "7.5"] in rows
     where = "--course", fresh.path, "--to", tmp_path / "m.csv"
     _, out = command("export", "ch04", "--format", "moodle", *where)
-    assert "1 students have cells that wait for a person" in out
-    assert "The penalties of 1 students for lateness are subtracted; see --no-penalties." in out
+    assert "1 student with cells that wait for a person" in out
+    assert "The penalties of 1 student for lateness are subtracted; see --no-penalties." in out
     ran(command("export", "ch04", "--format", "canvas", "--no-penalties", *where))
     assert ["Love, Jr., Ada", "4711", "", "ada", "", "9.5"] in rows_of(tmp_path / "m.csv")
 

@@ -206,3 +206,10 @@ def _written(x):
     if np.ndim(x):
         return [_written(y) for y in x]
     return float(f"{x:.6g}")
+
+
+def test_a_component_that_lost_its_zeros_has_as_many_digits_as_the_others():
+    """A/1: the mean, whose third component is a number with one digit."""
+    values = {"A_x": 4.85, "A_y": -2.6, "A_z": 5.1, "B_x": 2.7, "B_y": 4.15, "B_z": -1.1}
+    part = judged(problem("A/1"), {"r_BA": [3.775, 0.775, 2.0]}, values)["r_BA"]
+    assert "takes the mean of" in part.message
