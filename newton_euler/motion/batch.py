@@ -19,12 +19,13 @@ from .methods.taylor import batches
 from .model import Model, ModelError, expect, real_numbers
 from .prepared import PreparedModel, prepared_model
 from .run import known_accurate, usable
-from .sizes import ROUND_OFF, TIME_SAFETY, time_round_off
+from .sizes import NATURAL_PART, ROUND_OFF, TIME_SAFETY, time_round_off
 from .solution import AccuracyError, Cost, MotionError
 from .verified import NEAR_END, NEAR_START, SPARE
 
 BLOCK = 64  # neighbours in a sweep; the one in the middle may vouch for the others
 INSIDE = 31  # instants on the way at which the sizes of the states are sampled
+SLOPE_STEP = 1e-6  # part of its size by which a state is moved for a slope
 MIN_HEYOKA_BATCH = 64  # motions; fewer are not worth the compilation of a batch integrator
 
 
@@ -267,8 +268,49 @@ def _taylor(many, run):
     unsure = np.flatnonzero(~(errors <= rtol) & np.isfinite(ends).all(axis=0))
     if len(unsure):
         calls += compare(unsure, INSIDE)
+    # a state that is small by cancellation may be all error, of which two runs may be alike
+    for last in (False, True):
+        met = np.flatnonzero(errors <= rtol)
+        x, span = (starts[:, met], ends[:, met]), (run.t0, float(times[-1]))
+        doubtful = met[_cancels(system, span, x, p[:, met], sizes[:, met])]
+        if last:
+            errors[doubtful] = np.inf
+        elif len(doubtful):
+            calls += compare(doubtful, INSIDE)
     reported = np.maximum(errors, np.minimum(rtol, REPORTED_SAFETY * errors))
     return Sweep(states, reported, calls)
+
+
+def _cancels(system, times, points, p, sizes):
+    """For each motion whether a state of it is small by cancellation at both of its ends, as of
+    :func:`~newton_euler.motion.sizes.small`.
+    """
+    import numpy as np
+
+    rates, scale = system.traced.folded[0].on(np), np.where(sizes > 0, sizes, 1.0)
+    found = sizes > 0
+    with np.errstate(all="ignore"):
+        for t, x in zip(times, points, strict=True):
+            here, slopes = _rows(np, rates(t, *x, *p), x), []
+            for k, step in enumerate(SLOPE_STEP * scale):
+                moved = x.copy()
+                moved[k] += step
+                slopes.append(abs(_rows(np, rates(t, *moved, *p), x) - here) / step)
+            # arrays (rates, states, motions)
+            matrix, vector = np.array(slopes).swapaxes(0, 1), np.ones_like(x)
+            terms, matrix = (matrix * sizes).sum(axis=1), matrix * scale / scale[:, None]
+            for _ in range(2):  # as in the estimate of the spectral radius there
+                twice = (matrix * (matrix * vector).sum(axis=1)).sum(axis=1)
+                square = twice.max(axis=0)
+                vector = twice / square + 1e-12
+            fastest = np.fmax(np.sqrt(square), 1 / ((times[1] - times[0]) or 1.0))
+            found = found & (sizes <= NATURAL_PART * terms / fastest)
+    return found.any(axis=0)
+
+
+def _rows(np, values, x):
+    """The values as an array of the shape of ``x``; one of them may be a number."""
+    return np.array([np.broadcast_to(row, x.shape[1]) for row in values])
 
 
 def _unseen(many, run, n, tolerance, error):

@@ -122,7 +122,9 @@ class Trajectory:
         points, largest = (stepper.start, (t1, x1)), self.largest()
         natural, noise = self.natural or (largest, largest)
         # the sizes at the start will do, unless a state is or was nearly zero
-        if not all(s > SMALL_PART * n > 0 for s, n in zip(largest, natural, strict=True)):
+        if not self.natural or not all(
+            s > SMALL_PART * n > 0 for s, n in zip(largest, natural, strict=True)
+        ):
             natural, noise = natural_sizes(system, points, largest, t1 - t0 or 1.0)
         return largest, natural, noise
 

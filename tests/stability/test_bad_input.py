@@ -136,9 +136,8 @@ def test_what_a_function_of_a_model_returns_is_reported_where_it_does_not_fit():
     wrong = (none, ModelError), (lambda s, p, t: (1.0, 2.0), ModelError)
     for exact, error in (*wrong, (pole, ZeroDivisionError)):
         model = ne.Model("m", {}, ("x",), lambda s, p, t: (1.0,), exact=exact)
-        with pytest.raises(ne.NewtonEulerError, match="exact solution") as raised:
+        with pytest.raises(error, match="exact solution"):
             model.solution(0.0, (1.0,))
-        assert isinstance(raised.value, error)
     model = ne.Model("m", {}, ("x",), lambda s, p, t: (1.0,), {"none": lambda s, p, t: None})
     with pytest.raises(ModelError, match="returns a number"):
         model.invariant("none", (1.0,))

@@ -2,6 +2,7 @@
 small because these cancel: the error of each is relative to its own size.
 """
 
+import itertools
 import math
 from contextlib import suppress
 
@@ -164,6 +165,20 @@ def test_a_short_push_of_a_micrometre_by_a_clock_is_right_or_refused(width, rtol
     model = Model("pushed", {}, ("x", "v", "clock"), rates)
     with suppress(FarError):
         assert abs(integrate(model, T, (place, 0, -11), rtol).end["v"] - exact) <= rtol * 1e-6
+
+
+@pytest.mark.parametrize("rtol", [1e-1, 1e-2])
+def test_two_series_that_make_about_the_same_of_a_small_state_do_not_confirm_it(rtol):
+    pytest.importorskip("heyoka")
+    for place, k in itertools.product((6e3, 6.7e4, 2.1e6), (0.5, 4.0, 40.0)):
+        n, start = math.sqrt(k), place + np.geomspace(1e-4, 1e-1, 70)
+        a, T = start - place, 33.0 / n
+        model = far_spring(place, k)
+        motions = integrate(model, T, (start, 0.0), rtol, "taylor").states["dx"][:, -1]
+        alone = [integrate(model, T, (x, 0.0), rtol, "taylor").end["dx"] for x in start[::7]]
+        exact = -a * n * math.sin(33.0)
+        assert (abs(motions - exact) <= rtol * a * n).all()
+        assert (abs(alone - exact[::7]) <= rtol * a[::7] * n).all()
 
 
 @pytest.mark.parametrize("rtol", [1e-1, 1e-3])
