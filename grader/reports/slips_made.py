@@ -60,16 +60,23 @@ class ProblemFormulas:
         }
         self.steps = _used(x for parts in self.answers.values() for x, _ in parts)
         self.own = US if any(unit(u).is_of_feet for u in p.units.values()) else SI
+        self.metres = 0.3048 if self.own is US else 1.0
+        stated = {unit(u) for u in (*p.units.values(), *(a.unit for a in asked.values()))}
+        sizes = {(float(u.to_base(1.0, SI)), u.dimension.powers[1]) for u in stated}
+        if self.own is SI and all(math.isclose(x, 0.001 ** float(n)) for x, n in sizes if n):
+            self.metres = 0.001  # all lengths are in mm
 
     def one(self, dimension: Any) -> float:
-        """A quantity of 1 in the student's units: feet and pounds if the text has them."""
+        """A quantity of 1 in the student's units: feet and pounds if the text has them, mm if it
+        has no m.
+        """
         if not isinstance(dimension, Dimension):
             return 1.0
         mass, length, _ = dimension.powers
-        kilograms, metres = (14.593902937206365, 0.3048) if self.own is US else (1.0, 1.0)
+        kilograms = 14.593902937206365 if self.own is US else 1.0
         return (
             kilograms ** float(mass)
-            * metres ** float(length)
+            * self.metres ** float(length)
             / float(self.problem.system.factor(dimension))
         )
 

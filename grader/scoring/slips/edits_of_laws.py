@@ -18,8 +18,8 @@ MOST = 8  # givens: of more, no laws are tried
 FACTORS = 3  # in a law, beside a pure number
 POWERS = (1, -1, 2, -2)
 LAWS = 12  # for one answer: the simplest
-CONSTANTS = {1.0: "", 0.5: "1/2*", 2.0: "2*"}
-OF_ROOTS = CONSTANTS | {0.25: "1/4*", 4.0: "4*"}
+CONSTANTS = 1.0, 0.5, 2.0
+OF_ROOTS = *CONSTANTS, 0.25, 4.0
 OTHER = Words("takes {law} for {key}: look up the law that gives {key}").template
 
 Powers = tuple[float, ...]
@@ -37,13 +37,15 @@ class Law(NamedTuple):
         """How long it is to write."""
         return sum(1 + abs(p) for _, p in self.powers) + self.is_root
 
-    def written(self, constant: str = "", function: str = "") -> str:
-        """The law as it is typed, after a constant, with a function of an angle as a factor."""
+    def written(self, constant: float = 1.0, function: str = "") -> str:
+        """The law as it is typed, times a constant, with a function of an angle as a factor."""
         over = [f"{n}^{p}" if p > 1 else n for n, p in self.powers if p > 0]
         under = [f"{n}^{-p}" if p < -1 else n for n, p in self.powers if p < 0]
+        over[:0] = [f"{constant:g}"] if constant > 1 else []
+        under[:0] = [f"{1 / constant:g}"] if constant < 1 else []
         over += [function] if function and not self.is_root else []
         below = f"/({'*'.join(under)})" if len(under) > 1 else "".join(f"/{n}" for n in under)
-        text = constant + ("*".join(over) or "1") + below
+        text = ("*".join(over) or "1") + below
         text = f"sqrt({text})" if self.is_root else text
         return f"{text}*{function}" if function and self.is_root else text
 
@@ -69,11 +71,11 @@ def of_laws(
         if others or answer.points > 1 or not isinstance(x, Step) or not any(own):
             continue
         for law in _laws(plain, own):
-            for c, text in (OF_ROOTS if law.is_root else CONSTANTS).items():
-                yield _edit(key, x, law.written(text), law.of(given, c), LEAST + 2 + (c != 1))
+            for c in OF_ROOTS if law.is_root else CONSTANTS:
+                yield _edit(key, x, law.written(c), law.of(given, c), LEAST + 2 + (c != 1))
             for f, angle in product(("sin", "cos"), angles):
                 turned = ("*", law.of(given), (f, given[angle]))
-                yield _edit(key, x, law.written("", f"{f}({angle})"), turned, LEAST + 3)
+                yield _edit(key, x, law.written(1.0, f"{f}({angle})"), turned, LEAST + 3)
 
 
 def _edit(key, x, law, expression, rank):

@@ -3,6 +3,7 @@ student's own process cannot promise.
 """
 
 import sys
+import textwrap
 import tomllib
 from pathlib import Path
 
@@ -29,7 +30,8 @@ def outcome(harvester, text, hidden=HIDDEN, **limits):
     return run_caged(harvester, notebook(text, hidden), **limits)["tests"]["t"]
 
 
-FORGED = tomllib.loads(Path(__file__).with_name("forged.toml").read_text())["cells"]
+CELLS = tomllib.loads(Path(__file__).with_name("hidden_tests.toml").read_text())
+FORGED = CELLS["forged"]
 
 
 @pytest.mark.parametrize("how", FORGED)
@@ -38,26 +40,16 @@ def test_a_forged_outcome_earns_nothing(harvester, how):
     assert found["error"] is not None, found
 
 
-LEAKS = {  # how code called by the test tries to pass on what it sees; ``caught`` is the text
-    "into a variable": "globals()['seen'] = caught",
-    "into every file": "import os\n    for fd in range(1, 64):\n        try: os.write(fd, caught.encode())\n"
-                       "        except OSError: pass",
-    "into the receipts": "import os, json\n    line = json.dumps({'id': '0/1', 'answers': {'x': 1.0}, "
-                         "'error': caught}).encode()\n    for fd in range(1, 64):\n        try: os.write(fd, b'\\n' "
-                         "+ line + b'\\n')\n        except OSError: pass",
-    "into a file": "open('/tmp/caught', 'w').write(caught)",
-    "into another process": "import os, time\n    if os.fork() == 0:\n        time.sleep(30)",
-    "into an error": "raise ValueError(caught)",
-}  # fmt: skip
+LEAKS = CELLS["leaks"]
 
 
 @pytest.mark.parametrize("how", LEAKS)
 def test_what_a_test_says_reaches_no_receipt_and_no_later_submission(harvester, how):
     spy = (
         "import os\nseen = open('/tmp/caught').read() if os.path.exists('/tmp/caught') else None\n"
-        "def square(x):\n    import sys\n"
-        "    caught = str(sys._getframe(1).f_code.co_consts)\n    " + LEAKS[how] + "\n    return 0"
+        "def square(x):\n    import sys\n    caught = str(sys._getframe(1).f_code.co_consts)\n"
     )
+    spy += textwrap.indent(LEAKS[how], "    ") + "\n    return 0"
     for _ in range(2):
         reply = run_caged(harvester, notebook(spy), seconds=8, cell_seconds=1)
         assert reply["tests"]["t"]["error"] is not None
@@ -67,16 +59,7 @@ def test_what_a_test_says_reaches_no_receipt_and_no_later_submission(harvester, 
     assert after["receipts"]["0/1"]["answers"].get("x") in (None, 0.0)
 
 
-DECEIVED = {  # ways to pass a test without an answer: known, and in the README
-    "an object that is equal to all": (
-        "class Any:\n    def __eq__(self, _): return True\n    __hash__ = None\n"
-        "def square(x): return Any()"
-    ),
-    "the frame of the test": (
-        "def square(x):\n    import sys\n    f = sys._getframe(1)\n"
-        "    return next(c for c in f.f_code.co_consts if isinstance(c, int) and c > 7)"
-    ),
-}
+DECEIVED = CELLS["deceived"]
 
 
 @pytest.mark.parametrize("how", DECEIVED)
