@@ -14,14 +14,15 @@ from .formulas import Edit, needed
 from .typed import described, is_given
 
 TWINS = {"sin": "cos", "cos": "sin"}
+NOUNS = {"+": "the term", "-": "the term", "*": "the factor", "/": "the factor"}
 FEW = 4  # integrals: of more, no slip inside is tried
 INSIDE = {
     "twin": Words("takes {twin} for {own} in what is integrated: check what it stands for"),
     "all twins": Words("exchanges sine and cosine in what is integrated: check the angle"),
-    "factor": Words("leaves out {what} in what is integrated: each part of it has one"),
-    "square": Words("does not square {what} in what is integrated: it stands there twice"),
-    "term": Words("leaves out {what} of what is integrated: it counts, too"),
-    "sign": Words("has {what} with the wrong sign in what is integrated: check how it comes in"),
+    "factor": Words("leaves out {what} in the integral over {x}: each part of it has one"),
+    "square": Words("does not square {what} in the integral over {x}: it stands there twice"),
+    "term": Words("leaves out {what} in the integral over {x}: it counts, too"),
+    "sign": Words("has {what} with the wrong sign in the integral over {x}: check how it comes in"),
 }
 
 
@@ -45,7 +46,9 @@ def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
         for k, (words, slip) in enumerate(_of_integral(inner, start, end, outer)):
             instead = {s.number: slip(n) for s, n in items}
             yield Edit(LESS, computed(f"integral {key} {k}", words), instead)
-        for k, (words, other) in enumerate(_of_integrand(inner, outer) if few and len(key) == 1 else ()):
+        for k, (words, other) in enumerate(
+            _of_integrand(inner, outer) if few and len(key) == 1 else ()
+        ):
             instead = {s.number: _between(other, start, end, outer)(n) for s, n in items}
             yield Edit(LEAST, computed(f"integrand {key} {k}", words), instead)
 
@@ -107,32 +110,37 @@ def _of_integrand(inner: Inner, outer: Sequence[Any]) -> Iterator[tuple[Words, I
         every = {s.number: (TWINS[s.op], *s.args) for s in twins}
         yield INSIDE["all twins"], _changed(inner, every)
     for s in steps:
-        a, b = s.args if s.op in ("*", "/", "+", "-") else (s, s)
-        slips: list[tuple[str, Any, str, Any]] = []
-        if s.op in ("*", "/"):
-            kind = "square" if a is b else "factor"
-            slips = [(kind, b, "the factor", a)]
-            slips += [(kind, a, "the factor", b)] if s.op == "*" and a is not b else []
-        elif s.op in ("+", "-"):
-            other = ("+-"[s.op == "+"], a, b)
-            slips = [("term", b, "the term", a), ("term", a, "the term", b)]
-            slips.append(("sign", b, "the term", other))
-        for kind, x, noun, expression in slips:
-            if what := spoken_of(x, noun):
-                yield Words(INSIDE[kind].template, what=what), _changed(inner, {s.number: expression})
+        for kind, x, expression in _of_operation(s) if s.op in NOUNS else ():
+            if what := spoken_of(x, NOUNS[s.op]):
+                words = Words(INSIDE[kind].template, what=what, x=inner.variable)
+                yield words, _changed(inner, {s.number: expression})
+
+
+def _of_operation(s):
+    """(kind of slip, the factor or term that it changes, expression) of the slips in one step."""
+    a, b = s.args
+    if s.op in ("+", "-"):
+        yield "term", b, a
+        yield "term", a, b
+        yield "sign", b, ("+-"[s.op == "+"], a, b)
+    else:
+        yield "square" if a is b else "factor", b, a
+        if s.op == "*" and a is not b:
+            yield "factor", a, b
 
 
 def _in_words(inner, outer):
     """A function that says what a step of a formula is, by the names of what is passed to it; ""
-    where these say nothing: the variable as a term has a name of the student's own.
+    where these say nothing: the variable as a term may have another name in a student's work.
     """
-    called = {p: x.args[0] for p, x in zip(inner.parameters[1:], outer, strict=True)
-              if isinstance(x, Step) and x.op == "argument"}
+    passed = zip(inner.parameters, (None, *outer), strict=True)
+    called = {p: x.args[0] for p, x in passed if isinstance(x, Step) and x.op == "argument"}
+    called[inner.parameters[0]] = inner.variable
     trace, found = Trace(), dict[int, Any]()
     for s in needed(inner.leaves):
         if s.op == "argument":
-            name = inner.variable if s.args[0] == inner.parameters[0] else called.get(s.args[0])
-            found[s.number] = trace.new("argument", name) if name else trace.new("unnamed", s.number)
+            name = called.get(s.args[0])
+            found[s.number] = trace.new("argument" if name else "unnamed", name or s.number)
         else:
             args = (found[x.number] if isinstance(x, Step) else x for x in s.args)
             found[s.number] = trace.new(s.op, *args)
@@ -140,7 +148,8 @@ def _in_words(inner, outer):
     def words(x, noun):
         x = found[x.number] if isinstance(x, Step) else x
         names = {s.args[0] for s in needed([x]) if s.op == "argument"}
-        return "" if noun == "the term" and names <= {inner.variable} else described(x, noun)
+        is_named = inner.variable and (noun == "the factor" or names - {inner.variable})
+        return described(x, noun) if is_named else ""
 
     return words
 

@@ -10,6 +10,7 @@ import sympy
 
 from exercises.catalogue import problem
 from exercises.catalogue.variants import draw
+from grader.scoring.numbers import numbers_of
 from tests.grader.scoring.answered import judged, right_trees, trees
 
 
@@ -212,3 +213,11 @@ def test_a_component_that_lost_its_zeros_has_as_many_digits_as_the_others():
     values = {"A_x": 4.85, "A_y": -2.6, "A_z": 5.1, "B_x": 2.7, "B_y": 4.15, "B_z": -1.1}
     part = judged(problem("A/1"), {"r_BA": [3.775, 0.775, 2.0]}, values)["r_BA"]
     assert "takes the mean of" in part.message
+
+
+def test_a_slip_inside_an_integral_names_its_factor_or_term():
+    p = problem("3/1")
+    said = {c.what for _, c in numbers_of(p, draw(p, b"setups")).slips.ranked("r").slips}
+    inside = {words.removesuffix(" in the integral over s") for words in said} - said
+    assert {"leaves out the term a1*s", "has the term c0 with the wrong sign"} <= inside
+    assert not {"leaves out the term s", "leaves out "} & inside
