@@ -10,7 +10,6 @@ from .tolerance import NEARLY, NOISE
 
 WORDS = 30  # in a diagnosis, at most
 BRIEF = 22  # in two mistakes that are both named, at most
-CLAUSE = 4  # before a comma, at least: fewer are no sentence
 ENTRIES = 3  # of a matrix that are listed as wrong, at most
 UNNAMED = Words("one term of a sum")
 ORDINALS = Words("first"), Words("second"), Words("third")
@@ -387,20 +386,9 @@ def both(first: Cause, second: Cause) -> Cause | None:
     if second == OPPOSITE_NUMBER and first.does == REVERSED:
         text = Words("has all but {term} with the opposite sign", term=first.of)
         return Cause("both", name, text)
-    whole = first.what, second.what
-    brief = _main_clause(whole[0]), _main_clause(whole[1])
-    for one, other in (whole, brief):
-        if len(f"{one} {other}".split()) <= BRIEF:
-            text = Words("{first}, and also {second}: both count", first=one, second=other)
-            return Cause("both", name, text)
-    return None
-
-
-def _main_clause(what):
-    """What was done, without what is said after a comma about it."""
-    clause = what.partition(", ")[0]
-    is_whole = len(clause.split()) >= CLAUSE and clause.count("(") == clause.count(")")
-    return clause if is_whole else what
+    text = Words("{first}, and also {second}: both count", first=first.what, second=second.what)
+    has_room = len(f"{first.what} {second.what}".split()) <= BRIEF
+    return Cause("both", name, text) if has_room else None
 
 
 def in_this_part(cause: Cause) -> Cause:
