@@ -19,7 +19,7 @@ from . import edits_of_quantities as quantities
 from .edits_of_integrals import of_integrals
 from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
-from .edits_of_wholes import of_quantities_in_wholes, of_sides, of_unneeded, of_wholes
+from .edits_of_wholes import of_quantities_in_wholes, of_sides, of_sums, of_unneeded, of_wholes
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
 from .typed import Product, described, is_nothing, repeats
 
@@ -165,6 +165,7 @@ def _of_givens(f):
     yield from of_wholes(f.answers, f.given, f.number)
     yield from of_quantities_in_wholes(f.answers, f.named, f.number, of)
     yield from of_sides(f.answers, f.given, f.number)
+    yield from of_sums(f.answers)
     yield from of_unneeded(f.anything, f.answers, f.number, of)
     yield from _of_unchanged(f.answers, f.given, f.read)
     yield from givens.of_lengths(f.given, f.read)

@@ -15,6 +15,7 @@ from .typed import described, is_given
 
 TWINS = {"sin": "cos", "cos": "sin"}
 NOUNS = {"+": "the term", "-": "the term", "*": "the factor", "/": "the factor"}
+STEP = 1e-3  # of a place, in a derivative
 FEW = 4  # integrals: of more, no slip inside is tried
 INSIDE = {
     "twin": Words("takes {twin} for {own} in what is integrated: check what it stands for"),
@@ -43,9 +44,9 @@ def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
         s, _ = items[0]
         inner, start, end, *outer = (s if len(key) == 1 else s.args[0]).args[0].args
         start = start if len(key) == 1 else s.args[1].args[0].args[2]
-        for k, (words, slip) in enumerate(_of_integral(inner, start, end, outer)):
+        for k, (rank, words, slip) in enumerate(_of_integral(inner, start, end, outer)):
             instead = {s.number: slip(n) for s, n in items}
-            yield Edit(LESS, computed(f"integral {key} {k}", words), instead)
+            yield Edit(rank, computed(f"integral {key} {k}", words), instead)
         for k, (words, other) in enumerate(
             _of_integrand(inner, outer) if few and len(key) == 1 else ()
         ):
@@ -69,29 +70,40 @@ def _identity(x):
 
 
 def _of_integral(inner, start, end, outer):
-    """(words, {component: expression}) of the slips in one integral."""
+    """(rank, words, {component: expression}) of the slips in one integral."""
     way = ("-", end, start)
     constant = Words("takes what is integrated as constant: it changes on the way")
     mean = Words(
         "takes the mean of the values at both ends: what is integrated does not change evenly"
     )
+    rate = Words("differentiates what is to be integrated: its integral is asked for")
     itself = Words("gives what is to be integrated: its integral is asked for")
 
     def at(x, n):
         return ("inside", inner, n, x, *outer)
 
+    def slope(x, n):
+        """From two central differences, exact of powers up to the fourth."""
+        one, two = (
+            ("/", ("-", at(("*", x, 1 + h), n), at(("*", x, 1 - h), n)), ("*", 2 * h, x))
+            for h in (STEP, 2 * STEP)
+        )
+        return ("/", ("-", ("*", 4.0, one), two), 3.0)
+
     def between(low, high):
         return _between(inner, low, high, outer)
 
-    yield constant, lambda n: ("*", way, at(end, n))
-    yield constant, lambda n: ("*", way, at(start, n))
-    yield mean, lambda n: ("*", ("*", way, 0.5), ("+", at(start, n), at(end, n)))
-    yield itself, lambda n: at(end, n)
-    yield itself, lambda n: ("-", at(end, n), at(start, n))
+    yield LESS, constant, lambda n: ("*", way, at(end, n))
+    yield LESS, constant, lambda n: ("*", way, at(start, n))
+    yield LESS, mean, lambda n: ("*", ("*", way, 0.5), ("+", at(start, n), at(end, n)))
+    yield LEAST, rate, lambda n: slope(end, n)
+    yield LESS, itself, lambda n: at(end, n)
+    yield LESS, itself, lambda n: ("-", at(end, n), at(start, n))
     if isinstance(start, Step) or start != 0:
-        yield Words("integrates from zero: the integral starts elsewhere"), between(0.0, end)
+        words = Words("integrates from zero: the integral starts elsewhere")
+        yield LESS, words, between(0.0, end)
         words = Words("integrates from zero over the difference of the limits: put each one in")
-        yield words, between(0.0, way)
+        yield LESS, words, between(0.0, way)
 
 
 def _between(inner, low, high, outer):

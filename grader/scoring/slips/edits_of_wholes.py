@@ -1,7 +1,7 @@
 """Whole answers with one factor too many or too few, or on the wrong side of a fraction."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from itertools import product
+from itertools import permutations, product
 from typing import Any
 
 from newton_euler.algebra.language import Words
@@ -18,6 +18,10 @@ from .typed import Product, is_given
 IN_TERMS = {"+", "-", "sqrt", "asin", "acos", "atan"}
 MANY = 24  # places: in more, no given is left
 SIDE = Words("has {name} on the wrong side of the fraction: put your units into the whole formula")
+SUMS = {
+    "+": Words("adds {name} to {key}: it alone is asked for").template,
+    "-": Words("takes {name} off {key}: the whole is asked for").template,
+}
 TIMES = {
     "*": Words("multiplies {key} by {quantity}: look up what {key} stands for").template,
     "/": Words("divides {key} by {quantity}: look up what {key} stands for").template,
@@ -106,6 +110,17 @@ def of_quantities_in_wholes(
             for op, text in TIMES.items():
                 cause = computed(f"{key} {op} {q.number}", Words(text, key=key, quantity=words))
                 yield Edit(LEAST, cause, {x.number: (op, x, number(q)) for x in parts})
+
+
+def of_sums(answers: Mapping[str, Traced]) -> Iterator[Edit]:
+    """The sum, or the difference, of two answers of one unit in place of one of them."""
+    for (key, a), (other, b) in permutations(answers.items(), 2):
+        pairs = [(x, y) for x, y in zip(a.parts, b.parts, strict=False) if isinstance(x, Step)]
+        alike = a.unit == b.unit and a.points == b.points and len(a.parts) == len(b.parts)
+        for op, text in SUMS.items() if alike and pairs else ():
+            words = Words(text, key=key, name=other)
+            instead = {x.number: (op, x, y) for x, y in pairs}
+            yield Edit(LEAST, computed(f"{key} {op} {other}", words), instead)
 
 
 def _steps(answer):

@@ -115,6 +115,13 @@ def about_the_centre(m, omega, l, p, q, **_):
     return {"H_O": [5 * m * omega * l**2 / 12e6, off, -off]}
 
 
+def twice_differentiated(name, key, limit, given):
+    """What is integrated up to a limit, differentiated."""
+    x = sympy.Symbol("x")
+    right = problem(name).solve({**given, limit: x})[key]
+    return {key: [sympy.diff(y, x, 2).subs(x, given[limit]) for y in right.components()]}
+
+
 CASES = {
     "not resolved": ("3/16", not_resolved, "along one axis"),
     "one more transfer": ("10/5", with_one_more_transfer, "to a moment of inertia"),
@@ -174,6 +181,22 @@ CASES = {
     "difference": (
         "7/21", lambda m, I_AA, r_a, r_b: {"I_BB": I_AA - m * (r_a - r_b) ** 2 / 1e3},
         "squares the difference",
+    ),
+    "another answer added": (
+        "2/14", lambda d, theta, omega, alpha: {
+            "a_2": -d * alpha * sympy.sin(theta) - d * omega**2 * sympy.cos(theta)
+        }, "adds a_1 to a_2",
+    ),
+    "another answer taken off": (
+        "11/9", lambda d, h, W, h_E, g: {"N_D": -6 * W}, "takes N_B off N_D",
+    ),
+    "differentiated": (
+        "A/24", lambda **given: twice_differentiated("A/24", "AxB", "t", given),
+        "differentiates what is to be integrated",
+    ),
+    "differentiated, in numbers": (
+        "A/25", lambda **given: twice_differentiated("A/25", "whole", "t_2", given),
+        "differentiates what is to be integrated",
     ),
     "limits": ("A/25", over_the_difference, "over the difference of the limits"),
     "constant": ("8/10", swinging, "takes what is integrated as constant"),
