@@ -27,8 +27,10 @@ def built_otherwise(change: Change) -> Iterator[None]:
         what a function is of, and the two derivatives of the function
     of : what the parts belong to: of a transfer the mass, the way and the moments of inertia at its
         start, of a matrix the entries about the centre of mass, where it is elsewhere, of a rate
-        the components of the vector, of a motion those of the velocity, of a chain what the
-        function is of, of a scalar product the components of both vectors
+        the components of the vector, of a motion those of the velocity, of the velocity relative to
+        the moving frame, of its angular velocity, and of the angular velocity of the point's own
+        frame and its position there, of a chain what the function is of, of a scalar product the
+        components of both vectors
     """
     token = _change.set(change)
     try:

@@ -521,7 +521,8 @@ class Point:
         omega, r = via._omega(observer), self._from(via)
         origin = _origin_acceleration(via, observer).expressed_in(via)
         relative = self.acceleration(via).expressed_in(via)
-        coriolis = cross3(omega, scale3(2, self.velocity(via).expressed_in(via).c))
+        v_r = self.velocity(via).expressed_in(via).c
+        coriolis = cross3(omega, scale3(2, v_r))
         euler, centripetal = cross3(via._alpha(observer), r), cross3(omega, cross3(omega, r))
         total = add3(add3(add3(add3(origin.c, relative.c), coriolis), euler), centripetal)
 
@@ -531,7 +532,14 @@ class Point:
             return {"origin": origin, "relative": relative, **others}
 
         ledger = self._ledger("acceleration", observer, via, terms)
-        c = built("motion", total, lambda: self.velocity(observer, via).c)
+
+        def of():
+            own = self.frame
+            turning = Vector(own._omega(observer), own).expressed_in(via).c
+            within = Vector(self._from(own), own).expressed_in(via).c
+            return *self.velocity(observer, via).c, *v_r, *omega, *turning, *within
+
+        c = built("motion", total, of)
         return Vector(c, via, None, ledger if c is total else None)
 
     def _ledger(self, what, observer, via, terms):

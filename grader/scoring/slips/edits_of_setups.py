@@ -14,7 +14,7 @@ from newton_euler.algebra.otherwise import built_otherwise
 from newton_euler.algebra.scalars import ZERO, NewtonEulerError, sqrt
 from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
-from newton_euler.algebra.vectors import cross3, dot3
+from newton_euler.algebra.vectors import add3, cross3, dot3, scale3, sub3
 from newton_euler.answers.causes import LEFT_OUT, computed
 from newton_euler.answers.near import LEAST, LESS, RARER
 
@@ -57,6 +57,13 @@ ITSELF = Words("does not differentiate the vector: its rate is asked for")
 NO_COSINE = Words("multiplies the sizes of two vectors: only what lies along the other counts")
 SINE = Words("takes the sine of the angle between two vectors: a scalar product has its cosine")
 VELOCITY = Words("takes a velocity for the acceleration: that is its rate")
+IN_GROUND = Words(
+    "has the velocity in the ground in the Coriolis term: that relative to the moving frame belongs "
+    "there"
+)
+TO_ORIGIN = Words(
+    "takes omega^2 r as the centripetal acceleration: it points to the axis, not to the origin"
+)
 CONSTANT = Words("takes {what} as constant: it changes with time").template
 INNER = Words("leaves out the inner derivative {what}: the chain rule brings it in").template
 SLOPE = Words(
@@ -276,7 +283,13 @@ def _of_body(parts, of):
 
 
 def _of_motion(parts, of):
-    yield LEAST, VELOCITY, of
+    v, v_r, omega, own, r = (of[n : n + 3] for n in range(0, 15, 3))
+    yield LEAST, VELOCITY, v
+    if all(any(map(is_there, x)) for x in (v_r, omega)):
+        off = cross3(omega, scale3(2, sub3(v, v_r)))
+        yield LEAST, IN_GROUND, add3(parts, off)
+    if is_there(along := dot3(own, r)):  # omega x (omega x r) = omega (omega . r) - omega^2 r
+        yield LEAST, TO_ORIGIN, sub3(parts, scale3(along, own))
 
 
 def _of_dot(parts, of):
