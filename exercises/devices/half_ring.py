@@ -36,7 +36,7 @@ def half_steps(g, axis, through):
     yield Step("own", part.inertia.moment(axis), "kg*m^2", f"moment about {through}, by m*d^2 "
                "smaller than at the centre of the circle", "7.8", "7.26")  # fmt: skip
     yield Step("transfer", part.about(M).terms["transfer"].moment(axis), "kg*m^2",
-               "from there to the middle of the arc, m*(r - d)^2", "7.8", "7.26")  # fmt: skip
+               "transfer to the middle of the arc, m*(r - d)^2", "7.8", "7.26")  # fmt: skip
 
 
 def mean_over_half(f, r):

@@ -78,6 +78,9 @@ def of_given(
                 words = Words("takes {name} - {other} for {name}: {why}",
                               name=name, other=other, why=is_it)  # fmt: skip
                 yield LEAST, f"less {other}", words, ("-", s, step)
+    if own.dimension == Dimension() and not own.is_of_angle:
+        words = Words("inverts {name}: {why}", name=name, why=is_it)
+        yield LEAST, "inverse", words, ("/", 1.0, s)
     yield from _of_sign(s, own.dimension)
     rank = RARER if own.dimension == LENGTH else LESS
     twice = Words("takes twice {name}, or has a 2 too many beside it: {why}", name=name, why=is_it)

@@ -29,6 +29,10 @@ TRANSFERS = {
     "+": Words("adds {term} to a moment of inertia: it is about this axis already").template,
     "-": Words("takes {term} off a moment of inertia: it is about this axis already").template,
 }
+OTHER_POWERS = (
+    ("/", LESS, Words("does not square {factors}: the formulas do")),
+    ("*", LEAST, Words("takes the third power of {factors}: the formulas have the square")),
+)
 TIMES = (
     (-1.0, "", Words("takes {quantity} with the opposite sign: it points the other way")),
     (2.0, FACTOR_2, Words("doubles {quantity}, or has a 2 too many beside it: it counts once")),
@@ -303,7 +307,7 @@ def of_masses(
 def of_squares(
     products: Iterable[Step], number: Callable[[Step], Any], of: DimensionOf
 ) -> Iterator[Edit]:
-    """A factor, or all of one dimension, not squared in any product."""
+    """A factor, or all of one dimension, not squared in any product, or in its third power."""
     squared: dict[Step, list[Step]] = {}
     for s in products:
         inside = {part for part, _ in parts_of(s, "/")}
@@ -315,11 +319,11 @@ def of_squares(
     kinds = {of(x) for x in squared} - {None}
     groups = [[x] for x in squared]
     groups += [[x for x in squared if of(x) == kind] for kind in sorted(kinds, key=str)]
-    for group in groups:
-        lost: dict[int, Any] = {}
+    for group, (op, rank, words) in product(groups, OTHER_POWERS):
+        changed: dict[int, Any] = {}
         for x in group:
             for s in squared[x]:
-                lost[s.number] = ("/", lost.get(s.number, s), number(x))
-        if len(lost) > 1 and all(named := [*map(described, group)]):
-            words = Words("does not square {factors}: the formulas do", factors=joined(named))
-            yield Edit(LESS, computed(f"no squares {[*lost]} {len(group)}", words), lost)
+                changed[s.number] = (op, changed.get(s.number, s), number(x))
+        if len(changed) > 1 and all(named := [*map(described, group)]):
+            text = Words(words.template, factors=joined(named))
+            yield Edit(rank, computed(f"squares {op} {[*changed]} {len(group)}", text), changed)
