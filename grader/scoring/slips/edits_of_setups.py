@@ -58,8 +58,8 @@ NO_COSINE = Words("multiplies the sizes of two vectors: only what lies along the
 SINE = Words("takes the sine of the angle between two vectors: a scalar product has its cosine")
 VELOCITY = Words("takes a velocity for the acceleration: that is its rate")
 IN_GROUND = Words(
-    "has the velocity in the ground in the Coriolis term: that relative to the moving frame belongs "
-    "there"
+    "has the velocity in the ground in the Coriolis term: "
+    "that relative to the moving frame belongs there"
 )
 TO_ORIGIN = Words(
     "takes omega^2 r as the centripetal acceleration: it points to the axis, not to the origin"

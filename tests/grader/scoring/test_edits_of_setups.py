@@ -115,6 +115,19 @@ def about_the_centre(m, omega, l, p, q, **_):
     return {"H_O": [5 * m * omega * l**2 / 12e6, off, -off]}
 
 
+def in_the_ground(omega, u, x_E, y_E):
+    """2/39, which turns clockwise: the Coriolis acceleration of the whole velocity."""
+    turning, r = (0, 0, -omega), (x_E, y_E, 0)
+    v = np.cross(turning, r) + (u, 0, 0)
+    return {"a_E": np.cross(turning, np.cross(turning, r) + 2 * v)}
+
+
+def to_the_origin(L, v_Ay, v_Az, v_By, v_Bz, a_Ax, a_Ay, a_Az, omega_x, wd_y, wd_z, **_):
+    """4/8: -omega^2 r towards A, as if omega were at right angles to AB."""
+    square = omega_x**2 + ((v_By - v_Ay) ** 2 + (v_Bz - v_Az) ** 2) / L**2
+    return {"a_B": [a_Ax - square * L, a_Ay + wd_z * L, a_Az - wd_y * L]}
+
+
 def twice_differentiated(name, key, limit, given):
     """What is integrated up to a limit, differentiated."""
     x = sympy.Symbol("x")
@@ -197,6 +210,14 @@ CASES = {
     "differentiated, in numbers": (
         "A/25", lambda **given: twice_differentiated("A/25", "whole", "t_2", given),
         "differentiates what is to be integrated",
+    ),
+    "the whole velocity": ("2/39", in_the_ground, "velocity in the ground in the Coriolis term"),
+    "to the origin": ("4/8", to_the_origin, "takes omega^2 r as the centripetal acceleration"),
+    "third powers": (
+        "5/12", lambda e, R, r: {"d": [-e * r**3 / (R**3 - r**3), 0, 0]}, "third power of R and r",
+    ),
+    "a ratio inverted": (
+        "7/23", lambda q1, q2: {"err_1": 100 * q1**2 / (2 + q1**2)}, "inverts q1: q1 is the first",
     ),
     "limits": ("A/25", over_the_difference, "over the difference of the limits"),
     "constant": ("8/10", swinging, "takes what is integrated as constant"),
