@@ -93,20 +93,23 @@ class Cause:
 
 def sentence(causes: Iterable[Cause]) -> str | None:
     """The sentence on causes that give the same numbers, as many as fit into :data:`WORDS`: what
-    was done, why it is wrong, where to read on; None without causes.
+    was done, why it is wrong if there is room, where to read on; None if no cause fits.
     """
     causes = sorted(causes, key=lambda c: c != CORIOLIS_HALVED)  # the simplest first
     if not causes:
         return None
     see = _(" (see {where})", where=causes[0].where) if causes[0].where else ""
-    texts = _together(dict.fromkeys(c.text for c in causes))
-    first, *others = dict.fromkeys(spoken(text).partition(": ")[0] for text in texts)
+    texts = map(spoken, _together(dict.fromkeys(c.text for c in causes)))
+    in_full = {x.partition(": ")[0]: x for x in texts if _has_room(x.partition(": ")[0], see)}
+    if not in_full:
+        return None
+    first, *others = in_full
     words = first
     for other in others:
         two = _("{first}; or one that {other}", first=words, other=other)
         words = two if _has_room(two, see) else words
-    in_full = spoken(texts[0])
-    return (in_full if words == first and _has_room(in_full, see) else words) + see
+    is_alone = words == first and _has_room(in_full[first], see)
+    return (in_full[first] if is_alone else words) + see
 
 
 def _has_room(words, see):

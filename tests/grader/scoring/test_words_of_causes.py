@@ -11,6 +11,7 @@ from exercises.catalogue import chapters, problems
 from exercises.catalogue.steps import steps
 from exercises.catalogue.variants import draw
 from grader.scoring.numbers import Numbers
+from newton_euler.algebra.language import spoken
 from newton_euler.answers import causes
 from newton_euler.answers.causes import sentence
 
@@ -35,14 +36,19 @@ def slips(p, n):
 
 
 def faults(p, causes_of):
-    """The sentences that are too long, or leave out why or where."""
+    """The sentences that are too long, or leave out where, or why although there is room."""
     n = Numbers(p, draw(p, b"words") if p.givens else {})
     own = steps(p, {**n.sample, **p.sympy_symbols()})
     sections = {p.section, *(s.section for s in own)}
     for cause in causes_of(p, n):
         cause = cause if cause.where else cause.at(n.where)
         words = sentence([cause])
-        has_reason = cause.why in words if cause.why else re.search(REASON, cause.text)
+        if words is None:  # too long to be named
+            continue
+        has_room = len(f"{spoken(cause.text)} (see {cause.where})".split()) <= MOST
+        has_reason = re.search(REASON, cause.text)
+        if cause.why:
+            has_reason = cause.why in words or not has_room
         see = re.search(r"\(see (?:section|appendix) ([\w.]+)(?:, \(([\w.]+)\))?\)$", words)
         is_place = see and see[1] in sections
         if see and see[2]:
