@@ -232,6 +232,9 @@ def _simplest(fit, near, elsewhere):
     if any(hit.cause.group == "unit" for _, hit in hits):
         # a number in a wrong unit may be nearly zero, or nearly the whole
         hits = [(1 if hit.cause.does in (LEFT_OUT, ZERO) else n, hit) for n, hit in hits]
+        left = [hit for n, hit in hits if hit.level and hit.cause.does in (LEFT_OUT, ZERO)]
+        if left and len(fit.key) > 1:  # numbers in a formula do not tell these apart
+            hits = [(n, hit) for n, hit in hits if hit.cause.group != "unit"]
     best = max((hit.level for _, hit in hits), default=0)
     fitting = [(n, hit) for n, hit in hits if hit.level and hit.level >= min(best, CLOSE)]
     if elsewhere.has_more(()):

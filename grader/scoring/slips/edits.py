@@ -249,8 +249,8 @@ def _everywhere_and_once(s, place, slip, users):
     named = f"{kind} {s.number} {place}"
     cause = words if isinstance(words, Cause) else computed(named, words, "", *does)
     yield Edit(rank, cause, {s.number: expression})
-    if kind in (givens.TWICE, givens.HALF):
-        return  # of one quantity, or a factor of one term
+    if kind in (givens.TWICE, givens.HALF, givens.FOREIGN):
+        return  # of one quantity, or a factor of one term; a unit is read once
     users = [user for user in users if user.op not in WITHIN] if len(users) > 1 else []
     if s.op in ("+", "-"):  # the square of a sum is written once
         products = {user for user in users if user.op in PRODUCT}

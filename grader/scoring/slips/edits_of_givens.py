@@ -18,7 +18,7 @@ MASS, LENGTH = Dimension(1), Dimension(0, 1)
 TIME = Dimension(0, 0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
 RATES = Dimension(0, 0, -1), Dimension(0, 0, -2)
-TWICE, HALF, ONE = "doubled", "halved", "one"
+TWICE, HALF, ONE, FOREIGN = "doubled", "halved", "one", "foreign unit"
 G, G_OF_FEET = 9.81, 32.2  # of g, where the text gives none
 OTHERS = {  # units from which a number is converted that is already in this one
     "rad/s": ("rev/min", "rev/s"), "rad": ("deg",), "m": ("mm", "cm"), "ft": ("in",),
@@ -223,7 +223,7 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
     for foreign in OTHERS.get(own.text, ()):
         words = Words(FROM, name=name, other=foreign, unit=own.text)
         ratio = float(unit(foreign).to_base(1.0, SI) / own.to_base(1.0, SI))
-        yield LESS, f"from {foreign}", words, ("*", s, ratio)
+        yield LESS, FOREIGN, Cause("unit", f"{name} from {foreign}", words), ("*", s, ratio)
     if own.text == "rad/s":
         words = Words("divides {name} by 2*pi: it is in radians already", name=name)
         yield LESS, "in turns", words, ("*", s, 0.5 / pi)

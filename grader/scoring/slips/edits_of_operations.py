@@ -29,6 +29,7 @@ PRODUCT = ("*", "/")
 FACTOR = Words("takes the factor {other} for {own}{of}: the formula has {own}").template
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
 CANCELS = Words("has {name} left in one place: it cancels, if each term has it").template
+DIVIDED = Words("divides by {name} once too often: put your units into the whole formula").template
 RATIOS = {
     -1: Words("inverts {ratio}{of}: it is the other way round").template,
     1: Words("does not square {ratio}{of}: the formula does").template,
@@ -113,8 +114,8 @@ def of_product(
         if described(factor):
             yield from _of_factor(s, factor, power, number(factor), of, why(factor))
     for x in product.cancelled.keys() - product.powers.keys():
-        for op in "*/" if x.op == "argument" else ():
-            yield LEAST, f"left {x.number} {op}", Words(CANCELS, name=x.args[0]), (op, s, number(x))
+        for op, words in zip("*/", (CANCELS, DIVIDED), strict=True) if x.op == "argument" else ():
+            yield LEAST, f"left {x.number} {op}", Words(words, name=x.args[0]), (op, s, number(x))
     parts = [(part, op, 1) for part, op in parts_of(s, "/")]
     if s.args[0] is s.args[1]:
         parts += [(part, op, 2) for part, op in parts_of(s.args[0], "/")]

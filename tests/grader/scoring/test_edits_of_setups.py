@@ -219,6 +219,17 @@ CASES = {
     "a ratio inverted": (
         "7/23", lambda q1, q2: {"err_1": 100 * q1**2 / (2 + q1**2)}, "inverts q1: q1 is the first",
     ),
+    "divided once too often": (
+        "3/21", lambda R, h, omega: {"v": [
+            0, omega * sympy.sqrt(R**2 - h**2 / 4), h * omega / sympy.sqrt(R**2 - h**2 / 4)
+        ]}, "divides by R once too often",
+    ),
+    "nothing, not millimetres": (
+        "3/7", lambda b, p, nu, theta, **_: {"a": [
+            float(f"{-1 / b:.6g}") * nu**2 * sympy.cos(theta),
+            float(f"{-1 / b:.6g}") * nu**2 * sympy.sin(theta), 0
+        ]}, "nu/b instead of nu/sqrt(b^2 + p^2)",
+    ),
     "limits": ("A/25", over_the_difference, "over the difference of the limits"),
     "constant": ("8/10", swinging, "takes what is integrated as constant"),
     "about the centre": ("9/5", about_the_centre, "moments of inertia about the centre of mass"),
