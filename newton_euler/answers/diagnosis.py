@@ -17,6 +17,7 @@ from .causes import (
     NO_COMPONENT,
     RESCALED,
     ROUNDED,
+    SOLVED,
     ZERO,
     Cause,
     in_this_part,
@@ -43,6 +44,7 @@ class Answered(NamedTuple):
     key: Points
     wrong: Sequence[Model]
     slips: Callable[[Cause], Sequence[Points]] = lambda cause: ()
+    name: str = ""
 
     def models(self, cause: Cause) -> Iterator[Points]:
         """The answers to this part that a cause would give."""
@@ -71,7 +73,14 @@ class Elsewhere:
         )
 
     def refutes(self, cause: Cause) -> bool:
-        """True if this listed mistake would show in other parts, and explains none of them."""
+        """True if this listed mistake would show in other parts, and explains none of them; or if
+        a slip cannot be made in one part alone: in another answer, which is right, or in equations
+        of which another unknown is.
+        """
+        if cause.instead_of:
+            return cause.instead_of <= {part.name for part in self._parts if part.right}
+        if cause.does == SOLVED:
+            return self.contradicts(cause)
         shown = cause.group == "listed" and any(
             is_apart(x, part.key) for part in self._parts for x in part.models(cause)
         )
@@ -226,6 +235,7 @@ def _simplest(fit, near, elsewhere):
     """The simplest of the slips in a computation that fit best, each in different words: first
     those that explain most other parts; a slip that is made in one part alone is less simple.
     """
+    near = [slip for slip in near if not elsewhere.refutes(slip[1])]
     if not near:
         return []
     hits = [(level, Hit(_level(fit, x), cause, x)) for level, cause, x in near]

@@ -18,7 +18,7 @@ from .frames import Toleranced, counted
 from .messages import one_line
 from .near import LESS, RARER, Slips
 from .reading import Budget
-from .tolerance import Points
+from .tolerance import Points, is_apart
 from .trees import TreeError, in_words
 from .usual import of_other_bodies, of_other_powers
 
@@ -201,14 +201,24 @@ def _slips(asked, found, numbers):
     given = found[asked.key].given
     sequel = cache(lambda: numbers.sequel(asked.key, earlier))
 
+    right = [n for n in earlier if n in found and n not in wrong]
+
+    def fits_earlier(cause):
+        """False of a slip that would show in an earlier answer that is right."""
+        return not any(
+            is_apart(points, numbers.key[n]) for n in right for points in numbers.slips.of(n, cause)
+        )
+
     def near(fit, kind):
         slips = numbers.slips.near(asked.key, fit, kind)
         goes_on = earlier and None not in earlier.values()
+        slips = [s for s in slips if fits_earlier(s[1])] or slips
+        is_made = any(fits_earlier(cause) for _, cause, _ in slips)
         # zero, of anything; and a component by itself does not go on
-        if slips or not goes_on or not any(map(any, fit.given)) or fit.given is not given:
+        if is_made or not goes_on or not any(map(any, fit.given)) or fit.given is not given:
             return slips
         later = sequel().near(asked.key, fit, kind)
-        return [(level, c.after(wrong), points) for level, c, points in later]
+        return [(level, c.after(wrong), points) for level, c, points in later] or slips
 
     return near
 
@@ -256,7 +266,9 @@ def _elsewhere(asked, found, numbers):
         if other.key != asked.key and judged and judged.given is not None:
             key, wrong = _like(judged.given, other, numbers)
             slips = partial(numbers.slips.of, other.key)
-            yield Answered(judged.verdict == "right", other.kind, judged.given, key, wrong, slips)
+            yield Answered(
+                judged.verdict == "right", other.kind, judged.given, key, wrong, slips, other.key
+            )
 
 
 def _followed(asked, given, found, numbers):

@@ -1,5 +1,6 @@
 """The slips that can be made in a traced computation, as edits of its steps, simplest first."""
 
+from dataclasses import replace
 from functools import cached_property
 from math import pi
 from typing import Any
@@ -99,7 +100,7 @@ class _Facts:
         self.products = {
             s: None for s, users in self.users.items()
             if s.op in PRODUCT and s in self.written
-            if s in leaves or not _is_factor(users)
+            if s in leaves or not _is_factor(users) or self._is_squared_alone(users)
         }  # fmt: skip
 
     def number(self, s):
@@ -111,6 +112,11 @@ class _Facts:
             return s
         times = self.system.factor(dimension) / self.own.factor(dimension)
         return s if times == 1 else ("*", s, float(times))
+
+    def _is_squared_alone(self, users):
+        """True of a step whose only use is its square, as a term, or in a root."""
+        (square,) = users
+        return square.args[0] is square.args[1] and not _is_factor(self.users[square])
 
     @property
     def g(self):
@@ -163,17 +169,14 @@ def _of_givens(f):
     yield from givens.of_planes(s for s in f.steps if s.op in ("+", "-"))
     yield from givens.of_rates(f.anything, f.read)
     yield from of_wholes(f.answers, f.given, f.number)
-    yield from of_quantities_in_wholes(f.answers, f.named, f.number, of)
     yield from of_sides(f.answers, f.given, f.number)
-    yield from of_sums(f.answers)
     yield from of_unneeded(f.anything, f.answers, f.number, of)
-    yield from _of_unchanged(f.answers, f.given, f.read)
     yield from givens.of_lengths(f.given, f.read)
+    yield from givens.of_loads(f.anything, f.read)
     yield from givens.of_vectors(vectors)
     yield from givens.of_projections(vectors, f.given, f.read)
     yield from of_integrals(f.steps)
     numbers = {n: s for n, s in f.given.items() if n not in f.formulas.symbols}
-    yield from _of_differences(f.answers, numbers, f.formulas.stages, f.dimensions)
     masses = {n: s for n, s in numbers.items() if f.read[n].dimension == givens.MASS}
     yield from givens.of_weights(vectors, masses, f.g, of)
 
@@ -181,29 +184,52 @@ def _of_givens(f):
 def _of_quantities(f):
     """The edits of quantities on the way, of equations, and of several places at once."""
     of, stages = f.dimensions.get, f.formulas.stages
-    yield from _of_stages(f.answers, stages, f.dimensions)
+    yield from _instead_of(f.answers, _of_answers(f))
     yield from _of_angles(f.answers)
     yield from equations.of_equations(f.formulas.systems, f.number, of)
     yield from quantities.of_quantities(f.answers, stages, f.steps, of)
     yield from quantities.of_cross_products(f.named)
-    yield from quantities.of_ratios(f.named, f.answers, f.given, of)
     yield from quantities.of_distances(f.given, f.products, of)
-    yield from of_laws(f.answers, f.anything, f.read)
     yield from quantities.of_densities(f.given, f.steps, of)
     yield from quantities.of_areas(f.answers, f.given, f.steps, of)
     yield from quantities.of_transfers(f.given, f.steps, of)
     yield from quantities.of_masses(f.steps, f.number, of)
     yield from quantities.of_squares(f.products, f.number, of)
     yield from quantities.of_sums_squared(f.steps)
+    yield from quantities.of_slopes(f.steps)
     yield from quantities.of_differences_of_squares(f.steps)
     yield from groups.of_terms(f.steps, f.units)
     yield from groups.of_factors(f.products, f.number)
 
 
+def _of_answers(f):
+    """The edits that put something else in place of a whole answer."""
+    of, stages = f.dimensions.get, f.formulas.stages
+    yield from of_quantities_in_wholes(f.answers, f.named, f.number, of)
+    yield from of_sums(f.answers)
+    yield from _of_unchanged(f.answers, f.given, f.read)
+    numbers = {n: s for n, s in f.given.items() if n not in f.formulas.symbols}
+    yield from _of_differences(f.answers, numbers, stages, f.dimensions)
+    yield from _of_stages(f.answers, stages, f.dimensions)
+    yield from quantities.of_ratios(f.named, f.answers, f.given, of)
+    yield from of_laws(f.answers, f.anything, f.read)
+
+
+def _instead_of(answers, edits):
+    """The edits, each with the answers that it replaces."""
+    keys: dict[int, set[str]] = {}
+    for key, answer in answers.items():
+        for x in answer.parts:
+            keys.setdefault(getattr(x, "number", -1), set()).add(key)
+    for edit in edits:
+        replaced = frozenset(key for n in edit.instead for key in keys.get(n, ()))
+        yield edit._replace(cause=replace(edit.cause, instead_of=replaced))
+
+
 def _of_step(f, s, users):
     """The slips in one step."""
     of, factors = f.dimensions.get, f.factors
-    yield from operations.of_operation(s)
+    yield from operations.of_operation(s, f.number)
     yield from operations.of_moment(s, of)
     if s.op == "argument":
         name, means = s.args[0], f.formulas.means.get(s.args[0], "")

@@ -37,6 +37,12 @@ FROM = Words("converts {name} from {other}: it is given in {unit}").template
 SLANT = Words(
     "takes the slant length sqrt({name}^2 + {other}^2) for {name}: another distance counts"
 ).template
+LEG = Words(
+    "takes the leg sqrt({name}^2 - {other}^2) for {name}: look where the right angle is"
+).template
+AS_EQUAL = Words("takes {name} and {other} as equal: the text gives two lengths").template
+PLACE = Words("takes {name} {op} {part} for {name}: it leads to another point").template
+LOAD = Words("takes {name} {op} {part} for {name}: look which bodies count there").template
 MEAN = Words("takes the mean of {a} and {b} for {key}: look up what {key} stands for").template
 PAIRS = Words(
     "multiplies {a} by {b}, each by each, for {key}: look up what {key} stands for"
@@ -157,22 +163,38 @@ def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Ed
 
 
 def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
-    """A length to another point: another length, or half of it, added or subtracted, or the other
-    side of a right angle; or in the ratio of two others.
+    """A length to another point: another length, or half of it, added or subtracted, or another
+    side of a right angle; two lengths taken as equal.
     """
     lengths = [n for n in given if read[n].dimension == LENGTH]
     for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
         squares = [("*", given[n], given[n]) for n in (name, other)]
-        words = Words(SLANT, name=name, other=other)
-        slant = ("sqrt", ("+", *squares))
-        yield Edit(LEAST, computed(f"slant {name} {other}", words), {given[name].number: slant})
-    for name, other in permutations(lengths, 2) if len(lengths) <= MANY else ():
+        for op, text in ("+", SLANT), ("-", LEG):
+            words = Words(text, name=name, other=other)
+            side = ("sqrt", ("abs", (op, *squares)))
+            cause = computed(f"slant {name} {op} {other}", words)
+            yield Edit(LEAST, cause, {given[name].number: side})
+    for name, other in combinations(lengths, 2) if len(lengths) <= SEVERAL else ():
+        both = ("*", ("+", given[name], given[other]), 0.5)
+        cause = computed(f"equal {name} {other}", Words(AS_EQUAL, name=name, other=other))
+        yield Edit(LEAST, cause, {given[n].number: both for n in (name, other)})
+    yield from _of_sums(lengths, given, PLACE, len(lengths) <= SEVERAL)
+
+
+def of_loads(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+    """The mass, or the weight, of another body added or taken off."""
+    for kind in MASS, FORCE:
+        yield from _of_sums([n for n in given if read[n].dimension == kind], given, LOAD, False)
+
+
+def _of_sums(names, given, text, with_halves):
+    """Another given of the same kind added or taken off; of many, none."""
+    for name, other in permutations(names, 2) if len(names) <= MANY else ():
         parts: list[tuple[str, Any]] = [(other, given[other])]
-        parts += [(f"{other}/2", ("*", given[other], 0.5))] if len(lengths) <= SEVERAL else []
+        parts += [(f"{other}/2", ("*", given[other], 0.5))] if with_halves else []
         for part, x in parts:
             for op in ("+", "-"):
-                words = Words("takes {name} {op} {part} for {name}: it leads to another point",
-                              name=name, op=op, part=part)  # fmt: skip
+                words = Words(text, name=name, op=op, part=part)
                 cause = computed(f"{name} {op} {part}", words)
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 

@@ -24,6 +24,9 @@ INERTIA, MOMENT = Dimension(1, 2), Dimension(1, 1)
 FEW = 3  # moments of inertia: to more, no parallel-axis term is added
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
 HALF_RIGHT = Words("takes {quantity} as 45 degrees: it follows from the text").template
+TANGENT = Words(
+    "takes {over}/{own}, a tangent, for {own} over the slant side: look at the triangle"
+).template
 ANGULAR = {"sin", "cos", "tan"}
 TRANSFERS = {
     "+": Words("adds {term} to a moment of inertia: it is about this axis already").template,
@@ -54,7 +57,10 @@ def of_quantities(
         own = {x.number: x for x, _ in parts if isinstance(x, Step) and x.op != "argument"}
         if not any(users.get(x) for x in own.values()):
             continue
+        kinds = {of(x) for x in own.values()}
         for factor, does, text in TIMES:
+            if factor < 0 and kinds <= {MASS, INERTIA}:
+                continue  # has no direction
             wording = Words(text.template, quantity=words)
             cause = computed(f"{factor} times {[*own]}", wording, "", does, words)
             rank = LESS if factor or words in answers else RARER
@@ -117,7 +123,7 @@ def of_ratios(
                 words = Words("takes {a} {op} {b} for {key}: look up what {key} stands for",
                               a=first, op=op, b=second, key=key)  # fmt: skip
                 instead = {x.number: (op, y, factor) for x, y in moved}
-                yield Edit(LEAST + 1, computed(f"{first} {op} {second} for {key}", words), instead)
+                yield Edit(LEAST + 2, computed(f"{first} {op} {second} for {key}", words), instead)
 
 
 def _has(of):
@@ -156,7 +162,16 @@ def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
 
 def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
     """The square of a sum, taken term by term."""
+    steps = [*steps]
     squared = {s: s.args[0] for s in steps if _is_square(s)}
+    quotients = {s: s.args[0] for s in squared if _is_over_a_sum(s.args[0])}
+    for s, x in quotients.items():
+        words = Words("squares each term of {sum} by itself: twice their product belongs to it",
+                      sum=described(x.args[1]))  # fmt: skip
+        below = x.args[1]
+        squares = reduce(lambda a, b: ("+", a, b), (("*", t, t) for _, t in terms_of(below)))
+        instead = {s.number: ("*", s, ("/", ("*", below, below), squares))}
+        yield Edit(LESS, computed(f"squares below {s.number}", words), instead)
     for s, x in squared.items():
         named = described(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
         if named:
@@ -166,6 +181,29 @@ def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
             )
             instead = {s.number: reduce(lambda a, b: ("+", a, b), squares)}
             yield Edit(LESS, computed(f"squares in {s.number}", words), instead)
+
+
+def _is_over_a_sum(x):
+    below = x.args[1] if isinstance(x, Step) and x.op == "/" else None
+    is_sum = isinstance(below, Step) and below.op in ("+", "-") and not repeats(below)
+    return is_sum and bool(described(below))
+
+
+def of_slopes(steps: Iterable[Step]) -> Iterator[Edit]:
+    """The tangent of an angle for a leg of its right triangle over the slant side."""
+    for s in steps:
+        own, slant = s.args if s.op == "/" else (None, None)
+        inside = slant.args[0] if isinstance(slant, Step) and slant.op == "sqrt" else None
+        legs = terms_of(inside) if isinstance(inside, Step) else []
+        if len(legs) == 2 and all(sign > 0 and _is_square(leg) for sign, leg in legs):
+            a, b = (leg.args[0] for _, leg in legs)
+            other = b if own is a else a if own is b else None
+            one, over = described(own), described(other)
+            if one and over:
+                words = Words(TANGENT, own=one, over=over)
+                yield Edit(
+                    LESS, computed(f"slope {s.number}", words), {s.number: ("/", other, own)}
+                )
 
 
 def of_differences_of_squares(steps: Iterable[Step]) -> Iterator[Edit]:
