@@ -161,32 +161,20 @@ def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
 
 
 def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
-    """The square of a sum, taken term by term."""
-    steps = [*steps]
-    squared = {s: s.args[0] for s in steps if _is_square(s)}
-    quotients = {s: s.args[0] for s in squared if _is_over_a_sum(s.args[0])}
-    for s, x in quotients.items():
-        words = Words("squares each term of {sum} by itself: twice their product belongs to it",
-                      sum=described(x.args[1]))  # fmt: skip
-        below = x.args[1]
-        squares = reduce(lambda a, b: ("+", a, b), (("*", t, t) for _, t in terms_of(below)))
-        instead = {s.number: ("*", s, ("/", ("*", below, below), squares))}
-        yield Edit(LESS, computed(f"squares below {s.number}", words), instead)
-    for s, x in squared.items():
-        named = described(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
+    """The square of a sum, or of a quotient by one, taken term by term."""
+    for s in filter(_is_square, steps):
+        (x, _) = s.args
+        is_below = isinstance(x, Step) and x.op == "/"
+        whole = x.args[1] if is_below else x
+        named = described(whole) if len(terms_of(whole)) > 1 and not repeats(whole) else ""
         if named:
-            squares = [("*", term, term) for _, term in terms_of(x)]
+            squares = [("*", term, term) for _, term in terms_of(whole)]
             words = Words(
                 "squares each term of {sum} by itself: twice their product belongs to it", sum=named
             )
-            instead = {s.number: reduce(lambda a, b: ("+", a, b), squares)}
-            yield Edit(LESS, computed(f"squares in {s.number}", words), instead)
-
-
-def _is_over_a_sum(x):
-    below = x.args[1] if isinstance(x, Step) and x.op == "/" else None
-    is_sum = isinstance(below, Step) and below.op in ("+", "-") and not repeats(below)
-    return is_sum and bool(described(below))
+            total = reduce(lambda a, b: ("+", a, b), squares)
+            changed = ("*", s, ("/", ("*", whole, whole), total)) if is_below else total
+            yield Edit(LESS, computed(f"squares in {s.number}", words), {s.number: changed})
 
 
 def of_slopes(steps: Iterable[Step]) -> Iterator[Edit]:
