@@ -372,6 +372,18 @@ def powers(names: Sequence[str]) -> Cause:
     return Cause("powers", " ".join(names), text)
 
 
+def of_number(factor: str) -> Cause:
+    """The answer has the right symbols, times another number."""
+    text = Words("has {factor} times the right number: its symbols are right", factor=factor)
+    return Cause("factor", f"{factor} times", text)
+
+
+def of_term(names: Sequence[str]) -> Cause:
+    """The answer has one term too many, or too few, or with another number."""
+    text = Words("is off by one term, in {names}: the other terms are right", names=joined(names))
+    return Cause("powers", f"term in {' '.join(names)}", text)
+
+
 def component_multiplied(places: Sequence[int], what: str, factor: float, large: bool) -> Cause:
     """Some components are off by one factor."""
     how = Words("large") if large else Words("small")
@@ -446,8 +458,11 @@ def term_reversed(name: str, words: str) -> Cause:
     return Cause("term", f"{name} x -1", text, does=REVERSED, of=words)
 
 
-def multiple_of(term: str) -> Cause:
-    """A remark: a term has another factor."""
+def multiple_of(term: str, factor: str = "") -> Cause:
+    """A term has another factor: a remark, unless this is a simple number."""
+    if factor:
+        text = Words("has {factor} times {term}: the rest is right", factor=factor, term=term)
+        return Cause("factor", f"{factor} times {term}", text)
     words = Words("all but the factor of {term} is right", term=term)
     return Cause("seen", f"multiple of {term}", words)
 

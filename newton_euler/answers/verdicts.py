@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
+from itertools import chain, islice
 from typing import Any, Protocol
 
 from ..algebra.language import Words, _, joined, spoken
@@ -20,7 +21,7 @@ from .near import LESS, RARER, Slips
 from .reading import Budget
 from .tolerance import Points, is_apart
 from .trees import TreeError, in_words
-from .usual import of_other_bodies, of_other_powers
+from .usual import of_a_number, of_one_term, of_other_bodies, of_other_powers
 
 NO_ANSWER = Words("no answer")
 OTHER_NUMBERS = {
@@ -189,7 +190,13 @@ def _causes(asked, given, found, numbers, *slips):
     elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
     causes = diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
     if not causes and slips and asked.kind.is_formula:
-        return tuple(of_other_powers(Fit(given, key, asked.kind.rtol), numbers.symbols))
+        fit = Fit(given, key, asked.kind.rtol)
+        others = (
+            of_other_powers(fit, numbers.symbols),
+            of_a_number(fit),
+            of_one_term(fit, numbers.symbols),
+        )
+        return tuple(islice(chain(*others), 1))
     return causes
 
 

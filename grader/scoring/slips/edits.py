@@ -20,7 +20,14 @@ from . import edits_of_quantities as quantities
 from .edits_of_integrals import of_integrals
 from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
-from .edits_of_wholes import of_quantities_in_wholes, of_sides, of_sums, of_unneeded, of_wholes
+from .edits_of_wholes import (
+    of_quantities_in_wholes,
+    of_sides,
+    of_single_terms,
+    of_sums,
+    of_unneeded,
+    of_wholes,
+)
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
 from .typed import Product, described, is_nothing, repeats
 
@@ -190,6 +197,8 @@ def _of_quantities(f):
     yield from quantities.of_quantities(f.answers, stages, f.steps, of)
     yield from quantities.of_cross_products(f.named)
     yield from quantities.of_distances(f.given, f.products, of)
+    yield from quantities.of_givens_in_products(f.products, f.read, f.given)
+    yield from quantities.of_mean_rates(f.named, f.given, of)
     yield from quantities.of_densities(f.given, f.steps, of)
     yield from quantities.of_areas(f.answers, f.given, f.steps, of)
     yield from quantities.of_transfers(f.given, f.steps, of)
@@ -207,6 +216,7 @@ def _of_answers(f):
     of, stages = f.dimensions.get, f.formulas.stages
     yield from of_quantities_in_wholes(f.answers, f.named, f.number, of)
     yield from of_sums(f.answers)
+    yield from of_single_terms(f.answers)
     yield from _of_unchanged(f.answers, f.given, f.read)
     numbers = {n: s for n, s in f.given.items() if n not in f.formulas.symbols}
     yield from _of_differences(f.answers, numbers, stages, f.dimensions)

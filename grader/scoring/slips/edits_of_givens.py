@@ -40,6 +40,8 @@ SLANT = Words(
 LEG = Words(
     "takes the leg sqrt({name}^2 - {other}^2) for {name}: look where the right angle is"
 ).template
+HALVES = Words("takes half of {name} and of {other}: a radius is not a diameter").template
+TWICE_BOTH = Words("takes twice {name} and {other}: a diameter is not a radius").template
 AS_EQUAL = Words("takes {name} and {other} as equal: the text gives two lengths").template
 PLACE = Words("takes {name} {op} {part} for {name}: it leads to another point").template
 LOAD = Words("takes {name} {op} {part} for {name}: look which bodies count there").template
@@ -178,6 +180,10 @@ def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[
         both = ("*", ("+", given[name], given[other]), 0.5)
         cause = computed(f"equal {name} {other}", Words(AS_EQUAL, name=name, other=other))
         yield Edit(LEAST, cause, {given[n].number: both for n in (name, other)})
+        for factor, text in (0.5, HALVES), (2.0, TWICE_BOTH):
+            instead = {given[n].number: ("*", given[n], factor) for n in (name, other)}
+            words = Words(text, name=name, other=other)
+            yield Edit(LEAST + 2, computed(f"{factor} of {name} {other}", words), instead)
     yield from _of_sums(lengths, given, PLACE, len(lengths) <= SEVERAL)
 
 

@@ -349,6 +349,11 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
     """Angles from the other axis."""
     sines = {s.args[0]: s for s in steps if s.op == "sin"}
     cosines = {s.args[0]: s for s in steps if s.op == "cos"}
+    turned = [s for s in (*sines.values(), *cosines.values()) if is_given(s)]
+    if len({s.args[0] for s in turned}) > 1:
+        words = Words("measures all angles from the other axis: sines and cosines are exchanged")
+        instead = {s.number: (COFUNCTIONS[s.op], *s.args) for s in turned}
+        yield Edit(LESS, computed("all axes", words), instead)
     for x, s in sines.items():
         if not any(inner.op == "argument" for inner in needed([x])):
             continue  # a constant
