@@ -14,10 +14,10 @@ ENTRIES = 3  # of a matrix that are listed as wrong, at most
 UNNAMED = Words("one term of a sum")
 ORDINALS = Words("first"), Words("second"), Words("third")
 # what a mistake does, where more than its words depends on it: leaves out a term or a quantity,
-# takes a given for zero, leaves out a component, reverses a term, takes its double or half, has
-# a factor of 2 beside a quantity, or changes equations that are solved together
-DOES = LEFT_OUT, ZERO, NO_COMPONENT, REVERSED, RESCALED, FACTOR_2, SOLVED = (
-    "left out", "zero", "no component", "reversed", "rescaled", "two", "solved",
+# takes a given for zero, leaves out a component, reverses a term, takes its double or half, or has
+# a factor of 2 beside a quantity
+DOES = LEFT_OUT, ZERO, NO_COMPONENT, REVERSED, RESCALED, FACTOR_2 = (
+    "left out", "zero", "no component", "reversed", "rescaled", "two",
 )  # fmt: skip
 
 
@@ -39,7 +39,7 @@ class Cause:
         the name of a listed mistake that a general one repeats
     does : what it does, one of :data:`DOES`, or ""
     of : to what, in words; "" of a term without a name
-    instead_of : the answers for which something else is taken
+    instead_of : the answers for which something else is taken, as "a_A a_B"
     """
 
     group: str
@@ -49,7 +49,7 @@ class Cause:
     subject: str = field(default="", compare=False)
     does: str = field(default="", compare=False)
     of: str = field(default="", compare=False)
-    instead_of: frozenset[str] = field(default=frozenset(), compare=False)
+    instead_of: str = field(default="", compare=False)
 
     @property
     def what(self) -> str:

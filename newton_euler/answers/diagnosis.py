@@ -17,7 +17,6 @@ from .causes import (
     NO_COMPONENT,
     RESCALED,
     ROUNDED,
-    SOLVED,
     ZERO,
     Cause,
     in_this_part,
@@ -73,14 +72,12 @@ class Elsewhere:
         )
 
     def refutes(self, cause: Cause) -> bool:
-        """True if this listed mistake would show in other parts, and explains none of them; or if
-        a slip cannot be made in one part alone: in another answer, which is right, or in equations
-        of which another unknown is.
+        """True if this listed mistake would show in other parts, and explains none of them, or if
+        a slip takes something else for another answer, which is right.
         """
         if cause.instead_of:
-            return cause.instead_of <= {part.name for part in self._parts if part.right}
-        if cause.does == SOLVED:
-            return self.contradicts(cause)
+            right = {part.name for part in self._parts if part.right}
+            return right.issuperset(cause.instead_of.split())
         shown = cause.group == "listed" and any(
             is_apart(x, part.key) for part in self._parts for x in part.models(cause)
         )

@@ -23,6 +23,7 @@ from .tolerance import Points, is_apart
 from .trees import TreeError, in_words
 from .usual import of_a_number, of_one_term, of_other_bodies, of_other_powers
 
+ABOUT = 2  # levels: slips that differ by no more are about as simple
 NO_ANSWER = Words("no answer")
 OTHER_NUMBERS = {
     BOOK: Words("not right: this is the answer for the book's numbers; yours are others"),
@@ -219,8 +220,10 @@ def _slips(asked, found, numbers):
     def near(fit, kind):
         slips = numbers.slips.near(asked.key, fit, kind)
         goes_on = earlier and None not in earlier.values()
-        slips = [s for s in slips if fits_earlier(s[1])] or slips
-        is_made = any(fits_earlier(cause) for _, cause, _ in slips)
+        fitting = [s for s in slips if fits_earlier(s[1])]
+        simplest = min((level for level, *_ in slips), default=0)
+        is_made = any(level <= simplest + ABOUT for level, *_ in fitting)
+        slips = fitting if is_made else slips
         # zero, of anything; and a component by itself does not go on
         if is_made or not goes_on or not any(map(any, fit.given)) or fit.given is not given:
             return slips

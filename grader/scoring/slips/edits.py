@@ -171,7 +171,7 @@ def _of_givens(f):
     of, vectors = f.dimensions.get, {key: a.parts for key, a in f.answers.items()}
     yield from operations.of_angles(f.steps)
     yield from groups.of_constants(f.steps, of)
-    yield from givens.of_one_unit(f.given, f.read, f.system)
+    yield from givens.of_one_unit(f.given, f.read, f.system, f.own)
     yield from givens.of_exchanged(f.given, f.read)
     yield from givens.of_planes(s for s in f.steps if s.op in ("+", "-"))
     yield from givens.of_rates(f.anything, f.read)
@@ -232,8 +232,8 @@ def _instead_of(answers, edits):
         for x in answer.parts:
             keys.setdefault(getattr(x, "number", -1), set()).add(key)
     for edit in edits:
-        replaced = frozenset(key for n in edit.instead for key in keys.get(n, ()))
-        yield edit._replace(cause=replace(edit.cause, instead_of=replaced))
+        replaced = sorted({key for n in edit.instead for key in keys.get(n, ())})
+        yield edit._replace(cause=replace(edit.cause, instead_of=" ".join(replaced)))
 
 
 def _of_step(f, s, users):
@@ -244,13 +244,15 @@ def _of_step(f, s, users):
     if s.op == "argument":
         name, means = s.args[0], f.formulas.means.get(s.args[0], "")
         one = f.read[name].to_base(1.0, f.system)
-        found = givens.of_given(s, f.anything, f.read, f.number, means, one)
+        symbols = f.formulas.symbols  # nobody takes a number of the text for one of them
+        others = {n: x for n, x in f.anything.items() if (n in symbols) == (name in symbols)}
+        found = givens.of_given(s, others, f.read, f.number, means, one)
         # a given alone in its term, as H in D^2 + H^2, is not a factor
         is_factor = s in factors or any(user.op in WITHIN for user in users)
         yield from (slip for slip in found if slip[1] != givens.ONE or is_factor)
         # nobody converts the symbols of a formula
         if name not in f.formulas.symbols:
-            yield from givens.of_unit(s, f.read[name], f.system)
+            yield from givens.of_unit(s, f.read[name], f.system, f.own)
     if s in f.products:
         yield from operations.of_product(s, f.number, of)
         yield from quantities.of_shared(s) if len(users) > 1 else ()

@@ -13,7 +13,7 @@ from newton_euler.algebra.late import np
 from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import Dimension
-from newton_euler.answers.causes import SOLVED, computed
+from newton_euler.answers.causes import computed
 from newton_euler.answers.near import LEAST, LESS, SIMPLE
 
 from .edits_of_givens import LENGTH
@@ -108,7 +108,7 @@ def of_equations(
                     for k, s in unknowns
                     if isinstance(s, Step)
                 }
-                cause = computed(f"equations {[*instead]} {place} {n}", words, does=SOLVED)
+                cause = computed(f"equations {[*instead]} {place} {n}", words)
                 yield Edit(rank, cause, instead)
         yield from _of_one_equation(system)
         yield from _of_one_unknown(system, of)
@@ -134,7 +134,7 @@ def _of_one_equation(system):
                 if isinstance(y, Step)
             }
             words = Words(ALONE, unknown=name)
-            cause = computed(f"{x.number} in {kept} alone", words, does=SOLVED)
+            cause = computed(f"{x.number} in {kept} alone", words)
             yield Edit(LEAST, cause, instead)
 
 

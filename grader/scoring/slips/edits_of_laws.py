@@ -10,7 +10,7 @@ from newton_euler.algebra.language import Words
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import Unit, unit
 from newton_euler.answers.causes import computed
-from newton_euler.answers.near import LEAST
+from newton_euler.answers.near import LEAST, LESS
 
 from .formulas import Edit, Traced
 
@@ -73,10 +73,10 @@ def of_laws(
         alike = [n for n in plain if plain[n] == own]
         for a, b in permutations(alike, 2):
             pair = given[a], given[b]
-            yield _edit(key, x, f"{a} - {b}", ("-", *pair), LEAST)
+            yield _edit(key, x, f"{a} - {b}", ("-", *pair), LESS)
             if a < b:
-                yield _edit(key, x, f"{a} + {b}", ("+", *pair), LEAST)
-                yield _edit(key, x, f"({a} + {b})/2", ("*", ("+", *pair), 0.5), LEAST)
+                yield _edit(key, x, f"{a} + {b}", ("+", *pair), LESS)
+                yield _edit(key, x, f"({a} + {b})/2", ("*", ("+", *pair), 0.5), LESS)
         for law in _laws(plain, own):
             for c in OF_ROOTS if law.is_root else CONSTANTS:
                 yield _edit(key, x, law.written(c), law.of(given, c), LEAST + 2 + (c != 1))

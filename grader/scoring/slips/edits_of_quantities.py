@@ -130,7 +130,7 @@ def of_ratios(
                 words = Words("takes {a} {op} {b} for {key}: look up what {key} stands for",
                               a=first, op=op, b=second, key=key)  # fmt: skip
                 instead = {x.number: (op, y, factor) for x, y in moved}
-                yield Edit(LEAST + 2, computed(f"{first} {op} {second} for {key}", words), instead)
+                yield Edit(LEAST + 1, computed(f"{first} {op} {second} for {key}", words), instead)
 
 
 def of_mean_rates(
