@@ -193,7 +193,7 @@ def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
         whole = x.args[1] if is_below else x
         named = described(whole) if len(terms_of(whole)) > 1 and not repeats(whole) else ""
         if named:
-            squares = [("*", term, term) for _, term in terms_of(whole)]
+            squares: list[Any] = [("*", term, term) for _, term in terms_of(whole)]
             words = Words(
                 "squares each term of {sum} by itself: twice their product belongs to it", sum=named
             )
@@ -202,10 +202,8 @@ def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
             yield Edit(LESS, computed(f"squares in {s.number}", words), {s.number: changed})
             if {sign for sign, _ in terms_of(whole)} == {1, -1} and not is_below:
                 words = Words(OF_SQUARES, sum=named)
-                total = reduce(
-                    lambda a, b: ("+", a, b),
-                    (("*", ("*", float(sign), t), t) for sign, t in terms_of(whole)),
-                )
+                squares = [("*", ("*", float(sign), t), t) for sign, t in terms_of(whole)]
+                total = reduce(lambda a, b: ("+", a, b), squares)
                 cause = computed(f"difference of squares in {s.number}", words)
                 yield Edit(LESS, cause, {s.number: total})
 
