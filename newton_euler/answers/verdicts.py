@@ -191,7 +191,6 @@ def _causes(asked, given, found, numbers, *slips):
     elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
     causes = diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
     if not causes and slips and asked.kind.is_formula:
-        fit = Fit(given, key, asked.kind.rtol)
         others = (
             of_other_powers(fit, numbers.symbols),
             of_a_number(fit),

@@ -20,6 +20,7 @@ from . import edits_of_quantities as quantities
 from .edits_of_integrals import of_integrals
 from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
+from .edits_of_roots import of_roots
 from .edits_of_wholes import (
     of_quantities_in_wholes,
     of_sides,
@@ -183,6 +184,7 @@ def _of_givens(f):
     yield from givens.of_vectors(vectors)
     yield from givens.of_projections(vectors, f.given, f.read)
     yield from of_integrals(f.steps)
+    yield from of_roots(f.steps)
     numbers = {n: s for n, s in f.given.items() if n not in f.formulas.symbols}
     masses = {n: s for n, s in numbers.items() if f.read[n].dimension == givens.MASS}
     yield from givens.of_weights(vectors, masses, f.g, of)
