@@ -15,10 +15,10 @@ ENTRIES = 3  # of a matrix that are listed as wrong, at most
 UNNAMED = Words("one term of a sum")
 ORDINALS = Words("first"), Words("second"), Words("third")
 # what a mistake does, where more than its words depends on it: leaves out a term or a quantity,
-# takes a given for zero, leaves out a component, reverses a term, takes its double or half, or has
-# a factor of 2 beside a quantity
-DOES = LEFT_OUT, ZERO, NO_COMPONENT, REVERSED, RESCALED, FACTOR_2 = (
-    "left out", "zero", "no component", "reversed", "rescaled", "two",
+# takes a given for zero, leaves out a component, reverses a term, takes its double or half, has
+# a factor of 2 beside a quantity, or takes something else for an answer
+DOES = LEFT_OUT, ZERO, NO_COMPONENT, REVERSED, RESCALED, FACTOR_2, INSTEAD = (
+    "left out", "zero", "no component", "reversed", "rescaled", "two", "instead",
 )  # fmt: skip
 
 
@@ -39,8 +39,7 @@ class Cause:
     subject : shared by slips that are one and the same in other words: the last of them is named;
         the name of a listed mistake that a general one repeats
     does : what it does, one of :data:`DOES`, or ""
-    of : to what, in words; "" of a term without a name
-    instead_of : the answers for which something else is taken, as "a_A a_B"
+    of : to what, in words; "" of a term without a name; of answers their names, as "a_A a_B"
     """
 
     group: str
@@ -50,7 +49,6 @@ class Cause:
     subject: str = field(default="", compare=False)
     does: str = field(default="", compare=False)
     of: str = field(default="", compare=False)
-    instead_of: str = field(default="", compare=False)
 
     @property
     def what(self) -> str:

@@ -13,6 +13,7 @@ from .causes import (
     CORIOLIS_HALVED,
     FACTOR_2,
     GIVES_ZERO,
+    INSTEAD,
     LEFT_OUT,
     NO_COMPONENT,
     RESCALED,
@@ -75,9 +76,9 @@ class Elsewhere:
         """True if this listed mistake would show in other parts, and explains none of them, or if
         a slip takes something else for another answer, which is right.
         """
-        if cause.instead_of:
+        if cause.does == INSTEAD:
             right = {part.name for part in self._parts if part.right}
-            return right.issuperset(cause.instead_of.split())
+            return right.issuperset(cause.of.split())
         shown = cause.group == "listed" and any(
             is_apart(x, part.key) for part in self._parts for x in part.models(cause)
         )

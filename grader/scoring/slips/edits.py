@@ -9,7 +9,7 @@ from newton_euler.algebra.language import Words
 from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import SI, US, Dimension, System, unit
-from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, REVERSED, Cause, computed
+from newton_euler.answers.causes import FACTOR_2, INSTEAD, LEFT_OUT, REVERSED, Cause, computed
 from newton_euler.answers.near import FIRST, LEAST, LESS, RARER, SIMPLE
 
 from . import edits_of_equations as equations
@@ -234,8 +234,9 @@ def _instead_of(answers, edits):
         for x in answer.parts:
             keys.setdefault(getattr(x, "number", -1), set()).add(key)
     for edit in edits:
-        replaced = sorted({key for n in edit.instead for key in keys.get(n, ())})
-        yield edit._replace(cause=replace(edit.cause, instead_of=" ".join(replaced)))
+        names = " ".join(sorted({key for n in edit.instead for key in keys.get(n, ())}))
+        cause = edit.cause if edit.cause.does else replace(edit.cause, does=INSTEAD, of=names)
+        yield edit._replace(cause=cause)
 
 
 def _of_step(f, s, users):
