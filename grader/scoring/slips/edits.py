@@ -307,13 +307,13 @@ def _of_differences(answers, given, stages, dimensions):
     """Answers from another origin: a given subtracted or added; a quantity subtracted from all
     components.
     """
-    less = Words("takes {name} off {key}: the whole is asked for")
+    less = Words("subtracts {name} from {key}: the whole is asked for")
     for key, answer in answers.items():
         for x in answer.parts:
             for name, step in given.items() if isinstance(x, Step) else ():
                 if x is step or dimensions[x] is None or dimensions[x] != dimensions[step]:
                     continue
-                more = Words("adds {name} to {key}: it alone is asked for", name=name, key=key)
+                more = Words("adds {name} to {key}: {key} alone is asked for", name=name, key=key)
                 rest = Words("gives what is left of {name}: {key} is asked for", name=name, key=key)
                 whole, half = (Words(less.template, name=n, key=key) for n in (name, f"{name}/2"))
                 for what, text, other in (
@@ -375,7 +375,7 @@ def _instead(parts, length):
         yield "", RARER, parts
     elif length == 1 and len(parts) == 3:
         squares: Any = [("*", x, x) for x in parts]
-        yield Words("the size of "), RARER, [("sqrt", ("+", ("+", *squares[:2]), squares[2]))]
+        yield Words("the magnitude of "), RARER, [("sqrt", ("+", ("+", *squares[:2]), squares[2]))]
         for x in parts:
             yield Words("a component of "), LEAST, [("abs", x)]
 

@@ -27,7 +27,7 @@ HALF_RIGHT = Words("takes {quantity} as 45 degrees: it follows from the text").t
 ANGULAR = {"sin", "cos", "tan"}
 TRANSFERS = {
     "+": Words("adds {term} to a moment of inertia: it is about this axis already").template,
-    "-": Words("takes {term} off a moment of inertia: it is about this axis already").template,
+    "-": Words("subtracts {term} from a moment of inertia: it is about this axis already").template,
 }
 OTHER_POWERS = (
     ("/", LESS, Words("does not square {factors}: the formulas do")),
@@ -162,7 +162,7 @@ def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
         if named:
             squares = [("*", term, term) for _, term in terms_of(x)]
             words = Words(
-                "squares each term of {sum} by itself: twice their product belongs to it", sum=named
+                "squares each term of {sum} separately: twice their product is missing", sum=named
             )
             instead = {s.number: reduce(lambda a, b: ("+", a, b), squares)}
             yield Edit(LESS, computed(f"squares in {s.number}", words), instead)
@@ -257,7 +257,9 @@ def of_areas(
     """Answers without the mass per length, area or volume: those of a line, an area, a volume.
     A given mass may be spread over a given length, a rectangle, a triangle.
     """
-    words = Words("leaves out the mass per length, area or volume: the moments of the mass count")
+    words = Words(
+        "leaves out the mass per length, area or volume: the moments of the mass are asked for"
+    )
     parts = [x for a in answers.values() for x in a.parts if isinstance(x, Step)]
     parts = [x for x in parts if of(x) in (INERTIA, MOMENT)]
     found: list[Any] = [s for s in steps if of(s) in DENSITIES and s.op != "argument"]
