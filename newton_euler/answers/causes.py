@@ -4,6 +4,7 @@ them. The words complete "it fits a solution that …" and never contain a numbe
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 
 from ..algebra.language import Words, _, joined, spoken
 from .tolerance import NEARLY, NOISE
@@ -415,6 +416,7 @@ def in_components(cause: Cause, places: Sequence[int], key: Sequence[float]) -> 
     return replace(cause, name=f"{cause.name} in {places}", text=text)
 
 
+@cache  # of every pair of answers
 def answer_to(key: str) -> Cause:
     """Answers exchanged: this is the right one to another part."""
     text = Words("answers {key} here: the two parts may be exchanged", key=key)

@@ -19,6 +19,7 @@ from . import edits_of_quantities as quantities
 from .edits_of_integrals import of_integrals
 from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
+from .edits_of_roots import of_roots
 from .edits_of_wholes import of_quantities_in_wholes, of_sides, of_sums, of_unneeded, of_wholes
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
 from .typed import Product, described, is_nothing, repeats
@@ -172,6 +173,7 @@ def _of_givens(f):
     yield from givens.of_vectors(vectors)
     yield from givens.of_projections(vectors, f.given, f.read)
     yield from of_integrals(f.steps)
+    yield from of_roots(f.steps)
     numbers = {n: s for n, s in f.given.items() if n not in f.formulas.symbols}
     yield from _of_differences(f.answers, numbers, f.formulas.stages, f.dimensions)
     masses = {n: s for n, s in numbers.items() if f.read[n].dimension == givens.MASS}

@@ -107,12 +107,10 @@ def of_product(
     def why(factor):
         return NO_FIT if dimension(factor) not in (None, Dimension()) else NOT_ONE
 
-    product = Product(s)
-    whole = typed(s)
-    of = Words(" of {product}", product=whole) if whole else described(s, "of the product")
+    product, whole, of = Product(s), typed(s), _of_whole(s)
     for factor, power in product.powers.items():
         if described(factor):
-            yield from _of_factor(s, factor, power, number(factor), of, why(factor))
+            yield from of_factor(s, factor, power, number(factor), why(factor))
     for x in product.cancelled.keys() - product.powers.keys():
         for op, words in zip("*/", (CANCELS, DIVIDED), strict=True) if x.op == "argument" else ():
             yield LEAST, f"left {x.number} {op}", Words(words, name=x.args[0]), (op, s, number(x))
@@ -139,6 +137,17 @@ def of_product(
         quotient = whole or Words("a quotient")
         words = Words("inverts {quotient}: {why}", quotient=quotient, why=why(s))
         yield LESS, "inverse", words, ("/", 1.0, s)
+    yield from of_coefficient(s)
+
+
+def _of_whole(s):
+    whole = typed(s)
+    return Words(" of {product}", product=whole) if whole else described(s, "of the product")
+
+
+def of_coefficient(s: Step) -> Iterator[Slip]:
+    """The slips in the number of a product."""
+    product, of = Product(s), _of_whole(s)
     c = abs(product.coefficient)
     if product.is_exact and c != 1 and c.denominator < 100:
         for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c))):
@@ -190,8 +199,9 @@ def parts_of(s: Step, op: str) -> Iterator[tuple[Step, str]]:
             yield from parts_of(a, inner)
 
 
-def _of_factor(s, x, power, factor, of, why):
-    named, the_factor = described(x), described(x, "the factor")
+def of_factor(s: Step, x: Step, power: int, factor: Any, why: str) -> Iterator[Slip]:
+    """The slips in a factor ``x`` of a product; ``factor`` as a student has it."""
+    named, the_factor, of = described(x), described(x, "the factor"), _of_whole(s)
     if power == 2:
         if x.op == "pi":
             named, factor = "2*pi", ("*", factor, 2.0)
