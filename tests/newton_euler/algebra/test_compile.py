@@ -33,7 +33,6 @@ from newton_euler import (
     radians,
     sin,
     sinh,
-    solve_rates,
     sqrt,
     table,
     tan,
@@ -183,13 +182,6 @@ def test_auto_turns_to_heyoka_only_when_it_pays(monkeypatch):
     assert np.allclose(f(x), first, atol=1e-15)
 
 
-def test_symbols_come_out_as_the_formula(formula):
-    x, y = sympy.symbols("x y", positive=True)
-    got, direct = compiled(formula)(x, y), formula(x, y)
-    values = {x: sympy.Rational(2, 5), y: sympy.Rational(13, 10)}
-    assert abs(sympy.N(sympy.sympify(got - direct).subs(values))) < 1e-13
-
-
 def test_symengine_and_heyoka_expressions_as_arguments():
     symengine, hy = pytest.importorskip("symengine"), pytest.importorskip("heyoka")
     f = compiled(lambda x, y: sin(x) * y + atan2(y, x) + pi(x))
@@ -221,28 +213,6 @@ def test_dimensions_run_through_and_are_checked():
     f = compiled(lambda v, g: v**2 / (2 * g))
     m_s, m_s2 = Dimension(0, 1, -1), Dimension(0, 1, -2)
     assert f(m_s, m_s2) == Dimension(length=1)
-
-
-def test_one_compiled_formula_inside_another():
-    inner = compiled(lambda x: sin(x) * x)
-    outer = compiled(lambda y: inner(2 * y) + 1)
-    assert outer(0.3) == inner(0.6) + 1
-    assert outer.operations == inner.operations + 2
-
-
-def test_solve_rates_inside_a_formula():
-    def spin(v, r):
-        ground = Frame("ground")
-        C = ground.point("C", moving(0, rate=v), 0, r)
-
-        def slip(w):
-            wheel = ground.rotate("wheel", "y", rate=w, origin=C)
-            return wheel.point("contact", 0, 0, -r).velocity(ground)
-
-        return solve_rates(slip, 1)
-
-    assert compiled(spin)(2.0, 0.5) == (4.0,)
-    assert compiled(spin)(np.array([2.0, 3.0]), 0.5)[0].tolist() == [4.0, 6.0]
 
 
 # -- how the steps are simplified
@@ -471,11 +441,6 @@ def test_a_formula_must_not_branch_on_values_nor_use_math_or_numpy(branching):
     advice = r"takes sin, cos, sqrt \.\.\. from newton_euler, not from math or numpy"
     with pytest.raises(TypeError, match=rf"must not branch on them .*, and {advice}"):
         compiled(branching)
-
-
-def test_pi_of_math_and_numpy_in_a_formula_is_a_number():
-    f = compiled(lambda x: np.pi * x + x / math.pi - np.float64(np.pi))
-    assert f(2.0) == math.pi * 2.0 + 2.0 / math.pi - math.pi
 
 
 @pytest.mark.parametrize(
