@@ -187,6 +187,7 @@ def _of_quantities(f):
     yield from _of_angles(f.answers)
     yield from equations.of_equations(f.formulas.systems, f.number, of)
     yield from quantities.of_quantities(f.answers, stages, f.steps, of)
+    yield from quantities.of_rods(stages)
     yield from quantities.of_cross_products(f.named)
     yield from quantities.of_ratios(f.named, f.answers, f.given, of)
     yield from quantities.of_distances(f.given, f.products, of)

@@ -47,11 +47,14 @@ def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
         for k, (rank, words, slip) in enumerate(_of_integral(inner, start, end, outer)):
             instead = {s.number: slip(n) for s, n in items}
             yield Edit(rank, computed(f"integral {key} {k}", words), instead)
-        for k, (words, other) in enumerate(
-            _of_integrand(inner, outer) if few and len(key) == 1 else ()
-        ):
-            instead = {s.number: _between(other, start, end, outer)(n) for s, n in items}
-            yield Edit(LEAST, computed(f"integrand {key} {k}", words), instead)
+        inside = _of_integrand(inner, outer) if few and len(key) == 1 else ()
+        for k, (words, other) in enumerate(inside):
+            ways = [_between(other, start, end, outer)]
+            if words.template == INSIDE["twin"]:  # zero over halves that are alike for the other
+                ways.append(_doubled(other, start, end, outer))
+            for m, way in enumerate(ways):
+                instead = {s.number: way(n) for s, n in items}
+                yield Edit(LEAST, computed(f"integrand {key} {k} {m}", words), instead)
 
 
 def _are_of_one_integrand(x, y):
@@ -97,6 +100,8 @@ def _of_integral(inner, start, end, outer):
     yield LEAST, rate, lambda n: slope(end, n)
     yield LESS, itself, lambda n: at(end, n)
     yield LESS, itself, lambda n: ("-", at(end, n), at(start, n))
+    words = Words("integrates over one half and doubles it: the other half is not alike")
+    yield LEAST, words, _doubled(inner, start, end, outer)
     if isinstance(start, Step) or start != 0:
         words = Words("integrates from zero: the integral starts elsewhere")
         yield LESS, words, between(0.0, end)
@@ -106,6 +111,12 @@ def _of_integral(inner, start, end, outer):
 
 def _between(inner, low, high, outer):
     return lambda n: ("item", ("between", inner, low, high, *outer), n)
+
+
+def _doubled(inner, start, end, outer):
+    """Twice the integral over the second half of the way."""
+    half = _between(inner, ("*", 0.5, ("+", start, end)), end, outer)
+    return lambda n: ("*", 2.0, half(n))
 
 
 def _of_integrand(inner: Inner, outer: Sequence[Any]) -> Iterator[tuple[Words, Inner]]:

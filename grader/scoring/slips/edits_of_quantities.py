@@ -3,6 +3,7 @@ for a distance, a density for a mass, rates that turn the other way.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import reduce
 from itertools import combinations, combinations_with_replacement, product
 from math import pi
@@ -15,7 +16,7 @@ from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, computed
 from newton_euler.answers.near import LEAST, LESS, RARER
 
 from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS, DimensionOf, Slip
-from .edits_of_operations import parts_of
+from .edits_of_operations import PRODUCT, parts_of
 from .formulas import Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, repeats, terms_of
 
@@ -38,6 +39,14 @@ TIMES = (
     (2.0, FACTOR_2, Words("doubles {quantity}, or has a 2 too many beside it: it counts once")),
     (0.5, FACTOR_2, Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full")),
     (0.0, LEFT_OUT, Words("leaves out {quantity}: it is not zero here")),
+)
+
+OWN = Words("the part about the centre of mass").template
+# the numbers of rods, and of two alike, about the middle; the same about an end
+MIDDLE, END = {Fraction(1, 12), Fraction(1, 6)}, {Fraction(1, 3), Fraction(2, 3)}
+OF_RODS = (
+    (MIDDLE, 4.0, Words("has 1/3 for 1/12 in {part}: look up about which point it is")),
+    (END, 0.25, Words("has 1/12 for 1/3 in {part}: look up about which point it is")),
 )
 
 
@@ -75,6 +84,18 @@ def of_quantities(
             cause = computed(f"{other} for {[*own]}", text)
             signed = {x.number: y if s == t else ("neg", y) for (x, s), (y, t) in pairs}
             yield Edit(LESS, cause, signed)
+
+
+def of_rods(stages: Sequence[Stage]) -> Iterator[Edit]:
+    """Moments and products of inertia of rods about the other point, in all components at once."""
+    for stage in stages:
+        own = {x.number: x for x in stage.parts if isinstance(x, Step) and x.op in PRODUCT}
+        numbers = {Product(x).coefficient for x in own.values()}
+        for known, factor, text in OF_RODS:
+            if own and {abs(n) for n in numbers} <= known:
+                words = Words(text.template, part=stage.means or Words(OWN))
+                cause = computed(f"{factor} times {[*own]}", words)
+                yield Edit(LEAST, cause, {n: ("*", x, factor) for n, x in own.items()})
 
 
 def of_shared(s: Step) -> Iterator[Slip]:

@@ -25,8 +25,8 @@ from newton_euler.answers.notation import number_symbol, symbol
 from tests.book import sections
 
 ALL = select(["all"])
-# one problem in three by default
-EACH = [p if n % 3 == 0 else pytest.param(p, marks=pytest.mark.slow) for n, p in enumerate(ALL)]
+# one problem in six by default
+EACH = [p if n % 6 == 0 else pytest.param(p, marks=pytest.mark.slow) for n, p in enumerate(ALL)]
 SECTION_OF = {
     f"{section.partition('.')[0]}.{n}": section
     for section, _, numbered, _ in sections()
@@ -71,6 +71,7 @@ def written(p, seed, text=True):
     return worked_solution(p, numbers(p, seed), text=text)
 
 
+@pytest.mark.one_in(5)
 @pytest.mark.parametrize("seed", SEEDS, ids=bytes.decode)
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_a_worked_solution_has_the_students_numbers_and_every_answer(p, seed):
@@ -497,6 +498,7 @@ def test_a_product_of_two_vectors_has_the_axes_of_a_cross_product_if_it_can(p):
 SYMBOLIC = [p for p in ALL if p.symbols and not p.givens]  # which need no units
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize("p", SYMBOLIC, ids=lambda p: p.id)
 def test_a_formula_of_symbols_is_the_result(p):
     """At random numbers; unknowns that are not quantities of the problem have no value."""

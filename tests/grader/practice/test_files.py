@@ -177,8 +177,8 @@ except PracticeFileError as error:
 @pytest.mark.parametrize(("part", "times", "method", "words"), [
     (" " * 10**6, 1100, zipfile.ZIP_DEFLATED, "4-16.json has more than 8 MB"),
     ("[]," * 1000, 2000, zipfile.ZIP_DEFLATED, "is damaged"),
-    (" " * 10**6, 11, zipfile.ZIP_BZIP2, "compressed by a method that is not used here"),
-    (" " * 10**6, 11, zipfile.ZIP_LZMA, "compressed by a method that is not used here"),
+    (" " * 10**6, 110, zipfile.ZIP_BZIP2, "compressed by a method that is not used here"),
+    (" " * 10**6, 110, zipfile.ZIP_LZMA, "compressed by a method that is not used here"),
 ], ids=["a long text", "many lists", "bzip2", "lzma"])  # fmt: skip
 def test_a_bomb_takes_less_than_a_gigabyte(whole, tmp_path, part, times, method, words):
     path = written(tmp_path / "p", {n: x for n, x in whole.items() if n != MEMBER})

@@ -56,6 +56,12 @@ def one_panel(c, q):
     return {"l_r": ((I_x - 0.5) / ((1 + share * q**2) / 12)) ** 0.5}
 
 
+def about_an_end(m, xA, yA, xB, yB, **_):
+    """7/31: the part about the centre of mass with 1/3."""
+    own, between = (xB - xA) * (yB - yA) / 3, (xA + xB) * (yA + yB) / 4
+    return {"I_xy": m * (own + between) / 10**6}
+
+
 def over_the_difference(c, d, t_1, t_2):
     """A/25: t_2 - t_1 put into the antiderivative."""
     t = t_2 - t_1
@@ -167,6 +173,10 @@ CASES = {
     "inside an integral": (
         "5/8", lambda R: {"d": [0, 0, sympy.pi * R / 4]}, "in the integrand"
     ),
+    "half an integral": (
+        "5/7", lambda R, alpha: {"d": [R * (1 - sympy.cos(alpha)) / alpha, 0, 0]}, "takes sin(...)"
+    ),
+    "as about its end": ("7/31", about_an_end, "has 1/3 for 1/12 in "),
     "another point": ("7/3", about_their_centre, "moments of inertia about the centre of mass"),
     "no rate": ("A/17", as_it_is, "does not differentiate the vector"),
     "a point": ("4/41", top_of_the_rim, "puts r along another axis"),
