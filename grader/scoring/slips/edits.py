@@ -197,6 +197,7 @@ def _of_quantities(f):
     yield from _of_angles(f.answers)
     yield from equations.of_equations(f.formulas.systems, f.number, of)
     yield from quantities.of_quantities(f.answers, stages, f.steps, of)
+    yield from quantities.of_rods(stages)
     yield from quantities.of_cross_products(f.named)
     yield from quantities.of_distances(f.given, f.products, of)
     yield from quantities.of_givens_in_products(f.products, f.read, f.given)
@@ -348,13 +349,13 @@ def _of_differences(answers, given, stages, dimensions):
     """Answers from another origin: a given subtracted or added; a quantity subtracted from all
     components.
     """
-    less = Words("takes {name} off {key}: the whole is asked for")
+    less = Words("subtracts {name} from {key}: the whole is asked for")
     for key, answer in answers.items():
         for x in answer.parts:
             for name, step in given.items() if isinstance(x, Step) else ():
                 if x is step or dimensions[x] is None or dimensions[x] != dimensions[step]:
                     continue
-                more = Words("adds {name} to {key}: it alone is asked for", name=name, key=key)
+                more = Words("adds {name} to {key}: {key} alone is asked for", name=name, key=key)
                 rest = Words("gives what is left of {name}: {key} is asked for", name=name, key=key)
                 whole, half = (Words(less.template, name=n, key=key) for n in (name, f"{name}/2"))
                 for what, text, other in (
@@ -416,7 +417,7 @@ def _instead(parts, length):
         yield "", RARER, parts
     elif length == 1 and len(parts) == 3:
         squares: Any = [("*", x, x) for x in parts]
-        yield Words("the size of "), RARER, [("sqrt", ("+", ("+", *squares[:2]), squares[2]))]
+        yield Words("the magnitude of "), RARER, [("sqrt", ("+", ("+", *squares[:2]), squares[2]))]
         for x in parts:
             yield Words("a component of "), LEAST, [("abs", x)]
 

@@ -28,7 +28,7 @@ SINES = {"asin": Words("sine"), "acos": Words("cosine"), "atan": Words("tangent"
 PRODUCT = ("*", "/")
 FACTOR = Words("takes the factor {other} for {own}{of}: the formula has {own}").template
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
-CANCELS = Words("has {name} left in one place: it cancels, if each term has it").template
+CANCELS = Words("has {name} left in one place: it cancels from every term").template
 DIVIDED = Words("divides by {name} once too often: put your units into the whole formula").template
 RATIOS = {
     -1: Words("inverts {ratio}{of}: it is the other way round").template,
@@ -300,7 +300,7 @@ def _of_components(sides, sums):
     words = Words("does not square the components: the squares are added, and then the root taken")
     yield LESS, "no squares", words, ("sqrt", ("abs", total(sides)))
     if all(x.op in ("+", "-") for x in sums):
-        words = Words("squares each term of a sum by itself: twice their product belongs to it")
+        words = Words("squares each term of a sum separately: twice their product is missing")
         for op in ("+", "-"):
             each = [(op, *(("*", a, a) for a in x.args)) for x in sums]
             yield LESS, f"each squared {op}", words, ("sqrt", ("abs", total(each)))
@@ -342,7 +342,7 @@ def _of_inverse(s):
 
 
 def _of_atan(s):
-    words = Words("takes the angle from the other axis: the legs of its triangle are exchanged")
+    words = Words("measures the angle from the other axis: the legs of its triangle are exchanged")
     other = ("atan2", *reversed(s.args)) if s.op == "atan2" else ("atan", ("/", 1.0, *s.args))
     yield SIMPLE, "cofunction", words, other
     yield from _of_inverse(s) if s.op == "atan" else ()
@@ -376,7 +376,7 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
             exchanged = {s.number: ("cos", x), c.number: ("sin", x)}
             yield Edit(SIMPLE, computed(f"axis {s.number}", words), exchanged)
         words = Words(
-            "takes {angle} as small, its sine as the angle and its cosine as 1: it is not small",
+            "uses the small-angle approximation for {angle}: it is not small",
             angle=named,
         )
         small = {s.number: x} | ({cosines[x].number: 1.0} if x in cosines else {})

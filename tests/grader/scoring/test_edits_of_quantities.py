@@ -97,7 +97,7 @@ def named(key, wrong, slips=None):
         ("slope", F * d / L, "takes d/L, a tangent, for L over the slant side"),
         ("slope", F * math.sqrt(L * L - d * d) / L, "takes the leg sqrt(L^2 - d^2) for L"),
         ("gravity", F * (L / (L + d)) ** 3, "takes the third power of the ratio of L to L + d"),
-        ("gravity", F * L * L / (L * L + d * d), "squares each term of L + d by itself"),
+        ("gravity", F * L * L / (L * L + d * d), "squares each term of L + d separately"),
         ("masses", (m1 + m2) * L + 2 * m2 * d + 3 * m3 * d, "takes m1 + m2 for m1"),
     ],
 )
@@ -144,7 +144,7 @@ def test_components_from_another_origin_are_named_and_no_given_as_the_whole_answ
     middle = [("the middle", lambda p, q, **_: (p / 2, q / 2, 0))]
     right = [float(x) for x in parts(P, Q)]
     less = (right[0] - P / 2, right[1] - Q / 2, 0.0)
-    assert "takes the middle off x" in of_vector(less, parts, stages=middle)
+    assert "subtracts the middle from x" in of_vector(less, parts, stages=middle)
     # each length equals some component by chance
     assert "alone" not in of_vector((right[0], Q / 2, 0.0), parts)
 
