@@ -71,6 +71,8 @@ def _in_numbers(p: Problem) -> Iterator[str]:
             yield (
                 f"{name}: the value {g.value:g} is outside of vary: [{g.vary[0]:g}, {g.vary[1]:g}]"
             )
+        if g.vary and (own := re.search(r"\([-\d.*/ ]*(pi)?[\d./ ]*\)", g.means)):
+            yield f"{name}: means: names the book's number, {own[0]}; each student has another"
 
 
 def _by_hand(p: Problem) -> Iterator[str]:
