@@ -9,6 +9,7 @@ from .narrow import narrow_times
 # times what the last digits of states and parameters make of a rate, or of a state, above which it
 # is there; below 1.5 for 10 000 steady motions of tops, pendulums and orbits
 THERE, LAST_DIGIT = 1.5, 2.0**-52
+SWINGING = 10.0  # the same of the change of a rate with time
 # parts of the time at which the rates are looked at: early ones too, at which a clock is known by
 # many of its turns, irregular ones, and the ends of so many steps
 EARLY, MANY, IRREGULAR, STEPS = (5e-4, 5e-3, 5e-2), 40, 0.618033988749895, 2000
@@ -39,20 +40,23 @@ def driven(trajectory, start, natural, doubted):
             return np.array([np.broadcast_to(row, times.shape) for row in values])
 
         first, held = np.array(start)[:, None], _held(np, rates, x, doubted)
-        x[:, 0] = start
-        x = np.where(held[:, None], first, x)
-        made, hidden = rates(x), 0.0
-        # a clock that runs evenly has no error
-        curved = abs(x - first - made[:, :1] * (times - begin))
+        way = np.where(held[:, None], 0.0, x - x[:, :1])
+        x = first + way
+        made, apart = rates(x), []
+        # a clock that runs evenly has no error, nor has what is held
+        curved = np.minimum(abs(way), abs(way - made[:, :1] * (times - begin)))
         off = LAST_DIGIT * abs(x) + OFF * trajectory.tolerance * curved
         for k, d in enumerate(off):
             moved = x.copy()
             moved[k] += d
-            hidden += abs(rates(moved) - made)
+            apart.append(rates(moved) - made)
         for k, number in enumerate(system.p):
             p = *system.p[:k], number * (1 + LAST_DIGIT), *system.p[k + 1 :]
-            hidden += abs(rates(x, p) - made)
-        found |= doubted & set(np.flatnonzero((abs(made) > THERE * hidden).any(axis=1)).tolist())
+            apart.append(rates(x, p) - made)
+        there = (abs(made) > THERE * sum(map(abs, apart))).any(axis=1)
+        # what is the same at all times hides no push to and fro, which may be in resonance
+        there |= np.ptp(made, axis=1) > SWINGING * sum(np.ptp(a, axis=1) for a in apart)
+        found |= doubted & set(np.flatnonzero(there).tolist())
     return found
 
 
