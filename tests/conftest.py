@@ -2,6 +2,7 @@
 of the notebooks have run, after those. Each notebook is a separate piece of work.
 """
 
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,16 @@ FIRST = (
 # no deadline for property tests: other workers share the processors
 settings.register_profile("busy", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("busy")
+
+
+def leave_out(items):
+    """Of the cases of a test marked ``one_in(k)`` mark all but each k-th ``slow``."""
+    seen = Counter()
+    for item in items:
+        if (mark := item.get_closest_marker("one_in")) and not item.get_closest_marker("slow"):
+            seen[item.function] += 1
+            if seen[item.function] % mark.args[0] != 1:
+                item.add_marker(pytest.mark.slow)
 
 
 def pytest_configure(config):
@@ -38,7 +49,9 @@ def pytest_xdist_make_scheduler(config, log):
     return ByFileAndNotebook(config, log)
 
 
+@pytest.hookimpl(tryfirst=True)  # before slow tests are left out
 def pytest_collection_modifyitems(items):
+    leave_out(items)
     folders = [HERE / name for name in FIRST]
     place = lambda path: [n for n, folder in enumerate(folders) if path.is_relative_to(folder)]
     rank = {path: min(place(path), default=len(FIRST)) for path in {item.path for item in items}}

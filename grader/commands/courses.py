@@ -25,6 +25,8 @@ from .shared import (
 )
 
 if TYPE_CHECKING:
+    from ..assignment.build import Built
+    from ..assignment.spec import Spec
     from ..course import Course
 
 ID_COLUMN = click.option(
@@ -132,9 +134,7 @@ def build(
     update: bool,
 ) -> None:
     from ..assignment import build_assignment
-    from ..assignment.spec import Spec, read_spec, spec_of
     from ..course.due import due_date, set_due
-    from ..course.exam import LATE
 
     if update and (name or exchange or language):
         raise click.UsageError(
@@ -143,19 +143,7 @@ def build(
         )
     if language:
         choose_language(language)
-    only = (*only, *more)
-    what: str | Spec = assignment
-    if Path(assignment).suffix in (".yaml", ".yml"):
-        if only or points or exam or opens:
-            raise click.UsageError(f"{assignment} says what the assignment is; write it there")
-        what = read_spec(Path(assignment))
-        due = due or what.due
-    elif only or points or exam:
-        what = spec_of(assignment, only, points)
-    if (exam and not due) or (opens and not exam):
-        raise click.UsageError("an exam needs --exam and --closes …; --opens … is for exams only")
-    if exam and isinstance(what, Spec):
-        what = replace(what, due=due or "", opens=opens or "", late=LATE[0])
+    what, due = _asked_for(assignment, (*only, *more), points, due, exam, opens)
     when = due_date(due) if due else None
     with progress_bar() as bar:
         built = build_assignment(
@@ -169,6 +157,39 @@ def build(
         click.echo(f"Due {when:%Y-%m-%d %H:%M} UTC")
     if students:
         click.echo(f"Enrolled {amount(built.enrolled, 'student')} ({built.read_as})")
+    _report_built(built)
+
+
+def _asked_for(
+    assignment: str,
+    only: tuple[str, ...],
+    points: tuple[str, ...],
+    due: str | None,
+    exam: bool,
+    opens: str | None,
+) -> "tuple[str | Spec, str | None]":
+    """What to build, and when it is due, by a file or by options."""
+    from ..assignment.spec import Spec, read_spec, spec_of
+    from ..course.exam import LATE
+
+    what: str | Spec = assignment
+    if Path(assignment).suffix in (".yaml", ".yml"):
+        if only or points or exam or opens:
+            raise click.UsageError(f"{assignment} says what the assignment is; write it there")
+        what = read_spec(Path(assignment))
+        due = due or what.due
+    elif only or points or exam:
+        what = spec_of(assignment, only, points)
+    if (exam and not due) or (opens and not exam):
+        raise click.UsageError("an exam needs --exam and --closes …; --opens … is for exams only")
+    if exam and isinstance(what, Spec):
+        what = replace(what, due=due or "", opens=opens or "", late=LATE[0])
+    return what, due
+
+
+def _report_built(built: "Built") -> None:
+    """Say what was written, and what to do next."""
+    course, name = built.course, built.spec.name
     click.echo(f"Wrote {built.path}")
     for words in built.spec.warnings:
         click.echo(words)

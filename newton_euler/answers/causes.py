@@ -4,6 +4,7 @@ them. The words complete "it fits a solution that …" and never contain a numbe
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 
 from ..algebra.language import Words, _, joined, spoken
 from .tolerance import NEARLY, NOISE
@@ -154,7 +155,7 @@ TRANSPOSED = slip(
 )
 SQUARED = slip("squared", Words("is the square of the answer: its root is asked for"))
 ROOT = slip("root", Words("is the square root of the answer: it was taken once too often"))
-UNIT_VECTOR = slip("unit", Words("gives the unit vector: its size is asked for as well"))
+UNIT_VECTOR = slip("unit", Words("gives the unit vector: its magnitude is asked for as well"))
 INVERTED = slip("inverted", Words("is upside down: numerator and denominator are exchanged"))
 OFF_DIAGONAL = slip(
     "off diagonal",
@@ -194,7 +195,7 @@ BOOK = Cause("book", "", Words("takes the numbers of the book: your sheet has ot
 EARLIER = Cause(
     "book", "earlier", Words("takes the numbers of an earlier sheet of yours: this one has others")
 )
-DIRECTION = Cause("seen", "direction", Words("its size is right, its direction is not"))
+DIRECTION = Cause("seen", "direction", Words("its magnitude is right, its direction is not"))
 NEAR = Cause(
     "seen",
     "near",
@@ -415,6 +416,7 @@ def in_components(cause: Cause, places: Sequence[int], key: Sequence[float]) -> 
     return replace(cause, name=f"{cause.name} in {places}", text=text)
 
 
+@cache  # of every pair of answers
 def answer_to(key: str) -> Cause:
     """Answers exchanged: this is the right one to another part."""
     text = Words("answers {key} here: the two parts may be exchanged", key=key)

@@ -130,13 +130,14 @@ def diagnose(
     doubtful = (_says_little(h.cause, kind) or elsewhere.contradicts(h.cause) for h in general)
     is_doubtful = all(doubtful)  # or else listed mistakes cost less to try
     computed: list[Hit] = []
+    by_factor = _first(of_components(fit), fit, least)  # in plain words
     if slips and (is_doubtful or elsewhere.has_more(h.cause for h in general)):
         computed = _simplest(fit, slips(fit, kind), elsewhere)
         if any(elsewhere.contradicts(h.cause) for h in general):
             computed = [h for h in computed if not elsewhere.contradicts(h.cause)]
         if is_doubtful and max((h.level for h in computed), default=0) > _level_of(general):
             single, general = [], []  # a mere factor, in fewer digits
-        if general or _first(of_components(fit), fit, least):  # a factor, in plain words
+        if general or by_factor:
             computed = [h for h in computed if not _is_bare(h, fit) or elsewhere.explains(h.cause)]
         if not is_doubtful:  # one mistake behind more wrong parts is likelier than several
             most = max(elsewhere.explains(h.cause) for h in general)
@@ -150,7 +151,7 @@ def diagnose(
     # many of them give a mere factor, but not in other parts as well
     if found and all(c.group == "computed" and not elsewhere.explains(c) for c in found):
         found = *_first(bare(fit), fit, CLOSE), *found
-    found = found or _first(of_components(fit), fit, least)
+    found = found or by_factor
     found = found or (_first(of_powers(fit), fit, least) if slips else ())
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
     if not found and not any(map(any, given)) and any(map(any, key)):
@@ -294,14 +295,16 @@ def _stages(
     fit: Fit, wrong: Sequence[Model], kind: Kind, factors: Mapping[str, float]
 ) -> Iterator[list[Hit]]:
     """The models that fit, from the special to the general."""
-    near = fit.near(wrong)
+    near: dict[str, list[Model]] = {}
+    for model in fit.near(wrong):
+        near.setdefault(model[0].group, []).append(model)
 
     def of(candidates, rtol=None, apart=True):
         hits = [Hit(fit(x, rtol, apart), cause, x) for cause, x in candidates]
         return [hit for hit in hits if hit.level]
 
-    def group(name, models=near):
-        return [model for model in models if model[0].group == name]
+    def group(name):
+        return near.get(name, ())
 
     # a single number, read as 2.5, may have lost a zero that was written in 2.50
     surely_rounded = is_rounded(fit.given, fit.key) and sum(map(bool, fit.given[0])) > 1
@@ -312,11 +315,11 @@ def _stages(
     yield of(group("unit"), single)
     yield [
         *of(multiples(fit, factors), single),
-        *of(group("usual", wrong)),
+        *of(m for m in wrong if m[0].group == "usual"),
         *_of_unlike_axes(group("axes"), fit),
         *_of_unlike_axes(group("turned"), fit),
     ]
-    rates = [x for _, x in group("rate", wrong)]
+    rates = [x for cause, x in wrong if cause.group == "rate"]
     yield of([*kind.slips(fit), *rates_as_scalars(fit, rates)])
     yield of(group("exchanged"), single)
 

@@ -23,9 +23,8 @@ class Fit:
     def __init__(self, given: Points, key: Points, rtol: float):
         self.given, self.key, self.rtol = given, key, rtol
         self.sizes = [math.hypot(*k) for k in key]
-        points = range(len(key))
-        own = [k + math.hypot(*x) for k, x in zip(self.sizes, given, strict=False)]
-        self.index = next((n for n in points if math.isfinite(own[n])), None)
+        own = (k + math.hypot(*x) for k, x in zip(self.sizes, given, strict=False))
+        self.index = next((n for n, size in enumerate(own) if math.isfinite(size)), None)
 
     def near(self, models: Iterable[tuple[Any, Points]]) -> list[tuple[Any, Points]]:
         """Those of [(cause, points)] that may fit, by one component, which rules nearly all out."""

@@ -38,7 +38,7 @@ class Ranked:
 
     def __init__(self, slips: Sequence[tuple[int, Cause]]):
         self.slips = slips
-        self._simple: dict[int, tuple[list[int], list[tuple[int, Cause]]]] = {}
+        self._simple: dict[int, tuple[Any, list[tuple[int, Cause]]]] = {}
         self.places: dict[Cause, list[int]] = {}
         for n, (_, cause) in enumerate(slips):
             self.places.setdefault(cause, []).append(n)
@@ -48,12 +48,12 @@ class Ranked:
         """Their ranks."""
         return [rank for rank, _ in self.slips]
 
-    def simple(self, most: int) -> tuple[list[int], list[tuple[int, Cause]]]:
-        """The places of those whose rank is no higher, and (level, cause) of each."""
+    def simple(self, most: int) -> tuple[Any, list[tuple[int, Cause]]]:
+        """The places of those whose rank is no higher, an array, and (level, cause) of each."""
         if most not in self._simple:
             places = [n for n, rank in enumerate(self.ranks) if rank <= most]
             causes = [(rank // 2, cause) for rank, cause in (self.slips[n] for n in places)]
-            self._simple[most] = places, causes
+            self._simple[most] = np.array(places), causes
         return self._simple[most]
 
 
@@ -99,12 +99,11 @@ class Slips:
         """The slips in an answer of rank ``most`` or less, to be tried in pairs."""
         ranked = self.ranked(key)
         places, causes = ranked.simple(most) if ranked else ([], [])
-        if not places:
+        if not causes:
             return NO_SINGLES
 
         def at(point):
-            rows = self.at(key, point)
-            return [rows[n] for n in places] if isinstance(rows, list) else rows[places]
+            return np.asarray(self.at(key, point))[places]
 
         return Singles(causes, at, self.is_of_symbols(key), self.is_size(key))
 

@@ -92,10 +92,11 @@ class _Pairs:
 
     def at(self, point: int) -> tuple[Any, Any]:
         """(key, rows) at a point."""
-        key = np.array(self.fit.key[point], float)
-        parts = [x[point] for _, x in self.models], self.slips.at(point)
-        own, slips = (np.array(x, float).reshape(-1, len(key)) for x in parts)
-        return key, np.concatenate((own, (2 * key, key / 2), slips, (-key,)))
+        key, own = self.fit.key[point], [x[point] for _, x in self.models]
+        own += [[n * x for x in key] for n in (2.0, 0.5, -1.0)]
+        rows, slips = np.array(own, float), np.array(self.slips.at(point), float)
+        parts = rows[:-1], slips.reshape(-1, len(key)), rows[-1:]
+        return np.array(key, float), np.concatenate(parts)
 
     def fitting(self) -> Iterator[tuple[int, tuple[Cause, ...]]]:
         """(level, the two causes) of each pair that is met; one cause that turns a sign as well."""
@@ -108,12 +109,16 @@ class _Pairs:
                 yield 1, (self.causes[i][1], INVERTED)
 
     def _near(self):
-        given, size = np.array(self.fit.first[0], float), math.hypot(*self.fit.first[0])
-        key, rows = self.at(self.fit.index)
+        size = math.hypot(*self.fit.first[0])
         near = max(self.exactly * size, self.fit.rounding)
+        if not NOISE * self.fit.first[2] < size < math.inf:
+            return
+        key, rows = self.at(self.fit.index)
+        if not self._is_met_in_one(rows, near):
+            return
+        given = np.array(self.fit.first[0], float)
         off = abs(given - key) > near
-        is_possible = NOISE * math.hypot(*key) < size < math.inf and off.any()
-        if not is_possible or not self._is_met_in_one(rows, key, given, near):
+        if not off.any():
             return
         # a mistake that undoes another, or leaves nothing, does not count as a second one
         undoes = (abs(rows - key)[:, ~off] > NOISE * size).any(axis=1)
@@ -164,16 +169,19 @@ class _Pairs:
         reverses = (abs(changes[: self.own] - 2 * changes[one]) <= near).all(axis=1)
         return int(reverses.argmax()) if reverses.any() else None
 
-    def _is_met_in_one(self, rows, key, given, near):
+    def _is_met_in_one(self, rows, near):
         """False if no pair gives the component that is largest in the key, as for most answers."""
-        at = abs(key).argmax()
-        x, k, y = rows[:, at], float(key[at]), float(given[at])
-        own = x[[*range(self.own), -1]][:, None]
-        close = abs(own + x - (k + y)) <= 2 * near
-        close |= abs(own * x - k * y) <= 2 * near * abs(k)
-        if self.kind.length == 1:
-            close |= abs(abs(own * own + x * x - k * k) ** 0.5 - abs(y)) <= 2 * near
-        return close.any()
+        given, key, _ = self.fit.first
+        at = max(range(len(key)), key=lambda n: abs(key[n]))
+        x, k, y = rows[:, at].copy(), float(key[at]), float(given[at])
+        own, gap = np.concatenate((x[: self.own], x[-1:])), 2 * near
+        x.sort()
+        if _is_any(x, k + y - own, gap) or _is_any(x, k * y / own, abs(k / own) * gap):
+            return True
+        if self.kind.length > 1:
+            return False
+        squares, rest = np.sort(x * x), k * k - own * own
+        return any(_is_any(squares, rest + n * y * y, gap * (2 * abs(y) + gap)) for n in (1, -1))
 
     def _operations(self):
         return (_added, _multiplied, *[_under_a_root] * (self.kind.length == 1))
@@ -249,6 +257,14 @@ class _Pairs:
                 if met.any():
                     met &= abs(self.at(n)[1][: self.own, 0] * x - 1) <= ROUND_OFF
             yield from np.flatnonzero(met)
+
+
+def _is_any(numbers, places, gap):
+    """True if one of the sorted ``numbers`` is within ``gap`` of one of these places; where these
+    have no value, perhaps.
+    """
+    first = numbers.searchsorted(places - gap)
+    return bool((first < numbers.searchsorted(places + gap, "right")).any())
 
 
 def _are_powers(x, y):

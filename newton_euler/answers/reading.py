@@ -59,7 +59,8 @@ def _values(tree, symbols, count):
 
 
 def _real(x, count):
-    x = np.broadcast_to(np.asarray(x), (count,))
+    x = np.asarray(x)
+    x = x if x.shape == (count,) else np.broadcast_to(x, (count,))
     if x.dtype.kind == "c":  # NumPy would drop the imaginary part with a warning
         if not (np.abs(x.imag) <= _NOISE * np.abs(x).max()).all():
             raise TreeError("it gives complex numbers: a root of a negative number")

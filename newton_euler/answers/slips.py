@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from itertools import combinations, permutations
+from itertools import combinations
 
 from ..algebra.language import Words
 from ..algebra.units import Dimension, unit
@@ -230,9 +230,11 @@ def _signs(fit):
 def _moved(fit, near):
     """One component added to another, with zero in its place."""
     given, key, size = fit.first
-    for n, m in permutations(range(len(key)), 2):
+    places = range(len(key))
+    zeros = [n for n in places if abs(given[n]) <= NOISE * size < abs(key[n])]
+    for n, m in ((n, m) for n in zeros for m in places if m != n):
         rest = all(abs(given[k] - key[k]) <= near for k in {0, 1, 2} - {n, m})
-        for sign in (1, -1) if rest and abs(given[n]) <= NOISE * size < abs(key[n]) else ():
+        for sign in (1, -1) if rest else ():
             if abs(given[m] - key[m] - sign * key[n]) <= near and abs(key[m]) > NOISE * size:
                 moved = [[*point] for point in fit.key]
                 for point in moved:

@@ -86,11 +86,13 @@ def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
     that is wrong the same.
     """
     off = _off(fit)
-    logarithms = _logarithms_at(len(fit.key), symbols) if off else None
-    ratios = (_monomial(_ratios(fit, n), symbols, logarithms) for n in off)
-    names = {x and (x.names, x.powers) for x in ratios}
-    if len(names) == 1 and (found := names.pop()) and found[0]:
-        yield _in(off, powers(found[0]), fit)
+    ratios = [_ratios(fit, n) for n in off]
+    if not ratios or max(ratios[0]) - min(ratios[0]) <= NOISE * abs(ratios[0][0]):
+        return  # a number has no powers
+    logarithms = _logarithms_at(len(fit.key), symbols)
+    first, *others = (_monomial(column, symbols, logarithms) for column in ratios)
+    if first and first.names and all(x and x[1:] == first[1:] for x in others):
+        yield _in(off, powers(first.names), fit)
 
 
 def _in(places, cause, fit):
@@ -139,23 +141,24 @@ def _monomial(column, symbols, logarithms):
     """The :class:`_Monomial` with these values, to the digits in which numbers are typed; None of
     another formula.
     """
-    with np.errstate(all="ignore"):
+    with np.errstate(all="ignore"):  # a student may write 0
         wanted = np.log(np.abs(column))
     logs, inverse = logarithms
     if logs is None or not np.isfinite(wanted).all():
         return None
     found = np.round(2 * (inverse @ wanted)[1:]) / 2
-    gaps = wanted - logs[:, 1:] @ found
-    if np.ptp(gaps) > NOISE:
+    gaps = (wanted - logs[:, 1:] @ found).tolist()
+    if max(gaps) - min(gaps) > NOISE:
         return None
     names = tuple(n for n, power in zip(symbols, found, strict=True) if power)
     with np.errstate(all="ignore"):  # a student may write 1e307
-        number = float(np.exp(gaps.mean()))
+        number = float(np.exp(sum(gaps) / len(gaps)))
     return _Monomial(number, tuple(sorted(filter(None, found.tolist()))), names)
 
 
 def _logarithms_at(count, symbols):
-    rows = tuple(tuple(np.broadcast_to(x, count).tolist()) for x in symbols.values())
+    columns = (np.ravel(x).tolist() for x in symbols.values())
+    rows = tuple(tuple(x * (count // len(x))) for x in columns)  # one number is the same at all
     return _logarithms(rows, count)
 
 

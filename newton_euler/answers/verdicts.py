@@ -189,7 +189,7 @@ def _causes(asked, given, found, numbers, *slips):
     elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
     causes = diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
     if not causes and slips and asked.kind.is_formula:
-        return tuple(of_other_powers(Fit(given, key, asked.kind.rtol), numbers.symbols))
+        return tuple(of_other_powers(fit, numbers.symbols))
     return causes
 
 

@@ -1,68 +1,69 @@
-"""Whether a state that is small by cancellation is there, or mere round-off: a swing of a
-micrometre about the surface of the Earth is there, however much of it round-off hides.
+"""Whether a state that cancellation has left small is genuine or mere round-off: a swing of a
+micrometre at the surface of the Earth is genuine, however many of its digits round-off hides.
 """
 
 from contextlib import suppress
 
 from .narrow import narrow_times
 
-# times what the last digits of states and parameters make of a rate, or of a state, above which it
-# is there; below 1.5 for 10 000 steady motions of tops, pendulums and orbits
-THERE, LAST_DIGIT = 1.5, 2.0**-52
+# a rate, or a state, is genuine above this multiple of what the last digits of states and
+# parameters contribute to it; 10 000 steady motions of tops, pendulums and orbits stayed below it
+GENUINE, LAST_DIGIT = 1.5, 2.0**-52
 SWINGING = 10.0  # the same of the change of a rate with time
-# parts of the time at which the rates are looked at: early ones too, at which a clock is known by
-# many of its turns, irregular ones, and the ends of so many steps
+# fractions of the time at which the rates are examined: early ones, at which the phase of a
+# clock is still accurate, irregular ones, and the ends of this many steps
 EARLY, MANY, IRREGULAR, STEPS = (5e-4, 5e-3, 5e-2), 40, 0.618033988749895, 2000
-OFF = 10.0  # tolerances, of its distance from an even change, by which a state may be off
-HELD = 1e-3  # part of the rate of a state that small states make if it does not move without them
+ERROR = 10.0  # of a state: this many tolerances times its departure from a uniform change
+DRIVEN = 1e-3  # fraction of its rate above which a state is driven by others
 
 
 def driven(trajectory, start, natural, doubted):
-    """Those of the ``doubted`` numbers of states that are there: they begin, or their rates in the
-    first segment of the trajectory are, with more than what the last digits of states and
-    parameters make.
+    """The genuine ones among the ``doubted`` states, given by their numbers: their initial values,
+    or their rates in the first segment of the trajectory, exceed what the last digits of states and
+    parameters contribute.
 
-    States that move by themselves, as a clock, are taken as the trajectory has them, which may be
-    off by its tolerance; those that only doubted ones move, as a place far away, as at the
-    ``start``, from which a run for comparison is shifted.
+    States that move by themselves, such as a clock, are taken from the trajectory, whose error is
+    within its tolerance. Those that are driven by doubted ones only, such as a distant position,
+    keep their values at the ``start``: the run for comparison begins displaced.
     """
-    found = {k for k in doubted if abs(start[k]) > 2 * THERE * LAST_DIGIT * natural[k]}
+    found = {k for k in doubted if abs(start[k]) > 2 * GENUINE * LAST_DIGIT * natural[k]}
     system, stepper, begin, *_ = trajectory.segments[0]
     if found == doubted:
         return found
     import numpy as np
 
     with suppress(ArithmeticError, ValueError), np.errstate(all="ignore"):
-        times, x = _passed(np, stepper)
+        times, x = _points_passed(np, stepper)
 
         def rates(x, p=system.p):
             values = system.traced.rhs.on(np)(times, *x, *p)
             return np.array([np.broadcast_to(row, times.shape) for row in values])
 
-        first, held = np.array(start)[:, None], _held(np, rates, x, doubted)
-        way = np.where(held[:, None], 0.0, x - x[:, :1])
-        x = first + way
-        made, apart = rates(x), []
-        # a clock that runs evenly has no error, nor has what is held
-        curved = np.minimum(abs(way), abs(way - made[:, :1] * (times - begin)))
-        off = LAST_DIGIT * abs(x) + OFF * trajectory.tolerance * curved
-        for k, d in enumerate(off):
-            moved = x.copy()
-            moved[k] += d
-            apart.append(rates(moved) - made)
+        first, held = np.array(start)[:, None], _driven_by(np, rates, x, doubted)
+        change = np.where(held[:, None], 0.0, x - x[:, :1])
+        x = first + change
+        found_rates, apart = rates(x), []
+        # a clock that runs uniformly has no error
+        departure = np.minimum(abs(change), abs(change - found_rates[:, :1] * (times - begin)))
+        errors = LAST_DIGIT * abs(x) + ERROR * trajectory.tolerance * departure
+        for k, error in enumerate(errors):
+            displaced = x.copy()
+            displaced[k] += error
+            apart.append(rates(displaced) - found_rates)
         for k, number in enumerate(system.p):
             p = *system.p[:k], number * (1 + LAST_DIGIT), *system.p[k + 1 :]
-            apart.append(rates(x, p) - made)
-        there = (abs(made) > THERE * sum(map(abs, apart))).any(axis=1)
-        # what is the same at all times hides no push to and fro, which may be in resonance
-        there |= np.ptp(made, axis=1) > SWINGING * sum(np.ptp(a, axis=1) for a in apart)
-        found |= doubted & set(np.flatnonzero(there).tolist())
+            apart.append(rates(x, p) - found_rates)
+        genuine = (abs(found_rates) > GENUINE * sum(map(abs, apart))).any(axis=1)
+        # an error that is the same at all times hides no push to and fro, which may be in resonance
+        hidden = sum(np.ptp(error, axis=1) for error in apart)
+        genuine |= np.ptp(found_rates, axis=1) > SWINGING * hidden
+        found |= doubted & set(np.flatnonzero(genuine).tolist())
     return found
 
 
-def _passed(np, stepper):
-    """An array of times of a run, the start first, with those of narrow things and between them;
-    and the states there.
+def _points_passed(np, stepper):
+    """Times of a run, the start first, including those of narrow features and halfway between
+    these; and the states at these times.
     """
     begin, end, narrow = stepper.start[0], stepper.t, stepper.system.traced.narrow
     if begin == end:
@@ -79,14 +80,14 @@ def _passed(np, stepper):
     return times, stepper.states(times)
 
 
-def _held(np, rates, x, doubted):
-    """For each state whether its rates are made by the ``doubted`` ones, or by those that these
-    move, or it is doubted.
+def _driven_by(np, rates, x, doubted):
+    """For each state, whether it is doubted, or its rate depends on doubted states or on others
+    that these drive.
     """
-    moved, made = abs(x - x[:, :1]).max(axis=1), rates(x)
-    held = np.isin(np.arange(len(x)), list(doubted))
-    moved = np.where(held, abs(x).max(axis=1), moved)[:, None]
+    moved, found_rates = abs(x - x[:, :1]).max(axis=1), rates(x)
+    driven_ones = np.isin(np.arange(len(x)), list(doubted))
+    moved = np.where(driven_ones, abs(x).max(axis=1), moved)[:, None]
     for _ in x:
-        apart = abs(rates(np.where(held[:, None], x + moved, x)) - made)
-        held = held | (apart > HELD * abs(made)).any(axis=1)
-    return held
+        change = abs(rates(np.where(driven_ones[:, None], x + moved, x)) - found_rates)
+        driven_ones = driven_ones | (change > DRIVEN * abs(found_rates)).any(axis=1)
+    return driven_ones

@@ -1,19 +1,19 @@
-"""The error that round-off of the time and of the states makes by their rates."""
+"""The error that round-off of the time and of the states causes by way of the rates."""
 
 from .chebyshev import EPS
 from .narrow import rates_along
 
 MOVED = 2.0**-40  # relative change by which the slopes of the rates are measured
-# steps over which what a state loses by round-off moves the rates, and what part of the last bit it
-# is; measured on 150 bounces off poles, gates and brakes
+# number of steps over which a state's round-off affects the rates, and its size in last bits;
+# measured on 150 bounces off poles, gates and brakes
 LASTING, LOST = 16, 0.2
-MOST_STEPS = 20_000  # in more the round-off of the steps themselves is more
-FAR = 1e3  # times what it changes by: the size of a state that is far from zero
+MOST_STEPS = 20_000  # beyond this the round-off of the steps themselves dominates
+FAR = 1e3  # a state is far from zero if its size is more than this multiple of its change
 
 
 def round_off_far_away(stepper):
-    """As :func:`round_off_of_rates`, of a run through something narrow that is far from zero, such
-    as a stiff floor, where what a state loses stays lost; 0 for others.
+    """As :func:`round_off_of_rates`, for a run through a narrow feature far from zero, such as a
+    stiff floor, where the digits that a state loses stay lost; 0 for other runs.
     """
     if not (stepper.resumable and stepper.steps and stepper.system.traced.narrow):
         return 0.0
@@ -23,9 +23,9 @@ def round_off_far_away(stepper):
 
 
 def round_off_of_rates(stepper, lasting=LASTING):
-    """The error, over the scales, by round-off of time and states in the rates, a random walk over
-    the steps: large where something narrow is reached by a large coordinate, as c - x beside c.
-    What a state loses moves the rates of the next steps, too, ``lasting`` of them.
+    """The error, relative to the scales, that round-off of time and states causes by way of the
+    rates, a random walk over the steps: large where a narrow feature lies at a large coordinate, as
+    in c - x beside c. The digits that a state loses affect the rates of the next ``lasting`` steps.
     """
     import numpy as np
 
@@ -40,15 +40,15 @@ def round_off_of_rates(stepper, lasting=LASTING):
     with np.errstate(all="ignore"):
         rates = rates_along(np, stepper, rows[0], x)
         for k, row in enumerate(rows):
-            apart = []
+            differences = []
             for part in (MOVED, -MOVED):
                 moved = rows.copy()
                 moved[k] *= 1 + part
-                apart.append((rates_along(np, stepper, moved[0], moved[1:]) - rates) / part)
+                differences.append((rates_along(np, stepper, moved[0], moved[1:]) - rates) / part)
             # across a jump on one side the difference is not a slope
-            least = np.where(abs(apart[0]) < abs(apart[1]), *apart)
+            least = np.where(abs(differences[0]) < abs(differences[1]), *differences)
             slopes.append(np.nan_to_num(least / row, posinf=0.0, neginf=0.0))
-    # a state that decays fast has forgotten it within the step
+    # a state that decays fast forgets it within the step
     own = np.array([slopes[k + 1][k] for k in range(size)])
     lengths, total = lengths / (1 + lengths * np.maximum(-own, 0.0)), np.zeros(size)
     for k, row in enumerate(rows):

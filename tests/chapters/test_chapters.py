@@ -231,30 +231,20 @@ def printed_again(client, notebook):
 
 
 @pytest.fixture(scope="module", params=CHAPTERS, ids=lambda path: path.stem)
-def run_twice(request, tmp_path_factory):
-    """The executed notebook, and what its cells print when run again. It is kept, so that the site
-    need not run it.
-    """
+def run(request, tmp_path_factory):
+    """The executed notebook. It is kept, so that the site need not run it."""
     path = request.param
-    notebook, again = executed(
-        read(path), tmp_path_factory.mktemp(path.stem), afterwards=printed_again
-    )
+    notebook, _ = executed(read(path), tmp_path_factory.mktemp(path.stem))
     keep(Chapter(path), nbformat.writes(notebook), CACHE / "executed")
-    return notebook, again
+    return notebook
 
 
-@pytest.fixture(scope="module")
-def run(run_twice):
-    """The executed notebook."""
-    return run_twice[0]
-
-
-def test_a_cell_that_is_run_again_prints_the_same(run_twice, request):
-    notebook, again = run_twice
+@pytest.mark.one_in(7)
+@pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
+def test_a_cell_that_is_run_again_prints_the_same(path, tmp_path):
+    notebook, again = executed(read(path), tmp_path, afterwards=printed_again)
     other = [c.id for c in code(notebook) if c.id in again and printed(c) != again[c.id]]
-    assert other == CONTENTS.get(number(request.node.callspec.params["run_twice"]), {}).get(
-        "changed", []
-    )
+    assert other == CONTENTS.get(number(path), {}).get("changed", [])
 
 
 def is_picture(output):

@@ -74,6 +74,7 @@ def drawn_texts(problem_id):
     return {t.get_text() for t in ax.texts}
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize(("problem_id", "rates"), [
     ("2/10", {"$v_1$", "$v_2$"}),
     ("2/13", {"b"}),

@@ -70,6 +70,7 @@ def formulas(p):
     return p.formulas()
 
 
+@pytest.mark.one_in(3)
 @by_id
 def test_solve_runs_on_arrays_of_instants(p):
     students = [values(p, seed) for seed in range(3)]
@@ -83,6 +84,7 @@ def test_solve_runs_on_arrays_of_instants(p):
             assert at_n == pytest.approx([float(x) for x in flat(alone[key])], rel=1e-12, abs=1e-9)
 
 
+@pytest.mark.one_in(3)
 @by_id
 def test_solve_keeps_the_digits_of_mpmath_numbers(p):
     with mpmath.mp.workdps(40):
@@ -92,6 +94,7 @@ def test_solve_keeps_the_digits_of_mpmath_numbers(p):
         assert all(isinstance(x, (int, mpmath.mpf)) or x == 0 for x in flat(numbers))
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("p", [p for p in PROBLEMS if p.symbolic], ids=named)
 def test_formulas_are_exact_and_short(p):
     for key, answer in formulas(p).items():

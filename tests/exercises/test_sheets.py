@@ -17,6 +17,7 @@ SHARED = 1 / 8  # of the points, for a word that is the same for everyone
 STUDENTS = 12
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("p", [p for p in ALL if p.givens], ids=lambda p: p.id.replace("/", "_"))
 def test_a_problem_with_numbers_has_many_sheets(p):
     assert sheets(p) >= FEWEST
@@ -34,6 +35,7 @@ def test_the_number_of_sheets_is_that_of_the_numbers_that_are_drawn():
     assert sheets(problem("5/26")) == 1
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("p", [p for p in ALL if any(a.kind.has_options for a in p.answers)],
                          ids=lambda p: p.id.replace("/", "_"))  # fmt: skip
 def test_a_word_that_all_students_share_is_worth_little(p):

@@ -50,6 +50,7 @@ def always(p, claim):
     return all(claim(*sheet) for sheet in sheets(p))
 
 
+@pytest.mark.one_in(4)
 @by_id
 def test_no_step_is_an_answer(p):
     listed, asked = sheets(p)[0]

@@ -97,6 +97,7 @@ def test_the_pieces_of_a_kinked_model_are_its_rates(name):
     assert len(met) == 2 * len(case.branches.switches)
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("name", [n for n in ALL if FIRST[n].exact])
 def test_a_closed_form_has_the_rates_of_its_model(name, cache):
     truth = reference(FIRST[name].member(0), cache)

@@ -106,6 +106,7 @@ def _stranger(name, number=None):
     return pytest.param(name, number, marks=marks, id=f"{name}-{number}")
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize(
     ("name", "number"), [*map(_stranger, STRANGERS), *starmap(_stranger, MORE)]
 )
@@ -121,6 +122,7 @@ def test_what_a_stranger_wrote_is_answered_as_asked_or_refused_with_a_reason(nam
 TURNING = [n for n, f in FAMILIES.items() if "turning" in f.tags]
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("name", TURNING)
 def test_what_an_argument_enters_and_leaves_again_is_seen(name, known):
     """Where its edges are as narrow as the round-off of a place allows, it may be refused."""

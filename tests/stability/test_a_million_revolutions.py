@@ -115,6 +115,7 @@ def exponents(case):
     return tuple(np.polyfit(at, np.log(mean(n)), 1)[0] for n in (1, 2))
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize(
     "case", [case for case in CASES[1:] if case.quick], ids=lambda case: case.label
 )

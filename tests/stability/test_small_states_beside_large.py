@@ -123,6 +123,7 @@ def test_the_speed_on_a_far_spring_is_right_by_its_own_size_or_refused(method, p
 KICKED, DRIVEN, BY_A_CLOCK, BY_A_CLOCK_OF_STATES = range(4)
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("how", [None, KICKED, DRIVEN, BY_A_CLOCK, BY_A_CLOCK_OF_STATES])
 @pytest.mark.parametrize("place", [1e3, 6.371e6, 1e9])
 def test_a_swing_of_a_few_last_digits_of_its_place_is_right_or_refused_in_words(place, how):
@@ -167,6 +168,7 @@ def test_a_short_push_of_a_micrometre_by_a_clock_is_right_or_refused(width, rtol
         assert abs(integrate(model, T, (place, 0, -11), rtol).end["v"] - exact) <= rtol * 1e-6
 
 
+@pytest.mark.one_in(2)
 @pytest.mark.parametrize("rtol", [1e-1, 1e-2])
 def test_two_series_that_make_about_the_same_of_a_small_state_do_not_confirm_it(rtol):
     pytest.importorskip("heyoka")

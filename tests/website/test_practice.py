@@ -18,7 +18,7 @@ from website.npm import Package
 
 pytestmark = pytest.mark.integration
 
-WORKED = "4/1", "4/16"
+WORKED = ("4/16",)
 MORE_WORKED = "4/1", "4/2", "4/7", "4/12", "4/16"
 PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
 AXE = Package(
@@ -420,7 +420,7 @@ def found_by_axe(driver, address, pages):
     return faults
 
 
-@pytest.mark.parametrize("pages", [KINDS[::2], pytest.param(KINDS, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("pages", [KINDS[::4], pytest.param(KINDS, marks=pytest.mark.slow)])
 def test_axe_finds_nothing_serious_in_light_or_dark(address, phone, pages):
     assert found_by_axe(phone, address, pages) == {}
 

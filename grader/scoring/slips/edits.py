@@ -19,6 +19,7 @@ from . import edits_of_quantities as quantities
 from .edits_of_integrals import of_integrals
 from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
+from .edits_of_roots import of_roots
 from .edits_of_wholes import of_quantities_in_wholes, of_sides, of_sums, of_unneeded, of_wholes
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
 from .typed import Product, described, is_nothing, repeats
@@ -172,6 +173,7 @@ def _of_givens(f):
     yield from givens.of_vectors(vectors)
     yield from givens.of_projections(vectors, f.given, f.read)
     yield from of_integrals(f.steps)
+    yield from of_roots(f.steps)
     numbers = {n: s for n, s in f.given.items() if n not in f.formulas.symbols}
     yield from _of_differences(f.answers, numbers, f.formulas.stages, f.dimensions)
     masses = {n: s for n, s in numbers.items() if f.read[n].dimension == givens.MASS}
@@ -185,6 +187,7 @@ def _of_quantities(f):
     yield from _of_angles(f.answers)
     yield from equations.of_equations(f.formulas.systems, f.number, of)
     yield from quantities.of_quantities(f.answers, stages, f.steps, of)
+    yield from quantities.of_rods(stages)
     yield from quantities.of_cross_products(f.named)
     yield from quantities.of_ratios(f.named, f.answers, f.given, of)
     yield from quantities.of_distances(f.given, f.products, of)
@@ -307,13 +310,13 @@ def _of_differences(answers, given, stages, dimensions):
     """Answers from another origin: a given subtracted or added; a quantity subtracted from all
     components.
     """
-    less = Words("takes {name} off {key}: the whole is asked for")
+    less = Words("subtracts {name} from {key}: the whole is asked for")
     for key, answer in answers.items():
         for x in answer.parts:
             for name, step in given.items() if isinstance(x, Step) else ():
                 if x is step or dimensions[x] is None or dimensions[x] != dimensions[step]:
                     continue
-                more = Words("adds {name} to {key}: it alone is asked for", name=name, key=key)
+                more = Words("adds {name} to {key}: {key} alone is asked for", name=name, key=key)
                 rest = Words("gives what is left of {name}: {key} is asked for", name=name, key=key)
                 whole, half = (Words(less.template, name=n, key=key) for n in (name, f"{name}/2"))
                 for what, text, other in (
@@ -375,7 +378,7 @@ def _instead(parts, length):
         yield "", RARER, parts
     elif length == 1 and len(parts) == 3:
         squares: Any = [("*", x, x) for x in parts]
-        yield Words("the size of "), RARER, [("sqrt", ("+", ("+", *squares[:2]), squares[2]))]
+        yield Words("the magnitude of "), RARER, [("sqrt", ("+", ("+", *squares[:2]), squares[2]))]
         for x in parts:
             yield Words("a component of "), LEAST, [("abs", x)]
 

@@ -135,9 +135,7 @@ def _of_sign(s, dimension):
     words = Words("takes {name} with the opposite sign: the text gives its sense", name=name)
     if dimension == LENGTH:
         rank = LESS + 1
-        words = Words(
-            "has what is measured by {name} on the other side: look at the figure", name=name
-        )
+        words = Words("measures {name} to the other side: look at the figure", name=name)
     if dimension != MASS:
         yield rank, "sign", words, ("neg", s)
 
@@ -365,7 +363,7 @@ def _of_whole_vectors(key, parts, vectors):
         alone = Words(
             "takes {names} for {key}: look up what {key} stands for", names=names, key=key
         )
-        more = Words("adds {names} to {key}: it alone is asked for", names=names, key=key)
+        more = Words("adds {names} to {key}: {key} alone is asked for", names=names, key=key)
         pairs = [*zip(parts, steps, strict=True)]
         yield Edit(LESS, computed(f"{names} for {key}", alone), {x.number: s for x, s in pairs})
         added = {x.number: ("+", x, s) for x, s in pairs}

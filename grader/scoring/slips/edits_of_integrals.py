@@ -18,11 +18,11 @@ NOUNS = {"+": "the term", "-": "the term", "*": "the factor", "/": "the factor"}
 STEP = 1e-3  # of a place, in a derivative
 FEW = 4  # integrals: of more, no slip inside is tried
 INSIDE = {
-    "twin": Words("takes {twin} for {own} in what is integrated: check what it stands for"),
-    "all twins": Words("exchanges sine and cosine in what is integrated: check the angle"),
+    "twin": Words("takes {twin} for {own} in the integrand: check what it stands for"),
+    "all twins": Words("exchanges sine and cosine in the integrand: check the angle"),
     "factor": Words("leaves out {what} in the integral over {x}: each part of it has one"),
     "square": Words("does not square {what} in the integral over {x}: it stands there twice"),
-    "term": Words("leaves out {what} in the integral over {x}: it counts, too"),
+    "term": Words("leaves out {what} in the integral over {x}: it is part of the integrand"),
     "sign": Words("has {what} with the wrong sign in the integral over {x}: check how it comes in"),
 }
 
@@ -47,11 +47,14 @@ def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
         for k, (rank, words, slip) in enumerate(_of_integral(inner, start, end, outer)):
             instead = {s.number: slip(n) for s, n in items}
             yield Edit(rank, computed(f"integral {key} {k}", words), instead)
-        for k, (words, other) in enumerate(
-            _of_integrand(inner, outer) if few and len(key) == 1 else ()
-        ):
-            instead = {s.number: _between(other, start, end, outer)(n) for s, n in items}
-            yield Edit(LEAST, computed(f"integrand {key} {k}", words), instead)
+        inside = _of_integrand(inner, outer) if few and len(key) == 1 else ()
+        for k, (words, other) in enumerate(inside):
+            ways = [_between(other, start, end, outer)]
+            if words.template == INSIDE["twin"]:  # zero over halves that are alike for the other
+                ways.append(_doubled(other, start, end, outer))
+            for m, way in enumerate(ways):
+                instead = {s.number: way(n) for s, n in items}
+                yield Edit(LEAST, computed(f"integrand {key} {k} {m}", words), instead)
 
 
 def _are_of_one_integrand(x, y):
@@ -72,12 +75,10 @@ def _identity(x):
 def _of_integral(inner, start, end, outer):
     """(rank, words, {component: expression}) of the slips in one integral."""
     way = ("-", end, start)
-    constant = Words("takes what is integrated as constant: it changes on the way")
-    mean = Words(
-        "takes the mean of the values at both ends: what is integrated does not change evenly"
-    )
-    rate = Words("differentiates what is to be integrated: its integral is asked for")
-    itself = Words("gives what is to be integrated: its integral is asked for")
+    constant = Words("takes the integrand as constant: it varies between the limits")
+    mean = Words("takes the mean of the integrand at the two limits: it does not vary linearly")
+    rate = Words("differentiates the integrand: its integral is asked for")
+    itself = Words("gives the integrand: its integral is asked for")
 
     def at(x, n):
         return ("inside", inner, n, x, *outer)
@@ -99,15 +100,23 @@ def _of_integral(inner, start, end, outer):
     yield LEAST, rate, lambda n: slope(end, n)
     yield LESS, itself, lambda n: at(end, n)
     yield LESS, itself, lambda n: ("-", at(end, n), at(start, n))
+    words = Words("integrates over one half and doubles it: the other half is not alike")
+    yield LEAST, words, _doubled(inner, start, end, outer)
     if isinstance(start, Step) or start != 0:
         words = Words("integrates from zero: the integral starts elsewhere")
         yield LESS, words, between(0.0, end)
-        words = Words("integrates from zero over the difference of the limits: put each one in")
+        words = Words("integrates from zero to the difference of the limits: put in each limit")
         yield LESS, words, between(0.0, way)
 
 
 def _between(inner, low, high, outer):
     return lambda n: ("item", ("between", inner, low, high, *outer), n)
+
+
+def _doubled(inner, start, end, outer):
+    """Twice the integral over the second half of the way."""
+    half = _between(inner, ("*", 0.5, ("+", start, end)), end, outer)
+    return lambda n: ("*", 2.0, half(n))
 
 
 def _of_integrand(inner: Inner, outer: Sequence[Any]) -> Iterator[tuple[Words, Inner]]:

@@ -28,7 +28,7 @@ SINES = {"asin": Words("sine"), "acos": Words("cosine"), "atan": Words("tangent"
 PRODUCT = ("*", "/")
 FACTOR = Words("takes the factor {other} for {own}{of}: the formula has {own}").template
 LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
-CANCELS = Words("has {name} left in one place: it cancels, if each term has it").template
+CANCELS = Words("has {name} left in one place: it cancels from every term").template
 DIVIDED = Words("divides by {name} once too often: put your units into the whole formula").template
 RATIOS = {
     -1: Words("inverts {ratio}{of}: it is the other way round").template,
@@ -107,12 +107,10 @@ def of_product(
     def why(factor):
         return NO_FIT if dimension(factor) not in (None, Dimension()) else NOT_ONE
 
-    product = Product(s)
-    whole = typed(s)
-    of = Words(" of {product}", product=whole) if whole else described(s, "of the product")
+    product, whole, of = Product(s), typed(s), _of_whole(s)
     for factor, power in product.powers.items():
         if described(factor):
-            yield from _of_factor(s, factor, power, number(factor), of, why(factor))
+            yield from of_factor(s, factor, power, number(factor), why(factor))
     for x in product.cancelled.keys() - product.powers.keys():
         for op, words in zip("*/", (CANCELS, DIVIDED), strict=True) if x.op == "argument" else ():
             yield LEAST, f"left {x.number} {op}", Words(words, name=x.args[0]), (op, s, number(x))
@@ -139,6 +137,17 @@ def of_product(
         quotient = whole or Words("a quotient")
         words = Words("inverts {quotient}: {why}", quotient=quotient, why=why(s))
         yield LESS, "inverse", words, ("/", 1.0, s)
+    yield from of_coefficient(s)
+
+
+def _of_whole(s):
+    whole = typed(s)
+    return Words(" of {product}", product=whole) if whole else described(s, "of the product")
+
+
+def of_coefficient(s: Step) -> Iterator[Slip]:
+    """The slips in the number of a product."""
+    product, of = Product(s), _of_whole(s)
     c = abs(product.coefficient)
     if product.is_exact and c != 1 and c.denominator < 100:
         for other in dict.fromkeys((c / 2, 2 * c, *neighbours(c))):
@@ -190,8 +199,9 @@ def parts_of(s: Step, op: str) -> Iterator[tuple[Step, str]]:
             yield from parts_of(a, inner)
 
 
-def _of_factor(s, x, power, factor, of, why):
-    named, the_factor = described(x), described(x, "the factor")
+def of_factor(s: Step, x: Step, power: int, factor: Any, why: str) -> Iterator[Slip]:
+    """The slips in a factor ``x`` of a product; ``factor`` as a student has it."""
+    named, the_factor, of = described(x), described(x, "the factor"), _of_whole(s)
     if power == 2:
         if x.op == "pi":
             named, factor = "2*pi", ("*", factor, 2.0)
@@ -284,7 +294,7 @@ def _of_components(sides, sums):
     words = Words("does not square the components: the squares are added, and then the root taken")
     yield LESS, "no squares", words, ("sqrt", ("abs", total(sides)))
     if all(x.op in ("+", "-") for x in sums):
-        words = Words("squares each term of a sum by itself: twice their product belongs to it")
+        words = Words("squares each term of a sum separately: twice their product is missing")
         for op in ("+", "-"):
             each = [(op, *(("*", a, a) for a in x.args)) for x in sums]
             yield LESS, f"each squared {op}", words, ("sqrt", ("abs", total(each)))
@@ -326,7 +336,7 @@ def _of_inverse(s):
 
 
 def _of_atan(s):
-    words = Words("takes the angle from the other axis: the legs of its triangle are exchanged")
+    words = Words("measures the angle from the other axis: the legs of its triangle are exchanged")
     other = ("atan2", *reversed(s.args)) if s.op == "atan2" else ("atan", ("/", 1.0, *s.args))
     yield SIMPLE, "cofunction", words, other
     yield from _of_inverse(s) if s.op == "atan" else ()
@@ -355,7 +365,7 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
             exchanged = {s.number: ("cos", x), c.number: ("sin", x)}
             yield Edit(SIMPLE, computed(f"axis {s.number}", words), exchanged)
         words = Words(
-            "takes {angle} as small, its sine as the angle and its cosine as 1: it is not small",
+            "uses the small-angle approximation for {angle}: it is not small",
             angle=named,
         )
         small = {s.number: x} | ({cosines[x].number: 1.0} if x in cosines else {})

@@ -3,6 +3,7 @@ for a distance, a density for a mass, rates that turn the other way.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import reduce
 from itertools import combinations, combinations_with_replacement, product
 from math import pi
@@ -15,7 +16,7 @@ from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, computed
 from newton_euler.answers.near import LEAST, LESS, RARER
 
 from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS, DimensionOf, Slip
-from .edits_of_operations import parts_of
+from .edits_of_operations import PRODUCT, parts_of
 from .formulas import Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, repeats, terms_of
 
@@ -27,7 +28,7 @@ HALF_RIGHT = Words("takes {quantity} as 45 degrees: it follows from the text").t
 ANGULAR = {"sin", "cos", "tan"}
 TRANSFERS = {
     "+": Words("adds {term} to a moment of inertia: it is about this axis already").template,
-    "-": Words("takes {term} off a moment of inertia: it is about this axis already").template,
+    "-": Words("subtracts {term} from a moment of inertia: it is about this axis already").template,
 }
 OTHER_POWERS = (
     ("/", LESS, Words("does not square {factors}: the formulas do")),
@@ -38,6 +39,14 @@ TIMES = (
     (2.0, FACTOR_2, Words("doubles {quantity}, or has a 2 too many beside it: it counts once")),
     (0.5, FACTOR_2, Words("halves {quantity}, or lacks a factor 2 beside it: it counts in full")),
     (0.0, LEFT_OUT, Words("leaves out {quantity}: it is not zero here")),
+)
+
+OWN = Words("the part about the centre of mass").template
+# the numbers of rods, and of two alike, about the middle; the same about an end
+MIDDLE, END = {Fraction(1, 12), Fraction(1, 6)}, {Fraction(1, 3), Fraction(2, 3)}
+OF_RODS = (
+    (MIDDLE, 4.0, Words("has 1/3 for 1/12 in {part}: look up about which point it is")),
+    (END, 0.25, Words("has 1/12 for 1/3 in {part}: look up about which point it is")),
 )
 
 
@@ -75,6 +84,18 @@ def of_quantities(
             cause = computed(f"{other} for {[*own]}", text)
             signed = {x.number: y if s == t else ("neg", y) for (x, s), (y, t) in pairs}
             yield Edit(LESS, cause, signed)
+
+
+def of_rods(stages: Sequence[Stage]) -> Iterator[Edit]:
+    """Moments and products of inertia of rods about the other point, in all components at once."""
+    for stage in stages:
+        own = {x.number: x for x in stage.parts if isinstance(x, Step) and x.op in PRODUCT}
+        numbers = {Product(x).coefficient for x in own.values()}
+        for known, factor, text in OF_RODS:
+            if own and {abs(n) for n in numbers} <= known:
+                words = Words(text.template, part=stage.means or Words(OWN))
+                cause = computed(f"{factor} times {[*own]}", words)
+                yield Edit(LEAST, cause, {n: ("*", x, factor) for n, x in own.items()})
 
 
 def of_shared(s: Step) -> Iterator[Slip]:
@@ -162,7 +183,7 @@ def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
         if named:
             squares = [("*", term, term) for _, term in terms_of(x)]
             words = Words(
-                "squares each term of {sum} by itself: twice their product belongs to it", sum=named
+                "squares each term of {sum} separately: twice their product is missing", sum=named
             )
             instead = {s.number: reduce(lambda a, b: ("+", a, b), squares)}
             yield Edit(LESS, computed(f"squares in {s.number}", words), instead)
@@ -257,7 +278,9 @@ def of_areas(
     """Answers without the mass per length, area or volume: those of a line, an area, a volume.
     A given mass may be spread over a given length, a rectangle, a triangle.
     """
-    words = Words("leaves out the mass per length, area or volume: the moments of the mass count")
+    words = Words(
+        "leaves out the mass per length, area or volume: the moments of the mass are asked for"
+    )
     parts = [x for a in answers.values() for x in a.parts if isinstance(x, Step)]
     parts = [x for x in parts if of(x) in (INERTIA, MOMENT)]
     found: list[Any] = [s for s in steps if of(s) in DENSITIES and s.op != "argument"]

@@ -32,8 +32,10 @@ SIDE = Words("has {what} on the other side: look where it points in the figure")
 AT_REST = Words("leaves out the motion with {what}: that point is not at rest").template
 NOT_LESS = Words("does not subtract {what}: the difference of two vectors is needed").template
 NOTHING = Words("leaves out the vector of {what}: it is not zero here").template
-NO_TURN = Words("leaves out the turning with {what}: it goes on at this instant").template
-ONE_TURN = Words("leaves out one of the turns of a body: all of them add to its angular velocity")
+NO_TURN = Words("leaves out the rotation with {what}: it goes on at this instant").template
+ONE_TURN = Words(
+    "leaves out one of the rotations of a body: all of them add to its angular velocity"
+)
 OTHER_WAY = Words("turns {what} the other way: look for its sense in the figure").template
 ABOUT = Words("has {what} about another axis: look for its axis in the figure").template
 NO_TRANSFER = Words(
@@ -44,22 +46,24 @@ NO_PARTICLE = Words("leaves out the particle at {what}: it has a moment of inert
 NO_TRANSFERS = Words(
     "leaves out all parallel-axis terms: the axes do not pass through the centres of the bodies"
 )
-LINEAR = Words("takes {name} as small, in its first power alone: it is not small").template
+LINEAR = Words("keeps {name} to first order only: it is not small").template
 TRANSFERRED = Words("the parallel-axis terms")
 BRIEF = 16  # letters of a component that is named
 AT_G = Words("takes the moments of inertia about the centre of mass: another point is asked for")
 OF_MASS = Words("the body of mass {m}").template
-NO_BODY = Words("leaves out {body}: it counts, too").template
+NO_BODY = Words("leaves out {body}: it contributes, too").template
 AS_PARTICLE = Words("takes {body} as a particle: it has moments of inertia of its own").template
 PARTICLES = Words("takes all bodies as particles: they have moments of inertia of their own")
 NOT_CUT = Words("adds {body}, which is cut out: it is subtracted").template
 ITSELF = Words("does not differentiate the vector: its rate is asked for")
-NO_COSINE = Words("multiplies the sizes of two vectors: only what lies along the other counts")
+NO_COSINE = Words(
+    "multiplies the magnitudes of two vectors: only the component along the other counts"
+)
 SINE = Words("takes the sine of the angle between two vectors: a scalar product has its cosine")
 VELOCITY = Words("takes a velocity for the acceleration: that is its rate")
 IN_GROUND = Words(
-    "has the velocity in the ground in the Coriolis term: "
-    "that relative to the moving frame belongs there"
+    "uses the velocity in the ground in the Coriolis term: "
+    "it needs that relative to the moving frame"
 )
 TO_ORIGIN = Words(
     "takes omega^2 r as the centripetal acceleration: it points to the axis, not to the origin"
@@ -293,7 +297,7 @@ def _of_motion(parts, of):
 
 
 def _of_dot(parts, of):
-    """The product of the sizes, and the size of the cross product, for a scalar product."""
+    """The product of the magnitudes, and that of the cross product, for a scalar product."""
     if is_there(parts[0]):
         a, b = of[:3], of[3:]
         yield LEAST, NO_COSINE, (sqrt(dot3(a, a)) * sqrt(dot3(b, b)),)

@@ -22,7 +22,7 @@ WHOLE = Words("has all of {term} along one axis: it has components along several
 ONE_AXIS = Words("puts all of {key} along one axis: it has components along several").template
 WITHOUT = Words("leaves out {terms}: they are not zero here").template
 ALONE = Words("gives {terms} alone: the sum has more terms").template
-SIZES = Words("adds the sizes of the terms as numbers: they are vectors in different directions")
+SIZES = Words("adds the magnitudes of the terms: they are vectors in different directions")
 SEVERAL = 6  # terms: of more, no two are left out
 NAMED = 2  # terms at most that are named together
 

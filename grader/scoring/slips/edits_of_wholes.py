@@ -19,8 +19,8 @@ IN_TERMS = {"+", "-", "sqrt", "asin", "acos", "atan"}
 MANY = 24  # places: in more, no given is left
 SIDE = Words("has {name} on the wrong side of the fraction: put your units into the whole formula")
 SUMS = {
-    "+": Words("adds {name} to {key}: it alone is asked for").template,
-    "-": Words("takes {name} off {key}: the whole is asked for").template,
+    "+": Words("adds {name} to {key}: {key} alone is asked for").template,
+    "-": Words("subtracts {name} from {key}: the whole is asked for").template,
 }
 TIMES = {
     "*": Words("multiplies {key} by {quantity}: look up what {key} stands for").template,

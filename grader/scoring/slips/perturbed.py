@@ -17,6 +17,7 @@ from newton_euler.answers.near import Ranked, Slips
 
 from .edits import edits_of
 from .edits_of_equations import entries, solution, square
+from .edits_of_roots import beside, rooted
 from .formulas import Edit, Formulas, needed, steps_in
 
 INFIX = {"+", "-", "*", "/", "**"}
@@ -42,7 +43,7 @@ class Computation:
         self.to_base = {n: unit(formulas.units[n]).to_base(1.0, system) for n in self.arguments}
         self.names: dict[str, Any] = operations(np)
         self.names |= {"answer": self._answer, "within": self._within, "equations": solution}
-        self.names |= {"inside": _inside, "between": _between}
+        self.names |= {"inside": _inside, "between": _between, "rooted": rooted, "beside": beside}
         exec(compile(_Text(self).text, "the slips", "exec"), self.names)
         self._run = self.names["slips"]
 

@@ -44,6 +44,7 @@ def test_the_terms_of_polar_components_are_reported_in_words():
     assert shown(p, p.book_values)["a_euler"].means == "the Euler term r theta'' e_theta, in a"
 
 
+@pytest.mark.one_in(6)
 @pytest.mark.parametrize("p", ALL, ids=lambda p: p.id)
 def test_the_terms_among_the_steps_add_up_to_the_answers(p):
     values = {**draw(p, b"steps"), **p.sympy_symbols()}

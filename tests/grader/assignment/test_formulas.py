@@ -107,6 +107,7 @@ def shown(name, key):
     return [str(f) for f in derivations(p, p.book_values)[key].formulas]
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize(("name", "key", "formulas"), [
     ("5/3", "d", ["Q_x/V", "Q_y/V", "Q_z/V"]),  # by the names of earlier quantities
     ("2/9", "a_n", ["g*(1 - n)"]),  # bars around what is negative for everyone turn its sign

@@ -60,6 +60,7 @@ def plain(latex):
     return re.sub(r"[{}\s]", "", latex)
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize(
     "p", [p for p in select(["all"]) if hasattr(p.code, "draw")], ids=lambda p: p.id
 )

@@ -82,6 +82,7 @@ def off(p, values, share):
     return sample.cell_text(p, {k: f"{1 + share} * np.array({x})" for k, x in right.items()})
 
 
+@pytest.mark.slow
 @pytest.mark.integration
 def test_a_sheet_follows_its_file_all_the_way(tmp_path, monkeypatch):
     """Two sheets of the same problems, one of which sets a tolerance and a level of help."""

@@ -97,6 +97,7 @@ def hub(tmp_path_factory):
     return top
 
 
+@pytest.mark.slow
 @pytest.mark.integration
 def test_students_of_two_courses_fetch_and_submit_under_their_own_accounts(hub):
     roster = hub / "roster.csv"

@@ -2,12 +2,11 @@
 
 import json
 import stat
-import sys
 import zipfile
 
 import pytest
 
-from grader.course import CourseError, take_in
+from grader.course import take_in
 from grader.grading import grade
 from tests.grader.courses import command, ran, submit
 from tests.grader.submissions import work
@@ -104,8 +103,11 @@ def test_an_unusable_name_loses_none_of_the_others(named, tmp_path):
     ]  # fmt: skip
 
 
-@pytest.mark.parametrize("method", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
-def test_a_bomb_of_a_method_that_cannot_be_read_in_part_is_left_out(named, tmp_path, method):
+@pytest.mark.parametrize(("method", "words"), [
+    (zipfile.ZIP_BZIP2, "unusual method"), (zipfile.ZIP_LZMA, "unusual method"),
+    (zipfile.ZIP_DEFLATED, "it is damaged"),
+])  # fmt: skip
+def test_a_bomb_costs_only_itself(named, tmp_path, method, words):
     path = archive(tmp_path / "w.zip", {"ada.ipynb": "{}"})
     with zipfile.ZipFile(path, "a", method) as z:
         z.writestr("ben.ipynb", b"[" * 2**20)
@@ -115,7 +117,7 @@ def test_a_bomb_of_a_method_that_cannot_be_read_in_part_is_left_out(named, tmp_p
     path.write_bytes(raw)
     found = take_in(named, "ch04", path)
     ((name, why),) = found.refused
-    assert (name, "unusual method" in why, {*found.taken}) == ("ben.ipynb", True, {"ada"})
+    assert (name, words in why, {*found.taken}) == ("ben.ipynb", True, {"ada"})
 
 
 def test_a_link_in_an_archive_is_left_out(named, tmp_path):
@@ -176,21 +178,6 @@ def test_existing_work_is_kept_unless_it_is_to_be_replaced(named, tmp_path):
     assert take_in(named, "ch04", path, replace=True, times=True).taken == {"ada": "ada.ipynb"}
     assert named.submissions("ch04")["ada"].read_text() == "{}"
     assert "2026-01-01" not in (named.path / "submitted/ada/ch04/timestamp.txt").read_text()
-
-
-def test_a_bomb_costs_only_itself(named, tmp_path, monkeypatch):
-    monkeypatch.setattr(sys.modules["grader.course.take_in"], "MAX_BYTES", 1000)
-    path = archive(tmp_path / "w.zip", {"ada.ipynb": b"[" * 100_000, "ben.ipynb": b"{}"})
-    raw = bytearray(path.read_bytes())
-    place = raw.find(b"PK\1\2") + 24  # the size that the directory states: a lie
-    raw[place : place + 4] = (5).to_bytes(4, "little")
-    path.write_bytes(raw)
-    try:
-        found = take_in(named, "ch04", path)
-    except CourseError:
-        return  # zipfile itself noticed
-    assert set(found.taken) <= {"ben", "ada"}
-    assert all(p.stat().st_size <= 1000 for p in named.submissions("ch04").values())
 
 
 def test_a_name_of_thousands_of_letters_is_shown_by_its_ends(named, tmp_path):

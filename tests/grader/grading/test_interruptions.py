@@ -57,13 +57,14 @@ def stopped(process):
     for _ in range(5):  # a person presses again where Python has ignored it, as in a weak reference
         os.killpg(process.pid, signal.SIGINT)
         with contextlib.suppress(subprocess.TimeoutExpired):
-            out, _ = process.communicate(timeout=20)
+            out, _ = process.communicate(timeout=60)
             break
     assert process.returncode == 130, out
     assert "Traceback" not in out or "Exception ignored" in out, out
     return " ".join(out.split())
 
 
+@pytest.mark.one_in(2)
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize(
     "moment", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(1, 6))]
@@ -99,6 +100,7 @@ def test_ctrl_c_says_how_far_the_grading_came_and_the_next_run_goes_on(fresh, co
     assert gradebook_rows(fresh) == gradebook_rows(course)
 
 
+@pytest.mark.slow
 @pytest.mark.integration
 def test_ctrl_c_in_a_build_leaves_nothing_and_in_feedback_what_is_done(fresh, tmp_path):
     new = tmp_path / "new"

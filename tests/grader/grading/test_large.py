@@ -60,6 +60,7 @@ def with_output(notebook, text):
     return notebook
 
 
+@pytest.mark.slow
 def test_a_notebook_of_60_mb_is_graded_within_a_few_hundred_mb(ungraded):
     picture = base64.b64encode(os.urandom(45 * 2**20)).decode()
     submit(ungraded, "ada", with_output(work(ungraded, "ada"), picture))

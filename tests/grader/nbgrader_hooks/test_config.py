@@ -71,6 +71,7 @@ def before(written, tmp_path):
     return Course(shutil.copytree(written.path, tmp_path / "mechanics"))
 
 
+@pytest.mark.one_in(2)
 @pytest.mark.integration
 @pytest.mark.parametrize("route", ["nbgrader autograde", "python -m grader grade"])
 def test_a_course_of_an_earlier_version_is_graded(before, route):

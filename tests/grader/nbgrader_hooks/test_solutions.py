@@ -23,6 +23,7 @@ def due(course, days, extension=0):
             book.grant_extension("ch04", "ada", days=extension)
 
 
+@pytest.mark.one_in(2)
 @pytest.mark.parametrize(("setting", "days", "extension", "shown"), [
     (None, -2, 0, False),
     ("after the due date", -2, 0, True),

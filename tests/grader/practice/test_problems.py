@@ -46,7 +46,7 @@ def test_answers_by_the_engine_are_right_for_other_numbers(practice_file):
 @pytest.mark.parametrize(("given", "words"), [
     ([0, 0, 0], "leaves out omega x omega_rel"),
     ([0, 0.27, 0], "the other way round"),
-    ([0.27, 0, 0], "its size is right, its direction is not"),
+    ([0.27, 0, 0], "its magnitude is right, its direction is not"),
     ([0, -0.2635, 0], "check each number and term in it"),
     ([1.9, 0.3, 0.1], "not right"),
     ("fast", "expected a vector"),

@@ -139,7 +139,7 @@ def ran_hidden(*programs, **values):
 
 def test_rooms_examples_practice_and_figures_need_no_library(practice_file):
     programs = DOCTESTS, NUMBERS, PRACTICE, CHAPTERS, FIGURES
-    output = ran_hidden(*programs, path=str(practice_file), step=6, arrays=ARRAYS)
+    output = ran_hidden(*programs, path=str(practice_file), step=18, arrays=ARRAYS)
     assert int(output.split()[0]) > 30
     assert "{'alpha_CD': 'right', 'v_D': 'wrong', 'a_D': 'wrong'}" in output
     assert "v_D: right" in output

@@ -136,7 +136,7 @@ def test_components_from_another_origin_are_named_and_no_given_as_the_whole_answ
     middle = [("the middle", lambda p, q, **_: (p / 2, q / 2, 0))]
     right = [float(x) for x in parts(P, Q)]
     less = (right[0] - P / 2, right[1] - Q / 2, 0.0)
-    assert "takes the middle off x" in of_vector(less, parts, stages=middle)
+    assert "subtracts the middle from x" in of_vector(less, parts, stages=middle)
     # each length equals some component by chance
     assert "alone" not in of_vector((right[0], Q / 2, 0.0), parts)
 

@@ -56,6 +56,12 @@ def one_panel(c, q):
     return {"l_r": ((I_x - 0.5) / ((1 + share * q**2) / 12)) ** 0.5}
 
 
+def about_an_end(m, xA, yA, xB, yB, **_):
+    """7/31: the part about the centre of mass with 1/3."""
+    own, between = (xB - xA) * (yB - yA) / 3, (xA + xB) * (yA + yB) / 4
+    return {"I_xy": m * (own + between) / 10**6}
+
+
 def over_the_difference(c, d, t_1, t_2):
     """A/25: t_2 - t_1 put into the antiderivative."""
     t = t_2 - t_1
@@ -165,8 +171,12 @@ CASES = {
     ),
     "an area": ("7/18", lambda m, b, h: {"I_xx": b * h**3 / 36}, "leaves out the mass per"),
     "inside an integral": (
-        "5/8", lambda R: {"d": [0, 0, sympy.pi * R / 4]}, "in what is integrated"
+        "5/8", lambda R: {"d": [0, 0, sympy.pi * R / 4]}, "in the integrand"
     ),
+    "half an integral": (
+        "5/7", lambda R, alpha: {"d": [R * (1 - sympy.cos(alpha)) / alpha, 0, 0]}, "takes sin(...)"
+    ),
+    "as about its end": ("7/31", about_an_end, "has 1/3 for 1/12 in "),
     "another point": ("7/3", about_their_centre, "moments of inertia about the centre of mass"),
     "no rate": ("A/17", as_it_is, "does not differentiate the vector"),
     "a point": ("4/41", top_of_the_rim, "puts r along another axis"),
@@ -190,7 +200,7 @@ CASES = {
         "2/11", lambda v_0, phi, g: {"rho_top": v_0 * sin(radians(phi)) / g},
         "does not square v_0 and sin(phi)",
     ),
-    "small": ("5/17", lambda W0, h, R_e: {"W": W0 * (1 - 2 * h / R_e)}, "takes h as small"),
+    "small": ("5/17", lambda W0, h, R_e: {"W": W0 * (1 - 2 * h / R_e)}, "keeps h to first order"),
     "difference": (
         "7/21", lambda m, I_AA, r_a, r_b: {"I_BB": I_AA - m * (r_a - r_b) ** 2 / 1e3},
         "squares the difference",
@@ -201,15 +211,15 @@ CASES = {
         }, "adds a_1 to a_2",
     ),
     "another answer taken off": (
-        "11/9", lambda d, h, W, h_E, g: {"N_D": -6 * W}, "takes N_B off N_D",
+        "11/9", lambda d, h, W, h_E, g: {"N_D": -6 * W}, "subtracts N_B from N_D",
     ),
     "differentiated": (
         "A/24", lambda **given: twice_differentiated("A/24", "AxB", "t", given),
-        "differentiates what is to be integrated",
+        "differentiates the integrand",
     ),
     "differentiated, in numbers": (
         "A/25", lambda **given: twice_differentiated("A/25", "whole", "t_2", given),
-        "differentiates what is to be integrated",
+        "differentiates the integrand",
     ),
     "the whole velocity": ("2/39", in_the_ground, "velocity in the ground in the Coriolis term"),
     "to the origin": ("4/8", to_the_origin, "takes omega^2 r as the centripetal acceleration"),
@@ -230,8 +240,8 @@ CASES = {
             float(f"{-1 / b:.6g}") * nu**2 * sympy.sin(theta), 0
         ]}, "nu/b instead of nu/sqrt(b^2 + p^2)",
     ),
-    "limits": ("A/25", over_the_difference, "over the difference of the limits"),
-    "constant": ("8/10", swinging, "takes what is integrated as constant"),
+    "limits": ("A/25", over_the_difference, "to the difference of the limits"),
+    "constant": ("8/10", swinging, "takes the integrand as constant"),
     "about the centre": ("9/5", about_the_centre, "moments of inertia about the centre of mass"),
     "in inches": (
         "2/16", lambda a_n1, r_1, **_: {"v_tape": (a_n1 / r_1) ** 0.5}, "one factor r_1 too few",

@@ -99,6 +99,7 @@ def rows(points):
     return points[0] if len(points) == 1 else tuple(np.array(points).T)
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize(("p", "key"), FOLLOWING, ids=[f"{p.id} {k}" for p, k in FOLLOWING])
 def test_the_key_follows_from_the_key(p, key):
     for n in range(10):
@@ -116,6 +117,7 @@ def test_the_key_follows_from_the_key(p, key):
 NUMERIC = [(p, key) for p, key in FOLLOWING if not (p.symbolic or p.answer(key).kind.is_word)]
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize(("p", "key"), NUMERIC, ids=[f"{p.id} {k}" for p, k in NUMERIC])
 def test_in_every_problem_a_later_answer_follows_from_a_wrong_one(p, key):
     values = draw(p, b"following")

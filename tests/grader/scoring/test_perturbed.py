@@ -168,7 +168,7 @@ def test_random_numbers_in_one_component_are_rarely_named():
             "does not square the numbers in 4*a^2 + c^2",
         ),
         (lambda a, c, k: a * c / (5 * k), A * C / (4 * K), "takes the factor 1/4 for 1/5"),
-        (lambda a, c, k: a * c / k, A * C / K - A, "takes a off x"),
+        (lambda a, c, k: a * c / k, A * C / K - A, "subtracts a from x"),
     ],
 )
 def test_ratios_roots_and_differences(parts, wrong, words):

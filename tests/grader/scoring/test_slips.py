@@ -120,7 +120,7 @@ def counted(p, alone, draws):
 )
 def test_slips_that_nobody_listed_are_named_and_never_misnamed(alone, draws):
     found = Counter()
-    for p in NUMERIC:
+    for p in NUMERIC[:: 1 if draws > 1 else 3]:
         counts, misnamed = counted(p, alone, draws)
         found.update(counts)
         assert misnamed == []

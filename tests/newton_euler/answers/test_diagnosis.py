@@ -1,5 +1,6 @@
 """Which wrong model explains a wrong answer: causes are compared by identity, not by words."""
 
+import itertools
 import math
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 from newton_euler.algebra.units import Dimension
 from newton_euler.answers import causes
+from newton_euler.answers.by_component import of_each_component
 from newton_euler.answers.diagnosis import Answered, Elsewhere, diagnose
 from newton_euler.answers.fit import EXACT, LOOSE, Fit
 from newton_euler.answers.kinds import KINDS
@@ -293,24 +295,39 @@ def test_a_formula_with_the_number_of_another_body_hears_which_body_that_is():
     """A moment of inertia m h^2/18, and the centre of half a disk; what is no such formula."""
     m, h = np.array([1.0, 2.0, 3.0, 5.0]), np.array([0.3, 1.5, 0.7, 2.0])
     rows = lambda *columns: tuple(zip(*(x.tolist() for x in columns), strict=True))
-    found = lambda given, key, of, place=False: [
-        cause.name
-        for cause, _ in of_other_bodies(Fit(given, key, FORMULA_RTOL), of, {"m": m, "h": h}, place)
-    ]
+
+    def found(given, key, of, place=False, points=4):
+        fit = Fit(given[:points], key[:points], FORMULA_RTOL)
+        symbols = {"m": m[:points], "h": h[:points]}
+        return [cause.name for cause, _ in of_other_bodies(fit, of, symbols, place)]
+
     inertia, plate = Dimension(1, 2), rows(m * h**2 / 18)
     assert found(rows(m * h**2 / 12), plate, inertia) == ["1/12"]
     assert found(rows(m * h**2 / 13), plate, inertia) == []
+    # at fewer points than unknown powers and a number every formula is a product of powers
+    assert [found(rows(m * h**2 / 12), plate, inertia, points=n) for n in (1, 3)] == [[], []]
+    diagonal = lambda a, b, c: rows(a, *[0 * h] * 3, b, *[0 * h] * 3, c)
+    one, other = m * h**2 / 18, m * h**2 / 12
+    for wrong in itertools.product((one, other), repeat=3):
+        off = [4 * n for n, x in enumerate(wrong) if x is other]
+        where = f" in {off}" if len(off) < 3 else ""
+        names = found(diagonal(*wrong), diagonal(one, one, one), inertia)
+        assert names == [f"1/12{where}"] * bool(off)
     assert found(rows(m * h**3 / 12), rows(m * h**3 / 18), inertia) == []
     assert found(rows(m * h**2 / 12), rows(m * h**2 / 18 + h), inertia) == []
     centre, solid = (rows(0 * h, x * h) for x in (4 / (3 * np.pi), 3 / 8))
     assert found(solid, centre, Dimension(0, 1), True) == ["3/8"]
     assert found(centre, solid, Dimension(0, 1), True) == ["4/(3*pi)"]
     assert found(rows(0 * h, h), solid, Dimension(0, 1), True) == []
+    # beside another mistake the one component is judged with the right ones
+    fit = Fit(rows(3 / 8 * h, h + 1), rows(4 / (3 * np.pi) * h, h), FORMULA_RTOL)
+    ((cause, points),) = of_other_bodies(fit, Dimension(0, 1), {"m": m, "h": h}, True)
+    assert (cause.name, points) == ("3/8 in [0]", rows(3 / 8 * h, h))
 
 
 def test_what_explains_each_wrong_component_is_named():
     """A listed mistake in one component alone; in a formula, a slip in each of two."""
-    key, model, given = ((3.0, 4.0, 5.0),), ((9.1, 7.3124, 6.2),), ((3.0, 7.3124, 5.0),)
+    key, model, given = ((3.0, 4.0, 5.0),), ((9.1, 7.3124, 6.2),), ((3.00002, 7.3124, 5.0),)
     none = lambda fit, kind: ()
     (cause,) = diagnose(given, key, [(TURNS, model)], slips=none)
     assert cause.text == "in its second component turns y"
@@ -327,6 +344,31 @@ def test_what_explains_each_wrong_component_is_named():
     # of a number times each right component, some slip is met by chance
     assert not diagnose(2 * ((6.1, 4.0, 1.3),), 2 * key, [], formula, slips=each)
     assert not diagnose(((6.1, 4.0, 1.3),), key[:1], [], slips=each)
+
+
+@pytest.mark.parametrize(
+    ("more", "wrong", "named"),
+    [
+        (0.0, (7.0, 2.0, 5.0), True), (0.0, (7.0, 2.0, 8.0), True), (0.0, (7.0, -1.0, 5.0), False),
+        (-3.0, (7.0, 2.0, 5.0), False), (3.0, (7.0, 2.0, 5.0), False),
+    ],
+)  # fmt: skip
+def test_a_slip_in_each_entry_is_named_once_and_the_third_moment_of_a_plate_follows(
+    more, wrong, named
+):
+    """An entry and its mirror image are one; I_zz of a plate is I_xx + I_yy."""
+    matrix = lambda xx, xy, yy: (xx, xy, 0.0, xy, yy, 0.0, 0.0, 0.0, xx + yy + more)
+    key, wrong = (matrix(4.0, -1.0, 5.0), matrix(2, 1, 3)), (matrix(*wrong), matrix(2, 1, 3))
+    causes_of = {(0,): TURNS, (1, 3): MIRRORS, (4,): TURNS}
+
+    def slips(fit, kind):
+        pairs = enumerate(zip(fit.given[0], fit.key[0], strict=True))
+        off = tuple(n for n, (x, k) in pairs if x != k)
+        return [(1, causes_of[off], fit.given)] if off in causes_of else []
+
+    fit = Fit(wrong, key, FORMULA_RTOL)
+    found = of_each_component(fit, KINDS["matrix_expression"], [], slips)
+    assert [cause.name for cause in found] == ["turns + mirrors"] * named
 
 
 def test_a_formula_with_other_powers_of_its_symbols_hears_of_which():

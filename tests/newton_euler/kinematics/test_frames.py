@@ -312,6 +312,7 @@ def test_eqn_4_18_has_the_units_of_an_acceleration_whatever_the_chain():
     assert set(frames[-1].angular_acceleration(frames[0]).components()) == {per_s2}
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("kind", FAST_KINDS)
 @pytest.mark.parametrize("seed", range(5))
 def test_eqn_4_19_to_4_24_angular_velocity_and_acceleration_between_any_two_frames(kind, seed):

@@ -161,14 +161,6 @@ def test_section_4_3_quarter_turns_about_two_fixed_axes_do_not_commute(kind, ord
     assert close(angle, 4 * quarter / 3, tiny)
 
 
-def test_turns_about_moving_axes_are_turns_about_fixed_axes_in_reverse_order():
-    turns = [rotation_matrix(I, 0.3), rotation_matrix(J, -1.1), rotation_matrix((1, 1, 0), 2.0)]
-    ground = Frame("ground")
-    body = ground.rotate("a", "x", 0.3).rotate("b", "y", -1.1).rotate("c", (1, 1, 0), 2.0)
-    assert close(product(*turns), body.rotation(ground), 4 * EPS)
-    assert close(product(*turns), in_sequence(*reversed(turns)), 0)
-
-
 # -- infinitesimal rotations, angular velocity and acceleration (4.9)-(4.14)
 
 

@@ -157,6 +157,7 @@ def test_where_it_sticks_no_narrow_passages_are_searched_for(friction, monkeypat
     assert len(passed) < 10
 
 
+@pytest.mark.one_in(2)
 @pytest.mark.parametrize(
     ("x", "t", "rtol"),
     [(1.2, 7.0, 1e-3), (3.3, 20.0, 1e-5), pytest.param(0.3, 10.0, 1e-3, id="from the beginning")],
@@ -168,6 +169,7 @@ def test_what_sticks_for_a_long_time_is_refused_with_what_to_write(x, t, rtol):
     assert refused.value.reached.cost.calls < 5e6
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("width", [1e-3, 1e-4, 3e-5, 1e-5, 1e-6])
 def test_the_error_covers_what_the_last_digit_of_an_edge_makes(width):
     """A push between two hard edges, narrow beside how far they are; no result is off."""
@@ -205,6 +207,7 @@ FLOORS = {
 }
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("kind", FLOORS)
 @pytest.mark.parametrize("place", [1.0, 6.4e6])
 def test_a_floor_far_from_zero_throws_back_as_one_at_zero(kind, place):

@@ -41,6 +41,7 @@ AT_EACH = [
 ]
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize(("event", "rtol"), AT_EACH)
 def test_a_motion_that_sticks_is_refused_with_the_event_to_write(event, rtol):
     model, start, t = STICKS[event]
@@ -108,6 +109,7 @@ def test_a_switch_that_is_crossed_does_not_stick():
     assert motion.error <= 1e-6
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("place", [1e3, 1e5, 6.371e6])
 @pytest.mark.parametrize("jumps", [False, True], ids=["springs", "jumps"])
 def test_a_floor_far_from_the_origin_is_bounced_off_or_refused_for_the_last_digit(place, jumps):

@@ -42,6 +42,7 @@ NO_CHANGE = {
 BOTH = pytest.mark.parametrize("closed", [True, False])
 
 
+@pytest.mark.one_in(3)
 @BOTH
 @pytest.mark.parametrize("name", EVERY_CHANGE_OF_SIGN)
 def test_every_change_of_sign_is_an_event_of_its_direction(name, closed):

@@ -157,6 +157,7 @@ def test_a_motion_that_would_take_too_many_steps_is_not_begun_a_second_time():
     assert math.isnan(refused.value.reached.error)
 
 
+@pytest.mark.one_in(3)
 @needs_heyoka
 @pytest.mark.parametrize("method", ["taylor", "auto"])
 @pytest.mark.parametrize(("t", "samples"), [(2e5, None), (2e5, 33), (6e4 * math.pi, None)])

@@ -79,6 +79,7 @@ def faults(name, count, seed):
     return (wrong if len(wrong) > count // 100 else []) + low
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize(("count", "seed"), [(24, "quick"), pytest.param(320, "many", marks=pytest.mark.slow)])  # fmt: skip
 @each_ladder
 def test_the_choice_is_the_cheapest_rung_that_holds_and_bounds_are_bounds(name, count, seed):
@@ -96,6 +97,7 @@ def test_bounds_of_a_physical_pendulum_are_not_wild_guesses():
     assert sum(near) > len(near) / 2
 
 
+@pytest.mark.one_in(3)
 @each_ladder
 def test_every_rung_is_the_right_choice_now_and_then(name):
     r, chosen = random.Random(f"{name} every"), Counter()
@@ -212,6 +214,7 @@ def test_the_state_of_each_model_has_the_degrees_of_freedom_of_its_scene(name):
     assert found == {n: 2 * freedom - left_out + spare for n, (freedom, left_out, spare) in FREEDOM[name].items()}  # fmt: skip
 
 
+@pytest.mark.one_in(3)
 @each_ladder
 def test_no_state_is_superfluous(name):
     """A prediction shows as many directions of the start as it has states, less the spare ones."""

@@ -141,6 +141,7 @@ REACHED = {
 BOUNDED = [(name, rung) for name, rung in RUNGS if ladder(name).rung(rung).bound(1.0) < math.inf]
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize(("name", "rung"), BOUNDED)
 def test_bounds_hold_and_are_as_narrow_as_stated(name, rung):
     r, ratios = random.Random(8), []

@@ -90,7 +90,7 @@ def test_points_converge_slowly_and_the_engine_is_right_to_round_off_by_both_way
     random, grid = errors(points, "random points"), errors(points, "grid of points")
     assert 1e-5 < random[10**6] < 1e-2
     assert 1e-7 < grid[10**6] < 1e-4
-    assert random[100] / random[10**6] == pytest.approx(100, rel=9)  # as 1/sqrt(number)
+    assert 10 < random[100] / random[10**6] < 1000  # as 1/sqrt(number)
     assert all(grid[n] < random[n] for n in grid)
     for way in ("engine, quadrature", "engine, composition"):
         assert max(errors(points, way).values()) < 4 * ROUND_OFF

@@ -9,6 +9,7 @@ from newton_euler.scenes import SCENES
 EXACT = [name for name in SCENES if SCENES[name].motion[0].exact]
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize("name", EXACT)
 def test_references_agree_with_exact_solutions_to_28_digits(name):
     model, t, start = SCENES[name].motion

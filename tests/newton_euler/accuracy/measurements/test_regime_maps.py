@@ -60,15 +60,6 @@ def test_which_method_is_for_a_short_and_for_a_long_run(compiling, short, monkey
     assert far[1] in (maps.DOP853, maps.TAYLOR)
 
 
-@pytest.mark.benchmark
-def test_a_compilation_takes_longer_than_a_run_that_is_compiled():
-    pytest.importorskip("heyoka")
-    compiling = maps.compile_time()
-    # the fastest of several runs: a busy machine may delay some, but not all by that much
-    runs = [integrate(maps.BODY, 1.0, maps.start_at(0.1), 1e-9, "taylor") for _ in range(20)]
-    assert compiling > min(motion.cost.seconds for motion in runs)
-
-
 def test_integration_fails_where_round_off_has_grown_to_the_accuracy_wanted():
     """Within a factor of five of the theory: a random walk is known only on average."""
     pytest.importorskip("heyoka")
