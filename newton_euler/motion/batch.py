@@ -269,43 +269,44 @@ def _taylor(many, run):
     if len(unsure):
         calls += compare(unsure, INSIDE)
     # a state that is small by cancellation may be all error, of which two runs may be alike
-    for last in (False, True):
-        met = np.flatnonzero(errors <= rtol)
-        x, span = (starts[:, met], ends[:, met]), (run.t0, float(times[-1]))
-        doubtful = met[_cancels(system, span, x, p[:, met], sizes[:, met])]
-        if last:
-            errors[doubtful] = np.inf
-        elif len(doubtful):
-            calls += compare(doubtful, INSIDE)
+    span = run.t0, float(times[-1])
+    doubtful = _cancelling(np.flatnonzero(errors <= rtol), system, span, (starts, ends), p, sizes)
+    if len(doubtful):
+        calls += compare(doubtful, INSIDE)
+        errors[_cancelling(doubtful, system, span, (starts, ends), p, sizes)] = np.inf
     reported = np.maximum(errors, np.minimum(rtol, REPORTED_SAFETY * errors))
     return Sweep(states, reported, calls)
 
 
-def _cancels(system, times, points, p, sizes):
-    """For each motion whether a state of it is small by cancellation at both of its ends, as of
-    :func:`~newton_euler.motion.sizes.small`.
+def _cancelling(motions, system, times, points, p, sizes):
+    """Those of these numbers of ``motions`` of which a state is small by cancellation at both ends,
+    as of :func:`~newton_euler.motion.sizes.small`.
     """
     import numpy as np
 
-    rates, scale = system.traced.folded[0].on(np), np.where(sizes > 0, sizes, 1.0)
-    found = sizes > 0
+    rates, found = system.traced.folded[0].on(np), np.ones((len(sizes), len(motions)), dtype=bool)
     with np.errstate(all="ignore"):
         for t, x in zip(times, points, strict=True):
-            here, slopes = _rows(np, rates(t, *x, *p), x), []
+            x, size, numbers = x[:, motions], sizes[:, motions], p[:, motions]
+            scale = np.where(size > 0, size, 1.0)
+            here, slopes = _rows(np, rates(t, *x, *numbers), x), []
             for k, step in enumerate(SLOPE_STEP * scale):
                 moved = x.copy()
                 moved[k] += step
-                slopes.append(abs(_rows(np, rates(t, *moved, *p), x) - here) / step)
+                slopes.append(abs(_rows(np, rates(t, *moved, *numbers), x) - here) / step)
             # arrays (rates, states, motions)
             matrix, vector = np.array(slopes).swapaxes(0, 1), np.ones_like(x)
-            terms, matrix = (matrix * sizes).sum(axis=1), matrix * scale / scale[:, None]
+            terms, matrix = (matrix * size).sum(axis=1), matrix * scale / scale[:, None]
             for _ in range(2):  # as in the estimate of the spectral radius there
                 twice = (matrix * (matrix * vector).sum(axis=1)).sum(axis=1)
                 square = twice.max(axis=0)
                 vector = twice / square + 1e-12
             fastest = np.fmax(np.sqrt(square), 1 / ((times[1] - times[0]) or 1.0))
-            found = found & (sizes <= NATURAL_PART * terms / fastest)
-    return found.any(axis=0)
+            found &= (size > 0) & (size <= NATURAL_PART * terms / fastest)
+            motions, found = motions[found.any(axis=0)], found[:, found.any(axis=0)]
+            if not len(motions):
+                break
+    return motions
 
 
 def _rows(np, values, x):

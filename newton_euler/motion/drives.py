@@ -9,6 +9,7 @@ from .narrow import narrow_times
 # a rate, or a state, is genuine above this multiple of what the last digits of states and
 # parameters contribute to it; 10 000 steady motions of tops, pendulums and orbits stayed below it
 GENUINE, LAST_DIGIT = 1.5, 2.0**-52
+SWINGING = 10.0  # the same of the change of a rate with time
 # fractions of the time at which the rates are examined: early ones, at which the phase of a
 # clock is still accurate, irregular ones, and the ends of this many steps
 EARLY, MANY, IRREGULAR, STEPS = (5e-4, 5e-3, 5e-2), 40, 0.618033988749895, 2000
@@ -39,22 +40,24 @@ def driven(trajectory, start, natural, doubted):
             return np.array([np.broadcast_to(row, times.shape) for row in values])
 
         first, held = np.array(start)[:, None], _driven_by(np, rates, x, doubted)
-        x[:, 0] = start
-        x = np.where(held[:, None], first, x)
-        found_rates, hidden = rates(x), 0.0
+        change = np.where(held[:, None], 0.0, x - x[:, :1])
+        x = first + change
+        found_rates, apart = rates(x), []
         # a clock that runs uniformly has no error
-        departure = abs(x - first - found_rates[:, :1] * (times - begin))
+        departure = np.minimum(abs(change), abs(change - found_rates[:, :1] * (times - begin)))
         errors = LAST_DIGIT * abs(x) + ERROR * trajectory.tolerance * departure
         for k, error in enumerate(errors):
             displaced = x.copy()
             displaced[k] += error
-            hidden += abs(rates(displaced) - found_rates)
+            apart.append(rates(displaced) - found_rates)
         for k, number in enumerate(system.p):
             p = *system.p[:k], number * (1 + LAST_DIGIT), *system.p[k + 1 :]
-            hidden += abs(rates(x, p) - found_rates)
-        found |= doubted & set(
-            np.flatnonzero((abs(found_rates) > GENUINE * hidden).any(axis=1)).tolist()
-        )
+            apart.append(rates(x, p) - found_rates)
+        genuine = (abs(found_rates) > GENUINE * sum(map(abs, apart))).any(axis=1)
+        # an error that is the same at all times hides no push to and fro, which may be in resonance
+        hidden = sum(np.ptp(error, axis=1) for error in apart)
+        genuine |= np.ptp(found_rates, axis=1) > SWINGING * hidden
+        found |= doubted & set(np.flatnonzero(genuine).tolist())
     return found
 
 

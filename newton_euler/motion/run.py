@@ -98,7 +98,7 @@ def fast_run(system: PreparedModel, method: Method, rtol: float) -> Callable | N
         # a series does not stop at knots here
         if x is None or (method.series and knots(system, 0.0, t)):
             return None
-        return x if known_accurate(system, method, rtol, 0.0, t, start, x) else None
+        return x if known_accurate(system, method, rtol, 0.0, t, tuple(start), x) else None
 
     return run
 
@@ -237,19 +237,37 @@ class Run:
             return self.calibrated(method)
 
         def error():
-            self.progress, fine = None, trajectory.tolerance
-            return self.error(self.compared(method, method.other(fine), fine), trajectory)
+            self.progress = None
+            return reported_error(self.error_of_series(method, trajectory)[0], self.rtol)
 
         ends = self.t0, self.t1, self.state, trajectory.segments[-1].x1
         if not self.events and known_accurate(self.system, method, self.rtol, *ends):
-            return self.motion(trajectory, method, lambda: reported_error(error(), self.rtol))
-        found = error()
+            return self.motion(trajectory, method, error)
+        self.progress = None
+        found, cancels = self.error_of_series(method, trajectory)
         # a state that is small by cancellation may be all error, of which two runs may be alike
-        if not found <= self.rtol or small(*trajectory.sizes()[:2]):
+        if not found <= self.rtol or cancels:
             return self.calibrated(method)
         if not (self.events or self.long):  # ended early, with jumps, or by a finer series
             self.system.verified.add(self.rtol, *ends, found)
         return self.motion(trajectory, method, reported_error(found, self.rtol))
+
+    def error_of_series(self, method, trajectory):
+        """The error of the trajectory of a series, and whether a state of it is small by
+        cancellation.
+        """
+        tolerance = trajectory.tolerance
+        before = self.compared(method, method.other(tolerance), tolerance)
+
+        def judged(one):
+            return self.error(before, one), any(small(*run.sizes()[:2]) for run in (one, before))
+
+        error, cancels = judged(trajectory)
+        met = error <= self.rtol and not cancels
+        # a state may happen to be nearly zero at both ends
+        if met or settled(before.largest(), trajectory.largest()):
+            return error, cancels
+        return judged(self.trajectory(method, tolerance, None, False, SIZE_SAMPLES))
 
     def calibrated(self, method, heyoka=False, known=None):
         """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`; with

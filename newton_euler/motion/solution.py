@@ -93,7 +93,7 @@ class Motion(Guided):
 
     >>> from newton_euler import Model, integrate
     >>> fall = Model("fall", {"g": 10.0}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
-    >>> motion = integrate(fall, 2.0, (100.0, 0.0), samples=3)
+    >>> motion = integrate(fall, 2.0, (100.0, 0.0), method="dop853", samples=3)
     >>> motion.states["h"].round(6).tolist(), round(motion.end["v"], 6), motion.method.name
     ([100.0, 95.0, 80.0], -20.0, 'dop853')
     """
@@ -188,7 +188,8 @@ class Motion(Guided):
         if len(self.segments) == 1:
             rows = self.segments[0].stepper.states(times)
             # the stepper interpolates: the last state would differ by round-off
-            rows[:, times == self.t_end] = np.array(self.segments[0].x1)[:, None]
+            (last,) = (times == self.t_end).nonzero()
+            rows[:, last] = np.array(self.segments[0].x1)[:, None]
             return dict(zip(self.model.states, rows, strict=True))
         segments = self.segments
         names = dict.fromkeys(n for part in segments for n in part.system.model.states)

@@ -183,6 +183,35 @@ def test_two_series_that_make_about_the_same_of_a_small_state_do_not_confirm_it(
         assert (abs(alone - exact[::7]) <= rtol * a[::7] * n).all()
 
 
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6])
+@pytest.mark.parametrize("digits", [0.0, 4.0])
+@pytest.mark.parametrize("by_states", [False, True])
+def test_a_swing_that_resonance_makes_of_a_push_below_the_last_digit_is_right_or_refused(
+    by_states, digits, rtol
+):
+    """The push never moves the rate beyond the last digit of the place; over thirty periods it
+    makes a swing of many of them.
+    """
+    place, w, T = 6.4e6, 1.7, 60.6 * math.pi / 1.7
+    digit = math.ulp(place)
+    for swing in (1e-2, 3.0, 100.0):  # digits of the place
+        f = swing * digit * 2 * w / T
+
+        def rates(s, p, t, f=f):
+            push = f * s.u if by_states else f * sin(w * t)
+            turning = (w * s.c, -w * s.u) if by_states else ()
+            return s.v, push - w * w * (s.x - place), *turning
+
+        names = ("x", "v", *("uc" if by_states else ""))
+        start = place + digits * digit, 0.0, *((0.0, 1.0) if by_states else ())
+        exact = f / 2 * T * math.sin(w * T) - w * digits * digit * math.sin(w * T)
+        size = w * digit * max(swing, digits)
+        for method in ("dop853", "auto"):
+            with suppress(FarError):
+                end = integrate(Model("pushed", {}, names, rates), T, start, rtol, method).end
+                assert abs(end["v"] - exact) <= rtol * size
+
+
 @pytest.mark.parametrize("rtol", [1e-1, 1e-3])
 def test_a_state_that_a_first_run_makes_large_is_judged_by_its_own_size_over_a_long_time(rtol):
     rates = lambda s, p, t: (s.v, sin(1.7 * s.c) * 1e-3 - 4.0 * (s.x - 6.4e6), 1e3 + 0 * s.x)
@@ -194,11 +223,13 @@ def test_what_hangs_or_turns_at_rest_is_not_refused_for_the_last_digit_of_its_pl
     """Its speed should be zero, but a float is not quite where it is at rest."""
     hanging = lambda s, p, t: (s.v, p.g - p.k * s.x / p.m)
     turning = lambda s, p, t: (s.v, s.r * s.w * s.w - p.g / (s.r * s.r), -2 * s.v * s.w / s.r)
+    around = lambda s, p, t: (s.v, s.h * s.h / s.r**3 - p.g / s.r**2, 0.0 * s.r)
     for n in range(1, 30):
         m, k, g = 0.1 * n, 1.0 + 3.7 * n, 9.81
         hung = Model("hanging", {"m": m, "k": k, "g": g}, ("x", "v"), hanging), (m * g / k, 0.0)
         circle = Model("circle", {"g": g}, ("r", "v", "w"), turning), (m, 0.0, math.sqrt(g / m**3))
-        for model, start in (hung, circle):
+        orbit = Model("orbit", {"g": g}, ("r", "v", "h"), around), (m, 0.0, math.sqrt(g * m))
+        for model, start in (hung, circle, orbit):
             for rtol in (1e-3, 1e-9):
                 assert abs(integrate(model, 1.0, start, rtol, "dop853").end["v"]) < rtol
 

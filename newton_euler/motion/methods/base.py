@@ -27,7 +27,8 @@ def sample_times(samples, begin, end):
     if isinstance(samples, int):
         return np.linspace(begin, end, samples)
     times = np.asarray(samples, dtype=float)
-    return times[(times >= begin) & (times <= end)]
+    inside = (times >= begin) & (times <= end)
+    return times.copy() if inside.all() else times[inside]
 
 
 class StepError(NewtonEulerError, ArithmeticError):

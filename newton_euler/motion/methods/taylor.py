@@ -209,7 +209,7 @@ class Taylor(Stepper):
         import numpy as np
 
         times = sample_times(self.samples, self.t, self.goal)
-        if not len(times) or np.any(np.diff(times) <= 0):
+        if not len(times) or (times[1:] <= times[:-1]).any():
             return False
         found = self._grid(times if times[-1] == self.goal else np.append(times, self.goal))
         if found is None or not isfinite(found[:, -1].sum()):
@@ -229,20 +229,23 @@ class Taylor(Stepper):
         walk.taken = 0
         with self._integrator() as ta, suppress(LengthError):
             self._put(ta, *self.start)
-            if times[0] == ta.time:
-                blocks, found = [ta.state[None].copy()], 1
             while found < len(times):
-                before, grid = ta.time, np.append(ta.time, times[found:])
+                before, rest = ta.time, times[found:]
+                first = int(rest[0] != before)  # a grid of heyoka begins at its time
+                grid = np.append(before, rest) if first else rest
                 done = ta.propagate_grid(grid, max_steps=MAX_STALLED_STEPS)
-                blocks.append(done[-1][1:])
+                blocks.append(done[-1][first:])
                 found += len(blocks[-1])
                 walk.t = ta.time
                 # where a series is not finite heyoka stops, and may have put the time forward
-                if walk._stalled(ta, before, done) or not isfinite(walk.t + ta.state.sum()):
+                if walk._stalled(ta, before, done) or not isfinite(walk.t + sum(ta.state)):
                     break
                 walk.check_length(walk.taken)
         self.calls += walk.taken * ta.order
-        return self._unscaled(np.concatenate(blocks).T) if found == len(times) else None
+        if found < len(times):
+            return None
+        rows = blocks[0] if len(blocks) == 1 else np.concatenate(blocks)
+        return self._unscaled(rows.T)
 
     def _by_steps(self, limit):
         """Take at most ``limit`` steps and keep their series."""
@@ -275,7 +278,7 @@ class Taylor(Stepper):
         import numpy as np
 
         times = np.asarray(times, dtype=float)
-        if self.kept and np.array_equal(times, self.kept[0]):
+        if self.kept and len(times) == len(self.kept[0]) and (times == self.kept[0]).all():
             return self.kept[1].copy()
         if self.series:
             return self._polynomials(times)
@@ -359,19 +362,21 @@ def batches(system, tolerance, starts, p, t0, times):
     with integrator(system, tolerance, batch=width) as ta:
         filled = np.minimum(np.arange(count + -count % width), count - 1)
         filled_starts, p = starts[:, filled], p[: len(ta.pars), filled]
-        state, pars = ta.state, ta.pars
+        state, pars, goal = ta.state, ta.pars, [float(times[-1])] * width
+        ends_only = len(grid) == 2 or len(times) == 1
+        if ends_only:
+            out[:, :, 0] = starts
         for first in range(0, count, width):
             ta.set_time(t0)
             state[:] = filled_starts[:, first : first + width]
             pars[:] = p[:, first : first + width]
             kept = out[:, first : first + width]
             real = kept.shape[1]  # motions of this batch that are not copies
-            if len(grid) == 2 or len(times) == 1:  # the ends only: no dense output
+            if ends_only:  # no dense output
                 ta.propagate_until(times[-1], max_steps=MAX_PREPARED_STEPS)
-                kept[:, :, 0] = starts[:, first : first + width]
                 kept[:, :, -1] = state[:, :real]
-                if (reached := ta.time).min() < times[-1]:
-                    kept[:, reached[:real] < times[-1], -1] = np.nan
+                if ta.time.tolist() != goal:
+                    kept[:, ta.time[:real] < times[-1], -1] = np.nan
             else:
                 rows = ta.propagate_grid(grid, max_steps=MAX_PREPARED_STEPS)[-1][before:]
                 kept[:, :, : len(rows)] = np.moveaxis(rows, 0, 2)[:, :real]

@@ -429,11 +429,27 @@ def test_progress_is_that_of_the_returned_run_only():
 
 @needs_heyoka
 def test_a_series_that_is_not_accurate_is_calibrated_and_vouches_for_nothing(monkeypatch):
-    errors = iter([1e-8, 1e-10])
+    errors = iter([1e-8, 1e-8, 1e-10])  # the second by the sizes on the way
     monkeypatch.setattr(run_module, "error_by_comparison", lambda *_: next(errors))
     one = run(fresh())
     assert one.by_name("taylor").error == pytest.approx(3e-10)
     assert not one.system.verified.runs
+
+
+@needs_heyoka
+@pytest.mark.parametrize("rtol", [1e-4, 1e-9])
+def test_a_state_that_happens_to_be_small_at_both_ends_is_judged_by_its_size_on_the_way(rtol):
+    """After ten periods the speed is that of round-off: by its ends it were small by
+    cancellation. A prepared run vouches for itself, though its start is a list.
+    """
+    model, t, start = oscillator().changed(k=1.0), 20 * math.pi, [1.0, 0.0]
+    motion = integrate(model, t, start, rtol, "taylor")
+    system = motion.segments[0].system
+    assert abs(motion.end["dx"]) < motion.error <= rtol
+    assert rtol in system.verified.runs
+    system.verified.add(rtol, 0.0, t, tuple(start), motion.segments[0].x1, rtol)
+    assert run_module.fast_run(system, METHODS["taylor"], rtol)(t, start)
+    assert integrate(model, t, start, rtol, "taylor").error <= rtol
 
 
 @needs_heyoka
