@@ -172,7 +172,7 @@ def _of_givens(f):
     of, vectors = f.dimensions.get, {key: a.parts for key, a in f.answers.items()}
     yield from operations.of_angles(f.steps)
     yield from groups.of_constants(f.steps, of)
-    yield from givens.of_one_unit(f.given, f.read, f.system, f.own)
+    yield from givens.of_one_unit(f.given, f.read, f.system)
     yield from givens.of_exchanged(f.given, f.read)
     yield from givens.of_planes(s for s in f.steps if s.op in ("+", "-"))
     yield from givens.of_rates(f.anything, f.read)
@@ -256,7 +256,7 @@ def _of_step(f, s, users):
         yield from (slip for slip in found if slip[1] != givens.ONE or is_factor)
         # nobody converts the symbols of a formula
         if name not in f.formulas.symbols:
-            yield from givens.of_unit(s, f.read[name], f.system, f.own)
+            yield from givens.of_unit(s, f.read[name], f.system)
     if s in f.products:
         yield from operations.of_product(s, f.number, of)
         yield from quantities.of_shared(s) if len(users) > 1 else ()

@@ -239,10 +239,10 @@ def of_weights(
                 yield Edit(LEAST, cause, {x.number: (op, x, ("*", m, g))})
 
 
-def of_unit(s: Step, own: Unit, system: System, students: System) -> Iterator[Slip]:
-    """A given used with its number in another unit than that in which ``students`` compute."""
-    name, needs_none = s.args[0], _is_own(own, students)
-    for ratio in () if needs_none else _ratios(own, system):
+def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
+    """A given used with its number in another unit."""
+    name = s.args[0]
+    for ratio in _ratios(own, system):
         yield SIMPLE, "unit", unconverted(name, own.text), ("*", s, ratio)
         words = Words(INVERTED, name=name, unit=own.text)
         yield LESS + 1, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
@@ -264,18 +264,13 @@ def of_unit(s: Step, own: Unit, system: System, students: System) -> Iterator[Sl
             )  # fmt: skip
             ratio = unit(other).to_base(1.0, SI) / unit(part).to_base(1.0, SI)
             yield LESS, f"confused {part}", words, ("/" if over else "*", s, ratio)
-        if part != own.text and not needs_none and unit(part).to_base(1.0, system) != 1:
+        if part != own.text and unit(part).to_base(1.0, system) != 1:
             words = Words(
                 "does not convert the {part} in {name}: the rest is in other units",
                 part=part, name=name,
             )  # fmt: skip
             yield LESS, f"part {part}", words, ("*", s, 1 / unit(part).to_base(1.0, system))
             yield LESS, f"part {part}", words, ("*", s, unit(part).to_base(1.0, system))
-
-
-def _is_own(own, students):
-    """True of a unit that needs no conversion."""
-    return abs(own.to_base(1.0, students) - 1) < 1e-9
 
 
 def _is_of_turns(own):
@@ -416,15 +411,12 @@ def _alike(steps):
 
 
 def of_one_unit(
-    given: Mapping[str, Step], read: Mapping[str, Unit], system: System, students: System
+    given: Mapping[str, Step], read: Mapping[str, Unit], system: System
 ) -> Iterator[Edit]:
-    """All givens in one unit used unconverted, if it is another than that in which ``students``
-    compute.
-    """
+    """All givens in one unit used unconverted."""
     for stated in dict.fromkeys(u.text for u in read.values()):
         steps = [s for n, s in given.items() if read[n].text == stated]
-        is_used = len(steps) > 1 and not _is_own(unit(stated), students)
-        for ratio in _ratios(unit(stated), system) if is_used else ():
+        for ratio in _ratios(unit(stated), system) if len(steps) > 1 else ():
             cause = unconverted(Words("what is given"), stated)
             yield Edit(SIMPLE, cause, {s.number: ("*", s, ratio) for s in steps})
             words = Words(INVERTED, name=Words("what is given"), unit=stated)
