@@ -15,10 +15,10 @@ ENTRIES = 3  # of a matrix that are listed as wrong, at most
 UNNAMED = Words("one term of a sum")
 ORDINALS = Words("first"), Words("second"), Words("third")
 # what a mistake does, where more than its words depends on it: leaves out a term or a quantity,
-# takes a given for zero, leaves out a component, reverses a term, takes its double or half, or has
-# a factor of 2 beside a quantity
-DOES = LEFT_OUT, ZERO, NO_COMPONENT, REVERSED, RESCALED, FACTOR_2 = (
-    "left out", "zero", "no component", "reversed", "rescaled", "two",
+# takes a given for zero, leaves out a component, reverses a term, takes its double or half, has
+# a factor of 2 beside a quantity, or takes something else for an answer
+DOES = LEFT_OUT, ZERO, NO_COMPONENT, REVERSED, RESCALED, FACTOR_2, INSTEAD = (
+    "left out", "zero", "no component", "reversed", "rescaled", "two", "instead",
 )  # fmt: skip
 
 
@@ -39,7 +39,7 @@ class Cause:
     subject : shared by slips that are one and the same in other words: the last of them is named;
         the name of a listed mistake that a general one repeats
     does : what it does, one of :data:`DOES`, or ""
-    of : to what, in words; "" of a term without a name
+    of : to what, in words; "" of a term without a name; of answers their names, as "a_A a_B"
     """
 
     group: str
@@ -371,6 +371,18 @@ def powers(names: Sequence[str]) -> Cause:
     return Cause("powers", " ".join(names), text)
 
 
+def of_number(factor: str) -> Cause:
+    """The answer has the right symbols, times another number."""
+    text = Words("has {factor} times the right number: its symbols are right", factor=factor)
+    return Cause("factor", f"{factor} times", text)
+
+
+def of_term(names: Sequence[str]) -> Cause:
+    """The answer has one term too many, or too few, or with another number."""
+    text = Words("is off by one term, in {names}: the other terms are right", names=joined(names))
+    return Cause("powers", f"term in {' '.join(names)}", text)
+
+
 def component_multiplied(places: Sequence[int], what: str, factor: float, large: bool) -> Cause:
     """Some components are off by one factor."""
     how = Words("large") if large else Words("small")
@@ -446,8 +458,11 @@ def term_reversed(name: str, words: str) -> Cause:
     return Cause("term", f"{name} x -1", text, does=REVERSED, of=words)
 
 
-def multiple_of(term: str) -> Cause:
-    """A remark: a term has another factor."""
+def multiple_of(term: str, factor: str = "") -> Cause:
+    """A term has another factor: a remark, unless this is a simple number."""
+    if factor:
+        text = Words("has {factor} times {term}: the rest is right", factor=factor, term=term)
+        return Cause("factor", f"{factor} times {term}", text)
     words = Words("all but the factor of {term} is right", term=term)
     return Cause("seen", f"multiple of {term}", words)
 

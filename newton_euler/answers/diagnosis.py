@@ -13,6 +13,7 @@ from .causes import (
     CORIOLIS_HALVED,
     FACTOR_2,
     GIVES_ZERO,
+    INSTEAD,
     LEFT_OUT,
     NO_COMPONENT,
     RESCALED,
@@ -43,6 +44,7 @@ class Answered(NamedTuple):
     key: Points
     wrong: Sequence[Model]
     slips: Callable[[Cause], Sequence[Points]] = lambda cause: ()
+    name: str = ""
 
     def models(self, cause: Cause) -> Iterator[Points]:
         """The answers to this part that a cause would give."""
@@ -71,7 +73,12 @@ class Elsewhere:
         )
 
     def refutes(self, cause: Cause) -> bool:
-        """True if this listed mistake would show in other parts, and explains none of them."""
+        """True if this listed mistake would show in other parts, and explains none of them, or if
+        a slip takes something else for another answer, which is right.
+        """
+        if cause.does == INSTEAD:
+            right = {part.name for part in self._parts if part.right}
+            return right.issuperset(cause.of.split())
         shown = cause.group == "listed" and any(
             is_apart(x, part.key) for part in self._parts for x in part.models(cause)
         )
@@ -227,6 +234,7 @@ def _simplest(fit, near, elsewhere):
     """The simplest of the slips in a computation that fit best, each in different words: first
     those that explain most other parts; a slip that is made in one part alone is less simple.
     """
+    near = [slip for slip in near if not elsewhere.refutes(slip[1])]
     if not near:
         return []
     hits = [(level, Hit(_level(fit, x), cause, x)) for level, cause, x in near]

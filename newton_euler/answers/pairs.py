@@ -9,6 +9,7 @@ computation are never named: these explain guesses as well.
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
 from functools import cached_property
 from itertools import chain
 from typing import Any
@@ -33,6 +34,7 @@ from .slips import PURE
 from .tolerance import NOISE, ROUND_OFF, Points
 
 (TWO, *_) = PURE
+SIMPLE, FEW = 12, 4  # the largest denominator of a simple number in a formula, in a number
 CHANCE = 0.005  # by which a random answer may meet a pair that is named
 
 
@@ -248,7 +250,13 @@ class _Pairs:
         chance = len(places) * (near / (AROUND * abs(off).max())) ** (shown - 1.0)
         is_met &= chance <= CHANCE
         largest = np.where(is_met, abs(changed).max(axis=1), 0).argmax()
-        return (multiple_of(terms[largest][1] or UNNAMED),) if is_met.any() else ()
+        if not is_met.any():
+            return ()
+        change = changed[largest]
+        factor = 1 - float((change * off).sum() / (change**2).sum())
+        simple = Fraction(factor).limit_denominator(SIMPLE if self.kind.is_formula else FEW)
+        is_simple = abs(factor - simple) <= near / abs(change).max()
+        return (multiple_of(terms[largest][1] or UNNAMED, str(simple) if is_simple else ""),)
 
     def _upside_down(self):
         if self.of_symbols and self.kind.length == 1:

@@ -11,11 +11,12 @@ from typing import Any, NamedTuple
 from ..algebra.language import Words
 from ..algebra.late import is_here, np
 from ..algebra.units import Dimension
-from .causes import Cause, in_components, powers, usual
+from .causes import Cause, in_components, of_number, of_term, powers, usual
 from .fit import Fit, mixed
 from .tolerance import FORMULA_FIT, NOISE, Points
 
 INERTIA, LENGTH = Dimension(1, 2), Dimension(0, 1)
+SIMPLE = 12  # the largest number, and denominator, of a simple factor
 MOMENTS: dict[Fraction, str] = {
     Fraction(1): Words("a ring"),
     Fraction(1, 2): Words("a disk about its axis"),
@@ -93,6 +94,36 @@ def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
     first, *others = (_monomial(column, symbols, logarithms) for column in ratios)
     if first and first.names and all(x and x[1:] == first[1:] for x in others):
         yield _in(off, powers(first.names), fit)
+
+
+def of_a_number(fit: Fit) -> Iterator[Cause]:
+    """Why a formula is wrong that is a simple number times the right one, in every component that
+    is wrong the same.
+    """
+    off = _off(fit)
+    ratios = [x for n in off for x in _ratios(fit, n)]
+    first = ratios[0] if ratios else math.nan
+    near = Fraction(first if math.isfinite(first) else 0).limit_denominator(SIMPLE)
+    if 0 < abs(near) <= SIMPLE and all(abs(x - near) <= FORMULA_FIT * abs(near) for x in ratios):
+        yield _in(off, of_number(str(near)), fit)
+
+
+def of_one_term(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
+    """Why a formula is wrong that differs from the right one by a number times powers of
+    ``symbols``, in one component.
+    """
+    off = _off(fit)
+    if len(off) != 1 or len(fit.key) == 1:
+        return
+    (n,) = off
+    ratios = _ratios(fit, n)
+    if not max(ratios) - min(ratios) > NOISE * abs(ratios[0]):
+        return  # another number in the only term
+    gaps = [x[n] - k[n] for x, k in zip(fit.given, fit.key, strict=True)]
+    is_one = all(x > 0 for x in gaps) or all(x < 0 for x in gaps)
+    found = _monomial(gaps, symbols, _logarithms_at(len(gaps), symbols)) if is_one else None
+    if found and found.names:
+        yield _in(off, of_term(found.names), fit)
 
 
 def _in(places, cause, fit):

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
+from itertools import chain, islice
 from typing import Any, Protocol
 
 from ..algebra.language import Words, _, joined, spoken
@@ -18,10 +19,11 @@ from .frames import Toleranced, counted
 from .messages import one_line
 from .near import LESS, RARER, Slips
 from .reading import Budget
-from .tolerance import Points
+from .tolerance import Points, is_apart
 from .trees import TreeError, in_words
-from .usual import of_other_bodies, of_other_powers
+from .usual import of_a_number, of_one_term, of_other_bodies, of_other_powers
 
+ABOUT = 2  # levels: slips that differ by no more are about as simple
 NO_ANSWER = Words("no answer")
 OTHER_NUMBERS = {
     BOOK: Words("not right: this is the answer for the book's numbers; yours are others"),
@@ -189,7 +191,12 @@ def _causes(asked, given, found, numbers, *slips):
     elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
     causes = diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
     if not causes and slips and asked.kind.is_formula:
-        return tuple(of_other_powers(fit, numbers.symbols))
+        others = (
+            of_other_powers(fit, numbers.symbols),
+            of_a_number(fit),
+            of_one_term(fit, numbers.symbols),
+        )
+        return tuple(islice(chain(*others), 1))
     return causes
 
 
@@ -201,14 +208,26 @@ def _slips(asked, found, numbers):
     given = found[asked.key].given
     sequel = cache(lambda: numbers.sequel(asked.key, earlier))
 
+    right = [n for n in earlier if n in found and n not in wrong]
+
+    def fits_earlier(cause):
+        """False of a slip that would show in an earlier answer that is right."""
+        return not any(
+            is_apart(points, numbers.key[n]) for n in right for points in numbers.slips.of(n, cause)
+        )
+
     def near(fit, kind):
         slips = numbers.slips.near(asked.key, fit, kind)
         goes_on = earlier and None not in earlier.values()
+        fitting = [s for s in slips if fits_earlier(s[1])]
+        simplest = min((level for level, *_ in slips), default=0)
+        is_made = any(level <= simplest + ABOUT for level, *_ in fitting)
+        slips = fitting if is_made else slips
         # zero, of anything; and a component by itself does not go on
-        if slips or not goes_on or not any(map(any, fit.given)) or fit.given is not given:
+        if is_made or not goes_on or not any(map(any, fit.given)) or fit.given is not given:
             return slips
         later = sequel().near(asked.key, fit, kind)
-        return [(level, c.after(wrong), points) for level, c, points in later]
+        return [(level, c.after(wrong), points) for level, c, points in later] or slips
 
     return near
 
@@ -256,7 +275,9 @@ def _elsewhere(asked, found, numbers):
         if other.key != asked.key and judged and judged.given is not None:
             key, wrong = _like(judged.given, other, numbers)
             slips = partial(numbers.slips.of, other.key)
-            yield Answered(judged.verdict == "right", other.kind, judged.given, key, wrong, slips)
+            yield Answered(
+                judged.verdict == "right", other.kind, judged.given, key, wrong, slips, other.key
+            )
 
 
 def _followed(asked, given, found, numbers):

@@ -1,5 +1,6 @@
 """The slips that can be made in a traced computation, as edits of its steps, simplest first."""
 
+from dataclasses import replace
 from functools import cached_property
 from math import pi
 from typing import Any
@@ -8,7 +9,7 @@ from newton_euler.algebra.language import Words
 from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import SI, US, Dimension, System, unit
-from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, REVERSED, Cause, computed
+from newton_euler.answers.causes import FACTOR_2, INSTEAD, LEFT_OUT, REVERSED, Cause, computed
 from newton_euler.answers.near import FIRST, LEAST, LESS, RARER, SIMPLE
 
 from . import edits_of_equations as equations
@@ -20,7 +21,14 @@ from .edits_of_integrals import of_integrals
 from .edits_of_laws import of_laws
 from .edits_of_operations import PRODUCT
 from .edits_of_roots import of_roots
-from .edits_of_wholes import of_quantities_in_wholes, of_sides, of_sums, of_unneeded, of_wholes
+from .edits_of_wholes import (
+    of_quantities_in_wholes,
+    of_sides,
+    of_single_terms,
+    of_sums,
+    of_unneeded,
+    of_wholes,
+)
 from .formulas import Edit, Formulas, Stage, dimensions_of, needed, steps_in, users_of
 from .typed import Product, described, is_nothing, repeats
 
@@ -100,7 +108,7 @@ class _Facts:
         self.products = {
             s: None for s, users in self.users.items()
             if s.op in PRODUCT and s in self.written
-            if s in leaves or not _is_factor(users)
+            if s in leaves or not _is_factor(users) or self._is_squared_alone(users)
         }  # fmt: skip
 
     def number(self, s):
@@ -112,6 +120,11 @@ class _Facts:
             return s
         times = self.system.factor(dimension) / self.own.factor(dimension)
         return s if times == 1 else ("*", s, float(times))
+
+    def _is_squared_alone(self, users):
+        """True of a step whose only use is its square, as a term, or in a root."""
+        (square,) = users
+        return square.args[0] is square.args[1] and not _is_factor(self.users[square])
 
     @property
     def g(self):
@@ -159,23 +172,20 @@ def _of_givens(f):
     of, vectors = f.dimensions.get, {key: a.parts for key, a in f.answers.items()}
     yield from operations.of_angles(f.steps)
     yield from groups.of_constants(f.steps, of)
-    yield from givens.of_one_unit(f.given, f.read, f.system)
+    yield from givens.of_one_unit(f.given, f.read, f.system, f.own)
     yield from givens.of_exchanged(f.given, f.read)
     yield from givens.of_planes(s for s in f.steps if s.op in ("+", "-"))
     yield from givens.of_rates(f.anything, f.read)
     yield from of_wholes(f.answers, f.given, f.number)
-    yield from of_quantities_in_wholes(f.answers, f.named, f.number, of)
     yield from of_sides(f.answers, f.given, f.number)
-    yield from of_sums(f.answers)
     yield from of_unneeded(f.anything, f.answers, f.number, of)
-    yield from _of_unchanged(f.answers, f.given, f.read)
     yield from givens.of_lengths(f.given, f.read)
+    yield from givens.of_loads(f.anything, f.read)
     yield from givens.of_vectors(vectors)
     yield from givens.of_projections(vectors, f.given, f.read)
     yield from of_integrals(f.steps)
     yield from of_roots(f.steps)
     numbers = {n: s for n, s in f.given.items() if n not in f.formulas.symbols}
-    yield from _of_differences(f.answers, numbers, f.formulas.stages, f.dimensions)
     masses = {n: s for n, s in numbers.items() if f.read[n].dimension == givens.MASS}
     yield from givens.of_weights(vectors, masses, f.g, of)
 
@@ -183,41 +193,70 @@ def _of_givens(f):
 def _of_quantities(f):
     """The edits of quantities on the way, of equations, and of several places at once."""
     of, stages = f.dimensions.get, f.formulas.stages
-    yield from _of_stages(f.answers, stages, f.dimensions)
+    yield from _instead_of(f.answers, _of_answers(f))
     yield from _of_angles(f.answers)
     yield from equations.of_equations(f.formulas.systems, f.number, of)
     yield from quantities.of_quantities(f.answers, stages, f.steps, of)
     yield from quantities.of_rods(stages)
     yield from quantities.of_cross_products(f.named)
-    yield from quantities.of_ratios(f.named, f.answers, f.given, of)
     yield from quantities.of_distances(f.given, f.products, of)
-    yield from of_laws(f.answers, f.anything, f.read)
+    yield from quantities.of_givens_in_products(f.products, f.read, f.given)
+    yield from quantities.of_mean_rates(f.named, f.given, of)
     yield from quantities.of_densities(f.given, f.steps, of)
     yield from quantities.of_areas(f.answers, f.given, f.steps, of)
     yield from quantities.of_transfers(f.given, f.steps, of)
     yield from quantities.of_masses(f.steps, f.number, of)
     yield from quantities.of_squares(f.products, f.number, of)
     yield from quantities.of_sums_squared(f.steps)
+    yield from quantities.of_slopes(f.steps)
     yield from quantities.of_differences_of_squares(f.steps)
     yield from groups.of_terms(f.steps, f.units)
     yield from groups.of_factors(f.products, f.number)
 
 
+def _of_answers(f):
+    """The edits that put something else in place of a whole answer."""
+    of, stages = f.dimensions.get, f.formulas.stages
+    yield from of_quantities_in_wholes(f.answers, f.named, f.number, of)
+    yield from of_sums(f.answers)
+    yield from of_single_terms(f.answers)
+    yield from _of_unchanged(f.answers, f.given, f.read)
+    numbers = {n: s for n, s in f.given.items() if n not in f.formulas.symbols}
+    yield from _of_differences(f.answers, numbers, stages, f.dimensions)
+    yield from _of_stages(f.answers, stages, f.dimensions)
+    yield from quantities.of_ratios(f.named, f.answers, f.given, of)
+    yield from of_laws(f.answers, f.anything, f.read)
+
+
+def _instead_of(answers, edits):
+    """The edits, each with the answers that it replaces."""
+    keys: dict[int, set[str]] = {}
+    for key, answer in answers.items():
+        for x in answer.parts:
+            keys.setdefault(getattr(x, "number", -1), set()).add(key)
+    for edit in edits:
+        names = " ".join(sorted({key for n in edit.instead for key in keys.get(n, ())}))
+        cause = edit.cause if edit.cause.does else replace(edit.cause, does=INSTEAD, of=names)
+        yield edit._replace(cause=cause)
+
+
 def _of_step(f, s, users):
     """The slips in one step."""
     of, factors = f.dimensions.get, f.factors
-    yield from operations.of_operation(s)
+    yield from operations.of_operation(s, f.number)
     yield from operations.of_moment(s, of)
     if s.op == "argument":
         name, means = s.args[0], f.formulas.means.get(s.args[0], "")
         one = f.read[name].to_base(1.0, f.system)
-        found = givens.of_given(s, f.anything, f.read, f.number, means, one)
+        symbols = f.formulas.symbols  # nobody takes a number of the text for one of them
+        others = {n: x for n, x in f.anything.items() if (n in symbols) == (name in symbols)}
+        found = givens.of_given(s, others, f.read, f.number, means, one)
         # a given alone in its term, as H in D^2 + H^2, is not a factor
         is_factor = s in factors or any(user.op in WITHIN for user in users)
         yield from (slip for slip in found if slip[1] != givens.ONE or is_factor)
         # nobody converts the symbols of a formula
         if name not in f.formulas.symbols:
-            yield from givens.of_unit(s, f.read[name], f.system)
+            yield from givens.of_unit(s, f.read[name], f.system, f.own)
     if s in f.products:
         yield from operations.of_product(s, f.number, of)
         yield from quantities.of_shared(s) if len(users) > 1 else ()

@@ -17,8 +17,9 @@ from newton_euler.answers.causes import computed
 from newton_euler.answers.near import LEAST, LESS, SIMPLE
 
 from .edits_of_givens import LENGTH
+from .edits_of_operations import COFUNCTIONS
 from .formulas import Edit, needed
-from .typed import Product, described
+from .typed import Product, described, is_given, typed
 
 SLIPS = {
     -1.0: Words("has {term} reversed in one equation: check which way it points"),
@@ -29,8 +30,20 @@ ARMS = {
     2.0: Words(
         "takes twice {arm} beside {term} in one equation: look for it in the figure"
     ).template,
+    0.5: Words(
+        "takes half of {arm} beside {term} in one equation: look for it in the figure"
+    ).template,
 }
-LATER = Words("has {term} reversed in finding {unknown}: check which way it points").template
+LATER = {
+    -1.0: Words("has {term} reversed in finding {unknown}: check which way it points"),
+    0.0: Words("leaves out {term} in finding {unknown}: it acts there, too"),
+    2.0: Words("doubles what stands beside {term} in finding {unknown}: look for its arm"),
+    0.5: Words("halves what stands beside {term} in finding {unknown}: look for its arm"),
+}
+TURNED = Words(
+    "takes {twin} for {own} beside {term} in finding {unknown}: look where the angle is"
+).template
+ALONE = Words("has {unknown} in one equation only: it acts in the others, too").template
 EQUAL = Words("takes {unknown} and {other} as equal: they are two unknowns").template
 FEW = 3  # unknowns: of more, none is found from the others
 NAMELESS = re.compile(r"u_\d+")  # unknowns without a name of their own
@@ -84,7 +97,7 @@ def of_equations(
                 (SIMPLE, factor, Words(words.template, term=name))
                 for factor, words in SLIPS.items()
             ]
-            arms = [a for a, n in Product(x).powers.items() if n > 0 and of(a) == LENGTH]
+            arms = [a for a, n in Product(x).powers.items() if n == 1 and of(a) == LENGTH]
             for arm, named in ((a, described(a)) for a in arms):
                 for factor, text in ARMS.items() if named else ():
                     times = ("/", 1.0, number(arm)) if factor == 1 else factor
@@ -95,12 +108,38 @@ def of_equations(
                     for k, s in unknowns
                     if isinstance(s, Step)
                 }
-                yield Edit(rank, computed(f"equations {[*instead]} {place} {n}", words), instead)
+                cause = computed(f"equations {[*instead]} {place} {n}", words)
+                yield Edit(rank, cause, instead)
+        yield from _of_one_equation(system)
         yield from _of_one_unknown(system, of)
 
 
+def _of_one_equation(system):
+    """One unknown left out of all equations but one of three or more that it is in: an acceleration
+    that turns a body, and does not move it.
+    """
+    width, rows = len(system.names) + 1, range(len(system.names))
+    own = [*map(to_float, system.values.values())]
+    for k, (name, x) in enumerate(zip(system.names, own, strict=True)):
+        inside = entries(system)
+        there = [n for n in rows if isinstance(c := inside[n * width + k], Step) or c != 0]
+        is_named = isinstance(x, Step) and not NAMELESS.fullmatch(name)
+        for kept in there if is_named and len(there) > 2 else ():
+            alone = [*inside]
+            for n in {*there} - {kept}:
+                alone[n * width + k] = 0.0
+            instead = {
+                y.number: ("equations", float(width), float(m), 0.0, 1.0, *alone)
+                for m, y in enumerate(own)
+                if isinstance(y, Step)
+            }
+            words = Words(ALONE, unknown=name)
+            cause = computed(f"{x.number} in {kept} alone", words)
+            yield Edit(LEAST, cause, instead)
+
+
 def _of_one_unknown(system, of):
-    """One unknown from one equation, the others known, with a term of it reversed, or with another
+    """One unknown from one equation, the others known, with a slip in a term of it, or with another
     unknown taken as equal.
     """
     names, values = system.names, [to_float(system.values[n]) for n in system.names]
@@ -115,10 +154,10 @@ def _of_one_unknown(system, of):
             rest = [m for m in there if m not in (k, other)]
             known = {y.number: y for y in values if isinstance(y, Step)}
             term = _name((other - 1) % (len(names) + 1), right, names)
-            if term:
-                total = _sum([*(terms[m] for m in rest), ("neg", terms[other])])
-                words = Words(LATER, term=term, unknown=name)
-                cause = computed(f"{x.number} of {n} {other}", words)
+            beside = a[other - 1] if other else right
+            for words, times in _of_term(beside, term, name, bool(rest)) if term else ():
+                total = _sum([*(terms[m] for m in rest), ("*", terms[other], times)])
+                cause = computed(f"{x.number} of {n} {other} {times}", words)
                 yield Edit(LEAST, cause, {**known, x.number: ("/", total, a[k - 1])})
             y = values[other - 1]
             if other and isinstance(y, Step) and of(x) is not None and of(x) == of(y) and rest:
@@ -126,6 +165,22 @@ def _of_one_unknown(system, of):
                 words = Words(EQUAL, unknown=name, other=names[other - 1])
                 cause = computed(f"equal {n} {x.number} {y.number}", words)
                 yield Edit(LESS, cause, {**known, x.number: both, y.number: both})
+
+
+def _of_term(beside, term, unknown, has_rest):
+    """(words, factor of the term) of the slips in a term of an equation for one unknown; where
+    ``has_rest``, of several.
+    """
+    for times, words in LATER.items():
+        if times < 0 or has_rest or (isinstance(beside, Step) and times):
+            yield Words(words.template, term=term, unknown=unknown), times
+    for x, power in Product(beside).powers.items():
+        if abs(power) == 1 and x.op in COFUNCTIONS and is_given(x):
+            twin = (COFUNCTIONS[x.op], *x.args)
+            own, other = typed(x), f"{twin[0]}({typed(x.args[0])})"
+            if own:
+                words = Words(TURNED, own=own, twin=other, term=term, unknown=unknown)
+                yield words, ("/", twin, x) if power > 0 else ("/", x, twin)
 
 
 def _sum(terms):

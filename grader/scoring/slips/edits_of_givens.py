@@ -37,6 +37,14 @@ FROM = Words("converts {name} from {other}: it is given in {unit}").template
 SLANT = Words(
     "takes the slant length sqrt({name}^2 + {other}^2) for {name}: another distance counts"
 ).template
+LEG = Words(
+    "takes the leg sqrt({name}^2 - {other}^2) for {name}: look where the right angle is"
+).template
+HALVES = Words("takes half of {name} and of {other}: a radius is not a diameter").template
+TWICE_BOTH = Words("takes twice {name} and {other}: a diameter is not a radius").template
+AS_EQUAL = Words("takes {name} and {other} as equal: the text gives two lengths").template
+PLACE = Words("takes {name} {op} {part} for {name}: it leads to another point").template
+LOAD = Words("takes {name} {op} {part} for {name}: look which bodies count there").template
 MEAN = Words("takes the mean of {a} and {b} for {key}: look up what {key} stands for").template
 PAIRS = Words(
     "multiplies {a} by {b}, each by each, for {key}: look up what {key} stands for"
@@ -155,22 +163,42 @@ def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Ed
 
 
 def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
-    """A length to another point: another length, or half of it, added or subtracted, or the other
-    side of a right angle; or in the ratio of two others.
+    """A length to another point: another length, or half of it, added or subtracted, or another
+    side of a right angle; two lengths taken as equal.
     """
     lengths = [n for n in given if read[n].dimension == LENGTH]
     for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
         squares = [("*", given[n], given[n]) for n in (name, other)]
-        words = Words(SLANT, name=name, other=other)
-        slant = ("sqrt", ("+", *squares))
-        yield Edit(LEAST, computed(f"slant {name} {other}", words), {given[name].number: slant})
-    for name, other in permutations(lengths, 2) if len(lengths) <= MANY else ():
+        for op, text in ("+", SLANT), ("-", LEG):
+            words = Words(text, name=name, other=other)
+            side = ("sqrt", ("abs", (op, *squares)))
+            cause = computed(f"slant {name} {op} {other}", words)
+            yield Edit(LEAST, cause, {given[name].number: side})
+    for name, other in combinations(lengths, 2) if len(lengths) <= SEVERAL else ():
+        both = ("*", ("+", given[name], given[other]), 0.5)
+        cause = computed(f"equal {name} {other}", Words(AS_EQUAL, name=name, other=other))
+        yield Edit(LEAST, cause, {given[n].number: both for n in (name, other)})
+        for factor, text in (0.5, HALVES), (2.0, TWICE_BOTH):
+            instead = {given[n].number: ("*", given[n], factor) for n in (name, other)}
+            words = Words(text, name=name, other=other)
+            yield Edit(LEAST + 2, computed(f"{factor} of {name} {other}", words), instead)
+    yield from _of_sums(lengths, given, PLACE, len(lengths) <= SEVERAL)
+
+
+def of_loads(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+    """The mass, or the weight, of another body added or taken off."""
+    for kind in MASS, FORCE:
+        yield from _of_sums([n for n in given if read[n].dimension == kind], given, LOAD, False)
+
+
+def _of_sums(names, given, text, with_halves):
+    """Another given of the same kind added or taken off; of many, none."""
+    for name, other in permutations(names, 2) if len(names) <= MANY else ():
         parts: list[tuple[str, Any]] = [(other, given[other])]
-        parts += [(f"{other}/2", ("*", given[other], 0.5))] if len(lengths) <= SEVERAL else []
+        parts += [(f"{other}/2", ("*", given[other], 0.5))] if with_halves else []
         for part, x in parts:
             for op in ("+", "-"):
-                words = Words("takes {name} {op} {part} for {name}: it leads to another point",
-                              name=name, op=op, part=part)  # fmt: skip
+                words = Words(text, name=name, op=op, part=part)
                 cause = computed(f"{name} {op} {part}", words)
                 yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
 
@@ -211,10 +239,10 @@ def of_weights(
                 yield Edit(LEAST, cause, {x.number: (op, x, ("*", m, g))})
 
 
-def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
-    """A given used with its number in another unit."""
-    name = s.args[0]
-    for ratio in _ratios(own, system):
+def of_unit(s: Step, own: Unit, system: System, students: System) -> Iterator[Slip]:
+    """A given used with its number in another unit than that in which ``students`` compute."""
+    name, needs_none = s.args[0], _is_own(own, students)
+    for ratio in () if needs_none else _ratios(own, system):
         yield SIMPLE, "unit", unconverted(name, own.text), ("*", s, ratio)
         words = Words(INVERTED, name=name, unit=own.text)
         yield LESS + 1, "wrong way", Cause("unit", f"{name} back", words), ("*", s, ratio * ratio)
@@ -236,13 +264,18 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
             )  # fmt: skip
             ratio = unit(other).to_base(1.0, SI) / unit(part).to_base(1.0, SI)
             yield LESS, f"confused {part}", words, ("/" if over else "*", s, ratio)
-        if part != own.text and unit(part).to_base(1.0, system) != 1:
+        if part != own.text and not needs_none and unit(part).to_base(1.0, system) != 1:
             words = Words(
                 "does not convert the {part} in {name}: the rest is in other units",
                 part=part, name=name,
             )  # fmt: skip
             yield LESS, f"part {part}", words, ("*", s, 1 / unit(part).to_base(1.0, system))
             yield LESS, f"part {part}", words, ("*", s, unit(part).to_base(1.0, system))
+
+
+def _is_own(own, students):
+    """True of a unit that needs no conversion."""
+    return abs(own.to_base(1.0, students) - 1) < 1e-9
 
 
 def _is_of_turns(own):
@@ -383,12 +416,15 @@ def _alike(steps):
 
 
 def of_one_unit(
-    given: Mapping[str, Step], read: Mapping[str, Unit], system: System
+    given: Mapping[str, Step], read: Mapping[str, Unit], system: System, students: System
 ) -> Iterator[Edit]:
-    """All givens in one unit used unconverted."""
+    """All givens in one unit used unconverted, if it is another than that in which ``students``
+    compute.
+    """
     for stated in dict.fromkeys(u.text for u in read.values()):
         steps = [s for n, s in given.items() if read[n].text == stated]
-        for ratio in _ratios(unit(stated), system) if len(steps) > 1 else ():
+        is_used = len(steps) > 1 and not _is_own(unit(stated), students)
+        for ratio in _ratios(unit(stated), system) if is_used else ():
             cause = unconverted(Words("what is given"), stated)
             yield Edit(SIMPLE, cause, {s.number: ("*", s, ratio) for s in steps})
             words = Words(INVERTED, name=Words("what is given"), unit=stated)

@@ -1,16 +1,16 @@
-"""Answers by another law: products of powers of a few givens that have the right dimension, and the
-roots of such products.
+"""Answers by another law: products of powers of a few givens that have the right dimension, the
+roots of such products, and sums of two givens.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import product
+from itertools import permutations, product
 from typing import Any, NamedTuple
 
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import Unit, unit
 from newton_euler.answers.causes import computed
-from newton_euler.answers.near import LEAST
+from newton_euler.answers.near import LEAST, LESS
 
 from .formulas import Edit, Traced
 
@@ -70,6 +70,13 @@ def of_laws(
         own = _powers(unit(answer.unit))
         if others or answer.points > 1 or not isinstance(x, Step) or not any(own):
             continue
+        alike = [n for n in plain if plain[n] == own]
+        for a, b in permutations(alike, 2):
+            pair = given[a], given[b]
+            yield _edit(key, x, f"{a} - {b}", ("-", *pair), LESS)
+            if a < b:
+                yield _edit(key, x, f"{a} + {b}", ("+", *pair), LESS)
+                yield _edit(key, x, f"({a} + {b})/2", ("*", ("+", *pair), 0.5), LESS)
         for law in _laws(plain, own):
             for c in OF_ROOTS if law.is_root else CONSTANTS:
                 yield _edit(key, x, law.written(c), law.of(given, c), LEAST + 2 + (c != 1))

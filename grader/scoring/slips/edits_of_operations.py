@@ -33,13 +33,20 @@ DIVIDED = Words("divides by {name} once too often: put your units into the whole
 RATIOS = {
     -1: Words("inverts {ratio}{of}: it is the other way round").template,
     1: Words("does not square {ratio}{of}: the formula does").template,
+    3: Words("takes the third power of {ratio}{of}: the formula has the square").template,
 }
 RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
 CONE = Fraction(3, 10)  # others are taken for it, but it is not taken for them
 
 
-def of_operation(s: Step) -> Iterator[Slip]:
-    """The slips in one operation other than a product."""
+def of_operation(s: Step, number: Callable[[Step], Any]) -> Iterator[Slip]:
+    """The slips in one operation other than a product; ``number`` of a step, in a student's
+    units.
+    """
+    if s.op == "sqrt":
+        inside = typed(s.args[0]) or Words("a sum")
+        words = Words("leaves out the square root of {sum}: this is still the square", sum=inside)
+        yield SIMPLE, "root", words, ("*", s, number(s))
     yield from _OF.get(s.op, _of_nothing)(s)
 
 
@@ -179,10 +186,11 @@ def _of_ratios(s, product, dimension, of):
         a, b = described(x), described(y)
         ratio = Words("the ratio of {a} to {b}", a=a, b=b) if a and b else Words("a ratio")
         for k, text in RATIOS.items():
-            if k < 0 or (n > 1 and a and b):
+            if k < 0 or (a and b and n == 2) or (n > 1 == k and a and b):
                 words = Words(text, ratio=ratio, of="" if a and b else of)
-                power = float(2 * n if k < 0 else n - 1)
-                yield LESS, f"ratio {k}", words, ("*", s, ("**", ("/", y, x), power))
+                power = float(2 * n if k < 0 else n - k)
+                rank = LEAST if k == 3 else LESS
+                yield rank, f"ratio {k}", words, ("*", s, ("**", ("/", y, x), power))
 
 
 def _is_whole(x):
@@ -247,8 +255,6 @@ def _of_power(s):
 def _of_root(s):
     (x,) = s.args
     inside = typed(x) or Words("a sum")
-    words = Words("leaves out the square root of {sum}: this is still the square", sum=inside)
-    yield SIMPLE, "root", words, x
     squares = _summands(x)
     roots = {y.number: ("/", y, r) for y in squares if isinstance(y, Step) and (r := _number_in(y))}
     if roots:
@@ -353,6 +359,11 @@ def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
     """Angles from the other axis."""
     sines = {s.args[0]: s for s in steps if s.op == "sin"}
     cosines = {s.args[0]: s for s in steps if s.op == "cos"}
+    turned = [s for s in (*sines.values(), *cosines.values()) if is_given(s)]
+    if len({s.args[0] for s in turned}) > 1:
+        words = Words("measures all angles from the other axis: sines and cosines are exchanged")
+        instead = {s.number: (COFUNCTIONS[s.op], *s.args) for s in turned}
+        yield Edit(LESS, computed("all axes", words), instead)
     for x, s in sines.items():
         if not any(inner.op == "argument" for inner in needed([x])):
             continue  # a constant

@@ -2,6 +2,7 @@
 for a distance, a density for a mass, rates that turn the other way.
 """
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
@@ -11,11 +12,11 @@ from typing import Any
 
 from newton_euler.algebra.language import Words, joined
 from newton_euler.algebra.trace import Step
-from newton_euler.algebra.units import Dimension
+from newton_euler.algebra.units import Dimension, Unit
 from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, computed
 from newton_euler.answers.near import LEAST, LESS, RARER
 
-from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS, DimensionOf, Slip
+from .edits_of_givens import FORCE, GRAVITY, LENGTH, MASS, TIME, DimensionOf, Slip
 from .edits_of_operations import PRODUCT, parts_of
 from .formulas import Edit, Stage, Traced, needed, steps_in, users_of
 from .typed import Product, described, repeats, terms_of
@@ -25,6 +26,15 @@ INERTIA, MOMENT = Dimension(1, 2), Dimension(1, 1)
 FEW = 3  # moments of inertia: to more, no parallel-axis term is added
 DENSITIES = [Dimension(1, -n) for n in (1, 2, 3)]
 HALF_RIGHT = Words("takes {quantity} as 45 degrees: it follows from the text").template
+OF_SQUARES = Words(
+    "takes the difference of the squares for the square of {sum}: it is squared as a whole"
+).template
+TANGENT = Words(
+    "takes {over}/{own}, a tangent, for {own} over the slant side: look at the triangle"
+).template
+IN_PRODUCT = Words("takes {other} for {name} in {product}: look which of them it is").template
+MEAN_RATE = Words("takes {a} over {t} for {b}: that is a mean value, it changes").template
+GROWN = Words("takes {a} times {t} for {b}: it does not grow evenly").template
 ANGULAR = {"sin", "cos", "tan"}
 TRANSFERS = {
     "+": Words("adds {term} to a moment of inertia: it is about this axis already").template,
@@ -63,7 +73,10 @@ def of_quantities(
         own = {x.number: x for x, _ in parts if isinstance(x, Step) and x.op != "argument"}
         if not any(users.get(x) for x in own.values()):
             continue
+        kinds = {of(x) for x in own.values()}
         for factor, does, text in TIMES:
+            if factor < 0 and kinds <= {MASS, INERTIA}:
+                continue  # has no direction
             wording = Words(text.template, quantity=words)
             cause = computed(f"{factor} times {[*own]}", wording, "", does, words)
             rank = LESS if factor or words in answers else RARER
@@ -141,6 +154,24 @@ def of_ratios(
                 yield Edit(LEAST + 1, computed(f"{first} {op} {second} for {key}", words), instead)
 
 
+def of_mean_rates(
+    named: Sequence[Named], given: Mapping[str, Step], of: DimensionOf
+) -> Iterator[Edit]:
+    """A quantity over the time that it takes, for a rate on the way; a rate of it times this time,
+    for what it grows to.
+    """
+    scalars = [(words, parts[0]) for words, parts in named if len(parts) == 1]
+    known = [(words, x) for words, x in scalars if _has(of)(x) and x.op != "argument"]
+    times = [(n, s) for n, s in given.items() if of(s) == TIME]
+    for (a, x), (b, y), (t, time) in product(known, known, times):
+        for op, sign, text in ("/", -1, MEAN_RATE), ("*", 1, GROWN):
+            is_first = op == "/" or all(s is not y for s in needed([x]))
+            if x is not y and is_first and of(y) == _times(of(x), TIME, sign):
+                words = Words(text, a=a, t=t, b=b)
+                cause = computed(f"{x.number} {op} {t} for {y.number}", words)
+                yield Edit(LEAST, cause, {y.number: (op, x, time)})
+
+
 def _has(of):
     return lambda x: isinstance(x, Step) and of(x) is not None
 
@@ -176,17 +207,43 @@ def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
 
 
 def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
-    """The square of a sum, taken term by term."""
-    squared = {s: s.args[0] for s in steps if _is_square(s)}
-    for s, x in squared.items():
-        named = described(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
+    """The square of a sum, or of a quotient by one, taken term by term."""
+    for s in filter(_is_square, steps):
+        (x, _) = s.args
+        is_below = isinstance(x, Step) and x.op == "/"
+        whole = x.args[1] if is_below else x
+        named = described(whole) if len(terms_of(whole)) > 1 and not repeats(whole) else ""
         if named:
-            squares = [("*", term, term) for _, term in terms_of(x)]
+            squares: list[Any] = [("*", term, term) for _, term in terms_of(whole)]
             words = Words(
                 "squares each term of {sum} separately: twice their product is missing", sum=named
             )
-            instead = {s.number: reduce(lambda a, b: ("+", a, b), squares)}
-            yield Edit(LESS, computed(f"squares in {s.number}", words), instead)
+            total = reduce(lambda a, b: ("+", a, b), squares)
+            changed = ("*", s, ("/", ("*", whole, whole), total)) if is_below else total
+            yield Edit(LESS, computed(f"squares in {s.number}", words), {s.number: changed})
+            if {sign for sign, _ in terms_of(whole)} == {1, -1} and not is_below:
+                words = Words(OF_SQUARES, sum=named)
+                squares = [("*", ("*", float(sign), t), t) for sign, t in terms_of(whole)]
+                total = reduce(lambda a, b: ("+", a, b), squares)
+                cause = computed(f"difference of squares in {s.number}", words)
+                yield Edit(LESS, cause, {s.number: total})
+
+
+def of_slopes(steps: Iterable[Step]) -> Iterator[Edit]:
+    """The tangent of an angle for a leg of its right triangle over the slant side."""
+    for s in steps:
+        own, slant = s.args if s.op == "/" else (None, None)
+        inside = slant.args[0] if isinstance(slant, Step) and slant.op == "sqrt" else None
+        legs = terms_of(inside) if isinstance(inside, Step) else []
+        if len(legs) == 2 and all(sign > 0 and _is_square(leg) for sign, leg in legs):
+            a, b = (leg.args[0] for _, leg in legs)
+            other = b if own is a else a if own is b else None
+            one, over = described(own), described(other)
+            if one and over:
+                words = Words(TANGENT, own=one, over=over)
+                yield Edit(
+                    LESS, computed(f"slope {s.number}", words), {s.number: ("/", other, own)}
+                )
 
 
 def of_differences_of_squares(steps: Iterable[Step]) -> Iterator[Edit]:
@@ -255,6 +312,24 @@ def of_distances(
                 words = Words("takes {a} for {b}: look for it in the figure", a=name, b=own)
                 cause = computed(f"{name} for {part.number} in {s.number}", words)
                 yield Edit(LEAST, cause, {s.number: ("*", s, ("/", length, part))})
+
+
+def of_givens_in_products(
+    products: Iterable[Step], read: Mapping[str, Unit], given: Mapping[str, Step]
+) -> Iterator[Edit]:
+    """A given of the same unit for another in one product, as another radius in omega*r."""
+    powers = {s: Product(s).powers for s in products}
+    used = Counter(x for own in powers.values() for x in own if x.op == "argument")
+    for s, own in powers.items():
+        whole = described(s)
+        for x, power in own.items() if whole else ():
+            name = x.args[0] if x.op == "argument" and used[x] > 1 else ""
+            for other, step in given.items() if name and abs(power) <= 2 else ():
+                if other != name and read[other].text == read[name].text:
+                    words = Words(IN_PRODUCT, other=other, name=name, product=whole)
+                    ratio = ("**", ("/", step, x), float(power))
+                    cause = computed(f"{other} for {name} in {s.number}", words)
+                    yield Edit(LEAST + 2, cause, {s.number: ("*", s, ratio)})
 
 
 def of_densities(

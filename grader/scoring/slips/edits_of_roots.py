@@ -125,7 +125,10 @@ def _of_root(equation):
     """(rank, words, what it does and to what, the root) of the slips in one equation."""
     unknown = equation.unknown
     for s in equation.solved:
-        slips = [*of_operation(s), *(equation.of_product(s) if s in equation.products else ())]
+        slips = [
+            *of_operation(s, _in_base_units),
+            *(equation.of_product(s) if s in equation.products else ()),
+        ]
         for rank, _, words, expression, *does in (x for x in slips if x[0] <= LESS):
             text = words.text if isinstance(words, Cause) else words
             named = Words(IN_EQUATION, unknown=unknown, cause=text) if unknown else text
@@ -137,6 +140,11 @@ def _of_root(equation):
     for side, words in OTHERS.items() if unknown else ():
         where = ("beside", float(side), equation.inner, equation.low, equation.high)
         yield LESS, Words(words.template, unknown=unknown), (*where, *equation.outer)
+
+
+def _in_base_units(s):
+    """A step as the number by which an equation has it."""
+    return s
 
 
 def rooted(formula: Compiled, low: float, high: float, *outer: float) -> float:

@@ -53,6 +53,7 @@ AT_G = Words("takes the moments of inertia about the centre of mass: another poi
 OF_MASS = Words("the body of mass {m}").template
 NO_BODY = Words("leaves out {body}: it contributes, too").template
 AS_PARTICLE = Words("takes {body} as a particle: it has moments of inertia of its own").template
+TURNS_ONLY = Words("leaves out the translation of {body}: its centre of mass moves").template
 PARTICLES = Words("takes all bodies as particles: they have moments of inertia of their own")
 NOT_CUT = Words("adds {body}, which is cut out: it is subtracted").template
 ITSELF = Words("does not differentiate the vector: its rate is asked for")
@@ -280,6 +281,7 @@ def _of_body(parts, of):
     body = Words(OF_MASS, m=words) if words else ""
     if body and any(map(is_there, own)):
         yield RARER, Words(AS_PARTICLE, body=body), (mass, *[0] * len(own))
+        yield LEAST, Words(TURNS_ONLY, body=body), (0, *own)
     if body:
         yield LESS, Words(NO_BODY, body=body), (0,) * len(parts)
     if body and isinstance(mass, Step) and mass.op == "neg":

@@ -4,15 +4,16 @@ one in another direction, or with its whole size along one axis; sizes added as 
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import reduce
-from itertools import chain, combinations, product
+from itertools import chain, combinations, permutations, product
 from operator import add
 from typing import Any
 
 from newton_euler.algebra.jets import Moving
 from newton_euler.algebra.language import Words, joined
+from newton_euler.algebra.scalars import sqrt
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.vectors import Vector
-from newton_euler.answers.causes import LEFT_OUT, computed
+from newton_euler.answers.causes import LEFT_OUT, ORDINALS, computed
 from newton_euler.answers.near import LEAST, LESS
 
 from .formulas import Edit
@@ -20,6 +21,12 @@ from .formulas import Edit
 DIRECTION = Words("has {term} in another direction: check the axes of what it is made of").template
 WHOLE = Words("has all of {term} along one axis: it has components along several").template
 ONE_AXIS = Words("puts all of {key} along one axis: it has components along several").template
+SIZE = Words(
+    "takes the magnitude of {key} for its {one} component: the {other} one is in it"
+).template
+REST = Words(
+    "takes the {one} component for the magnitude of {key}: the magnitude has both"
+).template
 WITHOUT = Words("leaves out {terms}: they are not zero here").template
 ALONE = Words("gives {terms} alone: the sum has more terms").template
 SIZES = Words("adds the magnitudes of the terms: they are vectors in different directions")
@@ -54,6 +61,14 @@ def _of_size(key, v):
         along = [sign * size if m == n else 0 for m in range(3)]
         words = Words(ONE_AXIS, key=key)
         yield Edit(LEAST, computed(f"size {key} {n} {sign}", words), {}, {key: along})
+    for n, m in permutations(there, 2) if len(there) == 2 else ():
+        for op, text in ("size", SIZE), ("rest", REST):
+            square = v.c[n] * v.c[n] + (v.c[m] * v.c[m] if op == "size" else -v.c[m] * v.c[m])
+            for sign in (1, -1):
+                c = [*v.c]
+                c[n] = sign * sqrt(sqrt(square * square))  # of either sign
+                words = Words(text, key=key, one=ORDINALS[n], other=ORDINALS[m])
+                yield Edit(LEAST, computed(f"{op} {key} {n} {sign}", words), {}, {key: c})
 
 
 def _of_vector(key, v, named, seen):

@@ -13,7 +13,7 @@ from .edits_of_givens import FORCE, GRAVITY, MASS, DimensionOf
 from .edits_of_operations import CANCELS
 from .edits_of_quantities import Named
 from .formulas import Edit, Traced, needed
-from .typed import Product, is_given
+from .typed import Product, described, is_given, terms_of
 
 IN_TERMS = {"+", "-", "sqrt", "asin", "acos", "atan"}
 MANY = 24  # places: in more, no given is left
@@ -110,6 +110,34 @@ def of_quantities_in_wholes(
             for op, text in TIMES.items():
                 cause = computed(f"{key} {op} {q.number}", Words(text, key=key, quantity=words))
                 yield Edit(LEAST, cause, {x.number: (op, x, number(q)) for x in parts})
+
+
+def of_single_terms(answers: Mapping[str, Traced]) -> Iterator[Edit]:
+    """One term of three or more for an answer that is a sum."""
+    for key, a in answers.items():
+        x, *others = a.parts
+        terms = [] if others else _expanded(x)
+        for n, (term, whole) in enumerate(terms if len(terms) > 2 else ()):
+            if named := described(term, "the term"):
+                words = Words("gives {terms} alone: the sum has more terms", terms=named)
+                yield Edit(LESS, computed(f"{n} alone for {key}", words), {x.number: whole})
+
+
+def _expanded(x):
+    """[(term, the term with its factor and sign)] of a sum; those of a sum with a number in front
+    are terms of its own.
+    """
+    found = list[tuple[Any, Any]]()
+    for sign, term in terms_of(x):
+        product = Product(term)
+        inside = next(iter(product.powers), None)
+        is_scaled = [*product.powers.values()] == [1]
+        if is_scaled and isinstance(inside, Step) and inside.op in ("+", "-"):
+            factor = sign * float(product.coefficient)
+            found += [(t, ("*", own * factor, t)) for own, t in terms_of(inside)]
+        else:
+            found.append((term, ("*", float(sign), term)))
+    return found
 
 
 def of_sums(answers: Mapping[str, Traced]) -> Iterator[Edit]:

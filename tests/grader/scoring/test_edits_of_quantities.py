@@ -47,6 +47,8 @@ CASES = {  # the right formula, its unit, and intermediate quantities, {words: f
     ),
     "root": (lambda L, d, theta, **_: theta + asin(d / L), "rad", {}),
     "legs": (lambda F, L, d, **_: F * ((L + d) / (2 * L - d)), "N", {}),
+    "slope": (lambda F, L, d, **_: F * (L / sqrt(L * L + d * d)), "N", {}),
+    "gravity": (lambda F, L, d, **_: F * (L / (L + d)) ** 2, "N", {}),
     "hole": (lambda L, d, theta, **_: theta * d**2 * L / (theta * L**2 - theta * d**2), "m", {}),
     "weights": (
         lambda F, m, g, theta, **_: (F - m * g * theta) / (F / g + (m * g + F) / g),
@@ -91,6 +93,12 @@ def named(key, wrong, slips=None):
         ("weights", (F - m * g * theta) / (m * g + 2 * F), "takes the weights for masses"),
         ("free", F * ((L + d) ** 2 - L**2), "leaves out the term d"),
         ("legs", F * (2 * L - d) / (L + d), "inverts the ratio of L + d to 2*L - d"),
+        ("masses", (m1 + 2 * m2 + 3 * m3) * (L + d) / 2, "takes L and d as equal"),
+        ("slope", F * d / L, "takes d/L, a tangent, for L over the slant side"),
+        ("slope", F * math.sqrt(L * L - d * d) / L, "takes the leg sqrt(L^2 - d^2) for L"),
+        ("gravity", F * (L / (L + d)) ** 3, "takes the third power of the ratio of L to L + d"),
+        ("gravity", F * L * L / (L * L + d * d), "squares each term of L + d separately"),
+        ("masses", (m1 + m2) * L + 2 * m2 * d + 3 * m3 * d, "takes m1 + m2 for m1"),
     ],
 )
 def test_a_slip_is_named(key, wrong, words):

@@ -2,7 +2,7 @@
 numbers: each is named in its own words.
 """
 
-from math import pi, radians, sin, tan
+from math import cos, pi, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
@@ -141,6 +141,11 @@ def twice_differentiated(name, key, limit, given):
     return {key: [sympy.diff(y, x, 2).subs(x, given[limit]) for y in right.components()]}
 
 
+def _plate(x, y):
+    """The matrix of a plate with these moments of inertia."""
+    return [[x, 0, 0], [0, y, 0], [0, 0, x + y]]
+
+
 CASES = {
     "not resolved": ("3/16", not_resolved, "along one axis"),
     "one more transfer": ("10/5", with_one_more_transfer, "to a moment of inertia"),
@@ -247,6 +252,50 @@ CASES = {
         "2/16", lambda a_n1, r_1, **_: {"v_tape": (a_n1 / r_1) ** 0.5}, "one factor r_1 too few",
     ),
     "one of two": ("7/29", one_panel, "or q*c"),
+    "a sum of weights": (
+        "6/5", lambda W_A, W_B, g: {"T": W_A + W_B}, "takes W_A + W_B for T",
+    ),
+    "all angles": (
+        "11/3", lambda W, F, s_AB, theta_1, theta_2: {
+            "s": (F - W * cos(radians(theta_1))) * s_AB / W / cos(radians(theta_2))
+        }, "measures all angles from the other axis",
+    ),
+    "the size of a sum": (
+        "2/13", lambda v_1, v_2, rho, b: {
+            "a": [-b, sqrt(((v_1**2 + v_2**2) / rho) ** 2 - b**2), 0]
+        }, "takes the second component for the magnitude of a",
+    ),
+    "an arm": (
+        "8/3", lambda W, L, theta, g: {
+            "F_B": [0, W * (1 - 1.5 * sin(radians(theta)) ** 2), 0]
+        }, "doubles what stands beside alpha in finding N_B",
+    ),
+    "one term": (
+        "11/19", lambda M, Omega, R, d, **_: {"T_outer": M * Omega**2 * (R + d) ** 2 / 4},
+        "alone: the sum has more terms",
+    ),
+    "no translation": (
+        "11/19", lambda M, Omega, R, d, r: {
+            key: M * Omega**2 * (2 * x**2 + r**2) / 8
+            for key, x in (("T_outer", R + d), ("T_inner", R - d))
+        }, "leaves out the translation of the body of mass M",
+    ),
+    "a mean rate": (
+        "2/20", lambda c_2, c_3, q_1, q_2, t_1: {"v": [
+            c_2 * t_1 - c_3 * t_1**2,
+            (c_2 * t_1**2 - c_3 * t_1**3) * pi / 2 * (q_1 - 2 * q_2 * t_1), 0
+        ]}, "over t_1 for the rate r_dot",
+    ),
+    "another given in one product": (
+        "7/12", lambda rho, R, r, e: {"I_O": _plate(
+            rho * pi * (R**4 - r**4) / 4, rho * pi * (R**4 - r**4 - 4 * R**2 * e**2) / 4
+        )}, "takes R for r in rho*pi*r^2*e^2",
+    ),
+    "half of both": (
+        "7/12", lambda rho, R, r, e: {"I_O": _plate(
+            rho * pi * (R**4 - r**4) / 64, rho * pi * (R**4 - r**4 - 16 * r**2 * e**2) / 64
+        )}, "takes half of R and of r",
+    ),
 }  # fmt: skip
 
 

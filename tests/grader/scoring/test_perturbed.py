@@ -281,8 +281,26 @@ def test_an_unknown_is_found_from_the_others_with_a_sign_or_taken_as_equal_to_an
         (c / (b + 2), "takes v and w as equal"),
         ((w - a) / 2, "has the term a reversed in finding v"),
         ((c + 2 * w) / b, "has w reversed in finding v"),
+        (w / 2, "leaves out the term a in finding v"),
+        ((c - 4 * w) / b, "doubles what stands beside w in finding v"),
     ):
         assert words in named_causes(slips, [float(f"{given:.6g}")], [right], key="v")
+
+
+def test_an_acceleration_may_be_left_out_of_all_equations_but_one():
+    """b*u = 3*c - 2*v - w, u = a*v and 2*u = w of a body that moves as it turns: as if u alone
+    were.
+    """
+    unknowns = lambda a, b, c: 3 * c / (b + 2 / a + 2)
+    units, trace = {"a": "1", "b": "1", "c": "N"}, Trace()
+    a, b, c = (trace.new("argument", n) for n in "abc")
+    u = unknowns(a, b, c)
+    values = {"u": u, "v": u / a, "w": 2 * u}
+    rows = [((b, 2, 1), 3 * c), ((-1, a, 0), 0), ((-2, 0, 1), 0)]
+    slips = computation({"u": Traced([u], "N")}, units, systems=[Solved(rows, [*values], values)])
+    a, b, c = 1.3, 2.3, 3.3  # of computation()
+    given, right = float(f"{3 * c / b:.6g}"), unknowns(a, b, c)
+    assert "has u in one equation only" in named_causes(slips, [given], [right], key="u")
 
 
 @pytest.mark.parametrize("name", ["v", "u_1"])

@@ -14,7 +14,7 @@ from newton_euler.answers.fit import EXACT, LOOSE, Fit
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.slips import factors
 from newton_euler.answers.tolerance import FORMULA_RTOL
-from newton_euler.answers.usual import of_other_bodies, of_other_powers
+from newton_euler.answers.usual import of_a_number, of_one_term, of_other_bodies, of_other_powers
 
 KEY = ((3.0, 4.0, 0.0),)
 MODEL = ((3.0, -4.0, 0.0),)
@@ -212,6 +212,16 @@ def test_a_cause_that_would_not_show_in_the_right_part_is_not_contradicted():
     assert diagnose(MODEL, KEY, [(TURNS, MODEL)], elsewhere=other) == (TURNS,)
 
 
+@pytest.mark.parametrize(("name", "is_named"), [("u", False), ("x", True), ("u x", True)])
+def test_nothing_is_taken_for_another_answer_that_is_right(name, is_named):
+    """Unlike other slips, this cannot be made in one part only."""
+    wrong = ((6.5123, 9.0, 0.0),)
+    slip = causes.computed("law", "takes a for u", does=causes.INSTEAD, of=name)
+    other = Elsewhere(lambda: [part(True, KEY, [(slip, wrong)])._replace(name="u")])
+    found = diagnose(wrong, KEY, [], elsewhere=other, slips=lambda fit, kind: [(2, slip, wrong)])
+    assert (slip in found) == is_named
+
+
 def test_of_equal_causes_the_one_that_explains_another_wrong_part_is_named():
     other = Elsewhere(lambda: [part(False, MODEL, [(causes.listed("mirrors", "reworded"), MODEL)])])
     assert diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=other) == (MIRRORS,)
@@ -381,3 +391,14 @@ def test_a_formula_with_other_powers_of_its_symbols_hears_of_which():
     assert other.startswith("in its second component has another power of h than")
     assert not found(rows(m + h), rows(m))
     assert not found(rows(2 * m), rows(m))
+
+
+def test_a_formula_is_off_by_a_number_or_by_a_term_where_the_rest_of_it_is_right():
+    m, h = np.array([1.0, 2.0, 3.0, 5.0]), np.array([0.3, 1.5, 0.7, 2.0])
+    fit = lambda given, key: Fit(*(tuple((x,) for x in y.tolist()) for y in (given, key)), 1e-6)
+    numbers = lambda *pair: [c.what for c in of_a_number(fit(*pair))]
+    terms = lambda *pair: [c.what for c in of_one_term(fit(*pair), {"m": m, "h": h})]
+    assert numbers(0.8 * (m + h), m + h) == ["has 4/5 times the right number"]
+    assert numbers(0.8137 * (m + h), m + h) == numbers(m + 2 * h, m + h) == []
+    assert terms(m + h - 0.3 * m * h, m + h) == ["is off by one term, in m and h"]
+    assert terms(2 * m, m) == terms(m + h, 2 * m) == []

@@ -184,7 +184,9 @@ def test_a_term_with_another_factor_is_seen_where_it_shows_twice_and_is_not_the_
         return [c.what for c in of_two(fit, KINDS[kind], [], lambda: singles, lambda c: False)]
 
     expected = ["all but the factor of the term b is right"]
-    assert multiple(points(A + 0.3 * B), points(A + B), points(A)) == expected
+    assert multiple(points(A + 0.3137 * B), points(A + B), points(A)) == expected
+    simple = ["has 3/10 times the term b"]
+    assert multiple(points(A + 0.3 * B), points(A + B), points(A)) == simple
     assert multiple(points(A + 0.3 * B * A), points(A + B), points(A)) == []
     assert multiple(points(0.3 * B), points(B), points(0 * A)) == []  # the whole
     key, without = ((3.12714, -4.21638, 1.87102),), ((2.12714, -2.21638, 1.87102),)
