@@ -206,7 +206,11 @@ class Dop853(Stepper):
         if rows is None:
             if len(self._kept) >= KEPT:  # another thread may use the old ones
                 self._kept = {}
-            rows = np.array(self.code["polynomial"](*self.f, start, h, x)).T[::-1, :, None]
+            try:
+                rows = self.code["polynomial"](*self.f, start, h, x)
+            except (ArithmeticError, ValueError):  # a stage past zero, as of a root; shorter steps
+                return np.array([self.state_at(t) for t in times.tolist()]).T
+            rows = np.array(rows).T[::-1, :, None]
             self._kept[n] = rows
             self.calls += 16
         u = (times - start) / h

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler import Model, sqrt
+from newton_euler import Model, integrate, sqrt
 from newton_euler.motion import second_order
 from newton_euler.motion.methods.base import MAX_STALLED_STEPS, StepError
 from newton_euler.motion.methods.dop853 import GROW, SAFETY, SHRINK, Dop853
@@ -159,3 +159,14 @@ def test_a_step_to_a_time_is_more_accurate_than_the_interpolation():
     exact = np.array([x * c + v / 2 * s, v * c - 2 * x * s])
     fine = abs(one.state_at(t) - exact).max()
     assert 10 * fine < abs(one.interpolate(3, np.array([t]))[:, 0] - exact).max() < 1e-8
+
+
+def test_between_steps_past_a_root_of_zero_the_state_is_found_by_shorter_steps():
+    """A tank falls to a low level: stages of the interpolation alone are below zero there."""
+    model = Model("tank", {"q": 3.2e-3}, ("h",), lambda s, p, t: (p.q - sqrt(s.h),))
+    for start in np.linspace(0.53, 0.54, 65):
+        coarse, fine = (
+            integrate(model, 2.61, (start,), rtol, "dop853", samples=101).states["h"]
+            for rtol in (1e-3, 1e-9)
+        )
+        assert abs(coarse - fine).max() <= 1e-3
