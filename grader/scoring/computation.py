@@ -77,7 +77,9 @@ def _following(p, key):
 def _of_one(p, key, parts, stated):
     asked = p.answer(key)
     answers = {key: Traced(parts, asked.unit, POINTS if asked.kind.is_formula else 1)}
-    return Formulas(answers, {**p.units, **stated}, p.system, (), section(p.section), _means(p))
+    own = {n: e.key for e in p.answers if e.kind.length > 1 for n in names(p, e.key) if n in stated}
+    units, where = {**p.units, **stated}, section(p.section)
+    return Formulas(answers, units, p.system, (), where, _means(p), components=own)
 
 
 @cached_by_language

@@ -152,7 +152,8 @@ def diagnose(
     if general:  # either may have been done: they give the same numbers
         both_kinds = *_best(single, elsewhere, fit.sizes), *_best([computed], elsewhere, fit.sizes)
         found = _most_explaining(both_kinds, elsewhere)[:MOST]
-        found = tuple(sorted(found, key=elsewhere.contradicts))
+        listed_first = lambda c: (c.group != "listed", elsewhere.contradicts(c))
+        found = tuple(sorted(found, key=listed_first))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
     # many of them give a mere factor, but not in other parts as well

@@ -51,6 +51,15 @@ def called(driver, name, **arguments):
     return driver.execute_async_script(CALL, name, arguments)
 
 
+def figures(driver, url):
+    """The number of moving figures of a page, once it is there: a busy browser says sooner that it
+    has loaded it.
+    """
+    driver.get(url)
+    wait(driver, "document.readyState === 'complete' && document.querySelector('article')", url)
+    return driver.execute_script("return document.querySelectorAll('[data-moving]').length")
+
+
 def drag(driver, figure=0, where="a step"):
     """Move the first slider of a figure; why the engine does not draw it, as a figure of arrays."""
     name, x = driver.execute_script(DRAG, figure, where)
@@ -120,8 +129,7 @@ def test_a_slider_moves_its_figure_and_until_then_an_end_answers(site, driver, a
     """One slider of each chapter, or of one chapter in four."""
     moved, still = [], {}
     for path in sorted(site.glob("chapters/*.html"))[::every]:
-        driver.get(f"{address}/chapters/{path.name}")
-        count = driver.execute_script("return document.querySelectorAll('[data-moving]').length")
+        count = figures(driver, f"{address}/chapters/{path.name}")
         why = [driver.title, f"{count} figures"]
         for n in range(count):
             if not (failed := drag(driver, n, "end" if moved else "a step")):
@@ -196,8 +204,7 @@ def test_numpy_is_fetched_when_asked_for_or_words_say_why(site, driver, tmp_path
 def test_every_figure_with_sliders_moves(site, driver, address):
     moved, still = 0, []
     for path in sorted(site.glob("chapters/*.html")):
-        driver.get(f"{address}/chapters/{path.name}")
-        count = driver.execute_script("return document.querySelectorAll('[data-moving]').length")
+        count = figures(driver, f"{address}/chapters/{path.name}")
         drawn = [not drag(driver, n, "end") for n in range(count)]
         moved += sum(drawn)
         still += [(path.stem, n) for n, is_drawn in enumerate(drawn) if not is_drawn]

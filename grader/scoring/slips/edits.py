@@ -182,6 +182,7 @@ def _of_givens(f):
     yield from givens.of_lengths(f.given, f.read)
     yield from givens.of_loads(f.anything, f.read)
     yield from givens.of_vectors(vectors)
+    yield from givens.of_earlier(f.given, f.formulas.components)
     yield from givens.of_projections(vectors, f.given, f.read)
     yield from of_integrals(f.steps)
     yield from of_roots(f.steps)
@@ -250,6 +251,8 @@ def _of_step(f, s, users):
         one = f.read[name].to_base(1.0, f.system)
         symbols = f.formulas.symbols  # nobody takes a number of the text for one of them
         others = {n: x for n, x in f.anything.items() if (n in symbols) == (name in symbols)}
+        if name in f.formulas.components:
+            others = {n: x for n, x in others.items() if n not in f.formulas.components}
         found = givens.of_given(s, others, f.read, f.number, means, one)
         # a given alone in its term, as H in D^2 + H^2, is not a factor
         is_factor = s in factors or any(user.op in WITHIN for user in users)

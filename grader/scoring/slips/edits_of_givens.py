@@ -226,9 +226,16 @@ def of_projections(
 def of_weights(
     answers: Mapping[str, Sequence[Any]], masses: Mapping[str, Step], g: Any, of: DimensionOf
 ) -> Iterator[Edit]:
-    """The weight of a given mass put into a component of a force, upward or downward."""
-    forces = {x: key for key, parts in answers.items() for x in parts if isinstance(x, Step)}
-    for (x, key), (name, m) in product(forces.items(), masses.items()):
+    """The weight of a given mass put into a component of a force, upward or downward, and g into
+    one of an acceleration by forces.
+    """
+    found = {x: key for key, parts in answers.items() for x in parts if isinstance(x, Step)}
+    for (x, key), op in product(found.items() if masses else (), "+-"):
+        if of(x) == GRAVITY:
+            words = Words("puts g into {key}: look up what {key} consists of", key=key)
+            cause = computed(f"{op} g {x.number}", words)
+            yield Edit(LEAST, cause, {x.number: (op, x, g)})
+    for (x, key), (name, m) in product(found.items(), masses.items()):
         if of(x) == FORCE:
             words = Words(
                 "puts the weight {name}*g into {key}: look up what {key} consists of",
@@ -306,6 +313,15 @@ def of_planes(sums: Iterable[Step]) -> Iterator[Edit]:
 
 def _is_argument(x):
     return isinstance(x, Step) and x.op == "argument"
+
+
+def of_earlier(given: Mapping[str, Step], components: Mapping[str, str]) -> Iterator[Edit]:
+    """An earlier vector of the student's left out, all of its ``components``."""
+    for name in dict.fromkeys(components.values()):
+        own = [s.number for n, s in given.items() if components.get(n) == name]
+        words = Words("leaves out {name}: it is not zero here", name=name)
+        cause = computed(f"without {name}", words, name, ZERO, name)
+        yield Edit(RARER, cause, dict.fromkeys(own, 0.0))
 
 
 def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:

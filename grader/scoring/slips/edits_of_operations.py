@@ -219,6 +219,8 @@ def of_factor(s: Step, x: Step, power: int, factor: Any, why: str) -> Iterator[S
         words = Words("leaves out {factor}^2{of}: {why}", factor=named, of=of, why=why)
         cause = computed(f"whole {s.number} {x.number}", words, f"without {x.number}")
         yield LESS, "whole square", cause, ("/", ("/", s, factor), factor)
+        words = Words("doubles {factor}, and does not square it: {why}", factor=named, why=why)
+        yield LEAST, "doubled", words, ("/", ("*", s, 2.0), factor)
         words = Words("takes half of {factor}{of}: the formula has it in full", factor=named, of=of)
         yield LEAST, "half", words, ("*", s, 0.25)
         words = Words("takes twice {factor}{of}: the formula has it once", factor=named, of=of)
@@ -323,14 +325,23 @@ def _summands(x):
 
 def _of_function(s):
     (x,) = s.args
-    inside = typed(x) or "..."
+    own = _supplement_of(x)
+    inside = typed(x if own is None else own) or "..."
     for rank, twin in ((SIMPLE, COFUNCTIONS[s.op]), (LESS, TANGENTS[s.op])):
         words = Words(
             "takes {other} for {own}: that is another side of its triangle",
             other=f"{twin}({inside})", own=f"{s.op}({inside})",
         )  # fmt: skip
         yield rank, f"cofunction {twin}", words, (twin, x)
+        if own is not None:  # cos(pi - beta), which a student writes as -cos(beta)
+            yield rank, f"cofunction {twin} back", words, ("*", -1.0, (twin, x))
     yield from _of_inverse(s)
+
+
+def _supplement_of(x):
+    """beta of the step pi - beta; None of another one."""
+    is_less = isinstance(x, Step) and x.op == "-" and isinstance(x.args[1], Step)
+    return x.args[1] if is_less and getattr(x.args[0], "op", "") == "pi" else None
 
 
 def _of_inverse(s):

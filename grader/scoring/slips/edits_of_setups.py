@@ -27,7 +27,7 @@ Parts = tuple[Any, ...]
 Way = tuple[int, str, Parts]  # rank, words, the parts instead
 
 MOVED = Words("puts {what} along another axis: look where it points in the figure").template
-EXCHANGED = Words("exchanges {what}: each belongs to its own axis").template
+EXCHANGED = Words("exchanges two components of the vector with {what}: each has its axis").template
 SIDE = Words("has {what} on the other side: look where it points in the figure").template
 AT_REST = Words("leaves out the motion with {what}: that point is not at rest").template
 NOT_LESS = Words("does not subtract {what}: the difference of two vectors is needed").template

@@ -43,6 +43,7 @@ class Formulas(NamedTuple):
     symbols : the arguments that stay symbols in the answers
     given : the steps of all givens and symbols of the problem, even those that no answer needs
     setups : the slips in setting up the system
+    components : of the student's earlier vectors, {argument: name of its vector}
     """
 
     answers: Mapping[str, Traced]
@@ -55,6 +56,7 @@ class Formulas(NamedTuple):
     symbols: Collection[str] = ()
     given: Mapping[str, Step] = {}
     setups: "Sequence[Edit]" = ()
+    components: Mapping[str, str] = {}
 
 
 class Edit(NamedTuple):

@@ -17,7 +17,7 @@ from ...answers.forms import kind_named
 from ...answers.messages import SpokenError, one_line
 from .programs import OPERATIONS
 
-FORMAT, READ = 6, (4, 5, 6)  # a cause is words from 5 on, a text in 4
+FORMAT, READ = 7, (4, 5, 6, 7)  # a cause is words from 5 on, a text in 4
 # the most that a student is shown: whether an answer is right and which mistake explains it; also
 # the steps on the way, with hints; also the solution
 HELP = "check", "hints", "solution"
