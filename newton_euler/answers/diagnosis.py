@@ -140,6 +140,8 @@ def diagnose(
     by_factor = _first(of_components(fit), fit, least)  # in plain words
     if slips and (is_doubtful or elsewhere.has_more(h.cause for h in general)):
         computed = _simplest(fit, slips(fit, kind), elsewhere)
+        if general:  # which says in words of the problem what a slip says of earlier components
+            computed = [h for h in computed if h.cause.group != "sequel"]
         if any(elsewhere.contradicts(h.cause) for h in general):
             computed = [h for h in computed if not elsewhere.contradicts(h.cause)]
         if is_doubtful and max((h.level for h in computed), default=0) > _level_of(general):
@@ -152,8 +154,9 @@ def diagnose(
     if general:  # either may have been done: they give the same numbers
         both_kinds = *_best(single, elsewhere, fit.sizes), *_best([computed], elsewhere, fit.sizes)
         found = _most_explaining(both_kinds, elsewhere)[:MOST]
-        listed_first = lambda c: (c.group != "listed", elsewhere.contradicts(c))
-        found = tuple(sorted(found, key=listed_first))
+        is_listed = any(c.group == "listed" for c in found)
+        order = lambda c: (is_listed and _is_of_a_number(c), elsewhere.contradicts(c))
+        found = tuple(sorted(found, key=order))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
     # many of them give a mere factor, but not in other parts as well
@@ -177,6 +180,11 @@ def _says_little(cause, kind):
     """True of a cause that a slip may explain better: a factor, a zero, a formula of the book."""
     of_book = cause.group == "book" and kind.is_formula
     return of_book or cause.group in ("factor", "usual") or cause.does == NO_COMPONENT
+
+
+def _is_of_a_number(cause):
+    """True of a cause that names another number, not what is left out or reversed."""
+    return cause.group in ("factor", "usual") or (cause.group == "computed" and not cause.does)
 
 
 def _is_bare(hit, fit):

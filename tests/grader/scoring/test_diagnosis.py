@@ -209,6 +209,16 @@ def test_a_cause_that_the_right_parts_contradict_is_named_in_this_part(number, k
     assert p.mistakes[other] in texts(part_of(p, given, key, turned[key]))
 
 
+def test_a_listed_mistake_in_one_part_is_said_before_another_number_that_fits():
+    """7/26: 2*m*r^2 of the ring, with the half ring right, is also a factor that is left out."""
+    p = problem("7/26")
+    m, r = p.sympy_symbols().values()
+    right = trees(p, p.solve(p.sympy_symbols()))
+    ring = trees(p, {**p.solve(p.sympy_symbols()), "I_ring": 2 * m * r**2})["I_ring"]
+    part = judged(p, {**right, "I_ring": ring}, {})["I_ring"]
+    assert "in this part uses m*r^2, of the axis normal to the plane" in part.message
+
+
 PANEL = lambda v: v.components(v.frame.tree[2])
 
 
