@@ -208,7 +208,7 @@ def _of_quantities(f):
     yield from quantities.of_transfers(f.given, f.steps, of)
     yield from quantities.of_masses(f.steps, f.number, of)
     yield from quantities.of_squares(f.products, f.number, of)
-    yield from quantities.of_sums_squared(f.steps)
+    yield from quantities.of_sums_squared(f.steps, f.products)
     yield from quantities.of_slopes(f.steps)
     yield from quantities.of_differences_of_squares(f.steps)
     yield from groups.of_terms(f.steps, f.units)

@@ -32,6 +32,7 @@ OF_SQUARES = Words(
 TANGENT = Words(
     "takes {over}/{own}, a tangent, for {own} over the slant side: look at the triangle"
 ).template
+EACH = Words("squares each term of {sum} separately: twice their product is missing").template
 IN_PRODUCT = Words("takes {other} for {name} in {product}: look which of them it is").template
 MEAN_RATE = Words("takes {a} over {t} for {b}: that is a mean value, it changes").template
 GROWN = Words("takes {a} times {t} for {b}: it does not grow evenly").template
@@ -206,18 +207,27 @@ def of_cross_products(named: Iterable[Named]) -> Iterator[Edit]:
             yield Edit(LESS, computed(f"pairs {name}", alone), instead)
 
 
-def of_sums_squared(steps: Iterable[Step]) -> Iterator[Edit]:
-    """The square of a sum, or of a quotient by one, taken term by term."""
-    for s in filter(_is_square, steps):
+def of_sums_squared(steps: Iterable[Step], products: Iterable[Step]) -> Iterator[Edit]:
+    """The square of a sum, or of a quotient by one, taken term by term; also where the two factors
+    are apart, as in omega_z*(I_z*omega_z).
+    """
+    squares_alone = [*filter(_is_square, steps)]
+    for s in products:
+        for x, power in Product(s).powers.items():
+            is_apart = power == 2 and all(x is not own.args[0] for own in squares_alone)
+            named = described(x) if is_apart and len(terms_of(x)) > 1 and not repeats(x) else ""
+            if named:
+                each = reduce(lambda a, b: ("+", a, b), [("*", t, t) for _, t in terms_of(x)])
+                cause = computed(f"squares in {s.number} of {x.number}", Words(EACH, sum=named))
+                yield Edit(LESS, cause, {s.number: ("/", ("*", s, each), ("*", x, x))})
+    for s in squares_alone:
         (x, _) = s.args
         is_below = isinstance(x, Step) and x.op == "/"
         whole = x.args[1] if is_below else x
         named = described(whole) if len(terms_of(whole)) > 1 and not repeats(whole) else ""
         if named:
             squares: list[Any] = [("*", term, term) for _, term in terms_of(whole)]
-            words = Words(
-                "squares each term of {sum} separately: twice their product is missing", sum=named
-            )
+            words = Words(EACH, sum=named)
             total = reduce(lambda a, b: ("+", a, b), squares)
             changed = ("*", s, ("/", ("*", whole, whole), total)) if is_below else total
             yield Edit(LESS, computed(f"squares in {s.number}", words), {s.number: changed})
