@@ -155,8 +155,8 @@ def diagnose(
         both_kinds = *_best(single, elsewhere, fit.sizes), *_best([computed], elsewhere, fit.sizes)
         found = _most_explaining(both_kinds, elsewhere)[:MOST]
         is_listed = any(c.group == "listed" for c in found)
-        order = lambda c: (is_listed and _is_of_a_number(c), elsewhere.contradicts(c))
-        found = tuple(sorted(found, key=order))
+        found = tuple(sorted(found, key=elsewhere.contradicts))
+        found = tuple(sorted(found, key=lambda c: is_listed and _is_of_a_number(c)))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
     # many of them give a mere factor, but not in other parts as well
