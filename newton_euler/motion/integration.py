@@ -56,7 +56,8 @@ def integrate(
 
     Every result was compared with the requested tolerance; its error is an estimate, not a bound:
     of random models in a hundred families, more than 99 in 100 are within rtol; the others are off
-    by a few times rtol, most of them at 1e-3 where the rates jump on the way. Raises
+    by a few times rtol, most of them at 1e-3 where the rates jump on the way, or at 0.1 where a
+    long swing is of some thousand last digits of its place. Raises
     :class:`ModelError` for what cannot be integrated,
     :class:`~newton_euler.motion.solution.MotionError`, with what was ``reached``, if the motion
     comes to a singular place, and its subclasses
