@@ -48,9 +48,9 @@ def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
             instead = {s.number: slip(n) for s, n in items}
             yield Edit(rank, computed(f"integral {key} {k}", words), instead)
         inside = _of_integrand(inner, outer) if few and len(key) == 1 else ()
-        for k, (words, other) in enumerate(inside):
+        for k, (words, other, is_twin) in enumerate(inside):
             ways = [_between(other, start, end, outer)]
-            if words.template == INSIDE["twin"]:  # zero over halves that are alike for the other
+            if is_twin:  # zero over halves that are alike for the other
                 ways.append(_doubled(other, start, end, outer))
             for m, way in enumerate(ways):
                 instead = {s.number: way(n) for s, n in items}
@@ -119,22 +119,24 @@ def _doubled(inner, start, end, outer):
     return lambda n: ("*", 2.0, half(n))
 
 
-def _of_integrand(inner: Inner, outer: Sequence[Any]) -> Iterator[tuple[Words, Inner]]:
-    """(words, other formula) of the slips in one place of what is integrated."""
+def _of_integrand(inner: Inner, outer: Sequence[Any]) -> Iterator[tuple[Words, Inner, bool]]:
+    """(words, other formula, whether one sine is taken for a cosine or the reverse) of the slips in
+    one place of what is integrated.
+    """
     steps = needed(inner.leaves)
     spoken_of = _in_words(inner, outer)
     twins = [s for s in steps if s.op in TWINS and is_given(s)]
     for s in twins:
         words = Words(INSIDE["twin"].template, own=f"{s.op}(...)", twin=f"{TWINS[s.op]}(...)")
-        yield words, _changed(inner, {s.number: (TWINS[s.op], *s.args)})
+        yield words, _changed(inner, {s.number: (TWINS[s.op], *s.args)}), True
     if len(twins) > 1:
         every = {s.number: (TWINS[s.op], *s.args) for s in twins}
-        yield INSIDE["all twins"], _changed(inner, every)
+        yield INSIDE["all twins"], _changed(inner, every), False
     for s in steps:
         for kind, x, expression in _of_operation(s) if s.op in NOUNS else ():
             if what := spoken_of(x, NOUNS[s.op]):
                 words = Words(INSIDE[kind].template, what=what, x=inner.variable)
-                yield words, _changed(inner, {s.number: expression})
+                yield words, _changed(inner, {s.number: expression}), False
 
 
 def _of_operation(s):
