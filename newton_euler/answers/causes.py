@@ -39,7 +39,8 @@ class Cause:
     subject : shared by slips that are one and the same in other words: the last of them is named;
         the name of a listed mistake that a general one repeats
     does : what it does, one of :data:`DOES`, or ""
-    of : to what, in words; "" of a term without a name; of answers their names, as "a_A a_B"
+    of : to what, in words; "" of a term without a name
+    answers : in place of which it takes something else
     """
 
     group: str
@@ -49,6 +50,7 @@ class Cause:
     subject: str = field(default="", compare=False)
     does: str = field(default="", compare=False)
     of: str = field(default="", compare=False)
+    answers: tuple[str, ...] = field(default=(), compare=False)
 
     @property
     def what(self) -> str:

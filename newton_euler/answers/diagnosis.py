@@ -13,7 +13,6 @@ from .causes import (
     CORIOLIS_HALVED,
     FACTOR_2,
     GIVES_ZERO,
-    INSTEAD,
     LEFT_OUT,
     NO_COMPONENT,
     RESCALED,
@@ -76,9 +75,8 @@ class Elsewhere:
         """True if this listed mistake would show in other parts, and explains none of them, or if
         a slip takes something else for another answer, which is right.
         """
-        if cause.does == INSTEAD:
-            right = {part.name for part in self._parts if part.right}
-            return right.issuperset(cause.of.split())
+        if cause.answers:
+            return {part.name for part in self._parts if part.right}.issuperset(cause.answers)
         shown = cause.group == "listed" and any(
             is_apart(x, part.key) for part in self._parts for x in part.models(cause)
         )

@@ -52,7 +52,7 @@ def factors(stated_in: str) -> Mapping[str, float]:
         found |= {words: factor**power for words, factor in LENGTHS.items()}
         less = Words("{units}, in one factor too few")
         found |= {
-            Words(less.template, units=words): factor ** (power - 1)
+            Words(less, units=words): factor ** (power - 1)
             for words, factor in LENGTHS.items()
             if power > 1
         }

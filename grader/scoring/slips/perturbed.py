@@ -16,8 +16,9 @@ from newton_euler.algebra.units import unit
 from newton_euler.answers.near import Ranked, Slips
 
 from .edits import edits_of
-from .edits_of_equations import entries, solution, square
+from .edits_of_equations import solution
 from .edits_of_roots import beside, rooted
+from .facts import entries, square
 from .formulas import Edit, Formulas, needed, steps_in
 
 INFIX = {"+", "-", "*", "/", "**"}

@@ -78,12 +78,12 @@ def typed(x: Any, most: int = SHORT) -> str:
 
 
 NOUNS = {  # {noun: (with a formula, with the givens that are in it)}
-    "": ("{formula}", Words("an expression in {names}").template),
-    "the term": (Words("the term {formula}").template, Words("the term in {names}").template),
-    "the factor": (Words("the factor {formula}").template, Words("the factor in {names}").template),
+    "": ("{formula}", Words("an expression in {names}")),
+    "the term": (Words("the term {formula}"), Words("the term in {names}")),
+    "the factor": (Words("the factor {formula}"), Words("the factor in {names}")),
     "of the product": (
-        Words(" of the product {formula}").template,
-        Words(" of the product in {names}").template,
+        Words(" of the product {formula}"),
+        Words(" of the product in {names}"),
     ),
 }
 

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -216,7 +217,7 @@ def test_a_cause_that_would_not_show_in_the_right_part_is_not_contradicted():
 def test_nothing_is_taken_for_another_answer_that_is_right(name, is_named):
     """Unlike other slips, this cannot be made in one part only."""
     wrong = ((6.5123, 9.0, 0.0),)
-    slip = causes.computed("law", "takes a for u", does=causes.INSTEAD, of=name)
+    slip = replace(causes.computed("law", "takes a for u"), answers=tuple(name.split()))
     other = Elsewhere(lambda: [part(True, KEY, [(slip, wrong)])._replace(name="u")])
     found = diagnose(wrong, KEY, [], elsewhere=other, slips=lambda fit, kind: [(2, slip, wrong)])
     assert (slip in found) == is_named
