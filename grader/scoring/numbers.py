@@ -94,9 +94,7 @@ class Numbers:
         return self._wrong[key]
 
     def _wrong_words(self, answer):
-        """Every listed mistake in a word or count, as for :meth:`wrong`, and what else is wrong in
-        counting degrees of freedom.
-        """
+        """As :meth:`wrong`, of a word or count: also degrees of freedom counted wrongly."""
         given = {m: x[answer.key] for m, x in self._wrong_answers.items() if answer.key in x}
         found = [
             (listed(m, self.problem.mistakes[m]), ((_one_word(answer, (x,)),),))
@@ -212,9 +210,7 @@ def _of_book(problem_id):
 
 
 def _sample(problem, values):
-    """Values of all givens and symbols; symbols as arrays of seeded points, the same for all
-    students.
-    """
+    """The values of givens, and of symbols the seeded points, the same for all students."""
     missing = [n for n in problem.givens if n not in values]
     if missing:
         raise ScoreError(
@@ -273,7 +269,8 @@ def _traced_wrong(problem_id):
 
 
 def _run_wrong(problem, sample):
-    for values in (sample, _as_arrays(sample)):
+    # arrays have nan where floats raise, as at the root of a negative number
+    for values in (sample, {n: np.atleast_1d(x) for n, x in sample.items()}):
         with contextlib.suppress(ArithmeticError, ValueError), np.errstate(all="ignore"):
             return _wrong_at(problem, values)
     return [], []  # a wrong model has no value, not even nan, so none is compared
@@ -285,13 +282,6 @@ def _wrong_at(problem, values):
         return labels, run(**values)
     models = wrong_models(problem, values)
     return [model[:2] for model in models], [numbers for *_, numbers in models]
-
-
-def _as_arrays(sample):
-    """The same numbers in arrays, which have nan where floats raise: a wrong model may lead to the
-    root of a negative number.
-    """
-    return {n: np.atleast_1d(x) for n, x in sample.items()}
 
 
 @cache

@@ -239,9 +239,7 @@ def right_but(places: Sequence[int], key: Sequence[float]) -> Cause | None:
 
 
 def _entries(places, key):
-    """The names of entries of a matrix, each once: as I_xy of an inertia matrix, which is
-    symmetric.
-    """
+    """The names of entries of a matrix, of a symmetric one each once, as I_xy."""
     if all(abs(key[3 * n + m] - key[3 * m + n]) <= NOISE for n, m in ((0, 1), (0, 2), (1, 2))):
         return [*dict.fromkeys(_entry(*sorted(divmod(n, 3))) for n in places)]
     places = [(row + 1, column + 1) for row, column in (divmod(n, 3) for n in places)]

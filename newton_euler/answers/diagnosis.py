@@ -267,9 +267,7 @@ def _simplest(fit, near, elsewhere):
 
 
 def _level(fit, x):
-    """How well a slip fits; a number that it gives in the digits written may be as near to the key
-    as one that was rounded early.
-    """
+    """How well a slip fits; one that is met in the digits written may be near the key."""
     level = fit(x, apart=len(fit.key[0]) > 1)
     return level if level >= CLOSE else fit(x)
 
@@ -284,9 +282,7 @@ def _closest(stages):
 
 
 def _chosen(best, twins, elsewhere):
-    """One cause, or several that fit alike, the listed ones first: those that explain most of the
-    other parts.
-    """
+    """The causes that explain most of the other parts, the listed ones first."""
     causes = _most_explaining(dict.fromkeys([*best, *twins]), elsewhere)
     kept = sorted(causes, key=lambda c: c.group != "listed")[:MOST]
     few = sum(c in best for c in causes) <= MOST

@@ -193,9 +193,7 @@ def _right(fit):
 
 
 def _formulas_near(rows, fit, ranked, allowed):
-    """For formulas: the places of the slips near the answer at the first point where the key has a
-    value, if so few are by chance with the digits that were written.
-    """
+    """The places of the slips that a formula is nearer to than by chance."""
     if fit.is_plain:
         return []
     given, key = fit.given[fit.index], fit.key[fit.index]

@@ -268,9 +268,7 @@ class _Pairs:
 
 
 def _is_any(numbers, places, gap):
-    """True if one of the sorted ``numbers`` is within ``gap`` of one of these places; where these
-    have no value, perhaps.
-    """
+    """True if one of the sorted ``numbers`` is within ``gap`` of a place; perhaps at nan."""
     first = numbers.searchsorted(places - gap)
     return bool((first < numbers.searchsorted(places + gap, "right")).any())
 

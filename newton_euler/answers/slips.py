@@ -173,9 +173,7 @@ def _with_moments(point, own, others):
 
 
 def _of_one_entry(fit):
-    """A matrix with a product of inertia, and its mirror image, left out or of the other sign; two
-    moments or two products exchanged.
-    """
+    """An entry left out or reversed, with its mirror image; two moments or products exchanged."""
     if fit.index is None:
         return
     for n in range(3):

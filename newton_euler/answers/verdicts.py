@@ -201,9 +201,7 @@ def _causes(asked, given, found, numbers, *slips):
 
 
 def _slips(asked, found, numbers):
-    """Finds the slips in the computation from the givens, or else from the student's earlier
-    answers.
-    """
+    """Finds slips in computing from the givens, or else from the student's earlier answers."""
     wrong, earlier = _earlier(numbers.earlier.get(asked.key, ()), found, numbers)
     given = found[asked.key].given
     sequel = cache(lambda: numbers.sequel(asked.key, earlier))
@@ -248,9 +246,7 @@ def _like(given, asked, numbers):
 
 
 def _exchanged(asked, given, found, numbers):
-    """The models that are the right answers to other parts of the same kind, and of the same unit
-    or each in the other's place.
-    """
+    """The right answers to other parts of the kind, which may stand in each other's place."""
 
     def is_answered_by_it(other):
         there = found[other.key].given

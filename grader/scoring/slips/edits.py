@@ -134,9 +134,7 @@ def _everywhere_and_once(s, place, slip, users):
 
 
 def _in_one_place(s, cause, kind, user):
-    """The rank added to a slip in one use, its words and what it does: a given that is zero or of
-    the other sign in one product makes the product so.
-    """
+    """The rank added to a slip in one use, its words, and what it does to which term."""
     is_factor = s.op == "argument" and user.op in PRODUCT
     term = described(user, "the term") if is_factor else ""
     if term and kind == "zero":
@@ -150,9 +148,7 @@ def _in_one_place(s, cause, kind, user):
 
 
 def _of_unchanged(f):
-    """A given, or its half, as the answer, or as the only component of it that is not zero; or the
-    answer with its ratio to a given inverted.
-    """
+    """A given, or its half, as the answer; the ratio of the answer to a given inverted."""
     for key, answer in f.answers.items():
         own, there = unit(answer.unit).dimension, [x for x in answer.parts if not is_nothing(x)]
         if len(there) != 1 or not isinstance(there[0], Step) or own == NUMBER:
@@ -173,9 +169,7 @@ def _of_unchanged(f):
 
 
 def _of_differences(f):
-    """Answers from another origin: a given subtracted or added; a quantity subtracted from all
-    components.
-    """
+    """A given added to an answer or subtracted; a quantity subtracted from a vector."""
     for key, answer in f.answers.items():
         steps = [x for x in answer.parts if isinstance(x, Step) and f.of(x) is not None]
         for x, (name, step) in product(steps, f.numbers.items()):

@@ -74,9 +74,7 @@ def _solutions(system, place, factor, inside):
 
 
 def _of_one_equation(system):
-    """One unknown left out of all equations but one of three or more that it is in: an acceleration
-    that turns a body, and does not move it.
-    """
+    """An unknown left out of all equations but one, of three or more that it is in."""
     width, rows = len(system.names) + 1, range(len(system.names))
     for k, name in enumerate(system.names):
         x, inside = system.values[name], entries(system)
@@ -91,9 +89,7 @@ def _of_one_equation(system):
 
 
 def _of_one_unknown(system, of):
-    """One unknown from one equation, the others known, with a slip in a term of it, or with another
-    unknown taken as equal.
-    """
+    """An unknown found from the others, with a slip in a term, or taken as equal to one."""
     names, values = system.names, [to_float(system.values[n]) for n in system.names]
     known = {y.number: y for y in values if isinstance(y, Step)}
     for n, (row, right) in enumerate(system.equations if len(names) <= FEW else ()):
@@ -120,9 +116,7 @@ def _of_one_unknown(system, of):
 
 
 def _of_term(beside, term, unknown, has_rest):
-    """(words, factor of the term) of the slips in a term of an equation for one unknown; where
-    ``has_rest``, of several.
-    """
+    """(words, factor) of the slips in a term; ``has_rest``: it is one of several."""
     for times, words in LATER.items():
         if times < 0 or has_rest or (isinstance(beside, Step) and times):
             yield Words(words, term=term, unknown=unknown), times

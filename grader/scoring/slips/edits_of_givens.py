@@ -97,9 +97,7 @@ def of_given(s: Step, f: Facts) -> Iterator[Slip]:
 
 
 def _others(s, f):
-    """The givens that are taken for one: no number of the text for a symbol, and no component of an
-    earlier answer for another.
-    """
+    """The givens that may be taken for one: symbols for symbols, no two of earlier answers."""
     name, symbols, components = s.args[0], f.formulas.symbols, f.formulas.components
     found = {n: x for n, x in f.anything.items() if (n in symbols) == (name in symbols)}
     return {n: x for n, x in found.items() if name not in components or n not in components}
@@ -122,9 +120,7 @@ def _of_another_given(s, others, read, is_it):
 
 
 def _are_confused(a, b):
-    """True of the dimensions of a quantity and its rate, of a length and an area, a mass and a
-    weight.
-    """
+    """True of a quantity and its rate, of a length and an area, a mass and a weight."""
     mass, length, time = (a / b).powers
     return {a, b} == {MASS, FORCE} or (not mass and not (length and time))
 
@@ -280,9 +276,7 @@ def _is_of_turns(own):
 
 
 def _ratios(own, system):
-    """The factors by which a quantity is wrong if its number is used as if in SI, or in feet and
-    pounds.
-    """
+    """The factors of a quantity whose number is used as if in SI, or in feet and pounds."""
     found = set()
     for other in (SI, US):
         there = own.to_base(1.0, other)

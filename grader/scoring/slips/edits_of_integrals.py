@@ -120,9 +120,7 @@ def _doubled(inner, start, end, outer):
 
 
 def _of_integrand(inner: Inner, outer: Sequence[Any]) -> Iterator[tuple[Words, Inner, bool]]:
-    """(words, other formula, whether one sine is taken for a cosine or the reverse) of the slips in
-    one place of what is integrated.
-    """
+    """(words, other formula, is it a sine for a cosine) of the slips in an integrand."""
     steps = needed(inner.leaves)
     spoken_of = _in_words(inner, outer)
     twins = [s for s in steps if s.op in TWINS and is_given(s)]

@@ -166,9 +166,7 @@ def of_coefficient(s: Step) -> Iterator[Slip]:
 
 
 def _of_ratios(s, product, dimension, of):
-    """A ratio of two quantities of one dimension upside down, or not squared: of two factors, or
-    the two sides of a quotient inside.
-    """
+    """A ratio of two quantities of one dimension inverted, not squared or to the third power."""
     powers = product.powers.items()
     ratios = [(x, y, n) for x, n in powers for y, m in powers if m == -n < 0]
     inside = [a for a, _ in parts_of(s, "/") if a.op == "/" and any(map(_is_whole, a.args))]
@@ -279,9 +277,7 @@ def _side(x):
 
 
 def _of_components(sides, sums):
-    """The size of a vector with its components added as numbers, not squared, or, where they are
-    ``sums``, squared term by term.
-    """
+    """The size of a vector with its components added as numbers, or squared term by term."""
     words = Words("adds components as numbers: they are at right angles")
     yield SIMPLE, "components", words, total(("abs", side) for side in sides)
     yield LESS, "signed components", words, ("abs", total(sides))

@@ -159,16 +159,12 @@ def beside(side: float, formula: Compiled, low: float, high: float, *outer: floa
 
 
 def _end(f, x, other):
-    """An end of an interval, or a place beside it where the function has no value there, as where
-    both sides of an equation are divided by the unknown.
-    """
+    """An end of an interval, or a place beside it where the function has no value there."""
     return x + NEXT * (other - x) if math.isnan(f(x)) else x
 
 
 def _next(f, start, way):
-    """The next root from a place on, which is none itself, up to some ways from it; nan if there is
-    none. It is looked for in steps that are small at first.
-    """
+    """The next root from a place on, within :data:`REACH`; nan if there is none."""
     places = [start + REACH * way * (n / PLACES) ** 2 for n in range(1, PLACES + 1)]
     a, fa = places[0], f(places[0])
     for b in places[1:]:
@@ -193,9 +189,7 @@ def _on_floats(formula, outer):
 
 
 def _root(f, low, high):
-    """The root between two places, by false position, in which the value at an end that stays is
-    halved (Illinois); nan at a pole.
-    """
+    """The root between two places, by false position (Illinois); nan at a pole."""
     a, b, fa, fb = low, high, f(low), f(high)
     first = abs(fa) + abs(fb)
     for _ in range(STEPS):

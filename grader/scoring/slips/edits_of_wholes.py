@@ -108,9 +108,7 @@ def of_single_terms(f: Facts) -> Iterator[Edit]:
 
 
 def _expanded(x):
-    """[(term, the term with its factor and sign)] of a sum; those of a sum with a number in front
-    are terms of its own.
-    """
+    """[(term, the term with its factor and sign)] of a sum, of a multiple of a sum."""
     found = list[tuple[Any, Any]]()
     for sign, term in terms_of(x):
         product = Product(term)

@@ -127,9 +127,7 @@ def to_float(x: Any) -> Any:
 
 
 def _of_elimination(systems):
-    """The steps between the entries of equations and their unknowns: nobody writes them as they are
-    computed.
-    """
+    """The steps between equations and their unknowns, which nobody writes down."""
     found = set[Step]()
     for system in systems:
         known = {s.number for s in needed(entries(system))}
@@ -140,9 +138,7 @@ def _of_elimination(systems):
 
 
 def _students(units):
-    """The system in which a student computes: with the one unit of length of the text, as inches or
-    millimetres, if nothing in it needs another.
-    """
+    """SI, or feet and pounds; with the unit of length of the text where all is in that."""
     usual = US if any(u.is_of_feet for u in units) else SI
     lengths = {u.factor for u in units if u.dimension == LENGTH}
     for own in (System(x, usual.mass) for x in lengths if len(lengths) == 1):

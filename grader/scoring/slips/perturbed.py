@@ -72,9 +72,7 @@ class Computation:
         return (self.factors[key] * found).T
 
     def _within(self, op, base, before, args):
-        """The values of integrals and roots, computed where an edit reaches them, as the arguments
-        ``before`` it show; nan where there are none.
-        """
+        """Integrals or roots, anew where an edit changes their arguments; nan without a value."""
         count = len(self.edits)
         moved = np.zeros(count, bool)
         for a, b in zip(args, before, strict=True):
