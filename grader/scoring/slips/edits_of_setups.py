@@ -164,7 +164,7 @@ def _linear(compute, name, step):
 
 
 def _curved(answers):
-    """The steps on which the answers depend otherwise than as polynomials."""
+    """The steps in which the answers are not polynomials."""
     inside = []
     for s in needed(x for parts in answers.values() for x in parts):
         inside += s.args[1:] if s.op == "/" else () if s.op in SIMPLE else s.args

@@ -53,7 +53,7 @@ def _of_power(name, power, change):
 
 
 def of_sides(f: Facts) -> Iterator[Edit]:
-    """Answers in all whose components a given has one power, with the opposite one."""
+    """Answers with a given on the other side: it has one power in all components."""
     for (key, a), (name, step) in product(f.answers.items(), f.given.items()):
         parts = _steps(a)
         powers = {Product(x).powers.get(step, 0) for x in parts}

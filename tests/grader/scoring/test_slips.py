@@ -81,7 +81,7 @@ def same_numbers(numbers, a, cause, slip):
 
 
 def judged(p, numbers, a, words, slip, others):
-    """What becomes of a slip in part ``a``: named, unnamed, observed, passed, or a false cause."""
+    """The outcome of a slip in part ``a``: named, unnamed, observed, passed, or a false cause."""
     answers = {**others, a.key: tree_of(a, slip)}
     values = {n: numbers.sample[n] for n in p.givens}
     part = next(x for x in score_receipt(p, values, {"answers": answers}).parts if x.key == a.key)

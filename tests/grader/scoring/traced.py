@@ -1,4 +1,4 @@
-"""What a student is told about a wrong answer whose computation is traced."""
+"""The diagnosis of a wrong answer whose computation is traced."""
 
 from newton_euler.answers.diagnosis import diagnose
 from newton_euler.answers.kinds import KINDS
