@@ -16,7 +16,7 @@ from grader.scoring.numbers import numbers_of
 from newton_euler.algebra.units import unit
 from newton_euler.answers.causes import AS_SCALARS, BOOK, DIRECTION, NEAR, both
 from newton_euler.answers.tolerance import NOISE
-from tests.grader.scoring.answered import right_trees
+from tests.grader.scoring.answered import plain, right_trees
 
 ALL = select(["all"])
 NUMERIC = [
@@ -67,10 +67,6 @@ def slips_of(right, kind, stated_in):
         yield "swapped", f"exchanges its {ORDINALS[a]} and {ORDINALS[b]}", swapped
 
 
-def tree_of(a, numbers):
-    return list(numbers) if a.kind.name == "vector" else numbers[0]
-
-
 def same_numbers(numbers, a, cause, slip):
     """True if the model that the diagnosis names gives the numbers of the slip."""
     book = [(BOOK, numbers.book[a.key])] if numbers.book else []
@@ -82,7 +78,7 @@ def same_numbers(numbers, a, cause, slip):
 
 def judged(p, numbers, a, words, slip, others):
     """The outcome of a slip in part ``a``: named, unnamed, observed, passed, or a false cause."""
-    answers = {**others, a.key: tree_of(a, slip)}
+    answers = {**others, a.key: plain(slip)}
     values = {n: numbers.sample[n] for n in p.givens}
     part = next(x for x in score_receipt(p, values, {"answers": answers}).parts if x.key == a.key)
     if part.verdict == "right":
@@ -103,7 +99,7 @@ def counted(p, alone, draws):
     found, misnamed = Counter(), []
     for n in range(draws):
         numbers = numbers_of(p, draw(p, f"slips {n}".encode()))
-        right = {a.key: tree_of(a, numbers.key[a.key][0]) for a in p.answers}
+        right = {a.key: plain(numbers.key[a.key][0]) for a in p.answers}
         for a in p.answers:
             if not math.hypot(*numbers.key[a.key][0]) > a.atol:
                 continue  # a key that is zero
@@ -147,7 +143,7 @@ def test_random_wrong_answers_are_rarely_named(problems, share):
                 for a in p.answers:
                     size = math.hypot(*numbers.key[a.key][0])
                     x = [rng.uniform(-2, 2) * size for _ in numbers.key[a.key][0]]
-                    answers[a.key] = tree_of(a, [float(f"{y:.3g}") for y in x] if m % 2 else x)
+                    answers[a.key] = plain([float(f"{y:.3g}") for y in x] if m % 2 else x)
                 for part in score_receipt(p, values, {"answers": answers}).parts:
                     tried += 1
                     named += any(not c.is_observation for c in part.causes)

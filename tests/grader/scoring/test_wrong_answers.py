@@ -9,7 +9,7 @@ from exercises.catalogue.variants import draw, evaluate
 from grader.scoring import score_receipt
 from grader.scoring.numbers import numbers_of
 from newton_euler.answers.tolerance import NOISE
-from tests.grader.scoring.answered import CH04, from_points, right_trees
+from tests.grader.scoring.answered import CH04, plain, right_trees
 
 DRAWS = 50
 NUMERIC = [p for p in CH04 if not p.symbolic]
@@ -56,7 +56,7 @@ def test_no_perturbed_number_or_vector_passes(p):
     for n in range(DRAWS):
         values = draw(p, f"wrong answers {n}".encode())
         right = evaluate(p, values)[0]
-        assert not [*passed(p, values, {a.key: from_points(a, [right[a.key]]) for a in p.answers})]
+        assert not [*passed(p, values, {a.key: plain(right[a.key]) for a in p.answers})]
 
 
 @pytest.mark.parametrize("p", SYMBOLIC, ids=lambda p: p.id)
@@ -71,7 +71,7 @@ def test_the_books_answers_are_reported_and_earn_nothing(p):
     for n in range(DRAWS):
         values = draw(p, f"wrong answers {n}".encode())
         own = numbers_of(p, values).key
-        answers = {a.key: from_points(a, book[a.key]) for a in p.answers}
+        answers = {a.key: plain(book[a.key][0]) for a in p.answers}
         score = score_receipt(p, values, {"answers": answers})
         for a, part in zip(p.answers, score.parts, strict=True):
             if not a.kind.is_right(book[a.key], own[a.key], a.atol):
