@@ -33,7 +33,7 @@ TANGENT = Words(
 )
 EACH = Words("squares each term of {sum} separately: twice their product is missing")
 IN_PRODUCT = Words("takes {other} for {name} in {product}: look which of them it is")
-A_OP_B = Words("takes {a} {op} {b} for {key}: look up what {key} stands for")
+OF_TWO = Words("takes {a} {op} {b} for {key}: look up what {key} stands for")
 ADDED = Words("adds the two products in each component of {quantity}: they are subtracted")
 MIDDLE_TURNED = Words(
     "has the second component of {quantity} with the opposite sign: a determinant alternates"
@@ -151,7 +151,7 @@ def of_ratios(f: Facts) -> Iterator[Edit]:
             if by == NUMBER or (op == "*" and len(parts) == 1 and str(second) < str(first)):
                 continue
             if all(x is not y and f.of(x) == _times(f.of(y), by, sign) for x, y in moved):
-                words = Words(A_OP_B, a=first, op=op, b=second, key=key)
+                words = Words(OF_TWO, a=first, op=op, b=second, key=key)
                 instead = {x.number: (op, y, factor) for x, y in moved}
                 yield edit(LEAST + 1, f"{first} {op} {second} for {key}", words, instead)
 
@@ -167,10 +167,8 @@ def of_mean_rates(f: Facts) -> Iterator[Edit]:
         for op, sign, text in ("/", -1, MEAN_RATE), ("*", 1, GROWN):
             is_first = op == "/" or all(s is not y for s in needed([x]))
             if x is not y and is_first and f.of(y) == _times(f.of(x), TIME, sign):
-                words = Words(text, a=a, t=t, b=b)
-                yield edit(
-                    LEAST, f"{x.number} {op} {t} for {y.number}", words, {y.number: (op, x, time)}
-                )
+                words, name = Words(text, a=a, t=t, b=b), f"{x.number} {op} {t} for {y.number}"
+                yield edit(LEAST, name, words, {y.number: (op, x, time)})
 
 
 def _times(a, b, sign):
