@@ -132,14 +132,15 @@ def test_a_term_left_out_or_turned_is_named_from_the_ledger_or_a_listed_mistake(
         assert part.diagnosis or len(alike) > 1, (name, factor)
 
 
-@pytest.mark.parametrize("number", ["4/3", "4/4", "4/6", "4/9", "4/15", "4/16", "4/20"])
-def test_angles_and_rates_used_in_degrees_are_reported(number):
-    p = problem(number)
+def in_degrees(p):
+    return [name for name, q in p.givens.items() if q.unit.startswith(("deg", "rev"))]
+
+
+@pytest.mark.parametrize("p", [*filter(in_degrees, CH04)], ids=lambda p: p.id)
+def test_angles_and_rates_used_in_degrees_are_reported(p):
     given = values(p, "variant")
-    turning = [name for name, q in p.givens.items() if q.unit.startswith(("deg", "rev"))]
-    assert turning
     found, g = 0, p.base(given)
-    for name in turning:
+    for name in in_degrees(p):
         wrong = p.in_units(p.code.solve(g.but(**{name: g.stated(name)})))
         parts = [diagnosed(p, a, given, wrong[a.key]) for a in p.answers]
         found += sum(part.diagnosis is not None for part in parts if not part.points)
