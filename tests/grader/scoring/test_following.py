@@ -58,6 +58,11 @@ def test_the_exercise_may_say_the_share_of_each_answer():
     assert judged(p, VALUES, given, follow_through=0)["acc_mag"].points == 0
 
 
+def test_zero_follows_from_zero_without_points():
+    zeros = {"a": [0, 0, 0], "acc_mag": 0}
+    assert judged(ROBOT, VALUES, zeros, follow_through=1)["acc_mag"].points == 0
+
+
 def test_answers_for_the_books_numbers_earn_nothing_by_following():
     book = numbers_of(ROBOT, ROBOT.book_values).key
     given = {"a": list(book["a"][0]), "acc_mag": book["acc_mag"][0][0]}
