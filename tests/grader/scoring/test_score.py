@@ -54,7 +54,6 @@ JUNK = {
     "nan": float("nan"),
     "inf": float("inf"),
     "huge": 1e308,
-    "the smallest float": 5e-324,
     "a long integer": 10**4000,
     "tall tower": ["^", 9, ["^", 9, ["^", 9, 9]]],
     "tower of a symbol": ["^", "omega", ["^", 9.0, ["^", 9.0, 9.0]]],
@@ -103,6 +102,10 @@ def test_junk_earns_nothing_and_every_part_is_judged(name):
                 and part.message.isprintable()
                 for part in result.parts
             )
+
+
+def test_the_smallest_float_is_wrong_although_it_has_no_half():
+    assert judged(problem("4/16"), {"a_D": [0.0, 0.0, 5e-324]})["a_D"].verdict == "wrong"
 
 
 def test_messages_hold_no_key_and_nothing_unprintable():
