@@ -14,26 +14,12 @@ HOLDOUT = {}  # held-out families: nobody repairs the engine to suit them
 
 
 @dataclass(frozen=True)
-class Branches:
-    """The analytic pieces of rates that have kinks or jumps.
-
-    switches : functions ``(s, p, t)``; at a zero of one of them the rates change their formula
-    rates : a function ``(s, p, t, b)``, the rates with the sign of each switch, +1 or -1, in the
-        tuple ``b`` in place of what chooses
-    """
-
-    switches: tuple
-    rates: Callable
-
-
-@dataclass(frozen=True)
 class Case:
     """A model, its start and its time, as they go into ``integrate``.
 
     model, t_end, start, t0 : arrays among the parameters or in the start are many motions at once
     name, tags : family/seed/draw, and the subject with what else is special; both are filled in by
         :func:`draw`
-    branches : :class:`Branches` where the rates have kinks, else None
     knots : times at which the reference stops to look, where something short happens that long
         steps would pass over
     exact : a function ``(mp, s, p, t)`` on mpmath numbers, the states at the time t of the clock,
@@ -42,8 +28,6 @@ class Case:
         answer is a refusal
     events : of the engine; ``event_times(mp, s, p)`` lists the times of a single event where a
         formula gives them
-    impact : a function ``(s, p, t)``, the state after each event of ``events``, whose ``then`` does
-        the same; None if they only report or end the motion
     written_out : the same model for the reference, where ``model`` is written in a way that the
         reference cannot use: with laws among its parameters, or with powers of zero
     """
@@ -54,13 +38,11 @@ class Case:
     t0: float = 0.0
     name: str = ""
     tags: tuple = ()
-    branches: Branches | None = None
     knots: tuple = ()
     exact: Callable | None = None
     singular_at: float | None = None
     events: tuple = ()
     event_times: Callable | None = field(default=None, repr=False)
-    impact: Callable | None = field(default=None, repr=False)
     written_out: object = field(default=None, repr=False)
 
     @property

@@ -4,7 +4,7 @@ import numpy as np
 
 from newton_euler import Model
 from tests.honesty import models
-from tests.honesty.cases import Branches, Case, Log, family
+from tests.honesty.cases import Case, Log, family
 
 COUNTS = (3, 64, 70)  # the engine works in one way up to 63, in another from 64 on
 
@@ -59,7 +59,6 @@ def many_falls(rng):
     n = rng.choice(COUNTS)
     parameters = {"g": 9.81, "c": _drawn(rng, n, Log(1e-3, 0.5))}
     rates = lambda s, p, t: (s.v, -p.g - p.c * abs(s.v) * s.v)
-    pieces = lambda s, p, t, b: (s.v, -p.g - p.c * b[0] * s.v * s.v)
     model, T = Model("throws", parameters, ("h", "v"), rates), rng.uniform(2.0, 6.0)
     start = np.zeros(n), _drawn(rng, n, (5.0, 30.0))
-    return Case(model, T, start, branches=Branches((lambda s, p, t: s.v,), pieces))
+    return Case(model, T, start)

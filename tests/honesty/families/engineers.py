@@ -9,7 +9,7 @@ from itertools import pairwise
 from newton_euler import Event, Model, atan, cos, exp, sin, sqrt, table, tanh, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
-from tests.honesty.cases import Branches, Case, Log, around, family
+from tests.honesty.cases import Case, Log, around, family
 
 
 @lru_cache(maxsize=8)
@@ -32,18 +32,13 @@ def rope_that_becomes_taut(rng):
     g, L, k, d = 9.81, *rng.values((1.0, 20.0), Log(30.0, 3e4), (0.02, 0.3))
     parameters = {"g": g, "L": L, "k": k, "d": 2 * d * math.sqrt(k)}
 
-    def pull(s, p):
-        return p.k * (s.z - p.L) + p.d * s.dz
-
     def accelerations(s, p, t):
-        return (p.g - where(s.z > p.L, where(pull(s, p) > 0, pull(s, p), 0.0), 0.0),)
+        pull = p.k * (s.z - p.L) + p.d * s.dz
+        return (p.g - where(s.z > p.L, where(pull > 0, pull, 0.0), 0.0),)
 
-    switches = (lambda s, p, t: s.z - p.L, lambda s, p, t: pull(s, p))
-    taut = lambda b: (1 + b[0]) * (1 + b[1]) / 4
-    pieces = lambda s, p, t, b: (s.dz, p.g - taut(b) * pull(s, p))
     T = math.sqrt(2 * L / g) * rng.uniform(1.2, 4.0)
     model = second_order("rope", parameters, ("z",), accelerations)
-    return Case(model, T, (0.0, 0.0), branches=Branches(switches, pieces))
+    return Case(model, T, (0.0, 0.0))
 
 
 @family("engineers", "tables")
@@ -152,18 +147,14 @@ def aeroplane_in_a_gust(rng):
     parameters = {"q": 2 * math.pi / H, "a": t1, "b": t1 + H, "W": rng.uniform(2.0, 15.0), "V": V}
     parameters |= rng.parameters(Z=(0.5, 2.0), M=(1.0, 10.0), D=(0.5, 3.0))
 
-    def rates(s, p, t, inside):
+    def rates(s, p, t):
+        inside = where(t > p.a, where(t < p.b, 1.0, 0.0), 0.0)
         gust = inside * p.W / 2 * (1 - cos(p.q * (t - p.a)))
         alpha = s.theta - (s.w - gust) / p.V
         return p.Z * p.V * alpha, s.r, -p.M * alpha - p.D * s.r
 
-    within = lambda p, t: where(t > p.a, where(t < p.b, 1.0, 0.0), 0.0)
-    model = Model("gust", parameters, ("w", "theta", "r"),
-                  lambda s, p, t: rates(s, p, t, within(p, t)))  # fmt: skip
-    switches = (lambda s, p, t: t - p.a, lambda s, p, t: t - p.b)
-    pieces = lambda s, p, t, b: rates(s, p, t, (1 + b[0]) * (1 - b[1]) / 4)
-    return Case(model, t1 + H + rng.uniform(0.5, 5.0), (0.0, 0.0, 0.0),
-                branches=Branches(switches, pieces), knots=around(t1 + H / 7, H / 3, 4))  # fmt: skip
+    model, T = Model("gust", parameters, ("w", "theta", "r"), rates), t1 + H + rng.uniform(0.5, 5.0)
+    return Case(model, T, (0.0, 0.0, 0.0), knots=around(t1 + H / 7, H / 3, 4))
 
 
 @family("engineers", "forced")
@@ -198,25 +189,16 @@ def wheel_over_a_kerb(rng):
     parameters = {"k": n * n, "d": 0.6 * n, "R": R, "H": H, "c": c, "r": rng.uniform(0.0, 0.3)}
     parameters["a"] = math.sqrt(R * R - (R - H) ** 2)
 
-    def height(s, p):
+    def accelerations(s, p, t):
         far, near = s.x < p.c - p.a, s.x < p.c
         safe = where(near, where(far, p.a, p.c - s.x), 0.0)
         up = sqrt(p.R**2 - safe**2) - p.R + p.H
-        return where(near, where(far, 0.0, up), p.H)
+        height = where(near, where(far, 0.0, up), p.H)
+        return -p.r * s.dx, -p.k * (s.z - height) - p.d * s.dz
 
-    def rates(s, p, h):
-        return -p.r * s.dx, -p.k * (s.z - h) - p.d * s.dz
-
-    model = second_order("kerb", parameters, ("x", "z"), lambda s, p, t: rates(s, p, height(s, p)))
-
-    def pieces(s, p, t, b):
-        turning, above = (1 + b[0]) * (1 - b[1]) / 4, (1 + b[1]) / 2
-        up = sqrt(p.R**2 - turning * (p.c - s.x) ** 2) - p.R + p.H
-        return s.dx, s.dz, *rates(s, p, turning * up + above * p.H)
-
-    switches = (lambda s, p, t: s.x - p.c + p.a, lambda s, p, t: s.x - p.c)
+    model = second_order("kerb", parameters, ("x", "z"), accelerations)
     T = -math.log1p(-c * parameters["r"] / V / 2) / (parameters["r"] / 2 or 1.0) + 2.0
-    return Case(model, T, (0.0, 0.0, V, 0.0), branches=Branches(switches, pieces))
+    return Case(model, T, (0.0, 0.0, V, 0.0))
 
 
 @family("engineers", "stiff")
@@ -241,20 +223,13 @@ def screw_with_a_dead_band(rng):
     n, b, w = rng.values((20.0, 100.0), Log(1e-4, 1e-2), (1.0, 10.0))
     parameters = {"k": n * n, "c": 0.2 * n, "r": 0.5, "b": b, "w": w, "A": rng.uniform(0.01, 0.05)}
 
-    def rates(s, p, t, above, below):
-        off = p.A * sin(p.w * t) - s.x
-        return s.v, p.k * (above * (off - p.b) + below * (off + p.b)) - (p.c + p.r) * s.v
-
-    def written(s, p, t):
+    def rates(s, p, t):
         off = p.A * sin(p.w * t) - s.x
         lost = where(off > p.b, off - p.b, where(off < -p.b, off + p.b, 0.0))
         return s.v, p.k * lost - (p.c + p.r) * s.v
 
-    off = lambda s, p, t: p.A * sin(p.w * t) - s.x
-    switches = (lambda s, p, t: off(s, p, t) - p.b, lambda s, p, t: off(s, p, t) + p.b)
-    pieces = lambda s, p, t, b: rates(s, p, t, (1 + b[0]) / 2, (1 - b[1]) / 2)
-    model = Model("screw", parameters, ("x", "v"), written)
-    return Case(model, rng.uniform(6.0, 30.0) / w, (0.0, 0.0), branches=Branches(switches, pieces))
+    model = Model("screw", parameters, ("x", "v"), rates)
+    return Case(model, rng.uniform(6.0, 30.0) / w, (0.0, 0.0))
 
 
 @family("engineers", "events")
@@ -268,7 +243,7 @@ def controller_that_samples(rng):
     held = lambda s, p, t: (s.x, s.v, -p.k * s.x - p.d * s.v, 0 * s.clock)
     tick = Event(lambda s, p, t: s.clock - p.h, 1, then=lambda s, p, t: (model, held(s, p, t)))
     start = rng.uniform(0.1, 2.0), 0.0, 0.0, h * rng.uniform(0.0, 0.9)
-    return Case(model, h * rng.uniform(20.0, 80.0), start, events=(tick,), impact=held)
+    return Case(model, h * rng.uniform(20.0, 80.0), start, events=(tick,))
 
 
 @family("engineers", "tables", "narrow")
@@ -353,21 +328,14 @@ def crane_by_phases(rng):
     parameters = {"g": 9.81, "L": L, "h": L * rng.uniform(-0.5, 0.5) / (t1 + t2 + t3 + 5), "a": a}
     parameters |= {"t1": t1, "t2": t1 + t2, "t3": t1 + t2 + t3, "b": a * t1 / t3}
 
-    def rates(s, p, t, push):
+    def rates(s, p, t):
+        push = where(t < p.t1, p.a, where(t < p.t2, 0.0, where(t < p.t3, -p.b, 0.0)))
         r = p.L - p.h * t
         swing = -(push * cos(s.phi) + p.g * sin(s.phi) - 2 * p.h * s.w) / r
         return s.v, push, s.w, swing
 
-    push = lambda p, t: where(t < p.t1, p.a, where(t < p.t2, 0.0, where(t < p.t3, -p.b, 0.0)))
-    model = Model("crane", parameters, ("x", "v", "phi", "w"),
-                  lambda s, p, t: rates(s, p, t, push(p, t)))  # fmt: skip
-    switches = tuple(lambda s, p, t, n=n: t - getattr(p, n) for n in ("t1", "t2", "t3"))
-
-    def pieces(s, p, t, b):
-        return rates(s, p, t, (1 - b[0]) / 2 * p.a - (1 + b[1]) * (1 - b[2]) / 4 * p.b)
-
-    return Case(model, t1 + t2 + t3 + 5.0, (0.0, 0.0, 0.0, 0.0),
-                branches=Branches(switches, pieces))  # fmt: skip
+    model = Model("crane", parameters, ("x", "v", "phi", "w"), rates)
+    return Case(model, t1 + t2 + t3 + 5.0, (0.0, 0.0, 0.0, 0.0))
 
 
 @family("engineers", "events")
@@ -384,7 +352,7 @@ def cradle_of_two(rng):
 
     knock = Event(lambda s, p, t: s.a - s.b, 1, then=lambda s, p, t: (model, knocked(s, p, t)))
     start = -rng.uniform(0.3, 1.5), rng.uniform(0.05, 0.8), 0.0, 0.0
-    return Case(model, rng.uniform(4.0, 20.0) / n, start, events=(knock,), impact=knocked)
+    return Case(model, rng.uniform(4.0, 20.0) / n, start, events=(knock,))
 
 
 @family("engineers", "narrow")

@@ -6,7 +6,7 @@ import math
 
 from newton_euler import Event, Model, exp, sqrt, where
 from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, family
+from tests.honesty.cases import Case, Log, family
 
 GM, EARTH = 3.986004418e14, 6.371e6
 
@@ -37,21 +37,13 @@ def rocket_of_two_stages(rng):
     parameters |= {"m1": 1.0 / t1 * rng.uniform(0.4, 0.5), "m2": rng.uniform(0.25, 0.4) / t2}
     parameters |= {"D": rng.decades(1e-6, 1e-4), "h": 8e3}
 
-    def written(s, p, t):
+    def rates(s, p, t):
         flow = where(t < p.T1, p.m1, where(t < p.T2, 0.0, where(t < p.T3, p.m2, 0.0)))
         drag = p.D * exp(-s.z / p.h) * s.v * abs(s.v)
         return s.v, (flow * p.c - drag) / (1 - s.burnt) - p.g, flow
 
-    def pieces(s, p, t, b):
-        flow = (1 - b[0]) / 2 * p.m1 + (1 + b[1]) * (1 - b[2]) / 4 * p.m2
-        drag = p.D * exp(-s.z / p.h) * s.v * s.v * b[3]
-        return s.v, (flow * p.c - drag) / (1 - s.burnt) - p.g, flow
-
-    switches = *(lambda s, p, t, n=n: t - getattr(p, n) for n in ("T1", "T2", "T3")), (
-        lambda s, p, t: s.v)  # fmt: skip
-    model = Model("two stages", parameters, ("z", "v", "burnt"), written)
-    return Case(model, t1 + gap + t2 + rng.uniform(1.0, 30.0), (0.0, 10.0, 0.0),
-                branches=Branches(switches, pieces))  # fmt: skip
+    model = Model("two stages", parameters, ("z", "v", "burnt"), rates)
+    return Case(model, t1 + gap + t2 + rng.uniform(1.0, 30.0), (0.0, 10.0, 0.0))
 
 
 @family("engineers", "near-singular")
@@ -116,22 +108,14 @@ def parachute_that_opens_by_height(rng):
     z, top = rng.values((1500.0, 4000.0), (800.0, 1200.0))
     parameters = rng.parameters(g=9.81, D=0.003, P=(0.1, 0.4), top=top, L=Log(1.0, 200.0), h=8e3)
 
-    def rates(s, p, share):
+    def rates(s, p, t):
+        part = (p.top - s.z) / p.L
+        share = where(part < 0, 0.0, where(part > 1, 1.0, part))
         return s.v, (p.D + share * p.P) * exp(-s.z / p.h) * s.v**2 - p.g
 
-    def opened(s, p):
-        part = (p.top - s.z) / p.L
-        return where(part < 0, 0.0, where(part > 1, 1.0, part))
-
-    model = Model("parachute", parameters, ("z", "v"), lambda s, p, t: rates(s, p, opened(s, p)))
-    switches = (lambda s, p, t: p.top - s.z, lambda s, p, t: p.top - s.z - p.L)
-
-    def pieces(s, p, t, b):
-        part = (1 + b[0]) / 2 * (1 - b[1]) / 2 * (p.top - s.z) / p.L + (1 + b[1]) / 2
-        return rates(s, p, part)
-
+    model = Model("parachute", parameters, ("z", "v"), rates)
     T = (z - top) / 55 + rng.uniform(5.0, 40.0)
-    return Case(model, T, (z, 0.0), branches=Branches(switches, pieces))
+    return Case(model, T, (z, 0.0))
 
 
 @family("engineers", "smooth")

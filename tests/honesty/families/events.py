@@ -67,20 +67,18 @@ def landing(rng):
 def bouncing_ball(rng):
     """A ball that loses speed at each impact; the run ends before the impacts accumulate."""
     e, h = rng.values((0.5, 0.95), Log(0.1, 10.0))
-    bounced = lambda s, p, t: (0 * s.h, -p.e * s.v)
     then = lambda s, p, t: (model, (0.0, -p.e * s.v))
     model = Model("bouncing ball", {"g": 9.81, "e": e}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
     fall, bounces = math.sqrt(2 * h / 9.81), rng.randint(1, 7)
     T = fall * (1 + 2 * sum(e**n for n in range(1, bounces)))
     T += 2 * fall * e**bounces * rng.uniform(0.2, 0.8)
     impact = Event(lambda s, p, t: s.h, -1, then=then, name="impact")
-    return Case(model, T, (h, 0.0), events=(impact,), impact=bounced)
+    return Case(model, T, (h, 0.0), events=(impact,))
 
 
 @family("events")
 def pendulum_at_a_wall(rng):
     """A pendulum that is thrown back by a wall beside it."""
-    turned = lambda s, p, t: (s.theta, -p.e * s.omega)
     then = lambda s, p, t: (model, (s.theta, -p.e * s.omega))
     parameters = rng.parameters(k=(1.0, 20.0), wall=(-0.5, 0.3), e=(0.8, 1.0))
     rates = lambda s, p, t: (s.omega, -p.k * sin(s.theta))
@@ -88,7 +86,7 @@ def pendulum_at_a_wall(rng):
     hit = Event(lambda s, p, t: s.theta - p.wall, -1, then=then, name="wall")
     T, theta = rng.values((3.0, 15.0), (0.8, 2.0))
     T /= parameters["k"] ** 0.5
-    return Case(model, T, (theta, 0.0), events=(hit,), impact=turned)
+    return Case(model, T, (theta, 0.0), events=(hit,))
 
 
 @family("events", "chaotic")

@@ -4,7 +4,7 @@ import math
 
 from newton_euler import Model, cos, exp, sin, tanh, where
 from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, around, family
+from tests.honesty.cases import Case, Log, around, family
 
 # humps of height about 1 and width about 1, each with its area
 HUMPS = (
@@ -43,13 +43,9 @@ def hard_brake(rng):
     def rates(s, p, t):
         return s.v, -p.A * where(s.x < p.c, 0.0, where(s.x > p.c + p.w, 0.0, s.v))
 
-    def piece(s, p, t, b):
-        return s.v, -p.A * s.v * (1 + b[0]) * (1 - b[1]) / 4
-
-    switches = lambda s, p, t: s.x - p.c, lambda s, p, t: s.x - p.c - p.w
     model, met = Model("hard brake", parameters, ("x", "v"), rates), c / v
     knots = around(met + w / v / 2, w / v / 8, 20)
-    return Case(model, 10.0 / v, (0.0, v), branches=Branches(switches, piece), knots=knots)
+    return Case(model, 10.0 / v, (0.0, v), knots=knots)
 
 
 @family("narrow")

@@ -6,7 +6,7 @@ import math
 
 from newton_euler import Model, atan, cos, cosh, exp, sin, sqrt, tanh
 from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, around, family
+from tests.honesty.cases import Case, Log, around, family
 from tests.honesty.families.narrow import HUMPS
 
 
@@ -152,18 +152,8 @@ def tent(rng):
         z = (s.x - p.c) / p.w
         return s.v, -p.A * (abs(z + 1) + abs(z - 1) - 2 * abs(z)) / 2 * s.v
 
-    def piece(s, p, t, b):
-        z = (s.x - p.c) / p.w
-        return s.v, -p.A * (b[0] * (z + 1) + b[1] * (z - 1) - 2 * b[2] * z) / 2 * s.v
-
-    switches = (
-        lambda s, p, t: s.x - p.c + p.w,
-        lambda s, p, t: s.x - p.c - p.w,
-        lambda s, p, t: s.x - p.c,
-    )
     model = Model("tent", parameters, ("x", "v"), rates)
-    branches = Branches(switches, piece)
-    return Case(model, 10.0 / v, (0.0, v), branches=branches, knots=_knots(c / v, w / v / 2))
+    return Case(model, 10.0 / v, (0.0, v), knots=_knots(c / v, w / v / 2))
 
 
 @family("narrow", "forced")

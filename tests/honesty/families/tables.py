@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from newton_euler import Model, table
 from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, family
+from tests.honesty.cases import Case, Log, family
 
 
 def _places(rng, count, end):
@@ -49,16 +49,7 @@ def swing_on_a_table(rng):
     xs = [-4.0, -1.0, rng.uniform(-0.9, -0.1), rng.uniform(0.1, 2.0), 4.0]
     forces = [-x * rng.uniform(0.5, 8.0) for x in xs]
     f = table(xs, forces)
-    slopes = [(b - a) / (y - x) for a, b, x, y in zip(forces, forces[1:], xs, xs[1:], strict=False)]
-
-    def pieces(s, p, t, b):
-        force = forces[0] + slopes[0] * (s.x - xs[0])
-        for sign, x, before, after in zip(b, xs[1:], slopes, slopes[1:], strict=False):
-            force += (1 + sign) / 2 * (after - before) * (s.x - x)
-        return s.dx, force - p.c * s.dx
-
-    model = second_order("measured spring", rng.parameters(c=(0.02, 0.3)), ("x",),
-                         lambda s, p, t: (f(s.x) - p.c * s.dx,))  # fmt: skip
-    switches = tuple(lambda s, p, t, x=x: s.x - x for x in xs[1:-1])
+    a = lambda s, p, t: (f(s.x) - p.c * s.dx,)
+    model = second_order("measured spring", rng.parameters(c=(0.02, 0.3)), ("x",), a)
     start = rng.either(rng.uniform(0.2, 1.5)), 0.0
-    return Case(model, rng.uniform(2.0, 30.0), start, branches=Branches(switches, pieces))
+    return Case(model, rng.uniform(2.0, 30.0), start)

@@ -156,13 +156,12 @@ def root_that_touches_zero(rng):
 def ball_that_begins_on_the_floor(rng):
     """A ball thrown up from the floor, which it meets again and again."""
     e, v = rng.values((0.5, 0.95), Log(0.1, 100.0))
-    bounced = lambda s, p, t: (0 * s.h, -p.e * s.v)
     then = lambda s, p, t: (model, (0.0, -p.e * s.v))
     model = Model("from the floor", {"g": 9.81, "e": e}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
     bounces, hit = rng.randint(1, 7), 2 * v / 9.81
     T = hit * (sum(e**n for n in range(bounces)) + e**bounces * rng.uniform(0.2, 0.8))
     floor = Event(lambda s, p, t: s.h, rng.choice((0, -1)), then=then, name="floor")
-    return Case(model, T, (0.0, v), events=(floor,), impact=bounced)
+    return Case(model, T, (0.0, v), events=(floor,))
 
 
 @family("long", "closed form")

@@ -44,7 +44,7 @@ def ball_with_a_table_of_restitution(rng):
     thrown_back = lambda s, p, t: (0 * s.z, -s.dz * measured(-s.dz))
     floor = Event(lambda s, p, t: s.z, -1, then=lambda s, p, t: (model, thrown_back(s, p, t)))
     T = top / g * rng.uniform(1.5, 5.0)
-    return Case(model, T, (h, 0.0), events=(floor,), impact=thrown_back)
+    return Case(model, T, (h, 0.0), events=(floor,))
 
 
 @family("engineers", "narrow")
@@ -257,7 +257,7 @@ def rocket_by_its_thrust_table(rng):
         return s.v + p.c * burnt - (p.c * k + p.g) * t, m * (left if t > t1 else 1)
 
     T = rng.uniform(5.5, 9.0)
-    return Case(model, T, (0.0, m0), events=(cast_off,), exact=exact, impact=dropped,
+    return Case(model, T, (0.0, m0), events=(cast_off,), exact=exact,
                 event_times=lambda mp, s, p: [mp.mpf(t1)])  # fmt: skip
 
 
@@ -296,7 +296,7 @@ def pendulum_on_a_peg(rng):
     then = lambda s, p, t: (model, caught(s, p, t))
     T = rng.uniform(3.0, 12.0) * math.sqrt(L / g)
     start = rng.uniform(0.6, 1.4), 0.0, L
-    return Case(model, T, start, events=(Event(at, 0, then=then),), impact=caught)
+    return Case(model, T, start, events=(Event(at, 0, then=then),))
 
 
 @family("engineers", "narrow", "smooth")

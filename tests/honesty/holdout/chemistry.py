@@ -3,7 +3,7 @@
 import math
 
 from newton_euler import Model, cos, exp, where
-from tests.honesty.cases import Branches, Case, Log, held_out
+from tests.honesty.cases import Case, Log, held_out
 
 
 @held_out("stiff")
@@ -122,16 +122,12 @@ def nerve(rng):
     parameters = rng.parameters(I=(0.2, 1.0), t1=(5.0, 15.0), t2=(17.0, 40.0), e=Log(0.02, 0.1))
     parameters |= {"a": 0.7, "b": 0.8, "third": 1 / 3}
 
-    def currents(s, p, I):
+    def rates(s, p, t):
+        I = where(t > p.t1, where(t < p.t2, p.I, 0.0), 0.0)
         return s.v - p.third * s.v**3 - s.w + I, p.e * (s.v + p.a - p.b * s.w)
 
-    def rates(s, p, t):
-        return currents(s, p, where(t > p.t1, where(t < p.t2, p.I, 0.0), 0.0))
-
-    switches = lambda s, p, t: t - p.t1, lambda s, p, t: t - p.t2
-    branches = Branches(switches, lambda s, p, t, b: currents(s, p, p.I * (b[0] - b[1]) / 2))
     model = Model("nerve", parameters, ("v", "w"), rates)
-    return Case(model, rng.uniform(40.0, 100.0), (-1.1994, -0.6243), branches=branches)
+    return Case(model, rng.uniform(40.0, 100.0), (-1.1994, -0.6243))
 
 
 @held_out("multi-scale")

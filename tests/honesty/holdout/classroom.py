@@ -5,7 +5,7 @@ import math
 from newton_euler import Event, Model, acos, asin, atan2, cos, sin, sqrt, tan, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
-from tests.honesty.cases import Branches, Case, Log, held_out
+from tests.honesty.cases import Case, Log, held_out
 from tests.honesty.models import brought
 
 
@@ -62,13 +62,8 @@ def bungee_jump(rng):
         cord = where(s.y > p.L, p.k * (s.y - p.L) + p.b * s.v, 0.0)
         return s.v, p.g - cord / p.m - p.c / p.m * s.v * abs(s.v)
 
-    def pieces(s, p, t, b):
-        cord = (1 + b[0]) / 2 * (p.k * (s.y - p.L) + p.b * s.v)
-        return s.v, (p.m * p.g - cord - p.c * b[1] * s.v * s.v) / p.m
-
-    branches = Branches((lambda s, p, t: s.y - p.L, lambda s, p, t: s.v), pieces)
     model, T = Model("bungee", parameters, ("y", "v"), rates), rng.uniform(4.0, 30.0)
-    return Case(model, T, (0.0, 0.0), branches=branches)
+    return Case(model, T, (0.0, 0.0))
 
 
 @held_out("kinked", "forced")
@@ -80,14 +75,9 @@ def parachute(rng):
         drag = where(t < p.t1, p.c1, p.c2)
         return -s.v, p.g - drag * s.v * sqrt(s.v * s.v)
 
-    def pieces(s, p, t, b):
-        drag = (p.c1 * (1 - b[0]) + p.c2 * (1 + b[0])) / 2
-        return -s.v, p.g - drag * b[1] * s.v * s.v
-
-    branches = Branches((lambda s, p, t: t - p.t1, lambda s, p, t: s.v), pieces)
     T, h = rng.values((1.0, 20.0), (500.0, 4000.0))
     model = Model("parachute", parameters, ("h", "v"), rates)
-    return Case(model, parameters["t1"] + T, (h, 0.0), branches=branches)
+    return Case(model, parameters["t1"] + T, (h, 0.0))
 
 
 @held_out("forced")
@@ -145,22 +135,15 @@ def model_rocket(rng):
     def thrust(s, p, t):
         return where(t < p.ta, p.F1, where(t < p.tb, p.F2, 0.0))
 
-    def pieces(s, p, t, b):
-        F = p.F1 * (1 - b[0]) / 2 + p.F2 * (1 + b[0]) * (1 - b[1]) / 4
-        return s.v, (F - p.c * b[2] * s.v * s.v) / s.m - p.g, -F / p.u
-
     def written(s, p, t):
         F = thrust(s, p, t)
         return s.v, (F - p.c * s.v * abs(s.v)) / s.m - p.g, -F / p.u
 
-    switches = lambda s, p, t: t - p.ta, lambda s, p, t: t - p.tb, lambda s, p, t: s.v
     name, states = "model rocket", ("h", "v", "m")
     model = Model(name, {**numbers, "thrust": thrust}, states, rates)
     T, m = rng.values((0.2, 6.0), (0.2, 0.6))
-    return Case(
-        model, numbers["tb"] + T, (0.0, 0.0, m),
-        branches=Branches(switches, pieces), written_out=Model(name, numbers, states, written),
-    )  # fmt: skip
+    written = Model(name, numbers, states, written)
+    return Case(model, numbers["tb"] + T, (0.0, 0.0, m), written_out=written)
 
 
 @held_out("events", "tiny")

@@ -5,7 +5,7 @@ import math
 from newton_euler import Event, Model, cos, exp, log, sin, sqrt, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
-from tests.honesty.cases import Branches, Case, Log, held_out
+from tests.honesty.cases import Case, Log, held_out
 
 GM_SUN, AU, DAY = 1.32712440018e20, 1.495978707e11, 86400.0
 GM_EARTH, R_EARTH = 3.986004418e14, 6.371e6
@@ -72,22 +72,15 @@ def tether(rng):
     """Two satellites tied by an elastic tether, slack or taut, seen from the lower one (Hill)."""
     parameters = rng.parameters(n=1.13e-3, L=1000.0, k=Log(1e-4, 1e-1))
 
-    def hill(s, p, pull):
+    def accelerations(s, p, t):
+        r = sqrt(s.x * s.x + s.y * s.y)
+        pull = where(r > p.L, p.k * (r - p.L) / r, 0.0)
         x = 3 * p.n * p.n * s.x + 2 * p.n * s.dy - pull * s.x
         return x, -2 * p.n * s.dx - pull * s.y
 
-    def accelerations(s, p, t):
-        r = sqrt(s.x * s.x + s.y * s.y)
-        return hill(s, p, where(r > p.L, p.k * (r - p.L) / r, 0.0))
-
-    def pieces(s, p, t, b):
-        r = sqrt(s.x * s.x + s.y * s.y)
-        return s.dx, s.dy, *hill(s, p, (1 + b[0]) / 2 * p.k * (r - p.L) / r)
-
     T, *start = rng.values((500.0, 3000.0), (900.0, 990.0), (-100.0, 100.0), (0.0, 1.0), 0.5)
-    branches = Branches((lambda s, p, t: s.x * s.x + s.y * s.y - p.L * p.L,), pieces)
     model = second_order("tether", parameters, ("x", "y"), accelerations)
-    return Case(model, T, tuple(start), branches=branches)
+    return Case(model, T, tuple(start))
 
 
 def _rocket(rng):
@@ -273,14 +266,10 @@ def lander(rng):
         push = where(s.h < p.light, p.F, 0.0)
         return s.v, push / s.m - p.g, -push / p.u
 
-    def pieces(s, p, t, b):
-        return s.v, (1 + b[0]) / 2 * p.F / s.m - p.g, -(1 + b[0]) / 2 * p.F / p.u
-
-    branches = Branches((lambda s, p, t: p.light - s.h,), pieces)
     down = Event(lambda s, p, t: s.h, -1, True, name="touch down")
     start = 1500.0, -rng.uniform(30.0, 60.0), 1.0
     model = Model("lander", parameters, ("h", "v", "m"), rates)
-    return Case(model, 60.0, start, branches=branches, events=(down,))
+    return Case(model, 60.0, start, events=(down,))
 
 
 @held_out("events", "units")

@@ -4,7 +4,7 @@ import math
 
 from newton_euler import Model, cos, exp, log, sqrt, tanh, where
 from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, held_out
+from tests.honesty.cases import Case, Log, held_out
 
 
 def _sign(x):
@@ -23,18 +23,9 @@ def engine_by_a_table(rng):
         third, last = p.f2 + (p.f3 - p.f2) * (u - 2), p.f3 + (p.f4 - p.f3) * (u - 3)
         return where(u < 1, first, where(u < 2, second, where(u < 3, third, last)))
 
-    def pieces(s, p, t, b):
-        u = s.v / p.d
-        force = p.f0 + (p.f1 - p.f0) * u
-        force += (1 + b[0]) / 2 * (p.f2 - 2 * p.f1 + p.f0) * (u - 1)
-        force += (1 + b[1]) / 2 * (p.f3 - 2 * p.f2 + p.f1) * (u - 2)
-        force += (1 + b[2]) / 2 * (p.f4 - 2 * p.f3 + p.f2) * (u - 3)
-        return s.v, force - p.c * s.v * s.v
-
-    switches = tuple(lambda s, p, t, n=n: s.v - n * p.d for n in (1, 2, 3))
     rates = lambda s, p, t: (s.v, table(s.v, p) - p.c * s.v**2)
     model, T = Model("engine", parameters, ("x", "v"), rates), rng.uniform(3.0, 40.0)
-    return Case(model, T, (0.0, 0.0), branches=Branches(switches, pieces))
+    return Case(model, T, (0.0, 0.0))
 
 
 @held_out("kinked")
@@ -47,14 +38,9 @@ def gears(rng):
         force = where(s.v < p.v1, p.F1, where(s.v < p.v2, p.F2, p.F3))
         return s.v, force - p.c * s.v * abs(s.v)
 
-    def pieces(s, p, t, b):
-        force = (p.F1 * (1 - b[0]) + (1 + b[0]) * (p.F2 * (1 - b[1]) + p.F3 * (1 + b[1])) / 2) / 2
-        return s.v, force - p.c * s.v * s.v * b[2]
-
-    switches = lambda s, p, t: s.v - p.v1, lambda s, p, t: s.v - p.v2, lambda s, p, t: s.v
     T, v = rng.values((2.0, 30.0), (0.0, 3.0))
     model = Model("gears", parameters, ("x", "v"), rates)
-    return Case(model, T, (0.0, v), branches=Branches(switches, pieces))
+    return Case(model, T, (0.0, v))
 
 
 @held_out("kinked")
@@ -65,15 +51,10 @@ def drag_with_a_crisis(rng):
         drag = where(p.c * s.v * s.v < p.most, p.c * s.v * s.v, p.most) * _sign(s.v)
         return s.v, -p.g - drag
 
-    def pieces(s, p, t, b):
-        drag = ((1 - b[0]) * p.c * s.v * s.v + (1 + b[0]) * p.most) / 2
-        return s.v, -p.g - b[1] * drag
-
-    switches = lambda s, p, t: p.c * s.v * s.v - p.most, lambda s, p, t: s.v
     parameters = rng.parameters(g=9.81, c=(0.01, 0.1), most=(1.0, 8.0))
     v, T = rng.values((5.0, 40.0), (0.5, 2.5))
     model = Model("sphere", parameters, ("h", "v"), rates)
-    return Case(model, v / 9.81 * T, (0.0, v), branches=Branches(switches, pieces))
+    return Case(model, v / 9.81 * T, (0.0, v))
 
 
 @held_out("stiff")
@@ -153,16 +134,15 @@ def root_of_the_distance(rng):
 def ball_by_hertz(rng):
     """A bounce on max(d, 0)**1.5 with preload and hysteresis (Hunt and Crossley)."""
 
-    def fall(s, p, d):
+    def rates(s, p, t):
+        d = where(-s.h > 0.0, -s.h, 0.0)
         return s.v, p.k * ((d + p.d0) ** 1.5 - p.d0**1.5) * (1 - p.a * s.v) - p.g
 
-    rates = lambda s, p, t: fall(s, p, where(-s.h > 0.0, -s.h, 0.0))
-    pieces = lambda s, p, t, b: fall(s, p, -s.h * (1 - b[0]) / 2)
     parameters = rng.parameters(g=9.81, k=Log(1e3, 1e5), a=(0.0, 0.3), d0=1e-3)
     h, T = rng.values((0.2, 1.0), (1.3, 4.0))
-    model, branches = Model("Hertz", parameters, ("h", "v"), rates), (lambda s, p, t: s.h,)
+    model = Model("Hertz", parameters, ("h", "v"), rates)
     T *= math.sqrt(2 * h / 9.81)
-    return Case(model, T, (h, 0.0), branches=Branches(branches, pieces))
+    return Case(model, T, (h, 0.0))
 
 
 @held_out("mechanics")
@@ -196,21 +176,13 @@ def backlash_by_abs(rng):
     parameters = rng.parameters(k=Log(10.0, 1e3), b=(0.01, 0.1), J=(0.3, 3.0), c=(0.05, 0.5))
     parameters |= rng.parameters(M=(0.5, 2.0), w=(0.5, 3.0))
 
-    def turned(s, p, t, twist):
-        return p.M * cos(p.w * t) - p.k * twist - p.c * s.da, (p.k * twist - p.c * s.dl) / p.J
-
     def accelerations(s, p, t):
         d = s.a - s.l
-        return turned(s, p, t, d - (abs(d + p.b) - abs(d - p.b)) / 2)
+        twist = d - (abs(d + p.b) - abs(d - p.b)) / 2
+        return p.M * cos(p.w * t) - p.k * twist - p.c * s.da, (p.k * twist - p.c * s.dl) / p.J
 
-    def pieces(s, p, t, b):
-        d = s.a - s.l
-        return s.da, s.dl, *turned(s, p, t, d - (b[0] * (d + p.b) - b[1] * (d - p.b)) / 2)
-
-    switches = lambda s, p, t: s.a - s.l + p.b, lambda s, p, t: s.a - s.l - p.b
     model = second_order("backlash", parameters, ("a", "l"), accelerations)
-    T, start = rng.uniform(3.0, 8.0), (0.0, 0.0, 0.0, 0.0)
-    return Case(model, T, start, branches=Branches(switches, pieces))
+    return Case(model, rng.uniform(3.0, 8.0), (0.0, 0.0, 0.0, 0.0))
 
 
 @held_out("kinked", "forced")
@@ -226,16 +198,10 @@ def pulses_by_where(rng):
         second = where(t > p.t2, where(t < p.t2 + p.w, -p.F, 0.0), 0.0)
         return (first + second - p.k * s.x - p.c * s.dx,)
 
-    def pieces(s, p, t, b):
-        push = (b[0] - b[1] - b[2] + b[3]) / 2 * p.F
-        return s.dx, push - p.k * s.x - p.c * s.dx
-
-    first = lambda s, p, t: t - p.t1, lambda s, p, t: t - p.t1 - p.w
-    switches = *first, lambda s, p, t: t - p.t2, lambda s, p, t: t - p.t2 - p.w
     edges = [parameters[n] + k * parameters["w"] for n in ("t1", "t2") for k in (0, 1)]
     knots = tuple(x + d * parameters["w"] for x in edges for d in (-0.3, 0.3))
     model = second_order("two pushes", parameters, ("x",), accelerations)
-    return Case(model, T, (0.0, 0.0), branches=Branches(switches, pieces), knots=knots)
+    return Case(model, T, (0.0, 0.0), knots=knots)
 
 
 @held_out("kinked", "forced")
@@ -250,14 +216,8 @@ def cam_of_cosines(rng):
         lift = where(t < p.t1, 0.0, where(t > p.t2, 0.0, p.h * (1 - cos(u)) / 2))
         return (p.k * (lift - s.x) - p.c * s.dx,)
 
-    def pieces(s, p, t, b):
-        u = 2 * math.pi * (t - p.t1) / (p.t2 - p.t1)
-        lift = (1 + b[0]) * (1 - b[1]) / 4 * p.h * (1 - cos(u)) / 2
-        return s.dx, p.k * (lift - s.x) - p.c * s.dx
-
-    switches = lambda s, p, t: t - p.t1, lambda s, p, t: t - p.t2
     model, T = second_order("cam", parameters, ("x",), accelerations), rng.uniform(3.0, 7.0)
-    return Case(model, T, (0.0, 0.0), branches=Branches(switches, pieces))
+    return Case(model, T, (0.0, 0.0))
 
 
 @held_out("kinked", "sticking")
