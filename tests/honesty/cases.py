@@ -7,6 +7,10 @@ from random import Random
 from types import SimpleNamespace
 from typing import NamedTuple
 
+import newton_euler
+from newton_euler import Model
+from newton_euler.motion import second_order
+
 FRACTIONS = (0.13, 0.37, 0.71, 1.0)  # of the duration, at which states are compared, the end last
 DRAWS = 3  # cases per family and seed
 FAMILIES = {}  # by name, filled by the decorator below
@@ -81,6 +85,28 @@ class Case:
         parameters = ", ".join(f"{n}={x!r}" for n, x in self.model.parameters.items())
         of = f"{self.name}: {self.model.name!r} with {parameters or 'no parameters'}"
         return f"{of}; t = {self.span!r}; start {self.start!r}"
+
+
+def by_rates(rates, parameters, states, t_end, start, brings=False, **known):
+    """The :class:`Case` of these rates of the states, "x v"; their family names the model.
+
+    brings : True if ``exact`` is a function ``(m, s, p, t)`` of functions of any module m, which
+        the model supplies as its own solution as well
+    known : what else a Case knows
+    """
+    return _case(Model, rates, parameters, states, t_end, start, brings, known)
+
+
+def by_accelerations(accelerations, parameters, coordinates, t_end, start, brings=False, **known):
+    """The same by the accelerations of the coordinates "x y", whose rates are dx and dy."""
+    return _case(second_order, accelerations, parameters, coordinates, t_end, start, brings, known)
+
+
+def _case(made, f, parameters, states, t_end, start, brings, known):
+    of_family = f.__qualname__.partition(".")[0].strip("_").replace("_", " ")
+    own = (lambda s, p, t: known["exact"](newton_euler, s, p, t)) if brings else None
+    model = made(of_family, parameters, tuple(states.split()), f, exact=own)
+    return Case(model, t_end, tuple(start), **known)
 
 
 def family(subject, *tags, among=FAMILIES):

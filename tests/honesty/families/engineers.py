@@ -9,7 +9,7 @@ from itertools import pairwise
 from newton_euler import Event, Model, atan, cos, exp, sin, sqrt, table, tanh, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
-from tests.honesty.cases import Case, Log, around, family
+from tests.honesty.cases import Case, Log, around, by_accelerations, by_rates, family
 
 
 @lru_cache(maxsize=8)
@@ -37,8 +37,7 @@ def rope_that_becomes_taut(rng):
         return (p.g - where(s.z > p.L, where(pull > 0, pull, 0.0), 0.0),)
 
     T = math.sqrt(2 * L / g) * rng.uniform(1.2, 4.0)
-    model = second_order("rope", parameters, ("z",), accelerations)
-    return Case(model, T, (0.0, 0.0))
+    return by_accelerations(accelerations, parameters, "z", T, (0.0, 0.0))
 
 
 @family("engineers", "tables")
@@ -48,9 +47,7 @@ def tower_in_an_earthquake(rng):
     times = [k * dt for k in range(41)]
     record = [0.0, *(rng.gauss(0.0, 3.0) for _ in range(39)), 0.0]
     ground, parameters = table(times, record), {"k": n * n, "d": 2 * zeta * n}
-    model = second_order(
-        "tower", parameters, ("u",), lambda s, p, t: (-ground(t) - p.k * s.u - p.d * s.du,)
-    )
+    a = lambda s, p, t: (-ground(t) - p.k * s.u - p.d * s.du,)
 
     def exact(mp, s, p, t):
         """From each value of the record to the next (Nigam and Jennings, 1969)."""
@@ -65,7 +62,8 @@ def tower_in_an_earthquake(rng):
         return x, v
 
     T = times[-1] * rng.uniform(0.6, 1.0)
-    return Case(model, T, (0.0, 0.0), exact=exact, knots=tuple(x for x in times if 0 < x < T))
+    knots = tuple(x for x in times if 0 < x < T)
+    return by_accelerations(a, parameters, "u", T, (0.0, 0.0), exact=exact, knots=knots)
 
 
 @family("engineers", "forced")
@@ -81,8 +79,7 @@ def absorber_swept_over_its_resonance(rng):
         force = p.f * (p.a * t) ** 2 * cos(p.a * t**2 / 2)
         return force - p.n * s.x + p.mu * between, -between
 
-    model = second_order("absorber", parameters, ("x", "y"), accelerations)
-    return Case(model, T, (0.0, 0.0, 0.0, 0.0))
+    return by_accelerations(accelerations, parameters, "x y", T, (0.0, 0.0, 0.0, 0.0))
 
 
 @family("engineers", "stiff")
@@ -112,8 +109,8 @@ def stiff_bushings_in_a_soft_car(rng):
         A[5, 2] -= p.w / p.u
         return _linear(mp, A, [s.x, s.y, s.z, s.dx, s.dy, s.dz], t)
 
-    model = second_order("bushings", parameters, ("x", "y", "z"), accelerations)
-    return Case(model, rng.uniform(0.2, 2.0), (0.05, 0.05, 0.0, 0.0, 0.0, 0.0), exact=exact)
+    T, start = rng.uniform(0.2, 2.0), (0.05, 0.05, 0.0, 0.0, 0.0, 0.0)
+    return by_accelerations(accelerations, parameters, "x y z", T, start, exact=exact)
 
 
 @family("engineers", "near-singular")
@@ -123,8 +120,8 @@ def hoop_at_its_bifurcation(rng):
     parameters = {"g": q * q, "w": q * (1 + rng.either(rng.decades(1e-5, 1e-2)))}
     parameters["c"] = rng.choice((0.0, 0.01))
     a = lambda s, p, t: ((p.w**2 * cos(s.theta) - p.g) * sin(s.theta) - p.c * s.dtheta,)
-    model = second_order("hoop", parameters, ("theta",), a)
-    return Case(model, rng.uniform(20.0, 200.0) / q, (rng.decades(1e-6, 1e-1), 0.0))
+    T = rng.uniform(20.0, 200.0) / q
+    return by_accelerations(a, parameters, "theta", T, (rng.decades(1e-6, 1e-1), 0.0))
 
 
 @family("engineers", "near-singular")
@@ -135,8 +132,7 @@ def armature_below_its_pull_in(rng):
     F = n * n * d**5 * 4**4 / 5**5 * (1 - rng.decades(1e-3, 0.3)) * 0.6
     parameters = {"k": n * n, "F": F, "d": d, "c": 0.1 * n * rng.random()}
     a = lambda s, p, t: (p.F / (p.d - s.x) ** 4 - p.k * s.x - p.c * s.dx,)
-    model = second_order("armature", parameters, ("x",), a)
-    return Case(model, rng.uniform(5.0, 30.0) / n, (0.0, 0.0))
+    return by_accelerations(a, parameters, "x", rng.uniform(5.0, 30.0) / n, (0.0, 0.0))
 
 
 @family("engineers", "kinked", "forced")
@@ -153,8 +149,8 @@ def aeroplane_in_a_gust(rng):
         alpha = s.theta - (s.w - gust) / p.V
         return p.Z * p.V * alpha, s.r, -p.M * alpha - p.D * s.r
 
-    model, T = Model("gust", parameters, ("w", "theta", "r"), rates), t1 + H + rng.uniform(0.5, 5.0)
-    return Case(model, T, (0.0, 0.0, 0.0), knots=around(t1 + H / 7, H / 3, 4))
+    T, knots = t1 + H + rng.uniform(0.5, 5.0), around(t1 + H / 7, H / 3, 4)
+    return by_rates(rates, parameters, "w theta r", T, (0.0, 0.0, 0.0), knots=knots)
 
 
 @family("engineers", "forced")
@@ -177,8 +173,7 @@ def car_on_its_tyre_curve(rng):
         u = (p.V * cos(s.psi) - s.v * sin(s.psi), p.V * sin(s.psi) + s.v * cos(s.psi))
         return *u, s.r, lateral, total * (front - rear) / p.i
 
-    model = Model("tyre curve", parameters, ("x", "y", "psi", "v", "r"), rates)
-    return Case(model, rng.uniform(2.0, 10.0), (0.0,) * 5)
+    return by_rates(rates, parameters, "x y psi v r", rng.uniform(2.0, 10.0), (0.0,) * 5)
 
 
 @family("engineers", "kinked")
@@ -196,9 +191,8 @@ def wheel_over_a_kerb(rng):
         height = where(near, where(far, 0.0, up), p.H)
         return -p.r * s.dx, -p.k * (s.z - height) - p.d * s.dz
 
-    model = second_order("kerb", parameters, ("x", "z"), accelerations)
     T = -math.log1p(-c * parameters["r"] / V / 2) / (parameters["r"] / 2 or 1.0) + 2.0
-    return Case(model, T, (0.0, 0.0, V, 0.0))
+    return by_accelerations(accelerations, parameters, "x z", T, (0.0, 0.0, V, 0.0))
 
 
 @family("engineers", "stiff")
@@ -212,9 +206,8 @@ def clutch_by_tanh(rng):
         moment = p.M * tanh((s.a - s.b) / p.e)
         return -moment / p.I, moment / p.J - p.c * s.b
 
-    model = Model("clutch", parameters, ("a", "b"), rates)
     slip = (start[0] - start[1]) / parameters["M"]
-    return Case(model, slip * rng.uniform(0.3, 1.5), start)
+    return by_rates(rates, parameters, "a b", slip * rng.uniform(0.3, 1.5), start)
 
 
 @family("engineers", "kinked", "forced")
@@ -228,8 +221,7 @@ def screw_with_a_dead_band(rng):
         lost = where(off > p.b, off - p.b, where(off < -p.b, off + p.b, 0.0))
         return s.v, p.k * lost - (p.c + p.r) * s.v
 
-    model = Model("screw", parameters, ("x", "v"), rates)
-    return Case(model, rng.uniform(6.0, 30.0) / w, (0.0, 0.0))
+    return by_rates(rates, parameters, "x v", rng.uniform(6.0, 30.0) / w, (0.0, 0.0))
 
 
 @family("engineers", "events")
@@ -238,8 +230,8 @@ def controller_that_samples(rng):
     h, z = rng.values((0.02, 0.2), (0.5, 1.0))
     n = rng.uniform(0.2, 0.8) / h
     parameters = {"k": n * n, "d": 2 * z * n, "h": h}
-    model = Model("sampled", parameters, ("x", "v", "u", "clock"),
-                  lambda s, p, t: (s.v, s.u, 0 * s.x, 1 + 0 * s.x))  # fmt: skip
+    rates = lambda s, p, t: (s.v, s.u, 0 * s.x, 1 + 0 * s.x)
+    model = Model("sampled", parameters, ("x", "v", "u", "clock"), rates)
     held = lambda s, p, t: (s.x, s.v, -p.k * s.x - p.d * s.v, 0 * s.clock)
     tick = Event(lambda s, p, t: s.clock - p.h, 1, then=lambda s, p, t: (model, held(s, p, t)))
     start = rng.uniform(0.1, 2.0), 0.0, 0.0, h * rng.uniform(0.0, 0.9)
@@ -281,8 +273,8 @@ def heads_over_narrow_marks(rng):
             q += weight * until(gap)
         return x, s.v * mp.exp(-rate * t), q
 
-    model = Model("marks", parameters, ("x", "v", "q"), rates)
-    return Case(model, rng.uniform(6.0, 8.0) / v, (0.0, v, 0.0), exact=exact)
+    T = rng.uniform(6.0, 8.0) / v
+    return by_rates(rates, parameters, "x v q", T, (0.0, v, 0.0), exact=exact)
 
 
 @family("engineers", "narrow", "events")
@@ -291,7 +283,7 @@ def light_gate_on_a_swing(rng):
     n, X, w = rng.values((0.5, 4.0), (0.5, 2.0), Log(1e-5, 1e-2))
     parameters = {"n": n, "c": X * rng.uniform(-0.8, 0.8), "w": w}
     gate = Event(lambda s, p, t: exp(-(((s.x - p.c) / p.w) ** 2)) - 0.5)
-    model = Model("light gate", parameters, ("x", "v"), lambda s, p, t: (s.v, -p.n * p.n * s.x))
+    rates = lambda s, p, t: (s.v, -p.n * p.n * s.x)
     T = rng.uniform(5.0, 40.0) / n
     exact = lambda mp, s, p, t: (s.x * mp.cos(p.n * t), -p.n * s.x * mp.sin(p.n * t))
 
@@ -302,7 +294,8 @@ def light_gate_on_a_swing(rng):
         both = [(2 * mp.pi * k + e * a) / p.n for k in turns for e in (1, -1) for a in angles]
         return sorted(t for t in both if 0 < t <= T)
 
-    return Case(model, T, (X, 0.0), events=(gate,), exact=exact, event_times=times)
+    known = {"exact": exact, "events": (gate,), "event_times": times}
+    return by_rates(rates, parameters, "x v", T, (X, 0.0), **known)
 
 
 @family("engineers", "smooth")
@@ -317,8 +310,7 @@ def rotor_that_lacks_power(rng):
         turn = (u + e * free * sin(s.phi)) / (1 - (e * sin(s.phi)) ** 2)
         return s.v, free + e * turn * sin(s.phi), s.w, turn
 
-    model = Model("rotor", parameters, ("x", "v", "phi", "w"), rates)
-    return Case(model, rng.uniform(20.0, 100.0), (0.0, 0.0, 0.0, 0.0))
+    return by_rates(rates, parameters, "x v phi w", rng.uniform(20.0, 100.0), (0.0, 0.0, 0.0, 0.0))
 
 
 @family("engineers", "kinked", "forced")
@@ -334,8 +326,7 @@ def crane_by_phases(rng):
         swing = -(push * cos(s.phi) + p.g * sin(s.phi) - 2 * p.h * s.w) / r
         return s.v, push, s.w, swing
 
-    model = Model("crane", parameters, ("x", "v", "phi", "w"), rates)
-    return Case(model, t1 + t2 + t3 + 5.0, (0.0, 0.0, 0.0, 0.0))
+    return by_rates(rates, parameters, "x v phi w", t1 + t2 + t3 + 5.0, (0.0, 0.0, 0.0, 0.0))
 
 
 @family("engineers", "events")
@@ -368,8 +359,7 @@ def plane_in_a_turning_beam(rng):
         along = (s.x * cos(p.W * t) + s.y * sin(p.W * t)) / sqrt(s.x**2 + s.y**2)
         return s.u, 0.0 * s.y, 0 * s.u, p.I * exp(-((off / p.w) ** 2)) * (1 + along) / 2
 
-    model = Model("radar", parameters, ("x", "y", "u", "q"), rates)
     T, met = rng.uniform(7.0, 20.0), math.atan2(y0, x0)
     hits = [t for k in range(20) if 0 < (t := (met + k * math.pi) / W) < T]
     knots = sorted({u for t in hits for u in around(t, w / W / 2, 12) if 0 < u < T})
-    return Case(model, T, (x0, y0, -v, 0.0), knots=tuple(knots))
+    return by_rates(rates, parameters, "x y u q", T, (x0, y0, -v, 0.0), knots=tuple(knots))

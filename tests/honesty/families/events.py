@@ -3,9 +3,8 @@
 import math
 
 from newton_euler import Event, Model, cos, sin, sqrt
-from newton_euler.motion import second_order
 from tests.honesty import closed_forms, models
-from tests.honesty.cases import Case, Log, family
+from tests.honesty.cases import Case, Log, by_accelerations, by_rates, family
 from tests.honesty.engine import where
 
 LINE = Event(lambda s, p, t: s.x - p.line)
@@ -56,11 +55,10 @@ def landing(rng):
         return -p.c * v * s.dx, -p.g - p.c * v * s.dy
 
     parameters = rng.parameters(g=9.81, c=Log(1e-4, 1e-1))
-    model = second_order("shot", parameters, ("x", "y"), accelerations)
     v, a = rng.values(Log(5.0, 300.0), (0.1, 1.4))
     start = 0.0, rng.choice((0.0, 1.0)), v * math.cos(a), v * math.sin(a)
     end = Event(lambda s, p, t: s.y, -1, True, name="landing")
-    return Case(model, 2.5 * v / 9.81, start, events=(end,))
+    return by_accelerations(accelerations, parameters, "x y", 2.5 * v / 9.81, start, events=(end,))
 
 
 @family("events")
@@ -95,8 +93,7 @@ def section_of_poincare(rng):
     a = lambda s, p, t: (-s.x - 2 * p.a * s.x * s.y, -s.y - p.a * (s.x * s.x - s.y * s.y))
     section = Event(lambda s, p, t: s.x, 1, name="section")
     T, *start = rng.values((20.0, 60.0), 0.01, (-0.2, 0.3), (0.2, 0.4), (-0.2, 0.2))
-    model = second_order("star", {"a": 1.0}, ("x", "y"), a)
-    return Case(model, T, tuple(start), events=(section,))
+    return by_accelerations(a, {"a": 1.0}, "x y", T, start, events=(section,))
 
 
 @family("events", "forced")
@@ -200,7 +197,6 @@ def zeros_in_strange_units(rng):
 def slow_crossing(rng):
     """A decay that comes down to a level at which it has almost no speed left."""
     parameters = rng.parameters(k=Log(0.1, 10.0), level=Log(1e-5, 0.5))
-    model = Model("decay", parameters, ("x",), lambda s, p, t: (-p.k * s.x,))
     T = rng.uniform(1.1, 2.0) * math.log(1 / parameters["level"]) / parameters["k"]
     event = Event(lambda s, p, t: s.x - p.level, -1, True, name="level")
-    return Case(model, T, (1.0,), events=(event,))
+    return by_rates(lambda s, p, t: (-p.k * s.x,), parameters, "x", T, (1.0,), events=(event,))

@@ -5,9 +5,8 @@ not write the methods, before any of them was read or run.
 import math
 from itertools import pairwise
 
-from newton_euler import Model, atan, cos, exp, sin, sqrt, where
-from newton_euler.motion import second_order
-from tests.honesty.cases import Case, Log, family
+from newton_euler import atan, cos, exp, sin, sqrt, where
+from tests.honesty.cases import Log, by_accelerations, by_rates, family
 
 
 @family("engineers", "kinked", "forced")
@@ -21,9 +20,8 @@ def ship_in_a_following_sea(rng):
         lever = p.k * (1 + p.h * cos(p.q * t)) * sin(s.a) * (1 - p.s * sin(s.a) ** 2)
         return s.w, -lever - p.c * s.w - p.e * (s.w * abs(s.w))
 
-    model = Model("roll", parameters, ("a", "w"), rates)
     start = rng.uniform(-0.6, 0.6), 0.0
-    return Case(model, rng.uniform(10.0, 60.0) / n, start)
+    return by_rates(rates, parameters, "a w", rng.uniform(10.0, 60.0) / n, start)
 
 
 @family("engineers", "narrow")
@@ -47,17 +45,16 @@ def engine_with_a_peak_of_pressure(rng):
         knots += [t + wide / met * k for k in (-24, -12, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 12)]
         if v2 < 0.3 * w0**2:
             break
-    model, rest = Model("peak", parameters, ("a", "w"), rates), rng.uniform(0.2, 0.6)
-    T = t + rest * 2 * math.pi / math.sqrt(v2)
-    return Case(model, T, (0.0, w0), knots=tuple(x for x in knots if 0 < x < T))
+    T = t + rng.uniform(0.2, 0.6) * 2 * math.pi / math.sqrt(v2)
+    knots = tuple(x for x in knots if 0 < x < T)
+    return by_rates(rates, parameters, "a w", T, (0.0, w0), knots=knots)
 
 
 @family("engineers", "kinked", "closed form")
 def ball_on_a_hertz_contact(rng):
     """A ball flies against an elastic half-space, whose force goes as depth to the power 3/2."""
     v, x, k = rng.values((0.1, 5.0), (1e-3, 1.0), Log(1e3, 1e9))
-    model = Model("Hertz", {"k": k}, ("x", "v"),
-                  lambda s, p, t: (s.v, where(s.x < 0, p.k * abs(s.x) ** 1.5, 0.0)))  # fmt: skip
+    rates = lambda s, p, t: (s.v, where(s.x < 0, p.k * abs(s.x) ** 1.5, 0.0))
 
     def exact(mp, s, p, t):
         """With (depth / deepest)^(5/2) = sin(q)^2 the time is an incomplete beta function of q."""
@@ -81,7 +78,8 @@ def ball_on_a_hertz_contact(rng):
         return -deepest * mp.sin(q) ** (4 * fifth), speed
 
     contact = 2.94 * (5 * v * v / (4 * k)) ** 0.4 / v
-    return Case(model, x / v + contact * rng.uniform(0.3, 2.5), (x, -v), exact=exact)
+    T = x / v + contact * rng.uniform(0.3, 2.5)
+    return by_rates(rates, {"k": k}, "x v", T, (x, -v), exact=exact)
 
 
 @family("engineers", "kinked", "units")
@@ -98,8 +96,7 @@ def surge_tank_after_the_valve_shuts(rng):
     start = v, H - parameters["k"] * v * v / 9.81
     period = 2 * math.pi * math.sqrt(parameters["L"] * parameters["f"] / 9.81)
     T = parameters["tc"] + period * rng.uniform(0.6, 3.0)
-    model = Model("surge", parameters, ("u", "z"), rates)
-    return Case(model, T, start)
+    return by_rates(rates, parameters, "u z", T, start)
 
 
 @family("engineers", "stiff", "forced")
@@ -111,8 +108,7 @@ def rectifier_with_a_diode(rng):
     def rates(s, p, t):
         return ((p.I * (exp((p.V * sin(p.q * t) - s.u) / p.n) - 1) - s.u / p.R) / p.C,)
 
-    model = Model("diode", parameters, ("u",), rates)
-    return Case(model, rng.uniform(0.005, 0.05), (0.0,))
+    return by_rates(rates, parameters, "u", rng.uniform(0.005, 0.05), (0.0,))
 
 
 @family("engineers", "kinked", "closed form")
@@ -145,9 +141,8 @@ def motor_by_pulse_width(rng):
             w = u * rest_w + e * (y * ch + (c * x + (d - mean) * y) * sh)
         return i, w
 
-    model = Model("pulses", parameters, ("i", "w"), rates)
     T = rng.uniform(5.0, 40.0) * 2 * math.pi / parameters["q"]
-    return Case(model, T, (0.0, rng.uniform(0.0, 50.0)), exact=exact)
+    return by_rates(rates, parameters, "i w", T, (0.0, rng.uniform(0.0, 50.0)), exact=exact)
 
 
 @family("engineers", "kinked", "mechanics")
@@ -174,8 +169,7 @@ def satellite_that_slews(rng):
     size = math.sqrt(sum(x * x for x in axis))
     start = *(math.sin(half) * x / size for x in axis), math.cos(half)
     start += tuple(rng.uniform(-0.05, 0.05) for _ in range(3))
-    model = Model("slew", parameters, tuple("xyzquvw"), rates)
-    return Case(model, rng.uniform(3.0, 25.0) / n, start)
+    return by_rates(rates, parameters, "x y z q u v w", rng.uniform(3.0, 25.0) / n, start)
 
 
 @family("engineers", "kinked", "long")
@@ -193,9 +187,8 @@ def ion_engine_that_rests_in_the_shadow(rng):
     speed = rng.uniform(1.0, 1.1) / math.sqrt(r)
     start = (r * math.cos(angle), r * math.sin(angle),
              -speed * math.sin(angle), speed * math.cos(angle))  # fmt: skip
-    model = second_order("ion engine", parameters, ("x", "y"), accelerations)
     T = rng.uniform(1.2, 12.0) * 2 * math.pi * r**1.5
-    return Case(model, T, start)
+    return by_accelerations(accelerations, parameters, "x y", T, start)
 
 
 @family("engineers", "closed form", "scales")
@@ -229,8 +222,8 @@ def radiator_that_cools(rng):
         T = a * now(mp.exp(y))
         return T, s.q + p.c * (s.T - T)
 
-    model = Model("radiator", parameters, ("T", "q"), rates)
-    return Case(model, rng.uniform(0.1, 6.0), (room * ratio, 0.0), exact=exact)
+    start = room * ratio, 0.0
+    return by_rates(rates, parameters, "T q", rng.uniform(0.1, 6.0), start, exact=exact)
 
 
 @family("engineers", "kinked", "stiff")
@@ -247,8 +240,7 @@ def wheel_that_locks(rng):
         return -p.g * grip, (p.R * p.N * grip - moment) / p.I, s.v
 
     T = v / 9.81 / parameters["D"] * rng.uniform(0.1, 0.6)
-    model = Model("brake", parameters, ("v", "w", "x"), rates)
-    return Case(model, T, (v, v / 0.3, 0.0))
+    return by_rates(rates, parameters, "v w x", T, (v, v / 0.3, 0.0))
 
 
 @family("engineers", "multi-scale", "forced")
@@ -270,8 +262,7 @@ def wind_turbine_by_heiers_curve(rng):
         return moment - shaft * p.j, shaft - p.z * p.R * s.g**2 / p.j, s.w - s.g
 
     w = v / R * rng.uniform(4.0, 9.0)
-    model = Model("Heier", parameters, ("w", "g", "twist"), rates)
-    return Case(model, rng.uniform(5.0, 40.0), (w, w, 0.0))
+    return by_rates(rates, parameters, "w g twist", rng.uniform(5.0, 40.0), (w, w, 0.0))
 
 
 @family("engineers", "near-singular", "tiny")
@@ -292,6 +283,5 @@ def ball_below_a_magnet(rng):
         wanted = p.i + p.P * (s.x - p.d) + p.D * s.v
         return s.v, p.g - p.C * s.c**2 / s.x**2, (p.R * (wanted - s.c) + p.G * (wanted - s.c)) / p.L
 
-    model = Model("levitation", parameters, ("x", "v", "c"), rates)
     start = d * (1 + rng.uniform(-0.2, 0.2)), 0.0, current
-    return Case(model, rng.uniform(3.0, 40.0) / n, start)
+    return by_rates(rates, parameters, "x v c", rng.uniform(3.0, 40.0) / n, start)

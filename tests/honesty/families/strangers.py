@@ -4,9 +4,8 @@ not read the engine, as are the other files named after strangers.
 
 import math
 
-from newton_euler import Model, cos, exp, sin, sqrt, where
-from newton_euler.motion import second_order
-from tests.honesty.cases import Case, Log, around, family
+from newton_euler import cos, exp, sin, sqrt, where
+from tests.honesty.cases import Log, around, by_accelerations, by_rates, family
 
 # -- narrow in position
 
@@ -32,9 +31,9 @@ def car_over_a_speed_bump(rng):
         return -p.r * s.dx, -p.k * (s.z - height) - p.d * (s.dz - slope * s.dx)
 
     met = -math.log1p(-c * r / v) / r
-    model = second_order("speed bump", parameters, ("x", "z"), accelerations)
     knots = around(met + L / v / 7, L / v / 3, 10)
-    return Case(model, met + rng.uniform(0.5, 3.0), (0.0, 0.0, v, 0.0), knots=knots)
+    T = met + rng.uniform(0.5, 3.0)
+    return by_accelerations(accelerations, parameters, "x z", T, (0.0, 0.0, v, 0.0), knots=knots)
 
 
 @family("narrow", "strangers", "kinked")
@@ -50,9 +49,9 @@ def rumble_strip(rng):
         height = inside * p.H * sin(p.q * (s.x - p.c)) ** 2
         return -inside * p.mu, -p.k * (s.z - height) - p.d * s.dz
 
-    model = second_order("rumble strip", parameters, ("x", "z"), accelerations)
     knots = around((c + L / 7) / v, L / v / 5, 15)
-    return Case(model, c / v + rng.uniform(0.2, 1.0), (0.0, 0.0, v, 0.0), knots=knots)
+    T = c / v + rng.uniform(0.2, 1.0)
+    return by_accelerations(accelerations, parameters, "x z", T, (0.0, 0.0, v, 0.0), knots=knots)
 
 
 @family("narrow", "strangers")
@@ -66,8 +65,8 @@ def cart_past_a_magnet(rng):
         return (-6 * p.M * z / (z**2 + p.d**2) ** 4 - p.r * s.dx,)
 
     met = -math.log1p(-c * r / v) / r
-    model = second_order("cart past a magnet", parameters, ("x",), accelerations)
-    return Case(model, 3.0 / v, (0.0, v), knots=around(met, d / v / 3, 40))
+    knots = around(met, d / v / 3, 40)
+    return by_accelerations(accelerations, parameters, "x", 3.0 / v, (0.0, v), knots=knots)
 
 
 @family("narrow", "strangers")
@@ -86,8 +85,8 @@ def door_with_a_latch(rng):
         z = (s.theta - p.at) / p.w
         return (-p.a - p.c * s.dtheta + 2 * p.E / p.w * z * exp(-(z**2)),)
 
-    model = second_order("door with a latch", parameters, ("theta",), accelerations)
-    return Case(model, met * 1.2, (opened, 0.0), knots=around(met, w / u / 3, 30))
+    T, knots = met * 1.2, around(met, w / u / 3, 30)
+    return by_accelerations(accelerations, parameters, "theta", T, (opened, 0.0), knots=knots)
 
 
 @family("narrow", "strangers", "kinked")
@@ -107,8 +106,7 @@ def valve_at_a_level(rng):
         return (p.H - p.q * p.w / p.K * mp.expm1(-p.K / p.w * above),)
 
     filled = (H - h) / q
-    model = Model("valve at a level", parameters, ("h",), rates)
-    return Case(model, filled * rng.uniform(1.05, 2.0), (h,), exact=exact)
+    return by_rates(rates, parameters, "h", filled * rng.uniform(1.05, 2.0), (h,), exact=exact)
 
 
 @family("narrow", "strangers", "kinked")
@@ -117,9 +115,9 @@ def hair_trigger(rng):
     v, L, c = rng.values((0.5, 3.0), Log(1e-4, 1e-1), (3.0, 7.0))
     parameters = {"R": v / L * rng.uniform(0.1, 1.0), "F": v * v * rng.uniform(-0.02, 0.1)}
     rates = lambda s, p, t: (s.v, p.F * s.q, p.R * _inside(s, p))
-    model = Model("hair trigger", parameters | {"c": c, "L": L}, ("x", "v", "q"), rates)
     knots = around((c + L / 7) / v, L / v / 2, 5)
-    return Case(model, 10.0 / v, (0.0, v, 0.0), knots=knots)
+    T = 10.0 / v
+    return by_rates(rates, parameters | {"c": c, "L": L}, "x v q", T, (0.0, v, 0.0), knots=knots)
 
 
 @family("narrow", "strangers", "kinked")
@@ -143,11 +141,11 @@ def pendulum_through_a_light_beam(rng):
             lit += max(min(rest, b) - a, 0)
         return X * mp.cos(angle), -p.n * X * mp.sin(angle), s.q + p.I / p.n * lit
 
-    model = Model("light beam", parameters, ("x", "v", "q"), rates)
-    return Case(model, rng.uniform(3.5, 20.0) / n, (X, 0.0, 0.0), exact=exact)
+    T = rng.uniform(3.5, 20.0) / n
+    return by_rates(rates, parameters, "x v q", T, (X, 0.0, 0.0), exact=exact)
 
 
-def _soft_ground(rng, name, outside, start, R, T):
+def _soft_ground(rng, outside, start, R, T):
     """A body in the plane that is braked where ``outside`` is negative, by ``R`` at the origin."""
     speed = math.hypot(*start[2:])
     parameters = {"A": speed / R * rng.uniform(0.1, 0.6), "R": R}
@@ -156,8 +154,8 @@ def _soft_ground(rng, name, outside, start, R, T):
         inside = where(outside(s, p) < 0, 1.0, 0.0)
         return -p.A * inside * s.dx, -p.A * inside * s.dy
 
-    model = second_order(name, parameters, ("x", "y"), accelerations)
-    return Case(model, 2 * T, start, knots=around(T, R / speed / 7, 40))
+    knots = around(T, R / speed / 7, 40)
+    return by_accelerations(accelerations, parameters, "x y", 2 * T, start, knots=knots)
 
 
 @family("narrow", "strangers", "kinked")
@@ -166,7 +164,7 @@ def puck_through_a_round_puddle(rng):
     u, v, R, T = rng.values((0.5, 3.0), (-2.0, 2.0), Log(3e-3, 0.3), (2.0, 5.0))
     outside = lambda s, p: s.x**2 + s.y**2 - p.R**2
     start = -u * T, R * rng.uniform(-0.7, 0.7) - v * T, u, v
-    return _soft_ground(rng, "round puddle", outside, start, R, T)
+    return _soft_ground(rng, outside, start, R, T)
 
 
 @family("narrow", "strangers", "kinked")
@@ -174,7 +172,7 @@ def lorry_in_a_bed_of_gravel(rng):
     """A lorry on gravel between two marks, given by the sign of a product."""
     u, L, T = rng.values((5.0, 20.0), Log(3e-3, 0.3), (2.0, 5.0))
     outside = lambda s, p: s.x * (s.x - p.R)
-    return _soft_ground(rng, "bed of gravel", outside, (-u * T, 0.0, u, 0.0), L * u, T)
+    return _soft_ground(rng, outside, (-u * T, 0.0, u, 0.0), L * u, T)
 
 
 @family("narrow", "strangers", "kinked")
@@ -188,9 +186,9 @@ def pendulum_against_a_stop(rng):
         stop = p.K * (s.theta - p.a) + p.c * s.omega
         return s.omega, -p.k * sin(s.theta) - where(s.theta > p.a, stop, 0.0)
 
-    model = Model("pendulum and stop", parameters, ("theta", "omega"), rates)
     T, theta = rng.values((2.0, 8.0), (-1.5, -0.8))
-    return Case(model, T / math.sqrt(parameters["k"]) * 2, (theta, 0.0))
+    start = theta, 0.0
+    return by_rates(rates, parameters, "theta omega", T / math.sqrt(parameters["k"]) * 2, start)
 
 
 # -- kinks
@@ -207,9 +205,8 @@ def backlash_of_a_gear(rng):
         torque = p.K * where(d > p.b, d - p.b, where(d < -p.b, d + p.b, 0.0))
         return -torque + p.F * cos(p.w * t), p.r * torque - p.c * s.dload
 
-    model = second_order("backlash", parameters, ("motor", "load"), accelerations)
     T, angle = rng.values((3.0, 12.0), (-0.005, 0.005))
-    return Case(model, T, (angle, 0.0, 0.0, 0.0))
+    return by_accelerations(accelerations, parameters, "motor load", T, (angle, 0.0, 0.0, 0.0))
 
 
 @family("kinked", "strangers", "near-singular")
@@ -223,9 +220,9 @@ def puck_that_turns_on_an_incline(rng):
 
     up, aside = rng.values((2.0, 8.0), Log(3e-3, 1.0))
     turned = up / (parameters["g"] + parameters["mu"])
-    model = second_order("puck on an incline", parameters, ("x", "y"), accelerations)
     knots = around(turned, aside / parameters["g"] / 3, 40)
-    return Case(model, turned * rng.uniform(1.5, 3.0), (0.0, 0.0, aside, up), knots=knots)
+    T = turned * rng.uniform(1.5, 3.0)
+    return by_accelerations(accelerations, parameters, "x y", T, (0.0, 0.0, aside, up), knots=knots)
 
 
 @family("kinked", "strangers")
@@ -238,6 +235,5 @@ def actuator_that_saturates(rng):
         u = p.kp * (p.R - s.x) - p.kd * s.v + p.ki * s.i
         return s.v, where(u > p.F, p.F, where(u < -p.F, -p.F, u)), p.R - s.x
 
-    model = Model("saturating actuator", parameters, ("x", "v", "i"), rates)
     start = rng.uniform(-1.0, 0.5), rng.uniform(-0.5, 0.5), 0.0
-    return Case(model, rng.uniform(3.0, 15.0), start)
+    return by_rates(rates, parameters, "x v i", rng.uniform(3.0, 15.0), start)

@@ -2,9 +2,8 @@
 
 import math
 
-from newton_euler import Model, sqrt, table
-from newton_euler.motion import second_order
-from tests.honesty.cases import Case, Log, family
+from newton_euler import sqrt, table
+from tests.honesty.cases import Log, by_accelerations, by_rates, family
 
 
 @family("tables", "strangers", "kinked")
@@ -15,9 +14,8 @@ def motor_with_a_torque_curve(rng):
     torque = table(places, torques, "linear", "hold")
     parameters = rng.parameters(J=(1.0, 5.0), M=(5.0, 40.0), c=Log(1e-5, 3e-4))
     rates = lambda s, p, t: ((torque(s.w) - p.M - p.c * s.w**2) / p.J,)
-    model = Model("torque curve", parameters, ("w",), rates)
     start = (rng.uniform(101.0, 180.0),)
-    return Case(model, rng.uniform(2.0, 15.0), start)
+    return by_rates(rates, parameters, "w", rng.uniform(2.0, 15.0), start)
 
 
 @family("tables", "strangers", "kinked")
@@ -36,8 +34,7 @@ def shell_with_a_drag_table(rng):
 
     v, angle = rng.values((350.0, 900.0), (0.2, 1.2))
     start = (0.0, 0.0, v * math.cos(angle), v * math.sin(angle))
-    model = second_order("shell", parameters, ("x", "y"), accelerations)
-    return Case(model, rng.uniform(5.0, 50.0), start)
+    return by_accelerations(accelerations, parameters, "x y", rng.uniform(5.0, 50.0), start)
 
 
 @family("tables", "strangers", "kinked")
@@ -54,5 +51,5 @@ def car_on_a_measured_road(rng):
     def accelerations(s, p, t):
         return -p.r * s.dx, -p.k * (s.z - height(s.x)) - p.c * s.dz
 
-    model = second_order("measured road", parameters, ("x", "z"), accelerations)
-    return Case(model, rng.uniform(1.2, 2.0) * (hole + 5.0) / v, (0.0, 0.0, v, 0.0))
+    T = rng.uniform(1.2, 2.0) * (hole + 5.0) / v
+    return by_accelerations(accelerations, parameters, "x z", T, (0.0, 0.0, v, 0.0))

@@ -3,8 +3,7 @@
 import math
 
 from newton_euler import Event, Model, cos, sin, where
-from newton_euler.motion import second_order
-from tests.honesty.cases import Case, Log, held_out
+from tests.honesty.cases import Case, Log, by_accelerations, by_rates, held_out
 
 
 @held_out("kinked")
@@ -13,7 +12,7 @@ def escapement(rng):
     parameters = rng.parameters(k=(1.0, 30.0), c=(0.05, 0.5), F=(0.01, 0.1))
     a = lambda s, p, t: (where(s.dx > 0, p.F, -p.F) - p.c * s.dx - p.k * s.x,)
     T, x = rng.values((3.0, 12.0), (0.3, 1.0))
-    return Case(second_order("clock", parameters, ("x",), a), T, (x, 0.0))
+    return by_accelerations(a, parameters, "x", T, (x, 0.0))
 
 
 @held_out("kinked")
@@ -25,9 +24,8 @@ def relay_round_three_lags(rng):
         u = where(s.z > 0, -p.U, p.U)
         return p.a * (u - s.x), p.a * (s.x - s.y), p.a * (s.y - s.z)
 
-    model = Model("relay", {"a": a, "U": U}, ("x", "y", "z"), rates)
     T, z = rng.values((5.0, 25.0), (0.1, 1.0))
-    return Case(model, T / a, (0.0, 0.0, U * z))
+    return by_rates(rates, {"a": a, "U": U}, "x y z", T / a, (0.0, 0.0, U * z))
 
 
 @held_out("events", "kinked")
@@ -57,8 +55,7 @@ def pid_with_a_limit(rng):
         grows = where(u > p.U, 0.0, where(u < -p.U, 0.0, p.goal - s.x))
         return s.v, limited - p.c * s.v, grows
 
-    model = Model("PID", parameters, ("x", "v", "i"), rates)
-    return Case(model, rng.uniform(3.0, 10.0), (0.0, 0.0, 0.0))
+    return by_rates(rates, parameters, "x v i", rng.uniform(3.0, 10.0), (0.0, 0.0, 0.0))
 
 
 @held_out("kinked", "forced")
@@ -72,9 +69,8 @@ def motor_on_pulses(rng):
         u = where(sin(p.w * t) > p.level, p.U, 0)
         return s.speed, p.K * s.i / p.J, (u - p.R * s.i - p.K * s.speed) / p.L
 
-    model = Model("motor", parameters, ("phi", "speed", "i"), rates)
     knots = tuple(T * k / (4 * n) for k in range(1, 4 * n))
-    return Case(model, T, (0.0, 0.0, 0.0), knots=knots)
+    return by_rates(rates, parameters, "phi speed i", T, (0.0, 0.0, 0.0), knots=knots)
 
 
 @held_out("smooth", "equilibrium")
@@ -91,8 +87,7 @@ def balanced_pole(rng):
         return x, (p.g * k - x * c) / p.L
 
     T, a = rng.values((2.0, 20.0), Log(1e-6, 0.5))
-    model = second_order("pole", parameters, ("x", "a"), accelerations)
-    return Case(model, T, (0.0, rng.either(a), 0.0, 0.0))
+    return by_accelerations(accelerations, parameters, "x a", T, (0.0, rng.either(a), 0.0, 0.0))
 
 
 @held_out("smooth", "multi-scale")
@@ -106,8 +101,7 @@ def observer(rng):
 
     parameters = rng.parameters(k=(1.0, 20.0), l1=(2.0, 10.0), l2=15.0)
     th, T = rng.values((0.2, 2.0), (3.0, 20.0))
-    model = Model("observer", parameters, ("th", "w", "est", "west"), rates)
-    return Case(model, T, (th, 0.0, th + off, 0.0))
+    return by_rates(rates, parameters, "th w est west", T, (th, 0.0, th + off, 0.0))
 
 
 @held_out("kinked", "stiff")
@@ -121,9 +115,8 @@ def sliding_mode_in_a_layer(rng):
         z = (s.dx + p.lam * s.x) / p.e
         return (p.d * sin(p.w * t) - p.U * where(z > 1, 1, where(z < -1, -1, z)),)
 
-    model = second_order("sliding mode", parameters, ("x",), accelerations)
     T, x = rng.values((2.0, 8.0), (0.5, 3.0))
-    return Case(model, T, (rng.either(x), 0.0))
+    return by_accelerations(accelerations, parameters, "x", T, (rng.either(x), 0.0))
 
 
 @held_out("kinked", "sticking")
@@ -143,8 +136,8 @@ def valve_at_its_stop(rng):
             return (p.stop,)
         return (p.stop + reach * (mp.sin(p.w * t) - 1),)
 
-    model = Model("valve", {"A": A, "w": w, "stop": A / w * stop}, ("x",), rates)
-    return Case(model, T * math.pi / w, (0.0,), exact=exact)
+    parameters = {"A": A, "w": w, "stop": A / w * stop}
+    return by_rates(rates, parameters, "x", T * math.pi / w, (0.0,), exact=exact)
 
 
 @held_out("smooth")
@@ -153,4 +146,4 @@ def phase_locked_loop(rng):
     parameters = rng.parameters(dw=(0.5, 4.0), K=(0.5, 2.0), a=(0.1, 0.5))
     rates = lambda s, p, t: (p.dw - p.K * sin(s.e) - p.a * s.i, sin(s.e))
     T, e = rng.values((10.0, 80.0), (-3.0, 3.0))
-    return Case(Model("PLL", parameters, ("e", "i"), rates), T, (e, 0.0))
+    return by_rates(rates, parameters, "e i", T, (e, 0.0))

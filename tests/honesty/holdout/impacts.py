@@ -4,7 +4,7 @@ import math
 
 from newton_euler import Event, Model, cos, sin
 from newton_euler.motion import second_order
-from tests.honesty.cases import Case, Log, held_out
+from tests.honesty.cases import Case, Log, by_accelerations, held_out
 from tests.honesty.models import by_power
 
 
@@ -85,8 +85,7 @@ def turning_points(rng):
     level = Event(lambda s, p, t: s.dx * s.dx / 2 - p.k * cos(s.x), name="level")
     T, x = rng.values((3.0, 18.0), (0.5, 2.5))
     T /= parameters["k"] ** 0.5
-    model = second_order("swing", parameters, ("x",), a)
-    return Case(model, T, (x, -0.1), events=(middle, level))
+    return by_accelerations(a, parameters, "x", T, (x, -0.1), events=(middle, level))
 
 
 @held_out("events")
@@ -96,18 +95,18 @@ def pairs_of_passages(rng):
     sign = rng.choice((1, 1, -1))
 
     parameters = {"GM": 1.0, "low": (1 - e) * (1 + sign * gap)}
-    model = second_order("probe", parameters, ("x", "y"), by_power)
     low = Event(lambda s, p, t: s.x**2 + s.y**2 - p.low**2, name="height")
     start = 1 + e, 0.0, 0.0, math.sqrt((1 - e) / (1 + e))
-    return Case(model, 2 * math.pi * rng.uniform(1.2, 3.2), start, events=(low,))
+    T = 2 * math.pi * rng.uniform(1.2, 3.2)
+    return by_accelerations(by_power, parameters, "x y", T, start, events=(low,))
 
 
 @held_out("events", "forced")
 def clock_ticks(rng):
     """Events of time alone, and one of the state that falls between them."""
     parameters = rng.parameters(k=(1.0, 10.0), W=(3.0, 15.0))
-    model = second_order("ticks", parameters, ("x",), lambda s, p, t: (-p.k * s.x,))
     tick = Event(lambda s, p, t: sin(p.W * t), 1, name="tick")
     zero = Event(lambda s, p, t: s.x, name="zero")
     T, *start = rng.values((3.0, 12.0), (0.5, 2.0), (-1.0, 1.0))
-    return Case(model, T, tuple(start), events=(tick, zero))
+    events = tick, zero
+    return by_accelerations(lambda s, p, t: (-p.k * s.x,), parameters, "x", T, start, events=events)
