@@ -25,14 +25,15 @@ def pieces(model):
             return -sign(g.args[0])
         mirrored = g.args[1] - g.args[0] if g.op == "-" else None
         for switch, known in switches:
-            if switch in (g, mirrored):
+            if switch is g or switch is mirrored:
                 return known if switch is g else -known
         switches.append((g, trace.new("argument", f"sign{len(switches)}")))
         return switches[-1][1]
 
     def linear(x, table, place):
         """A table at the step x, whose place in the pieces is ``place``."""
-        assert table.kind == "linear", "only linear tables have pieces here"
+        if table.kind != "linear":
+            raise ValueError(f"no pieces of a table that is {table.kind}")
         points = list(zip(table.places, table.values, strict=True))
         slopes = [(f - e) / (b - a) for (a, e), (b, f) in pairwise(points)]
         ends = (0.0,) if table.hold else ()
@@ -43,25 +44,26 @@ def pieces(model):
             value += (1 + sign(x - at)) / 2 * (after - before) * (place - at)
         return value
 
-    made = {}
+    made = {}  # by the number of a step the one that takes its place
+    taken = lambda x: made[x.number] if isinstance(x, Step) else x
     for s in list(trace.steps):
-        args = [made[a] if isinstance(a, Step) else a for a in s.args]
+        args = list(map(taken, s.args))
         if s.op in COMPARISONS:
             up = sign(s.args[0] - s.args[1])
-            made[s] = (1 + (up if s.op in ("gt", "ge") else -up)) / 2
+            new = (1 + (up if s.op in ("gt", "ge") else -up)) / 2
         elif s.op == "where":
-            holds, a, b = args
-            made[s] = holds * a + (1 - holds) * b
+            holds, x, y = args
+            new = holds * x + (1 - holds) * y
         elif s.op == "abs":
-            made[s] = sign(s.args[0]) * args[0]
-        elif s.op == "sqrt" and s.args[0].op == "*" and len({*s.args[0].args}) == 1:
+            new = sign(s.args[0]) * args[0]
+        elif s.op == "sqrt" and s.args[0].op == "*" and s.args[0].args[0] is s.args[0].args[1]:
             root = s.args[0].args[0]
-            made[s] = sign(root) * made[root]
+            new = sign(root) * taken(root)
         elif s.op == "table":
-            made[s] = linear(*s.args, args[0])
+            new = linear(*s.args, args[0])
         else:
-            made[s] = s if s.op == "argument" else trace.step(s.op, *args)
+            new = s if s.op == "argument" else trace.step(s.op, *args)
+        made[s.number] = new
     names = [sign.args[0] for _, sign in switches]
-    leaves = [made[x] if isinstance(x, Step) else x for x in leaves]
-    rates = Compiled("pieces", [*rhs.parameters, *names], trace, leaves)
+    rates = Compiled("pieces", [*rhs.parameters, *names], trace, list(map(taken, leaves)))
     return rates, [Compiled("switch", rhs.parameters, trace, [g], "r[0]") for g, _ in switches]
