@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 
 REPOSITORY = Path(__file__).parents[1]
-LONG = 120  # seconds: for a busy machine
+LONG = 180  # seconds: for a busy machine
 
 
 def write_notebook(path, cells):
@@ -121,19 +121,21 @@ class Page:
         self.driver = driver
 
     def wait(self, condition, what):
-        """What a condition gives as soon as it is true."""
-        from selenium.common.exceptions import StaleElementReferenceException
+        """What a condition gives as soon as it is true. Until then it may fail: a page that comes
+        has not all of its parts.
+        """
+        from selenium.common.exceptions import WebDriverException
 
-        end = time.monotonic() + LONG
+        end, why = time.monotonic() + LONG, ""
         while time.monotonic() < end:
             try:
                 if found := condition():
                     return found
-            except StaleElementReferenceException:
-                pass
+            except WebDriverException as error:
+                why = f" ({error.msg})"
             time.sleep(0.02)
         self.shoot("failed")
-        return pytest.fail(f"not seen within {LONG} s: {what}")
+        return pytest.fail(f"not seen within {LONG} s: {what}{why}")
 
     def shoot(self, name):
         """A picture of the page, in the folder SCREENSHOTS if that is set."""

@@ -68,18 +68,16 @@ def _of_python(text):
             yield tuple(texts)
 
 
-def _of_script(text):
-    return [(json.loads(m),) for m in re.findall(r'gettext\(("(?:[^"\\]|\\.)*")', text)]
-
-
-def _of_template(text):
-    return [(json.loads(m),) for m in re.findall(r'\b_\(("(?:[^"\\]|\\.)*")', text)]
+def _of_other(text):
+    """The sentences in a script or a template."""
+    found = re.findall(r'\b(?:gettext|_)\(("(?:[^"\\]|\\.)*")', text)
+    return [(json.loads(sentence),) for sentence in found]
 
 
 SAID = "_", "Words", "AnswerError", "OpenAnswer", "TreeError", "form.error", "PracticeFileError"
 CALLS = {"plural": 2} | dict.fromkeys(SAID, 1)  # {function: number of its sentences}
 READ: dict[str, Callable[[str], Iterable[tuple[str, ...]]]] = {
-    ".py": _of_python, ".js": _of_script, ".j2": _of_template,
+    ".py": _of_python, ".js": _of_other, ".j2": _of_other,
 }  # fmt: skip
 
 
@@ -154,7 +152,7 @@ def _quoted(text):
 
 def report(language: str) -> Iterator[Part]:
     """The parts of the course: its sentences, the problems of each chapter, each notebook."""
-    yield _lacking("sentences", sentences(), catalogue(language))
+    yield _catalogued("sentences", sentences(), catalogue(language))
     for name in chapters():
         sources = [p.id for p in problems(name)]
         yield _part(f"problems of {name}", sources, lambda p: is_current(p, language))
@@ -166,17 +164,16 @@ def report(language: str) -> Iterator[Part]:
                 current[f"cell {n}"] = is_cell_current(cell, there) if there else None
         yield _part(c.stem, current, current.__getitem__)
         if other and (asked := predictions(c)):
-            yield _lacking(
-                f"predictions of {c.stem}", asked, catalogue(language, file_of(c, language))
-            )
+            known = catalogue(language, file_of(c, language))
+            yield _catalogued(f"predictions of {c.stem}", asked, known)
 
 
-def _lacking(name: str, found: Collection[str], known: Mapping[str, Mapping[str, str]]) -> Part:
-    """The part of a catalogue."""
-    translated = {
-        text for text, m in known.items() if all(x for k, x in m.items() if "msgstr" in k)
-    }
-    return Part(name, len(found), [x for x in found if x not in translated])
+def _catalogued(name: str, found: Iterable[str], known: Mapping[str, Mapping[str, str]]) -> Part:
+    def translated(text):
+        forms = [x for key, x in known.get(text, {}).items() if "msgstr" in key]
+        return True if forms and all(forms) else None
+
+    return _part(name, found, translated)
 
 
 def _part(name: str, sources: Iterable[str], current: Callable[[str], bool | None]) -> Part:
