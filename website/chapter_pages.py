@@ -40,8 +40,9 @@ def page(notebook: NotebookNode, ran: bool = True, pictures: Path | None = None)
             _say_where(cell, tried[1])
         elif cell.cell_type == "code":
             hidden = cell.metadata.get("jupyter", {}).get("source_hidden", False)
-            tags = cell.metadata.get("tags", [])
-            cell.metadata.tags = [*tags, "hide-input"] if hidden else tags
+            tags = cell.metadata.setdefault("tags", [])
+            if hidden and "hide-input" not in tags:
+                tags.append("hide-input")
             cell.outputs = [x for x in cell.outputs if WIDGET not in x.get("data", {})]
             _without_kernel(cell)
             moving.mark(cell, pictures)
