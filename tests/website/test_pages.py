@@ -177,3 +177,11 @@ def test_every_problem_can_be_chosen_by_data_that_give_away_no_mistake_and_no_an
             assert not any(getattr(m, "text", m) in row for m in p.mistakes.values()), p.id
             assert not any(number in row for number in keys(p)), p.id
     assert rows == {}
+
+
+def test_without_javascript_a_problem_page_is_complete(site):
+    text = (site / "problems" / "4-16.html").read_text("utf-8")
+    assert "Elbow arm on a turning shaft" in text
+    assert re.search(r'<svg[^>]* class="sketch[^>]* aria-label="A vertical shaft', text)
+    assert text.count("<mjx-container") > 10
+    assert '<div class="practice" data-problem="4/16" data-file="ch04" data-engine hidden>' in text

@@ -1,24 +1,23 @@
 """Problems worked on their pages, in a real browser: by keyboard alone, on a phone."""
 
-import json
-import re
 import shutil
-import time
-import zipfile
 from contextlib import contextmanager
 
 import pytest
 
+from grader.assignment.notebook import slug
 from newton_euler.classroom.practising.collection import Practice
 from newton_euler.classroom.practising.files import PracticeFile
 from newton_euler.classroom.practising.progress import Progress
-from tests.jupyterlab import LONG
+from tests.jupyterlab import Page
 from tests.website.browser import complaints, emulated, js, requests, script, text, wait
+from tests.website.test_on_a_page import rewritten
 from website.npm import Package
 
+webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
+ActionChains, Keys = webdriver.ActionChains, webdriver.Keys
 pytestmark = pytest.mark.integration
 
-WORKED = ("4/16",)
 MORE_WORKED = "4/1", "4/2", "4/7", "4/12", "4/16"
 PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
 AXE = Package(
@@ -48,38 +47,21 @@ def practise(driver, page):
     wait(driver, READY, "the form")
 
 
-def press(driver, *keys):
-    from selenium.webdriver import ActionChains
-
-    ActionChains(driver).send_keys(*keys).perform()
-
-
-BEHIND = """const e = document.querySelector(arguments[0]);
-return !!(e && e.compareDocumentPosition(document.activeElement) & Node.DOCUMENT_POSITION_FOLLOWING);"""
-
-
 def tab_to(driver, selector):
     """Press Tab, or Shift and Tab where one is behind it, until what the selector says has the
     focus.
     """
-    from selenium.webdriver import ActionChains, Keys
-
-    back = driver.execute_script(BEHIND, selector)
+    place = "document.querySelector(arguments[0])?.compareDocumentPosition(document.activeElement)"
+    back = js(driver, f"!!({place} & Node.DOCUMENT_POSITION_FOLLOWING)", selector)
     for _ in range(300):
         if js(driver, "document.activeElement.matches(arguments[0])", selector):
             return
-        tab = ActionChains(driver)
-        if back:
-            tab.key_down(Keys.SHIFT).send_keys(Keys.TAB).key_up(Keys.SHIFT).perform()
-        else:
-            tab.send_keys(Keys.TAB).perform()
+        Page(driver).press(Keys.TAB, shift=back)
     pytest.fail(f"Tab does not reach {selector}")
 
 
 def typed(driver, key, texts, check=True):
     """Type into the fields of a quantity and press Enter; returns the verdict."""
-    from selenium.webdriver import ActionChains, Keys
-
     box = f"fieldset[data-key='{key}']"
     tab_to(driver, f"{box} :is(select, input:nth-of-type(1))")
     keys = ActionChains(driver)
@@ -98,38 +80,38 @@ def steps_and_answers(site, number):
     answers.
     """
     p = Practice([PracticeFile(site / "practice" / "ch04.practice")], Progress(None))[number]
-    texts = {k: [x] if isinstance(x, str) else [f"{part:.6g}" for part in x]
-             for k, x in p.solved.items()}  # fmt: skip
+    found = {k: [x] if isinstance(x, str) else x for k, x in p.solved.items()}
+    texts = {
+        k: [x if isinstance(x, str) else f"{x:.6g}" for x in parts] for k, parts in found.items()
+    }
     return ({k: texts[k] for k in names} for names in (p.steps, p.answers))
 
 
-@pytest.mark.parametrize("numbers", [WORKED, pytest.param(MORE_WORKED, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("numbers", [("4/16",), pytest.param(MORE_WORKED, marks=pytest.mark.slow)])
 def test_problems_are_worked_by_keyboard_and_taken_along(site, address, phone, tmp_path, numbers):
-    from selenium.webdriver import Keys
-
     save = {"behavior": "allow", "downloadPath": str(tmp_path)}
     phone.execute_cdp_cmd("Browser.setDownloadBehavior", save)
     taken = {}
     for number in numbers:
-        phone.get(f"{address}/problems/{number.replace('/', '-')}.html")
+        phone.get(f"{address}/problems/{slug(number)}.html")
         tab_to(phone, ".skip-to-content")
-        press(phone, Keys.ENTER)
+        Page(phone).press(Keys.ENTER)
         if number == numbers[0]:
             tab_to(phone, ".practice button")
-            press(phone, Keys.ENTER)
+            Page(phone).press(Keys.ENTER)
         wait(phone, READY, "the form")
         steps, answers = steps_and_answers(site, number)
         wrong = lambda texts: [f"{1.37 * float(x) + 0.11:.6g}" for x in texts]
         for key, texts in answers.items():
             assert typed(phone, key, wrong(texts)).startswith("✗"), (number, key)
         tab_to(phone, "details.steps > summary")
-        press(phone, Keys.ENTER)
+        Page(phone).press(Keys.ENTER)
         for key, texts in steps.items():
             assert typed(phone, key, wrong(texts)).startswith("✗"), (number, key)
             assert typed(phone, key, texts).startswith("✓"), (number, key)
         for key, texts in answers.items():
             typed(phone, key, texts, check=False)
-        press(phone, Keys.ENTER)
+        Page(phone).press(Keys.ENTER)
         wait(phone, "document.querySelector('.practice .next').textContent", "what to do next")
         verdicts = "[...document.querySelectorAll('.practice > div > form .verdict')].map(v => v.textContent[0])"
         assert set(js(phone, verdicts)) == {"✓"}, number
@@ -140,14 +122,12 @@ def test_problems_are_worked_by_keyboard_and_taken_along(site, address, phone, t
     assert "omega_CD: not right" in wait(phone, status, "a sentence in the live region")
     assert typed(phone, "omega_CD", ["-b_dot", "0", "omega"]) == "✓ right"
     tab_to(phone, ".practice > div > details:last-of-type > summary")
-    press(phone, Keys.ENTER)
+    Page(phone).press(Keys.ENTER)
     assert js(phone, "document.activeElement.textContent") == "Your progress"
     tab_to(phone, "button.export")
-    press(phone, Keys.ENTER)
+    Page(phone).press(Keys.ENTER)
     file = tmp_path / "practice.progress.json"
-    end = time.monotonic() + LONG
-    while not file.exists() and time.monotonic() < end:
-        time.sleep(0.1)
+    Page(phone).wait(file.exists, "the file of progress")
     kept = Progress(file)  # as a notebook reads it
     assert all(kept.counts(number)["right"] >= count for number, count in taken.items())
     assert kept.note == ""
@@ -161,12 +141,10 @@ return outlineStyle !== "none" && parseFloat(outlineWidth) > 0;
 
 
 def test_from_the_first_page_to_a_solution_by_keyboard_and_where_one_is_can_be_seen(address, phone):
-    from selenium.webdriver import Keys
-
     def go(selector, key, seen):
         tab_to(phone, selector)
         assert phone.execute_script(RING), selector
-        press(phone, key)
+        Page(phone).press(key)
         wait(phone, seen, selector)
 
     moving, prediction = "[data-moving] input[type=range]", ".prediction .choice > summary"
@@ -200,8 +178,7 @@ def test_new_numbers_hints_and_solution_are_shown_typeset(address, phone):
         phone.execute_script("arguments[0].click()", button)
     solved = "document.querySelectorAll('.practice .reply')[1]"
     wait(phone, f"{solved}.querySelectorAll('mjx-container').length > 20", "the solution")
-    faults = f"return {solved}.querySelectorAll('mjx-merror, [data-mml-node=merror]').length"
-    assert phone.execute_script(faults) == 0
+    assert js(phone, f"{solved}.querySelectorAll('mjx-merror, [data-mml-node=merror]').length") == 0
     assert js(phone, "document.documentElement.scrollWidth") <= PHONE["width"]
     shown = "engine.call('practice.show', {problem: '4/16'}).then(p => arguments[0](p.number))"
     assert phone.execute_async_script(shown) == 2  # the engine that was started again goes on there
@@ -227,23 +204,6 @@ addEventListener("securitypolicyviolation", ({blockedURI}) => done(blockedURI));
 new Image().src = "https://elsewhere.example/v.png";"""
 
 
-def rewritten(sound, path, change=lambda page: None, **members):
-    """A practice file as one of 4/16 alone, its page changed by a function, with other members."""
-    with zipfile.ZipFile(sound) as archive, zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as out:
-        head, page = (json.loads(archive.read(f"{n}.json")) for n in ("practice", "4-16"))
-        change(page)
-        files = {"practice.json": json.dumps(head | {"problems": ["4/16"]}),
-                 "4-16.json": json.dumps(page), **members}  # fmt: skip
-        for name, content in files.items():
-            out.writestr(name, content)
-    return path
-
-
-def operation(*words):
-    """A change of a page: this is the first operation of its program."""
-    return lambda page: page["variants"][0]["program"]["operations"].__setitem__(0, words)
-
-
 def acting(page):
     """The change that puts ``ACTS`` into every text that readers see."""
     page["preamble"] = page["title"] = page["figure"] = ACTS
@@ -253,37 +213,17 @@ def acting(page):
         v |= {"statement": f"# 4/16\n{ACTS}", "solution": ACTS, "figure": "x.svg"}
 
 
-def refused(sound, folder):
-    """{a file that is not a practice file, or does not fit together: the reason that is given}."""
-    other = {"code": b"import os\nos.abort()", "pickle": b"\x80\x04\x95\x00cos\nabort\n(tR."}
-    for name, content in other.items():
-        (folder / name).write_bytes(content)
-    with open(folder / "huge", "wb") as file:
-        file.truncate(65 << 20)
-    long, deep = b" " * 2**25, b"[" * 700 + b"]" * 700
-    made = {
-        "bomb": ({"practice.json": long}, "practice.json has more than 8 MB"),
-        "bomb-within": ({"4-16.json": long}, "4-16.json has more than 8 MB"),
-        "deep": ({"practice.json": deep}, "is not a practice file"),
-        "deep-within": ({"4-16.json": deep}, "is not a practice file"),
-    }
-    found = {rewritten(sound, folder / n, **members): words for n, (members, words) in made.items()}
-    programs = {"of-itself": ("+", [0], 1.0), "of-later": ("neg", [5])}
-    programs["call"] = "__import__", "os"
-    for name, words in programs.items():
-        found[rewritten(sound, folder / name, operation(*words))] = "problem 4/16 cannot be read"
-    found |= dict.fromkeys((folder / n for n in other), "is not a practice file")
-    return {**found, folder / "huge": "has more than 64 MB"}
-
-
 def test_a_readers_own_practice_file_opens_and_others_are_refused(site, address, phone, tmp_path):
     sound = site / "practice" / "ch04.practice"
     phone.get(f"{address}/problems/own.html")
     chosen = phone.find_element("css selector", ".practice input[type=file]")
     words = "document.querySelector('.practice .verdict.wrong')?.textContent"
-    for path, reason in refused(sound, tmp_path).items():
-        chosen.send_keys(str(path))
-        output = wait(phone, f"({words} || '').startsWith('{path.name}') && {words}", path.name)
+    (tmp_path / "code").write_text("import os\nos.abort()")
+    with open(tmp_path / "huge", "wb") as file:
+        file.truncate(65 << 20)
+    for name, reason in {"code": "not a practice file", "huge": "has more than 64 MB"}.items():
+        chosen.send_keys(str(tmp_path / name))
+        output = wait(phone, f"({words} || '').startsWith('{name}') && {words}", name)
         assert reason in output
         assert not js(phone, "document.querySelector('progress, fieldset')")
     chosen.send_keys(str(shutil.copy(sound, tmp_path / "mine.practice")))
@@ -360,14 +300,6 @@ def test_what_a_browser_has_damaged_or_refuses_or_lacks_stops_nobody(address, ph
         phone.get(chapter)
         assert js(phone, "document.querySelectorAll('.run').length") == 0
         assert complaints(phone) == []
-
-
-def test_without_javascript_a_problem_page_is_complete(site):
-    text = (site / "problems" / "4-16.html").read_text("utf-8")
-    assert "Elbow arm on a turning shaft" in text
-    assert re.search(r'<svg[^>]* class="sketch[^>]* aria-label="A vertical shaft', text)
-    assert text.count("<mjx-container") > 10
-    assert '<div class="practice" data-problem="4/16" data-file="ch04" data-engine hidden>' in text
 
 
 def test_the_first_page_moves_answers_and_is_light(address, phone):
