@@ -2,7 +2,6 @@
 by keyboard and mouse. Where one of these is not installed, the test is skipped.
 """
 
-import json
 import os
 import secrets
 import shutil
@@ -23,14 +22,11 @@ LONG = 180  # seconds: for a busy machine
 
 def write_notebook(path, cells):
     """Write a notebook with these cells of code."""
-    cells = [
-        {"cell_type": "code", "id": f"c{n}", "metadata": {}, "execution_count": None,
-         "outputs": [], "source": source}
-        for n, source in enumerate(cells)
-    ]  # fmt: skip
-    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
-    notebook = {"cells": cells, "metadata": kernel, "nbformat": 4, "nbformat_minor": 5}
-    path.write_text(json.dumps(notebook))
+    from nbformat import v4, write
+
+    kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    made = v4.new_notebook(metadata={"kernelspec": kernel}, cells=[*map(v4.new_code_cell, cells)])
+    write(made, path)
 
 
 @contextmanager
