@@ -2,6 +2,7 @@
 
 import ast
 import importlib
+import inspect
 import re
 import subprocess
 import sys
@@ -182,13 +183,22 @@ def test_all_errors_of_the_engine_have_one_base():
     assert [e for e in errors if not issubclass(e, newton_euler.NewtonEulerError)] == []
 
 
+def shown(body):
+    """The public functions and classes that a body defines."""
+    return [n for n in body if isinstance(n, DEFINITIONS) and n.name[0] != "_"]
+
+
 def bare(module):
-    """The public functions, classes and methods without a docstring; answers override documented ones."""
-    blocks = [tree_of(module)]
-    if room_of(module) != "answers":
-        blocks += [n for n in blocks[0].body if isinstance(n, ast.ClassDef) and n.name[0] != "_"]
-    public = [n for b in blocks for n in b.body if isinstance(n, DEFINITIONS) and n.name[0] != "_"]
-    return [n.name for n in public if not ast.get_docstring(n)]
+    """The public functions, classes and methods without a docstring, of their own or inherited;
+    answers override documented ones, or have those of a Protocol.
+    """
+    public = shown(tree_of(module).body)
+    found = [n.name for n in public if not ast.get_docstring(n)]
+    classes = [n for n in public if isinstance(n, ast.ClassDef) and room_of(module) != "answers"]
+    for block in classes:
+        owner = getattr(importlib.import_module(module), block.name)
+        found += [n.name for n in shown(block.body) if not inspect.getdoc(getattr(owner, n.name))]
+    return found
 
 
 def test_public_functions_classes_and_methods_have_docstrings():
