@@ -6,6 +6,8 @@ from base64 import b64decode
 from functools import partial
 from pathlib import Path
 
+from PIL import Image
+
 from .kept import put
 
 EMBEDDED = re.compile(r"data:image/(png|svg)(?:\+xml)?;base64,([A-Za-z0-9+/]{1000,}=*)")
@@ -27,16 +29,7 @@ def _address(pages, up, found):
     """Write a picture; returns the address of its file, with ``up`` to the first page."""
     kind, contents = found[1], b64decode(found[2])
     if kind == "png" and len(contents) > LARGE:
-        kind, contents = _lossless(contents)
+        out = io.BytesIO()
+        Image.open(io.BytesIO(contents)).save(out, "webp", lossless=True)
+        kind, contents = "webp", out.getvalue()
     return f"{up}_images/{put(pages / '_images', contents, f'.{kind}')}"
-
-
-def _lossless(png):
-    """The same pixels as WebP, if Pillow supports it."""
-    from PIL import Image, features
-
-    if not features.check("webp"):
-        return "png", png
-    out = io.BytesIO()
-    Image.open(io.BytesIO(png)).save(out, "webp", lossless=True)
-    return "webp", out.getvalue()

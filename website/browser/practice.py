@@ -95,20 +95,19 @@ def read(problem: str, key: str, texts: Sequence[str]) -> dict[str, str]:
         value = _value(p, q, texts)
     except ValueError as error:
         return {"latex": "", "fault": str(error)}
-    if value is None or q.kind.is_word:
-        return {"latex": "", "fault": ""}
-    return {"latex": _as_read(p, q, texts), "fault": ""}
+    latex = "" if value is None or q.kind.is_word else _as_read(p, q, texts, value)
+    return {"latex": latex, "fault": ""}
 
 
-def _as_read(p, q, texts):
+def _as_read(p, q, texts, value):
     """The formulas that were typed and, where they are not plain numbers, what they come to."""
     trees = [typed_tree(text, p.givens) for text in texts if text.strip()]
     trees = _flat(trees[0]) if len(trees) == 1 and isinstance(trees[0], tuple) else trees
     stated = _typeset(q.kind, [formula(tree, p.symbols) for tree in trees])
     if all(isinstance(tree, float) for tree in trees):
         return stated + unit_symbol(q.unit)
-    numbers = _flat(_value(p, q, texts))
-    return f"{stated} = {_typeset(q.kind, [*map(number_symbol, numbers)])}{unit_symbol(q.unit)}"
+    numbers = [*map(number_symbol, _flat(value))]
+    return f"{stated} = {_typeset(q.kind, numbers)}{unit_symbol(q.unit)}"
 
 
 def _typeset(kind, parts):
