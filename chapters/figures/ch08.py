@@ -7,14 +7,14 @@ from newton_euler.algebra.late import np, plt
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics import angular_momentum, resultant_moment
 
+from .ch07 import BLUE, GREEN, RED, RODS
 from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
-BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
-RODS = (((-0.5, 0, 0), (-0.5, 0, 1)), ((-0.5, 0, 0), (0.5, 0, 0)), ((0.5, 0, 0), (0.5, 1, 0)))
 
 
 @with_sliders(
@@ -57,12 +57,10 @@ def internal_forces(ax, off):
     s.line(P, Q)
     s.arrow(O, P, r"$\mathbf{d}_i$")
     s.arrow(O, Q, r"$\mathbf{d}_j$")
-    s.arrow(P, tuple(map(sum, zip(P, push, strict=True))), r"$\mathbf{F}_{ij}$", kind="force")
-    back = tuple(q - f for q, f in zip(Q, push, strict=True))
-    s.arrow(Q, back, r"$\mathbf{F}_{ji}$", kind="force")
+    s.arrow(P, moved(P, 1, push), r"$\mathbf{F}_{ij}$", kind="force")
+    s.arrow(Q, moved(Q, -1, push), r"$\mathbf{F}_{ji}$", kind="force")
     for place, name in ((O, "B"), (P, "i"), (Q, "j")):
-        s.dot(place)
-        s.label(place, name)
+        s.dot(place, name)
     moment = (P[0] - Q[0]) * push[1] - (P[1] - Q[1]) * push[0]
     ax.set_title(f"sum of both moments about B: {moment:.2f} N m", fontsize=11)
 
@@ -93,24 +91,21 @@ def pole_on_truck(ax, build, a, tilt):
     s.vector((1.35, 0, -0.25), ground.i * a, r"$\mathbf{a}_B$", kind="acceleration", size="m/s²")
     s.label(O, "B")
     s.label(d.components(ground), "G")
-    ax.set_title(
-        f"moment that the foot must give: {round(float(hinge.y), 9) + 0.0:.1f} N m", fontsize=11
-    )
+    moment = round(float(hinge.y), 9) + 0.0
+    ax.set_title(f"moment that the foot must give: {moment:.1f} N m", fontsize=11)
 
 
 def three_spins(times, runs):
     """Figure 8.4: omega over time for spins about the three principal axes, disturbed a little."""
     fig, axes = plt.subplots(1, 3, figsize=(9.6, 3.4), sharey=True, layout="constrained")
+    looks = ("x", BLUE, "-"), ("y", RED, "--"), ("z", GREEN, "-.")
     for ax, (name, rates) in zip(axes, runs.items(), strict=True):
-        for values, label, colour, style in zip(
-            np.transpose(rates), "xyz", (BLUE, RED, GREEN), ("-", "--", "-."), strict=True
-        ):
+        for values, (label, colour, style) in zip(np.transpose(rates), looks, strict=True):
             ax.plot(times, values, style, color=colour, label=rf"$\omega_{label}$")
         ax.set(title=name, xlabel="time (s)", ylim=(-6, 6))
     axes[0].set(ylabel="rad/s")
-    fig.legend(
-        *axes[0].get_legend_handles_labels(), frameon=False, ncol=3, loc="outside lower center"
-    )
+    entries = axes[0].get_legend_handles_labels()
+    fig.legend(*entries, frameon=False, ncol=3, loc="outside lower center")
     show_figure(
         fig,
         alt="Three plots of the components of omega over time. About the axes of least and largest "
@@ -159,6 +154,11 @@ def flipping_handle(times, rates, bar=0.12, stem=0.08, every=15):
     )
 
 
+def _rods(s, frame):
+    for A, B in RODS:
+        s.rod(frame.point("", *A), frame.point("", *B))
+
+
 def turning_rods(build, words, azimuth=-60, acceleration=0.0):
     """Figures 8.5 to 8.7: the three rods with omega, H and M, from ``build(rate, acceleration)``:
     ground, body, point; ``words`` names the axis, ``azimuth`` is the direction of view,
@@ -166,12 +166,11 @@ def turning_rods(build, words, azimuth=-60, acceleration=0.0):
     """
 
     def draw(ax, rate, acceleration):
-        ground, body, about = build(rate, acceleration)
-        frame, P = body.frame, about
+        ground, body, P = build(rate, acceleration)
+        frame = body.frame
         s = Sketch(ax, ground, azimuth=azimuth, elevation=22, arrows=110)
         s.axes(P, frame, length=0.35)
-        for A, B in RODS:
-            s.rod(frame.point("", *A), frame.point("", *B))
+        _rods(s, frame)
         axis = frame.angular_velocity(ground)
         unit = axis / max(float(axis.norm()), 1e-9)
         line = [(P - frame.origin).expressed_in(ground) + unit * x for x in (-0.8, 0.8)]
@@ -301,8 +300,7 @@ def pushed_rod(ax, b):
     for x in evenly(-0.5, 0.5, 9):
         s.vector((x, 0, 0), ground.j * (a + alpha * x), kind="acceleration")
     s.vector((b, -0.32, 0), ground.j * F, "$F$", kind="force")
-    s.dot(O)
-    s.label(O, "G", offset=(0, -14))
+    s.dot(O, "G", offset=(0, -14))
     rest = "none" if abs(b) < 1e-9 else f"x = {-1 / (12 * b):.3f} m"
     ax.set_title(f"no acceleration at {rest}; at G {a:.1f} m/s²", fontsize=11)
 
@@ -328,8 +326,7 @@ def rods_film(build):
         ground, body, about = build(1.0, 0.0, angle=t)
         frame = body.frame
         s = Sketch(ax, ground, azimuth=-60, elevation=22, arrows=80)
-        for A, B in RODS:
-            s.rod(frame.point("", *A), frame.point("", *B))
+        _rods(s, frame)
         s.line((-0.9, 0, 0), (0.9, 0, 0), style="centre")
         s.vector(about, frame.angular_velocity(ground), r"$\omega$", kind="rate")
         s.vector(about, angular_momentum(body, ground, about), r"$\mathbf{H}$", kind="plain")

@@ -7,6 +7,7 @@ from newton_euler import Frame, integrate, prepare, sin, work_along
 from newton_euler.algebra.late import np, plt
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved, on_circle
 from newton_euler.dynamics.energy import gyroscope_energy
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial.top import euler
@@ -50,9 +51,8 @@ def tug(pull, track, winch):
     ground, q = Frame("ground"), evenly(0, 8, 241)
     places = [ground.vector(*track(x)) for x in q]
     s = [*accumulate((float((b - a).norm()) for a, b in pairwise(places)), initial=0.0)]
-    tangents = [
-        (ground.vector(*track(x + 1e-3)) - ground.vector(*track(x - 1e-3))).direction() for x in q
-    ]
+    around = [(ground.vector(*track(x - 1e-3)), ground.vector(*track(x + 1e-3))) for x in q]
+    tangents = [(after - before).direction() for before, after in around]
     forces = [ground.vector(*pull(*place)) for place in places]
     F_t = [F.dot(e) for F, e in zip(forces, tangents, strict=True)]
 
@@ -184,8 +184,7 @@ def two_works(axes, forces, bulge):
     ax = axes[0]
     around = list(forces.values())[1]
     swirl = [(x, y, *around(x, y, 0)[:2]) for x in grid for y in grid]
-    sides = zip(*swirl, strict=True)
-    ax.quiver(*sides, color=COLOURS[1], width=0.007, scale=300, pivot="mid")
+    ax.quiver(*zip(*swirl, strict=True), color=COLOURS[1], width=0.007, scale=300, pivot="mid")
     places = [_bulging(q, bulge)[:2] for q in evenly(0, 1, 61)]
     ax.plot(*zip(*places, strict=True), color="black", lw=2)
     for name, (x, y) in {"A": (0, 0), "B": (2, 1)}.items():
@@ -207,11 +206,8 @@ def satellite(speed, mu, nearest, farthest):
     def at(degrees):
         f = math.radians(degrees)
         r = nearest * (1 + e) / (1 + e * math.cos(f))
-        return (
-            r,
-            (1e-6 * r * math.cos(f), 1e-6 * r * math.sin(f), 0),
-            (-math.sin(f), e + math.cos(f)),
-        )
+        place = (1e-6 * r * math.cos(f), 1e-6 * r * math.sin(f), 0)
+        return r, place, (-math.sin(f), e + math.cos(f))
 
     def draw(axes, round_):
         r, P, direction = at(round_)
@@ -339,10 +335,8 @@ def pair_in_a_body(ax, turn):
         sketch.vector(P, v, rf"$\mathbf{{v}}_{name}$", size="m/s")
         sketch.vector(P, along * line, "")
         sketch.label(P, name)
-    ax.set_title(
-        f"component from i to j: {along:.3f} m/s for both".replace("-", "\N{MINUS SIGN}"),
-        fontsize=11,
-    )
+    both = f"component from i to j: {along:.3f} m/s for both".replace("-", "\N{MINUS SIGN}")
+    ax.set_title(both, fontsize=11)
 
 
 @with_sliders(
@@ -381,23 +375,16 @@ def rolling_sphere(energy, speed, m, R, slope):
         drop = s * math.sin(slope)
         v = speed(drop)
         C = (s * down[0], s * down[1], 0)
-        G = tuple(c + R * n for c, n in zip(C, (*normal, 0), strict=True))
-        spoke = s / R
-        rim = tuple(
-            g + R * (math.cos(spoke) * d + math.sin(spoke) * n)
-            for g, d, n in zip(G, (*down, 0), (-normal[0], -normal[1], 0), strict=True)
-        )
+        G = moved(C, R, (*normal, 0))
+        rim = on_circle(G, (*down, 0), (-normal[0], -normal[1], 0), R, s / R)
         weight = m * G_SI
         sketch = Sketch(axes[0], Frame("ground"), plane="xy")
         sketch.road([tuple(x * d for d in (*down, 0)) for x in (-0.3, length + 0.3)])
         sketch.disk(G, (0, 0, 1), R, spoke=rim)
         sketch.vector(G, tuple(v * d for d in (*down, 0)), r"$\bar{\mathbf{v}}$")
         axes[0].set_title(f"speed of the centre: {v:.2f} m/s", fontsize=11)
-        contact = (
-            weight * (math.cos(slope) * normal[0] - 2 / 7 * math.sin(slope) * down[0]),
-            weight * (math.cos(slope) * normal[1] - 2 / 7 * math.sin(slope) * down[1]),
-            0,
-        )
+        N, F = weight * math.cos(slope), weight * 2 / 7 * math.sin(slope)
+        contact = (N * normal[0] - F * down[0], N * normal[1] - F * down[1], 0)
         sketch.vector(G, (0, -weight, 0), r"$m\mathbf{g}$", kind="force")
         sketch.vector(C, contact, "contact force", kind="force")
         sketch.label(C, "C")
@@ -458,11 +445,8 @@ def top_energies(I0, I, mgr, spin):
     axle = spin - s["psi_rate"] * np.cos(s["theta"])
     T = gyroscope_energy(I0, I, s["theta"], s["theta_rate"], s["psi_rate"], axle).terms
     V = mgr * (np.cos(s["theta"]) - math.cos(0.6))  # zero at the start, to make its fall visible
-    curves = {
-        "transverse": T["transverse"],
-        "weight": V,
-        "transverse + weight": T["transverse"] + V,
-    }
+    transverse = T["transverse"]
+    curves = {"transverse": transverse, "weight": V, "transverse + weight": transverse + V}
     fig, ax = plt.subplots(figsize=(6.6, 3.4))
     for (name, y), colour, style in zip(curves.items(), COLOURS, STYLES, strict=False):
         ax.plot(motion.times, y, color=colour, ls=style, label=name)
@@ -489,10 +473,8 @@ def pendulum_levels(m, I, l):
         V = [-depth * math.cos(math.radians(x)) for x in angles]
         axes[0].plot(angles, V, color=COLOURS[0], label="V")
         axes[0].axhline(E, color="black", ls="--", label="E")
-        below = [x < E for x in V]
-        axes[0].fill_between(
-            angles, V, E, where=below, color=COLOURS[2], alpha=0.3, label="T = E − V"
-        )
+        look = {"color": COLOURS[2], "alpha": 0.3, "label": "T = E − V"}
+        axes[0].fill_between(angles, V, E, where=[x < E for x in V], **look)
         axes[0].set(xlabel="θ (°)", ylabel="J", xlim=(-180, 180), ylim=(-1.3 * depth, 3.6 * depth))
         axes[0].legend(frameon=False, fontsize=9, loc="upper left", ncols=3)
         t = evenly(0, 4, 161)
