@@ -8,6 +8,7 @@ from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.kinematics.paths import along
+from newton_euler.scenes.closed_forms.harmonic import turned
 
 from .sliding import with_sliders
 
@@ -199,7 +200,7 @@ def curvature_of_the_jet(ax, build, percent):
     centre = moved(place, 1, out)
     s = Sketch(ax, ground, plane="xy", arrows=90)
     s.path(places)
-    start = moved(centre, 1, turned(out, math.pi + 0.5))
+    start = moved(centre, 1, (*turned(*out[:2], math.pi + 0.5), 0))
     s.path(s.around(centre, start, (0, 0, -1), 1.0), style="dashed")
     s.line(place, centre)
     s.dot(centre)
@@ -207,12 +208,6 @@ def curvature_of_the_jet(ax, build, percent):
     s.sum(P, here.acceleration, r"$\mathbf{a}$", size="ft/s²")
     s.label(centre, "centre", bold=False)
     ax.set_title(f"ρ = {here.radius:.2f} ft, v = {here.speed:.2f} ft/s", fontsize=11)
-
-
-def turned(v, angle):
-    """A vector of the plane, turned counterclockwise."""
-    c, s = math.cos(angle), math.sin(angle)
-    return c * v[0] - s * v[1], s * v[0] + c * v[1], 0
 
 
 @with_sliders(

@@ -18,11 +18,6 @@ BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
 RODS = (((-0.5, 0, 0), (-0.5, 0, 1)), ((-0.5, 0, 0), (0.5, 0, 0)), ((0.5, 0, 0), (0.5, 1, 0)))
 
 
-def _apart(axes):
-    """Room between two panels for the scale of the right one, and below it."""
-    axes[0].figure.subplots_adjust(left=0.03, right=0.98, bottom=0.17, wspace=0.28)
-
-
 def angle_between(v, w):
     """The angle between two Vectors, in degrees."""
     return math.degrees(math.atan2(float(v.cross(w).norm()), float(v.dot(w))))
@@ -85,7 +80,6 @@ def dumbbell_film(build):
 )
 def two_balls(axes, turn):
     """Figure 7.2: two balls in the plane, and their moments and product of inertia."""
-    _apart(axes)
     ground, a = Frame("ground"), math.radians(turn)
     A, B = (math.cos(a), math.sin(a), 0), (-math.cos(a), -math.sin(a), 0)
     s = Sketch(axes[0], ground, plane="xy")
@@ -147,7 +141,6 @@ def racket():
 )
 def rod_and_point(axes, b):
     """Figure 7.4: the thin rod, the point B on its line, and the integrand of I_yy."""
-    _apart(axes)
     ground = Frame("ground")
     B = (b, 0, 0)
     s = Sketch(axes[0], ground, plane="xz")
@@ -199,7 +192,6 @@ def _rods(s):
 )
 def plate_and_ellipse(axes, turn, b):
     """Figure 7.6: a plate, an axis in its plane, omega and H, and the ellipse of inertia."""
-    _apart(axes)
     ground, a = Frame("ground"), 1.2
     I = plate(a, b, ground, "z", mass=12.0).about(ground)
     n = ground.vector(math.cos(math.radians(turn)), math.sin(math.radians(turn)), 0)
@@ -268,7 +260,6 @@ def rods_and_axis():
     apart = [angle_between(direction(s), I.times(direction(s))) for s in way]
 
     def draw(axes, at):
-        _apart(axes)
         n = direction(at)
         s = Sketch(axes[0], ground, azimuth=30, elevation=22, arrows=85)
         _rods(s)
@@ -311,7 +302,6 @@ def rods_and_axis():
 )
 def propeller(axes, blades, turn):
     """Figure 7.8: a propeller with n blades, and its moment about a fixed axis in its plane."""
-    _apart(axes)
     blades, ground = round(blades), Frame("ground")
 
     def angles(turn):
@@ -363,7 +353,6 @@ def shifted_axis(build):
     far = evenly(0, 0.9, 60)
 
     def draw(axes, away, turn):
-        _apart(axes)
         y, z = away * math.cos(math.radians(turn)), away * math.sin(math.radians(turn))
         P = frame.point("P", 0, 1 / 6 + y, 1 / 6 + z)
         moment = float(body.about(P).moments[0])

@@ -2,13 +2,18 @@
 
 import math
 
-from newton_euler import Frame
+from newton_euler import Frame, axis_angle
 from newton_euler.algebra.late import np, plt
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics import angular_momentum, resultant_moment
+from newton_euler.kinematics.rotations import (
+    matrix_from_quaternion,
+    quaternion,
+    quaternion_product,
+)
 
 from .ch07 import BLUE, GREEN, RED, RODS
 from .curves import evenly
@@ -118,13 +123,12 @@ def attitudes(times, rates):
     """The attitude of a body at these times, as (axis, angle), from the components of omega on its
     own axes: in each step it turns about the mean omega.
     """
-    q, found = np.array([1.0, 0, 0, 0]), []
+    q, found = (1.0, 0.0, 0.0, 0.0), []
     means = (rates[1:] + rates[:-1]) / 2
     for step in [np.zeros(3), *(means * np.diff(times)[:, None])]:
-        half = np.linalg.norm(step) / 2
-        c, v = math.cos(half), step * np.sinc(half / math.pi) / 2
-        q = np.append(c * q[0] - v @ q[1:], c * q[1:] + q[0] * v + np.cross(q[1:], v))
-        found.append((q[1:] if half else (0, 0, 1.0), 2 * math.atan2(np.linalg.norm(q[1:]), q[0])))
+        if any(step):
+            q = quaternion_product(q, quaternion(step, float(np.linalg.norm(step))))
+        found.append(axis_angle(matrix_from_quaternion(q)))
     return found
 
 
@@ -251,7 +255,6 @@ def drum_and_load(ax, solve, drum):
 )
 def sphere(axes, v0, mu, g, radius, t, spin):
     """Figure 8.10: the sphere at a time, and its speeds over time."""
-    axes[0].figure.subplots_adjust(left=0.03, right=0.98, bottom=0.17, wspace=0.25)
     slip0 = v0 + spin * radius
     given = (v0, mu, g, radius, spin, None, 1 if slip0 >= 0 else -1)
     x, v, omega = (float(q) for q in sphere_at(t, *given))
