@@ -126,9 +126,8 @@ def flat(ax, y, z):
     Slider("a", 0.9, 0.02, 1.0, 0.02, unit="m"),
     Slider("b", 0.6, 0.02, 1.0, 0.02, unit="m"),
     Slider("c", 0.4, 0.02, 1.0, 0.02, unit="m"),
-    alt="Left: a rectangular prism with the edges a, b, c along x, y, z. Right: its three "
-    "moments of inertia as bars. The edge along an axis does not change the moment about that "
-    "axis.",
+    alt="Left: a rectangular prism with the edges a, b, c along x, y, z. Right: its three moments "
+    "of inertia as bars. The edge along an axis does not change the moment about that axis.",
     size=(8.4, 4.4),
     panels=(1, 2),
 )

@@ -281,11 +281,10 @@ def rods_and_axis():
     interactive_figure(
         draw,
         Slider("at", 0, 0, 3, 0.1, label="how far it has gone"),
-        alt="Left: the three rods with the axes x, y and z, their three principal axes, dash-dotted and named "
-        "by their moments, an axis of turning "
-        "omega, and H. Right: moment about that axis and angle between omega and H as the axis "
-        "goes from x to each principal axis; the angle is zero at these, where the moments are 5, "
-        "11 and 14.",
+        alt="Left: the three rods with the axes x, y and z, their three principal axes, "
+        "dash-dotted and named by their moments, an axis of turning omega, and H. Right: moment "
+        "about that axis and angle between omega and H as the axis goes from x to each principal "
+        "axis; the angle is zero at these, where the moments are 5, 11 and 14.",
         size=(9.2, 4.4),
         panels=(1, 2),
     )

@@ -73,9 +73,8 @@ def internal_forces(ax, off):
 @with_sliders(
     Slider("a", 3.0, 0, 6, 0.5, label="acceleration", unit="m/s²"),
     Slider("tilt", 0, 0, 40, 1, label="leaning forward", unit="°"),
-    alt="A pole stands on the foot B on a truck that accelerates to the right. Upright, the "
-    "foot must give a moment; leaning forward at the angle whose tangent is a over g it needs "
-    "none.",
+    alt="A pole stands on the foot B on a truck that accelerates to the right. Upright, the foot "
+    "must give a moment; leaning forward at the angle whose tangent is a over g it needs none.",
     size=(6.4, 4.2),
 )
 def pole_on_truck(ax, build, a, tilt):
