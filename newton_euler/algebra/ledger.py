@@ -431,9 +431,7 @@ class Amount(NamedTerms):
     )
 
     def explain(self, unit: str = "") -> str:
-        """The sum as a text: the number of its equation, each term, and the sum, in this ``unit``
-        (default: J, and W of a power).
-        """
+        """The equation, terms and sum as a text, in this ``unit`` (default: J; W of a power)."""
         own = _UNITS.get(self.what, "")
         _check_unit(unit, self.what, own)
         unit = unit or own or "J"
@@ -462,6 +460,6 @@ def summed(
     error: float = 0.0,
 ) -> Amount:
     """The :class:`Amount` that is the sum of numbers or amounts, by name or in pairs (name, x)."""
-    parts = Terms(terms)
-    total, values = sum(map(value_of, parts.values()), ZERO), parts.mapped(value_of)
-    return Amount(to_plain(total), values.mapped(to_plain), what, number, error)
+    parts = Terms(terms).mapped(value_of)
+    total = to_plain(sum(parts.values(), ZERO))
+    return Amount(total, parts.mapped(to_plain), what, number, error)
