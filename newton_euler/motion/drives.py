@@ -5,6 +5,7 @@ micrometre at the surface of the Earth is genuine, however many of its digits ro
 from contextlib import suppress
 
 from ..algebra.late import np
+from .methods.base import rows_of
 from .narrow import narrow_times
 
 # a rate, or a state, is genuine above this multiple of what the last digits of states and
@@ -35,8 +36,7 @@ def driven(trajectory, start, natural, doubted):
         times, x = _points_passed(stepper)
 
         def rates(x, p=system.p):
-            values = system.traced.rhs.on(np)(times, *x, *p)
-            return np.array([np.broadcast_to(row, times.shape) for row in values])
+            return rows_of(system.traced.rhs.on(np)(times, *x, *p), len(times))
 
         first, held = np.array(start)[:, None], _driven_by(rates, x, doubted)
         change = np.where(held[:, None], 0.0, x - x[:, :1])

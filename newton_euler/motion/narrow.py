@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 from ..algebra.late import np
 from .chebyshev import DEGREE, extrema, values_at
+from .methods.base import rows_of
 from .narrow_arguments import CHANGE, LIMITS, RATIO
 from .zeros import sampling
 
@@ -349,7 +350,7 @@ def _about(kind, u, values):
 
 def _values(stepper, arguments, times, x):
     """The arguments at some times, rows of an array."""
-    rows = _array(arguments.formula.on(np)(times, *x, *stepper.system.p), len(times))
+    rows = rows_of(arguments.formula.on(np)(times, *x, *stepper.system.p), len(times))
     found = rows[::2] - rows[1::2]
     for j in arguments.powers:
         # about its largest value x**n is exp(n*log(x)), and this is n*log(x) but smooth at zero
@@ -358,20 +359,12 @@ def _values(stepper, arguments, times, x):
     return found
 
 
-def _array(rows, count):
-    """An array (rows, count); a row may be a number."""
-    out = np.empty((len(rows), count))
-    for n, row in enumerate(rows):
-        out[n] = row
-    return out
-
-
 def rates_along(stepper, times, x, nudge=0.0):
     """The rates; ``nudge`` is a relative change, by turns up and down, of states and constants."""
     system = stepper.system
     numbers = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(system.constants)]
     x = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(x)]
-    return _array(system.traced.folded[0].on(np)(times, *x, *numbers), len(times))
+    return rows_of(system.traced.folded[0].on(np)(times, *x, *numbers), len(times))
 
 
 def _located(stepper, arguments, brackets):

@@ -38,19 +38,15 @@ class Arguments:
         """The kinds as an array."""
         return np.array(self.kinds)
 
-    def of(self, *chosen):
-        """For each argument whether it is of one of these kinds, a column."""
-        return np.isin(self.names, chosen)[:, None]
-
     @cached_property
     def jumps(self):
         """For each argument whether the rates jump where it changes its sign, a column."""
-        return self.of("jump")
+        return (self.names == "jump")[:, None]
 
     @cached_property
     def phases(self):
         """For each argument whether it is that of a sine, a column."""
-        return self.of("phase")
+        return (self.names == "phase")[:, None]
 
     @cached_property
     def limits(self):

@@ -7,7 +7,7 @@ and what heyoka has compiled from it.
 
 import math
 from collections.abc import Callable
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any, TypeAlias
 
 from ..algebra.compile import recorded
@@ -17,6 +17,7 @@ from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, clipped, scalar
 from .analytic import clocked, depends, hazards, inner, kinks, surprises
 from .crossings import choices, compiled_choices
+from .methods.base import rows_of
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
 from .narrow_arguments import Arguments, narrow_arguments
 from .verified import Verified
@@ -63,16 +64,11 @@ class Traced:
         return cached(self._narrow, text, lambda: narrow_arguments(traced, of_event=True))
 
 
-class FunctionText:
-    """One traced function; its ``text``, written when first needed, is shared by equal ones."""
-
-    def __init__(self, recording, texts):
-        self._recording, self._texts = recording, texts
-
-    @cached_property
-    def text(self):
-        """The :class:`~newton_euler.algebra.compile.Compiled` formula."""
-        return shared(self._recording, self._texts)
+def text_once(recording, texts):
+    """A function that returns the :class:`~newton_euler.algebra.compile.Compiled` text of a traced
+    function, written when first needed and shared by equal ones.
+    """
+    return cache(lambda: shared(recording, texts))
 
 
 def prepared_model(model: Model) -> "PreparedModel":
@@ -124,7 +120,7 @@ class PreparedModel:
     def __reduce__(self):
         """The model, and the texts of its functions as they were when this was made."""
         texts = [
-            (n, self._now[id(f)] and self._now[id(f)].text)
+            (n, self._now[id(f)] and self._now[id(f)]())
             for n, f in enumerate(self._functions)
             if id(f) in self._now
         ]
@@ -196,15 +192,15 @@ class PreparedModel:
         """
         own = id(f) in self._now  # else it is traced at each use, as that of an event
         traced = self._now[id(f)] if own else self._recorded(f)[1]
-        return traced and traced.text
+        return traced and traced()
 
     def _recorded(self, f):
-        """What a function reads, and its :class:`FunctionText` or None; see :func:`current`."""
+        """What a function reads, and its :func:`text_once` or None; see :func:`current`."""
         known = self.traced
 
         def recording():
             try:
-                return FunctionText(recorded(self.model._formula(f, self.free)), known.texts)
+                return text_once(recorded(self.model._formula(f, self.free)), known.texts)
             except (TypeError, ModelError):
                 return None
 
@@ -257,7 +253,7 @@ class PreparedModel:
         exact = self.model.exact
         assert exact is not None
         for run in (self.function(exact), self.untraced(exact)):
-            found = np.array([np.broadcast_to(row, times.shape) for row in run(times, *x)])
+            found = rows_of(run(times, *x), len(times))
             if np.isfinite(found).all():
                 break
         return found
@@ -268,7 +264,7 @@ def _snapshot(model, rhs, texts):
     system = PreparedModel(model)
     system._take(shared(rhs))
     for n, text in texts:
-        now = text and FunctionText(text, system.traced.texts)
+        now = text and text_once(text, system.traced.texts)
         system._now[id(system._functions[n])] = now
     return system
 

@@ -30,6 +30,14 @@ def sample_times(samples, begin, end):
     return times.copy() if inside.all() else times[inside]
 
 
+def rows_of(values, count):
+    """An array (rows, count) of these rows; one of them may be a number."""
+    out = np.empty((len(values), count))
+    for n, row in enumerate(values):
+        out[n] = row
+    return out
+
+
 class StepError(NewtonEulerError, ArithmeticError):
     """Raised where a method cannot continue from the state that it has reached."""
 
