@@ -116,9 +116,7 @@ def integrate_many(run, name):
 
 @dataclass(frozen=True, eq=False)
 class _Many:
-    """A model with its starts (states, motions), those of its parameters that are arrays, and the
-    times of the samples.
-    """
+    """A model with its starts (states, motions), its array parameters, and the sample times."""
 
     model: Model
     starts: Any
@@ -271,9 +269,7 @@ def _taylor(many, run):
 
 
 def _cancelling(motions, system, times, points, p, sizes):
-    """Those of these numbers of ``motions`` of which a state is small by cancellation at both ends,
-    as of :func:`~newton_euler.motion.sizes.small`.
-    """
+    """Those of these ``motions`` of which a state is small by cancellation at both ends."""
     rates, found = system.traced.folded[0].on(np), np.ones((len(sizes), len(motions)), dtype=bool)
     with np.errstate(all="ignore"):
         for t, x in zip(times, points, strict=True):
@@ -301,9 +297,7 @@ def _cancelling(motions, system, times, points, p, sizes):
 
 
 def _unseen(many, run, n, tolerance, error):
-    """The part of the rates that the series of one motion, which has this error, do not see,
-    relative to the scales of the states.
-    """
+    """The part of the rates that the series of one motion, with this error, does not see."""
     one, x0 = many.alone(n)
     alone = replace(run, system=one, state=x0, samples=None, progress=None)
     return alone.trajectory(METHODS["taylor"], tolerance).unseen(error)
@@ -317,9 +311,7 @@ def _constants(many, system):
 
 
 def _clock_errors(system, t0, t1, ends, p, sizes, enough):
-    """The error of each motion by :func:`~newton_euler.motion.sizes.time_round_off`, or a bound of
-    it that is below ``enough``.
-    """
+    """The error of each motion by the clock, or a bound of it that is below ``enough``."""
     count = ends.shape[1]
     if system.autonomous:
         return np.zeros(count)

@@ -61,9 +61,7 @@ def driven(trajectory, start, natural, doubted):
 
 
 def _points_passed(stepper):
-    """Times of a run, the start first, including those of narrow features and halfway between
-    these; and the states at these times.
-    """
+    """Times of a run and its states there: the start, narrow features, and between these."""
     begin, end, narrow = stepper.start[0], stepper.t, stepper.system.traced.narrow
     if begin == end:
         return np.array([begin]), np.array(stepper.start[1])[:, None]
@@ -80,9 +78,7 @@ def _points_passed(stepper):
 
 
 def _driven_by(rates, x, doubted):
-    """For each state, whether it is doubted, or its rate depends on doubted states or on others
-    that these drive.
-    """
+    """For each state, whether it is doubted, or driven, perhaps indirectly, by doubted ones."""
     moved, found_rates = abs(x - x[:, :1]).max(axis=1), rates(x)
     driven_ones = np.isin(np.arange(len(x)), list(doubted))
     moved = np.where(driven_ones, abs(x).max(axis=1), moved)[:, None]

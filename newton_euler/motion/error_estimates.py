@@ -31,9 +31,7 @@ TIGHT = 1e-13
 
 
 def reported_error(error, rtol):
-    """The error that is reported: with more safety than the one that is compared with the rtol, but
-    not above the rtol.
-    """
+    """The reported error: with more safety than the one that is judged, but not above the rtol."""
     return max(error, min(rtol, REPORTED_SAFETY * error))
 
 

@@ -91,9 +91,7 @@ def passage(stepper, first):
 
 
 def _calm(stepper, arguments, first):
-    """True if certainly no step is suspect, see :meth:`_Path.suspects`; without NumPy, which takes
-    longer for few steps.
-    """
+    """True if no step is suspect, as by :meth:`_Path.suspects`; faster for few steps."""
     f, p, size = arguments.formula.on_floats, stepper.system.p, len(stepper.x)
     times = stepper.step_times[first:]
     ends = [s[-size:] for s in stepper.steps[first:]]
@@ -337,9 +335,7 @@ def _judged(kinds, u, values, off, steps, divided):
 
 
 def _about(kind, u, values):
-    """Between which fractions of a part an argument is looked for, pairs: where its sign changes,
-    or about its extrema.
-    """
+    """The fractions of a part, pairs, between which an argument is at its narrow place."""
     crossed = np.flatnonzero(np.diff(np.sign(values)) != 0).tolist()
     if kind == "jump" or (crossed and kind != "largest"):
         return [(u[k], u[k + 1]) for k in crossed]

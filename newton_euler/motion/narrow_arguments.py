@@ -50,16 +50,12 @@ class Arguments:
 
     @cached_property
     def limits(self):
-        """By what each may change in a step, and in a part of one, without being narrow there; 0
-        where it counts by its ratio.
-        """
+        """By what each may change in a step, and in a part of one; 0 where its ratio counts."""
         return np.array([LIMITS[kind] for kind in self.kinds])
 
 
 def narrow_arguments(traced, of_event=False):
-    """The :class:`Arguments` in the rates, or in the function of an event, whose own factors count
-    too; None if there are none.
-    """
+    """The :class:`Arguments` in the rates, or in the function of an event; None without any."""
     steps, rhs = varying(traced), traced.rhs
     found = list(dict.fromkeys(pair for s in steps for pair in _scaled(s, traced)))
     known = {s.number for s in clocked(traced)}
@@ -101,9 +97,7 @@ def _scaled(s, traced):
 
 
 def _places_of_sign(a, b, traced):
-    """The steps at whose zeros a - b changes its sign in a motion, as far as they are known: the
-    factors of a product, and denominators.
-    """
+    """The known places where a - b changes sign: steps that are factors or denominators."""
     trace, found = traced.rhs.trace, set()
     below = uses(trace, (a, b))
     for s in trace.steps:

@@ -48,9 +48,7 @@ class Traced:
 
     @cached_property
     def folded(self):
-        """The right-hand side with constants for what depends on parameters alone, and the formula
-        of these constants.
-        """
+        """The right-hand side with constants for terms of parameters alone, and their formula."""
         return folded(self.rhs, self.arguments)
 
     inner, kinks, clocked = cached_property(inner), cached_property(kinks), cached_property(clocked)
@@ -65,16 +63,12 @@ class Traced:
 
 
 def text_once(recording, texts):
-    """A function that returns the :class:`~newton_euler.algebra.compile.Compiled` text of a traced
-    function, written when first needed and shared by equal ones.
-    """
+    """A function that returns the text of a traced function, written when first needed."""
     return cache(lambda: shared(recording, texts))
 
 
 def prepared_model(model: Model) -> "PreparedModel":
-    """The :class:`PreparedModel` of a model, kept in the model as long as what its functions read
-    is unchanged.
-    """
+    """The :class:`PreparedModel` of a model, kept in it until something that it reads changes."""
     if not isinstance(model, Model):
         raise ModelError(f"integrate takes a Model(name, parameters, states, rhs), got {model!r}")
     found = vars(model).get("_prepared")
@@ -172,9 +166,7 @@ class PreparedModel:
         return lambda t, *x: self.model._value(f, x, t)
 
     def values(self, f: Callable[..., Any], times: "np.ndarray", x: Any) -> "np.ndarray":
-        """The values of a function ``f(s, p, t)`` at an array of times with the states there; one
-        by one if it branches on them.
-        """
+        """The values of ``f(s, p, t)`` at an array of times; one by one if it branches."""
         g = self.function(f)
         try:
             return np.broadcast_to(g(times, *x), times.shape)
@@ -187,9 +179,7 @@ class PreparedModel:
         return text and self.traced.narrow_of(text)
 
     def _text(self, f):
-        """The traced text of a function ``f(s, p, t)``; None if it branches on values, as an event
-        may.
-        """
+        """The traced text of ``f(s, p, t)``; None if it branches on values, as of an event."""
         own = id(f) in self._now  # else it is traced at each use, as that of an event
         traced = self._now[id(f)] if own else self._recorded(f)[1]
         return traced and traced()
@@ -208,9 +198,7 @@ class PreparedModel:
 
     @cached_property
     def exact_on_floats(self) -> Callable[..., Floats] | None:
-        """The traced text of the exact solution on floats, ``(t, *states, *p)``; None if it cannot
-        be traced.
-        """
+        """The exact solution on floats, ``(t, *states, *p)``; None if not traceable."""
         text = self._text(self.model.exact)
         return text and text.on_floats
 

@@ -1,6 +1,4 @@
-"""The result of an integration: the states of a motion, their error, the drift of invariants, the
-cost.
-"""
+"""The result of an integration: the states of a motion, their error, drift, and cost."""
 
 import math
 from collections.abc import Mapping

@@ -1,6 +1,4 @@
-"""The trajectory of a model by one method at one tolerance: its segments between the events at
-which the state jumps or the model changes.
-"""
+"""The trajectory by one method at one tolerance: its segments between events that end them."""
 
 from itertools import pairwise
 from math import inf
@@ -54,9 +52,7 @@ CRAWLING = 100_000  # steps between two checks for sticking
 
 
 class Segment(NamedTuple):
-    """The part of a trajectory from ``t0`` to ``t1``, where the state is ``x1``, in which one model
-    holds: ``system`` is the prepared model.
-    """
+    """The part from ``t0`` to ``t1``, where the state is ``x1``, in which one ``system`` holds."""
 
     system: object
     stepper: object
@@ -129,9 +125,7 @@ class Trajectory:
         return largest, natural, noise
 
     def limits(self, system, t, x):
-        """For the stepper that starts here: the least scale of each state, the round-off in each,
-        and the times that no step may pass over.
-        """
+        """For a stepper: the least scale and round-off of each state, and the times to stop at."""
         nothing, series = (0.0,) * len(x), self.method.series
         own = KINKED_PART if system.traced.surprises else OWN_PART
         if self.method.closed:
@@ -359,9 +353,7 @@ class Trajectory:
         )
 
     def difference(self, other):
-        """The distance of two trajectories: the largest difference of a state at the end over its
-        scale, or of the end over the whole time.
-        """
+        """The distance: the largest of states over their scales, of ends over the whole time."""
         a, b = self.segments[-1], other.segments[-1]
         shift = abs(a.t1 - b.t1) / (self.goal - self.origin)
         # where events accumulate, the two runs may stop after different numbers of them

@@ -88,9 +88,7 @@ class Piece:
 
 
 class Bracket(NamedTuple):
-    """A part of a piece, from ``low`` to ``high`` within -1 to 1, in which the sign changes to
-    ``sign``.
-    """
+    """A part of a piece, from ``low`` to ``high`` in -1 to 1, where the sign becomes ``sign``."""
 
     piece: Piece
     low: float
@@ -239,9 +237,7 @@ class ZeroSearch:
         return NOISE_MARGIN * float(self.noise(np.append(times, t)[None])[0])
 
     def _extrema(self, pieces):
-        """For each piece a list of pairs: the extrema of its polynomial between -1 and 1, and the
-        signs of the function there.
-        """
+        """For each piece a list of pairs: the extrema of its polynomial, and the signs there."""
         fits = np.array([piece.fit[: DEGREE + 1] for piece in pieces])
         rows, x = extrema(fits)
         values = values_at(fits[rows], x)
@@ -262,9 +258,7 @@ class ZeroSearch:
         return found
 
     def _located(self, brackets):
-        """The zeros in brackets, by Newton's method from those of the polynomials; where it does
-        not converge, by bisection.
-        """
+        """The zeros in brackets, by Newton's method; where that fails, by bisection."""
         pieces, fits = [b.piece for b in brackets], np.array([b.piece.fit for b in brackets])
         left, right = np.array([(piece.left, piece.right) for piece in pieces]).T
         low, high = np.array([(b.piece.time(b.low), b.piece.time(b.high)) for b in brackets]).T

@@ -116,9 +116,7 @@ class Stepper:
         return self
 
     def back_to(self, n, stops, scales=None):
-        """Go back to the beginning of step ``n``, where the scales were these, and stop at these
-        times.
-        """
+        """Go back to the beginning of step ``n``, with these scales, and stop at these times."""
         size = len(self.x)
         self.t, self.x, self.repeated = self.step_times[n], tuple(self.steps[n][-size:]), True
         seen = () if scales else [map(abs, s[-size:]) for s in self.steps[: n + 1]]
@@ -144,9 +142,7 @@ class Stepper:
         return max(stop - room, self.t), min(stop + room, self.goal)
 
     def pass_stop(self, after, part=0.5):
-        """Go on to the time just after a stop: this part of the way with the rates before it, the
-        rest with those after it.
-        """
+        """Go on to just after a stop: ``part`` of the way by the rates before it, then after."""
         step, before = after - self.t, self.system.rates(self.t, self.x)
 
         def moved(rates):
@@ -192,9 +188,7 @@ class Stepper:
         return out
 
     def check_progress(self):
-        """Raise :class:`StepError` if the last steps have stalled, as where the rates jump between
-        plus and minus infinity.
-        """
+        """Raise :class:`StepError` if the last steps have stalled, as at a pole."""
         count = len(self.step_times) - 1 - self.checked
         if count >= MAX_STALLED_STEPS:
             last = self.step_times[self.checked :]
@@ -205,9 +199,7 @@ class Stepper:
             self.check_length(self.checked)
 
     def check_length(self, count):
-        """Raise :class:`LengthError` if the whole time needs too many steps, as extrapolated from
-        the ``count`` of steps taken so far.
-        """
+        """Raise :class:`LengthError` if, by the ``count`` of steps so far, too many follow."""
         (begin, _), most = self.start, self.max_steps
         passed, whole = self.t - begin, self.goal - begin
         if passed > 0 and count * whole > most * passed:

@@ -137,9 +137,7 @@ def _error_at(system, t, x0):
 
 
 def _size_and_pace(system, t, x0, x1):
-    """The largest absolute value of each state, and the largest rate in units of these, at the ends
-    and at some times in between.
-    """
+    """The largest size of each state, and the largest rate in units of these, on the way."""
     times = (0.0, *(f * t for f in FRACTIONS), t)
     rows = [x0, *(system.solution(u, x0) for u in times[1:-1]), x1]
     size = [max(map(abs, column)) or SMALLEST_SCALE for column in zip(*rows, strict=True)]

@@ -123,9 +123,7 @@ def _verlet(n, first, second, free):
 
 @lru_cache(maxsize=1)
 def _lie_poisson():
-    """The angular momentum, rotated about each principal axis by the kinetic energy of that axis;
-    p are the principal moments.
-    """
+    """The angular momentum, turned about each principal axis in turn; p are the moments."""
 
     def turn(i, time):
         j, k = (i + 1) % 3, (i + 2) % 3
@@ -165,9 +163,7 @@ class Splitting(Stepper):
         self.h, self.steps = span / self.count, [self.x]
 
     def _time_scale(self):
-        """The shortest time in which a rate changes by its own size: about a radian of the fastest
-        oscillation.
-        """
+        """The shortest time in which a rate changes by its own size: about a radian."""
         span, k = self.goal - self.t, self.system.rates(self.t, self.x)
         # a difference quotient of the rates over the time d, in which no state changes much
         pairs = zip(self.scales, k, strict=True)

@@ -185,9 +185,7 @@ class Taylor(Stepper):
         self._by_steps(inf)  # to see where it fails
 
     def _stalled(self, ta, before, done):
-        """True if the steps after the time ``before``, for which heyoka has returned ``done``,
-        barely advance.
-        """
+        """True if the steps after the time ``before``, which returned ``done``, barely advance."""
         _, _, longest, steps, *_ = done
         self.calls, self.taken = self.calls + steps * ta.order, self.taken + steps
         self.longest = max(self.longest, longest)
@@ -198,9 +196,7 @@ class Taylor(Stepper):
         self.step_times, self.taken = [self.t], 0
 
     def _by_samples(self):
-        """Go to the goal by heyoka's grid and keep the samples; False if they do not increase or
-        heyoka stops early.
-        """
+        """Go to the goal by heyoka's grid and keep the samples; False if that is impossible."""
         times = sample_times(self.samples, self.t, self.goal)
         if not len(times) or (times[1:] <= times[:-1]).any():
             return False
