@@ -225,28 +225,3 @@ def test_round_off_has_no_zeros():
     """Values that jump between plus and minus 1e-17, beside 1."""
     wild = lambda t: 1e-17 * np.where(np.sin(1e9 * t) > 0, 1.0, -1.0)
     assert times(wild, 0.0, 5.0, sign=0, round_off=1e-16) == []
-
-
-# -- where the search cannot go on
-
-
-def test_where_there_are_no_values_the_search_ends_there():
-    asked, found = Function(lambda t: np.where(t < 3.0, np.cos(t), np.nan)), []
-
-    def run():
-        for some, _ in zeros.ZeroSearch(asked.values, asked.noise, 0.0, 8.0, 1):
-            found.extend(zero.t for zero in some)
-
-    words = r"^has no value from t = 3.*; give one that is defined along the whole motion"
-    with pytest.raises(zeros.UnresolvedError, match=words):
-        run()
-    assert found == pytest.approx([math.pi / 2])
-
-
-def test_a_function_with_too_many_zeros_is_refused(monkeypatch):
-    monkeypatch.setattr(zeros, "MAX_PIECES", 500)
-    assert len(times(lambda t: np.sin(30.0 * t + 1), 0.0, 5.0)) == 48
-    with pytest.raises(
-        zeros.UnresolvedError, match=r"from 0 to 5, and is resolved only up to t = 0"
-    ):
-        times(lambda t: np.sin(1e6 * t + 1), 0.0, 5.0)
