@@ -61,7 +61,7 @@ def narrow_arguments(traced, of_event=False):
     known = {s.number for s in clocked(traced)}
     read = (s for s in steps if s.op == "table" and s.number not in known)
     found += [("table", tuple(s.args)) for s in read]
-    for leaf in rhs.leaves if of_event else ():
+    for leaf in rhs.leaves if of_event else ():  # the factors of its function count too
         found += [("jump", (x, 0.0)) for x in _places_of_sign(leaf, 0.0, traced)]
     if not found:
         return None

@@ -43,8 +43,7 @@ from .solution import (
 )
 from .trajectory import Trajectory
 
-# seconds of integrating one right-hand side after which importing and compiling heyoka would have
-# paid off
+# seconds of integrating one right-hand side after which compiling with heyoka would have paid off
 HEYOKA_BREAK_EVEN = 0.5
 FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate enough
 MANY_STEPS = 2e4  # the most steps of a long motion, in which the errors of steps add up
@@ -411,7 +410,7 @@ class Run:
         return trajectory
 
     def compared(self, method, tolerance, fine, known=None, scaled=False, stopping=False):
-        """The trajectory to compare with one at the tolerance ``fine``; its start is shifted."""
+        """A trajectory to compare with one at the tolerance ``fine``, slightly shifted."""
         # not with events: the start may lie on the surface of one
         shift = 0.0 if self.events else relative_shift(fine / tolerance)
         if known and small(*known[:2]):  # of which round-off is the larger part of the error

@@ -137,7 +137,7 @@ def worst_ratio(sizes, natural):
 
 
 def far_states(system, t, x, sizes, natural):
-    """The names of the state smallest by cancellation, and of the one that makes it so."""
+    """The names of the state smallest by cancellation, and of the far one that is the reason."""
     names, known = system.model.states, small(sizes, natural)
     worst = max(known, key=lambda k: natural[k] / sizes[k])
     columns = _derivatives(system, t, x, [s or 1.0 for s in sizes], 1.0)

@@ -18,14 +18,12 @@ from .narrow import passage, within_reach
 from .prepared import prepared_model
 from .sizes import NATURAL_PART, ROUND_OFF, least_scales, natural_sizes, small
 
-# steps between two searches for events: few at first, since an event may come soon, then more,
-# since a search has a fixed cost
+# steps between two searches for events: few at first, then more, as a search has a fixed cost
 FIRST_STEPS, MAX_STEPS = 8, 128
 MAX_SEGMENTS = 20_000
 MAX_REPEATS = 100  # of the steps between two searches
 TRIES = 4  # attempts to see more of what one step passes over
-# fraction of the whole time: events in faster succession accumulate (Zeno), as the impacts of a
-# ball that comes to rest
+# part of the time: events in faster succession accumulate (Zeno), as those of a bouncing ball
 MIN_SEGMENT = 1e-9
 # fraction of the size of a state during the motion below which its errors do not count; the larger
 # one where rates jump, as otherwise the motion would stall where it comes to rest
@@ -36,8 +34,7 @@ STOPPING_PART = 0.1
 # longest step as a fraction of the time, in the first trajectory and in later ones: two runs by the
 # same few steps would agree on what both have passed over
 LONGEST_PARTS = 0.4, 0.13
-# weight of the difference of two runs on the way, which is larger than at the end near a singular
-# place
+# weight of the difference of two runs on the way: near a singular place it is the larger one
 INNER_PART = 0.05
 NEXT_TO_ZERO = 1e-150  # scales so small that an error relative to them may have no square
 # fraction of its natural size at the start below which a state is nearly zero

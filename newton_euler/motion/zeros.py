@@ -18,14 +18,12 @@ from ..algebra.late import np
 from ..algebra.scalars import NewtonEulerError
 from .chebyshev import DEGREE, EPS, derivatives_at, extrema, root, value_at, values_at
 
-# check points at irregular distances between the Chebyshev points: a fast oscillation may by chance
-# look slow at those, but not at these too
+# check points at irregular distances: a fast oscillation may look slow at Chebyshev points alone
 CHECKS = (-0.8617, -0.2913, 0.4477)
 # a polynomial represents the function if its last two coefficients and the differences at the check
 # points are smaller than this fraction of the largest value
 RESOLUTION = 1e-7
-# a function that changes so many times more at an end of a piece than in between may there be at
-# the foot of a peak
+# times the change in between: an end of a piece at which it is more may be the foot of a peak
 FOOT = 2.0
 # pieces that are sampled at once, and the most that one interval may need
 BATCH, MAX_PIECES = 128, 60_000

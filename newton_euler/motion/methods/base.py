@@ -142,7 +142,7 @@ class Stepper:
         return max(stop - room, self.t), min(stop + room, self.goal)
 
     def pass_stop(self, after, part=0.5):
-        """Go on to just after a stop: ``part`` of the way by the rates before it, then after."""
+        """Go past a stop: ``part`` of the way by the rates before it, the rest by those after."""
         step, before = after - self.t, self.system.rates(self.t, self.x)
 
         def moved(rates):
@@ -199,7 +199,7 @@ class Stepper:
             self.check_length(self.checked)
 
     def check_length(self, count):
-        """Raise :class:`LengthError` if, by the ``count`` of steps so far, too many follow."""
+        """Raise :class:`LengthError` if, by the ``count`` so far, too many steps are needed."""
         (begin, _), most = self.start, self.max_steps
         passed, whole = self.t - begin, self.goal - begin
         if passed > 0 and count * whole > most * passed:

@@ -123,7 +123,7 @@ def _verlet(n, first, second, free):
 
 @lru_cache(maxsize=1)
 def _lie_poisson():
-    """The angular momentum, turned about each principal axis in turn; p are the moments."""
+    """The angular momentum, turned by the energy of one principal axis after the other."""
 
     def turn(i, time):
         j, k = (i + 1) % 3, (i + 2) % 3

@@ -32,11 +32,9 @@ LEVELS = tuple(1.0000001 * exp(-2.0 * order) for order in range(2, 19))
 MAX_KINDS = 12  # kinds of integrators of one right-hand side that are kept
 MAX_PREPARED_STEPS = 100 * MAX_STALLED_STEPS
 FEW_STEPS = 20_000  # steps whose series are kept where a single state between them is needed
-# instants at which the rates of a series are compared with those of the model: in each step at
-# least, and in the whole motion at least
+# the fewest instants, in a step and in all, at which the rates of a series are compared
 IN_STEP, IN_ALL = 8, 1024
-# states outside of these limits are scaled: heyoka's tolerance is relative to the largest state,
-# and absolute below 1
+# states outside are scaled: heyoka's tolerance is relative to the largest one, absolute below 1
 ORDINARY = 0.25, 4.0
 
 
