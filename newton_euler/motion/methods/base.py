@@ -184,7 +184,8 @@ class Stepper:
         out = np.repeat(np.array(self.x)[:, None], len(times), axis=1)
         index = np.maximum(np.searchsorted(self.step_times[:-1], times, side="right") - 1, 0)
         for n in np.unique(index) if len(self.step_times) > 1 else ():
-            out[:, index == n] = self.interpolate(int(n), times[index == n])
+            inside = index == n
+            out[:, inside] = self.interpolate(int(n), times[inside])
         return out
 
     def check_progress(self):

@@ -177,19 +177,21 @@ class Splitting(Stepper):
         return min(times)
 
     def step(self, limit=inf):
-        done, f, (move, p) = len(self.steps), self.system.f, self.move
+        steps, times, h, weights = self.steps, self.step_times, self.h, self.weights
+        (begin, _), f, (move, p) = self.start, self.system.f, self.move
+        done = len(steps)
         for n in range(done, min(done + limit, self.count + 1)):
-            x = move(f, p, self.steps[-1], self.h, self.weights)
+            x = move(f, p, steps[-1], h, weights)
             if not isfinite(sum(x)):
                 raise StepError("the states have become infinite")
-            self.steps.append(x)
-            self.step_times.append(self.start[0] + n * self.h)
-        if len(self.steps) > self.count:
-            self.step_times[-1] = self.goal
-        self.x, self.t = self.steps[-1], self.step_times[-1]
-        columns = zip(self.scales, *self.steps[done - 1 :], strict=True)
+            steps.append(x)
+            times.append(begin + n * h)
+        if len(steps) > self.count:
+            times[-1] = self.goal
+        self.x, self.t = steps[-1], times[-1]
+        columns = zip(self.scales, *steps[done - 1 :], strict=True)
         self.scales = tuple(max(map(abs, column)) for column in columns)
-        self.calls += 3 * len(self.weights) * (len(self.steps) - done)
+        self.calls += 3 * len(weights) * (len(steps) - done)
 
     def state_at(self, t):
         """The state at ``t`` by a shorter step from the last step before."""
