@@ -18,7 +18,7 @@ from operator import add, mul
 from types import MappingProxyType
 from typing import Any
 
-from .elimination import Elimination, LinearEquation, LinearError, Varies, largest_of
+from .elimination import Elimination, LinearEquation, LinearError, Varies
 from .errors import checked
 from .late import np
 from .ledger import distinct
@@ -33,6 +33,7 @@ from .scalars import (
     _Own,
     is_numeric,
     is_zero,
+    largest_abs,
     max_abs,
     min_abs,
     outranks,
@@ -127,8 +128,6 @@ class LinearForm(Unordered, _Own):
     __rmul__ = __mul__
 
     def __truediv__(self, other):
-        if isinstance(other, LinearForm):
-            return other.__rtruediv__(self)
         if outranks(other, self):
             return NotImplemented
         other = real_scalar(other)
@@ -222,7 +221,7 @@ def solve_rates(conditions: Callable[..., Any], count: int) -> Triple:
     (4.0,)
     """
     equations = _equations(conditions(*_unknowns(count)), count)
-    noise = RATE_NOISE * largest_of(c for e in equations for c in e.coefficients)
+    noise = RATE_NOISE * largest_abs(c for e in equations for c in e.coefficients)
 
     rows = [
         e.parts()
@@ -245,8 +244,8 @@ def solve_rates(conditions: Callable[..., Any], count: int) -> Triple:
     terms = [[*map(mul, e.coefficients, rates), -e.right] for e in equations]
     parts = [x for row in terms for x in row]
     if all(map(is_numeric, parts)):
-        worst = largest_of(sum(row, ZERO) for row in terms)
-        if worst > AGREEMENT * largest_of(parts):
+        worst = largest_abs(sum(row, ZERO) for row in terms)
+        if worst > AGREEMENT * largest_abs(parts):
             raise LinearError(
                 "the conditions contradict each other: with the rates that fit best, one of them "
                 f"is {worst:.3g} instead of 0"
@@ -281,7 +280,7 @@ def _cramer(matrix, right):
     determinant = minor(every, every)
     if determinant is ZERO or (
         is_numeric(determinant)
-        and min_abs(determinant) <= RATE_NOISE * prod(largest_of(row) or 1 for row in matrix)
+        and min_abs(determinant) <= RATE_NOISE * prod(largest_abs(row) or 1 for row in matrix)
     ):
         raise LinearError(
             "the conditions do not determine the rates: some are equivalent, or do not contain one"
@@ -435,9 +434,7 @@ def _solved(equations, names):
 
 
 def _equations(conditions, count):
-    """The conditions as equations with names: "force.x" of a Vector, numbers without one. Names are
-    made distinct, as of a Vector "force" beside a scalar "force.x".
-    """
+    """The conditions as equations with distinct names, as "force.x" of a Vector, "equation 2"."""
     if not isinstance(conditions, Mapping):
         parts = conditions if isinstance(conditions, (tuple, list)) else (conditions,)
         conditions = {f"equation {n}": x for n, x in enumerate(parts, 1)}
