@@ -1,6 +1,6 @@
-"""The language in which a reader is spoken to. English stands in the code; other languages are
-catalogues of gettext, ``languages/de.po`` beside this file, read as they are when one is chosen: so
-an editable install, the wheel and a browser have them alike, and English costs nothing.
+"""The reader's language. English is in the code; other languages are gettext catalogues,
+``languages/de.po`` beside this file, read when one is chosen, in an editable install, the wheel and
+a browser alike.
 
 Values are named in braces: ``_("leaves out {term}", term=name)``.
 """
@@ -206,9 +206,7 @@ def speaking(name: str) -> Iterator[None]:
 
 
 class Catalogue:
-    """A catalogue: ``texts`` is {English: its forms in the language}, ``form`` which of them
-    goes with a number.
-    """
+    """``texts`` is {English: its forms}, ``form`` which of them goes with a number."""
 
     def __init__(self, text: str):
         from gettext import c2py  # type: ignore[attr-defined]

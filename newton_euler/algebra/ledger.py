@@ -23,7 +23,7 @@ from .scalars import (
     clipped,
     in_range,
     is_numeric,
-    max_abs,
+    largest_abs,
     operations,
     real_scalar,
     scalar,
@@ -293,8 +293,7 @@ class Explanation:
         _check_unit(unit, f"{ledger.equation.kind} {ledger.subject}", ledger.unit)
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
-        sizes = (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x))
-        noise = NOISE * max(sizes, default=0.0)
+        noise = NOISE * largest_abs(x for t in (vector, *terms.values()) for x in t.c)
         self.vector = vector.rounded(noise)
         self.terms = terms.mapped(lambda t: t.rounded(noise))
 
@@ -431,9 +430,7 @@ class Amount(NamedTerms):
     )
 
     def explain(self, unit: str = "") -> str:
-        """The sum as a text: the number of its equation, each term, and the sum, in this ``unit``
-        (default: J, and W of a power).
-        """
+        """The equation, terms and sum as a text, in this ``unit`` (default: J; W of a power)."""
         own = _UNITS.get(self.what, "")
         _check_unit(unit, self.what, own)
         unit = unit or own or "J"
@@ -462,6 +459,6 @@ def summed(
     error: float = 0.0,
 ) -> Amount:
     """The :class:`Amount` that is the sum of numbers or amounts, by name or in pairs (name, x)."""
-    parts = Terms(terms)
-    total, values = sum(map(value_of, parts.values()), ZERO), parts.mapped(value_of)
-    return Amount(to_plain(total), values.mapped(to_plain), what, number, error)
+    parts = Terms(terms).mapped(value_of)
+    total = to_plain(sum(parts.values(), ZERO))
+    return Amount(total, parts.mapped(to_plain), what, number, error)

@@ -43,6 +43,7 @@ from .scalars import (
     is_expression,
     is_numeric,
     is_zero,
+    largest_abs,
     max_abs,
     min_abs,
     probe,
@@ -103,6 +104,12 @@ def sub3(a, b):
     return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
+def triple(values: Iterable[Scalar]) -> Triple:
+    """The triple of these three components; ZERO3 where all are zero by structure."""
+    x, y, z = values
+    return ZERO3 if x is ZERO and y is ZERO and z is ZERO else (x, y, z)
+
+
 def three(values: Any, what: str, error: type[Exception]) -> Triple:
     """The triple of three numbers; anything else is the ``error`` in place of ``what``."""
     with suppress(TypeError):
@@ -143,20 +150,9 @@ class Vector(Scaled, NamedTerms):
 
     # -- components
 
-    @property
-    def x(self) -> Scalar:
-        """The component along the first axis of its frame (A.7)."""
-        return to_plain(self.c[0])
-
-    @property
-    def y(self) -> Scalar:
-        """The component along the second axis of its frame (A.7)."""
-        return to_plain(self.c[1])
-
-    @property
-    def z(self) -> Scalar:
-        """The component along the third axis of its frame (A.7)."""
-        return to_plain(self.c[2])
+    x = property(lambda self: to_plain(self.c[0]), doc="component along the first axis (A.7)")
+    y = property(lambda self: to_plain(self.c[1]), doc="component along the second axis (A.7)")
+    z = property(lambda self: to_plain(self.c[2]), doc="component along the third axis (A.7)")
 
     def __iter__(self):
         return iter(self.components())
@@ -174,9 +170,7 @@ class Vector(Scaled, NamedTerms):
 
     # without __hash__: vectors that are equal up to round-off would need one hash for all
     def __eq__(self, other):
-        """True for the same vector, in whichever frame it is expressed, up to round-off as
-        :func:`same` says; False where no frame is common, or where it cannot be known.
-        """
+        """True if equal up to round-off (:func:`same`), in any frame; False if unknown."""
         if not isinstance(other, Vector):
             return NotImplemented
         if len({x.shape for x in (*self.c, *other.c) if getattr(x, "shape", ())}) > 1:
@@ -216,7 +210,7 @@ class Vector(Scaled, NamedTerms):
 
     def _without_noise(self):
         """The vector as it is printed: components below round-off of the largest are 0."""
-        return self.rounded(NOISE * max((max_abs(x) for x in self.c if is_numeric(x)), default=0.0))
+        return self.rounded(NOISE * largest_abs(self.c))
 
     def cleared(self) -> "Vector":
         """The vector without components that vanish whatever their symbols are; its terms stay."""
@@ -342,9 +336,7 @@ class Vector(Scaled, NamedTerms):
         return Vector(c, f, lambda: self.rate(f).cross(other) + self.cross(other.rate(f)))
 
     def norm(self) -> Scalar:
-        """The magnitude (A.12); of a formula that is compiled between 1e-154 and 1e154, since the
-        squares are floats, too.
-        """
+        """The magnitude (A.12); in compiled formulas from 1e-154 to 1e154: squares are floats."""
         return to_plain(hypot(*self.c))
 
     def direction(self) -> "Vector":
@@ -500,8 +492,8 @@ def _rests(vector):
 
 
 def _vector(c, frame, own_rate, ledger):
-    """The :class:`Vector` that was pickled; zeros known by structure are ZERO3 again."""
-    return Vector(ZERO3 if all(x is ZERO for x in c) else c, frame, own_rate, ledger)
+    """The :class:`Vector` that was pickled."""
+    return Vector(triple(c), frame, own_rate, ledger)
 
 
 def _rate_of(s):

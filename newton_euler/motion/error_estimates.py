@@ -13,8 +13,7 @@ from .sizes import small, time_round_off
 # the median.
 SAFETY, REGULAR, IRREGULAR = 7.0, 0.9, 0.4
 REPORTED_SAFETY = 3.0  # on the error that is reported: with it 99 % are covered
-# on the difference of a run of heyoka from one of higher order, which is its error, and on the
-# integral of the residual of a series that may not see all of the rates
+# on the difference of a series from one of higher order, and on the integral of its residual
 SERIES_SAFETY = RESIDUAL_SAFETY = 3.0
 # limits of the regime: the fewest steps, and the factor by which the number of steps of the fine
 # run may differ from what its order predicts
@@ -31,9 +30,7 @@ TIGHT = 1e-13
 
 
 def reported_error(error, rtol):
-    """The error that is reported: with more safety than the one that is compared with the rtol, but
-    not above the rtol.
-    """
+    """The reported error: with more safety than the one that is judged, but not above the rtol."""
     return max(error, min(rtol, REPORTED_SAFETY * error))
 
 
@@ -60,7 +57,8 @@ def error_by_comparison(before, trajectory, method):
     # far from the origin the error of a place, which is large, does not set the steps
     if method.adaptive and trajectory.known and small(*trajectory.known[:2]):
         regular = False
-    more = _clock_error(trajectory)
+    system, stepper, t0, t1, x1 = trajectory.segments[-1]
+    more = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)  # by the clock
     if method.series and traced.hazards:
         more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
     if tolerance <= TIGHT and (method.series or method.adaptive) and is_here("numpy"):
@@ -68,11 +66,6 @@ def error_by_comparison(before, trajectory, method):
         more = math.hypot(more, *found)
     more = math.hypot(more, *(round_off_far_away(part.stepper) for part in trajectory.segments))
     return math.hypot(error_by_difference(difference, ratio, tolerance, regular, fine), more)
-
-
-def _clock_error(trajectory):
-    system, stepper, t0, t1, x1 = trajectory.segments[-1]
-    return time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)
 
 
 def error_by_difference(difference, ratio, tolerance, regular=True, steps=0):

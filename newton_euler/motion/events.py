@@ -1,6 +1,4 @@
-"""Events: the times at which a function of the state changes its sign, located inside the steps of
-a trajectory by :mod:`newton_euler.motion.zeros`.
-"""
+"""Events: times at which a function of the state changes its sign, in the steps of a trajectory."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -8,6 +6,7 @@ from heapq import merge
 from math import nan
 from numbers import Real
 
+from ..algebra.late import np
 from ..algebra.names import guided
 from ..algebra.places import at_a_place, raised_by_the_engine
 from ..algebra.portable import Portable
@@ -137,9 +136,7 @@ class EventLocator:
         self.cuts: list[float] = []
 
     def look(self, first):
-        """Find the times in the steps from number ``first`` on at which the function may be narrow:
-        the search begins with pieces between these.
-        """
+        """Find where the function may be narrow, from step ``first`` on: a search begins there."""
         arguments = self.stepper.system.narrow_of(self.event.function)
         if arguments:
             times, knots, _ = narrow_times(self.stepper, arguments, first)
@@ -215,8 +212,6 @@ class EventLocator:
 
     def _values(self, times, x):
         """The values at an array of times with the states there, an array."""
-        import numpy as np
-
         if self.takes_arrays:
             try:
                 with np.errstate(all="ignore"):
@@ -230,8 +225,6 @@ class EventLocator:
         """The largest round-off of the values in each row of times: how much they change with the
         last digits of the time and of each state, relative to its largest size in that row.
         """
-        import numpy as np
-
         flat = times.reshape(-1)
         values = self._values(flat, x)
         total = np.abs(self._values(flat * (1 + NUDGE), x) - values)
@@ -243,9 +236,7 @@ class EventLocator:
         return total.reshape(times.shape).max(axis=1)
 
     def _refined(self, zero, a, b):
-        """The time of a zero with the states that a step to there reaches, which are more accurate
-        than interpolated ones.
-        """
+        """The time of a zero by the states that a step to there reaches: more accurate."""
         stepper, (t, slope), length = self.stepper, zero, b - a
         if type(stepper).state_at is Stepper.state_at:  # which interpolates
             return t

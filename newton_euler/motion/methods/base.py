@@ -9,9 +9,10 @@ The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion
 from bisect import bisect_right
 from collections.abc import Callable
 from itertools import pairwise
-from math import ulp
+from math import inf, ulp
 
 from ...algebra.errors import NewtonEulerError
+from ...algebra.late import np
 
 # the scale of a state that is zero, where nothing else is known about it
 SMALLEST_SCALE = 1e-6
@@ -22,13 +23,19 @@ MAX_STEPS = 5e6  # steps of one motion that are kept: those of DOP853 take minut
 
 def sample_times(samples, begin, end):
     """An array: the times of ``samples`` between begin and end, or this many equally spaced."""
-    import numpy as np
-
     if isinstance(samples, int):
         return np.linspace(begin, end, samples)
     times = np.asarray(samples, dtype=float)
     inside = (times >= begin) & (times <= end)
     return times.copy() if inside.all() else times[inside]
+
+
+def rows_of(values, count):
+    """An array (rows, count) of these rows; one of them may be a number."""
+    out = np.empty((len(values), count))
+    for n, row in enumerate(values):
+        out[n] = row
+    return out
 
 
 class StepError(NewtonEulerError, ArithmeticError):
@@ -59,17 +66,17 @@ class Stepper:
     taken : the number of steps where not all of them are kept
     halved : a function of the number of a step that returns how much it differs from two halves of
         it, over the scales; None for a method that cannot tell
+    remade : names of attributes that no pickle contains, since they are functions; those that a
+        state between two steps needs are cached properties
 
-    A subclass defines ``begin(trajectory)``, which prepares the run; ``step(limit)``, which takes
-    at most that many steps; and ``interpolate(n, times)``, which returns the states at an array of
-    times inside step n as an array (states, times).
+    A subclass defines ``begin``, ``step`` and ``interpolate``; one that is resumable, ``resume``.
     """
 
     most_steps = MAX_STEPS
-
     around = 8
     resumable, repeated, taken = False, False, 0
     halved: Callable | None = None
+    remade: tuple[str, ...] = ()
 
     def __init__(self, system, t, x, trajectory):
         self.system, self.t, self.x, self.goal = system, t, tuple(x), trajectory.goal
@@ -81,8 +88,20 @@ class Stepper:
         self.scales = tuple(map(max, map(abs, x), self.floors))
         self.begin(trajectory)
 
+    def __getstate__(self):
+        return {n: x for n, x in vars(self).items() if n not in self.remade}
+
     def begin(self, trajectory):
         """Prepare the run; called once."""
+
+    def step(self, limit=inf):
+        """Take at most this many steps."""
+
+    def interpolate(self, n, times):
+        """The states at an array of times inside step n, an array (states, times)."""
+
+    def resume(self):
+        """Continue from the present state, see :meth:`back_to`."""
 
     @staticmethod
     def fast_run(system, tolerance):
@@ -90,7 +109,6 @@ class Stepper:
         fast as possible, without a record and without an error, or None where it does not get
         there; None for a method that has no such run.
         """
-        return
 
     @property
     def dense(self):
@@ -98,9 +116,7 @@ class Stepper:
         return self
 
     def back_to(self, n, stops, scales=None):
-        """Go back to the beginning of step ``n``, where the scales were these, and stop at these
-        times.
-        """
+        """Go back to the beginning of step ``n``, with these scales, and stop at these times."""
         size = len(self.x)
         self.t, self.x, self.repeated = self.step_times[n], tuple(self.steps[n][-size:]), True
         seen = () if scales else [map(abs, s[-size:]) for s in self.steps[: n + 1]]
@@ -126,9 +142,7 @@ class Stepper:
         return max(stop - room, self.t), min(stop + room, self.goal)
 
     def pass_stop(self, after, part=0.5):
-        """Go on to the time just after a stop: this part of the way with the rates before it, the
-        rest with those after it.
-        """
+        """Go past a stop: ``part`` of the way by the rates before it, the rest by those after."""
         step, before = after - self.t, self.system.rates(self.t, self.x)
 
         def moved(rates):
@@ -162,25 +176,20 @@ class Stepper:
 
     def state_at(self, t):
         """The state at a time that has been passed, as accurate as the steps are."""
-        import numpy as np
-
         return tuple(self.interpolate(self.step_index(t), np.array([t]))[:, 0].tolist())
 
     def states(self, times):
         """The states at an array of times that have been passed, an array (states, times)."""
-        import numpy as np
-
         times = np.asarray(times, dtype=float)
         out = np.repeat(np.array(self.x)[:, None], len(times), axis=1)
         index = np.maximum(np.searchsorted(self.step_times[:-1], times, side="right") - 1, 0)
         for n in np.unique(index) if len(self.step_times) > 1 else ():
-            out[:, index == n] = self.interpolate(int(n), times[index == n])
+            inside = index == n
+            out[:, inside] = self.interpolate(int(n), times[inside])
         return out
 
     def check_progress(self):
-        """Raise :class:`StepError` if the last steps have stalled, as where the rates jump between
-        plus and minus infinity.
-        """
+        """Raise :class:`StepError` if the last steps have stalled, as at a pole."""
         count = len(self.step_times) - 1 - self.checked
         if count >= MAX_STALLED_STEPS:
             last = self.step_times[self.checked :]
@@ -191,9 +200,7 @@ class Stepper:
             self.check_length(self.checked)
 
     def check_length(self, count):
-        """Raise :class:`LengthError` if the whole time needs too many steps, as extrapolated from
-        the ``count`` of steps taken so far.
-        """
+        """Raise :class:`LengthError` if, by the ``count`` so far, too many steps are needed."""
         (begin, _), most = self.start, self.max_steps
         passed, whole = self.t - begin, self.goal - begin
         if passed > 0 and count * whole > most * passed:

@@ -8,10 +8,11 @@ Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition (1993
 II.6 and II.10.
 """
 
-from functools import lru_cache, partial
+from functools import cached_property, lru_cache, partial
 from math import inf, isfinite, sqrt
 from textwrap import indent
 
+from ...algebra.late import np
 from .base import MAX_STALLED_STEPS, StepError, Stepper
 from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
@@ -112,9 +113,7 @@ def _sum(coefficients, i):
 
 
 def _row(i):
-    """The dense output of order 7 of the state i (II.6): what is added to its value, in powers of u
-    and 1 - u by turns.
-    """
+    """Dense output (II.6) of order 7 of the state i: what is added, in powers of u and 1 - u."""
     d = f"(y{i} - x{i})"
     more = [f"h*({_sum(row, i)})" for row in INTERPOLATION]
     return f"({', '.join([d, f'h*k0_{i} - {d}', f'2.0*{d} - h*(k12_{i} + k0_{i})', *more])})"
@@ -124,13 +123,21 @@ class Dop853(Stepper):
     """A run of DOP853; each of its ``steps`` is (time, length, *state)."""
 
     resumable = True
+    remade = "f", "code"
+
+    @cached_property
+    def f(self):
+        """The rates, and the constants in them."""
+        return self.system.folded_rates, self.system.constants
+
+    @cached_property
+    def code(self):
+        """The functions that take and interpolate steps."""
+        return generated(len(self.x), len(self.system.constants))
 
     def begin(self, trajectory):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        system, step, span = self.system, trajectory.step, self.goal - self.t
-        self.f = system.folded_rates, system.constants
-        self.rates, self.calls = system.rates(self.t, self.x), 1
-        self.code = generated(len(self.x), len(system.constants))
+        step, span = trajectory.step, self.goal - self.t
+        self.rates, self.calls = self.system.rates(self.t, self.x), 1
         self._kept = {}
         if step:
             self.tolerance = 1e300  # any step is accepted
@@ -148,12 +155,10 @@ class Dop853(Stepper):
         return min(h, self.hmax)
 
     def resume(self):
-        """Continue from the present state, see ``back_to``."""
         self.rates, self._kept = self.system.rates(self.t, self.x), {}
         self.calls, self.h = self.calls + 1, self.h or self._first_step()
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         while limit > 0 and self.t < self.goal:
             # the least step: a shorter one would not change the time
             done, (before, after) = len(self.steps), self.around_stop()
@@ -175,13 +180,10 @@ class Dop853(Stepper):
             self.check_progress()
 
     def step_end(self, n):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         return sum(self.steps[n][:2])
 
     def state_at(self, t):
-        """The state at ``t`` by a step of the method from the last step before, more accurate than
-        the interpolation.
-        """
+        """The state at ``t`` by a step to there: more accurate than the interpolation."""
         start, _, *x = self.steps[self.step_index(t)]
         self.calls += 12
         return self.code["one_step"](*self.f, start, t - start, x)
@@ -198,9 +200,7 @@ class Dop853(Stepper):
         return [(u - v) / (s or 1.0) for u, v, s in rows]
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`; of order 7."""
-        import numpy as np
-
+        """See the base class; of order 7."""
         start, h, *x = self.steps[n]
         rows = self._kept.get(n)
         if rows is None:

@@ -12,9 +12,10 @@ McLachlan, Explicit Lie-Poisson integration and the Euler equations, Phys. Rev. 
 3043.
 """
 
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import ceil, cos, inf, isclose, isfinite, sin, sqrt
 
+from ...algebra.late import np
 from ...algebra.vectors import cross3, dot3
 from .base import LengthError, StepError, Stepper
 
@@ -122,9 +123,7 @@ def _verlet(n, first, second, free):
 
 @lru_cache(maxsize=1)
 def _lie_poisson():
-    """The angular momentum, rotated about each principal axis by the kinetic energy of that axis;
-    p are the principal moments.
-    """
+    """The angular momentum, turned by the energy of one principal axis after the other."""
 
     def turn(i, time):
         j, k = (i + 1) % 3, (i + 2) % 3
@@ -143,16 +142,17 @@ class Splitting(Stepper):
     calibrated by the difference of two runs.
     """
 
-    order, body = 2, False
+    remade = ("move",)
+
+    @cached_property
+    def move(self):
+        """The function that takes a step, and its constants."""
+        p = self.system.p
+        return _verlet(len(self.x), *partition(self.system), len(p)), p
 
     def begin(self, trajectory):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        system, order, span = self.system, self.order, self.goal - self.t
-        self.f, self.p, self.weights = system.f, system.p, COMPOSITIONS[order]
-        if self.body:
-            self.p, self.move = principal_moments(system), _lie_poisson()
-        else:
-            self.move = _verlet(len(self.x), *partition(system), len(self.p))
+        order, span = trajectory.method.order, self.goal - self.t
+        self.weights = COMPOSITIONS[order]
         count = span / (trajectory.step or self._time_scale() * self.tolerance ** (1 / order))
         if count > MAX_STEPS:
             raise LengthError(
@@ -163,9 +163,7 @@ class Splitting(Stepper):
         self.h, self.steps = span / self.count, [self.x]
 
     def _time_scale(self):
-        """The shortest time in which a rate changes by its own size: about a radian of the fastest
-        oscillation.
-        """
+        """The shortest time in which a rate changes by its own size: about a radian."""
         span, k = self.goal - self.t, self.system.rates(self.t, self.x)
         # a difference quotient of the rates over the time d, in which no state changes much
         pairs = zip(self.scales, k, strict=True)
@@ -179,34 +177,36 @@ class Splitting(Stepper):
         return min(times)
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        done = len(self.steps)
+        steps, times, h, weights = self.steps, self.step_times, self.h, self.weights
+        (begin, _), f, (move, p) = self.start, self.system.f, self.move
+        done = len(steps)
         for n in range(done, min(done + limit, self.count + 1)):
-            x = self.move(self.f, self.p, self.steps[-1], self.h, self.weights)
+            x = move(f, p, steps[-1], h, weights)
             if not isfinite(sum(x)):
                 raise StepError("the states have become infinite")
-            self.steps.append(x)
-            self.step_times.append(self.start[0] + n * self.h)
-        if len(self.steps) > self.count:
-            self.step_times[-1] = self.goal
-        self.x, self.t = self.steps[-1], self.step_times[-1]
-        columns = zip(self.scales, *self.steps[done - 1 :], strict=True)
+            steps.append(x)
+            times.append(begin + n * h)
+        if len(steps) > self.count:
+            times[-1] = self.goal
+        self.x, self.t = steps[-1], times[-1]
+        columns = zip(self.scales, *steps[done - 1 :], strict=True)
         self.scales = tuple(max(map(abs, column)) for column in columns)
-        self.calls += 3 * len(self.weights) * (len(self.steps) - done)
+        self.calls += 3 * len(weights) * (len(steps) - done)
 
     def state_at(self, t):
         """The state at ``t`` by a shorter step from the last step before."""
         n = self.step_index(t)
-        return self.move(self.f, self.p, self.steps[n], t - self.step_times[n], self.weights)
+        move, p = self.move
+        return move(self.system.f, p, self.steps[n], t - self.step_times[n], self.weights)
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        import numpy as np
-
         return np.array([self.state_at(t) for t in times.tolist()]).T
 
 
-def splitting(order, body=False):
-    """The stepper of this order; with ``body``, that of the free rigid body."""
-    name = "LiePoisson" if body else "Verlet"
-    return type(name, (Splitting,), {"order": order, "body": body, "__doc__": Splitting.__doc__})
+class LiePoisson(Splitting):
+    """A run of equal steps of a free rigid body."""
+
+    @cached_property
+    def move(self):
+        """The function that takes a step, and the moments of inertia."""
+        return _lie_poisson(), principal_moments(self.system)

@@ -7,8 +7,9 @@ import random
 
 import pytest
 
-from grader.scoring.slips.typed import typed
+from grader.scoring.slips.typed import Product, typed
 from newton_euler import asin, sqrt
+from newton_euler.algebra.scalars import ZERO
 from tests.grader.scoring.traced import arguments, named_causes, perturbed, texts
 
 UNITS = {
@@ -171,3 +172,7 @@ def test_the_square_of_a_sum_is_written_once_and_a_1_is_not_looked_up():
     assert any(words.startswith("has the term b with the opposite sign:") for words in found)
     assert not [words for words in found if "b with the opposite sign, in one" in words]
     assert not [words for words in found if "for the 1 of" in words]
+
+
+def test_a_zero_from_the_structure_of_a_formula_is_taken_as_a_number():
+    assert not Product(ZERO).is_exact
