@@ -34,7 +34,7 @@ def spec_of_course(course: Course, name: str) -> Spec:
     left = tuple(x for x in found if isinstance(x, str))
     with course.gradebook() as book:
         due = next((a.duedate for a in book.assignments if a.name == name), None)
-    exam = course.settings.get("exams", {}).get(name, {})
+    exam = course.exams.get(name, {})
     opens = datetime.fromisoformat(exam["opens"]) if exam.get("opens") else None
     late = exam.get("late", "")
     return Spec(name, _title(notebook) or name, items, _text(due), _text(opens), late, left)

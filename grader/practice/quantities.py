@@ -39,19 +39,15 @@ def quantities(p: Problem, values: Values) -> tuple[list[dict[str, Any]], dict[s
         })  # fmt: skip
         right[s.key] = _numbers(s.value, s.kind)
     for key, x in p.solve(values).items():
-        a = p.answer(key)
+        a, is_sum = p.answer(key), isinstance(x, Vector) and len(x.terms) > 1
         described.append({
             "key": key, "kind": a.kind.name, "unit": a.unit, "means": typeset(a.means, p),
-            "plain": plain(a.means, p.units), "section": p.section, "equation": _equation(x),
-            "latex": p.notation[key], "atol": a.atol, "of": list(a.of), "sum": "", "step": False,
-            "rtol": a.rtol,
+            "plain": plain(a.means, p.units), "section": p.section,
+            "equation": x.equation.number if is_sum else "", "latex": p.notation[key],
+            "atol": a.atol, "of": list(a.of), "sum": "", "step": False, "rtol": a.rtol,
         })  # fmt: skip
         right[key] = _numbers(x, a.kind)
     return described, right
-
-
-def _equation(x):
-    return x.equation.number if isinstance(x, Vector) and len(x.terms) > 1 else ""
 
 
 def _numbers(x, kind):

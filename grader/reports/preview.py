@@ -121,13 +121,11 @@ def preview(p: Problem, options: Mapping[str, Any] | None = None) -> Preview:
     own = dict(options or {})
     p = with_tolerance(p, own.get("tolerance"))
     drawn = {f"student {n + 1}": draw(p, f"preview {n}".encode()) for n in range(STUDENTS)}
-    sheets = tuple(_sheet(p, name, x) for name, x in {"book": p.book_values, **drawn}.items())
-    return Preview(p, own, sheets, tuple(_mistakes(p, own.get("help"))))
-
-
-def _sheet(p, name, values):
-    answers = p.solve({**p.sympy_symbols(), **values})
-    return Variant(name, values, {key: formatted(x) for key, x in answers.items()})
+    sheets = []
+    for name, values in {"book": p.book_values, **drawn}.items():
+        answers = p.solve({**p.sympy_symbols(), **values})
+        sheets.append(Variant(name, values, {key: formatted(x) for key, x in answers.items()}))
+    return Preview(p, own, tuple(sheets), tuple(_mistakes(p, own.get("help"))))
 
 
 def _mistakes(p, help):

@@ -1,6 +1,5 @@
 """Runs the code of a rebuilt notebook in the sandbox, in the order of its cells."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from newton_euler.algebra.language import Words, _, relayed
@@ -40,7 +39,7 @@ class Executed:
     note: str = ""
 
 
-def cells_to_run(sheet: Sheet, notebook: Notebook) -> list[Job]:
+def _cells_to_run(sheet: Sheet, notebook: Notebook) -> list[Job]:
     """The cells as :meth:`~grader.sandbox.Harvester.run` takes them; [] without any work."""
     worked = _worked_at(sheet, notebook)
     if not worked:
@@ -117,27 +116,25 @@ def _forms(task: Task) -> dict[str, str]:
     return task.forms or {a.key: str(a.form) for a in task.exercise.answers}
 
 
-def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:
-    """Run the cells in the sandbox."""
+def execute(harvester: Harvester, sheet: Sheet, notebook: Notebook) -> Executed:
+    """Run the work in a rebuilt notebook in the sandbox."""
+    cells = _cells_to_run(sheet, notebook)
     if not cells:
         return Executed()
     result = harvester.run(cells)
-    receipts, notes = result["receipts"], []
+    receipts, note = result["receipts"], ""
     asked = [c["problem"] for c in cells if c["role"] == "harvest"]
     unread = [i for i in asked if i not in receipts]
     if result["ended"] != "done":
         how = relayed(result["ended"])
-        notes.append(_("the notebook was {how}; answers that came later were not read", how=how))
+        note = _("the notebook was {how}; answers that came later were not read", how=how)
     elif unread:
-        notes.append(
-            _(
-                "the notebook ended by itself in the cell of {problem}; answers that came later "
-                "were not read",
-                problem=unread[0],
-            )
+        note = _(
+            "the notebook ended by itself in the cell of {problem}; answers that came later "
+            "were not read",
+            problem=unread[0],
         )
         ended = _(PROCESS_ENDED)
         lost: RawReceipt = {"id": unread[0], "answers": None, "faults": None, "error": ended}
         receipts[unread[0]] = lost
-    note = "; ".join(notes)
     return Executed(receipts, result["tests"], result["errors"], result["sandbox"], note)
