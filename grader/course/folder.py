@@ -168,11 +168,9 @@ class Course:
         """Raise :class:`CourseError` unless nbgrader has generated the assignment for release."""
         if self.released_path(assignment).exists():
             return
-        where = (
-            "generate it with: nbgrader generate_assignment"
-            if self.source(assignment).exists()
-            else "build it with: python -m grader build"
-        )
+        where = "build it with: python -m grader build"
+        if self.source(assignment).exists():
+            where = "generate it with: nbgrader generate_assignment"
         raise CourseError(f"there is no released {assignment} in {self.path}; {where} {assignment}")
 
     def personal_path(self, assignment: str, student: str) -> Path:

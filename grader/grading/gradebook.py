@@ -36,9 +36,11 @@ class Entry:
     again: bool = False
 
 
-@dataclass
+@dataclass(kw_only=True)
 class Total:
-    """A student's points in the gradebook, minus the penalty; ``waiting``: cells still ungraded."""
+    """A student's points in the gradebook: automatic or manual, with extra credit, minus the
+    penalty for lateness; ``waiting``: the number of cells to grade by hand.
+    """
 
     points: float = 0.0
     out_of: float = 0.0
