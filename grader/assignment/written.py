@@ -37,18 +37,13 @@ def spec_of_course(course: Course, name: str) -> Spec:
     exam = course.exams.get(name, {})
     opens = datetime.fromisoformat(exam["opens"]) if exam.get("opens") else None
     late = exam.get("late", "")
-    return Spec(name, _title(notebook) or name, items, _text(due), _text(opens), late, left)
+    texts = (c["source"] for c in notebook["cells"] if kind(c) == "introduction")
+    title = next(texts, "").partition("\n")[0].removeprefix("# ")
+    return Spec(name, title or name, items, _text(due), _text(opens), late, left)
 
 
 def _text(when):
     return f"{when:%Y-%m-%d %H:%M} UTC" if when else ""
-
-
-def _title(notebook: Notebook) -> str:
-    for cell in notebook["cells"]:
-        if own_metadata(cell).get("role") == "introduction":
-            return cell["source"].partition("\n")[0].removeprefix("# ")
-    return ""
 
 
 def _items(notebook: Notebook, built: Mapping[str, str]) -> Iterator[Item | str]:

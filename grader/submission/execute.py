@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from newton_euler.algebra.language import Words, _, relayed
 
 from ..assignment import notebook as nb
-from ..assignment.cells import Cell, Notebook, kind, nbgrader_metadata, own_metadata
+from ..assignment.cells import Notebook, kind, nbgrader_metadata, own_metadata
 from ..assignment.sheet import Task
 from ..sandbox import CAGED, Harvester
 from ..sandbox.receipts import Outcome, RawReceipt
@@ -65,7 +65,9 @@ def _cells_to_run(sheet: Sheet, notebook: Notebook) -> list[Job]:
         elif what in RUN:
             cells.append({"role": "run", "name": cell["id"], "text": cell["source"]})
         elif what == "test":
-            cells.append(_test(sheet, cell, _master(sheet, cell)["source"]))
+            name, seen = nbgrader_metadata(cell)["grade_id"], _master(sheet, cell)["source"]
+            full = sheet.sources.get(name, (seen, ""))[0]
+            cells.append({"role": "test", "name": name, "text": seen, "hidden": full})
     return [*cells, _harvest(sheet.tasks[waiting])] if waiting else cells
 
 
@@ -103,13 +105,6 @@ def _harvest(task: Task) -> Job:
     symbols = {n: s.unit for n, s in task.exercise.symbols.items()}
     problem, forms = task.problem, _forms(task)
     return {"role": "harvest", "problem": problem, "forms": forms, "symbols": symbols}
-
-
-def _test(sheet: Sheet, cell: Cell, visible: str) -> Job:
-    """A test with the text that students see, and the full one from the gradebook."""
-    name = nbgrader_metadata(cell)["grade_id"]
-    full, _ = sheet.sources.get(name, (visible, ""))
-    return {"role": "test", "name": name, "text": visible, "hidden": full}
 
 
 def _forms(task: Task) -> dict[str, str]:
