@@ -81,7 +81,7 @@ class Course:
 
     @property
     def exams(self) -> dict[str, dict[str, str]]:
-        """{assignment: when it opens, and what becomes of late work} of the exams."""
+        """The exams: {assignment: its opening time and the rule for late work}."""
         return self.settings.get("exams", {})
 
     def set(self, **settings: Any) -> None:

@@ -29,7 +29,7 @@ def _submission_secret(*folders: Path) -> str | None:
 
 
 def _of_exams(rule, exchange):
-    """The course and assignment of a step; the step ends in words if a rule of exams refuses it."""
+    """The course and assignment of a step, which a rule of exams may end with a sentence."""
     course, assignment = Course(exchange.coursedir.root), exchange.coursedir.assignment_id
     try:
         rule(course, assignment)
