@@ -1,6 +1,7 @@
 """A replacement of nbgrader's collect: regular files only, unstoppable by a single student."""
 
 from datetime import datetime
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -35,7 +36,6 @@ class CollectRegularFiles(ExchangeCollect):
 
     def init_src(self) -> None:
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
-        self._roster = set(course.roster())
         if is_exam(course, assignment):
             with course.gradebook() as book:
                 self._window = window(course, book, assignment)
@@ -61,6 +61,10 @@ class CollectRegularFiles(ExchangeCollect):
             self.update, self.before_duedate = False, self.update
         self.src_records = [r for r in self.src_records if r["username"]]
         super().copy_files()
+
+    @cached_property
+    def _roster(self):
+        return set(Course(self.coursedir.root).roster())
 
     def _is_own(self, student: str, path: str) -> bool:
         """False if the submission claims to be by one student and belongs to another on the roster,
