@@ -11,6 +11,7 @@ import pytest
 
 from exercises.catalogue import problem
 from grader.commands import COMMANDS, shared
+from tests.exercises.kinds.test_specs import SPEC
 from tests.grader.courses import command, ran, refused
 
 
@@ -60,6 +61,13 @@ def test_prove_warns_of_mistakes_that_give_the_same_wrong_answer():
     out = ran(command("prove", "4/13", "--seeds", 2))
     words = "r_cross_omega and whole_omega_reversed give the same wrong omega"
     assert words in " ".join(out.split())
+
+
+def test_new_prints_the_paths(tmp_path):
+    spec, to = tmp_path / "ch02.yaml", tmp_path / "to"
+    spec.write_text(SPEC)
+    out = ran(command("new", "ch02", "--spec", spec, "--to", to, "--only", "2/1"))
+    assert out.split() == [f"{to}/ch02/p01.yaml", f"{to}/ch02/p01.py"]
 
 
 def test_figure_writes_a_png(tmp_path):
