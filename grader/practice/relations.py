@@ -9,6 +9,7 @@ from typing import Any
 from exercises.catalogue import Problem
 from exercises.catalogue.steps import repeated
 from exercises.catalogue.tracing import traced_quantities
+from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import unit
 from newton_euler.classroom.practising.programs import OPERATIONS
@@ -38,7 +39,7 @@ def relations(p: Problem, values: Values) -> dict[str, Any] | None:
     place: dict[int, int] = {}
     reached: dict[Any, Any] = {}
     for s in trace.steps:
-        if s.op in ("item", *_WITHIN) or not isinstance(numbers[s.number], float):
+        if s.op in ("item", *WITHIN) or not isinstance(numbers[s.number], float):
             continue
         from_quantities = _reached(s, reached, starts)
         if s.number in starts or from_quantities:
@@ -58,9 +59,6 @@ def relations(p: Problem, values: Values) -> dict[str, Any] | None:
         for key, parts in components.items()
     }
     return {"operations": program, "quantities": where, "earlier": _earlier(components, reached)}
-
-
-_WITHIN = "integral", "over_cube", "root"
 
 
 def _is_step(x):

@@ -4,28 +4,24 @@ independent of what the diagnosis looks for.
 
 import math
 import random
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import Any, NamedTuple
 
 from exercises.catalogue import Problem
 from exercises.catalogue.variants import POINTS, as_points, draw, flat, symbol_points
-from newton_euler.algebra.scalars import ZERO, pi, where
+from newton_euler.algebra.scalars import FUNCTIONS, ZERO
 from newton_euler.algebra.scalars import function as function_of
-from newton_euler.algebra.source import runtime_names
+from newton_euler.algebra.source import operations
 from newton_euler.algebra.trace import Inner, Step, Trace
 from newton_euler.algebra.units import SI, US, Dimension, unit
 from newton_euler.algebra.vectors import Vector
 
+from ..scoring.slips.formulas import needed
 from .setups_made import of_setups
 
-BETWEEN: dict[str, Callable[..., Any]] = {
-    "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
-    "/": lambda a, b: a / b, "**": lambda a, b: a**b, "pow": lambda a, b: a**b,
-    "neg": lambda a: -a, "abs": abs, "where": where, "item": lambda a, n: a[n], "pi": pi,
-    "lt": lambda a, b: a < b, "le": lambda a, b: a <= b,
-    "gt": lambda a, b: a > b, "ge": lambda a, b: a >= b,
-}  # fmt: skip
+# the operations of a trace but for the functions, which depend on the kind of their arguments
+BETWEEN = {n: f for n, f in operations(math).items() if n not in (*FUNCTIONS, "atan2")}
 TWINS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 SETUPS = 4  # of a problem
 OF_INERTIA = Dimension(1, 2, 0)
@@ -58,7 +54,7 @@ class ProblemFormulas:
             for key, found in p.code.solve(g).items()
             if key in asked
         }
-        self.steps = _used(x for parts in self.answers.values() for x, _ in parts)
+        self.steps = needed(x for parts in self.answers.values() for x, _ in parts)
         self.own = US if any(unit(u).is_of_feet for u in p.units.values()) else SI
         self.metres = 0.3048 if self.own is US else 1.0
         stated = {unit(u) for u in (*p.units.values(), *(a.unit for a in asked.values()))}
@@ -99,16 +95,6 @@ class ProblemFormulas:
             except (ValueError, TypeError, AttributeError):  # an integral on dimensions
                 continue
         return found
-
-
-def _used(leaves):
-    waiting, found = [x for x in leaves if isinstance(x, Step)], {}
-    while waiting:
-        s = waiting.pop()
-        if s.number not in found:
-            found[s.number] = s
-            waiting += [a for a in s.args if isinstance(a, Step)]
-    return [found[n] for n in sorted(found)]
 
 
 class _Evaluation:
@@ -157,7 +143,7 @@ def _within(op, inner, *args):
         value = _Evaluation(dict(zip(inner.parameters, numbers, strict=True))).value
         return tuple(value(x) for x in inner.leaves)
 
-    return runtime_names(math)[op](formula, *args)
+    return BETWEEN[op](formula, *args)
 
 
 # -- the kinds of slips
@@ -330,7 +316,7 @@ def _going_on(f, base, right, rng):
     choices = [e for every in edits(f, base).values() for e in every]
     for key, edit in _wrong_numbers(f, right, rng):
         follows, later = _later(f, base, right, key, edit)
-        before = {s.number for s in _used(x for x, _ in f.answers[key])}
+        before = {s.number for s in needed(x for x, _ in f.answers[key])}
         after = [e for e in choices if e[0].step.number not in before]
         for slip in rng.sample(after, min(2, len(after))) if later else ():
             wrong, _ = _later(f, base, right, key, (*edit, *slip))
