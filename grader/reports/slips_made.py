@@ -10,18 +10,17 @@ from typing import Any, NamedTuple
 
 from exercises.catalogue import Problem
 from exercises.catalogue.variants import POINTS, as_points, draw, flat, symbol_points
-from newton_euler.algebra.scalars import FUNCTIONS, ZERO
-from newton_euler.algebra.scalars import function as function_of
+from newton_euler.algebra import scalars
+from newton_euler.algebra.scalars import ZERO
 from newton_euler.algebra.source import operations
 from newton_euler.algebra.trace import Inner, Step, Trace
 from newton_euler.algebra.units import SI, US, Dimension, unit
 from newton_euler.algebra.vectors import Vector
 
-from ..scoring.slips.formulas import needed
+from ..scoring.slips.formulas import dimensions_of, needed
 from .setups_made import of_setups
 
-# the operations of a trace but for the functions, which depend on the kind of their arguments
-BETWEEN = {n: f for n, f in operations(math).items() if n not in (*FUNCTIONS, "atan2")}
+OPERATIONS = operations(scalars) | {"pi": scalars.pi}
 TWINS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 SETUPS = 4  # of a problem
 OF_INERTIA = Dimension(1, 2, 0)
@@ -85,17 +84,6 @@ class ProblemFormulas:
         value = _Evaluation(values, edits).value
         return tuple(0.0 if x is ZERO else value(x) * factor for x, factor in self.answers[key])
 
-    def dimensions(self) -> dict[int, Any]:
-        """{number of a step: its dimension}."""
-        value = _Evaluation({n: unit(u).dimension for n, u in self.problem.units.items()}).value
-        found = {}
-        for s in self.steps:
-            try:
-                found[s.number] = value(s)
-            except (ValueError, TypeError, AttributeError):  # an integral on dimensions
-                continue
-        return found
-
 
 class _Evaluation:
     """Steps evaluated with edits, each once."""
@@ -135,7 +123,7 @@ class _Evaluation:
     def _operated(self, op, args):
         if isinstance(args[0] if args else None, Inner):
             return _within(op, *args)
-        return BETWEEN[op](*args) if op in BETWEEN else function_of(op, *args)
+        return OPERATIONS[op](*args)
 
 
 def _within(op, inner, *args):
@@ -143,7 +131,7 @@ def _within(op, inner, *args):
         value = _Evaluation(dict(zip(inner.parameters, numbers, strict=True))).value
         return tuple(value(x) for x in inner.leaves)
 
-    return BETWEEN[op](formula, *args)
+    return OPERATIONS[op](formula, *args)
 
 
 # -- the kinds of slips
@@ -152,7 +140,7 @@ def _within(op, inner, *args):
 def edits(f: ProblemFormulas, values: Mapping[str, Any]) -> dict[str, list[tuple[SlipEdit, ...]]]:
     """{kind of slip: its possible edits of these formulas}."""
     found: dict[str, list[tuple[SlipEdit, ...]]] = {}
-    dimensions = f.dimensions()
+    dimensions = dimensions_of(f.steps, {n: unit(u) for n, u in f.problem.units.items()})
     for s in f.steps:
         for kind, edit in _edits_of(s, f, values, dimensions):
             found.setdefault(kind, []).append((edit,))
@@ -166,11 +154,11 @@ def _edits_of(s, f, values, dimensions):
         yield from _of_given(s, f, values)
     if s.op in "*/" and len(steps) == 2:
         kind = "square lost" if steps[0] is steps[1] else "factor dropped"
-        yield kind, SlipEdit(s, (s.op, steps[0], f.one(dimensions.get(steps[1].number))))
+        yield kind, SlipEdit(s, (s.op, steps[0], f.one(dimensions.get(steps[1]))))
         if s.op == "*" and steps[0] is not steps[1]:
-            yield kind, SlipEdit(s, ("*", steps[1], f.one(dimensions.get(steps[0].number))))
+            yield kind, SlipEdit(s, ("*", steps[1], f.one(dimensions.get(steps[0]))))
     if s.op in ("sqrt", "**"):
-        root = f.one(dimensions.get(s.number)) / f.one(dimensions.get(steps[0].number))
+        root = f.one(dimensions.get(s)) / f.one(dimensions.get(steps[0]))
         yield "square lost", SlipEdit(s, ("*", steps[0], root))
     if s.op in "*/" and numbers and steps and steps[0] is s.args[0]:
         constant = float(numbers[0])
@@ -182,19 +170,19 @@ def _edits_of(s, f, values, dimensions):
         yield "sin for cos", SlipEdit(s, (TWINS[s.op], *s.args))
     if s.op in ("+", "-") and len(steps) == 2:
         yield from _of_sum(s, steps, dimensions)
-    gravity = [a for a in steps if dimensions.get(a.number) == OF_GRAVITY and a.op == "argument"]
+    gravity = [a for a in steps if dimensions.get(a) == OF_GRAVITY and a.op == "argument"]
     if s.op == "*" and len(gravity) == 1 and len(steps) == 2:
         other = next(a for a in steps if a is not gravity[0])
         yield "g left out", SlipEdit(s, ("*", other, f.one(OF_GRAVITY)))
     if s.op == "*":
         for a in steps:
-            if a.op == "argument" and dimensions.get(a.number) == Dimension(1, 0, 0):
+            if a.op == "argument" and dimensions.get(a) == Dimension(1, 0, 0):
                 yield "g put in", SlipEdit(a, ("*", a, 32.2 if f.own is US else 9.81), s)
 
 
 def _of_sum(s, steps, dimensions):
     a, b = steps
-    inertia = dimensions.get(s.number) == OF_INERTIA
+    inertia = dimensions.get(s) == OF_INERTIA
     for term, other, sign in ((a, b, s.op == "-"), (b, a, False)):
         if term.op in ("+", "-"):
             continue  # several terms
