@@ -18,7 +18,7 @@ from ..assignment.lines import formatted
 from ..assignment.notebook import short_number, statement
 from ..assignment.sheet import with_tolerance
 from ..assignment.solution import worked_solution
-from ..practice.plain import plain
+from ..practice.build import plain_text
 from ..scoring import score_receipt
 from .answers import solution_text
 from .diagnoses import handed_in
@@ -150,7 +150,7 @@ def preview_text(found: Preview) -> str:
     """The preview as text with rich's markup."""
     p = found.problem
     blocks = [
-        plain(p.text, p.units, lambda n: _with_number(p, n)),
+        plain_text(p, p.book_values),
         "\n".join(found.facts),
         "Numbers and key: the book's, and three students'",
         "\n".join("  " + "  ".join(row) for row in found.rows),
@@ -160,9 +160,3 @@ def preview_text(found: Preview) -> str:
     shown = [block.replace("[", r"\[") for block in blocks]
     steps = ["Steps, with the book's numbers", solution_text(p, p.book_values)]
     return "\n\n".join([f"[bold]{p.id}[/] {p.title}", *shown[:4], *steps, *shown[4:]])
-
-
-def _with_number(p, name):
-    if name not in p.givens:
-        return name
-    return f"{name} = {short_number(p.book_values[name])} {p.givens[name].unit}"

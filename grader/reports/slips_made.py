@@ -9,11 +9,12 @@ from itertools import combinations
 from typing import Any, NamedTuple
 
 from exercises.catalogue import Problem
+from exercises.catalogue.tracing import traced_quantities
 from exercises.catalogue.variants import POINTS, as_points, draw, flat, symbol_points
 from newton_euler.algebra import scalars
 from newton_euler.algebra.scalars import ZERO
 from newton_euler.algebra.source import operations
-from newton_euler.algebra.trace import Inner, Step, Trace
+from newton_euler.algebra.trace import Inner, Step
 from newton_euler.algebra.units import SI, US, Dimension, unit
 from newton_euler.algebra.vectors import Vector
 
@@ -43,20 +44,15 @@ class ProblemFormulas:
     """
 
     def __init__(self, p: Problem):
-        trace = Trace()
-        self.problem = p
-        self.given = {n: trace.new("argument", n) for n in p.units}
-        g = p.base(dict.fromkeys(p.units, 1.0)).but(**self.given)
-        asked = {a.key: a for a in p.answers if not a.kind.is_word}
-        self.answers = {
-            key: [(x, unit(asked[key].unit).from_base(1.0, p.system)) for x in flat(found)]
-            for key, found in p.code.solve(g).items()
-            if key in asked
-        }
+        found = traced_quantities(p)
+        self.problem, self.given, self.answers = p, found.givens, {}
+        for a in (a for a in p.answers if not a.kind.is_word):
+            factor = unit(a.unit).from_base(1.0, p.system)
+            self.answers[a.key] = [(x, factor) for x in found.components[a.key]]
         self.steps = needed(x for parts in self.answers.values() for x, _ in parts)
         self.own = US if any(unit(u).is_of_feet for u in p.units.values()) else SI
         self.metres = 0.3048 if self.own is US else 1.0
-        stated = {unit(u) for u in (*p.units.values(), *(a.unit for a in asked.values()))}
+        stated = {unit(u) for u in (*p.units.values(), *(found.units[k] for k in self.answers))}
         sizes = {(float(u.to_base(1.0, SI)), u.dimension.powers[1]) for u in stated}
         if self.own is SI and all(math.isclose(x, 0.001 ** float(n)) for x, n in sizes if n):
             self.metres = 0.001  # all lengths are in mm
