@@ -1,7 +1,7 @@
 """An oracle: a motion written out in rectangular coordinates, differentiated by SymPy, and
 evaluated in any kind of number.
 
-v = explicit(lambda r, theta, z: (r*sympy.cos(theta), r*sympy.sin(theta), z), 1)
+v = explicit(about_z, 1)
 v(kind, (r, theta, z), (r', theta', z'), (r'', theta'', z''))  # the three rectangular components
 """
 
@@ -9,6 +9,7 @@ import functools
 
 import sympy
 
+from newton_euler import cos, sin
 from tests.kinds import numbers
 
 _MODULES = {"float": "numpy", "array": "numpy", "mpmath": "mpmath"}
@@ -35,13 +36,20 @@ def explicit(position, order):
     return evaluated
 
 
-def polar_position(r, theta, z):
-    return r * sympy.cos(theta), r * sympy.sin(theta), z
+def about_z(r, theta, z):
+    """The place of cylindrical coordinates, of any kind."""
+    return r * cos(theta), r * sin(theta), z
 
 
-def spherical_position(R, theta, phi):
-    r = R * sympy.cos(phi)
-    return r * sympy.cos(theta), r * sympy.sin(theta), R * sympy.sin(phi)
+def in_space(R, theta, phi):
+    """The place of spherical coordinates, of any kind."""
+    return R * cos(phi) * cos(theta), R * cos(phi) * sin(theta), R * sin(phi)
+
+
+def motion(kind):
+    """Coordinates, rates and second rates, all different and none small."""
+    rows = ("1.3", "0.7", "0.4"), ("0.5", "-0.9", "1.1"), ("0.3", "0.8", "-0.6")
+    return [numbers(kind, *row) for row in rows]
 
 
 def by_scipy(model, start, end, **options):

@@ -12,6 +12,7 @@ needs_heyoka = pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not
 TAYLOR = pytest.param("taylor", marks=needs_heyoka)
 
 DRIFT = Model("drift", {}, ("x", "v"), lambda s, p, t: (s.v, 0.0 * s.v))
+SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 FALL = Model("fall", {}, ("x",), lambda s, p, t: (-1 / s.x,))  # x^2 = x0^2 - 2 t
 
 
@@ -85,6 +86,6 @@ def begun(stepper, system, start, t1=5.0, t0=0.0, **options):
     usual = {"floors": nothing, "noise": nothing, "stops": ()}
     limits = [options.pop(name, x) for name, x in usual.items()]
     usual = {"tolerance": 1e-8, "max_steps": 5e6, "longest_part": 0.4, "units": ()}
-    usual |= dict.fromkeys(("step", "samples"))
+    usual |= dict.fromkeys(("step", "samples")) | {"method": SimpleNamespace(order=4)}
     trajectory = SimpleNamespace(goal=t1, limits=lambda *_: limits, **usual | options)
     return stepper(system, t0, start, trajectory)

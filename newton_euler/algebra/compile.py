@@ -319,14 +319,9 @@ def _running(constant, rounded):
     """A constant as a text uses it: a formula compiled, a number as a float if all are."""
     if isinstance(constant, Inner):
         return Compiled("the formula inside", constant.parameters, constant.trace, constant.leaves)
-    return _float(constant) if rounded else constant
-
-
-def _float(constant):
-    try:
-        return float(constant)
-    except TypeError:  # a symbol
-        return constant
+    with suppress(TypeError):  # of a symbol
+        return float(constant) if rounded else constant
+    return constant
 
 
 @checked

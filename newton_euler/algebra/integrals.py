@@ -3,7 +3,7 @@ unit cube by products of Gauss rules, for numbers that SciPy's adaptive cubature
 """
 
 from collections.abc import Callable, Sequence
-from functools import cache, lru_cache, wraps
+from functools import cache, lru_cache, reduce, wraps
 from itertools import count, pairwise, product
 from typing import Any
 
@@ -63,11 +63,7 @@ def integral(
     4.0
     """
     places = [start, *map(scalar, breaks), end]
-    pieces = [_piece(f, a, b) for a, b in pairwise(places)]
-    total = pieces[0]
-    for piece in pieces[1:]:
-        total = _sum(total, piece)
-    return total
+    return reduce(_sum, (_piece(f, a, b) for a, b in pairwise(places)))
 
 
 def _sum(a, b):
@@ -75,7 +71,7 @@ def _sum(a, b):
 
 
 def _piece(f, start, end):
-    like = f(_middle(start, end))
+    like = f((start + end) / 2)
     found = iter(integrals(wraps(f)(lambda x: _flat(f(x), like)), start, end))
     return _like(like, found)
 
@@ -98,14 +94,10 @@ def _like(like, scalars):
     return to_plain(next(scalars))
 
 
-def _middle(start, end):
-    return start if start is end else (start + end) / 2
-
-
 def integrals(f, start, end):
     """The integrals of a function that returns a tuple of scalars, as :func:`integral`."""
     start, end = scalar(start), scalar(end)
-    sample = f(_middle(start, end))
+    sample = f((start + end) / 2)
     present = [x for x in (start, end, *sample) if x is not ZERO]
     kind = highest(present)
     if hasattr(kind, "_parts"):

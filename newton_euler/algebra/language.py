@@ -1,6 +1,6 @@
-"""The language in which a reader is spoken to. English stands in the code; other languages are
-catalogues of gettext, ``languages/de.po`` beside this file, read as they are when one is chosen: so
-an editable install, the wheel and a browser have them alike, and English costs nothing.
+"""The reader's language. English is in the code; other languages are gettext catalogues,
+``languages/de.po`` beside this file, read when one is chosen, in an editable install, the wheel and
+a browser alike.
 
 Values are named in braces: ``_("leaves out {term}", term=name)``.
 """

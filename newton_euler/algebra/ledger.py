@@ -462,6 +462,6 @@ def summed(
     error: float = 0.0,
 ) -> Amount:
     """The :class:`Amount` that is the sum of numbers or amounts, by name or in pairs (name, x)."""
-    parts = Terms(terms)
-    total, values = sum(map(value_of, parts.values()), ZERO), parts.mapped(value_of)
-    return Amount(to_plain(total), values.mapped(to_plain), what, number, error)
+    parts = Terms(terms).mapped(value_of)
+    total = to_plain(sum(parts.values(), ZERO))
+    return Amount(total, parts.mapped(to_plain), what, number, error)

@@ -18,6 +18,7 @@ from operator import add, mul
 from types import MappingProxyType
 from typing import Any
 
+from .elimination import Elimination, LinearEquation, LinearError, Varies, largest_of
 from .errors import checked
 from .late import np
 from .ledger import distinct
@@ -41,40 +42,18 @@ from .scalars import (
     short,
     short_repr,
     to_plain,
-    unit_roundoff,
 )
-from .vectors import FrameError, Vector
+from .vectors import Vector
 
 # Unknowns that Cramer's rule solves at once; its formulas grow as the factorial of their number, so
 # more are eliminated one by one.
 LARGEST_CORE = 6
 
-# Thresholds of the elimination, in round-offs of the coarsest number. Measured on 3000 surplus
-# equations of systems with 2 to 12 random unknowns and condition numbers up to 1e4: what should
-# vanish is at most 2**2 of them in a row, and 2**4 in a right side; what should not, at least
-# 2**37.
-# Relative to the largest coefficient of a condition: what remains of a sum of a few terms that
-# cancel, as in the components of a turned vector.
-CANCELLATION = 16
-# Relative to the largest coefficient subtracted: a thousand times what was measured, for longer
-# chains.
-NO_PIVOT = 2**12
-# Relative to the pivot, or to the largest part of a sum: halfway between both measured sizes.
-ABSENT = 2**19
-# Relative to the terms of the equation: 1e-9, so that data that agree to nine digits agree.
-CONTRADICTION = 2**22
-AGREEMENT = 1e-9  # the same for the surplus conditions of solve_rates
-# solve_rates, numbers of every kind: 450 round-offs of a float, relative to the largest
+# Surplus conditions of solve_rates: data that agree to nine digits agree.
+AGREEMENT = 1e-9
+# Cramer's rule for numbers of every kind: 450 round-offs of a float, relative to the largest
 # coefficient or to the product of the rows.
 RATE_NOISE = 1e-13
-
-
-class LinearError(FrameError):
-    """Linear equations, of these names, contradict each other or leave an unknown undetermined."""
-
-    def __init__(self, message, equations=()):
-        super().__init__(message)
-        self.equations = tuple(equations)
 
 
 class _NoUnknown(LinearError, AttributeError):
@@ -243,7 +222,7 @@ def solve_rates(conditions: Callable[..., Any], count: int) -> Triple:
     (4.0,)
     """
     equations = _equations(conditions(*_unknowns(count)), count)
-    noise = RATE_NOISE * _largest(c for e in equations for c in e.coefficients)
+    noise = RATE_NOISE * largest_of(c for e in equations for c in e.coefficients)
 
     rows = [
         e.parts()
@@ -266,8 +245,8 @@ def solve_rates(conditions: Callable[..., Any], count: int) -> Triple:
     terms = [[*map(mul, e.coefficients, rates), -e.right] for e in equations]
     parts = [x for row in terms for x in row]
     if all(map(is_numeric, parts)):
-        worst = _largest(sum(row, ZERO) for row in terms)
-        if worst > AGREEMENT * _largest(parts):
+        worst = largest_of(sum(row, ZERO) for row in terms)
+        if worst > AGREEMENT * largest_of(parts):
             raise LinearError(
                 "the conditions contradict each other: with the rates that fit best, one of them "
                 f"is {worst:.3g} instead of 0"
@@ -282,10 +261,6 @@ def solve_rates(conditions: Callable[..., Any], count: int) -> Triple:
 
 def _unknowns(count):
     return [LinearForm(ZERO, (int(n == m) or ZERO for m in range(count))) for n in range(count)]
-
-
-def _largest(values):
-    return max((max_abs(x) for x in values if is_numeric(x)), default=0.0)
 
 
 def _cramer(matrix, right):
@@ -306,7 +281,7 @@ def _cramer(matrix, right):
     determinant = minor(every, every)
     if determinant is ZERO or (
         is_numeric(determinant)
-        and min_abs(determinant) <= RATE_NOISE * prod(_largest(row) or 1 for row in matrix)
+        and min_abs(determinant) <= RATE_NOISE * prod(largest_of(row) or 1 for row in matrix)
     ):
         raise LinearError(
             "the conditions do not determine the rates: some are equivalent, or do not contain one"
@@ -444,8 +419,8 @@ def _solved(equations, names):
     samples = [e.each(known_or_made_up) for e in equations]
     numbers = all(probe(x) is x for e in equations for x in e.parts())
     try:
-        found = _Elimination(samples, len(names), not made_up, numbers)
-    except _Varies:
+        found = Elimination(samples, len(names), not made_up, numbers)
+    except Varies:
         return _instant_by_instant(equations, names)
     values = found.values if numbers else _of_expressions(equations, found)
     named = MappingProxyType({names[k]: to_plain(values[k]) for k in sorted(values)})
@@ -457,23 +432,6 @@ def _solved(equations, names):
         tuple(found.relations(names)) if numbers else (),
         MappingProxyType(found.redundant()),
     )
-
-
-@dataclass(frozen=True)
-class _Equation:
-    """The sum of coefficient times unknown is ``right``. ``group`` numbers the condition."""
-
-    name: str
-    coefficients: tuple
-    right: object
-    group: int
-
-    def parts(self):
-        return (*self.coefficients, self.right)
-
-    def each(self, change):
-        coefficients = tuple(map(change, self.coefficients))
-        return _Equation(self.name, coefficients, change(self.right), self.group)
 
 
 def _equations(conditions, count):
@@ -489,9 +447,9 @@ def _equations(conditions, count):
         for name, x in _scalars(*condition)
     ]
     return [
-        _Equation(name, x.coefficients, -x.value, group)
+        LinearEquation(name, x.coefficients, -x.value, group)
         if isinstance(x, LinearForm)
-        else _Equation(name, (ZERO,) * count, -x, group)
+        else LinearEquation(name, (ZERO,) * count, -x, group)
         for name, (group, _, x) in zip(distinct([name for _, name, _ in rows]), rows, strict=True)
     ]
 
@@ -505,145 +463,6 @@ def _scalars(name, value):
     if isinstance(value, (tuple, list)):
         return [pair for n, x in enumerate(value, 1) for pair in _scalars(f"{name}.{n}", x)]
     return [(name, scalar(value))]
-
-
-# -- numbers: equation by equation
-
-
-class _Varies(Exception):
-    """No unknown can serve as the pivot at all instants of the arrays."""
-
-
-def _subtracted(row, other, pivot):
-    """The row less the multiple of another, whose pivot is 1, that makes its own pivot vanish."""
-    row = [a - row[pivot] * b for a, b in zip(row, other, strict=True)]
-    row[pivot] = ZERO  # exactly, so that no round-off is taken for a coefficient
-    return row
-
-
-class _Elimination:
-    """Equations of numbers, eliminated one after the other: a new one gives a pivot, another must
-    agree. A row is a sum of equations: its coefficients, its right side, and how much of each
-    equation is in it. ``rows`` has them by the unknown that is their pivot, with 1 there,
-    ``dependent`` those without by the number of the last equation. Sizes are compared unknown by
-    unknown (in ``scale``) and within a condition (``usual``, for each equation), in their units.
-    """
-
-    def __init__(self, equations, count, faithful, numbers):
-        self.equations, self.count, self.numbers = equations, count, numbers
-        self.round_off = float(unit_roundoff(x for e in equations for x in e.parts()))
-        self.scale = self._scales()
-        self.usual = self._by_group([self._relative(e.coefficients) for e in equations])
-        self.rows, self.dependent = {}, {}
-        for n in range(len(equations)):
-            self._eliminate(n)
-        self.free = {pivot: self._others(pivot, row) for pivot, row in self.rows.items()}
-        self.values = {k: row[count] for k, row in self.rows.items() if not self.free[k]}
-        for n, row in self.dependent.items() if faithful else ():
-            self._check(n, row)
-
-    def _by_group(self, values):
-        """For each equation the largest of its values and of those of the same condition."""
-        largest = {}
-        for e, own in zip(self.equations, values, strict=True):
-            largest[e.group] = max(largest.get(e.group, 0.0), _largest(own))
-        return [largest[e.group] for e in self.equations]
-
-    def _scales(self):
-        """The size of the coefficients of each unknown; 0 if they are rounding errors only."""
-        scale = [0.0] * self.count
-        usual = self._by_group([e.coefficients for e in self.equations])
-        for e, largest in zip(self.equations, usual, strict=True):
-            for k, size in enumerate(map(max_abs, e.coefficients)):
-                if size > CANCELLATION * self.round_off * largest:
-                    scale[k] = max(scale[k], size)
-        return scale
-
-    def _relative(self, row, measure=max_abs):
-        """The size of the coefficients of a row, each relative to what is usual for its unknown."""
-        pairs = zip(row, self.scale, strict=False)
-        return [measure(x) / s if s and x is not ZERO else 0.0 for x, s in pairs]
-
-    def _others(self, pivot, row):
-        """The unknowns of a row other than its pivot."""
-        noise = ABSENT * self.round_off / self.scale[pivot]
-        return [k for k, size in enumerate(self._relative(row)) if k != pivot and size > noise]
-
-    def _eliminate(self, n):
-        own = (int(n == m) or ZERO for m in range(len(self.equations)))
-        row, usual = [*self.equations[n].parts(), *own], self.usual[n]
-        for pivot, other in self.rows.items():
-            if (factor := row[pivot]) is not ZERO:
-                row = _subtracted(row, other, pivot)
-                usual = max(usual, *self._relative([factor * x for x in other[: self.count]]))
-        pivot = self._pivot(row, NO_PIVOT * self.round_off * usual)
-        if pivot is None:
-            self.dependent[n] = row
-            return
-        row = [x / row[pivot] for x in row]
-        row[pivot] = 1
-        for k, r in self.rows.items():
-            if r[pivot] is not ZERO:
-                self.rows[k] = _subtracted(r, row, pivot)
-        self.rows[pivot] = row
-
-    def _pivot(self, row, noise):
-        """The unknown with the largest coefficient at every instant; None if all are round-off."""
-        smallest = self._relative(row, min_abs)
-        best = max(range(self.count), key=smallest.__getitem__)
-        if smallest[best] > noise:
-            return best
-        if max(self._relative(row)) > noise:
-            raise _Varies
-        return None
-
-    def _check(self, last, row):
-        """Raises LinearError if the right side of a row without unknowns does not vanish."""
-        involved, values = self._involved(last, row), self.values
-        sizes = self._by_group(
-            [
-                [e.right, *(c * values[k] for k, c in enumerate(e.coefficients) if k in values)]
-                for e in self.equations
-            ]
-        )
-        own = max(max_abs(row[self.count + 1 + n]) * sizes[n] for n in involved)
-        difference = max_abs(row[self.count])
-        if difference <= (CONTRADICTION * own + NO_PIVOT * max(sizes)) * self.round_off:
-            return
-        *others, name = names = [self.equations[n].name for n in involved]
-        off = f"is off by {difference:.3g}" if self.numbers else "does not hold"
-        if not others:
-            raise LinearError(f"the equation {name!r} {off}: no unknown occurs in it", names)
-        raise LinearError(
-            f"the equations contradict each other: {name!r} {off} if {listed(map(repr, others))} "
-            f"hold{'s' * (len(others) == 1)}",
-            names,
-        )
-
-    def _involved(self, last, row):
-        """The equations of which a row is the sum, in their order, ``last`` however small."""
-        parts = enumerate(zip(row[self.count + 1 :], self.usual, strict=True))
-        weights = {n: max_abs(w) * usual for n, (w, usual) in parts if w is not ZERO}
-        absent = ABSENT * self.round_off * max(weights.values())
-        return [n for n, w in weights.items() if w >= absent or n == last]
-
-    def relations(self, names):
-        """What is known of the unknowns that are not determined, in words."""
-        for pivot, free in self.free.items():
-            row = self.rows[pivot]
-            if free and not any(getattr(x, "shape", ()) for x in row[: self.count + 1]):
-                text = f"{names[pivot]} = {short(row[self.count])}"
-                for k in free:
-                    c = float(row[k])
-                    times = "" if abs(c) == 1 else f"{abs(c):.6g} "
-                    text += f" {'-' if c > 0 else '+'} {times}{names[k]}"
-                yield text
-
-    def redundant(self):
-        """By name, the equations that follow from others."""
-        rows = self.dependent.items()
-        found = ([self.equations[n].name for n in self._involved(*row)] for row in rows)
-        return {last: tuple(others) for *others, last in found if others}
 
 
 def _instant_by_instant(equations, names):

@@ -1,5 +1,5 @@
-"""Systems built otherwise than their code says: what a student sets up wrongly, for all that is
-computed from it.
+"""Systems built otherwise than their code says, as a student may set them up wrongly, for all that
+is computed from them.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -13,24 +13,24 @@ _change: ContextVar[Change | None] = ContextVar("change", default=None)
 
 
 @contextmanager
-def built_otherwise(change: Change) -> Iterator[None]:
-    """In the ``with`` block every point, vector, rate, turn, and every transfer and matrix of an
-    inertia is built of what ``change(kind, parts, of)`` returns in place of its ``parts``.
+def built_otherwise(change: Change | None) -> Iterator[None]:
+    """In the ``with`` block systems are built of what ``change(kind, parts, of)`` returns in place
+    of their ``parts``; with None as the code says. By kind, the parts and what they are ``of``:
 
-    kind : "point" or "vector", whose parts are the components; "turn", with its axis and angle;
-        "transfer", with the factor of the parallel-axis terms, which is 1; "matrix", with the nine
-        entries of an inertia; "rate", with the components of the rate of a vector in its frame, or
-        of an angular acceleration, or of the velocity of a point; "dot", with a scalar product;
-        "motion", with those of the acceleration of a point;
-        "body", with its mass, products and moments of inertia;
-        "coordinate", with the distance of a point in polar coordinates; "chain", with the rates of
-        what a function is of, and the two derivatives of the function
-    of : what the parts belong to: of a transfer the mass, the way and the moments of inertia at its
-        start, of a matrix the entries about the centre of mass, where it is elsewhere, of a rate
-        the components of the vector, of a motion those of the velocity, of the velocity relative to
-        the moving frame, of its angular velocity, and of the angular velocity of the point's own
-        frame and its position there, of a chain what the function is of, of a scalar product the
-        components of both vectors
+    "point", "vector" : the components
+    "turn" : axis and angle
+    "coordinate" : the distance of a point in polar coordinates
+    "dot" : a scalar product; of the components of both vectors
+    "rate" : the components of the rate of a vector in its frame, of an angular acceleration, or of
+        the velocity of a point; of the components of the vector
+    "motion" : the components of the acceleration of a point; of its velocity, its velocity relative
+        to the moving frame, the angular velocity of this one and of the point's own frame, and the
+        position in that
+    "chain" : the rates of the argument of a function, and its two derivatives; of the argument
+    "body" : mass, products and moments of inertia
+    "transfer" : the factor of the parallel-axis terms, 1; of mass, way, moments of inertia at its
+        start
+    "matrix" : the nine entries of an inertia; of those about the centre of mass, if elsewhere
     """
     token = _change.set(change)
     try:
@@ -47,9 +47,6 @@ def built(
     if not change:
         return parts
     if callable(of):
-        token = _change.set(None)
-        try:
+        with built_otherwise(None):
             of = of()
-        finally:
-            _change.reset(token)
     return change(kind, parts, of)

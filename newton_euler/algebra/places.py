@@ -34,10 +34,9 @@ def callers_line(error: BaseException) -> str:
 
 def raised_by_the_engine(error: BaseException) -> bool:
     """True if the engine itself raised this error, False if a function that it called did."""
-    at = error.__traceback__
-    while at and at.tb_next:
-        at = at.tb_next
-    module = at.tb_frame.f_globals.get("__name__", "") if at else ""
+    module = ""
+    for frame, _ in walk_tb(error.__traceback__):
+        module = frame.f_globals.get("__name__", "")
     return module.partition(".")[0] == "newton_euler"
 
 

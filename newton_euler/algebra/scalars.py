@@ -20,7 +20,7 @@ import zlib
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from fractions import Fraction
-from functools import reduce, wraps
+from functools import cache, reduce, wraps
 from importlib import import_module
 from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -28,6 +28,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 FUNCTIONS = (
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt",
 )  # fmt: skip
+_by_type: Any = cache  # for a type checker classes are not hashable
 LIBRARIES = {"numpy", "mpmath", "sympy", "symengine", "heyoka"}
 
 # The type of a number of any kind. The kinds share their operators but no base class, so a type
@@ -106,7 +107,7 @@ class _Own:
 
 
 class Unordered:
-    """Base of numbers that are more than a value: what asks for one value is refused in words.
+    """Base of numbers that are not one value; where one is needed, an error says what to write.
 
     advice : what to write instead
     """
@@ -249,7 +250,7 @@ def scalar(x: object) -> Scalar:
         return x
     if type(x) in (int, bool):
         return x or ZERO
-    kind = _kinds.get(type(x)) or _kind(type(x))
+    kind = _kind(type(x))
     if kind == "number":
         return x
     if kind == "numpy":
@@ -260,13 +261,10 @@ def scalar(x: object) -> Scalar:
     )
 
 
-# the kind of each type that was met: "number", "numpy", or "none"
-_kinds: dict[type, str] = {}
-
-
+@_by_type
 def _kind(kind):
-    """Whether the objects of a type are numbers, or of NumPy, which has more than numbers."""
-    root, name, found = _root(kind), kind.__name__, "none"
+    """ "number" for a type of numbers, "numpy" for one of NumPy, which has more than numbers."""
+    root, name = _root(kind), kind.__name__
     if (
         issubclass(kind, (float, int, Fraction, complex))  # np.float64 too
         or (root == "sympy" and issubclass(kind, import_module("sympy").Expr))
@@ -274,11 +272,9 @@ def _kind(kind):
         or (root == "mpmath" and name != "matrix")
         or (root == "heyoka" and name == "expression")
     ):
-        found = "number"
-    elif root == "numpy" and hasattr(kind, "dtype") and not hasattr(kind, "mask"):
-        found = "numpy" if name != "matrix" else found
-    _kinds[kind] = found
-    return found
+        return "number"
+    array = root == "numpy" and hasattr(kind, "dtype") and not hasattr(kind, "mask")
+    return "numpy" if array and name != "matrix" else "none"
 
 
 def _of_numpy(x):
@@ -447,20 +443,11 @@ def short(x: Scalar) -> str:
     return short_repr(x) if _root(type(x)) in ("sympy", "symengine") else str(x)
 
 
-_roots: dict[type, str] = {}
-
-
+@_by_type
 def _root(kind):
     """The name of the library that a type belongs to."""
-    root = _roots.get(kind)
-    if root is None:
-        # SymPy's q(t) has a class without a module
-        module = next(k.__module__ for k in kind.__mro__ if k.__module__)
-        root = _roots[kind] = module.partition(".")[0]
-    return root
-
-
-_modules: dict = {}
+    # SymPy's q(t) has a class without a module
+    return next(k.__module__ for k in kind.__mro__ if k.__module__).partition(".")[0]
 
 
 def library_of(values: Iterable[Scalar]) -> ModuleType:
@@ -468,16 +455,15 @@ def library_of(values: Iterable[Scalar]) -> ModuleType:
     roots = {_root(type(v)) for v in values}
     for name in ("heyoka", "sympy", "symengine", "mpmath", "numpy"):
         if name in roots:
-            return _modules.get(name) or _modules.setdefault(name, _imported(name))
+            return _library(name)
     return import_module("cmath") if complex in map(type, values) else math
 
 
-def _imported(name):
-    return _real_mpmath() if name == "mpmath" else import_module(name)
-
-
-def _real_mpmath():
-    """mpmath with functions that have no complex values of real numbers, as those of floats."""
+@cache
+def _library(name):
+    """The module of this name; mpmath without complex values of real numbers, as for floats."""
+    if name != "mpmath":
+        return import_module(name)
     import mpmath
 
     def real(f):
@@ -510,7 +496,7 @@ def function(name: str, *args: Scalar) -> Scalar:
     """The function ``name`` (of :data:`FUNCTIONS`, or ``atan2``) of scalars of any kind."""
     chosen = highest(args)
     if chosen is not None:
-        return chosen.function(name, *args) if name == "atan2" else chosen.function(name)
+        return chosen.function(name, *args)
     args = tuple([0 if (x := scalar(a)) is ZERO else x for a in args])
     try:
         return getattr(library_of(args), name)(*args)
@@ -553,15 +539,15 @@ def hypot(*values: Scalar) -> Scalar:
     (5e-200, 0)
     """
     some = [x for x in values if x is not ZERO]
-    for x in some:
-        if type(x) is not float:
-            break
-    else:
-        return math.hypot(*some) if some else ZERO
-    if all(type(x) in (float, int, Fraction) for x in some):
+    if not some:
+        return ZERO
+    kinds = {*map(type, some)}
+    if kinds == {float}:
+        return math.hypot(*some)
+    if kinds <= {float, int, Fraction}:
         with suppress(OverflowError):  # of a whole number beyond floats: the root says so in words
             return math.hypot(*some)
-    if all(type(x) is float or _has_floats(x) for x in some):
+    if all(type(x) is float or getattr(getattr(x, "dtype", None), "kind", "") == "f" for x in some):
         return _hypot_of_arrays(import_module("numpy"), some)
     return sqrt(sum((x * x for x in some), ZERO))
 
@@ -577,11 +563,6 @@ def _hypot_of_arrays(numpy, values):
     lost = ~((square > 1e-280) & (square < 1e300))  # digits of the squares, or all of them
     root[lost] = reduce(numpy.hypot, (numpy.broadcast_to(x, root.shape)[lost] for x in values), 0.0)
     return root
-
-
-def _has_floats(x):
-    """True for an array or a number of NumPy with real floats."""
-    return getattr(getattr(x, "dtype", None), "kind", "") == "f"
 
 
 def atan2(y: Scalar, x: Scalar) -> Scalar:
@@ -637,7 +618,7 @@ def is_numeric(x: Scalar) -> bool:
         return True
     if isinstance(x, _Own):
         return x.is_numeric()
-    kind = _kinds.get(type(x)) or _kind(type(x))
+    kind = _kind(type(x))
     if kind != "number":
         return kind == "numpy"
     root = _root(type(x))
@@ -706,6 +687,12 @@ def max_abs(x: Scalar) -> float:
     """The largest absolute value in ``x``, as a float, to be compared with a tolerance."""
     largest = abs(without_rates(x))
     return float(largest.max(initial=0)) if hasattr(largest, "max") else float(largest)
+
+
+def min_abs(x: Scalar) -> float:
+    """The smallest absolute value in ``x``, as a float: that of a divisor nearest to zero."""
+    smallest = abs(without_rates(x))
+    return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)
 
 
 def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
@@ -802,9 +789,3 @@ def _inside_out(x, known):
         if x.is_Add and abs(value) < 1e-25 * max(map(abs, args)):
             known[x] = x.func()
     return known[x]
-
-
-def min_abs(x: Scalar) -> float:
-    """The smallest absolute value in ``x``, as a float: that of a divisor nearest to zero."""
-    smallest = abs(without_rates(x))
-    return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)

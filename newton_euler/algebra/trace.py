@@ -299,28 +299,22 @@ class Inner:
         return _unpacked_inner, (self.parameters, *packed(self.trace, self.leaves))
 
 
-class _Open(threading.local):
-    """The inner formulas that this thread is tracing, from outside to inside."""
-
-    def __init__(self):
-        self.traces = []
-
-
-_open = _Open()
+_open = threading.local()  # .traces: the inner formulas being traced, from outside to inside
 
 
 def _inner(op, f, limits, sample, names=("x",)):
     """The steps of ``op`` ("integral", "over_cube", "root") of ``f``, one for each scalar."""
     traces = [x.trace for x in (*limits, *sample) if isinstance(x, Step)]
     # f may use a value of the formula that is being traced, though what it returns does not
-    traces += [t for t in _open.traces if traces[0] in t.around()]
+    inside = vars(_open).setdefault("traces", [])
+    traces += [t for t in inside if traces[0] in t.around()]
     outer = max(traces, key=lambda trace: len(list(trace.around())))
     trace = Trace(outer)
-    _open.traces.append(trace)
+    inside.append(trace)
     try:
         leaves = [trace.inward(leaf) for leaf in f(*(trace.new("argument", x) for x in names))]
     finally:
-        _open.traces.pop()
+        inside.pop()
     names = [*names, *(step.args[0] for step in trace.captured.values())]
     trace.outer = None  # the formula is complete, and is kept without the outer one
     outside = [outer.steps[number] for number in trace.captured]

@@ -20,6 +20,7 @@ from ..algebra.scalars import (
     Scalar,
     ScalarError,
     Triple,
+    hypot,
     is_finite,
     is_numeric,
     max_abs,
@@ -34,7 +35,6 @@ from ..bodies.admissibility import not_negative, positive
 from ..kinematics.curvilinear_systems import gradient, tangents
 from ..kinematics.frames import Point
 from ..kinematics.paths import Path
-from ..kinematics.triads import norm3
 from .gravity import G_STANDARD, K
 from .work import Field, magnitude, work_along
 
@@ -91,7 +91,7 @@ def spring_between(
             raise FrameError("a spring is between two Points, or between two triples")
         distance = (second - first).norm()
     else:
-        distance = norm3(tuple(scalar(b) - a for a, b in zip(first, second, strict=True)))
+        distance = hypot(*(scalar(b) - a for a, b in zip(first, second, strict=True)))
     return spring_potential(stiffness, scalar(distance) - free_length)
 
 
@@ -265,7 +265,7 @@ def _check_loop(force, loop, n, tolerance):
         raise WorkError(f"loop {n} is not closed: it leads from {first} to {last}")
     strength = max(magnitude(f) for p in places for f in force(*p))
     steps = (zip(p, q, strict=True) for p, q in pairwise(places))
-    length = sum(norm3(tuple(b - a for a, b in step)) for step in steps)
+    length = sum(hypot(*(b - a for a, b in step)) for step in steps)
     U = work_along(lambda *place: tuple(map(probe, force(*place))), loop, 0.0, 1.0)
     if max_abs(scalar(U.value)) > max(tolerance * length * strength, 10 * U.error):
         raise NoPotential(

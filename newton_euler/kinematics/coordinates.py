@@ -25,17 +25,18 @@ from ..algebra.scalars import (
     atan2,
     cos,
     epsilon,
+    hypot,
+    is_numeric,
     max_abs,
     min_abs,
     scalar,
     sin,
-    sqrt,
     to_plain,
 )
 from ..algebra.vectors import Vector
 from .frames import Frame, Point
 from .rotations import product
-from .triads import below_roundoff, norm3, numeric3
+from .triads import below_roundoff
 
 # -- frames of local unit vectors
 
@@ -251,7 +252,7 @@ def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = Non
     """
     for vector in (r, v, a):
         c = (0,) * 3 if vector is None else vector.components(r.frame)
-        if numeric3(c) and max_abs(c[2]) > 0:
+        if all(map(is_numeric, c)) and max_abs(c[2]) > 0:
             raise SingularError(
                 f"polar components are for the x, y plane: use cylindrical_coordinates for {vector}"
             )
@@ -285,7 +286,7 @@ def spherical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None =
     """
     x, y, z = r.c
     level = _off_the_axis(r, "at a pole (on the z axis), where theta and its rates do not exist")
-    R = norm3(r.c)
+    R = hypot(*r.c)
 
     def here(frame, name, *q):
         P = spherical(frame, name, *q)
@@ -298,9 +299,9 @@ def spherical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None =
 
 def _off_the_axis(r, where):
     """The distance from the z axis; an error if it is below round-off."""
-    x, y, _ = r.c
-    level = sqrt(x * x + y * y)
-    if numeric3(r.c) and below_roundoff(scalar(level), 4 * epsilon(level) * norm3(r.c)):
+    level = hypot(*r.c[:2])
+    noise = 4 * epsilon(level) * hypot(*r.c)
+    if all(map(is_numeric, r.c)) and below_roundoff(scalar(level), noise):
         raise SingularError(
             f"the point is {where} (distance {min_abs(level):.3g}); describe it in "
             "rectangular components, or turn the axes so that it is elsewhere"

@@ -5,7 +5,7 @@ abs(dr/dq_i).
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from itertools import combinations_with_replacement
+from itertools import chain, combinations_with_replacement
 
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving, at, moving
@@ -15,6 +15,7 @@ from ..algebra.scalars import (
     Scalar,
     SingularError,
     Triple,
+    hypot,
     integer_like,
     is_numeric,
     scalar,
@@ -23,7 +24,7 @@ from ..algebra.scalars import (
 from ..algebra.vectors import Vector, cross3, dot3, scale3
 from .coordinates import CoordinatePoint
 from .frames import Frame, Point
-from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity, turning_of
+from .triads import Triad, below_roundoff, roundoff_sensitivity, turning_of
 
 
 @checked
@@ -58,7 +59,7 @@ def curvilinear(
     q = tuple(moving(x) for x in (q1, q2, q3))
     values = tuple(x.value for x in q)
     columns = tangents(position, values)
-    factors = tuple(norm3(c) for c in columns)
+    factors = tuple(hypot(*c) for c in columns)
     _check(position, values, columns, factors)
     axes = [tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)]
     turning = partial(_turning, position, q)
@@ -90,7 +91,7 @@ def _rate(x):
 
 
 def _check(position, q, columns, factors):
-    if not (all(map(is_numeric, q)) and all(map(numeric3, columns))):
+    if not all(map(is_numeric, (*q, *chain(*columns)))):
         return
     noises = roundoff_sensitivity(lambda *p: tangents(position, p), q)
     for n, (h, noise) in enumerate(zip(factors, noises, strict=True), 1):
@@ -117,7 +118,7 @@ def _check_axes(axes):
 
 def _turning(position, q):
     columns = [[as_moving(x) for x in c] for c in tangents(position, q)]
-    return turning_of([[as_moving(x / norm3(c)) for x in c] for c in columns])
+    return turning_of([[as_moving(x / hypot(*c)) for x in c] for c in columns])
 
 
 def _velocity_terms(P, columns, names):

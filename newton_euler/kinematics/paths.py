@@ -21,15 +21,16 @@ from ..algebra.scalars import (
     SingularError,
     Triple,
     epsilon,
+    hypot,
     integer_like,
     is_numeric,
     is_zero,
     scalar,
     to_plain,
 )
-from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3, sum3
+from ..algebra.vectors import FrameError, Vector, add3, cross3, dot3, scale3, sum3, three
 from .frames import Frame
-from .triads import Triad, below_roundoff, norm3, numeric3, roundoff_sensitivity
+from .triads import Triad, below_roundoff, roundoff_sensitivity
 
 Path: TypeAlias = Callable[[Scalar], Triple]
 
@@ -44,7 +45,11 @@ def along(path: Path, q: Scalar) -> Triple:
     >>> ground.point("P", *along(lambda t: (t**2, 3.0*t, 1.0), 2.0)).velocity(ground)
     Vector(4.0, 3.0, 0 in ground)
     """
-    return tuple(map(moving, _three(path(_running(q)))))
+    return tuple(map(moving, _place(path, _running(q))))
+
+
+def _place(path, q):
+    return three(path(q), "a place on a path (z is 0 in the plane)", FrameError)
 
 
 def derivatives(path: Path, q: Scalar) -> Rows:
@@ -52,7 +57,7 @@ def derivatives(path: Path, q: Scalar) -> Rows:
     one = integer_like(1, q)  # a plain 1 divided by 3 would have 16 digits, however many q has
     orders = []
     # a jet of jets: the rate of the second rate is the third derivative
-    for x in map(as_moving, _three(path(Moving(Moving(scalar(q), one), one)))):
+    for x in map(as_moving, _place(path, Moving(Moving(scalar(q), one), one))):
         value, rate = as_moving(x.value), as_moving(x.rate)
         orders.append((value.value, value.rate, value.acceleration, rate.acceleration))
     return tuple(zip(*orders, strict=True))
@@ -68,7 +73,7 @@ def at_speed(path: Path, q: Scalar, speed: Scalar, speed_rate: Scalar = 0) -> Mo
     moving(0.0, rate=2.0, acceleration=-0.0)
     """
     _, first, second, _ = derivatives(path, q)
-    stretch = norm3(first)
+    stretch = hypot(*first)
     if is_numeric(stretch) and below_roundoff(stretch, _noise(path, q)[0]):
         raise SingularError(
             f"dr/dq is zero at q = {q!r}: the path stands still; use another parameter"
@@ -86,16 +91,6 @@ def _noise(path, q):
 def _running(q):
     q = moving(q)
     return Moving(q.value, integer_like(1, q.value)) if q.rests() else q
-
-
-def _three(c):
-    try:
-        x, y, z = c
-    except (TypeError, ValueError):
-        raise FrameError(
-            f"a path returns three coordinates (x, y, z), 0 for z in the plane; got {c!r}"
-        ) from None
-    return x, y, z
 
 
 @dataclass(frozen=True)
@@ -216,19 +211,19 @@ def frenet_along(path: Path, q: Scalar, ground: Frame, name: str = "path") -> Fr
     v = scale3(q.rate, first)
     a = add3(scale3(q.rate * q.rate, second), scale3(q.acceleration, first))
     noises = [ZERO, ZERO]
-    if numeric3(v) and numeric3(a) and is_numeric(q.value):
+    if all(map(is_numeric, (*v, *a, q.value))):
         noises = [noise * abs(q.rate) ** n for n, noise in enumerate(_noise(path, q.value), 1)]
     # the other parts of the jerk lie in the plane of v and a
     return _frenet(ground, v, a, scale3(q.rate**3, third), name, *noises)
 
 
 def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
-    speed, turn = norm3(v), cross3(v, a)
+    speed, turn = hypot(*v), cross3(v, a)
     _check_speed(v, speed, v_noise)
-    area = norm3(turn)
+    area, size = hypot(*turn), hypot(*a)
     # the rounding of the cross product itself, with a margin of 8, and that of v and of a
-    rounding = 8 * epsilon(speed) * (speed * norm3(a)) + speed * a_noise + norm3(a) * v_noise
-    if is_zero(area) or (numeric3((*v, *a)) and below_roundoff(area, rounding)):
+    rounding = 8 * epsilon(speed) * (speed * size) + speed * a_noise + size * v_noise
+    if is_zero(area) or (all(map(is_numeric, (*v, *a))) and below_roundoff(area, rounding)):
         raise SingularError(
             "the path is straight here, on a line or at an inflection: v x a is zero (within "
             "rounding), so e_n, e_b and the torsion do not exist and the radius of curvature is "
@@ -244,7 +239,7 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
 
 
 def _check_speed(v, speed, noise):
-    if numeric3(v) and below_roundoff(scalar(speed), noise):
+    if all(map(is_numeric, v)) and below_roundoff(scalar(speed), noise):
         raise SingularError(
             "the point is at rest (within rounding): a velocity of zero has no direction, so there "
             "is no e_t; if the path is known, take the triad from the path with a parameter that "
@@ -254,8 +249,8 @@ def _check_speed(v, speed, noise):
 
 def _round_off(v):
     """The round-off to expect in a vector, as a length, from its components and its terms."""
-    return 4 * epsilon(norm3(v.c)) * _gathered(v) if numeric3(v.c) else ZERO
+    return 4 * epsilon(hypot(*v.c)) * _gathered(v) if all(map(is_numeric, v.c)) else ZERO
 
 
 def _gathered(v):
-    return sum((_gathered(term) for term in v.terms.values()), norm3(v.c))
+    return sum((_gathered(term) for term in v.terms.values()), hypot(*v.c))

@@ -12,6 +12,7 @@ from ..algebra.scalars import (
     Scalar,
     SingularError,
     anywhere,
+    is_comparable,
     is_numeric,
     max_abs,
     where,
@@ -42,18 +43,13 @@ def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = ZERO) -> tuple[S
     >>> round(t/2, 12), round(x, 12)  # t = 2 ln 4
     (1.38629436112, 6.0)
     """
-    ahead = _sense(v - v0)
+    way = without_rates(v - v0)
+    ahead = where(way >= 0, 1, -1) if is_comparable(way) else 1
     # sampled: a change of sign within less than 1/64 of the interval is missed
     for n in range(65) if is_numeric(ahead) and is_numeric(v) else ():
         there = without_rates(a(v0 + (v - v0) * n / 64) * ahead)
-        if is_numeric(there) and anywhere(there <= 0) and max_abs(v - v0) > 0:
+        if is_numeric(there) and anywhere(there <= 0) and max_abs(way) > 0:
             raise SingularError(
                 f"the velocity {v!r} is not reached from {v0!r}: before, a vanishes or turns"
             )
     return integral(lambda u: 1 / a(u), v0, v), x0 + integral(lambda u: u / a(u), v0, v)
-
-
-def _sense(x):
-    """1 where x is not negative, else -1; 1 for dimensions and symbols, which have no sign."""
-    x = without_rates(x)
-    return where(x >= 0, 1, -1) if is_numeric(x) or hasattr(x, "where") else 1

@@ -6,7 +6,7 @@ from typing import Any
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving
 from ..algebra.pickles import Computed
-from ..algebra.scalars import Scalar, anywhere, clipped, epsilon, is_numeric, scalar, sqrt, to_plain
+from ..algebra.scalars import Scalar, anywhere, clipped, epsilon, hypot, scalar, to_plain
 from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3, sub3
 from .frames import Frame
 
@@ -81,16 +81,6 @@ def turning_of(axes: Sequence[Sequence[Any]]) -> tuple[tuple, tuple]:
     return tuple(x.value for x in omega), tuple(x.rate for x in omega)
 
 
-def norm3(c: Sequence[Scalar]) -> Scalar:
-    """The length of a triple."""
-    return sqrt(dot3(c, c))
-
-
-def numeric3(c: Sequence[Scalar]) -> bool:
-    """Whether all components have values that can be compared."""
-    return all(map(is_numeric, c))
-
-
 def below_roundoff(value: Scalar, noise: Scalar) -> bool:
     """Whether ``value`` >= 0 is at most ``noise`` >= 0, its round-off (arrays: at any instant)."""
     return anywhere(to_plain(value) <= to_plain(noise))
@@ -107,5 +97,5 @@ def roundoff_sensitivity(f: Callable, q: Sequence[Scalar]) -> list:
         for units in (-29, -3, 7, 41):
             others = f(*q[:n], x * (1 + units * epsilon(x)), *q[n + 1 :])
             for k, (c, d) in enumerate(zip(others, middle, strict=True)):
-                totals[k] = totals[k] + norm3(sub3(c, d))
+                totals[k] = totals[k] + hypot(*sub3(c, d))
     return totals

@@ -36,10 +36,9 @@ def clocked(traced):
     """The steps that choose between formulas by linear functions of the time, a list: comparisons,
     absolute values and tables.
     """
-    steps, linear, found = varying(traced), set(), []
-    changing = {s.number for s in steps}
-    for s in steps:
-        moving = [a for a in s.args if isinstance(a, Step) and a.number in changing]
+    linear, found = set(), []
+    for s in varying(traced):
+        moving = [a for a in s.args if isinstance(a, Step) and traced.depends[a.number]]
         if s.op == "argument":
             straight = s.args[0] == traced.rhs.parameters[0]
         else:
@@ -83,17 +82,22 @@ def is_high_power(s, unknown=False):
     return unknown if isinstance(s.args[1], Step) else s.args[1] > HIGH_POWER
 
 
+def depends(traced):
+    """For each step of the trace the names of the states, and of the time, on which it depends: a
+    dict of sets by number.
+    """
+    changing, found = set(traced.rhs.parameters[: traced.arguments]), {}
+    for s in traced.rhs.trace.steps:
+        below = [found[a.number] for a in s.args if isinstance(a, Step)]
+        found[s.number] = {s.args[0]} & changing if s.op == "argument" else set().union(*below)
+    return found
+
+
 def varying(traced):
     """The steps of the trace that the rates need and that change during a motion."""
-    rhs, found = traced.rhs, {}
-    changing, needed = set(rhs.parameters[: traced.arguments]), uses(rhs.trace, rhs.leaves)
-    for s in rhs.trace.steps:
-        if s.op == "argument":
-            if s.args[0] in changing:
-                found[s.number] = s
-        elif any(isinstance(a, Step) and a.number in found for a in s.args):
-            found[s.number] = s
-    return [s for n, s in found.items() if n in needed]
+    needed = uses(traced.rhs.trace, traced.rhs.leaves)
+    steps = traced.rhs.trace.steps
+    return [s for s in steps if s.number in needed and traced.depends[s.number]]
 
 
 def factors(x):

@@ -10,6 +10,7 @@ from time import perf_counter
 from types import MappingProxyType, SimpleNamespace
 from typing import Any, NamedTuple
 
+from ..algebra.late import np
 from ..algebra.names import Guided
 from ..algebra.scalars import Scalar
 from .error_estimates import REPORTED_SAFETY, error_by_difference, relative_shift
@@ -83,8 +84,6 @@ def integrate_many(run, name):
     """
     if run.events:
         raise ModelError("events need one motion at a time; integrate each start by itself")
-    import numpy as np
-
     begun, many = perf_counter(), _Many.of(run)
     sweep, used = _sweep(many, run, name)
     states, errors, calls = sweep
@@ -128,8 +127,6 @@ class _Many:
     @classmethod
     def of(cls, run):
         """Those of a run; :class:`ModelError` where the arrays do not fit together."""
-        import numpy as np
-
         model, state, samples = run.system.model, run.state, run.samples
         values = {
             n: real_numbers(x, f"the parameter {n} of {model.name!r} is one real number a motion")
@@ -180,16 +177,12 @@ def _sweep(many, run, name):
 
 def _unknown(many):
     """The :class:`Sweep` before anything is known: states nan, errors inf."""
-    import numpy as np
-
     count = many.starts.shape[1]
     return Sweep(np.full((*many.starts.shape, len(many.times)), np.nan), np.full(count, np.inf), 0)
 
 
 def _exact(many, run):
     """The :class:`Sweep` by the exact solution; the errors are bounds."""
-    import numpy as np
-
     model, starts, parameters = many.model, many.starts, many.parameters
     states, errors, _ = _unknown(many)
     columns = model.changed(**{n: x[:, None] for n, x in parameters.items()})
@@ -221,8 +214,6 @@ def _taylor(many, run):
     Motions are compared with those of higher order, except those that begin and end close to one
     that was, as with :class:`~newton_euler.motion.verified.Verified` for single runs.
     """
-    import numpy as np
-
     system, starts, times, rtol = run.system, many.starts, many.times, run.rtol
     if np.any(np.diff(times) <= 0):
         raise ModelError(f"the samples of many motions must increase from t = {run.t0:g}")
@@ -282,18 +273,16 @@ def _cancelling(motions, system, times, points, p, sizes):
     """Those of these numbers of ``motions`` of which a state is small by cancellation at both ends,
     as of :func:`~newton_euler.motion.sizes.small`.
     """
-    import numpy as np
-
     rates, found = system.traced.folded[0].on(np), np.ones((len(sizes), len(motions)), dtype=bool)
     with np.errstate(all="ignore"):
         for t, x in zip(times, points, strict=True):
             x, size, numbers = x[:, motions], sizes[:, motions], p[:, motions]
             scale = np.where(size > 0, size, 1.0)
-            here, slopes = _rows(np, rates(t, *x, *numbers), x), []
+            here, slopes = _rows(rates(t, *x, *numbers), x), []
             for k, step in enumerate(SLOPE_STEP * scale):
                 moved = x.copy()
                 moved[k] += step
-                slopes.append(abs(_rows(np, rates(t, *moved, *numbers), x) - here) / step)
+                slopes.append(abs(_rows(rates(t, *moved, *numbers), x) - here) / step)
             # arrays (rates, states, motions)
             matrix, vector = np.array(slopes).swapaxes(0, 1), np.ones_like(x)
             terms, matrix = (matrix * size).sum(axis=1), matrix * scale / scale[:, None]
@@ -309,7 +298,7 @@ def _cancelling(motions, system, times, points, p, sizes):
     return motions
 
 
-def _rows(np, values, x):
+def _rows(values, x):
     """The values as an array of the shape of ``x``; one of them may be a number."""
     return np.array([np.broadcast_to(row, x.shape[1]) for row in values])
 
@@ -325,8 +314,6 @@ def _unseen(many, run, n, tolerance, error):
 
 def _constants(many, system):
     """The constants of the folded right-hand side, an array (constants, motions)."""
-    import numpy as np
-
     count, values = many.starts.shape[1], zip(system.free, system.p, strict=True)
     constants = system.traced.folded[1].on(np)(*(many.parameters.get(n, v) for n, v in values))
     return np.array([np.broadcast_to(x, count) for x in constants], dtype=float).reshape(-1, count)
@@ -336,8 +323,6 @@ def _clock_errors(system, t0, t1, ends, p, sizes, enough):
     """The error of each motion by :func:`~newton_euler.motion.sizes.time_round_off`, or a bound of
     it that is below ``enough``.
     """
-    import numpy as np
-
     count = ends.shape[1]
     if system.autonomous:
         return np.zeros(count)
@@ -369,8 +354,6 @@ def _representatives(begins, ends):
     In sorted order neighbours are close: a motion that is not close to the one in the middle of its
     block waits for smaller blocks.
     """
-    import numpy as np
-
     count, states = begins.shape[1], len(ends)
     vouching, waiting = np.arange(count), np.lexsort(begins)
     # The size of a state is that at either end, or, as it may be zero at both, its largest in all

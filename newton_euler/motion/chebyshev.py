@@ -4,14 +4,14 @@ and the zero of a function in a bracket.
 
 from functools import cache
 
+from ..algebra.late import np
+
 DEGREE = 12
 EPS = 2.0**-52
 
 
 def values_at(fits, x):
     """The values of polynomials at one place each."""
-    import numpy as np
-
     k = np.arange(fits.shape[1])
     return (fits * np.cos(np.arccos(x)[:, None] * k)).sum(axis=1)
 
@@ -19,8 +19,6 @@ def values_at(fits, x):
 @cache
 def _differentiation():
     """The matrix that turns the coefficients of a polynomial into those of its derivative."""
-    import numpy as np
-
     return np.polynomial.chebyshev.chebder(np.eye(DEGREE + 1)).T
 
 
@@ -33,8 +31,6 @@ def extrema(fits):
     """The places in (-1, 1) of all extrema of polynomials, as two arrays: the indices of the
     polynomials, and the places in order.
     """
-    import numpy as np
-
     c = fits @ _differentiation()
     sizes = np.abs(c)
     largest = sizes.max(axis=1, keepdims=True)
@@ -59,8 +55,6 @@ def _companions(c):
     """Matrices whose eigenvalues are the zeros of polynomials: ``chebcompanion`` of NumPy for many
     at once.
     """
-    import numpy as np
-
     n = c.shape[1] - 1
     scale = np.sqrt([1.0] + [0.5] * (n - 1))
     last = c[:, :-1] / c[:, -1:] * (scale / scale[-1])

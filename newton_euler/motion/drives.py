@@ -4,6 +4,7 @@ micrometre at the surface of the Earth is genuine, however many of its digits ro
 
 from contextlib import suppress
 
+from ..algebra.late import np
 from .narrow import narrow_times
 
 # a rate, or a state, is genuine above this multiple of what the last digits of states and
@@ -30,16 +31,14 @@ def driven(trajectory, start, natural, doubted):
     system, stepper, begin, *_ = trajectory.segments[0]
     if found == doubted:
         return found
-    import numpy as np
-
     with suppress(ArithmeticError, ValueError), np.errstate(all="ignore"):
-        times, x = _points_passed(np, stepper)
+        times, x = _points_passed(stepper)
 
         def rates(x, p=system.p):
             values = system.traced.rhs.on(np)(times, *x, *p)
             return np.array([np.broadcast_to(row, times.shape) for row in values])
 
-        first, held = np.array(start)[:, None], _driven_by(np, rates, x, doubted)
+        first, held = np.array(start)[:, None], _driven_by(rates, x, doubted)
         change = np.where(held[:, None], 0.0, x - x[:, :1])
         x = first + change
         found_rates, apart = rates(x), []
@@ -61,7 +60,7 @@ def driven(trajectory, start, natural, doubted):
     return found
 
 
-def _points_passed(np, stepper):
+def _points_passed(stepper):
     """Times of a run, the start first, including those of narrow features and halfway between
     these; and the states at these times.
     """
@@ -80,7 +79,7 @@ def _points_passed(np, stepper):
     return times, stepper.states(times)
 
 
-def _driven_by(np, rates, x, doubted):
+def _driven_by(rates, x, doubted):
     """For each state, whether it is doubted, or its rate depends on doubted states or on others
     that these drive.
     """

@@ -60,7 +60,8 @@ def error_by_comparison(before, trajectory, method):
     # far from the origin the error of a place, which is large, does not set the steps
     if method.adaptive and trajectory.known and small(*trajectory.known[:2]):
         regular = False
-    more = _clock_error(trajectory)
+    system, stepper, t0, t1, x1 = trajectory.segments[-1]
+    more = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)  # by the clock
     if method.series and traced.hazards:
         more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
     if tolerance <= TIGHT and (method.series or method.adaptive) and is_here("numpy"):
@@ -68,11 +69,6 @@ def error_by_comparison(before, trajectory, method):
         more = math.hypot(more, *found)
     more = math.hypot(more, *(round_off_far_away(part.stepper) for part in trajectory.segments))
     return math.hypot(error_by_difference(difference, ratio, tolerance, regular, fine), more)
-
-
-def _clock_error(trajectory):
-    system, stepper, t0, t1, x1 = trajectory.segments[-1]
-    return time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)
 
 
 def error_by_difference(difference, ratio, tolerance, regular=True, steps=0):

@@ -8,6 +8,7 @@ from heapq import merge
 from math import nan
 from numbers import Real
 
+from ..algebra.late import np
 from ..algebra.names import guided
 from ..algebra.places import at_a_place, raised_by_the_engine
 from ..algebra.portable import Portable
@@ -215,8 +216,6 @@ class EventLocator:
 
     def _values(self, times, x):
         """The values at an array of times with the states there, an array."""
-        import numpy as np
-
         if self.takes_arrays:
             try:
                 with np.errstate(all="ignore"):
@@ -230,8 +229,6 @@ class EventLocator:
         """The largest round-off of the values in each row of times: how much they change with the
         last digits of the time and of each state, relative to its largest size in that row.
         """
-        import numpy as np
-
         flat = times.reshape(-1)
         values = self._values(flat, x)
         total = np.abs(self._values(flat * (1 + NUDGE), x) - values)

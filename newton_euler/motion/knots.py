@@ -6,6 +6,7 @@ change their formula is not accurate.
 import math
 
 from ..algebra.compile import Compiled
+from ..algebra.late import np
 from ..algebra.trace import Step
 
 INTERVALS = 16384  # parts of the time: a pulse is found if it is longer than one of them
@@ -55,9 +56,7 @@ def _joints(system, t0, t1):
 
 
 def _found(system, t0, t1):
-    import numpy as np
-
-    formula = _functions_of_time(system.traced.rhs, system.model.states)
+    formula = _functions_of_time(system.traced)
     if formula is None:
         return ()
     times = np.linspace(t0, t1, INTERVALS + 1)
@@ -72,11 +71,11 @@ def _found(system, t0, t1):
         for row in rows:
             changes = abs(np.diff(np.broadcast_to(row, times.shape)))
             if np.isfinite(changes).all() and changes.max() > 0:
-                found |= _edges(np, changes > QUIET * changes.max())
+                found |= _edges(changes > QUIET * changes.max())
     return tuple(times[sorted(found)].tolist())
 
 
-def _edges(np, busy):
+def _edges(busy):
     """The indices of the instants at which busy intervals follow a run of quiet ones, or end; empty
     if there are very many.
     """
@@ -91,25 +90,14 @@ def _edges(np, busy):
     return {*begins, *ends}
 
 
-def _functions_of_time(rhs, states):
+def _functions_of_time(traced):
     """The functions of time alone that occur in the rates, as a
     :class:`~newton_euler.algebra.compile.Compiled` formula; None if there are none.
     """
-    of_time, of_state, leaves = set(), set(), {}
+    rhs, found = traced.rhs, list(traced.rhs.leaves)
     for step in rhs.trace.steps:
-        if step.op == "argument":
-            (of_time if step.args[0] == "t" else of_state if step.args[0] in states else set()).add(
-                step.number
-            )
-            continue
-        needs = [a for a in step.args if isinstance(a, Step)]
-        if any(a.number in of_state for a in needs):
-            of_state.add(step.number)
-            leaves.update((a.number, a) for a in needs if a.number in of_time)
-        elif any(a.number in of_time for a in needs):
-            of_time.add(step.number)
-    for leaf in rhs.leaves:
-        if isinstance(leaf, Step) and leaf.number in of_time:
-            leaves[leaf.number] = leaf
-    chosen = [leaf for leaf in leaves.values() if leaf.op != "argument"]
+        if traced.depends[step.number] - {"t"}:
+            found += step.args
+    steps = {x.number: x for x in found if isinstance(x, Step) and x.op != "argument"}
+    chosen = [x for n, x in steps.items() if traced.depends[n] == {"t"}]
     return Compiled("time", rhs.parameters, rhs.trace, chosen) if chosen else None

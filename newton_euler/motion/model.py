@@ -20,6 +20,7 @@ from warnings import warn
 
 from ..algebra.compile import compiled, content, recorded, text_of
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
+from ..algebra.late import np
 from ..algebra.names import guided, misfit
 from ..algebra.places import at_a_place, raised_by_the_engine
 from ..algebra.portable import Portable
@@ -541,8 +542,6 @@ def real_numbers(x, what):
     what : what is expected, for the message
     Raises :class:`ModelError` for anything else, and for quantities, whose unit would be lost.
     """
-    import numpy as np
-
     try:
         if has_unit(x) or hasattr(x, "mask"):
             raise TypeError

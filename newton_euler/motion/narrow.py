@@ -14,6 +14,7 @@ from itertools import pairwise
 from math import ulp
 from typing import NamedTuple
 
+from ..algebra.late import np
 from .chebyshev import DEGREE, extrema, values_at
 from .narrow_arguments import CHANGE, LIMITS, RATIO
 from .zeros import sampling
@@ -68,8 +69,6 @@ def passage(stepper, first):
     plain = not (stepper.repeated or arguments.tables or arguments.powers)
     if plain and FEW <= len(stepper.steps) - first < MANY and _calm(stepper, arguments, first):
         return None
-    import numpy as np
-
     with np.errstate(all="ignore"):
         times, knots, near = narrow_times(stepper, arguments, first)
         stepper.near += near
@@ -130,21 +129,19 @@ def narrow_times(stepper, arguments, first):
     in one step: two arrays; and a list of pairs (time, number of an argument) where one is least
     without a change of its sign.
     """
-    import numpy as np
-
     with np.errstate(all="ignore"):
-        path = _Path(np, stepper, arguments, first)
+        path = _Path(stepper, arguments, first)
         suspects = path.suspects()
-        brackets, near = _brackets(np, path, suspects) if suspects.any() else ([], [])
+        brackets, near = _brackets(path, suspects) if suspects.any() else ([], [])
         times, more = np.array([]), []
         if brackets:
-            times, more = _located(np, stepper.dense, arguments, brackets)
-        knots = [_knots(np, path, j, table.places) for j, table in arguments.tables.items()]
-        near += [*more, *_inside(np, path)]
+            times, more = _located(stepper.dense, arguments, brackets)
+        knots = [_knots(path, j, table.places) for j, table in arguments.tables.items()]
+        near += [*more, *_inside(path)]
         return times, np.concatenate([*knots, times[:0]]), near
 
 
-def _knots(np, path, j, places):
+def _knots(path, j, places):
     """The times at which an argument passes these places, in the steps that pass more than one."""
     places, row = np.array(places, dtype=float), path.rows[j]
     rises = np.diff(row)
@@ -172,7 +169,7 @@ def _knots(np, path, j, places):
     return t
 
 
-def _inside(np, path):
+def _inside(path):
     """Pairs (time, number of an argument) between two jumps that are close to each other."""
     near, ends = [], path.ends
     for j in np.flatnonzero(path.of.jumps[:, 0]).tolist():
@@ -192,8 +189,8 @@ class _Path:
     method does not keep its steps, halves of them; ``x`` are the states there.
     """
 
-    def __init__(self, np, stepper, arguments, first):
-        self.np, self.stepper, self.of = np, stepper, arguments
+    def __init__(self, stepper, arguments, first):
+        self.stepper, self.of = stepper, arguments
         ends, size, kept = stepper.step_times[first:], len(stepper.x), bool(stepper.steps)
         if kept:
             self.ends = np.array(ends)
@@ -207,14 +204,14 @@ class _Path:
             self.ends = np.interp(places, np.arange(count + 1), ends)
             self.x = stepper.states(self.ends)
         self.lengths = np.diff(self.ends)
-        self.rows = _values(np, stepper, arguments, self.ends, self.x)
+        self.rows = _values(stepper, arguments, self.ends, self.x)
         # True if the ends are not those of steps, or one of them has missed something
         near = any(self.ends[0] <= t <= self.ends[-1] for t in stepper.stops)
         self.closely = not kept or (stepper.repeated and near)
 
     def suspects(self):
         """For each argument and part whether it may be narrow there, by its values at the ends."""
-        np, of = self.np, self.of
+        of = self.of
         if len(self.lengths) < FEW:
             return np.full((len(of.kinds), len(self.lengths)), True)
         a, b = self.rows[:, :-1], self.rows[:, 1:]
@@ -241,12 +238,12 @@ class _Path:
 
     def arguments(self, times):
         """The arguments at an array of times, an array (arguments, *of the times)."""
-        flat = self.np.clip(times.reshape(-1), self.ends[0], self.ends[-1])
-        rows = _values(self.np, self.stepper, self.of, flat, self.stepper.states(flat))
+        flat = np.clip(times.reshape(-1), self.ends[0], self.ends[-1])
+        rows = _values(self.stepper, self.of, flat, self.stepper.states(flat))
         return rows.reshape(-1, *times.shape)
 
 
-def _brackets(np, path, suspects):
+def _brackets(path, suspects):
     """Triples (number of an argument, times between which it is at its narrow place); and pairs
     (time, number of an argument) where it turns back before that.
     """
@@ -269,19 +266,19 @@ def _brackets(np, path, suspects):
         off = np.maximum(off, abs(fits[:, DEGREE - 1 : DEGREE + 1]).max(axis=1))
         off += noise[j]
         closely, kinds = depth > 0 or path.closely, path.of.names[j]
-        u, v = _turns(np, fits[:, : DEGREE + 1])
-        narrow, rough, turned = _judged(np, kinds, u, v, off, n[c], closely)
+        u, v = _turns(fits[:, : DEGREE + 1])
+        narrow, rough, turned = _judged(kinds, u, v, off, n[c], closely)
         rough &= np.ptp(v, axis=1) > CLEAR * noise[j]
         last = depth == DEPTH or DIVIDED * rough.sum() > MOST
         for row in np.flatnonzero(
             (narrow | rough) & (kinds != "phase") if last else narrow & ~rough
         ).tolist():
-            for edges in [(0.0, 1.0)] if rough[row] else _about(np, kinds[row], u[row], v[row]):
+            for edges in [(0.0, 1.0)] if rough[row] else _about(kinds[row], u[row], v[row]):
                 times = begin[c[row]] + length[c[row]] * np.array(edges)
                 found.append((int(j[row]), *times.tolist()))
         level = np.where((kinds == "largest")[:, None], -v, abs(v))[:, 1:-1]
         for row in np.flatnonzero(narrow & ~rough & (kinds == "jump")).tolist():
-            for before, after in pairwise(_about(np, "jump", u[row], v[row])):
+            for before, after in pairwise(_about("jump", u[row], v[row])):
                 place = (before[1] + after[0]) / 2
                 near.append((float(begin[c[row]] + length[c[row]] * place), int(j[row])))
         for row in np.flatnonzero(~(narrow | rough) & turned & (kinds != "phase")).tolist():
@@ -298,7 +295,7 @@ def _brackets(np, path, suspects):
     return found, near
 
 
-def _turns(np, fits):
+def _turns(fits):
     """Fractions of parts, the ends and in between the extrema of each polynomial, in order, and its
     values there; the right end fills the rows.
     """
@@ -311,7 +308,7 @@ def _turns(np, fits):
     return (1 + u) / 2, values_at(rows, u.reshape(-1)).reshape(u.shape)
 
 
-def _judged(np, kinds, u, values, off, steps, divided):
+def _judged(kinds, u, values, off, steps, divided):
     """For each of these arguments: whether it changes fast in its part, whether its polynomial
     cannot tell, and whether it turns back inside.
 
@@ -338,7 +335,7 @@ def _judged(np, kinds, u, values, off, steps, divided):
     return found, rough, (crossed == 0) & (turns < lower)
 
 
-def _about(np, kind, u, values):
+def _about(kind, u, values):
     """Between which fractions of a part an argument is looked for, pairs: where its sign changes,
     or about its extrema.
     """
@@ -350,9 +347,9 @@ def _about(np, kind, u, values):
     return [(u[k], u[k + 2]) for k in inner] or [(0.0, 1.0)]
 
 
-def _values(np, stepper, arguments, times, x):
+def _values(stepper, arguments, times, x):
     """The arguments at some times, rows of an array."""
-    rows = _array(np, arguments.formula.on(np)(times, *x, *stepper.system.p), len(times))
+    rows = _array(arguments.formula.on(np)(times, *x, *stepper.system.p), len(times))
     found = rows[::2] - rows[1::2]
     for j in arguments.powers:
         # about its largest value x**n is exp(n*log(x)), and this is n*log(x) but smooth at zero
@@ -361,7 +358,7 @@ def _values(np, stepper, arguments, times, x):
     return found
 
 
-def _array(np, rows, count):
+def _array(rows, count):
     """An array (rows, count); a row may be a number."""
     out = np.empty((len(rows), count))
     for n, row in enumerate(rows):
@@ -369,15 +366,15 @@ def _array(np, rows, count):
     return out
 
 
-def rates_along(np, stepper, times, x, nudge=0.0):
+def rates_along(stepper, times, x, nudge=0.0):
     """The rates; ``nudge`` is a relative change, by turns up and down, of states and constants."""
     system = stepper.system
     numbers = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(system.constants)]
     x = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(x)]
-    return _array(np, system.traced.folded[0].on(np)(times, *x, *numbers), len(times))
+    return _array(system.traced.folded[0].on(np)(times, *x, *numbers), len(times))
 
 
-def _located(np, stepper, arguments, brackets):
+def _located(stepper, arguments, brackets):
     """The time in each of the brackets at which its argument is least; and a list of pairs (time,
     number of the argument) of those that do not change their sign there.
     """
@@ -387,7 +384,7 @@ def _located(np, stepper, arguments, brackets):
     for _ in range(ROUNDS):
         times = np.linspace(low, high, PARTS + 1, axis=1)
         flat = times.reshape(-1)
-        values = _values(np, stepper, arguments, flat, stepper.states(flat))
+        values = _values(stepper, arguments, flat, stepper.states(flat))
         values = values.reshape(-1, *times.shape)[j, rows]
         k = np.where(largest, -values, abs(values)).argmin(axis=1)
         signs.append(np.sign(values[:, [0, -1]]).T)
@@ -404,10 +401,8 @@ def _difference(stepper, n, centres, knots):
 
     centres, knots : times about which the pieces are shorter and shorter; where pieces end
     """
-    import numpy as np
-
     ends, states = (stepper.step_times[n], stepper.step_end(n)), partial(stepper.interpolate, n)
-    edges, integrals = _along(np, stepper, ends, states, centres, knots)
+    edges, integrals = _along(stepper, ends, states, centres, knots)
     made, jumps = integrals()
     apart = np.nan_to_num(made - np.diff(stepper.interpolate(n, edges), axis=1))
     scales = np.array([s or 1.0 for s in stepper.scales])
@@ -428,7 +423,7 @@ def _difference(stepper, n, centres, knots):
     return Passage(n, tuple(stops), tuple(sizes.tolist()), noise, float((sizes / scales).max()))
 
 
-def _along(np, stepper, ends, states, centres, knots=()):
+def _along(stepper, ends, states, centres, knots=()):
     """The ends of the pieces between two times, see :func:`_difference`, and a function of a nudge,
     see :func:`rates_along`, and of a shift of each state: the integrals of the rates over each
     piece, and the largest difference of each rate.
@@ -443,7 +438,7 @@ def _along(np, stepper, ends, states, centres, knots=()):
     x = states(times)
 
     def integrals(nudge=0.0, shift=0.0):
-        rates = rates_along(np, stepper, times, x + shift, nudge).reshape(len(x), len(widths), -1)
+        rates = rates_along(stepper, times, x + shift, nudge).reshape(len(x), len(widths), -1)
         sums = (rates * weights).sum(axis=2) * widths[:, 0]
         return sums, np.ptp(rates.reshape(len(x), -1), axis=1)
 
@@ -458,8 +453,6 @@ def within_reach(stepper, error):
     closest to its place; then all of them by as much across the path, so that it is farther. The
     rates along the path moved so are integrated about that time.
     """
-    import numpy as np
-
     if not stepper.near:
         return 0.0
     arguments, total = stepper.system.traced.narrow, 0.0
@@ -470,7 +463,7 @@ def within_reach(stepper, error):
     with np.errstate(all="ignore"):
         beside = longest * 0.5 ** np.arange(HALVINGS)[:, None]
         beside = np.clip([times - beside, times + beside], begin, end).reshape(-1)
-        values = _values(np, stepper, arguments, beside, dense.states(beside))
+        values = _values(stepper, arguments, beside, dense.states(beside))
         values = np.sign(values.reshape(len(values), 2, -1, len(j))[j, :, :, np.arange(len(j))])
         kinds = arguments.names[j]
         # with other signs on the left than on the right it only seems to turn, by round-off
@@ -481,7 +474,7 @@ def within_reach(stepper, error):
         x, signs = dense.states(times), 1.0
 
         def levels(shift):
-            values = _values(np, stepper, arguments, times, x + shift)
+            values = _values(stepper, arguments, times, x + shift)
             return signs * values[j, np.arange(len(j))]
 
         nothing = np.zeros_like(x)
@@ -496,7 +489,7 @@ def within_reach(stepper, error):
             best = np.argmin(found, axis=0)
             needed.append(abs(below - least) + abs(above - least) > 0)
             closer, least = np.choose(best, tried), np.choose(best, found)
-        along = needed * rates_along(np, dense, times, x) / scales
+        along = needed * rates_along(dense, times, x) / scales
         along /= np.sqrt((along**2).sum(axis=0)) + 1e-300
         across = [way - error * scales * along * along[i] for i, way in enumerate(ways)]
         most = np.array([levels(way * needed[i]) for i, way in enumerate(across)])
@@ -511,7 +504,7 @@ def within_reach(stepper, error):
         ]
         for way, k in zip(*np.nonzero(much), strict=True):
             ends = max(begin, times[k] - longest), min(end, times[k] + longest)
-            _, integrals = _along(np, dense, ends, dense.states, times[k : k + 1])
+            _, integrals = _along(dense, ends, dense.states, times[k : k + 1])
             apart = integrals(shift=(closer, farther)[way][:, k : k + 1])[0] - integrals()[0]
             off = float((abs(np.nan_to_num(apart).cumsum(axis=1)) / scales).max())
             total += off if off > LIMIT * error else 0.0
@@ -521,7 +514,5 @@ def within_reach(stepper, error):
 @cache
 def _gauss():
     """Nodes and weights of Gauss's rule of order 8 on (0, 1)."""
-    import numpy as np
-
     nodes, weights = np.polynomial.legendre.leggauss(4)
     return (1 + nodes) / 2, weights / 2

@@ -7,6 +7,8 @@ from functools import cached_property
 from math import inf
 
 from ..algebra.compile import Compiled
+from ..algebra.late import np
+from ..algebra.source import uses
 from ..algebra.trace import COMPARISONS, Step
 from .analytic import absolutes, clocked, factors, is_high_power, varying
 
@@ -34,14 +36,10 @@ class Arguments:
     @cached_property
     def names(self):
         """The kinds as an array."""
-        import numpy as np
-
         return np.array(self.kinds)
 
     def of(self, *chosen):
         """For each argument whether it is of one of these kinds, a column."""
-        import numpy as np
-
         return np.isin(self.names, chosen)[:, None]
 
     @cached_property
@@ -59,8 +57,6 @@ class Arguments:
         """By what each may change in a step, and in a part of one, without being narrow there; 0
         where it counts by its ratio.
         """
-        import numpy as np
-
         return np.array([LIMITS[kind] for kind in self.kinds])
 
 
@@ -68,23 +64,20 @@ def narrow_arguments(traced, of_event=False):
     """The :class:`Arguments` in the rates, or in the function of an event, whose own factors count
     too; None if there are none.
     """
-    steps, depends = varying(traced), {}
-    for s in steps:
-        below = [depends.get(a.number, set()) for a in s.args if isinstance(a, Step)]
-        depends[s.number] = {s.args[0]} if s.op == "argument" else set().union(*below)
-    found = list(dict.fromkeys(pair for s in steps for pair in _scaled(s, depends)))
+    steps, rhs = varying(traced), traced.rhs
+    found = list(dict.fromkeys(pair for s in steps for pair in _scaled(s, traced)))
     known = {s.number for s in clocked(traced)}
     read = (s for s in steps if s.op == "table" and s.number not in known)
     found += [("table", tuple(s.args)) for s in read]
-    for leaf in traced.rhs.leaves if of_event else ():
-        factors_of = [x for x in _places_of_sign(leaf, 0.0) if depends.get(x.number)]
-        found += [("jump", (x, 0.0)) for x in factors_of]
+    for leaf in rhs.leaves if of_event else ():
+        found += [("jump", (x, 0.0)) for x in _places_of_sign(leaf, 0.0, traced)]
     if not found:
         return None
-    inside = _below(x for _, pair in found for x in pair)
-    found += [("phase", (s.args[0], 0.0)) for s in steps if s.op in PERIODIC and s in inside]
+    inside = uses(rhs.trace, [x for _, pair in found for x in pair])
+    periodic = [s for s in steps if s.op in PERIODIC and s.number in inside]
+    found += [("phase", (s.args[0], 0.0)) for s in periodic]
     inner = ((a, 0.0 if kind == "table" else b) for kind, (a, b) in found)
-    rhs, leaves = traced.rhs, [x for pair in inner for x in pair]
+    leaves = [x for pair in inner for x in pair]
     formula = Compiled("arguments", rhs.parameters, rhs.trace, leaves)
     tables = {n: pair[1] for n, (kind, pair) in enumerate(found) if kind == "table"}
     powers = [n for n, (kind, _) in enumerate(found) if kind == "power"]
@@ -92,14 +85,13 @@ def narrow_arguments(traced, of_event=False):
     return Arguments(tuple(kinds), formula, tables, powers)
 
 
-def _scaled(s, depends):
+def _scaled(s, traced):
     """The arguments of one step, pairs (kind, (a, b)) for the argument a - b."""
     pairs = [tuple(s.args)] if s.op in COMPARISONS else [(x, 0.0) for x in absolutes(s)]
     for a, b in pairs:
         yield "jump", (a, b)
-        for factor in _places_of_sign(a, b):
-            if depends.get(factor.number):
-                yield "jump", (factor, 0.0)
+        for factor in _places_of_sign(a, b, traced):
+            yield "jump", (factor, 0.0)
     if s.op in STEEP:
         yield "steep", (s.args[0], 0.0)
     elif s.op in GROWING:
@@ -108,38 +100,31 @@ def _scaled(s, depends):
         if is_high_power(s, unknown=True):
             yield "power", tuple(s.args)
         for factor in factors(s.args[s.op == "/"]):
-            if depends.get(factor.number) and _with_squares(factor, depends):
+            if _with_squares(factor, traced.depends):
                 yield "ratio", (factor, 0.0)
 
 
-def _places_of_sign(a, b):
-    """The steps at whose zeros a - b changes its sign, as far as they are known: the factors of a
-    product, and denominators.
+def _places_of_sign(a, b, traced):
+    """The steps at whose zeros a - b changes its sign in a motion, as far as they are known: the
+    factors of a product, and denominators.
     """
-    below = [x for x in _below((a, b)) if x.op == "/"]
-    found = set().union(*(factors(x.args[1]) for x in below))
+    trace, found = traced.rhs.trace, set()
+    below = uses(trace, (a, b))
+    for s in trace.steps:
+        if s.op == "/" and s.number in below:
+            found |= factors(s.args[1])
     for one, other in ((a, b), (b, a)):
         if not isinstance(other, Step) and other == 0:
             found |= factors(one.args[0] if isinstance(one, Step) and one.op == "/" else one)
-    return sorted(found - {a, b}, key=lambda x: x.number)
-
-
-def _below(leaves):
-    """All steps that these need."""
-    todo, found = [x for x in leaves if isinstance(x, Step)], set()
-    while todo:
-        s = todo.pop()
-        if s not in found:
-            found.add(s)
-            todo += [a for a in s.args if isinstance(a, Step)]
-    return found
+    moving = [x for x in found - {a, b} if traced.depends[x.number]]
+    return sorted(moving, key=lambda x: x.number)
 
 
 def _with_squares(s, depends):
     """True for a sum with a constant that may be about zero without being zero, as 1 + x*x."""
 
     def varies(x):
-        return isinstance(x, Step) and bool(depends.get(x.number))
+        return isinstance(x, Step) and bool(depends[x.number])
 
     def below(x):
         return [x, *(y for a in x.args for y in below(a))] if varies(x) else []

@@ -8,20 +8,18 @@ and what heyoka has compiled from it.
 import math
 from collections.abc import Callable
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 from ..algebra.compile import recorded
+from ..algebra.late import np
 from ..algebra.partial_evaluation import folded
 from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, clipped, scalar
-from .analytic import clocked, hazards, inner, kinks, surprises
+from .analytic import clocked, depends, hazards, inner, kinks, surprises
 from .crossings import choices, compiled_choices
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
 from .narrow_arguments import Arguments, narrow_arguments
 from .verified import Verified
-
-if TYPE_CHECKING:
-    import numpy as np
 
 Floats: TypeAlias = tuple[float, ...]
 
@@ -37,8 +35,8 @@ class Traced:
         content
     integrators : those of heyoka
     seconds : time spent on integrating it, which decides whether heyoka's compilation pays off
-    inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the
-        functions of these names in :mod:`.analytic`, :mod:`.crossings` and
+    depends, inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what
+        the functions of these names in :mod:`.analytic`, :mod:`.crossings` and
         :mod:`.narrow_arguments` find
     """
 
@@ -57,7 +55,7 @@ class Traced:
     inner, kinks, clocked = cached_property(inner), cached_property(kinks), cached_property(clocked)
     surprises, hazards = cached_property(surprises), cached_property(hazards)
     choices, narrow = cached_property(choices), cached_property(narrow_arguments)
-    compiled_choices = cached_property(compiled_choices)
+    compiled_choices, depends = cached_property(compiled_choices), cached_property(depends)
 
     def narrow_of(self, text):
         """As ``narrow``, for the text of an event."""
@@ -181,8 +179,6 @@ class PreparedModel:
         """The values of a function ``f(s, p, t)`` at an array of times with the states there; one
         by one if it branches on them.
         """
-        import numpy as np
-
         g = self.function(f)
         try:
             return np.broadcast_to(g(times, *x), times.shape)
@@ -258,8 +254,6 @@ class PreparedModel:
 
     def solutions(self, times: "np.ndarray", x: Floats) -> "np.ndarray":
         """The exact solution at an array of times, an array (states, times)."""
-        import numpy as np
-
         exact = self.model.exact
         assert exact is not None
         for run in (self.function(exact), self.untraced(exact)):

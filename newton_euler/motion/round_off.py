@@ -1,5 +1,6 @@
 """The error that round-off of the time and of the states causes by way of the rates."""
 
+from ..algebra.late import np
 from .chebyshev import EPS
 from .narrow import rates_along
 
@@ -27,8 +28,6 @@ def round_off_of_rates(stepper, lasting=LASTING):
     rates, a random walk over the steps: large where a narrow feature lies at a large coordinate, as
     in c - x beside c. The digits that a state loses affect the rates of the next ``lasting`` steps.
     """
-    import numpy as np
-
     if max(stepper.taken, len(stepper.step_times)) > MOST_STEPS or stepper.t == stepper.start[0]:
         return 0.0
     kept, stepper = stepper.steps, stepper.dense
@@ -38,13 +37,13 @@ def round_off_of_rates(stepper, lasting=LASTING):
     rows = np.vstack([times[:-1], x])
     number, slopes = np.arange(len(lengths)), []
     with np.errstate(all="ignore"):
-        rates = rates_along(np, stepper, rows[0], x)
+        rates = rates_along(stepper, rows[0], x)
         for k, row in enumerate(rows):
             differences = []
             for part in (MOVED, -MOVED):
                 moved = rows.copy()
                 moved[k] *= 1 + part
-                differences.append((rates_along(np, stepper, moved[0], moved[1:]) - rates) / part)
+                differences.append((rates_along(stepper, moved[0], moved[1:]) - rates) / part)
             # across a jump on one side the difference is not a slope
             least = np.where(abs(differences[0]) < abs(differences[1]), *differences)
             slopes.append(np.nan_to_num(least / row, posinf=0.0, neginf=0.0))

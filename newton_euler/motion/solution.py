@@ -6,13 +6,13 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from types import MappingProxyType, SimpleNamespace
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from ..algebra.late import np
 from ..algebra.names import Guided
 from ..algebra.scalars import Scalar
 from .methods.base import sample_times
-from .methods.table import METHODS
 from .model import Model, ModelError, real_numbers
 
 DEFAULT_SAMPLES = 101  # times of a motion without steps
@@ -111,12 +111,7 @@ class Motion(Guided):
     def __getstate__(self):
         """With all that is computed on demand: elsewhere it might differ, as without heyoka."""
         known = {n: getattr(self, n) for n in ("times", "states", "end", "error", "drift")}
-        segments = [part._replace(stepper=_in_pickle(part.stepper)) for part in self.segments]
-        return {**vars(self), **known, "estimate": known["error"], "segments": segments}
-
-    def __setstate__(self, state):
-        segments = [part._replace(stepper=_stepper(*part.stepper)) for part in state["segments"]]
-        vars(self).update(state, segments=tuple(segments))
+        return {**vars(self), **known, "estimate": known["error"]}
 
     @property
     def t_end(self) -> float:
@@ -139,8 +134,6 @@ class Motion(Guided):
     @cached_property
     def times(self) -> Scalar:
         """The times of the samples, an array."""
-        import numpy as np
-
         begin, end, segments = self.segments[0].t0, self.t_end, self.segments
         if self.samples is not None:
             return sample_times(self.samples, begin, end)
@@ -183,14 +176,6 @@ class Motion(Guided):
         return found | dict(zip(part.system.model.states, part.stepper.state_at(t), strict=True))
 
     def _at(self, times):
-        import numpy as np
-
-        if len(self.segments) == 1:
-            rows = self.segments[0].stepper.states(times)
-            # the stepper interpolates: the last state would differ by round-off
-            (last,) = (times == self.t_end).nonzero()
-            rows[:, last] = np.array(self.segments[0].x1)[:, None]
-            return dict(zip(self.model.states, rows, strict=True))
         segments = self.segments
         names = dict.fromkeys(n for part in segments for n in part.system.model.states)
         out = {n: np.full(len(times), math.nan) for n in names}
@@ -201,6 +186,7 @@ class Motion(Guided):
             rows = part.stepper.states(times[inside])
             for name, row in zip(part.system.model.states, rows, strict=True):
                 out[name][inside] = row
+        # the stepper interpolates: the last state would differ by round-off
         for name, x in self.end.items():
             out[name][times == self.t_end] = x
         return out
@@ -210,8 +196,6 @@ class Motion(Guided):
         """The drift of each invariant, by name, see the class: the largest of all segments, each
         compared with its own start.
         """
-        import numpy as np
-
         worst: dict[str, float] = {}
         for system, stepper, t0, t1, _ in self.segments:
             times = np.unique([t0, *self.times[(self.times >= t0) & (self.times <= t1)]])
@@ -244,37 +228,3 @@ class Motion(Guided):
         )
 
     __str__ = explain
-
-
-# attributes of a stepper that no pickle contains: functions and integrators
-REMADE = {"f", "code", "move", "solver"}
-
-
-class _Sent:
-    """A stepper from a pickle: ``begin`` makes its other attributes again when first needed."""
-
-    def __getattr__(self, name):
-        if name not in REMADE:
-            raise AttributeError(name)
-        reached = dict(vars(self))
-        self.t, self.x = self.start
-        known = {n: reached.get(n) for n in ("samples", "units")}
-        self.begin(SimpleNamespace(step=reached.get("h"), longest_part=1.0, **known))
-        vars(self).update(reached)
-        return vars(self)[name]
-
-
-def _in_pickle(stepper):
-    """The method of a stepper by name, or else its class, and its attributes: some classes are made
-    for the table of methods and cannot be imported.
-    """
-    kind = type(stepper).__mro__[2] if isinstance(stepper, _Sent) else type(stepper)
-    name = next((n for n, method in METHODS.items() if method.stepper is kind), None)
-    return name, None if name else kind, {n: x for n, x in vars(stepper).items() if n not in REMADE}
-
-
-def _stepper(name, kind, state):
-    kind = METHODS[name].stepper if name else kind
-    stepper = object.__new__(type(kind.__name__, (_Sent, kind), {}))
-    vars(stepper).update(state)
-    return stepper

@@ -14,6 +14,7 @@ from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
+from ..algebra.late import np
 from ..algebra.scalars import NewtonEulerError
 from .chebyshev import DEGREE, EPS, derivatives_at, extrema, root, value_at, values_at
 
@@ -154,8 +155,6 @@ class ZeroSearch:
 
     def _sample(self, pieces):
         """Fit polynomials to the function on new pieces, and decide which of them to bisect."""
-        import numpy as np
-
         points, transform = sampling()
         left, right = np.array([(piece.left, piece.right) for piece in pieces]).T
         width = right - left
@@ -185,8 +184,6 @@ class ZeroSearch:
 
     def _unresolved(self, pieces, times, rest, short):
         """Set the state of pieces on which the function is not a polynomial, unless to be split."""
-        import numpy as np
-
         picked = times[:, PICKED]
         noise = NOISE_MARGIN * self.noise(picked)
         for k, piece in enumerate(pieces):
@@ -237,8 +234,6 @@ class ZeroSearch:
 
     def _round_off(self, piece, t):
         """The round-off of the function at a time in a piece."""
-        import numpy as np
-
         points = sampling()[0][PICKED]
         times = piece.left + (piece.right - piece.left) * points
         return NOISE_MARGIN * float(self.noise(np.append(times, t)[None])[0])
@@ -247,8 +242,6 @@ class ZeroSearch:
         """For each piece a list of pairs: the extrema of its polynomial between -1 and 1, and the
         signs of the function there.
         """
-        import numpy as np
-
         fits = np.array([piece.fit[: DEGREE + 1] for piece in pieces])
         rows, x = extrema(fits)
         values = values_at(fits[rows], x)
@@ -272,8 +265,6 @@ class ZeroSearch:
         """The zeros in brackets, by Newton's method from those of the polynomials; where it does
         not converge, by bisection.
         """
-        import numpy as np
-
         pieces, fits = [b.piece for b in brackets], np.array([b.piece.fit for b in brackets])
         left, right = np.array([(piece.left, piece.right) for piece in pieces]).T
         low, high = np.array([(b.piece.time(b.low), b.piece.time(b.high)) for b in brackets]).T
@@ -303,14 +294,10 @@ class ZeroSearch:
         return found
 
     def _value(self, t):
-        import numpy as np
-
         return float(self.values(np.array([t]))[0])
 
     def _is_pole(self, t):
         """True if the sign changes at ``t`` because the function becomes infinite."""
-        import numpy as np
-
         near = 64 * EPS * max(abs(t), self.b - self.a)
         places = np.clip(t + near * np.array([-1.0, 1.0, -1e3, 1e3]), self.a, self.b)
         sizes = np.abs(self.values(places))
@@ -343,8 +330,6 @@ def sampling():
     the check points; and the matrix that turns the values at the former into the coefficients of
     the polynomial and its values at the latter.
     """
-    import numpy as np
-
     k = np.arange(DEGREE + 1)
     angles = np.pi * k[::-1] / DEGREE
     to_coefficients = 2 / DEGREE * np.cos(np.outer(angles, k))

@@ -52,6 +52,7 @@ from rich.progress import (
 
 import tests.honesty.families
 import tests.honesty.holdout  # noqa: F401
+from newton_euler.algebra.names import did_you_mean
 from tests.honesty import printing, report
 from tests.honesty.cases import DRAWS, FAMILIES, HOLDOUT
 from tests.honesty.engine import METHOD_NAMES
@@ -60,16 +61,24 @@ from tests.honesty.references import SECONDS as REFERENCE_SECONDS
 from tests.honesty.references import cache_folder
 from tests.honesty.workers import Plan, results
 
+ALL, LISTED = {**FAMILIES, **HOLDOUT}, "--list names them, with --holdout the held-out ones"
 
-def _several(allowed):
+
+def _several(allowed, where=""):
     def check(context, parameter, text):
         wanted = tuple(x.strip() for x in text.split(",")) if text else ()
-        unknown = [x for x in wanted if x not in allowed]
-        if unknown:
-            raise click.BadParameter(f"there is no {unknown[0]!r}; there are {', '.join(allowed)}")
+        for x in wanted:
+            _known(x, allowed, where)
         return wanted
 
     return check
+
+
+def _known(name, allowed, where):
+    """Refuse a name that is not ``allowed``, with the nearest one, or where they are listed."""
+    if name not in allowed:
+        near = did_you_mean(name, allowed) or f"; {where or ', '.join(allowed)}"
+        raise click.BadParameter(f"there is no {name!r}{near}")
 
 
 def _numbers(context, parameter, text):
@@ -86,9 +95,9 @@ def _cases(context, parameter, texts):
     out = []
     for text in texts:
         name, *numbers = text.split("/")
-        known = name in FAMILIES or name in HOLDOUT
-        if not (known and len(numbers) == 2 and all(n.isdigit() for n in numbers)):
+        if len(numbers) != 2 or not all(n.isdigit() for n in numbers):
             raise click.BadParameter(f"a case is family/seed/draw, as lorenz/0/2, got {text!r}")
+        _known(name, ALL, LISTED)
         out.append((name, *map(int, numbers)))
     return out
 
@@ -96,13 +105,12 @@ def _cases(context, parameter, texts):
 option = partial(click.option, show_default=True)
 COUNT = click.IntRange(1)
 FOLDER = click.Path(file_okay=False, path_type=Path)
-ALL = {**FAMILIES, **HOLDOUT}
 METHODS = "auto", *METHOD_NAMES
 USUAL = ",".join(f"{x:g}" for x in TOLERANCES)
 
 
 @click.command(help=__doc__, context_settings={"max_content_width": 100})
-@option("--families", callback=_several(ALL), metavar="A,B", help="only these families")
+@option("--families", callback=_several(ALL, LISTED), metavar="A,B", help="only these families")
 @option("--holdout", is_flag=True, help="the families of the holdout in place of the others")
 @option("--seeds", default=1, type=COUNT, help="how many seeds")
 @option("--first-seed", default=0, help="the first of them")

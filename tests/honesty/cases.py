@@ -7,23 +7,14 @@ from random import Random
 from types import SimpleNamespace
 from typing import NamedTuple
 
+import newton_euler
+from newton_euler import Model
+from newton_euler.motion import second_order
+
 FRACTIONS = (0.13, 0.37, 0.71, 1.0)  # of the duration, at which states are compared, the end last
 DRAWS = 3  # cases per family and seed
 FAMILIES = {}  # by name, filled by the decorator below
 HOLDOUT = {}  # held-out families: nobody repairs the engine to suit them
-
-
-@dataclass(frozen=True)
-class Branches:
-    """The analytic pieces of rates that have kinks or jumps.
-
-    switches : functions ``(s, p, t)``; at a zero of one of them the rates change their formula
-    rates : a function ``(s, p, t, b)``, the rates with the sign of each switch, +1 or -1, in the
-        tuple ``b`` in place of what chooses
-    """
-
-    switches: tuple
-    rates: Callable
 
 
 @dataclass(frozen=True)
@@ -33,7 +24,6 @@ class Case:
     model, t_end, start, t0 : arrays among the parameters or in the start are many motions at once
     name, tags : family/seed/draw, and the subject with what else is special; both are filled in by
         :func:`draw`
-    branches : :class:`Branches` where the rates have kinks, else None
     knots : times at which the reference stops to look, where something short happens that long
         steps would pass over
     exact : a function ``(mp, s, p, t)`` on mpmath numbers, the states at the time t of the clock,
@@ -42,8 +32,6 @@ class Case:
         answer is a refusal
     events : of the engine; ``event_times(mp, s, p)`` lists the times of a single event where a
         formula gives them
-    impact : a function ``(s, p, t)``, the state after each event of ``events``, whose ``then`` does
-        the same; None if they only report or end the motion
     written_out : the same model for the reference, where ``model`` is written in a way that the
         reference cannot use: with laws among its parameters, or with powers of zero
     """
@@ -54,13 +42,11 @@ class Case:
     t0: float = 0.0
     name: str = ""
     tags: tuple = ()
-    branches: Branches | None = None
     knots: tuple = ()
     exact: Callable | None = None
     singular_at: float | None = None
     events: tuple = ()
     event_times: Callable | None = field(default=None, repr=False)
-    impact: Callable | None = field(default=None, repr=False)
     written_out: object = field(default=None, repr=False)
 
     @property
@@ -99,6 +85,28 @@ class Case:
         parameters = ", ".join(f"{n}={x!r}" for n, x in self.model.parameters.items())
         of = f"{self.name}: {self.model.name!r} with {parameters or 'no parameters'}"
         return f"{of}; t = {self.span!r}; start {self.start!r}"
+
+
+def by_rates(rates, parameters, states, t_end, start, brings=False, **known):
+    """The :class:`Case` of these rates of the states, "x v"; their family names the model.
+
+    brings : True if ``exact`` is a function ``(m, s, p, t)`` of functions of any module m, which
+        the model supplies as its own solution as well
+    known : what else a Case knows
+    """
+    return _case(Model, rates, parameters, states, t_end, start, brings, known)
+
+
+def by_accelerations(accelerations, parameters, coordinates, t_end, start, brings=False, **known):
+    """The same by the accelerations of the coordinates "x y", whose rates are dx and dy."""
+    return _case(second_order, accelerations, parameters, coordinates, t_end, start, brings, known)
+
+
+def _case(made, f, parameters, states, t_end, start, brings, known):
+    of_family = f.__qualname__.partition(".")[0].strip("_").replace("_", " ")
+    own = (lambda s, p, t: known["exact"](newton_euler, s, p, t)) if brings else None
+    model = made(of_family, parameters, tuple(states.split()), f, exact=own)
+    return Case(model, t_end, tuple(start), **known)
 
 
 def family(subject, *tags, among=FAMILIES):

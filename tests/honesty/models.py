@@ -1,29 +1,32 @@
 """Models that several families draw, and their exact solutions as a reference takes them."""
 
 import newton_euler
-from newton_euler import Model, cos, sin, sqrt
+from newton_euler import Model, sin, sqrt
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
 
 
-def brought(solution):
-    """A solution ``(m, s, p, t)`` with the functions of a module m, as a model supplies it."""
-    return lambda s, p, t: solution(newton_euler, s, p, t)
-
-
 def spring(name="spring", closed=False, **parameters):
     """x'' = -k x; ``closed`` : the model supplies its solution."""
-    solution = _swing if closed else None
+    solution = (lambda s, p, t: exact_spring(newton_euler, s, p, t)) if closed else None
     return second_order(name, parameters, ("x",), lambda s, p, t: (-p.k * s.x,), exact=solution)
 
 
-def _swing(s, p, t):
-    n = sqrt(p.k)
-    return s.x * cos(n * t) + s.dx / n * sin(n * t), s.dx * cos(n * t) - n * s.x * sin(n * t)
+def exact_spring(m, s, p, t):
+    """With the functions of the module m, mpmath or the engine."""
+    return closed_forms.oscillator(m, m.sqrt(p.k), s.x, s.dx, t)
 
 
-def exact_spring(mp, s, p, t):
-    return closed_forms.oscillator(mp, mp.sqrt(p.k), s.x, s.dx, t)
+def joined(s, p, t):
+    """The accelerations of two springs or pendulums, joined by a weaker spring."""
+    return -p.k * s.x - p.q * (s.x - s.y), -p.k * s.y - p.q * (s.y - s.x)
+
+
+def exact_joined(mp, s, p, t):
+    w, W = mp.sqrt(p.k), mp.sqrt(p.k + 2 * p.q)
+    a, da = closed_forms.oscillator(mp, w, (s.x + s.y) / 2, (s.dx + s.dy) / 2, t)
+    b, db = closed_forms.oscillator(mp, W, (s.x - s.y) / 2, (s.dx - s.dy) / 2, t)
+    return a + b, a - b, da + db, da - db
 
 
 def exact_damped(mp, s, p, t):

@@ -4,9 +4,8 @@ The first way is a closed form where the case has one, else Taylor series by hey
 42 digits. The second checks it: a closed form is put into the rates; a series is compared with
 Gragg's extrapolation in mpmath's numbers, which shares neither method nor code nor arithmetic with
 it, and where that takes too long with series of 60 digits. Where heyoka is missing, extrapolation
-in 42 digits is the first way. Rates with kinks are followed from one analytic piece to the next, by
-the pieces that the case supplies (:class:`~tests.honesty.cases.Branches`). No code under test
-takes part, except the tracing of formulas.
+in 42 digits is the first way. Rates with kinks are followed from one analytic piece to the next
+(:mod:`tests.honesty.pieces`). No code under test takes part, except the tracing of formulas.
 """
 
 import hashlib
@@ -26,12 +25,13 @@ from time import perf_counter
 import mpmath as mp
 import numpy as np
 
-from newton_euler import Model, compiled
+from newton_euler import compiled
 from tests.honesty import closed_forms
 from tests.honesty.cases import names
 from tests.honesty.limits import TimeUp, limited
+from tests.honesty.pieces import pieces
 
-VERSION = 4  # of what is stored
+VERSION = 5  # of what is stored
 BITS, FINE_BITS = 140, 200  # of heyoka's numbers: 42 and 60 digits
 DIGITS, CHECK_DIGITS, EXACT_DIGITS = 42, 22, 50
 AGREEMENT = 1e-15  # of the two ways: a thousandth of the tightest tolerance
@@ -129,8 +129,9 @@ def _key(case):
     watched = [w.source for w in problem.watched]
     parts = [VERSION, problem.rates.source, watched, dict(case.model.parameters)]
     parts += [case.start, case.times, case.t0, case.knots, case.singular_at]
-    parts += [("all extrema", e.direction, e.terminal, e.then is not None) for e in case.events]
-    code = [f for f in (case.exact, case.event_times, case.impact) if f]
+    parts += [("all extrema", e.direction, e.terminal) for e in case.events]
+    parts += [impact and impact.source for impact in problem.impacts]
+    code = [f for f in (case.exact, case.event_times) if f]
     code += [closed_forms] if case.exact else [_Integration] if watched else []
     parts += map(inspect.getsource, code)
     return hashlib.sha256(repr(parts).encode()).hexdigest()[:32]
@@ -270,22 +271,24 @@ def _jacobian(f, x, steps):
 
 
 class _Problem:
-    """Rates ``f(t, *states, *parameters, *branches)``; watched ``g(t, *states, *parameters)``."""
+    """Rates ``f(t, *states, *parameters, *signs)``; watched ``g(t, *states, *parameters)``: the
+    switches, whose signs these are, then the events; ``impacts`` : the states after these, or None.
+    """
 
     def __init__(self, case):
-        self.case, model, branches = case, case.model, case.branches
-        self.switches = len(branches.switches) if branches else 0
+        self.case, model, switches = case, case.model, []
         self.free = list(model.parameters)
-        if branches:
-            extra = dict.fromkeys([f"branch{i}" for i in range(self.switches)], 1.0)
-            chosen = lambda p: tuple(getattr(p, n) for n in extra)
-            rates = lambda s, p, t: branches.rates(s, p, t, chosen(p))
-            pieces = Model("pieces", {**model.parameters, **extra}, model.states, rates)
-            self.rates = pieces.compiled_rhs(*self.free, *extra)
-        else:
+        if case.exact:
             self.rates = model.compiled_rhs(*self.free)
-        functions = [*(branches.switches if branches else ()), *(e.function for e in case.events)]
-        self.watched = [_formula(model, g) for g in functions]
+        else:
+            self.rates, switches = pieces(model)
+        self.switches = len(switches)
+        self.watched = [*switches, *(_formula(model, e.function) for e in case.events)]
+        self.impacts = [_impact(model, e.then) for e in case.events]
+
+
+def _impact(model, then):
+    return _formula(model, lambda s, p, t: then(s, p, t)[1]) if then else None
 
 
 def _formula(model, f):
@@ -458,9 +461,8 @@ class _Integration:
             event, slope = self.case.events[i - first], self._slope(i, tau, h)
             if event.direction in (0, 1 if slope > 0 else -1):
                 self.out.found.append((i - first, t, slope))
-                if self.case.impact and event.then:
-                    s, p = names(self.case.model.states, x), names(self.problem.free, self.p)
-                    return self._go_on(t, list(self.case.impact(s, p, t)), but=i)
+                if impact := self.problem.impacts[i - first]:
+                    return self._go_on(t, list(map(mp.mpf, impact(t, *x, *self.p))), but=i)
                 if event.ends:
                     stepper.put(t, x, self.signs)
                     return "ended"

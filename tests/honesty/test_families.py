@@ -8,7 +8,8 @@ import pytest
 import tests.honesty.families
 import tests.honesty.holdout  # noqa: F401
 from tests.honesty import judge
-from tests.honesty.cases import DRAWS, FAMILIES, HOLDOUT, draw, names
+from tests.honesty.cases import DRAWS, FAMILIES, HOLDOUT, draw
+from tests.honesty.pieces import pieces
 from tests.honesty.references import reference
 
 SUBJECTS = {
@@ -37,8 +38,13 @@ def numbers(x):
     return tuple(x.tolist()) if getattr(x, "shape", ()) else x
 
 
+def written_out(case):
+    """The model that its reference takes."""
+    return case.written_out or case.model
+
+
 def described(case):
-    model = case.written_out or case.model
+    model = written_out(case)
     parameters = {n: numbers(x) for n, x in model.parameters.items()}
     source = model.compiled_rhs(*parameters).source
     return source, parameters, tuple(map(numbers, case.start)), case.t0, case.t_end
@@ -65,7 +71,7 @@ def test_every_draw_has_a_start_with_finite_rates_a_positive_time_and_knots_insi
 
 def somewhere(case, chance):
     """A random state and time, up to five times the start's values or a parameter's."""
-    p = (case.written_out or case.model).parameters
+    p = written_out(case).parameters
     sizes = [1.0, *(abs(x) for x in p.values() if x)]
     x = tuple(
         (chance.choice((abs(a), 0.0)) or chance.choice(sizes)) * chance.uniform(-5.0, 5.0)
@@ -74,12 +80,19 @@ def somewhere(case, chance):
     return x, chance.uniform(case.t0, case.t_end)
 
 
-@pytest.mark.parametrize("name", [n for n in ALL if FIRST[n].branches])
+KINKED = [
+    n
+    for n, case in FIRST.items()
+    if not (case.exact or case.singular) and pieces(written_out(case.member(0)))[1]
+]
+
+
+@pytest.mark.parametrize("name", KINKED)
 def test_the_pieces_of_a_kinked_model_are_its_rates(name):
     """Each switch is tested on both of its sides."""
     case, chance = FIRST[name].member(0), Random(name)
-    parameters = (case.written_out or case.model).parameters
-    p = names(parameters, parameters.values())
+    rates, switches = pieces(written_out(case))
+    p = written_out(case).parameters
     met = set()
     for _ in range(400):
         x, t = somewhere(case, chance)
@@ -88,13 +101,13 @@ def test_the_pieces_of_a_kinked_model_are_its_rates(name):
         if name == "swing_on_a_table":
             x = max(-4.0, min(4.0, x[0])), x[1]  # where the table is
         if name in ("puck_through_a_round_puddle", "lorry_in_a_bed_of_gravel"):
-            x = *(p.R * chance.uniform(-2.0, 2.0) for _ in "xy"), *x[2:]  # about the patch
-        s = names(case.model.states, x)
-        signs = tuple(1 if g(s, p, t) > 0 else -1 for g in case.branches.switches)
-        rates = case.model.derivative(x, t)
-        assert case.branches.rates(s, p, t, signs) == pytest.approx(rates, rel=1e-12, abs=1e-12)
+            x = *(p["R"] * chance.uniform(-2.0, 2.0) for _ in "xy"), *x[2:]  # about the patch
+        at = t, *x, *p.values()
+        signs = [1 if g(*at) > 0 else -1 for g in switches]
+        known = case.model.derivative(x, t)
+        assert rates(*at, *signs) == pytest.approx(known, rel=1e-12, abs=1e-12)
         met |= set(enumerate(signs))
-    assert len(met) == 2 * len(case.branches.switches)
+    assert len(met) == 2 * len(switches)
 
 
 @pytest.mark.one_in(3)
@@ -123,15 +136,3 @@ def test_the_solution_that_a_model_brings_begins_at_the_start(name):
             size = max(map(abs, case.start))
             begin = case.model.solution(0.0, case.start)
             assert begin == pytest.approx(case.start, rel=0, abs=1e-9 * size)
-
-
-@pytest.mark.parametrize("name", [n for n in ALL if FIRST[n].impact])
-def test_an_impact_of_the_reference_is_the_one_that_the_engine_sees(name):
-    """On the state of the event, where what it sets to zero is zero already."""
-    case = FIRST[name]
-    p = names(case.model.parameters, case.model.parameters.values())
-    then = next(e.then for e in case.events if e.then)
-    start = [0.3 + x for x in case.start]
-    after = then(names(case.model.states, start), p, 0.7)[1]
-    s = names(case.model.states, [x if y else 0.0 for x, y in zip(start, after, strict=True)])
-    assert list(then(s, p, 0.7)[1]) == pytest.approx(list(case.impact(s, p, 0.7)), rel=1e-12)

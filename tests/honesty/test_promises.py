@@ -1,6 +1,5 @@
 """What the engine promises: a few models by default, all families in the laboratory."""
 
-import importlib.util
 import os
 from itertools import starmap
 
@@ -11,10 +10,8 @@ from newton_euler.motion import FarError, StickingError
 from tests.honesty import judge, references, report
 from tests.honesty.cases import DRAWS, FAMILIES, draw
 from tests.honesty.workers import Plan, results
+from tests.models import needs_heyoka
 
-needs_heyoka = pytest.mark.skipif(
-    importlib.util.find_spec("heyoka") is None, reason="heyoka is not installed"
-)
 LONG = 120.0  # seconds, far more than a call takes: on a busy machine a limit decides nothing
 BROKEN_ONCE = {  # the family, seed, draw, and how it is asked
     "prepared runs cross kinks": ("dry_friction", 0, 0, "auto", "prepared", 1e-9),

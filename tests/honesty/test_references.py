@@ -1,6 +1,5 @@
 """The references: two ways that agree, kept by their content."""
 
-import importlib.util
 import math
 from dataclasses import replace
 from itertools import pairwise
@@ -12,10 +11,7 @@ from newton_euler.accuracy.measurements.reference import by_extrapolation
 from tests.honesty import closed_forms, judge, references
 from tests.honesty.cases import DRAWS, draw
 from tests.honesty.references import NoReferenceError, reference
-
-needs_heyoka = pytest.mark.skipif(
-    importlib.util.find_spec("heyoka") is None, reason="heyoka is not installed"
-)
+from tests.models import needs_heyoka
 
 
 def floats(row):

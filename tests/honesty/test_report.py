@@ -10,8 +10,10 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from click.testing import CliRunner
 
 from newton_euler.accuracy.measurements.honesty import FAILED, REFUSED, tallies
+from tests.honesty import __main__ as command
 from tests.honesty import report
 from tests.honesty.judge import Run
 
@@ -100,3 +102,17 @@ def test_one_command_prints_the_table_and_what_reproduces_the_worst(tmp_path):
     with open(tmp_path / "out" / "runs.csv") as file:
         rows = [r for r in csv.DictReader(file) if r["method"] == "dop853"]
     assert {(r["case"], r["outcome"]) for r in rows} == {("tiny_spring/0/0", "met")}
+
+
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        (["--families", "lorenzz"], "there is no 'lorenzz'. Did you mean 'lorenz'?"),
+        (["--case", "xqzwv/0/1"], "there is no 'xqzwv'; --list names them"),
+        (["--methods", "xqzwv"], "there is no 'xqzwv'; auto, exact, taylor"),
+    ],
+)
+def test_an_unknown_name_is_answered_with_the_nearest_or_with_where_they_are(asked, words):
+    said = CliRunner().invoke(command.main, asked).output
+    assert words in said
+    assert len(said) < 500

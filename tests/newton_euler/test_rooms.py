@@ -2,6 +2,7 @@
 
 import ast
 import importlib
+import inspect
 import re
 import subprocess
 import sys
@@ -186,13 +187,18 @@ def test_all_errors_of_the_engine_have_one_base():
 
 
 def bare(module):
-    """The public functions, classes and methods without a docstring; answers override documented ones."""
+    """The public functions, classes and methods without a docstring, of their own or inherited;
+    answers override documented ones, or have those of a Protocol.
+    """
     kinds = (ast.FunctionDef, ast.ClassDef)
-    blocks = [tree_of(module)]
-    if room_of(module) != "answers":
-        blocks += [n for n in blocks[0].body if isinstance(n, ast.ClassDef) and n.name[0] != "_"]
-    public = [n for b in blocks for n in b.body if isinstance(n, kinds) and n.name[0] != "_"]
-    return [n.name for n in public if not ast.get_docstring(n)]
+    public = [n for n in tree_of(module).body if isinstance(n, kinds) and n.name[0] != "_"]
+    found = [n.name for n in public if not ast.get_docstring(n)]
+    classes = [n for n in public if isinstance(n, ast.ClassDef) and room_of(module) != "answers"]
+    for block in classes:
+        owner = getattr(importlib.import_module(module), block.name)
+        methods = [n.name for n in block.body if isinstance(n, kinds) and n.name[0] != "_"]
+        found += [n for n in methods if not inspect.getdoc(getattr(owner, n))]
+    return found
 
 
 def test_public_functions_classes_and_methods_have_docstrings():

@@ -8,51 +8,42 @@ import numpy as np
 import pytest
 
 import newton_euler
-from newton_euler import Frame, NewtonEulerError, at, integrate, moving, unit
+from newton_euler import Frame, NewtonEulerError, moving, unit
 from newton_euler.algebra.names import ArgumentError, nearest
 from newton_euler.bodies import disk
 from newton_euler.dynamics import resultant_force
 
-nan, m = float("nan"), moving(1.0, rate=2.0)
+m = moving(1.0, rate=2.0)
 ground = Frame("ground")
 arm = ground.rotate("arm", "z", rate=2.0)
 P, Q = arm.point("P", m, 0, 0), ground.point("Q", m, 0, 0)
-v, a, omega = P.velocity(ground), P.acceleration(ground), arm.angular_velocity(ground)
+v, a = P.velocity(ground), P.acceleration(ground)
 F = resultant_force(2.0, a)
 
 REFUSED = [
     # what the engine knows about a vector
     (lambda: v.explain("m/s^2"), "the velocity of P in ground.*, in m/s: .* in 'm/s\\^2'"),
-    (lambda: F.explain("kg"), "the force .*, in N: it cannot be explained in 'kg'"),
-    (lambda: omega.explain("m/s"), "the angular velocity of arm in ground, in rad/s"),
     (lambda: v + a, "cannot add the acceleration of P .*, in m/s\\^2, to the velocity of P"),
     (lambda: a - v, "cannot add the velocity of P .*, in m/s, to the acceleration of P"),
     (lambda: -v + a.expressed_in(ground), "cannot add the acceleration"),
     (lambda: Q.velocity(ground) - Q.acceleration(ground), "cannot add the acceleration, in m/s"),
     # not a number
     (lambda: moving(1.0, rate=None), "the rate is None, which is not a number.* leave rate= out"),
-    (lambda: ground.rotate("b", "z", rate=None), "the rate is None"),
-    (lambda: ground.rotate("b", "z", 0.1, 0.2, None), "the acceleration is None"),
     (lambda: moving(np.float64("nan")), "the value is nan"),
-    (lambda: ground.point("A", nan, 0, 0), "the value is nan"),
     (lambda: ground.vector(0, None, 0), "the value is None"),
     # functions of other libraries
     (lambda: np.sin(m), r"np.sin .*: write sin\(...\) of newton_euler"),
     (lambda: np.arccos(m), r"np.arccos .*: write acos\("),
     (lambda: np.arctan2(m, 1.0), r"np.arctan2 .*: write atan2\("),
     (lambda: math.sqrt(m), r"write sin\(x\) of newton_euler for math.sin\(x\)"),
-    (lambda: at(lambda t: np.exp(-t), 1.0), r"np.exp .*: write exp\("),
     # names
     (lambda: a.terms["Coriolis"], "Did you mean 'coriolis'"),
     (lambda: a.without("centripital"), "Did you mean 'centripetal'"),
     (lambda: a.terms.coriolis, r"the term is \['coriolis'\]"),
     (lambda: unit("m/sec^2"), "Did you mean 's'"),
-    (lambda: unit("KG"), "Did you mean 'kg'"),
     (lambda: newton_euler.disk, "write from newton_euler.bodies import disk"),
     (lambda: newton_euler.integrat, "Did you mean 'integrate'.* from newton_euler import integrate"),
-    (lambda: newton_euler.bodies.dsk, "Did you mean 'disk'. Write: from newton_euler.bodies imp"),
     (lambda: newton_euler.kinematics.moving, "write from newton_euler import moving"),
-    (lambda: newton_euler.scenes.Frame, "write from newton_euler import Frame"),
     # calls
     (lambda: ground.vector([1, 2, 3]), r"one by one: write vector\(1, 2, 3\)"),
     (lambda: ground.vector(np.array([1.0, 2.0, 3.0])), r"write vector\(1.0, 2.0, 3.0\)"),
@@ -61,12 +52,8 @@ REFUSED = [
     (lambda: ground.vector(1, 2, 3, 4), "takes 3 arguments by place, got 4"),
     (lambda: ground.vector(1, 2, 3, x=1), "was given x twice"),
     (lambda: ground.rotate("b", "z", accel=1.0), "Did you mean acceleration="),
-    (lambda: ground.rotate("b", "z", omega=1.0), "Did you mean rate="),
-    (lambda: ground.rotate("b", rate=1.0), "lacks axis"),
     (lambda: moving(1.0, accel=2.0), "Did you mean acceleration=.* Write moving"),
     (lambda: disk(0.5, arm, masss=2.0), "Did you mean mass="),
-    (lambda: disk(0.5, arm, m=2.0), "Did you mean mass="),
-    (lambda: integrate(None, 1.0, (0.0,), rtols=1e-9), "Did you mean rtol="),
     (lambda: Frame("g", paren=ground), "Did you mean parent="),
 ]  # fmt: skip
 

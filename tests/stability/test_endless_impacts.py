@@ -13,16 +13,13 @@ FIRST = (2 * HEIGHT / G) ** 0.5  # 1 s
 REST = FIRST * (1 + E) / (1 - E)  # 19 s
 
 
-def _bounce(s, p, t):
-    return BALL.changed(e=p.e), (0.0, -p.e * s.v)
+BALL = throw(g=G, e=E)
+bounce = lambda s, p, t: (BALL.changed(e=p.e), (0.0, -p.e * s.v))
 
 
-def _bounce_or_rest(s, p, t):
+def bounce_or_rest(s, p, t):
     """The rule for what comes next: an impact slower than 1 mm/s is the last."""
     return (BALL, (0.0, -p.e * s.v)) if s.v < -1e-3 else (BALL.changed(g=0.0), (0.0, 0.0), ())
-
-
-BALL = throw(g=G, e=E)
 
 
 def dropped(ball, then, **options):
@@ -37,7 +34,7 @@ def impact(n, e=E):
 
 @pytest.mark.parametrize("method", ["exact", "dop853"])
 def test_the_engine_finds_the_impacts_and_reports_that_they_have_no_end(method):
-    motion = dropped(BALL, _bounce, method=method)
+    motion = dropped(BALL, bounce, method=method)
     assert motion.ended.startswith("events follow each other without end: impact at t = 18.99999")
     assert "give then= a rule for what comes after" in motion.ended
     assert motion.t_end == pytest.approx(REST, abs=1e-5)
@@ -48,7 +45,7 @@ def test_the_engine_finds_the_impacts_and_reports_that_they_have_no_end(method):
 
 
 def test_with_a_rule_for_the_last_impact_it_lies_on_the_floor_for_the_rest_of_the_time():
-    motion = dropped(BALL, _bounce_or_rest)
+    motion = dropped(BALL, bounce_or_rest)
     assert motion.ended == "reached t = 30"
     assert motion.end == {"h": 0.0, "v": 0.0}
     assert motion.events[-1].t == pytest.approx(REST, abs=2e-3 / G / (1 - E))
@@ -57,7 +54,7 @@ def test_with_a_rule_for_the_last_impact_it_lies_on_the_floor_for_the_rest_of_th
 @pytest.mark.parametrize("e", [0.999, 1.0])
 def test_beside_it_a_ball_that_loses_almost_nothing_goes_on(e):
     """Rest would come after 2000 s, or never: 15 impacts in 30 s, within 1e-12 s."""
-    motion = dropped(BALL.changed(e=e), _bounce)
+    motion = dropped(BALL.changed(e=e), bounce)
     assert motion.ended == "reached t = 30"
     exact = [t for n in range(40) if (t := impact(n, e)) < T - 1e-9]
     assert [x.t for x in motion.events] == pytest.approx(exact, abs=1e-12)

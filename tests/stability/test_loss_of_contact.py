@@ -14,37 +14,20 @@ R, G = 2.0, 10.0
 FASTEST = math.sqrt(G * R)  # at the top; from this speed on it never touches the sphere
 
 
-def _on_sphere(s, p, t):
-    return s.omega, p.g / p.R * sin(s.theta)
-
-
-def _normal_force(s, p, t):
-    """Per unit mass."""
-    return p.g * cos(s.theta) - p.R * s.omega**2
-
-
-def _in_flight(s, p, t):
-    return s.vx, s.vz, 0, -p.g
-
-
-def _flown(s, p, t):
-    return s.x + s.vx * t, s.z + s.vz * t - p.g * t * t / 2, s.vx, s.vz - p.g * t
-
-
 def _leaves(s, p, t):
     x, z, v = p.R * sin(s.theta), p.R * cos(s.theta), p.R * s.omega
     return FLIGHT.changed(g=p.g, R=p.R), (x, z, v * cos(s.theta), -v * sin(s.theta)), (LANDS,)
 
 
-def _ground(s, p, t):
-    return s.z + p.R
-
-
 # theta from the top
-SPHERE = Model("on the sphere", {"g": G, "R": R}, ("theta", "omega"), _on_sphere)
-FLIGHT = Model("free flight", {"g": G, "R": R}, ("x", "z", "vx", "vz"), _in_flight, exact=_flown)
-LEAVES = Event(_normal_force, -1, then=_leaves, name="leaves")
-LANDS = Event(_ground, -1, terminal=True, name="lands")
+on_sphere = lambda s, p, t: (s.omega, p.g / p.R * sin(s.theta))
+in_flight = lambda s, p, t: (s.vx, s.vz, 0, -p.g)
+flown = lambda s, p, t: (s.x + s.vx * t, s.z + s.vz * t - p.g * t * t / 2, s.vx, s.vz - p.g * t)
+normal_force = lambda s, p, t: p.g * cos(s.theta) - p.R * s.omega**2  # per unit mass
+SPHERE = Model("on the sphere", {"g": G, "R": R}, ("theta", "omega"), on_sphere)
+FLIGHT = Model("free flight", {"g": G, "R": R}, ("x", "z", "vx", "vz"), in_flight, exact=flown)
+LEAVES = Event(normal_force, -1, then=_leaves, name="leaves")
+LANDS = Event(lambda s, p, t: s.z + p.R, -1, terminal=True, name="lands")
 
 
 def leaving(v0, theta0=0.0):

@@ -15,31 +15,16 @@ G, V0 = 10.0, 10.0  # thrown upwards: 5 m high at 1 s
 TOP = V0 * V0 / (2 * G)
 
 
-def _waves(s, p, t):
-    return s.dx, -p.k * s.x
-
-
-def _through(s, p, t):
-    return s.h - p.line
-
-
-def _back(s, p, t):
-    return THROW.changed(line=p.line), (s.h, -s.v)
-
-
-def _crest(s, p, t):
-    return s.x - p.line
-
-
+THROUGH = lambda s, p, t: s.h - p.line
 THROW = throw(g=G, line=0.0)
-WAVE = Model("wave", {"k": 400.0, "line": 0.999}, ("x", "dx"), _waves)  # 20 rad/s
+WAVE = Model("wave", {"k": 400.0, "line": 0.999}, ("x", "dx"), lambda s, p, t: (s.dx, -p.k * s.x))
 METHODS = ("exact", "dop853", "taylor", "scipy DOP853")
 
 
 def crossings(gap, method="auto"):
     """When it passes a line above which it stays for ``gap`` s; negative: a line above its top."""
     model = THROW.changed(line=TOP - math.copysign(G * gap * gap / 8, gap))
-    motion = integrate(model, 3.0, (0.0, V0), method=method, events=Event(_through))
+    motion = integrate(model, 3.0, (0.0, V0), method=method, events=Event(THROUGH))
     return [e.t for e in motion.events]
 
 
@@ -64,7 +49,8 @@ def test_a_ball_that_grazes_the_ceiling_turns_there_and_one_that_stays_below_doe
     """The speed at the impact is half of G gap; it comes down earlier by the gap."""
 
     def thrown(line):
-        ceiling = Event(_through, 1, then=_back, name="impact")
+        then = lambda s, p, t: (THROW.changed(line=p.line), (s.h, -s.v))
+        ceiling = Event(THROUGH, 1, then=then, name="impact")
         return integrate(THROW.changed(line=line), 1.8, (0.0, V0), method=method, events=ceiling)
 
     hit, missed = (thrown(TOP + side * G * gap * gap / 8) for side in (-1, 1))
@@ -83,7 +69,8 @@ def test_solve_ivp_loses_most_of_the_63_short_visits_to_a_crest_and_the_engine_n
     exact = (math.pi / 2 + 2 * math.pi * np.arange(64)[:, None] + around).ravel() / 20
     exact = exact[exact < 20]
     assert len(wave.t_events[0]) < len(exact) / 2
-    ours = [e.t for e in integrate(WAVE, 20.0, (0.0, 20.0), events=Event(_crest)).events]
+    visits = Event(lambda s, p, t: s.x - p.line)
+    ours = [e.t for e in integrate(WAVE, 20.0, (0.0, 20.0), events=visits).events]
     assert len(ours) == len(exact)
     assert np.abs(ours - exact).max() < 1e-8  # s
 

@@ -23,7 +23,7 @@ from newton_euler.scenes.particles.projectile import shot
 from newton_euler.scenes.planar.pendulum import physical_pendulum, small_swings
 from newton_euler.scenes.spatial import top
 from newton_euler.scenes.spatial.free_body import free_body
-from tests.honesty import closed_forms
+from tests.honesty import closed_forms, models
 from tests.honesty.cases import Draws
 from tests.motions import SCENES
 
@@ -31,21 +31,9 @@ RUNS = 100  # of each family
 SAMPLES = 200  # times at which the largest size of a state is looked for
 
 
-def _spring_rates(s, p, t):
-    return s.v, -p.k * s.x
-
-
-def _spring(s, p, t):
-    n = sqrt(p.k)
-    return s.x * cos(n * t) + s.v / n * sin(n * t), s.v * cos(n * t) - n * s.x * sin(n * t)
-
-
-def spring(k=4.0, solution=_spring):
-    return Model("spring", {"k": k}, ("x", "v"), _spring_rates, exact=solution)
-
-
-def _pushed_rates(s, p, t):
-    return s.v, -p.n * p.n * s.x + cos(p.w * t)
+def spring(k=4.0, exact=None):
+    model = models.spring(closed=True, k=k)
+    return replace(model, exact=exact) if exact else model
 
 
 def _pushed(s, p, t):
@@ -57,7 +45,8 @@ def _pushed(s, p, t):
 
 
 def pushed(n, w):
-    return Model("pushed spring", {"n": n, "w": w}, ("x", "v"), _pushed_rates, exact=_pushed)
+    rates = lambda s, p, t: (s.v, -p.n * p.n * s.x + cos(p.w * t))
+    return Model("pushed spring", {"n": n, "w": w}, ("x", "v"), rates, exact=_pushed)
 
 
 def truth(model, t, start):
@@ -195,14 +184,10 @@ def test_a_state_that_is_zero_all_the_time_has_no_error():
     assert exact.estimated_error(system, 10.0, start, system.solution(10.0, start)) < 1e-13
 
 
-def _falling(s, p, t):
-    """Cannot be traced: it branches on values."""
-    return (s.x * 2.0**-t,) if s.x > 0 else (0.0,)
-
-
 def test_a_formula_that_cannot_be_traced_and_a_parameter_that_is_a_whole_number():
     rates = lambda s, p, t: (-math.log(2.0) * s.x,)
-    system = PreparedModel(Model("falling", {}, ("x",), rates, exact=_falling))
+    branching = lambda s, p, t: (s.x * 2.0**-t,) if s.x > 0 else (0.0,)
+    system = PreparedModel(Model("falling", {}, ("x",), rates, exact=branching))
     assert exact.estimated_error(system, 3.0, (5.0,), system.solution(3.0, (5.0,))) < 1e-14
     power = Model(
         "power", {"n": 2.0}, ("x",), lambda s, p, t: (-(s.x**p.n),),
@@ -245,10 +230,10 @@ def _wrong_spring(stretch=1.0, sign=1.0, offset=0.0, until=math.inf):
 
     def solution(s, p, t):
         n = stretch * sqrt(p.k)
-        x, v = s.x * cos(n * t) + s.v / n * sin(n * t), s.v * cos(n * t) - n * s.x * sin(n * t)
+        x, v = s.x * cos(n * t) + s.dx / n * sin(n * t), s.dx * cos(n * t) - n * s.x * sin(n * t)
         return (x + offset, sign * v) if t < until else (-x, v)
 
-    return spring(solution=solution), 10.0, (1.0, 0.5)
+    return spring(exact=solution), 10.0, (1.0, 0.5)
 
 
 WRONG = {

@@ -11,19 +11,12 @@ from newton_euler import Event, Model, exp, integrate
 BEGINS, LASTS, FORCE = 5.0, 0.01, 100.0  # s, s, N on 1 kg: it changes the speed by 1 m/s
 
 
-def _pushed(s, p, t):
-    return s.v, p.F
-
-
-def _blow(s, p, t):
-    return s.v, p.F * exp(-(((t - p.t0) / p.width) ** 2))
-
-
-BODY = Model(
-    "body", {"F": 0.0, "blow": FORCE, "t0": BEGINS, "t1": BEGINS + LASTS}, ("x", "v"), _pushed
-)
+pushed = lambda s, p, t: (s.v, p.F)
+blow = lambda s, p, t: (s.v, p.F * exp(-(((t - p.t0) / p.width) ** 2)))
+STEPS = {"F": 0.0, "blow": FORCE, "t0": BEGINS, "t1": BEGINS + LASTS}
+BODY = Model("body", STEPS, ("x", "v"), pushed)
 SMOOTH = Model(
-    "struck", {"F": FORCE / math.sqrt(math.pi), "t0": BEGINS, "width": LASTS}, ("x", "v"), _blow
+    "struck", {"F": FORCE / math.sqrt(math.pi), "t0": BEGINS, "width": LASTS}, ("x", "v"), blow
 )
 
 

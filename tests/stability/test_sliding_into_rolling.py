@@ -16,17 +16,9 @@ V0, MU, G, R, T = 7.0, 0.2, 10.0, 0.5, 3.0
 BEGINS = rolling_begins(V0, MU, G, R)  # at 1 s
 
 
-def slip(s, p, t):
-    """The velocity of the lowest point."""
-    return s.v + s.omega * p.r
-
-
-def goes_on_rolling(s, p, t):
-    """The other model, from where the first one ends."""
-    return rolling(p.r, p.k), (s.x, s.v, s.omega)
-
-
-ROLLS = Event(slip, then=goes_on_rolling, name="rolling begins")
+goes_on_rolling = lambda s, p, t: (rolling(p.r, p.k), (s.x, s.v, s.omega))
+SLIP = lambda s, p, t: s.v + s.omega * p.r  # the velocity of the lowest point
+ROLLS = Event(SLIP, then=goes_on_rolling, name="rolling begins")
 
 
 def thrown(v0, omega0=0.0, rtol=1e-9, method="auto", t=T):

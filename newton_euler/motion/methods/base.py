@@ -9,9 +9,10 @@ The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion
 from bisect import bisect_right
 from collections.abc import Callable
 from itertools import pairwise
-from math import ulp
+from math import inf, ulp
 
 from ...algebra.errors import NewtonEulerError
+from ...algebra.late import np
 
 # the scale of a state that is zero, where nothing else is known about it
 SMALLEST_SCALE = 1e-6
@@ -22,8 +23,6 @@ MAX_STEPS = 5e6  # steps of one motion that are kept: those of DOP853 take minut
 
 def sample_times(samples, begin, end):
     """An array: the times of ``samples`` between begin and end, or this many equally spaced."""
-    import numpy as np
-
     if isinstance(samples, int):
         return np.linspace(begin, end, samples)
     times = np.asarray(samples, dtype=float)
@@ -59,17 +58,17 @@ class Stepper:
     taken : the number of steps where not all of them are kept
     halved : a function of the number of a step that returns how much it differs from two halves of
         it, over the scales; None for a method that cannot tell
+    remade : names of attributes that no pickle contains, since they are functions; those that a
+        state between two steps needs are cached properties
 
-    A subclass defines ``begin(trajectory)``, which prepares the run; ``step(limit)``, which takes
-    at most that many steps; and ``interpolate(n, times)``, which returns the states at an array of
-    times inside step n as an array (states, times).
+    A subclass defines ``begin``, ``step`` and ``interpolate``; one that is resumable, ``resume``.
     """
 
     most_steps = MAX_STEPS
-
     around = 8
     resumable, repeated, taken = False, False, 0
     halved: Callable | None = None
+    remade: tuple[str, ...] = ()
 
     def __init__(self, system, t, x, trajectory):
         self.system, self.t, self.x, self.goal = system, t, tuple(x), trajectory.goal
@@ -81,8 +80,20 @@ class Stepper:
         self.scales = tuple(map(max, map(abs, x), self.floors))
         self.begin(trajectory)
 
+    def __getstate__(self):
+        return {n: x for n, x in vars(self).items() if n not in self.remade}
+
     def begin(self, trajectory):
         """Prepare the run; called once."""
+
+    def step(self, limit=inf):
+        """Take at most this many steps."""
+
+    def interpolate(self, n, times):
+        """The states at an array of times inside step n, an array (states, times)."""
+
+    def resume(self):
+        """Continue from the present state, see :meth:`back_to`."""
 
     @staticmethod
     def fast_run(system, tolerance):
@@ -90,7 +101,6 @@ class Stepper:
         fast as possible, without a record and without an error, or None where it does not get
         there; None for a method that has no such run.
         """
-        return
 
     @property
     def dense(self):
@@ -162,14 +172,10 @@ class Stepper:
 
     def state_at(self, t):
         """The state at a time that has been passed, as accurate as the steps are."""
-        import numpy as np
-
         return tuple(self.interpolate(self.step_index(t), np.array([t]))[:, 0].tolist())
 
     def states(self, times):
         """The states at an array of times that have been passed, an array (states, times)."""
-        import numpy as np
-
         times = np.asarray(times, dtype=float)
         out = np.repeat(np.array(self.x)[:, None], len(times), axis=1)
         index = np.maximum(np.searchsorted(self.step_times[:-1], times, side="right") - 1, 0)

@@ -8,10 +8,11 @@ Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition (1993
 II.6 and II.10.
 """
 
-from functools import lru_cache, partial
+from functools import cached_property, lru_cache, partial
 from math import inf, isfinite, sqrt
 from textwrap import indent
 
+from ...algebra.late import np
 from .base import MAX_STALLED_STEPS, StepError, Stepper
 from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
@@ -124,13 +125,21 @@ class Dop853(Stepper):
     """A run of DOP853; each of its ``steps`` is (time, length, *state)."""
 
     resumable = True
+    remade = "f", "code"
+
+    @cached_property
+    def f(self):
+        """The rates, and the constants in them."""
+        return self.system.folded_rates, self.system.constants
+
+    @cached_property
+    def code(self):
+        """The functions that take and interpolate steps."""
+        return generated(len(self.x), len(self.system.constants))
 
     def begin(self, trajectory):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        system, step, span = self.system, trajectory.step, self.goal - self.t
-        self.f = system.folded_rates, system.constants
-        self.rates, self.calls = system.rates(self.t, self.x), 1
-        self.code = generated(len(self.x), len(system.constants))
+        step, span = trajectory.step, self.goal - self.t
+        self.rates, self.calls = self.system.rates(self.t, self.x), 1
         self._kept = {}
         if step:
             self.tolerance = 1e300  # any step is accepted
@@ -148,12 +157,10 @@ class Dop853(Stepper):
         return min(h, self.hmax)
 
     def resume(self):
-        """Continue from the present state, see ``back_to``."""
         self.rates, self._kept = self.system.rates(self.t, self.x), {}
         self.calls, self.h = self.calls + 1, self.h or self._first_step()
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         while limit > 0 and self.t < self.goal:
             # the least step: a shorter one would not change the time
             done, (before, after) = len(self.steps), self.around_stop()
@@ -175,7 +182,6 @@ class Dop853(Stepper):
             self.check_progress()
 
     def step_end(self, n):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         return sum(self.steps[n][:2])
 
     def state_at(self, t):
@@ -198,9 +204,7 @@ class Dop853(Stepper):
         return [(u - v) / (s or 1.0) for u, v, s in rows]
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`; of order 7."""
-        import numpy as np
-
+        """See the base class; of order 7."""
         start, h, *x = self.steps[n]
         rows = self._kept.get(n)
         if rows is None:

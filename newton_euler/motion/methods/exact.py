@@ -48,23 +48,19 @@ class Exact(Stepper):
     """The exact solution of the model: one step, inside which every state is exact too."""
 
     def step(self, limit=math.inf):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         self.x, self.t, self.calls = self.system.solution(self.goal - self.t, self.x), self.goal, 1
         self.step_times.append(self.t)
 
     @staticmethod
     def fast_run(system, tolerance):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         return system.solution
 
     def state_at(self, t):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         start, x = self.start
         self.calls += 1
         return self.system.solution(t - start, x)
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         start, x = self.start
         self.calls += len(times)
         return self.system.solutions(times - start, x)
@@ -103,43 +99,41 @@ def within(system, t, x0, rtol):
     known = vars(system)
     if known.get("exact_last") == (rtol, t, x0):  # the same run again
         return True
+    errors = known.setdefault("exact_errors", {})
     region = frexp(t)[1], *[copysign(frexp(v)[1] + SHIFT, v) if v else 0.0 for v in x0]
-    error = known.setdefault("exact_errors", {}).get(region)
-    if error is None:
-        until, *powers = region
-        error = max(_placed(system, ldexp(1.0, min(until, 1023)), powers, *p) for p in PLACES)
-        _keep(known["exact_errors"], region, error)
-    accurate = error <= rtol / REGION_FACTOR or _error_at(system, t, x0) <= rtol
-    if accurate:
-        system.exact_last = rtol, t, x0
-    return accurate
+    error = _remembered(errors, region, lambda: _error_in(system, *region))
+    if error > rtol / REGION_FACTOR:
+        error = _remembered(errors, (t, x0), lambda: _error_at(system, t, x0))
+        if error > rtol:
+            return False
+    system.exact_last = rtol, t, x0
+    return True
 
 
-def _placed(system, until, powers, time, part):
-    """The error at one place in a region."""
-    x0 = tuple(copysign(ldexp(part, int(abs(n) - SHIFT)), n) if n else 0.0 for n in powers)
-    return _evaluated(system, time * until, x0)
+def _remembered(errors, key, estimate):
+    found = errors.get(key)
+    if found is None:
+        found = estimate()
+        if len(errors) >= KNOWN:
+            errors.clear()
+        errors[key] = found
+    return found
 
 
-def _evaluated(system, t, x0):
+def _error_in(system, until, *powers):
+    """The larger one of the errors at two places in a region."""
+    errors = []
+    for time, part in PLACES:
+        x0 = [copysign(ldexp(part, int(abs(n) - SHIFT)), n) if n else 0.0 for n in powers]
+        errors.append(_error_at(system, time * ldexp(1.0, min(until, 1023)), tuple(x0)))
+    return max(errors)
+
+
+def _error_at(system, t, x0):
     try:
         return estimated_error(system, t, x0, system.solution(t, x0))
     except NO_VALUE:
         return UNKNOWN
-
-
-def _error_at(system, t, x0):
-    """The error at this very time and start, remembered."""
-    known = vars(system)["exact_errors"]
-    error = known.get((t, x0))
-    return _keep(known, (t, x0), _evaluated(system, t, x0)) if error is None else error
-
-
-def _keep(known, key, error):
-    if len(known) >= KNOWN:
-        known.clear()
-    known[key] = error
-    return error
 
 
 def _size_and_pace(system, t, x0, x1):

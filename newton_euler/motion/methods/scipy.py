@@ -6,14 +6,14 @@ from .base import StepError, Stepper
 
 
 class SciPy(Stepper):
-    """One of SciPy's methods. The right-hand side is given Python floats, on which it runs three
-    times as fast as on NumPy's (measured).
+    """The method of SciPy that has the name of the class. The right-hand side is given Python
+    floats, on which it runs three times as fast as on NumPy's (measured).
     """
 
     resumable = True
+    remade = ("solver",)
 
     def begin(self, trajectory):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         step = trajectory.step
         if step:  # tolerances that any step meets
             self.options = {"rtol": 0.5, "atol": 1e300, "max_step": step}
@@ -29,7 +29,6 @@ class SciPy(Stepper):
         self.solver, self.calls_before = self._from_here(), 1
 
     def resume(self):
-        """Continue from the present state, see ``back_to``."""
         self.solver, self.calls_before = self._from_here(), self.calls
 
     def _from_here(self):
@@ -49,7 +48,6 @@ class SciPy(Stepper):
         return make(rates, self.t, self.x, self.around_stop()[0], **self.options)
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         while limit > 0 and self.t < self.goal:
             solver = self.solver
             message = solver.step()
@@ -69,14 +67,23 @@ class SciPy(Stepper):
                 self.solver, self.calls_before = self._from_here(), self.calls
 
     def step_end(self, n):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         return float(self.steps[n][0].t_max)
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         return self.steps[n][0](times)
 
 
-def scipy_method(name):
-    """The stepper of the SciPy method of this name."""
-    return type(name, (SciPy,), {"__doc__": f"SciPy's {name}."})
+class DOP853(SciPy):
+    """SciPy's Runge-Kutta method of order 8."""
+
+
+class RK45(SciPy):
+    """SciPy's Runge-Kutta method of order 5."""
+
+
+class LSODA(SciPy):
+    """SciPy's method of Adams and of backward differences."""
+
+
+class Radau(SciPy):
+    """SciPy's implicit Runge-Kutta method of order 5."""

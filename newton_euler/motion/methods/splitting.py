@@ -12,9 +12,10 @@ McLachlan, Explicit Lie-Poisson integration and the Euler equations, Phys. Rev. 
 3043.
 """
 
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import ceil, cos, inf, isclose, isfinite, sin, sqrt
 
+from ...algebra.late import np
 from ...algebra.vectors import cross3, dot3
 from .base import LengthError, StepError, Stepper
 
@@ -143,16 +144,17 @@ class Splitting(Stepper):
     calibrated by the difference of two runs.
     """
 
-    order, body = 2, False
+    remade = ("move",)
+
+    @cached_property
+    def move(self):
+        """The function that takes a step, and its constants."""
+        p = self.system.p
+        return _verlet(len(self.x), *partition(self.system), len(p)), p
 
     def begin(self, trajectory):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        system, order, span = self.system, self.order, self.goal - self.t
-        self.f, self.p, self.weights = system.f, system.p, COMPOSITIONS[order]
-        if self.body:
-            self.p, self.move = principal_moments(system), _lie_poisson()
-        else:
-            self.move = _verlet(len(self.x), *partition(system), len(self.p))
+        order, span = trajectory.method.order, self.goal - self.t
+        self.weights = COMPOSITIONS[order]
         count = span / (trajectory.step or self._time_scale() * self.tolerance ** (1 / order))
         if count > MAX_STEPS:
             raise LengthError(
@@ -179,10 +181,9 @@ class Splitting(Stepper):
         return min(times)
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        done = len(self.steps)
+        done, f, (move, p) = len(self.steps), self.system.f, self.move
         for n in range(done, min(done + limit, self.count + 1)):
-            x = self.move(self.f, self.p, self.steps[-1], self.h, self.weights)
+            x = move(f, p, self.steps[-1], self.h, self.weights)
             if not isfinite(sum(x)):
                 raise StepError("the states have become infinite")
             self.steps.append(x)
@@ -197,16 +198,17 @@ class Splitting(Stepper):
     def state_at(self, t):
         """The state at ``t`` by a shorter step from the last step before."""
         n = self.step_index(t)
-        return self.move(self.f, self.p, self.steps[n], t - self.step_times[n], self.weights)
+        move, p = self.move
+        return move(self.system.f, p, self.steps[n], t - self.step_times[n], self.weights)
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        import numpy as np
-
         return np.array([self.state_at(t) for t in times.tolist()]).T
 
 
-def splitting(order, body=False):
-    """The stepper of this order; with ``body``, that of the free rigid body."""
-    name = "LiePoisson" if body else "Verlet"
-    return type(name, (Splitting,), {"order": order, "body": body, "__doc__": Splitting.__doc__})
+class LiePoisson(Splitting):
+    """A run of equal steps of a free rigid body."""
+
+    @cached_property
+    def move(self):
+        """The function that takes a step, and the moments of inertia."""
+        return _lie_poisson(), principal_moments(self.system)

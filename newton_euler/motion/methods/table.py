@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from .base import Stepper
 from .dop853 import Dop853
 from .exact import Exact
-from .scipy import scipy_method
-from .splitting import partition, principal_moments, splitting
+from .scipy import DOP853, LSODA, RK45, Radau
+from .splitting import LiePoisson, Splitting, partition, principal_moments
 from .taylor import LEVELS, Taylor, installed, level_of
 
 MAX_COARSE_TOLERANCE = 1e-4  # the largest tolerance of a first run
@@ -127,14 +127,15 @@ def _table():
     runge_kutta = "Runge-Kutta of order 8 in straight-line Python"
     yield Method("dop853", runge_kutta, Dop853, order=8, adaptive=True)
     # min_rtol is measured; the errors of Radau are smaller than its tolerance
-    for name, *options in (
-        ("DOP853", 8, 1e-11),
-        ("RK45", 5, 1e-12),
-        ("LSODA", None, 1e-8),
-        ("Radau", 5, 1e-10, 1.0, 1e-4),
+    for kind, *options in (
+        (DOP853, 8, 1e-11),
+        (RK45, 5, 1e-12),
+        (LSODA, None, 1e-8),
+        (Radau, 5, 1e-10, 1.0, 1e-4),
     ):
+        name = kind.__name__
         what = f"SciPy's {name} on traced straight-line code"
-        yield Method(f"scipy {name}", what, scipy_method(name), _no_scipy, *options)
+        yield Method(f"scipy {name}", what, kind, _no_scipy, *options)
     # min_rtol is limited by the round-off of many small steps; the tolerance only sets the step, so
     # it may be tiny
     for order, min_rtol in ((2, 1e-7), (4, 1e-9), (6, 1e-10), (8, 1e-10)):
@@ -142,9 +143,9 @@ def _table():
         if order == 2:
             name, what = "verlet", "Verlet's method, symplectic"
         limits = {"min_rtol": min_rtol, "min_tolerance": 1e-40, "tolerance_ratio": 30.0}
-        yield Method(name, what, splitting(order), _no_groups, order, **limits)
+        yield Method(name, what, Splitting, _no_groups, order, **limits)
         what = f"Lie-Poisson splitting of order {order}, preserves the angular momentum"
-        yield Method(f"lie-poisson{order}", what, splitting(order, True), _no_body, order, **limits)
+        yield Method(f"lie-poisson{order}", what, LiePoisson, _no_body, order, **limits)
 
 
 METHODS: dict[str, Method] = {method.name: method for method in _table()}

@@ -14,6 +14,7 @@ from functools import cache, cached_property
 from itertools import pairwise
 from math import exp, frexp, inf, isfinite, ldexp
 
+from ...algebra.late import np
 from .base import (
     MAX_STALLED_STEPS,
     MAX_STEPS,
@@ -52,8 +53,6 @@ def level_of(tolerance):
 
 def _made(system, level, scaled, batch):
     """A new integrator; its time, state and parameters are set before each use."""
-    import numpy as np
-
     hy, names = importlib.import_module("heyoka"), system.model.states
     variables = [hy.expression(n) for n in names]
     count = len(system.constants)
@@ -105,7 +104,6 @@ class Taylor(Stepper):
     most_steps = 5e7  # seconds, as they are not kept
 
     def begin(self, trajectory):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         low, high = ORDINARY
         scales = [_power_of_two(s) for s in trajectory.units or ()]
         self.units = scales if any(not low <= s <= high for s in scales) else ()
@@ -129,9 +127,7 @@ class Taylor(Stepper):
 
     @staticmethod
     def fast_run(system, tolerance):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`; None where a series may not see
-        all that the rates do.
-        """
+        """See the base class; None where a series may not see all that the rates do."""
         if system.traced.hazards:
             return None
         free = system.traced.integrators.setdefault((level_of(tolerance), False, None), [])
@@ -165,7 +161,6 @@ class Taylor(Stepper):
         return run
 
     def step(self, limit=inf):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
         if limit < inf or self.system.traced.hazards:
             self._by_steps(limit)
         elif self.stops or self.samples is None or not self._by_samples():
@@ -206,8 +201,6 @@ class Taylor(Stepper):
         """Go to the goal by heyoka's grid and keep the samples; False if they do not increase or
         heyoka stops early.
         """
-        import numpy as np
-
         times = sample_times(self.samples, self.t, self.goal)
         if not len(times) or (times[1:] <= times[:-1]).any():
             return False
@@ -223,8 +216,6 @@ class Taylor(Stepper):
 
     def _grid(self, times):
         """The states at increasing times, an array (states, times); None if heyoka stops early."""
-        import numpy as np
-
         blocks, found, walk = [], 0, copy(self)  # several threads may need it at once
         walk.taken = 0
         with self._integrator() as ta, suppress(LengthError):
@@ -269,14 +260,9 @@ class Taylor(Stepper):
                 self.check_progress()
 
     def _unscaled(self, rows):
-        import numpy as np
-
         return rows * np.array(self.units)[:, None] if self.units else rows
 
     def states(self, times):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`."""
-        import numpy as np
-
         times = np.asarray(times, dtype=float)
         if self.kept and len(times) == len(self.kept[0]) and (times == self.kept[0]).all():
             return self.kept[1].copy()
@@ -290,15 +276,11 @@ class Taylor(Stepper):
         return self.dense.states(times) if found is None else found
 
     def state_at(self, t):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`; a run without events has kept no
-        series yet.
-        """
+        # without events no series has been kept yet
         return tuple(self.states([t])[:, 0].tolist())
 
     def _polynomials(self, times):
         """The states at an array of times by the series of the steps."""
-        import numpy as np
-
         n = np.searchsorted(self.step_times[1:-1], times, side="right")
         u, out = times - np.array(self.step_times)[n], 0.0
         # an array (order, states, times) of coefficients, the highest first
@@ -320,7 +302,6 @@ class Taylor(Stepper):
         """The integral of the difference between the rates of the series and those of the model:
         that of the worst state relative to its scale; 0 if steps were not kept.
         """
-        import numpy as np
         from numpy.polynomial.polynomial import polyder, polyval
 
         count = max(IN_STEP, -(-IN_ALL // max(len(self.series), 1)))
@@ -338,9 +319,6 @@ class Taylor(Stepper):
         return worst if isfinite(worst) else inf
 
     def interpolate(self, n, times):
-        """See :class:`~newton_euler.motion.methods.base.Stepper`; the Taylor polynomial is as
-        accurate as the step.
-        """
         from numpy.polynomial.polynomial import polyval
 
         return polyval(times - self.step_times[n], self.series[n].T)
@@ -353,7 +331,6 @@ def batches(system, tolerance, starts, p, t0, times):
     starts, p : arrays (states, motions) and (constants, motions)
     """
     import heyoka
-    import numpy as np
 
     width, count = heyoka.recommended_simd_size(), starts.shape[1]
     before = int(times[0] != t0)  # a grid of heyoka begins at the start

@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from newton_euler import Model
 from tests.honesty import models
-from tests.honesty.cases import Branches, Case, Log, family
+from tests.honesty.cases import Case, Log, by_rates, family
 
 COUNTS = (3, 64, 70)  # the engine works in one way up to 63, in another from 64 on
 
@@ -49,8 +48,8 @@ def many_relaxations(rng):
     n = rng.choice(COUNTS)
     mu = _drawn(rng, n, Log(0.1, 50.0))
     rates = lambda s, p, t: (s.y, p.mu * (1 - s.x * s.x) * s.y - s.x)
-    model = Model("van der Pol, many", {"mu": mu}, ("x", "y"), rates)
-    return Case(model, rng.uniform(2.0, 15.0), (np.array([2.0] * n), _drawn(rng, n, (-1.0, 1.0))))
+    T = rng.uniform(2.0, 15.0)
+    return by_rates(rates, {"mu": mu}, "x y", T, (np.array([2.0] * n), _drawn(rng, n, (-1.0, 1.0))))
 
 
 @family("batch", "kinked")
@@ -59,7 +58,6 @@ def many_falls(rng):
     n = rng.choice(COUNTS)
     parameters = {"g": 9.81, "c": _drawn(rng, n, Log(1e-3, 0.5))}
     rates = lambda s, p, t: (s.v, -p.g - p.c * abs(s.v) * s.v)
-    pieces = lambda s, p, t, b: (s.v, -p.g - p.c * b[0] * s.v * s.v)
-    model, T = Model("throws", parameters, ("h", "v"), rates), rng.uniform(2.0, 6.0)
+    T = rng.uniform(2.0, 6.0)
     start = np.zeros(n), _drawn(rng, n, (5.0, 30.0))
-    return Case(model, T, start, branches=Branches((lambda s, p, t: s.v,), pieces))
+    return by_rates(rates, parameters, "h v", T, start)

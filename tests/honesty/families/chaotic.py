@@ -2,9 +2,8 @@
 
 import math
 
-from newton_euler import Model, cos, sin, sqrt
-from newton_euler.motion import second_order
-from tests.honesty.cases import Case, family
+from newton_euler import cos, sin, sqrt
+from tests.honesty.cases import by_accelerations, by_rates, family
 
 
 @family("chaotic")
@@ -16,7 +15,7 @@ def lorenz(rng):
         return p.sigma * (s.y - s.x), s.x * (p.rho - s.z) - s.y, s.x * s.y - p.beta * s.z
 
     T, *start = rng.values((2.0, 12.0), (-10.0, 10.0), (-10.0, 10.0), (15.0, 30.0))
-    return Case(Model("Lorenz", parameters, ("x", "y", "z"), rates), T, tuple(start))
+    return by_rates(rates, parameters, "x y z", T, start)
 
 
 @family("chaotic")
@@ -32,9 +31,8 @@ def double_pendulum(rng):
         d = 1 + p.m * k * k
         return (f - p.m * c * h) / d, (M * h - c * f) / (L * d)
 
-    model = second_order("double pendulum", parameters, ("a", "b"), accelerations)
     T, *start = rng.values((1.5, 6.0), (1.0, 3.0), (-3.0, 3.0), 0.0, 0.0)
-    return Case(model, T, tuple(start))
+    return by_accelerations(accelerations, parameters, "a b", T, start)
 
 
 @family("chaotic")
@@ -43,8 +41,7 @@ def henon_heiles(rng):
     a = lambda s, p, t: (-s.x - 2 * p.a * s.x * s.y, -s.y - p.a * (s.x * s.x - s.y * s.y))
     energy, y, v = rng.values((0.08, 1 / 6.2), (-0.2, 0.3), (-0.2, 0.2))
     u = math.sqrt(2 * energy - y * y - v * v + 2 * y**3 / 3)
-    model = second_order("Henon-Heiles", {"a": 1.0}, ("x", "y"), a)
-    return Case(model, rng.uniform(10.0, 80.0), (0.0, y, u, v))
+    return by_accelerations(a, {"a": 1.0}, "x y", rng.uniform(10.0, 80.0), (0.0, y, u, v))
 
 
 @family("chaotic")
@@ -53,7 +50,7 @@ def roessler(rng):
     parameters = rng.parameters(a=0.2, b=0.2, c=(4.5, 8.0))
     rates = lambda s, p, t: (-s.y - s.z, s.x + p.a * s.y, p.b + s.z * (s.x - p.c))
     T, *start = rng.values((10.0, 60.0), (-5.0, 5.0), (-5.0, 5.0), (0.0, 1.0))
-    return Case(Model("Roessler", parameters, ("x", "y", "z"), rates), T, tuple(start))
+    return by_rates(rates, parameters, "x y z", T, start)
 
 
 @family("chaotic", "forced")
@@ -62,7 +59,7 @@ def driven_pendulum(rng):
     parameters = rng.parameters(c=(0.2, 0.5), F=(1.0, 1.6), w=0.6667)
     rates = lambda s, p, t: (s.omega, -sin(s.theta) - p.c * s.omega + p.F * cos(p.w * t))
     T, *start = rng.values((10.0, 50.0), (-1.0, 1.0), (-1.0, 1.0))
-    return Case(Model("driven pendulum", parameters, ("theta", "omega"), rates), T, tuple(start))
+    return by_rates(rates, parameters, "theta omega", T, start)
 
 
 @family("chaotic", "near-singular")
@@ -75,6 +72,7 @@ def three_bodies(rng):
         first, second = (1 - p.mu) / (p2 * sqrt(p2)), p.mu / (q2 * sqrt(q2))
         return 2 * s.dy + s.x - first * a - second * b, s.y - 2 * s.dx - (first + second) * s.y
 
-    model = second_order("three bodies", {"mu": rng.uniform(0.01, 0.5)}, ("x", "y"), accelerations)
+    parameters = {"mu": rng.uniform(0.01, 0.5)}
     angle, r, T, u, v = rng.values((0.0, 2 * math.pi), (0.5, 0.9), (1.0, 6.0), *[(-0.5, 0.5)] * 2)
-    return Case(model, T, (0.3 + r * math.cos(angle), r * math.sin(angle), u, v))
+    start = 0.3 + r * math.cos(angle), r * math.sin(angle), u, v
+    return by_accelerations(accelerations, parameters, "x y", T, start)

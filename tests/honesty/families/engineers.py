@@ -9,7 +9,7 @@ from itertools import pairwise
 from newton_euler import Event, Model, atan, cos, exp, sin, sqrt, table, tanh, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
-from tests.honesty.cases import Branches, Case, Log, around, family
+from tests.honesty.cases import Case, Log, around, by_accelerations, by_rates, family
 
 
 @lru_cache(maxsize=8)
@@ -32,18 +32,12 @@ def rope_that_becomes_taut(rng):
     g, L, k, d = 9.81, *rng.values((1.0, 20.0), Log(30.0, 3e4), (0.02, 0.3))
     parameters = {"g": g, "L": L, "k": k, "d": 2 * d * math.sqrt(k)}
 
-    def pull(s, p):
-        return p.k * (s.z - p.L) + p.d * s.dz
-
     def accelerations(s, p, t):
-        return (p.g - where(s.z > p.L, where(pull(s, p) > 0, pull(s, p), 0.0), 0.0),)
+        pull = p.k * (s.z - p.L) + p.d * s.dz
+        return (p.g - where(s.z > p.L, where(pull > 0, pull, 0.0), 0.0),)
 
-    switches = (lambda s, p, t: s.z - p.L, lambda s, p, t: pull(s, p))
-    taut = lambda b: (1 + b[0]) * (1 + b[1]) / 4
-    pieces = lambda s, p, t, b: (s.dz, p.g - taut(b) * pull(s, p))
     T = math.sqrt(2 * L / g) * rng.uniform(1.2, 4.0)
-    model = second_order("rope", parameters, ("z",), accelerations)
-    return Case(model, T, (0.0, 0.0), branches=Branches(switches, pieces))
+    return by_accelerations(accelerations, parameters, "z", T, (0.0, 0.0))
 
 
 @family("engineers", "tables")
@@ -53,9 +47,7 @@ def tower_in_an_earthquake(rng):
     times = [k * dt for k in range(41)]
     record = [0.0, *(rng.gauss(0.0, 3.0) for _ in range(39)), 0.0]
     ground, parameters = table(times, record), {"k": n * n, "d": 2 * zeta * n}
-    model = second_order(
-        "tower", parameters, ("u",), lambda s, p, t: (-ground(t) - p.k * s.u - p.d * s.du,)
-    )
+    a = lambda s, p, t: (-ground(t) - p.k * s.u - p.d * s.du,)
 
     def exact(mp, s, p, t):
         """From each value of the record to the next (Nigam and Jennings, 1969)."""
@@ -70,7 +62,8 @@ def tower_in_an_earthquake(rng):
         return x, v
 
     T = times[-1] * rng.uniform(0.6, 1.0)
-    return Case(model, T, (0.0, 0.0), exact=exact, knots=tuple(x for x in times if 0 < x < T))
+    knots = tuple(x for x in times if 0 < x < T)
+    return by_accelerations(a, parameters, "u", T, (0.0, 0.0), exact=exact, knots=knots)
 
 
 @family("engineers", "forced")
@@ -86,8 +79,7 @@ def absorber_swept_over_its_resonance(rng):
         force = p.f * (p.a * t) ** 2 * cos(p.a * t**2 / 2)
         return force - p.n * s.x + p.mu * between, -between
 
-    model = second_order("absorber", parameters, ("x", "y"), accelerations)
-    return Case(model, T, (0.0, 0.0, 0.0, 0.0))
+    return by_accelerations(accelerations, parameters, "x y", T, (0.0, 0.0, 0.0, 0.0))
 
 
 @family("engineers", "stiff")
@@ -117,8 +109,8 @@ def stiff_bushings_in_a_soft_car(rng):
         A[5, 2] -= p.w / p.u
         return _linear(mp, A, [s.x, s.y, s.z, s.dx, s.dy, s.dz], t)
 
-    model = second_order("bushings", parameters, ("x", "y", "z"), accelerations)
-    return Case(model, rng.uniform(0.2, 2.0), (0.05, 0.05, 0.0, 0.0, 0.0, 0.0), exact=exact)
+    T, start = rng.uniform(0.2, 2.0), (0.05, 0.05, 0.0, 0.0, 0.0, 0.0)
+    return by_accelerations(accelerations, parameters, "x y z", T, start, exact=exact)
 
 
 @family("engineers", "near-singular")
@@ -128,8 +120,8 @@ def hoop_at_its_bifurcation(rng):
     parameters = {"g": q * q, "w": q * (1 + rng.either(rng.decades(1e-5, 1e-2)))}
     parameters["c"] = rng.choice((0.0, 0.01))
     a = lambda s, p, t: ((p.w**2 * cos(s.theta) - p.g) * sin(s.theta) - p.c * s.dtheta,)
-    model = second_order("hoop", parameters, ("theta",), a)
-    return Case(model, rng.uniform(20.0, 200.0) / q, (rng.decades(1e-6, 1e-1), 0.0))
+    T = rng.uniform(20.0, 200.0) / q
+    return by_accelerations(a, parameters, "theta", T, (rng.decades(1e-6, 1e-1), 0.0))
 
 
 @family("engineers", "near-singular")
@@ -140,8 +132,7 @@ def armature_below_its_pull_in(rng):
     F = n * n * d**5 * 4**4 / 5**5 * (1 - rng.decades(1e-3, 0.3)) * 0.6
     parameters = {"k": n * n, "F": F, "d": d, "c": 0.1 * n * rng.random()}
     a = lambda s, p, t: (p.F / (p.d - s.x) ** 4 - p.k * s.x - p.c * s.dx,)
-    model = second_order("armature", parameters, ("x",), a)
-    return Case(model, rng.uniform(5.0, 30.0) / n, (0.0, 0.0))
+    return by_accelerations(a, parameters, "x", rng.uniform(5.0, 30.0) / n, (0.0, 0.0))
 
 
 @family("engineers", "kinked", "forced")
@@ -152,18 +143,14 @@ def aeroplane_in_a_gust(rng):
     parameters = {"q": 2 * math.pi / H, "a": t1, "b": t1 + H, "W": rng.uniform(2.0, 15.0), "V": V}
     parameters |= rng.parameters(Z=(0.5, 2.0), M=(1.0, 10.0), D=(0.5, 3.0))
 
-    def rates(s, p, t, inside):
+    def rates(s, p, t):
+        inside = where(t > p.a, where(t < p.b, 1.0, 0.0), 0.0)
         gust = inside * p.W / 2 * (1 - cos(p.q * (t - p.a)))
         alpha = s.theta - (s.w - gust) / p.V
         return p.Z * p.V * alpha, s.r, -p.M * alpha - p.D * s.r
 
-    within = lambda p, t: where(t > p.a, where(t < p.b, 1.0, 0.0), 0.0)
-    model = Model("gust", parameters, ("w", "theta", "r"),
-                  lambda s, p, t: rates(s, p, t, within(p, t)))  # fmt: skip
-    switches = (lambda s, p, t: t - p.a, lambda s, p, t: t - p.b)
-    pieces = lambda s, p, t, b: rates(s, p, t, (1 + b[0]) * (1 - b[1]) / 4)
-    return Case(model, t1 + H + rng.uniform(0.5, 5.0), (0.0, 0.0, 0.0),
-                branches=Branches(switches, pieces), knots=around(t1 + H / 7, H / 3, 4))  # fmt: skip
+    T, knots = t1 + H + rng.uniform(0.5, 5.0), around(t1 + H / 7, H / 3, 4)
+    return by_rates(rates, parameters, "w theta r", T, (0.0, 0.0, 0.0), knots=knots)
 
 
 @family("engineers", "forced")
@@ -186,8 +173,7 @@ def car_on_its_tyre_curve(rng):
         u = (p.V * cos(s.psi) - s.v * sin(s.psi), p.V * sin(s.psi) + s.v * cos(s.psi))
         return *u, s.r, lateral, total * (front - rear) / p.i
 
-    model = Model("tyre curve", parameters, ("x", "y", "psi", "v", "r"), rates)
-    return Case(model, rng.uniform(2.0, 10.0), (0.0,) * 5)
+    return by_rates(rates, parameters, "x y psi v r", rng.uniform(2.0, 10.0), (0.0,) * 5)
 
 
 @family("engineers", "kinked")
@@ -198,25 +184,15 @@ def wheel_over_a_kerb(rng):
     parameters = {"k": n * n, "d": 0.6 * n, "R": R, "H": H, "c": c, "r": rng.uniform(0.0, 0.3)}
     parameters["a"] = math.sqrt(R * R - (R - H) ** 2)
 
-    def height(s, p):
+    def accelerations(s, p, t):
         far, near = s.x < p.c - p.a, s.x < p.c
         safe = where(near, where(far, p.a, p.c - s.x), 0.0)
         up = sqrt(p.R**2 - safe**2) - p.R + p.H
-        return where(near, where(far, 0.0, up), p.H)
+        height = where(near, where(far, 0.0, up), p.H)
+        return -p.r * s.dx, -p.k * (s.z - height) - p.d * s.dz
 
-    def rates(s, p, h):
-        return -p.r * s.dx, -p.k * (s.z - h) - p.d * s.dz
-
-    model = second_order("kerb", parameters, ("x", "z"), lambda s, p, t: rates(s, p, height(s, p)))
-
-    def pieces(s, p, t, b):
-        turning, above = (1 + b[0]) * (1 - b[1]) / 4, (1 + b[1]) / 2
-        up = sqrt(p.R**2 - turning * (p.c - s.x) ** 2) - p.R + p.H
-        return s.dx, s.dz, *rates(s, p, turning * up + above * p.H)
-
-    switches = (lambda s, p, t: s.x - p.c + p.a, lambda s, p, t: s.x - p.c)
     T = -math.log1p(-c * parameters["r"] / V / 2) / (parameters["r"] / 2 or 1.0) + 2.0
-    return Case(model, T, (0.0, 0.0, V, 0.0), branches=Branches(switches, pieces))
+    return by_accelerations(accelerations, parameters, "x z", T, (0.0, 0.0, V, 0.0))
 
 
 @family("engineers", "stiff")
@@ -230,9 +206,8 @@ def clutch_by_tanh(rng):
         moment = p.M * tanh((s.a - s.b) / p.e)
         return -moment / p.I, moment / p.J - p.c * s.b
 
-    model = Model("clutch", parameters, ("a", "b"), rates)
     slip = (start[0] - start[1]) / parameters["M"]
-    return Case(model, slip * rng.uniform(0.3, 1.5), start)
+    return by_rates(rates, parameters, "a b", slip * rng.uniform(0.3, 1.5), start)
 
 
 @family("engineers", "kinked", "forced")
@@ -241,20 +216,12 @@ def screw_with_a_dead_band(rng):
     n, b, w = rng.values((20.0, 100.0), Log(1e-4, 1e-2), (1.0, 10.0))
     parameters = {"k": n * n, "c": 0.2 * n, "r": 0.5, "b": b, "w": w, "A": rng.uniform(0.01, 0.05)}
 
-    def rates(s, p, t, above, below):
-        off = p.A * sin(p.w * t) - s.x
-        return s.v, p.k * (above * (off - p.b) + below * (off + p.b)) - (p.c + p.r) * s.v
-
-    def written(s, p, t):
+    def rates(s, p, t):
         off = p.A * sin(p.w * t) - s.x
         lost = where(off > p.b, off - p.b, where(off < -p.b, off + p.b, 0.0))
         return s.v, p.k * lost - (p.c + p.r) * s.v
 
-    off = lambda s, p, t: p.A * sin(p.w * t) - s.x
-    switches = (lambda s, p, t: off(s, p, t) - p.b, lambda s, p, t: off(s, p, t) + p.b)
-    pieces = lambda s, p, t, b: rates(s, p, t, (1 + b[0]) / 2, (1 - b[1]) / 2)
-    model = Model("screw", parameters, ("x", "v"), written)
-    return Case(model, rng.uniform(6.0, 30.0) / w, (0.0, 0.0), branches=Branches(switches, pieces))
+    return by_rates(rates, parameters, "x v", rng.uniform(6.0, 30.0) / w, (0.0, 0.0))
 
 
 @family("engineers", "events")
@@ -263,12 +230,12 @@ def controller_that_samples(rng):
     h, z = rng.values((0.02, 0.2), (0.5, 1.0))
     n = rng.uniform(0.2, 0.8) / h
     parameters = {"k": n * n, "d": 2 * z * n, "h": h}
-    model = Model("sampled", parameters, ("x", "v", "u", "clock"),
-                  lambda s, p, t: (s.v, s.u, 0 * s.x, 1 + 0 * s.x))  # fmt: skip
+    rates = lambda s, p, t: (s.v, s.u, 0 * s.x, 1 + 0 * s.x)
+    model = Model("sampled", parameters, ("x", "v", "u", "clock"), rates)
     held = lambda s, p, t: (s.x, s.v, -p.k * s.x - p.d * s.v, 0 * s.clock)
     tick = Event(lambda s, p, t: s.clock - p.h, 1, then=lambda s, p, t: (model, held(s, p, t)))
     start = rng.uniform(0.1, 2.0), 0.0, 0.0, h * rng.uniform(0.0, 0.9)
-    return Case(model, h * rng.uniform(20.0, 80.0), start, events=(tick,), impact=held)
+    return Case(model, h * rng.uniform(20.0, 80.0), start, events=(tick,))
 
 
 @family("engineers", "tables", "narrow")
@@ -306,8 +273,8 @@ def heads_over_narrow_marks(rng):
             q += weight * until(gap)
         return x, s.v * mp.exp(-rate * t), q
 
-    model = Model("marks", parameters, ("x", "v", "q"), rates)
-    return Case(model, rng.uniform(6.0, 8.0) / v, (0.0, v, 0.0), exact=exact)
+    T = rng.uniform(6.0, 8.0) / v
+    return by_rates(rates, parameters, "x v q", T, (0.0, v, 0.0), exact=exact)
 
 
 @family("engineers", "narrow", "events")
@@ -316,7 +283,7 @@ def light_gate_on_a_swing(rng):
     n, X, w = rng.values((0.5, 4.0), (0.5, 2.0), Log(1e-5, 1e-2))
     parameters = {"n": n, "c": X * rng.uniform(-0.8, 0.8), "w": w}
     gate = Event(lambda s, p, t: exp(-(((s.x - p.c) / p.w) ** 2)) - 0.5)
-    model = Model("light gate", parameters, ("x", "v"), lambda s, p, t: (s.v, -p.n * p.n * s.x))
+    rates = lambda s, p, t: (s.v, -p.n * p.n * s.x)
     T = rng.uniform(5.0, 40.0) / n
     exact = lambda mp, s, p, t: (s.x * mp.cos(p.n * t), -p.n * s.x * mp.sin(p.n * t))
 
@@ -327,7 +294,8 @@ def light_gate_on_a_swing(rng):
         both = [(2 * mp.pi * k + e * a) / p.n for k in turns for e in (1, -1) for a in angles]
         return sorted(t for t in both if 0 < t <= T)
 
-    return Case(model, T, (X, 0.0), events=(gate,), exact=exact, event_times=times)
+    known = {"exact": exact, "events": (gate,), "event_times": times}
+    return by_rates(rates, parameters, "x v", T, (X, 0.0), **known)
 
 
 @family("engineers", "smooth")
@@ -342,8 +310,7 @@ def rotor_that_lacks_power(rng):
         turn = (u + e * free * sin(s.phi)) / (1 - (e * sin(s.phi)) ** 2)
         return s.v, free + e * turn * sin(s.phi), s.w, turn
 
-    model = Model("rotor", parameters, ("x", "v", "phi", "w"), rates)
-    return Case(model, rng.uniform(20.0, 100.0), (0.0, 0.0, 0.0, 0.0))
+    return by_rates(rates, parameters, "x v phi w", rng.uniform(20.0, 100.0), (0.0, 0.0, 0.0, 0.0))
 
 
 @family("engineers", "kinked", "forced")
@@ -353,21 +320,13 @@ def crane_by_phases(rng):
     parameters = {"g": 9.81, "L": L, "h": L * rng.uniform(-0.5, 0.5) / (t1 + t2 + t3 + 5), "a": a}
     parameters |= {"t1": t1, "t2": t1 + t2, "t3": t1 + t2 + t3, "b": a * t1 / t3}
 
-    def rates(s, p, t, push):
+    def rates(s, p, t):
+        push = where(t < p.t1, p.a, where(t < p.t2, 0.0, where(t < p.t3, -p.b, 0.0)))
         r = p.L - p.h * t
         swing = -(push * cos(s.phi) + p.g * sin(s.phi) - 2 * p.h * s.w) / r
         return s.v, push, s.w, swing
 
-    push = lambda p, t: where(t < p.t1, p.a, where(t < p.t2, 0.0, where(t < p.t3, -p.b, 0.0)))
-    model = Model("crane", parameters, ("x", "v", "phi", "w"),
-                  lambda s, p, t: rates(s, p, t, push(p, t)))  # fmt: skip
-    switches = tuple(lambda s, p, t, n=n: t - getattr(p, n) for n in ("t1", "t2", "t3"))
-
-    def pieces(s, p, t, b):
-        return rates(s, p, t, (1 - b[0]) / 2 * p.a - (1 + b[1]) * (1 - b[2]) / 4 * p.b)
-
-    return Case(model, t1 + t2 + t3 + 5.0, (0.0, 0.0, 0.0, 0.0),
-                branches=Branches(switches, pieces))  # fmt: skip
+    return by_rates(rates, parameters, "x v phi w", t1 + t2 + t3 + 5.0, (0.0, 0.0, 0.0, 0.0))
 
 
 @family("engineers", "events")
@@ -384,7 +343,7 @@ def cradle_of_two(rng):
 
     knock = Event(lambda s, p, t: s.a - s.b, 1, then=lambda s, p, t: (model, knocked(s, p, t)))
     start = -rng.uniform(0.3, 1.5), rng.uniform(0.05, 0.8), 0.0, 0.0
-    return Case(model, rng.uniform(4.0, 20.0) / n, start, events=(knock,), impact=knocked)
+    return Case(model, rng.uniform(4.0, 20.0) / n, start, events=(knock,))
 
 
 @family("engineers", "narrow")
@@ -400,8 +359,7 @@ def plane_in_a_turning_beam(rng):
         along = (s.x * cos(p.W * t) + s.y * sin(p.W * t)) / sqrt(s.x**2 + s.y**2)
         return s.u, 0.0 * s.y, 0 * s.u, p.I * exp(-((off / p.w) ** 2)) * (1 + along) / 2
 
-    model = Model("radar", parameters, ("x", "y", "u", "q"), rates)
     T, met = rng.uniform(7.0, 20.0), math.atan2(y0, x0)
     hits = [t for k in range(20) if 0 < (t := (met + k * math.pi) / W) < T]
     knots = sorted({u for t in hits for u in around(t, w / W / 2, 12) if 0 < u < T})
-    return Case(model, T, (x0, y0, -v, 0.0), knots=tuple(knots))
+    return by_rates(rates, parameters, "x y u q", T, (x0, y0, -v, 0.0), knots=tuple(knots))

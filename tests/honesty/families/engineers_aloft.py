@@ -4,9 +4,8 @@ not write the methods, before any of them was run.
 
 import math
 
-from newton_euler import Event, Model, exp, sqrt, where
-from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, family
+from newton_euler import Event, exp, sqrt, where
+from tests.honesty.cases import Log, by_accelerations, by_rates, family
 
 GM, EARTH = 3.986004418e14, 6.371e6
 
@@ -25,8 +24,7 @@ def perigee_in_thin_air(rng):
 
     period, ra = 2 * math.pi * math.sqrt(a**3 / GM), 2 * a - rp
     start = ra, 0.0, 0.0, math.sqrt(GM * (2 / ra - 1 / a))
-    model = second_order("thin air", parameters, ("x", "y"), accelerations)
-    return Case(model, period * rng.uniform(1.2, 4.5), start)
+    return by_accelerations(accelerations, parameters, "x y", period * rng.uniform(1.2, 4.5), start)
 
 
 @family("engineers", "kinked", "units")
@@ -37,21 +35,13 @@ def rocket_of_two_stages(rng):
     parameters |= {"m1": 1.0 / t1 * rng.uniform(0.4, 0.5), "m2": rng.uniform(0.25, 0.4) / t2}
     parameters |= {"D": rng.decades(1e-6, 1e-4), "h": 8e3}
 
-    def written(s, p, t):
+    def rates(s, p, t):
         flow = where(t < p.T1, p.m1, where(t < p.T2, 0.0, where(t < p.T3, p.m2, 0.0)))
         drag = p.D * exp(-s.z / p.h) * s.v * abs(s.v)
         return s.v, (flow * p.c - drag) / (1 - s.burnt) - p.g, flow
 
-    def pieces(s, p, t, b):
-        flow = (1 - b[0]) / 2 * p.m1 + (1 + b[1]) * (1 - b[2]) / 4 * p.m2
-        drag = p.D * exp(-s.z / p.h) * s.v * s.v * b[3]
-        return s.v, (flow * p.c - drag) / (1 - s.burnt) - p.g, flow
-
-    switches = *(lambda s, p, t, n=n: t - getattr(p, n) for n in ("T1", "T2", "T3")), (
-        lambda s, p, t: s.v)  # fmt: skip
-    model = Model("two stages", parameters, ("z", "v", "burnt"), written)
-    return Case(model, t1 + gap + t2 + rng.uniform(1.0, 30.0), (0.0, 10.0, 0.0),
-                branches=Branches(switches, pieces))  # fmt: skip
+    T = t1 + gap + t2 + rng.uniform(1.0, 30.0)
+    return by_rates(rates, parameters, "z v burnt", T, (0.0, 10.0, 0.0))
 
 
 @family("engineers", "near-singular")
@@ -72,10 +62,9 @@ def top_barely_asleep(rng):
             s.q * s.gx - s.p * s.gy,
         )
 
-    model = Model("sleeping top", {"A": A, "C": C, "mgl": mgl}, ("p", "q", "r", "gx", "gy", "gz"),
-                  rates)  # fmt: skip
     start = 0.0, 0.0, spin, math.sin(tilt), 0.0, math.cos(tilt)
-    return Case(model, rng.uniform(5.0, 20.0) * A / C / spin * 10, start)
+    T = rng.uniform(5.0, 20.0) * A / C / spin * 10
+    return by_rates(rates, {"A": A, "C": C, "mgl": mgl}, "p q r gx gy gz", T, start)
 
 
 @family("engineers", "long", "closed form")
@@ -85,10 +74,9 @@ def moon_that_recedes(rng):
     T = rng.uniform(0.2, 4.0) * 1e9 * 3.15e7
     grown = rng.uniform(0.1, 3.0)
     k = 2 / 13 * a0**6.5 * ((1 + grown) ** 6.5 - 1) / T
-    model = Model("receding", {"k": k}, ("a",), lambda s, p, t: (p.k / s.a**5.5,))
     grown_by = lambda mp, s, p, t: mp.mpf(s.a) ** 6.5 + mp.mpf(13) / 2 * p.k * t
     exact = lambda mp, s, p, t: (grown_by(mp, s, p, t) ** (mp.mpf(2) / 13),)
-    return Case(model, T, (a0,), exact=exact)
+    return by_rates(lambda s, p, t: (p.k / s.a**5.5,), {"k": k}, "a", T, (a0,), exact=exact)
 
 
 @family("engineers", "events", "units", "multi-scale")
@@ -106,8 +94,8 @@ def two_satellites_that_meet(rng):
     slow = v * (1 - rng.uniform(1e-4, 6e-4))
     start = (r, 0.0, r * math.cos(ahead), r * math.sin(ahead),
              0.0, slow, -v * math.sin(ahead), v * math.cos(ahead))  # fmt: skip
-    model = second_order("satellites", parameters, tuple("xyuw"), accelerations)
-    return Case(model, 2 * math.pi * r / v * rng.uniform(0.6, 3.0), start, events=(near,))
+    T = 2 * math.pi * r / v * rng.uniform(0.6, 3.0)
+    return by_accelerations(accelerations, parameters, "x y u w", T, start, events=(near,))
 
 
 @family("engineers", "kinked")
@@ -116,22 +104,13 @@ def parachute_that_opens_by_height(rng):
     z, top = rng.values((1500.0, 4000.0), (800.0, 1200.0))
     parameters = rng.parameters(g=9.81, D=0.003, P=(0.1, 0.4), top=top, L=Log(1.0, 200.0), h=8e3)
 
-    def rates(s, p, share):
+    def rates(s, p, t):
+        part = (p.top - s.z) / p.L
+        share = where(part < 0, 0.0, where(part > 1, 1.0, part))
         return s.v, (p.D + share * p.P) * exp(-s.z / p.h) * s.v**2 - p.g
 
-    def opened(s, p):
-        part = (p.top - s.z) / p.L
-        return where(part < 0, 0.0, where(part > 1, 1.0, part))
-
-    model = Model("parachute", parameters, ("z", "v"), lambda s, p, t: rates(s, p, opened(s, p)))
-    switches = (lambda s, p, t: p.top - s.z, lambda s, p, t: p.top - s.z - p.L)
-
-    def pieces(s, p, t, b):
-        part = (1 + b[0]) / 2 * (1 - b[1]) / 2 * (p.top - s.z) / p.L + (1 + b[1]) / 2
-        return rates(s, p, part)
-
     T = (z - top) / 55 + rng.uniform(5.0, 40.0)
-    return Case(model, T, (z, 0.0), branches=Branches(switches, pieces))
+    return by_rates(rates, parameters, "z v", T, (z, 0.0))
 
 
 @family("engineers", "smooth")
@@ -143,5 +122,4 @@ def truss_that_snaps_through(rng):
         long, now = sqrt(1 + p.h**2), sqrt(1 + (p.h - s.x) ** 2)
         return (p.F * t - 2 * p.k * (1 - long / now) * (s.x - p.h) - p.c * s.dx,)
 
-    model = second_order("snap", parameters, ("x",), accelerations)
-    return Case(model, rng.uniform(20.0, 100.0), (0.0, 0.0))
+    return by_accelerations(accelerations, parameters, "x", rng.uniform(20.0, 100.0), (0.0, 0.0))

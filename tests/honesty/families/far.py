@@ -2,10 +2,9 @@
 
 import math
 
-from newton_euler import Model, cos, sqrt, where
-from newton_euler.motion import second_order
+from newton_euler import cos, sqrt, where
 from tests.honesty import closed_forms
-from tests.honesty.cases import Case, Log, family
+from tests.honesty.cases import Log, by_accelerations, by_rates, family
 
 EARTH = 3.986004418e14  # G M, m^3/s^2
 
@@ -21,8 +20,8 @@ def far_spring(rng):
         x, v = closed_forms.damped(mp, mp.sqrt(p.k), p.c, s.x - p.X0, s.dx, t)
         return p.X0 + x, v
 
-    model = second_order("far spring", parameters, ("x",), a)
-    return Case(model, rng.uniform(5.0, 60.0) / w, (X0 + A, 0.0), exact=exact)
+    T = rng.uniform(5.0, 60.0) / w
+    return by_accelerations(a, parameters, "x", T, (X0 + A, 0.0), exact=exact)
 
 
 @family("multi-scale", "far")
@@ -43,8 +42,8 @@ def far_pair(rng):
         c, v = (s.x + s.y) * half + (s.dx + s.dy) * half * t, (s.dx + s.dy) * half
         return c - (p.L + d) * half, c + (p.L + d) * half, v - u * half, v + u * half
 
-    model = second_order("far pair", parameters, ("x", "y"), accelerations)
-    return Case(model, rng.uniform(5.0, 60.0) / w, (X, X + L + A, V, V), exact=exact)
+    T = rng.uniform(5.0, 60.0) / w
+    return by_accelerations(accelerations, parameters, "x y", T, (X, X + L + A, V, V), exact=exact)
 
 
 @family("multi-scale", "far", "mechanics")
@@ -64,10 +63,9 @@ def tethered_satellites(rng):
         first = -g * s.x1 + pull * dx, -g * s.y1 + pull * dy
         return s.u1, s.v1, s.u2, s.v2, *first, -h * s.x2 - pull * dx, -h * s.y2 - pull * dy
 
-    names = "x1", "y1", "x2", "y2", "u1", "v1", "u2", "v2"
     far, v = r + L * (1 + rng.uniform(1e-6, 1e-4)), math.sqrt(EARTH / r**3) * r
     start = r, 0.0, far, 0.0, 0.0, v, 0.0, v / r * far
-    return Case(Model("tethered satellites", parameters, names, rates), 20.0 / n, start)
+    return by_rates(rates, parameters, "x1 y1 x2 y2 u1 v1 u2 v2", 20.0 / n, start)
 
 
 @family("multi-scale", "far", "kinked")
@@ -87,8 +85,8 @@ def layer_far_from_zero(rng):
             return p.place - u * t + up * t * t / 2, up * t - u
         return p.place + u * t - p.g * t * t / 2, u - p.g * t
 
-    model = Model("layer far from zero", parameters, ("x", "v"), rates)
-    return Case(model, n * math.sqrt(2 * h / g), (place + h, 0.0), exact=exact)
+    T = n * math.sqrt(2 * h / g)
+    return by_rates(rates, parameters, "x v", T, (place + h, 0.0), exact=exact)
 
 
 @family("multi-scale", "far", "tiny", "forced")
@@ -107,5 +105,5 @@ def shaken_by_a_clock_of_states(rng):
         x, v = closed_forms.driven(mp, *of)
         return p.place + x, v, p.rate * t
 
-    model = Model("shaken by a clock", parameters, ("x", "v", "clock"), rates)
-    return Case(model, rng.uniform(3.0, 30.0), (place, 0.0, 0.0), exact=exact)
+    T = rng.uniform(3.0, 30.0)
+    return by_rates(rates, parameters, "x v clock", T, (place, 0.0, 0.0), exact=exact)

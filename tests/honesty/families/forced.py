@@ -1,12 +1,11 @@
 """Rates that depend on time: pulses, switches, resonance, late starts."""
 
-from newton_euler import Model, cos, exp, sin, sqrt, tanh
-from newton_euler.motion import second_order
+from newton_euler import cos, exp, sin, sqrt, tanh
 from tests.honesty import closed_forms
-from tests.honesty.cases import Case, Log, around, family
+from tests.honesty.cases import Log, around, by_accelerations, by_rates, family
 
 
-def _pulse(rng, name, k, x, middle=0.2):
+def _pulse(rng, k, x, middle=0.2):
     """A spring pushed by a pulse that lasts a few thousandths to a tenth of the time."""
     T = rng.uniform(5.0, 30.0)
     width = T * rng.decades(2e-3, 5e-2)  # a shorter one is missed by a thousand samples
@@ -16,21 +15,21 @@ def _pulse(rng, name, k, x, middle=0.2):
         u = (t - p.tp) / p.w
         return (p.A / p.w * exp(-u * u) - p.k * s.x,)
 
-    model = second_order(name, parameters | {"w": width}, ("x",), accelerations)
     knots = around(parameters["tp"], width / 2, 22)
-    return Case(model, T, rng.values(x, 0.0), knots=knots)
+    start = rng.values(x, 0.0)
+    return by_accelerations(accelerations, parameters | {"w": width}, "x", T, start, knots=knots)
 
 
 @family("forced")
 def narrow_pulse(rng):
     """An oscillator that gets one short push on the way."""
-    return _pulse(rng, "pulse", 1.0, (-0.1, 0.1))
+    return _pulse(rng, 1.0, (-0.1, 0.1))
 
 
 @family("forced")
 def pulse_on_rest(rng):
     """A short push on a system at rest: nothing before shows that it will come."""
-    return _pulse(rng, "pulse on rest", (0.2, 2.0), 0.0, 0.3)
+    return _pulse(rng, (0.2, 2.0), 0.0, 0.3)
 
 
 @family("forced")
@@ -40,9 +39,8 @@ def sharp_switch(rng):
     parameters = rng.parameters(k=(0.5, 4.0), F=(0.5, 2.0)) | {"ts": T * rng.uniform(0.2, 0.8)}
     parameters |= rng.parameters(w=Log(1e-4, 1e-1), one=1.0)
     a = lambda s, p, t: (p.F * (p.one + tanh((t - p.ts) / p.w)) / 2 - p.k * s.x,)
-    model = second_order("sharp switch", parameters, ("x",), a)
     knots = around(parameters["ts"], parameters["w"], 55)
-    return Case(model, T, rng.values((-1.0, 1.0), 0.0), knots=knots)
+    return by_accelerations(a, parameters, "x", T, rng.values((-1.0, 1.0), 0.0), knots=knots)
 
 
 @family("forced")
@@ -55,8 +53,8 @@ def near_resonance(rng):
     def exact(mp, s, p, t):
         return closed_forms.driven(mp, mp.sqrt(p.k), p.F, p.q, s.x, s.dx, t)
 
-    model = second_order("near resonance", parameters, ("x",), a)
-    return Case(model, rng.uniform(10.0, 150.0) / w, (0.0, 0.0), exact=exact)
+    T = rng.uniform(10.0, 150.0) / w
+    return by_accelerations(a, parameters, "x", T, (0.0, 0.0), exact=exact)
 
 
 @family("forced")
@@ -65,7 +63,7 @@ def rising_tone(rng):
     parameters = rng.parameters(k=(4.0, 40.0), c=(0.02, 0.2), F=1.0, a=Log(0.05, 0.5))
     a = lambda s, p, t: (p.F * cos(p.a * t * t) - p.k * s.x - p.c * s.dx,)
     T, x = rng.values((5.0, 25.0), (-0.5, 0.5))
-    return Case(second_order("rising tone", parameters, ("x",), a), T, (x, 0.0))
+    return by_accelerations(a, parameters, "x", T, (x, 0.0))
 
 
 @family("forced")
@@ -74,7 +72,7 @@ def mathieu(rng):
     parameters = rng.parameters(a=(0.2, 3.0), q=(0.1, 1.0))
     a = lambda s, p, t: (-(p.a - 2 * p.q * cos(2 * t)) * s.x,)
     T, v = rng.values((5.0, 30.0), (-1.0, 1.0))
-    return Case(second_order("Mathieu", parameters, ("x",), a), T, (1.0, v))
+    return by_accelerations(a, parameters, "x", T, (1.0, v))
 
 
 @family("forced", "late")
@@ -84,8 +82,7 @@ def late_beginning(rng):
     parameters = rng.parameters(k=(1.0, 10.0), c=0.1, F=1.0, w=(0.5, 3.0))
     a = lambda s, p, t: (p.F * cos(p.w * t) - p.k * s.x - p.c * s.dx,)
     T, *start = rng.values((3.0, 20.0), (-1.0, 1.0), (-1.0, 1.0))
-    model = second_order("late beginning", parameters, ("x",), a)
-    return Case(model, begin + T, tuple(start), t0=begin)
+    return by_accelerations(a, parameters, "x", begin + T, start, t0=begin)
 
 
 @family("forced", "late")
@@ -98,8 +95,7 @@ def shrinking_string(rng):
 
     parameters = rng.parameters(L=1.0, v=(0.01, 0.04), g=9.81)
     begin, T, theta = rng.values((0.5, 2.0), (3.0, 18.0), (0.1, 1.5))
-    model = Model("shrinking string", parameters, ("theta", "omega"), rates)
-    return Case(model, begin + T, (theta, 0.0), t0=begin)
+    return by_rates(rates, parameters, "theta omega", begin + T, (theta, 0.0), t0=begin)
 
 
 @family("forced")
@@ -124,4 +120,4 @@ def thrust_programme(rng):
 
     T, m = rng.values((15.0, 40.0), (4.0, 10.0))
     knots = around(parameters["tb"], parameters["w"], 55)
-    return Case(Model("rocket", parameters, ("h", "v", "m"), rates), T, (0.0, 0.0, m), knots=knots)
+    return by_rates(rates, parameters, "h v m", T, (0.0, 0.0, m), knots=knots)

@@ -5,9 +5,8 @@ Friction, drag as it is usually written, springs with play, walls, valves.
 
 import math
 
-from newton_euler import Model, cos, sin, sqrt
-from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, family
+from newton_euler import cos, sin, sqrt
+from tests.honesty.cases import Log, by_accelerations, by_rates, family
 from tests.honesty.engine import where
 
 DRIVE = {"k": (0.5, 20.0), "c": (0.05, 0.5), "F": (0.5, 3.0), "w": Log(0.2, 8.0)}  # an oscillator
@@ -17,10 +16,9 @@ DRIVE = {"k": (0.5, 20.0), "c": (0.05, 0.5), "F": (0.5, 3.0), "w": Log(0.2, 8.0)
 def drag_by_abs(rng):
     """A body thrown upwards against air drag v |v|, until after it has turned back."""
     rates = lambda s, p, t: (s.v, -p.g - p.c * abs(s.v) * s.v)
-    pieces = lambda s, p, t, b: (s.v, -p.g - p.c * b[0] * s.v * s.v)
-    model = Model("throw", rng.parameters(g=9.81, c=Log(1e-3, 0.3)), ("h", "v"), rates)
+    parameters = rng.parameters(g=9.81, c=Log(1e-3, 0.3))
     T, *start = rng.values((2.0, 8.0), (0.0, 10.0), (5.0, 40.0))
-    return Case(model, T, tuple(start), branches=Branches((lambda s, p, t: s.v,), pieces))
+    return by_rates(rates, parameters, "h v", T, start)
 
 
 @family("kinked")
@@ -28,10 +26,8 @@ def drag_by_root(rng):
     """A swing in water, its drag written as sqrt(v v) v, which is v |v|."""
     parameters = rng.parameters(k=Log(0.1, 30.0), c=Log(1e-2, 1.0))
     a = lambda s, p, t: (-p.k * s.x - p.c * sqrt(s.dx * s.dx) * s.dx,)
-    pieces = lambda s, p, t, b: (s.dx, -p.k * s.x - p.c * b[0] * s.dx * s.dx)
     T, x = rng.uniform(10.0, 60.0) / parameters["k"] ** 0.5, rng.either(rng.uniform(0.5, 3.0))
-    model = second_order("swing in water", parameters, ("x",), a)
-    return Case(model, T, (x, 0.0), branches=Branches((lambda s, p, t: s.dx,), pieces))
+    return by_accelerations(a, parameters, "x", T, (x, 0.0))
 
 
 @family("kinked")
@@ -40,10 +36,8 @@ def dry_friction(rng):
     k, mu, swings = rng.decades(0.3, 30.0), rng.decades(1e-2, 3.0), rng.randint(2, 12)
     start = mu / k * (2 * swings + 1 + rng.uniform(0.3, 1.7))
     a = lambda s, p, t: (-p.k * s.x - where(s.dx > 0, p.mu, -p.mu),)
-    pieces = lambda s, p, t, b: (s.dx, -p.k * s.x - b[0] * p.mu)
-    model = second_order("mass on a rough floor", {"k": k, "mu": mu}, ("x",), a)
     T = (swings - rng.uniform(0.1, 0.9)) * math.pi / k**0.5
-    return Case(model, T, (start, 0.0), branches=Branches((lambda s, p, t: s.dx,), pieces))
+    return by_accelerations(a, {"k": k, "mu": mu}, "x", T, (start, 0.0))
 
 
 @family("kinked", "sticking")
@@ -56,8 +50,7 @@ def friction_to_rest(rng):
         t = min(t, s.v / p.mu)
         return s.x + s.v * t - p.mu * t * t / 2, s.v - p.mu * t
 
-    model = Model("sliding block", {"mu": mu}, ("x", "v"), rates)
-    return Case(model, rng.uniform(1.1, 3.0) * v / mu, (0.0, v), exact=exact)
+    return by_rates(rates, {"mu": mu}, "x v", rng.uniform(1.1, 3.0) * v / mu, (0.0, v), exact=exact)
 
 
 @family("kinked")
@@ -68,52 +61,43 @@ def spring_with_play(rng):
         beyond = where(s.x > p.d, s.x - p.d, 0.0) + where(s.x < -p.d, s.x + p.d, 0.0)
         return (-p.k * beyond - p.c * s.dx,)
 
-    def pieces(s, p, t, b):
-        return s.dx, -p.k * ((1 + b[0]) * (s.x - p.d) + (1 - b[1]) * (s.x + p.d)) / 2 - p.c * s.dx
-
     parameters = rng.parameters(k=Log(1.0, 1e3), d=(0.1, 1.0), c=(0.0, 0.1))
-    model = second_order("spring with play", parameters, ("x",), accelerations)
     T, x, v = rng.values((3.0, 20.0), (-0.05, 0.05), (0.5, 3.0))
-    branches = Branches((lambda s, p, t: s.x - p.d, lambda s, p, t: s.x + p.d), pieces)
-    return Case(model, T, (x, rng.either(v)), branches=branches)
+    return by_accelerations(accelerations, parameters, "x", T, (x, rng.either(v)))
 
 
 @family("kinked")
 def ball_on_an_elastic_floor(rng):
     """A ball that falls, is pushed back while it is in the floor, and bounces for ever."""
     rates = lambda s, p, t: (s.v, where(s.h < 0, -p.k * s.h, 0.0) - p.g)
-    pieces = lambda s, p, t, b: (s.v, -p.k * s.h * (1 - b[0]) / 2 - p.g)
-    model = Model("ball on a floor", rng.parameters(g=9.81, k=Log(1e2, 1e6)), ("h", "v"), rates)
+    parameters = rng.parameters(g=9.81, k=Log(1e2, 1e6))
     T, *start = rng.values((1.0, 6.0), (0.3, 2.0), 0.0)
-    return Case(model, T, tuple(start), branches=Branches((lambda s, p, t: s.h,), pieces))
+    return by_rates(rates, parameters, "h v", T, start)
 
 
 @family("kinked")
 def two_stiffnesses(rng):
     """A spring that is harder in compression than in extension."""
     a = lambda s, p, t: (-where(s.x > 0, p.soft, p.hard) * s.x,)
-    pieces = lambda s, p, t, b: (s.dx, -(p.soft * (1 + b[0]) + p.hard * (1 - b[0])) * s.x / 2)
     parameters = rng.parameters(soft=Log(0.1, 10.0), hard=Log(1.0, 1e3))
     T, *start = rng.values((5.0, 40.0), (-1.0, 1.0), (-1.0, 1.0))
-    model = second_order("two stiffnesses", parameters, ("x",), a)
-    return Case(model, T, tuple(start), branches=Branches((lambda s, p, t: s.x,), pieces))
+    return by_accelerations(a, parameters, "x", T, start)
 
 
 @family("kinked")
 def tank_with_an_overflow(rng):
     """A tank with a pump that comes and goes, a hole, and a weir that it overflows when full."""
 
-    def filled(s, p, t):
-        return p.q * (p.one + sin(p.w * t)) - p.c * sqrt(s.h)
-
     parameters = rng.parameters(
         q=(0.5, 1.5), c=(0.2, 0.6), weir=(2.0, 6.0), H=(0.9, 1.3), w=(0.5, 2.0), one=1.0
     )
-    rates = lambda s, p, t: (filled(s, p, t) - where(s.h > p.H, p.weir * (s.h - p.H), 0.0),)
-    pieces = lambda s, p, t, b: (filled(s, p, t) - p.weir * (s.h - p.H) * (1 + b[0]) / 2,)
-    model = Model("tank with an overflow", parameters, ("h",), rates)
+
+    def rates(s, p, t):
+        filled = p.q * (p.one + sin(p.w * t)) - p.c * sqrt(s.h)
+        return (filled - where(s.h > p.H, p.weir * (s.h - p.H), 0.0),)
+
     T, h = rng.values((5.0, 30.0), (0.3, 1.5))
-    return Case(model, T, (h,), branches=Branches((lambda s, p, t: s.h - p.H,), pieces))
+    return by_rates(rates, parameters, "h", T, (h,))
 
 
 @family("kinked", "sticking")
@@ -124,61 +108,52 @@ def tank_that_runs_empty(rng):
     def exact(mp, s, p, t):
         return (max(mp.sqrt(s.h) - p.c * t / 2, mp.mpf(0)) ** 2,)
 
-    model = Model("tank", {"c": c}, ("h",), lambda s, p, t: (-p.c * sqrt(s.h),))
-    return Case(model, rng.choice((0.5, 0.9, 1.3, 2.0)) * 2 * h**0.5 / c, (h,), exact=exact)
+    T = rng.choice((0.5, 0.9, 1.3, 2.0)) * 2 * h**0.5 / c
+    return by_rates(lambda s, p, t: (-p.c * sqrt(s.h),), {"c": c}, "h", T, (h,), exact=exact)
 
 
 @family("kinked")
 def tank_nearly_empty(rng):
     """A tank with a small steady inflow falls to a level far below the first and stays there."""
     parameters = rng.parameters(c=1.0, q=Log(1e-3, 1e-1))
-    model = Model("tank with inflow", parameters, ("h",), lambda s, p, t: (p.q - p.c * sqrt(s.h),))
-    return Case(model, rng.uniform(1.5, 6.0), (rng.uniform(0.5, 2.0),))
+    T, start = rng.uniform(1.5, 6.0), (rng.uniform(0.5, 2.0),)
+    return by_rates(lambda s, p, t: (p.q - p.c * sqrt(s.h),), parameters, "h", T, start)
 
 
 @family("kinked")
 def limited_control(rng):
     """A servo whose force has a limit: full force at first, then a spring."""
-    asked = lambda s, p: -p.k * s.x - p.c * s.dx
 
     def limited(s, p, t):
-        u = asked(s, p)
+        u = -p.k * s.x - p.c * s.dx
         return (where(u > p.F, p.F, where(u < -p.F, -p.F, u)),)
 
-    def pieces(s, p, t, b):
-        free = (1 - b[0]) * (1 + b[1]) * asked(s, p) / 2
-        return s.dx, ((1 + b[0]) * p.F - (1 - b[1]) * p.F + free) / 2
-
-    switches = lambda s, p, t: asked(s, p) - p.F, lambda s, p, t: asked(s, p) + p.F
     parameters = rng.parameters(F=(0.5, 2.0), k=(2.0, 10.0), c=(1.0, 4.0))
     T, x = rng.values((3.0, 12.0), (1.0, 5.0))
     start = rng.either(x), rng.uniform(-1.0, 1.0)
-    model = second_order("limited control", parameters, ("x",), limited)
-    return Case(model, T, start, branches=Branches(switches, pieces))
+    return by_accelerations(limited, parameters, "x", T, start)
 
 
-def _driven(rng, name, force, switch, piece):
+def _driven(rng, force):
     """An oscillator pushed by ``force``, which has kinks or jumps in time."""
     a = lambda s, p, t: (force(p, t) - p.k * s.x - p.c * s.dx,)
-    pieces = lambda s, p, t, b: (s.dx, piece(p, t, b[0]) - p.k * s.x - p.c * s.dx)
-    model = second_order(name, rng.parameters(**DRIVE), ("x",), a)
+    parameters = rng.parameters(**DRIVE)
     T, *start = rng.values((5.0, 25.0), (-1.0, 1.0), (-1.0, 1.0))
-    branches = Branches((lambda s, p, t: switch(p.w * t),), pieces)
-    return Case(model, T, tuple(start), branches=branches)
+    return by_accelerations(a, parameters, "x", T, start)
 
 
 @family("kinked", "forced")
 def rectified_drive(rng):
     """An oscillator pushed by |sin(w t)|: kinks in time."""
     force = lambda p, t: p.F * abs(sin(p.w * t))
-    return _driven(rng, "rectified drive", force, sin, lambda p, t, b: p.F * b * sin(p.w * t))
+    return _driven(rng, force)
 
 
 @family("kinked", "forced")
 def square_wave(rng):
     """An oscillator pushed to and fro by a constant force: jumps in time."""
     force = lambda p, t: where(cos(p.w * t) > 0, p.F, -p.F)
-    return _driven(rng, "square wave", force, cos, lambda p, t, b: p.F * b)
+    return _driven(rng, force)
 
 
 @family("kinked")
@@ -190,48 +165,38 @@ def friction_between_two(rng):
         rub = where(s.dx > s.dy, p.mu, -p.mu)
         return -p.k * s.x - rub, -p.K * s.y + rub
 
-    def pieces(s, p, t, b):
-        return s.dx, s.dy, -p.k * s.x - b[0] * p.mu, -p.K * s.y + b[0] * p.mu
-
-    model = second_order("friction between two", parameters, ("x", "y"), accelerations)
     T, y = rng.values((2.0, 8.0), (0.8, 1.5))
-    branches = Branches((lambda s, p, t: s.dx - s.dy,), pieces)
-    return Case(model, T, (1.0, y, 0.0, 0.0), branches=branches)
+    return by_accelerations(accelerations, parameters, "x y", T, (1.0, y, 0.0, 0.0))
 
 
 @family("kinked", "mechanics")
 def string_that_goes_slack(rng):
     """A bob on an elastic string in a plane, thrown so high that the string hangs through."""
     parameters = rng.parameters(g=9.81, L=(0.8, 1.5), k=Log(50.0, 2000.0), c=(0.0, 0.05))
-    excess = lambda s, p, t: s.x * s.x + s.y * s.y - p.L * p.L
 
-    def accelerations(s, p, taut):
+    def accelerations(s, p, t):
+        taut = where(s.x * s.x + s.y * s.y - p.L * p.L > 0, 1.0, 0.0)
         r = sqrt(s.x * s.x + s.y * s.y)
         pull = taut * p.k * (r - p.L) / r
         return -pull * s.x - p.c * s.dx, -pull * s.y - p.c * s.dy - p.g
 
-    a = lambda s, p, t: accelerations(s, p, where(excess(s, p, t) > 0, 1.0, 0.0))
-    pieces = lambda s, p, t, b: (s.dx, s.dy, *accelerations(s, p, (1 + b[0]) / 2))
     T, angle, part = rng.values((1.5, 3.0), (1.7, 2.6), (0.9, 1.0))
-    l, model = part * parameters["L"], second_order("slack string", parameters, ("x", "y"), a)
+    l = part * parameters["L"]
     start = l * math.sin(angle), -l * math.cos(angle), 0.3, 0.0
-    return Case(model, T, start, branches=Branches((excess,), pieces))
+    return by_accelerations(accelerations, parameters, "x y", T, start)
 
 
 @family("kinked", "mechanics")
 def thruster_with_a_dead_band(rng):
     """A satellite under a steady torque, turned back by jets beyond two angles, with some lead."""
     parameters = rng.parameters(U=(0.5, 2.0), d=(0.1, 0.4), K=(0.01, 0.1), M=(0.02, 0.1))
-    switches = lambda s, p, t: s.x + p.K * s.dx - p.d, lambda s, p, t: s.x + p.K * s.dx + p.d
 
     def a(s, p, t):
-        above, below = (f(s, p, t) for f in switches)
-        return (p.M - where(above > 0, p.U, 0.0) + where(below > 0, 0.0, p.U),)
+        led = s.x + p.K * s.dx
+        return (p.M - where(led - p.d > 0, p.U, 0.0) + where(led + p.d > 0, 0.0, p.U),)
 
-    pieces = lambda s, p, t, b: (s.dx, p.M - p.U * (b[0] + b[1]) / 2)
-    model = second_order("dead band", parameters, ("x",), a)
     T, x, v = rng.values((8.0, 15.0), (0.5, 2.0), (-1.0, 1.0))
-    return Case(model, T, (x, v), branches=Branches(switches, pieces))
+    return by_accelerations(a, parameters, "x", T, (x, v))
 
 
 @family("kinked", "forced")
@@ -240,17 +205,12 @@ def friction_of_two_thresholds(rng):
     parameters = rng.parameters(k=(1.0, 10.0), F=(2.0, 6.0), w=(0.7, 3.0), m=(0.2, 1.0))
     parameters |= {"n": -parameters["m"] * rng.uniform(0.2, 0.8), "u": rng.uniform(0.05, 0.3)}
     parameters["U"] = parameters["u"] * rng.uniform(3.0, 6.0)
-    speeds = lambda p: (p.u, -p.u, p.U, -p.U)
-    switches = tuple(lambda s, p, t, j=j: s.dx - speeds(p)[j] for j in range(4))
 
-    def accelerations(s, p, t, b):
+    def accelerations(s, p, t):
+        b = [where(s.dx - speed > 0, 1.0, -1.0) for speed in (p.u, -p.u, p.U, -p.U)]
         slow = (b[1] - b[0]) / 2  # 1 between -u and u
         friction = p.m * ((b[0] + b[1]) / 2 + slow * s.dx / p.u) + p.n * (b[2] + b[3]) / 2
         return (p.F * sin(p.w * t) - p.k * s.x - friction,)
 
-    signs = lambda s, p, t: [where(f(s, p, t) > 0, 1.0, -1.0) for f in switches]
-    a = lambda s, p, t: accelerations(s, p, t, signs(s, p, t))
-    pieces = lambda s, p, t, b: (s.dx, *accelerations(s, p, t, b))
-    model = second_order("two thresholds", parameters, ("x",), a)
     T, x, v = rng.values((6.0, 20.0), (-1.0, 1.0), (0.5, 2.0))
-    return Case(model, T, (x, v), branches=Branches(switches, pieces))
+    return by_accelerations(accelerations, parameters, "x", T, (x, v))

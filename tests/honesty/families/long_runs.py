@@ -2,9 +2,8 @@
 
 import math
 
-from newton_euler.motion import second_order
-from tests.honesty import closed_forms, models
-from tests.honesty.cases import Case, family
+from tests.honesty import models
+from tests.honesty.cases import Case, by_accelerations, family
 
 
 @family("long")
@@ -47,24 +46,13 @@ def oscillator_damped_long_ago(rng):
     w = rng.decades(0.1, 10.0)
     parameters = {"k": w * w, "c": w * rng.uniform(0.02, 0.2)}
     a = lambda s, p, t: (-p.k * s.x - 2 * p.c * s.dx,)
-    model = second_order("damped", parameters, ("x",), a)
-    return Case(model, rng.decades(100.0, 3e3) / w, (1.0, 0.0), exact=models.exact_damped)
+    T = rng.decades(100.0, 3e3) / w
+    return by_accelerations(a, parameters, "x", T, (1.0, 0.0), exact=models.exact_damped)
 
 
 @family("long")
 def slow_beat(rng):
     """Two pendulums that exchange their swing through a weak spring, for many beats."""
-    a = lambda s, p, t: (-p.k * s.x - p.q * (s.x - s.y), -p.k * s.y - p.q * (s.y - s.x))
-    model = second_order("two pendulums", {"k": 1.0, "q": rng.decades(1e-3, 0.1)}, ("x", "y"), a)
-
-    def exact(mp, s, p, t):
-        half = mp.mpf(1) / 2
-
-        def mode(k, x, v):
-            return closed_forms.oscillator(mp, mp.sqrt(k), x * half, v * half, t)
-
-        a = mode(p.k, s.x + s.y, s.dx + s.dy)
-        b = mode(p.k + 2 * p.q, s.x - s.y, s.dx - s.dy)
-        return a[0] + b[0], a[0] - b[0], a[1] + b[1], a[1] - b[1]
-
-    return Case(model, 2 * math.pi * rng.decades(100.0, 5e3), (1.0, 0.0, 0.0, 0.0), exact=exact)
+    parameters = {"k": 1.0, "q": rng.decades(1e-3, 0.1)}
+    T, start = 2 * math.pi * rng.decades(100.0, 5e3), (1.0, 0.0, 0.0, 0.0)
+    return by_accelerations(models.joined, parameters, "x y", T, start, exact=models.exact_joined)

@@ -2,10 +2,9 @@
 
 import math
 
-from newton_euler import Model, cos, sin, sqrt
-from newton_euler.motion import second_order
+from newton_euler import cos, sin, sqrt
 from tests.honesty import closed_forms, models
-from tests.honesty.cases import Case, Log, family
+from tests.honesty.cases import Case, Log, by_accelerations, by_rates, family
 
 
 @family("mechanics")
@@ -35,8 +34,7 @@ def heavy_top(rng):
     parameters = rng.parameters(A=(0.5, 1.5), C=(0.5, 1.5), m=(1.0, 6.0))
     half, x, y, spin = rng.values((0.05, 1.4), (-1.0, 1.0), (-1.0, 1.0), (1.0, 15.0))
     start = math.cos(half), math.sin(half), 0.0, 0.0, x, y, rng.either(spin)
-    model = Model("heavy top", parameters, ("q0", "q1", "q2", "q3", "x", "y", "z"), rates)
-    return Case(model, rng.uniform(2.0, 12.0), start)
+    return by_rates(rates, parameters, "q0 q1 q2 q3 x y z", rng.uniform(2.0, 12.0), start)
 
 
 @family("mechanics")
@@ -51,8 +49,7 @@ def shot_in_the_wind(rng):
 
     v, a, across, T = rng.values(Log(10.0, 500.0), (0.2, 1.3), (-5.0, 5.0), (1.0, 20.0))
     start = 0.0, 0.0, 0.0, v * math.cos(a), across, v * math.sin(a)
-    model = second_order("shot in the wind", parameters, ("x", "y", "z"), accelerations)
-    return Case(model, T, start)
+    return by_accelerations(accelerations, parameters, "x y z", T, start)
 
 
 @family("mechanics", "multi-scale")
@@ -69,8 +66,7 @@ def shot_over_the_turning_earth(rng):
         return x, y, z
 
     start = 0.0, 0.0, 0.0, *rng.values((-300.0, 300.0), (-300.0, 300.0), (100.0, 500.0))
-    model = second_order("shot over the Earth", parameters, ("x", "y", "z"), accelerations)
-    return Case(model, rng.uniform(10.0, 90.0), start)
+    return by_accelerations(accelerations, parameters, "x y z", rng.uniform(10.0, 90.0), start)
 
 
 @family("mechanics")
@@ -88,8 +84,7 @@ def pendulum_on_a_cart(rng):
         return x, -(x * c + p.g * k) / p.L
 
     start = rng.values((-0.5, 0.5), (-1.5, 1.5), 0.0, (-1.0, 1.0))
-    model = second_order("pendulum on a cart", parameters, ("x", "a"), accelerations)
-    return Case(model, rng.uniform(2.0, 10.0), start)
+    return by_accelerations(accelerations, parameters, "x a", rng.uniform(2.0, 10.0), start)
 
 
 @family("mechanics")
@@ -105,8 +100,7 @@ def rolling_disk(rng):
     w = math.sqrt(parameters["g"])
     theta, y, z = rng.values((-0.3, 0.3), (-0.5, 0.5), (1.0, 4.0))
     start = math.pi / 2 + theta, 0.0, y * w, rng.either(z * w)
-    model = Model("rolling disk", parameters, ("theta", "x", "y", "z"), rates)
-    return Case(model, rng.uniform(1.0, 15.0) / w, start)
+    return by_rates(rates, parameters, "theta x y z", rng.uniform(1.0, 15.0) / w, start)
 
 
 @family("mechanics")
@@ -115,7 +109,7 @@ def bead_on_a_turning_hoop(rng):
     parameters = rng.parameters(g=(2.0, 12.0), n=(0.5, 6.0))
     rates = lambda s, p, t: (s.w, (p.n * p.n * cos(s.a) - p.g) * sin(s.a))
     T, a = rng.values((3.0, 20.0), Log(1e-3, 2.0))
-    return Case(Model("bead on a hoop", parameters, ("a", "w"), rates), T, (a, 0.0))
+    return by_rates(rates, parameters, "a w", T, (a, 0.0))
 
 
 @family("mechanics")
@@ -130,26 +124,20 @@ def spherical_pendulum(rng):
     a, v, T = rng.values((0.2, 2.0), (0.1, 3.0), (2.0, 8.0))
     start = math.sin(a), 0.0, -math.cos(a), 0.0, v, 0.0
     parameters = {"g": 9.81, "L2": 1.0}
-    model = second_order("spherical pendulum", parameters, ("x", "y", "z"), accelerations)
-    return Case(model, T, start)
+    return by_accelerations(accelerations, parameters, "x y z", T, start)
 
 
 @family("mechanics", "closed form")
 def pendulum_with_its_period(rng):
     """Small swings of a pendulum, whose model brings its exact solution."""
 
-    def solution(s, p, t):
-        n = sqrt(p.g / p.L)
-        return s.a * cos(n * t) + s.w / n * sin(n * t), s.w * cos(n * t) - n * s.a * sin(n * t)
-
-    def exact(mp, s, p, t):
-        return closed_forms.oscillator(mp, mp.sqrt(p.g / p.L), s.a, s.w, t)
+    def exact(m, s, p, t):
+        return closed_forms.oscillator(m, m.sqrt(p.g / p.L), s.a, s.w, t)
 
     parameters = rng.parameters(g=9.81, L=Log(0.01, 100.0))
     rates = lambda s, p, t: (s.w, -p.g / p.L * s.a)
-    model = Model("small swings", parameters, ("a", "w"), rates, exact=solution)
     T, *start = rng.values((1.0, 100.0), (0.01, 0.2), (-0.1, 0.1))
-    return Case(model, T, tuple(start), exact=exact)
+    return by_rates(rates, parameters, "a w", T, start, exact=exact, brings=True)
 
 
 @family("mechanics")
@@ -169,8 +157,8 @@ def car_on_springs(rng):
         front, rear = axle(p.front, 0.0), axle(-p.rear, p.lag)
         return front + rear, (p.front * front - p.rear * rear) / p.i
 
-    model = second_order("car on springs", parameters, ("z", "pitch"), accelerations)
-    return Case(model, rng.uniform(2.0, 10.0), (0.0, 0.0, 0.0, 0.0))
+    T = rng.uniform(2.0, 10.0)
+    return by_accelerations(accelerations, parameters, "z pitch", T, (0.0, 0.0, 0.0, 0.0))
 
 
 @family("mechanics")
@@ -178,7 +166,6 @@ def mass_on_a_rotating_table(rng):
     """A mass let go on a rotating table: a spiral on the table, a straight line on the ground."""
     n = rng.decades(0.1, 10.0)
     a = lambda s, p, t: (p.n * p.n * s.x + 2 * p.n * s.dy, p.n * p.n * s.y - 2 * p.n * s.dx)
-    model = second_order("mass on a rotating table", {"n": n}, ("x", "y"), a)
 
     def exact(mp, s, p, t):
         c, k = mp.cos(p.n * t), mp.sin(p.n * t)
@@ -188,4 +175,4 @@ def mass_on_a_rotating_table(rng):
         return x, y, u * c + v * k + p.n * y, v * c - u * k - p.n * x
 
     T, *start = rng.values((2.0, 60.0), *[(-1.0, 1.0)] * 4)
-    return Case(model, T / n, tuple(start), exact=exact)
+    return by_accelerations(a, {"n": n}, "x y", T / n, start, exact=exact)

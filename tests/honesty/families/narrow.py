@@ -2,9 +2,8 @@
 
 import math
 
-from newton_euler import Model, cos, exp, sin, tanh, where
-from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, around, family
+from newton_euler import cos, exp, sin, tanh, where
+from tests.honesty.cases import Log, around, by_accelerations, by_rates, family
 
 # humps of height about 1 and width about 1, each with its area
 HUMPS = (
@@ -30,8 +29,8 @@ def brake(rng):
     v = rng.uniform(0.5, 3.0)
     hump, parameters, met = _slowed(rng, v)
     a = lambda s, p, t: (-p.A * hump((s.x - p.c) / p.w) * s.dx,)
-    model = second_order("brake", parameters, ("x",), a)
-    return Case(model, 10.0 / v, (0.0, v), knots=around(met, parameters["w"] / v / 2, 22))
+    knots = around(met, parameters["w"] / v / 2, 22)
+    return by_accelerations(a, parameters, "x", 10.0 / v, (0.0, v), knots=knots)
 
 
 @family("narrow", "kinked")
@@ -43,13 +42,9 @@ def hard_brake(rng):
     def rates(s, p, t):
         return s.v, -p.A * where(s.x < p.c, 0.0, where(s.x > p.c + p.w, 0.0, s.v))
 
-    def piece(s, p, t, b):
-        return s.v, -p.A * s.v * (1 + b[0]) * (1 - b[1]) / 4
-
-    switches = lambda s, p, t: s.x - p.c, lambda s, p, t: s.x - p.c - p.w
-    model, met = Model("hard brake", parameters, ("x", "v"), rates), c / v
+    met = c / v
     knots = around(met + w / v / 2, w / v / 8, 20)
-    return Case(model, 10.0 / v, (0.0, v), branches=Branches(switches, piece), knots=knots)
+    return by_rates(rates, parameters, "x v", 10.0 / v, (0.0, v), knots=knots)
 
 
 @family("narrow")
@@ -59,8 +54,8 @@ def resistance_at_a_speed(rng):
     hump, _ = rng.choice(HUMPS)
     parameters = {"g": g, "w": w, "vc": vc, "A": g * rng.uniform(0.5, 0.99)}
     a = lambda s, p, t: (p.g - p.A * hump((s.dx - p.vc) / p.w),)
-    model = second_order("resistance at a speed", parameters, ("x",), a)
-    return Case(model, 2 * vc / g, (0.0, 0.0), knots=around(vc / g, w / g / 2, 22))
+    T = 2 * vc / g
+    return by_accelerations(a, parameters, "x", T, (0.0, 0.0), knots=around(vc / g, w / g / 2, 22))
 
 
 @family("narrow")
@@ -69,11 +64,10 @@ def brake_of_a_wheel(rng):
     n, c, w = rng.values((2.0, 10.0), (1.0, 5.0), Log(1e-3, 1e-1))
     parameters = {"A": n * rng.uniform(0.1, 0.3) / (w * math.sqrt(2 * math.pi)), "c": c, "w": w}
     a = lambda s, p, t: (-p.A * exp((cos(s.theta - p.c) - 1) / (p.w * p.w)) * s.dtheta,)
-    model = second_order("brake of a wheel", parameters, ("theta",), a)
     after = n - parameters["A"] * w * math.sqrt(2 * math.pi)
     second = c / n + 2 * math.pi / after
     knots = around(c / n, w / n / 2, 25) + around(second, w / after / 2, 25)
-    return Case(model, second + 2.0 / after, (0.0, n), knots=knots)
+    return by_accelerations(a, parameters, "theta", second + 2.0 / after, (0.0, n), knots=knots)
 
 
 @family("narrow")
@@ -87,8 +81,8 @@ def well(rng):
         z = (s.x - p.c) / p.w
         return (-2 * p.D / p.w * z * exp(-z * z),)
 
-    model = second_order("well", parameters, ("x",), accelerations)
-    return Case(model, 10.0 / v, (0.0, v), knots=around(c / v, w / v / 2, 22))
+    knots = around(c / v, w / v / 2, 22)
+    return by_accelerations(accelerations, parameters, "x", 10.0 / v, (0.0, v), knots=knots)
 
 
 @family("narrow", "forced")
@@ -98,8 +92,8 @@ def blow_beside_a_sine(rng):
     parameters = rng.parameters(k=(0.5, 4.0), F=(0.2, 2.0), q=(0.5, 5.0), B=(0.5, 2.0))
     parameters |= {"w": T * rng.decades(1e-5, 1e-2), "tp": T * rng.uniform(0.2, 0.8)}
     a = lambda s, p, t: (p.F * (sin(p.q * t) + p.B / p.w * hump((t - p.tp) / p.w)) - p.k * s.x,)
-    model = second_order("blow beside a sine", parameters, ("x",), a)
-    return Case(model, T, (0.3, 0.0), knots=around(parameters["tp"], parameters["w"] / 2, 22))
+    knots = around(parameters["tp"], parameters["w"] / 2, 22)
+    return by_accelerations(a, parameters, "x", T, (0.3, 0.0), knots=knots)
 
 
 @family("narrow", "forced")
@@ -113,6 +107,5 @@ def clock_as_a_state(rng):
         push = p.F * (cos(p.q * s.c) + hump((s.c - p.tp) / p.w) / p.w)
         return s.v, push - p.k * s.x, p.one + 0.0 * s.c
 
-    model = Model("clock as a state", parameters, ("x", "v", "c"), rates)
     knots = around(parameters["tp"], parameters["w"] / 2, 22)
-    return Case(model, T, (0.3, 0.0, 0.0), knots=knots)
+    return by_rates(rates, parameters, "x v c", T, (0.3, 0.0, 0.0), knots=knots)

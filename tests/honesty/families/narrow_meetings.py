@@ -4,9 +4,8 @@ energy, in the clock of a model, and behind a pole; written before the engine lo
 
 import math
 
-from newton_euler import Model, atan, cos, cosh, exp, sin, sqrt, tanh
-from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, around, family
+from newton_euler import atan, cos, cosh, exp, sin, sqrt, tanh
+from tests.honesty.cases import Log, around, by_accelerations, by_rates, family
 from tests.honesty.families.narrow import HUMPS
 
 
@@ -28,8 +27,8 @@ def patch_in_the_plane(rng):
         drag = p.A * hump(far / p.w)
         return -drag * s.dx, -drag * s.dy
 
-    model = second_order("patch in the plane", parameters, ("x", "y"), accelerations)
-    return Case(model, T, (0.0, 0.0, u, v), knots=_knots(met, w / math.hypot(u, v)))
+    knots = _knots(met, w / math.hypot(u, v))
+    return by_accelerations(accelerations, parameters, "x y", T, (0.0, 0.0, u, v), knots=knots)
 
 
 @family("narrow")
@@ -41,8 +40,7 @@ def layer_of_wind(rng):
     a = lambda s, p, t: (p.A * hump((s.y - p.c) / p.w), -p.g)
     half = math.sqrt(V * V - 2 * g * c)
     knots = _knots((V - half) / g, w / half) + _knots((V + half) / g, w / half)
-    model = second_order("layer of wind", parameters, ("x", "y"), a)
-    return Case(model, 2 * V / g, (0.0, 0.0, u, V), knots=knots)
+    return by_accelerations(a, parameters, "x y", 2 * V / g, (0.0, 0.0, u, V), knots=knots)
 
 
 @family("narrow")
@@ -61,8 +59,8 @@ def beads_that_pass(rng):
 
     gone = -math.expm1(-friction * met) / friction
     start = (0.0, (u - v) * gone, u, v)
-    model = second_order("beads that pass", parameters, ("x", "y"), accelerations)
-    return Case(model, T, start, knots=_knots(met, w / (u - v) * math.exp(friction * met)))
+    knots = _knots(met, w / (u - v) * math.exp(friction * met))
+    return by_accelerations(accelerations, parameters, "x y", T, start, knots=knots)
 
 
 @family("narrow", "mechanics")
@@ -79,8 +77,8 @@ def passage_of_a_small_star(rng):
         pull = p.GM / (r2 * sqrt(r2))
         return -pull * x, -pull * y
 
-    model = second_order("passage of a small star", parameters, ("x", "y"), accelerations)
-    return Case(model, T, (0.0, 0.0, v, 0.0), knots=_knots(met, e / v))
+    start = 0.0, 0.0, v, 0.0
+    return by_accelerations(accelerations, parameters, "x y", T, start, knots=_knots(met, e / v))
 
 
 @family("narrow")
@@ -98,8 +96,8 @@ def row_of_posts(rng):
         z = [(s.x - values[f"c{k}"]) / values[f"w{k}"] for k in range(3)]
         return (sum(-values[f"A{k}"] * z[k] * kinds[k](z[k]) for k in range(3)),)
 
-    model = second_order("row of posts", parameters, ("x",), accelerations)
-    return Case(model, 10.0 / v, (0.0, v), knots=tuple(sorted(knots)))
+    T = 10.0 / v
+    return by_accelerations(accelerations, parameters, "x", T, (0.0, v), knots=tuple(sorted(knots)))
 
 
 @family("narrow")
@@ -116,8 +114,7 @@ def loss_at_an_energy(rng):
         loss = p.c + p.A * hump((kinetic + p.k * s.x * s.x / 2 - p.E) / p.w)
         return s.v - loss * s.x, -p.k * s.x - loss * s.v
 
-    model = Model("loss at an energy", parameters, ("x", "v"), rates)
-    return Case(model, 2 * met, (1.0, 0.0), knots=_knots(met, w / (2 * c)))
+    return by_rates(rates, parameters, "x v", 2 * met, (1.0, 0.0), knots=_knots(met, w / (2 * c)))
 
 
 @family("narrow", "forced")
@@ -127,8 +124,8 @@ def jump_of_a_phase(rng):
     parameters = rng.parameters(k=(0.5, 4.0), F=(0.2, 2.0), q=(0.5, 3.0), B=(0.5, 3.0))
     parameters |= {"w": T * rng.decades(1e-5, 1e-2), "tp": T * rng.uniform(0.2, 0.8)}
     a = lambda s, p, t: (p.F * sin(p.q * t + p.B * hump((t - p.tp) / p.w)) - p.k * s.x,)
-    model = second_order("jump of a phase", parameters, ("x",), a)
-    return Case(model, T, (0.3, 0.0), knots=_knots(parameters["tp"], parameters["w"]))
+    knots = _knots(parameters["tp"], parameters["w"])
+    return by_accelerations(a, parameters, "x", T, (0.3, 0.0), knots=knots)
 
 
 @family("narrow", "forced")
@@ -138,8 +135,8 @@ def strokes_of_a_clock(rng):
     parameters = {"k": rng.uniform(0.5, 4.0), "n": n, "w": w, "c": c, "F": 0.3 / w}
     a = lambda s, p, t: (p.F * exp((cos(p.n * t - p.c) - 1) / (p.w * p.w)) - p.k * sin(s.x),)
     knots = [t for j in range(3) for t in around((c + 2 * math.pi * j) / n, w / n / 2, 22)]
-    model = second_order("strokes of a clock", parameters, ("x",), a)
-    return Case(model, (c + 5 * math.pi) / n, (0.3, 0.0), knots=tuple(knots))
+    T = (c + 5 * math.pi) / n
+    return by_accelerations(a, parameters, "x", T, (0.3, 0.0), knots=tuple(knots))
 
 
 @family("narrow", "kinked")
@@ -152,18 +149,7 @@ def tent(rng):
         z = (s.x - p.c) / p.w
         return s.v, -p.A * (abs(z + 1) + abs(z - 1) - 2 * abs(z)) / 2 * s.v
 
-    def piece(s, p, t, b):
-        z = (s.x - p.c) / p.w
-        return s.v, -p.A * (b[0] * (z + 1) + b[1] * (z - 1) - 2 * b[2] * z) / 2 * s.v
-
-    switches = (
-        lambda s, p, t: s.x - p.c + p.w,
-        lambda s, p, t: s.x - p.c - p.w,
-        lambda s, p, t: s.x - p.c,
-    )
-    model = Model("tent", parameters, ("x", "v"), rates)
-    branches = Branches(switches, piece)
-    return Case(model, 10.0 / v, (0.0, v), branches=branches, knots=_knots(c / v, w / v / 2))
+    return by_rates(rates, parameters, "x v", 10.0 / v, (0.0, v), knots=_knots(c / v, w / v / 2))
 
 
 @family("narrow", "forced")
@@ -178,8 +164,8 @@ def clock_that_drifts(rng):
         z = (s.c - p.tp) / p.w
         return s.v, -p.k * s.x + p.F / p.w * hump(z) * (1 + s.x), 1 + p.d * cos(p.q * t)
 
-    model = Model("clock that drifts", parameters, ("x", "v", "c"), rates)
-    return Case(model, T, (0.3, 0.0, 0.0), knots=_knots(met, parameters["w"]))
+    start = 0.3, 0.0, 0.0
+    return by_rates(rates, parameters, "x v c", T, start, knots=_knots(met, parameters["w"]))
 
 
 @family("narrow")
@@ -192,8 +178,8 @@ def step_of_a_track(rng):
         h = tanh((s.x - p.c) / p.w)
         return (-p.g * p.H / (2 * p.w) * (1 - h * h),)
 
-    model = second_order("step of a track", parameters, ("x",), accelerations)
-    return Case(model, 10.0 / v, (0.0, v), knots=_knots(c / v, w / v))
+    T = 10.0 / v
+    return by_accelerations(accelerations, parameters, "x", T, (0.0, v), knots=_knots(c / v, w / v))
 
 
 @family("narrow", "forced")
@@ -208,8 +194,8 @@ def stiffening(rng):
         more = (rise - 1) / (rise * rise)
         return (-(p.k * (1 + p.d * sin(p.q * t)) + p.B / p.w * more) * s.x,)
 
-    model = second_order("stiffening", parameters, ("x",), accelerations)
-    return Case(model, T, (0.3, 0.1), knots=around(parameters["tp"], parameters["w"] / 2, 60))
+    knots = around(parameters["tp"], parameters["w"] / 2, 60)
+    return by_accelerations(accelerations, parameters, "x", T, (0.3, 0.1), knots=knots)
 
 
 @family("narrow")
@@ -223,9 +209,9 @@ def gate_of_two_steps(rng):
         field = (atan(z + 2) - atan(z - 2)) ** 4
         return (p.g - p.A * field / (1 + s.dx * s.dx / (2 * p.g * p.c)),)
 
-    model = second_order("gate of two steps", parameters, ("x",), accelerations)
     speed, T = math.sqrt(2 * g * c), math.sqrt(2 * 10.0 / g)
-    return Case(model, T, (0.0, 0.0), knots=around(speed / g, w / speed, 40))
+    knots = around(speed / g, w / speed, 40)
+    return by_accelerations(accelerations, parameters, "x", T, (0.0, 0.0), knots=knots)
 
 
 @family("narrow")
@@ -234,8 +220,7 @@ def bounce_off_a_pole(rng):
     v, near, c = rng.values((0.5, 3.0), Log(1e-5, 1e-2), (3.0, 7.0))
     parameters = {"B": near * v * v / 2, "c": c, "k": rng.uniform(0.0, 0.02)}
     a = lambda s, p, t: (-p.B / (p.c - s.x) ** 2 - p.k * s.dx,)
-    model = second_order("bounce off a pole", parameters, ("x",), a)
-    return Case(model, 1.7 * c / v, (0.0, v))
+    return by_accelerations(a, parameters, "x", 1.7 * c / v, (0.0, v))
 
 
 @family("narrow", "multi-scale")
@@ -250,9 +235,8 @@ def survey_boat_over_a_wreck(rng):
         x, y = s.x - p.x0, s.y - p.y0
         return p.u, p.v, p.B * exp(-(x * x + y * y) / (p.w * p.w)) - p.k * s.q
 
-    model = Model("survey boat", parameters, ("x", "y", "q"), rates)
     T, knots = met + rng.uniform(5.0, 40.0), _knots(met, w / math.hypot(u, v))
-    return Case(model, T, (0.0, north, 0.0), knots=knots)
+    return by_rates(rates, parameters, "x y q", T, (0.0, north, 0.0), knots=knots)
 
 
 @family("narrow")
@@ -266,5 +250,5 @@ def top_of_a_throw_in_a_layer(rng):
         z = (s.y - p.c) / p.w
         return s.v, -p.g, p.I * exp(-z * z)
 
-    model = Model("top of a throw", parameters, ("y", "v", "dose"), rates)
-    return Case(model, 1.9 * v / g, (0.0, v, 0.0), knots=_knots(v / g, v / g * math.sqrt(w)))
+    knots = _knots(v / g, v / g * math.sqrt(w))
+    return by_rates(rates, parameters, "y v dose", 1.9 * v / g, (0.0, v, 0.0), knots=knots)

@@ -5,9 +5,8 @@ not write the methods, before any of them was read or run.
 import math
 from itertools import pairwise
 
-from newton_euler import Model, atan, cos, exp, sin, sqrt, where
-from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, family
+from newton_euler import atan, cos, exp, sin, sqrt, where
+from tests.honesty.cases import Log, by_accelerations, by_rates, family
 
 
 @family("engineers", "kinked", "forced")
@@ -17,15 +16,12 @@ def ship_in_a_following_sea(rng):
     parameters = {"k": n * n, "h": h, "q": q * n, "c": 0.02 * n, "e": rng.uniform(0.02, 0.5)}
     parameters["s"] = rng.uniform(0.2, 1.5)
 
-    def rates(s, p, t, drag):
+    def rates(s, p, t):
         lever = p.k * (1 + p.h * cos(p.q * t)) * sin(s.a) * (1 - p.s * sin(s.a) ** 2)
-        return s.w, -lever - p.c * s.w - p.e * drag
+        return s.w, -lever - p.c * s.w - p.e * (s.w * abs(s.w))
 
-    model = Model("roll", parameters, ("a", "w"), lambda s, p, t: rates(s, p, t, s.w * abs(s.w)))
-    pieces = lambda s, p, t, b: rates(s, p, t, b[0] * s.w**2)
     start = rng.uniform(-0.6, 0.6), 0.0
-    return Case(model, rng.uniform(10.0, 60.0) / n, start,
-                branches=Branches((lambda s, p, t: s.w,), pieces))  # fmt: skip
+    return by_rates(rates, parameters, "a w", rng.uniform(10.0, 60.0) / n, start)
 
 
 @family("engineers", "narrow")
@@ -49,17 +45,16 @@ def engine_with_a_peak_of_pressure(rng):
         knots += [t + wide / met * k for k in (-24, -12, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 12)]
         if v2 < 0.3 * w0**2:
             break
-    model, rest = Model("peak", parameters, ("a", "w"), rates), rng.uniform(0.2, 0.6)
-    T = t + rest * 2 * math.pi / math.sqrt(v2)
-    return Case(model, T, (0.0, w0), knots=tuple(x for x in knots if 0 < x < T))
+    T = t + rng.uniform(0.2, 0.6) * 2 * math.pi / math.sqrt(v2)
+    knots = tuple(x for x in knots if 0 < x < T)
+    return by_rates(rates, parameters, "a w", T, (0.0, w0), knots=knots)
 
 
 @family("engineers", "kinked", "closed form")
 def ball_on_a_hertz_contact(rng):
     """A ball flies against an elastic half-space, whose force goes as depth to the power 3/2."""
     v, x, k = rng.values((0.1, 5.0), (1e-3, 1.0), Log(1e3, 1e9))
-    model = Model("Hertz", {"k": k}, ("x", "v"),
-                  lambda s, p, t: (s.v, where(s.x < 0, p.k * abs(s.x) ** 1.5, 0.0)))  # fmt: skip
+    rates = lambda s, p, t: (s.v, where(s.x < 0, p.k * abs(s.x) ** 1.5, 0.0))
 
     def exact(mp, s, p, t):
         """With (depth / deepest)^(5/2) = sin(q)^2 the time is an incomplete beta function of q."""
@@ -83,7 +78,8 @@ def ball_on_a_hertz_contact(rng):
         return -deepest * mp.sin(q) ** (4 * fifth), speed
 
     contact = 2.94 * (5 * v * v / (4 * k)) ** 0.4 / v
-    return Case(model, x / v + contact * rng.uniform(0.3, 2.5), (x, -v), exact=exact)
+    T = x / v + contact * rng.uniform(0.3, 2.5)
+    return by_rates(rates, {"k": k}, "x v", T, (x, -v), exact=exact)
 
 
 @family("engineers", "kinked", "units")
@@ -92,22 +88,15 @@ def surge_tank_after_the_valve_shuts(rng):
     parameters = rng.parameters(L=(500.0, 8e3), k=(0.2, 3.0), f=(5.0, 60.0), H=(200.0, 2500.0))
     parameters |= rng.parameters(tc=Log(0.1, 60.0), v=(0.5, 3.0), g=9.81)
 
-    def rates(s, p, out, drag):
-        return (p.g * (p.H - s.z) - p.k * drag) / p.L, (s.u - out) / p.f
-
-    def written(s, p, t):
-        return rates(s, p, where(t < p.tc, p.v * (1 - t / p.tc), 0.0), s.u * abs(s.u))
-
-    def pieces(s, p, t, b):
-        return rates(s, p, (1 - b[0]) / 2 * p.v * (1 - t / p.tc), b[1] * s.u**2)
+    def rates(s, p, t):
+        out = where(t < p.tc, p.v * (1 - t / p.tc), 0.0)
+        return (p.g * (p.H - s.z) - p.k * (s.u * abs(s.u))) / p.L, (s.u - out) / p.f
 
     v, H = parameters["v"], parameters["H"]
     start = v, H - parameters["k"] * v * v / 9.81
     period = 2 * math.pi * math.sqrt(parameters["L"] * parameters["f"] / 9.81)
-    switches = (lambda s, p, t: t - p.tc, lambda s, p, t: s.u)
     T = parameters["tc"] + period * rng.uniform(0.6, 3.0)
-    model = Model("surge", parameters, ("u", "z"), written)
-    return Case(model, T, start, branches=Branches(switches, pieces))
+    return by_rates(rates, parameters, "u z", T, start)
 
 
 @family("engineers", "stiff", "forced")
@@ -119,8 +108,7 @@ def rectifier_with_a_diode(rng):
     def rates(s, p, t):
         return ((p.I * (exp((p.V * sin(p.q * t) - s.u) / p.n) - 1) - s.u / p.R) / p.C,)
 
-    model = Model("diode", parameters, ("u",), rates)
-    return Case(model, rng.uniform(0.005, 0.05), (0.0,))
+    return by_rates(rates, parameters, "u", rng.uniform(0.005, 0.05), (0.0,))
 
 
 @family("engineers", "kinked", "closed form")
@@ -153,9 +141,8 @@ def motor_by_pulse_width(rng):
             w = u * rest_w + e * (y * ch + (c * x + (d - mean) * y) * sh)
         return i, w
 
-    model = Model("pulses", parameters, ("i", "w"), rates)
     T = rng.uniform(5.0, 40.0) * 2 * math.pi / parameters["q"]
-    return Case(model, T, (0.0, rng.uniform(0.0, 50.0)), exact=exact)
+    return by_rates(rates, parameters, "i w", T, (0.0, rng.uniform(0.0, 50.0)), exact=exact)
 
 
 @family("engineers", "kinked", "mechanics")
@@ -164,10 +151,10 @@ def satellite_that_slews(rng):
     parameters = rng.parameters(A=(5.0, 10.0), B=(6.0, 11.0), C=(8.0, 14.0), M=Log(0.02, 1.0))
     n = rng.uniform(0.1, 0.6)
     parameters |= {"k": 2 * 8 * n * n, "d": 8 * 1.6 * n}
-    wanted = lambda s, p, i: -p.k * getattr(s, "xyz"[i]) - p.d * getattr(s, "uvw"[i])
 
-    def rates(s, p, moments):
-        mx, my, mz = moments
+    def rates(s, p, t):
+        wanted = [-p.k * x - p.d * u for x, u in ((s.x, s.u), (s.y, s.v), (s.z, s.w))]
+        mx, my, mz = (where(m > p.M, p.M, where(m < -p.M, -p.M, m)) for m in wanted)
         return (
             (s.q * s.u + s.y * s.w - s.z * s.v) / 2,
             (s.q * s.v + s.z * s.u - s.x * s.w) / 2,
@@ -178,27 +165,11 @@ def satellite_that_slews(rng):
             (mz - (p.B - p.A) * s.u * s.v) / p.C,
         )
 
-    def limited(m, p):
-        return where(m > p.M, p.M, where(m < -p.M, -p.M, m))
-
-    def pieces(s, p, t, b):
-        over, under = b[:3], b[3:]
-        given = lambda i: (1 - over[i]) * (1 + under[i]) / 4 * wanted(s, p, i)
-        stop = lambda i: p.M * ((1 + over[i]) / 2 - (1 - under[i]) / 2)
-        return rates(s, p, [given(i) + stop(i) for i in range(3)])
-
-    switches = tuple(
-        lambda s, p, t, i=i, sign=sign: wanted(s, p, i) + sign * p.M
-        for sign in (-1, 1)
-        for i in range(3)
-    )
     half, axis = rng.uniform(0.3, 1.4), [rng.gauss(0, 1) for _ in range(3)]
     size = math.sqrt(sum(x * x for x in axis))
     start = *(math.sin(half) * x / size for x in axis), math.cos(half)
     start += tuple(rng.uniform(-0.05, 0.05) for _ in range(3))
-    model = Model("slew", parameters, tuple("xyzquvw"),
-                  lambda s, p, t: rates(s, p, [limited(wanted(s, p, i), p) for i in range(3)]))  # fmt: skip
-    return Case(model, rng.uniform(3.0, 25.0) / n, start, branches=Branches(switches, pieces))
+    return by_rates(rates, parameters, "x y z q u v w", rng.uniform(3.0, 25.0) / n, start)
 
 
 @family("engineers", "kinked", "long")
@@ -207,26 +178,17 @@ def ion_engine_that_rests_in_the_shadow(rng):
     r, a = rng.values((1.05, 3.0), Log(1e-5, 1e-2))
     parameters = {"R": 1.0, "a": a, "gm": 1.0}
 
-    def accelerations(s, p, thrust):
+    def accelerations(s, p, t):
+        thrust = where(s.x < 0, where(abs(s.y) < p.R, 0.0, p.a), p.a)
         k, push = p.gm / sqrt(s.x**2 + s.y**2) ** 3, thrust / sqrt(s.dx**2 + s.dy**2)
         return push * s.dx - k * s.x, push * s.dy - k * s.y
 
-    def lit(s, p):
-        return where(s.x < 0, where(abs(s.y) < p.R, 0.0, p.a), p.a)
-
-    def pieces(s, p, t, b):
-        hidden = (1 - b[0]) * (1 - b[1]) * (1 + b[2]) / 8
-        return s.dx, s.dy, *accelerations(s, p, (1 - hidden) * p.a)
-
-    switches = (lambda s, p, t: s.x, lambda s, p, t: s.y - p.R, lambda s, p, t: s.y + p.R)
     angle = rng.uniform(-1.2, 1.2)
     speed = rng.uniform(1.0, 1.1) / math.sqrt(r)
     start = (r * math.cos(angle), r * math.sin(angle),
              -speed * math.sin(angle), speed * math.cos(angle))  # fmt: skip
-    model = second_order("ion engine", parameters, ("x", "y"),
-                         lambda s, p, t: accelerations(s, p, lit(s, p)))  # fmt: skip
     T = rng.uniform(1.2, 12.0) * 2 * math.pi * r**1.5
-    return Case(model, T, start, branches=Branches(switches, pieces))
+    return by_accelerations(accelerations, parameters, "x y", T, start)
 
 
 @family("engineers", "closed form", "scales")
@@ -260,8 +222,8 @@ def radiator_that_cools(rng):
         T = a * now(mp.exp(y))
         return T, s.q + p.c * (s.T - T)
 
-    model = Model("radiator", parameters, ("T", "q"), rates)
-    return Case(model, rng.uniform(0.1, 6.0), (room * ratio, 0.0), exact=exact)
+    start = room * ratio, 0.0
+    return by_rates(rates, parameters, "T q", rng.uniform(0.1, 6.0), start, exact=exact)
 
 
 @family("engineers", "kinked", "stiff")
@@ -272,20 +234,13 @@ def wheel_that_locks(rng):
     parameters["M"] = parameters["D"] * parameters["N"] * 0.3 * rng.uniform(0.5, 1.3)
     v = rng.uniform(10.0, 40.0)
 
-    def rates(s, p, moment):
+    def rates(s, p, t):
+        moment = p.M * where(t < p.t1, t / p.t1, 1.0)
         grip = p.D * sin(p.C * atan(p.B * (s.v - p.R * s.w) / s.v))
         return -p.g * grip, (p.R * p.N * grip - moment) / p.I, s.v
 
-    def written(s, p, t):
-        return rates(s, p, p.M * where(t < p.t1, t / p.t1, 1.0))
-
-    def pieces(s, p, t, b):
-        return rates(s, p, p.M * ((1 + b[0]) / 2 + (1 - b[0]) / 2 * t / p.t1))
-
     T = v / 9.81 / parameters["D"] * rng.uniform(0.1, 0.6)
-    model = Model("brake", parameters, ("v", "w", "x"), written)
-    branches = Branches((lambda s, p, t: t - p.t1,), pieces)
-    return Case(model, T, (v, v / 0.3, 0.0), branches=branches)
+    return by_rates(rates, parameters, "v w x", T, (v, v / 0.3, 0.0))
 
 
 @family("engineers", "multi-scale", "forced")
@@ -307,8 +262,7 @@ def wind_turbine_by_heiers_curve(rng):
         return moment - shaft * p.j, shaft - p.z * p.R * s.g**2 / p.j, s.w - s.g
 
     w = v / R * rng.uniform(4.0, 9.0)
-    model = Model("Heier", parameters, ("w", "g", "twist"), rates)
-    return Case(model, rng.uniform(5.0, 40.0), (w, w, 0.0))
+    return by_rates(rates, parameters, "w g twist", rng.uniform(5.0, 40.0), (w, w, 0.0))
 
 
 @family("engineers", "near-singular", "tiny")
@@ -329,6 +283,5 @@ def ball_below_a_magnet(rng):
         wanted = p.i + p.P * (s.x - p.d) + p.D * s.v
         return s.v, p.g - p.C * s.c**2 / s.x**2, (p.R * (wanted - s.c) + p.G * (wanted - s.c)) / p.L
 
-    model = Model("levitation", parameters, ("x", "v", "c"), rates)
     start = d * (1 + rng.uniform(-0.2, 0.2)), 0.0, current
-    return Case(model, rng.uniform(3.0, 40.0) / n, start)
+    return by_rates(rates, parameters, "x v c", rng.uniform(3.0, 40.0) / n, start)

@@ -8,7 +8,7 @@ import math
 from newton_euler import Model, cos, sin, tan
 from newton_euler.motion import second_order
 from tests.honesty import models
-from tests.honesty.cases import Case, Log, family
+from tests.honesty.cases import Case, Log, by_accelerations, by_rates, family
 
 
 def _power(rng):
@@ -36,10 +36,10 @@ def blow_up_later(rng):
 def tangent(rng):
     """x' = 1 + x^2, to one side of its pole."""
     w, x = rng.values(Log(1e-2, 1e2), (-3.0, 1.0))
-    model = Model("tangent", {"w": w}, ("x",), lambda s, p, t: (p.w * (1 + s.x * s.x),))
     end = (math.pi / 2 - math.atan(x)) / w
     exact = lambda mp, s, p, t: (mp.tan(mp.atan(s.x) + p.w * t),)
-    return Case(model, end * (1 - rng.decades(1e-5, 0.3)), (x,), exact=exact)
+    T = end * (1 - rng.decades(1e-5, 0.3))
+    return by_rates(lambda s, p, t: (p.w * (1 + s.x * s.x),), {"w": w}, "x", T, (x,), exact=exact)
 
 
 def _fall(rng, name):
@@ -73,9 +73,8 @@ def past_the_pole(rng):
         return s.w, p.h / (k * k), p.h * p.h * c / (k * k * k) - p.g * k
 
     parameters = {"h": near * rng.uniform(0.5, 1.5), "g": rng.uniform(1.0, 10.0)}
-    model = Model("spherical pendulum in angles", parameters, ("theta", "phi", "w"), rates)
     T, theta = rng.values((1.0, 5.0), (0.7, 1.5))
-    return Case(model, T, (theta, 0.0, 0.0))
+    return by_rates(rates, parameters, "theta phi w", T, (theta, 0.0, 0.0))
 
 
 @family("near-singular")
@@ -98,9 +97,8 @@ def upright_top(rng):
         k = tan(s.theta / 2)
         return s.rate, p.g * sin(s.theta) - p.w * p.w / 4 * k * (p.one + k * k)
 
-    model = Model("top beside the upright", parameters, ("theta", "rate"), rates)
     T, theta = rng.values((5.0, 30.0), Log(1e-6, 1e-2))
-    return Case(model, T, (theta, 0.0))
+    return by_rates(rates, parameters, "theta rate", T, (theta, 0.0))
 
 
 @family("near-singular", "separatrix")
@@ -119,8 +117,8 @@ def double_well(rng):
     """A potential with two valleys, with nearly the energy of the pass between them."""
     a = lambda s, p, t: (p.a * s.x - s.x * s.x * s.x,)
     near = rng.either(rng.decades(1e-8, 1e-2))
-    model = second_order("double well", {"a": 1.0}, ("x",), a)
-    return Case(model, rng.uniform(5.0, 30.0), (1.0, math.sqrt(0.5 + near)))
+    T = rng.uniform(5.0, 30.0)
+    return by_accelerations(a, {"a": 1.0}, "x", T, (1.0, math.sqrt(0.5 + near)))
 
 
 @family("near-singular", "equilibrium")
@@ -140,9 +138,9 @@ def steady_precession(rng):
         spin = -turning * c + s.psi_rate * s.theta_rate * k
         return s.theta_rate, s.psi_rate, nutation, turning, spin
 
-    states = "theta", "psi", "theta_rate", "psi_rate", "spin"
-    model = Model("top in Euler angles", {"I0": I0, "I": Iz, "mgr": mgr}, states, rates)
-    return Case(model, rng.uniform(1.0, 10.0), (theta, 0.0, 0.0, precession, spin))
+    parameters, states = {"I0": I0, "I": Iz, "mgr": mgr}, "theta psi theta_rate psi_rate spin"
+    start = theta, 0.0, 0.0, precession, spin
+    return by_rates(rates, parameters, states, rng.uniform(1.0, 10.0), start)
 
 
 @family("near-singular", "separatrix")

@@ -1,9 +1,8 @@
 """Smooth models of ordinary size."""
 
-from newton_euler import Model, cos, exp, sin, sqrt, tanh
-from newton_euler.motion import second_order
+from newton_euler import cos, exp, sin, sqrt, tanh
 from tests.honesty import models
-from tests.honesty.cases import Case, Log, family
+from tests.honesty.cases import Case, Log, by_accelerations, by_rates, family
 
 
 @family("smooth")
@@ -12,9 +11,8 @@ def damped_oscillator(rng):
     w = rng.decades(1e-2, 1e2)
     parameters = {"k": w * w, "c": w * rng.uniform(0.01, 0.3)}
     a = lambda s, p, t: (-p.k * s.x - 2 * p.c * s.dx,)
-    model = second_order("damped oscillator", parameters, ("x",), a)
     T, start = rng.uniform(5.0, 100.0) / w, (rng.either(1.0), rng.uniform(-1.0, 1.0) * w)
-    return Case(model, T, start, exact=models.exact_damped)
+    return by_accelerations(a, parameters, "x", T, start, exact=models.exact_damped)
 
 
 @family("smooth")
@@ -32,7 +30,7 @@ def duffing(rng):
     parameters = rng.parameters(a=(-2.0, 2.0), b=(0.2, 2.0), c=(0.0, 0.2))
     a = lambda s, p, t: (-p.a * s.x - p.b * s.x * s.x * s.x - p.c * s.dx,)
     T, *start = rng.values((5.0, 30.0), (-2.0, 2.0), (-2.0, 2.0))
-    return Case(second_order("Duffing", parameters, ("x",), a), T, tuple(start))
+    return by_accelerations(a, parameters, "x", T, start)
 
 
 @family("smooth")
@@ -41,7 +39,7 @@ def predator_and_prey(rng):
     rates = lambda s, p, t: (s.x * (p.a - p.b * s.y), s.y * (p.c * s.x - p.d))
     parameters = {n: rng.uniform(0.5, 2.0) for n in "abcd"}
     T, *start = rng.values((5.0, 25.0), Log(0.1, 3.0), Log(0.1, 3.0))
-    return Case(Model("predator and prey", parameters, ("x", "y"), rates), T, tuple(start))
+    return by_rates(rates, parameters, "x y", T, start)
 
 
 @family("smooth")
@@ -57,9 +55,8 @@ def chain_of_masses(rng):
         pull = [k[i] * (x[i + 1] - x[i]) * (1 + p.b * (x[i + 1] - x[i]) ** 2) for i in range(n + 1)]
         return tuple(pull[i + 1] - pull[i] for i in range(n))
 
-    states = tuple(f"x{i}" for i in range(n))
     T, *start = rng.values((2.0, 30.0), *[(-1.0, 1.0)] * 2 * n)
-    return Case(second_order("chain of masses", parameters, states, accelerations), T, tuple(start))
+    return by_accelerations(accelerations, parameters, "x0 x1 x2 x3", T, start)
 
 
 @family("smooth")
@@ -78,7 +75,7 @@ def random_network(rng):
         )
 
     T, *start = rng.values((2.0, 20.0), *[(-2.0, 2.0)] * 3)
-    return Case(Model("random network", parameters, ("x", "y", "z"), rates), T, tuple(start))
+    return by_rates(rates, parameters, "x y z", T, start)
 
 
 @family("smooth")
@@ -100,9 +97,8 @@ def random_formula(rng):
         forces = ([shapes[n](s.x, s.y, p) for n in own] for own in chosen)
         return tuple(r + sum(own) for r, own in zip(rest, forces, strict=True))
 
-    model = second_order("random formula", parameters, ("x", "y"), accelerations)
     T, *start = rng.values((5.0, 25.0), *[(-1.5, 1.5)] * 4)
-    return Case(model, T, tuple(start))
+    return by_accelerations(accelerations, parameters, "x y", T, start)
 
 
 @family("smooth")
@@ -111,5 +107,5 @@ def logistic_growth(rng):
     r, K = rng.values(Log(1e-3, 1e3), Log(1e-2, 1e6))
     rates = lambda s, p, t: (p.r * s.x * (p.K - s.x) / p.K,)
     start = K * rng.decades(1e-3, 3.0)
-    model = Model("logistic growth", {"r": r, "K": K}, ("x",), rates)
-    return Case(model, rng.uniform(1.0, 15.0) / r, (start,), exact=models.exact_growth)
+    T = rng.uniform(1.0, 15.0) / r
+    return by_rates(rates, {"r": r, "K": K}, "x", T, (start,), exact=models.exact_growth)

@@ -2,9 +2,8 @@
 
 import math
 
-from newton_euler import Model, cos, sin, sqrt
-from newton_euler.motion import second_order
-from tests.honesty.cases import Case, Log, family
+from newton_euler import cos, sin, sqrt
+from tests.honesty.cases import Log, by_accelerations, by_rates, family
 
 
 @family("stiff")
@@ -12,7 +11,7 @@ def van_der_pol(rng):
     """Van der Pol's relaxation oscillations, over part of a period or a little more."""
     mu, T, v = rng.values(Log(5.0, 300.0), (0.3, 2.0), (-0.5, 0.5))
     rates = lambda s, p, t: (s.y, p.mu * (1 - s.x * s.x) * s.y - s.x)
-    return Case(Model("van der Pol", {"mu": mu}, ("x", "y"), rates), mu * T, (2.0, v))
+    return by_rates(rates, {"mu": mu}, "x y", mu * T, (2.0, v))
 
 
 @family("stiff")
@@ -24,8 +23,7 @@ def robertson(rng):
         slow, back, fast = p.a * s.x, p.b * s.y * s.z, p.c * s.y * s.y
         return back - slow, slow - back - fast, fast
 
-    model = Model("Robertson", parameters, ("x", "y", "z"), rates)
-    return Case(model, rng.decades(0.1, 3.0), (1.0, 0.0, 0.0))
+    return by_rates(rates, parameters, "x y z", rng.decades(0.1, 3.0), (1.0, 0.0, 0.0))
 
 
 @family("stiff", "forced")
@@ -35,8 +33,7 @@ def fast_relaxation(rng):
     rates = lambda s, p, t: (-p.L * (s.x - cos(p.w * t)) - p.w * sin(p.w * t),)
     exact = lambda mp, s, p, t: (mp.cos(p.w * t) + (s.x - 1) * mp.exp(-p.L * t),)
     T, x = rng.values((1.0, 10.0), (-1.0, 2.0))
-    model = Model("fast relaxation", parameters, ("x",), rates)
-    return Case(model, min(T, 2e5 / parameters["L"]), (x,), exact=exact)
+    return by_rates(rates, parameters, "x", min(T, 2e5 / parameters["L"]), (x,), exact=exact)
 
 
 @family("stiff")
@@ -53,8 +50,8 @@ def chain_of_decays(rng):
         return s.x * a, s.x * y, s.x * z
 
     T, x = rng.values((1.0, 10.0), Log(1e-3, 1e3))
-    model = Model("decays", parameters, ("x", "y", "z"), rates)
-    return Case(model, min(T, 2e4 / parameters["a"]), (x, 0.0, 0.0), exact=exact)
+    start = x, 0.0, 0.0
+    return by_rates(rates, parameters, "x y z", min(T, 2e4 / parameters["a"]), start, exact=exact)
 
 
 @family("stiff", "multi-scale")
@@ -69,14 +66,14 @@ def elastic_pendulum(rng):
 
     a, stretch, T = rng.values((0.2, 1.2), (-0.01, 0.02), (0.5, 4.0))
     start = (1 + stretch) * math.sin(a), -(1 + stretch) * math.cos(a), 0.0, 0.0
-    return Case(second_order("elastic pendulum", parameters, ("x", "y"), accelerations), T, start)
+    return by_accelerations(accelerations, parameters, "x y", T, start)
 
 
 @family("stiff")
 def damped_hard(rng):
     """A door with a closer: over-damped some thirty to seven thousand times."""
     parameters = rng.parameters(k=(0.5, 3.0), c=Log(1e2, 1e4))
-    model = second_order("door", parameters, ("x",), lambda s, p, t: (-p.k * s.x - p.c * s.dx,))
+    a = lambda s, p, t: (-p.k * s.x - p.c * s.dx,)
 
     def exact(mp, s, p, t):
         root = mp.sqrt(p.c * p.c / 4 - p.k)
@@ -86,4 +83,5 @@ def damped_hard(rng):
         return a + b, a * fast + b * slow
 
     T, v = rng.values((1.0, 20.0), (-2.0, 2.0))
-    return Case(model, min(T, 3e4 / parameters["c"]), (1.0, v), exact=exact)
+    T = min(T, 3e4 / parameters["c"])
+    return by_accelerations(a, parameters, "x", T, (1.0, v), exact=exact)

@@ -4,9 +4,8 @@ not read the engine, as are the other files named after strangers.
 
 import math
 
-from newton_euler import Model, cos, exp, sin, sqrt, where
-from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, around, family
+from newton_euler import cos, exp, sin, sqrt, where
+from tests.honesty.cases import Log, around, by_accelerations, by_rates, family
 
 # -- narrow in position
 
@@ -14,10 +13,6 @@ from tests.honesty.cases import Branches, Case, Log, around, family
 def _inside(s, p):
     """1 on the length L behind c, else 0."""
     return where(s.x > p.c, where(s.x < p.c + p.L, 1.0, 0.0), 0.0)
-
-
-EDGES = (lambda s, p, t: s.x - p.c, lambda s, p, t: s.x - p.c - p.L)
-BETWEEN = lambda b: (1 + b[0]) * (1 - b[1]) / 4
 
 
 @family("narrow", "strangers", "kinked")
@@ -29,19 +24,16 @@ def car_over_a_speed_bump(rng):
     parameters = {"k": n * n, "d": 2 * zeta * n, "H": rng.uniform(0.02, 0.1), "L": L, "c": c}
     parameters["r"] = r
 
-    def rates(s, p, inside):
-        q = 2 * math.pi / p.L
+    def accelerations(s, p, t):
+        q, inside = 2 * math.pi / p.L, _inside(s, p)
         height = inside * p.H / 2 * (1 - cos(q * (s.x - p.c)))
         slope = inside * p.H / 2 * q * sin(q * (s.x - p.c))
         return -p.r * s.dx, -p.k * (s.z - height) - p.d * (s.dz - slope * s.dx)
 
-    a = lambda s, p, t: rates(s, p, _inside(s, p))
-    pieces = lambda s, p, t, b: (s.dx, s.dz, *rates(s, p, BETWEEN(b)))
     met = -math.log1p(-c * r / v) / r
-    model = second_order("speed bump", parameters, ("x", "z"), a)
     knots = around(met + L / v / 7, L / v / 3, 10)
-    return Case(model, met + rng.uniform(0.5, 3.0), (0.0, 0.0, v, 0.0),
-                branches=Branches(EDGES, pieces), knots=knots)  # fmt: skip
+    T = met + rng.uniform(0.5, 3.0)
+    return by_accelerations(accelerations, parameters, "x z", T, (0.0, 0.0, v, 0.0), knots=knots)
 
 
 @family("narrow", "strangers", "kinked")
@@ -52,16 +44,14 @@ def rumble_strip(rng):
     parameters = {"k": n * n, "d": 0.2 * n, "H": rng.uniform(0.005, 0.02), "L": L, "c": c}
     parameters |= {"q": math.pi * ribs / L, "mu": rng.uniform(0.5, 4.0)}
 
-    def rates(s, p, inside):
+    def accelerations(s, p, t):
+        inside = _inside(s, p)
         height = inside * p.H * sin(p.q * (s.x - p.c)) ** 2
         return -inside * p.mu, -p.k * (s.z - height) - p.d * s.dz
 
-    a = lambda s, p, t: rates(s, p, _inside(s, p))
-    pieces = lambda s, p, t, b: (s.dx, s.dz, *rates(s, p, BETWEEN(b)))
-    model = second_order("rumble strip", parameters, ("x", "z"), a)
     knots = around((c + L / 7) / v, L / v / 5, 15)
-    return Case(model, c / v + rng.uniform(0.2, 1.0), (0.0, 0.0, v, 0.0),
-                branches=Branches(EDGES, pieces), knots=knots)  # fmt: skip
+    T = c / v + rng.uniform(0.2, 1.0)
+    return by_accelerations(accelerations, parameters, "x z", T, (0.0, 0.0, v, 0.0), knots=knots)
 
 
 @family("narrow", "strangers")
@@ -75,8 +65,8 @@ def cart_past_a_magnet(rng):
         return (-6 * p.M * z / (z**2 + p.d**2) ** 4 - p.r * s.dx,)
 
     met = -math.log1p(-c * r / v) / r
-    model = second_order("cart past a magnet", parameters, ("x",), accelerations)
-    return Case(model, 3.0 / v, (0.0, v), knots=around(met, d / v / 3, 40))
+    knots = around(met, d / v / 3, 40)
+    return by_accelerations(accelerations, parameters, "x", 3.0 / v, (0.0, v), knots=knots)
 
 
 @family("narrow", "strangers")
@@ -95,8 +85,8 @@ def door_with_a_latch(rng):
         z = (s.theta - p.at) / p.w
         return (-p.a - p.c * s.dtheta + 2 * p.E / p.w * z * exp(-(z**2)),)
 
-    model = second_order("door with a latch", parameters, ("theta",), accelerations)
-    return Case(model, met * 1.2, (opened, 0.0), knots=around(met, w / u / 3, 30))
+    T, knots = met * 1.2, around(met, w / u / 3, 30)
+    return by_accelerations(accelerations, parameters, "theta", T, (opened, 0.0), knots=knots)
 
 
 @family("narrow", "strangers", "kinked")
@@ -116,8 +106,7 @@ def valve_at_a_level(rng):
         return (p.H - p.q * p.w / p.K * mp.expm1(-p.K / p.w * above),)
 
     filled = (H - h) / q
-    model = Model("valve at a level", parameters, ("h",), rates)
-    return Case(model, filled * rng.uniform(1.05, 2.0), (h,), exact=exact)
+    return by_rates(rates, parameters, "h", filled * rng.uniform(1.05, 2.0), (h,), exact=exact)
 
 
 @family("narrow", "strangers", "kinked")
@@ -126,10 +115,9 @@ def hair_trigger(rng):
     v, L, c = rng.values((0.5, 3.0), Log(1e-4, 1e-1), (3.0, 7.0))
     parameters = {"R": v / L * rng.uniform(0.1, 1.0), "F": v * v * rng.uniform(-0.02, 0.1)}
     rates = lambda s, p, t: (s.v, p.F * s.q, p.R * _inside(s, p))
-    pieces = lambda s, p, t, b: (s.v, p.F * s.q, p.R * BETWEEN(b))
-    model = Model("hair trigger", parameters | {"c": c, "L": L}, ("x", "v", "q"), rates)
-    return Case(model, 10.0 / v, (0.0, v, 0.0), branches=Branches(EDGES, pieces),
-                knots=around((c + L / 7) / v, L / v / 2, 5))  # fmt: skip
+    knots = around((c + L / 7) / v, L / v / 2, 5)
+    T = 10.0 / v
+    return by_rates(rates, parameters | {"c": c, "L": L}, "x v q", T, (0.0, v, 0.0), knots=knots)
 
 
 @family("narrow", "strangers", "kinked")
@@ -153,20 +141,21 @@ def pendulum_through_a_light_beam(rng):
             lit += max(min(rest, b) - a, 0)
         return X * mp.cos(angle), -p.n * X * mp.sin(angle), s.q + p.I / p.n * lit
 
-    model = Model("light beam", parameters, ("x", "v", "q"), rates)
-    return Case(model, rng.uniform(3.5, 20.0) / n, (X, 0.0, 0.0), exact=exact)
+    T = rng.uniform(3.5, 20.0) / n
+    return by_rates(rates, parameters, "x v q", T, (X, 0.0, 0.0), exact=exact)
 
 
-def _soft_ground(rng, name, outside, start, R, T):
+def _soft_ground(rng, outside, start, R, T):
     """A body in the plane that is braked where ``outside`` is negative, by ``R`` at the origin."""
     speed = math.hypot(*start[2:])
     parameters = {"A": speed / R * rng.uniform(0.1, 0.6), "R": R}
-    slowed = lambda s, p, inside: (-p.A * inside * s.dx, -p.A * inside * s.dy)
-    a = lambda s, p, t: slowed(s, p, where(outside(s, p) < 0, 1.0, 0.0))
-    pieces = lambda s, p, t, b: (s.dx, s.dy, *slowed(s, p, (1 - b[0]) / 2))
-    model = second_order(name, parameters, ("x", "y"), a)
-    branches = Branches((lambda s, p, t: outside(s, p),), pieces)
-    return Case(model, 2 * T, start, branches=branches, knots=around(T, R / speed / 7, 40))
+
+    def accelerations(s, p, t):
+        inside = where(outside(s, p) < 0, 1.0, 0.0)
+        return -p.A * inside * s.dx, -p.A * inside * s.dy
+
+    knots = around(T, R / speed / 7, 40)
+    return by_accelerations(accelerations, parameters, "x y", 2 * T, start, knots=knots)
 
 
 @family("narrow", "strangers", "kinked")
@@ -175,7 +164,7 @@ def puck_through_a_round_puddle(rng):
     u, v, R, T = rng.values((0.5, 3.0), (-2.0, 2.0), Log(3e-3, 0.3), (2.0, 5.0))
     outside = lambda s, p: s.x**2 + s.y**2 - p.R**2
     start = -u * T, R * rng.uniform(-0.7, 0.7) - v * T, u, v
-    return _soft_ground(rng, "round puddle", outside, start, R, T)
+    return _soft_ground(rng, outside, start, R, T)
 
 
 @family("narrow", "strangers", "kinked")
@@ -183,7 +172,7 @@ def lorry_in_a_bed_of_gravel(rng):
     """A lorry on gravel between two marks, given by the sign of a product."""
     u, L, T = rng.values((5.0, 20.0), Log(3e-3, 0.3), (2.0, 5.0))
     outside = lambda s, p: s.x * (s.x - p.R)
-    return _soft_ground(rng, "bed of gravel", outside, (-u * T, 0.0, u, 0.0), L * u, T)
+    return _soft_ground(rng, outside, (-u * T, 0.0, u, 0.0), L * u, T)
 
 
 @family("narrow", "strangers", "kinked")
@@ -192,15 +181,14 @@ def pendulum_against_a_stop(rng):
     K = rng.decades(1e2, 1e6)
     parameters = rng.parameters(k=(1.0, 20.0), a=(0.1, 0.6), K=K, c=(0.01, 0.2))
     parameters["c"] *= math.sqrt(K)
-    stop = lambda s, p: p.K * (s.theta - p.a) + p.c * s.omega
-    rates = lambda s, p, t: (
-        s.omega, -p.k * sin(s.theta) - where(s.theta > p.a, stop(s, p), 0.0))  # fmt: skip
-    pieces = lambda s, p, t, b: (
-        s.omega, -p.k * sin(s.theta) - (1 + b[0]) / 2 * stop(s, p))  # fmt: skip
-    model = Model("pendulum and stop", parameters, ("theta", "omega"), rates)
+
+    def rates(s, p, t):
+        stop = p.K * (s.theta - p.a) + p.c * s.omega
+        return s.omega, -p.k * sin(s.theta) - where(s.theta > p.a, stop, 0.0)
+
     T, theta = rng.values((2.0, 8.0), (-1.5, -0.8))
-    branches = Branches((lambda s, p, t: s.theta - p.a,), pieces)
-    return Case(model, T / math.sqrt(parameters["k"]) * 2, (theta, 0.0), branches=branches)
+    start = theta, 0.0
+    return by_rates(rates, parameters, "theta omega", T / math.sqrt(parameters["k"]) * 2, start)
 
 
 # -- kinks
@@ -211,24 +199,14 @@ def backlash_of_a_gear(rng):
     """A motor and its load, joined by a gear with play; the motor's torque goes to and fro."""
     parameters = rng.parameters(K=Log(30.0, 3e3), b=(0.01, 0.1), r=(0.2, 2.0), c=(0.05, 0.5))
     parameters |= rng.parameters(F=(0.5, 3.0), w=(0.5, 3.0))
-    twist = lambda s, p: s.motor - s.load
-
-    def rates(s, p, t, torque):
-        return -torque + p.F * cos(p.w * t), p.r * torque - p.c * s.dload
 
     def accelerations(s, p, t):
-        d = twist(s, p)
-        torque = where(d > p.b, d - p.b, where(d < -p.b, d + p.b, 0.0))
-        return rates(s, p, t, p.K * torque)
+        d = s.motor - s.load
+        torque = p.K * where(d > p.b, d - p.b, where(d < -p.b, d + p.b, 0.0))
+        return -torque + p.F * cos(p.w * t), p.r * torque - p.c * s.dload
 
-    def pieces(s, p, t, b):
-        torque = (1 + b[0]) / 2 * (twist(s, p) - p.b) + (1 - b[1]) / 2 * (twist(s, p) + p.b)
-        return s.dmotor, s.dload, *rates(s, p, t, p.K * torque)
-
-    switches = lambda s, p, t: twist(s, p) - p.b, lambda s, p, t: twist(s, p) + p.b
-    model = second_order("backlash", parameters, ("motor", "load"), accelerations)
     T, angle = rng.values((3.0, 12.0), (-0.005, 0.005))
-    return Case(model, T, (angle, 0.0, 0.0, 0.0), branches=Branches(switches, pieces))
+    return by_accelerations(accelerations, parameters, "motor load", T, (angle, 0.0, 0.0, 0.0))
 
 
 @family("kinked", "strangers", "near-singular")
@@ -242,9 +220,9 @@ def puck_that_turns_on_an_incline(rng):
 
     up, aside = rng.values((2.0, 8.0), Log(3e-3, 1.0))
     turned = up / (parameters["g"] + parameters["mu"])
-    model = second_order("puck on an incline", parameters, ("x", "y"), accelerations)
     knots = around(turned, aside / parameters["g"] / 3, 40)
-    return Case(model, turned * rng.uniform(1.5, 3.0), (0.0, 0.0, aside, up), knots=knots)
+    T = turned * rng.uniform(1.5, 3.0)
+    return by_accelerations(accelerations, parameters, "x y", T, (0.0, 0.0, aside, up), knots=knots)
 
 
 @family("kinked", "strangers")
@@ -252,17 +230,10 @@ def actuator_that_saturates(rng):
     """A controller whose integral winds up while the actuator is at its limit."""
     parameters = rng.parameters(F=(0.3, 1.5), kp=(3.0, 10.0), kd=(1.0, 4.0), ki=(0.2, 2.0))
     parameters["R"] = rng.uniform(1.0, 5.0)
-    asked = lambda s, p: p.kp * (p.R - s.x) - p.kd * s.v + p.ki * s.i
 
     def rates(s, p, t):
-        u = asked(s, p)
+        u = p.kp * (p.R - s.x) - p.kd * s.v + p.ki * s.i
         return s.v, where(u > p.F, p.F, where(u < -p.F, -p.F, u)), p.R - s.x
 
-    def pieces(s, p, t, b):
-        free = (1 - b[0]) * (1 + b[1]) / 4 * asked(s, p)
-        return s.v, free + (1 + b[0]) / 2 * p.F - (1 - b[1]) / 2 * p.F, p.R - s.x
-
-    switches = lambda s, p, t: asked(s, p) - p.F, lambda s, p, t: asked(s, p) + p.F
-    model = Model("saturating actuator", parameters, ("x", "v", "i"), rates)
     start = rng.uniform(-1.0, 0.5), rng.uniform(-0.5, 0.5), 0.0
-    return Case(model, rng.uniform(3.0, 15.0), start, branches=Branches(switches, pieces))
+    return by_rates(rates, parameters, "x v i", rng.uniform(3.0, 15.0), start)

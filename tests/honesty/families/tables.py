@@ -2,9 +2,8 @@
 
 from itertools import pairwise
 
-from newton_euler import Model, table
-from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, family
+from newton_euler import table
+from tests.honesty.cases import Log, by_accelerations, by_rates, family
 
 
 def _places(rng, count, end):
@@ -40,7 +39,7 @@ def pushed_by_a_table(rng):
             v = (v - d0) * mp.exp(-p.c * u) + d0 + u * (d1 + u * (d2 + u * d3))
         return (v,)
 
-    return Case(Model("mass in oil", parameters, ("v",), rates), T, (rng.gauss(0, 3),), exact=exact)
+    return by_rates(rates, parameters, "v", T, (rng.gauss(0, 3),), exact=exact)
 
 
 @family("tables", "kinked")
@@ -49,16 +48,6 @@ def swing_on_a_table(rng):
     xs = [-4.0, -1.0, rng.uniform(-0.9, -0.1), rng.uniform(0.1, 2.0), 4.0]
     forces = [-x * rng.uniform(0.5, 8.0) for x in xs]
     f = table(xs, forces)
-    slopes = [(b - a) / (y - x) for a, b, x, y in zip(forces, forces[1:], xs, xs[1:], strict=False)]
-
-    def pieces(s, p, t, b):
-        force = forces[0] + slopes[0] * (s.x - xs[0])
-        for sign, x, before, after in zip(b, xs[1:], slopes, slopes[1:], strict=False):
-            force += (1 + sign) / 2 * (after - before) * (s.x - x)
-        return s.dx, force - p.c * s.dx
-
-    model = second_order("measured spring", rng.parameters(c=(0.02, 0.3)), ("x",),
-                         lambda s, p, t: (f(s.x) - p.c * s.dx,))  # fmt: skip
-    switches = tuple(lambda s, p, t, x=x: s.x - x for x in xs[1:-1])
-    start = rng.either(rng.uniform(0.2, 1.5)), 0.0
-    return Case(model, rng.uniform(2.0, 30.0), start, branches=Branches(switches, pieces))
+    a = lambda s, p, t: (f(s.x) - p.c * s.dx,)
+    parameters, start = rng.parameters(c=(0.02, 0.3)), (rng.either(rng.uniform(0.2, 1.5)), 0.0)
+    return by_accelerations(a, parameters, "x", rng.uniform(2.0, 30.0), start)

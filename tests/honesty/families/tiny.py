@@ -1,9 +1,8 @@
 """Tiny states, and states that begin at zero or stay there."""
 
-from newton_euler import Model, cos, sin
-from newton_euler.motion import second_order
+from newton_euler import cos, sin
 from tests.honesty import models
-from tests.honesty.cases import Case, Log, family
+from tests.honesty.cases import Case, Log, by_accelerations, by_rates, family
 
 
 @family("tiny")
@@ -20,7 +19,7 @@ def tiny_beside_ordinary(rng):
     parameters = rng.parameters(k=(1.0, 10.0), K=(2.0, 30.0), q=Log(1e-12, 1e-6), c=0.1)
     a = lambda s, p, t: (-p.k * sin(s.x), -p.K * s.y - p.c * s.dy + p.q * s.x)
     T, x = rng.values((5.0, 30.0), (0.3, 2.0))
-    return Case(second_order("seismograph", parameters, ("x", "y"), a), T, (x, 0.0, 0.0, 0.0))
+    return by_accelerations(a, parameters, "x y", T, (x, 0.0, 0.0, 0.0))
 
 
 @family("tiny", "forced")
@@ -28,9 +27,7 @@ def all_zero_at_first(rng):
     """An oscillator whose states are all zero until a force sets it going."""
     parameters = rng.parameters(k=(1.0, 10.0), c=(0.0, 0.3), F=Log(1e-9, 1e3), w=(0.5, 3.0))
     a = lambda s, p, t: (p.F * sin(p.w * t) - p.k * s.x - p.c * s.dx,)
-    return Case(
-        second_order("from rest", parameters, ("x",), a), rng.uniform(3.0, 30.0), (0.0, 0.0)
-    )
+    return by_accelerations(a, parameters, "x", rng.uniform(3.0, 30.0), (0.0, 0.0))
 
 
 @family("tiny", "equilibrium")
@@ -40,7 +37,7 @@ def one_state_stays_zero(rng):
     a = lambda s, p, t: (-s.x * stiffness(s, p), -s.y * stiffness(s, p))
     parameters = rng.parameters(k=(0.5, 10.0), b=(-0.2, 0.2))
     T, x = rng.values((5.0, 40.0), (0.2, 1.0))
-    return Case(second_order("plane swing", parameters, ("x", "y"), a), T, (x, 0.0, 0.0, 0.0))
+    return by_accelerations(a, parameters, "x y", T, (x, 0.0, 0.0, 0.0))
 
 
 @family("tiny")
@@ -48,8 +45,7 @@ def growth_from_almost_nothing(rng):
     """Logistic growth that starts from 1e-12 to 1e-4 of its limit."""
     r, K, T, x = rng.values(Log(0.1, 10.0), Log(1e-3, 1e3), (5.0, 40.0), Log(1e-12, 1e-4))
     rates = lambda s, p, t: (p.r * s.x * (p.K - s.x) / p.K,)
-    model = Model("growth", {"r": r, "K": K}, ("x",), rates)
-    return Case(model, T / r, (K * x,), exact=models.exact_growth)
+    return by_rates(rates, {"r": r, "K": K}, "x", T / r, (K * x,), exact=models.exact_growth)
 
 
 @family("tiny", "equilibrium")
@@ -57,8 +53,7 @@ def weak_drive_at_rest(rng):
     """A pendulum hangs at rest, and a force of 1e-10 to 1e-3 sets it swinging."""
     parameters = rng.parameters(k=(1.0, 10.0), F=Log(1e-10, 1e-3), w=(0.5, 2.0))
     rates = lambda s, p, t: (s.omega, -p.k * sin(s.theta) + p.F * cos(p.w * t))
-    model = Model("weak drive", parameters, ("theta", "omega"), rates)
-    return Case(model, rng.uniform(5.0, 30.0), (0.0, 0.0))
+    return by_rates(rates, parameters, "theta omega", rng.uniform(5.0, 30.0), (0.0, 0.0))
 
 
 @family("tiny", "multi-scale")
@@ -67,5 +62,4 @@ def three_sizes(rng):
     parameters = rng.parameters(k=(0.5, 4.0), a=Log(1e-8, 1e-2), b=Log(1e-8, 1e-2))
     a = lambda s, p, t: (-p.k * s.x, -2 * p.k * s.y + p.a * s.x, -3 * p.k * s.z + p.b * s.y)
     T, x = rng.values((5.0, 30.0), Log(1e-3, 1e3))
-    model = second_order("three sizes", parameters, ("x", "y", "z"), a)
-    return Case(model, T, (rng.either(x), 0.0, 0.0, 0.0, 0.0, 0.0))
+    return by_accelerations(a, parameters, "x y z", T, (rng.either(x), 0.0, 0.0, 0.0, 0.0, 0.0))

@@ -5,13 +5,13 @@ looked for them.
 
 import math
 
-from newton_euler import Event, Model, cos, exp, sqrt, table, where
-from tests.honesty.cases import Case, Log, family
+from newton_euler import Event, cos, exp, sqrt, table, where
+from tests.honesty.cases import Log, by_rates, family
 
 WIDTH = Log(1e-6, 1e-1)
 
 
-def _counted(rng, name, argument, way, exact, start, T, **parameters):
+def _counted(rng, argument, way, exact, start, T, **parameters):
     """``q`` grows by A while ``argument`` is positive, beside a path known in advance.
 
     way : the rates of the other states; exact : (mp, s, p, t), these states and the time inside
@@ -26,8 +26,8 @@ def _counted(rng, name, argument, way, exact, start, T, **parameters):
         *states, inside = exact(mp, s, p, t)
         return *states, s.q + p.A * inside
 
-    states = (*"xyz"[: len(start)], "q")
-    return Case(Model(name, parameters, states, rates), T, (*start, q0), exact=whole)
+    states = " ".join((*"xyz"[: len(start)], "q"))
+    return by_rates(rates, parameters, states, T, (*start, q0), exact=whole)
 
 
 def _during(mp, t, begin, end):
@@ -42,7 +42,7 @@ def lamp_between_two_marks(rng):
     inside = lambda s, p, t: (s.x - p.c) * (p.c + p.w - s.x)
     exact = lambda mp, s, p, t: (p.v * t, _during(mp, t, p.c / p.v, (p.c + mp.mpf(p.w)) / p.v))
     way = lambda s, p, t: (p.v,)
-    return _counted(rng, "lamp", inside, way, exact, (0.0,), 10.0 / v, v=v, w=w, c=c)
+    return _counted(rng, inside, way, exact, (0.0,), 10.0 / v, v=v, w=w, c=c)
 
 
 @family("narrow", "turning", "kinked")
@@ -59,7 +59,7 @@ def lamp_by_an_expanded_product(rng):
 
     way = lambda s, p, t: (s.y, -p.r * s.y)
     known = {"u": 2 * c + w, "k": c * (c + w), "r": r, "w": w}
-    return _counted(rng, "expanded", inside, way, exact, (0.0, v), 5.0, **known)
+    return _counted(rng, inside, way, exact, (0.0, v), 5.0, **known)
 
 
 @family("narrow", "turning", "kinked")
@@ -74,7 +74,7 @@ def ball_that_touches_a_beam(rng):
 
     way = lambda s, p, t: (s.y, -p.g)
     inside, known = lambda s, p, t: s.x - p.h, {"g": g, "h": top * (1 - w), "w": math.sqrt(w)}
-    return _counted(rng, "beam", inside, way, exact, (0.0, V), 1.9 * V / g, **known)
+    return _counted(rng, inside, way, exact, (0.0, V), 1.9 * V / g, **known)
 
 
 @family("narrow", "turning", "kinked")
@@ -92,7 +92,7 @@ def spring_at_its_widest(rng):
 
     inside, way = lambda s, p, t: s.x - 1 + p.e, lambda s, p, t: (s.y, -p.n * p.n * s.x)
     known, T = {"n": n, "e": w, "w": math.sqrt(w) / n}, rng.uniform(2.0, 20.0) / n
-    return _counted(rng, "contact", inside, way, exact, (0.0, n), T, **known)
+    return _counted(rng, inside, way, exact, (0.0, n), T, **known)
 
 
 @family("narrow", "turning", "kinked")
@@ -108,7 +108,7 @@ def ships_in_hail(rng):
 
     inside, way = lambda s, p, t: p.w**2 - (s.x - s.y) ** 2, lambda s, p, t: (p.u, p.v)
     known = {"u": u, "v": v, "w": w}
-    return _counted(rng, "hail", inside, way, exact, (0.0, (u - v) * met), T, **known)
+    return _counted(rng, inside, way, exact, (0.0, (u - v) * met), T, **known)
 
 
 @family("narrow", "turning", "kinked")
@@ -124,7 +124,7 @@ def product_of_two_currents(rng):
     y, way = b * T, lambda s, p, t: (p.a, -p.b)
     inside, known = lambda s, p, t: s.x * s.y - p.h, {"a": a, "b": b, "w": T * math.sqrt(w)}
     known["h"] = y * y / 4 * a / b * (1 - w)
-    return _counted(rng, "currents", inside, way, exact, (0.0, y), T, **known)
+    return _counted(rng, inside, way, exact, (0.0, y), T, **known)
 
 
 @family("narrow", "turning", "kinked", "forced")
@@ -137,7 +137,7 @@ def shutter_by_the_clock(rng):
         _during(mp, t, mp.mpf(p.b), mp.mpf(p.b) + p.w),
     )
     inside, way = lambda s, p, t: (t - p.b) * (p.b + p.w - t), lambda s, p, t: (-p.r * s.x,)
-    return _counted(rng, "shutter", inside, way, exact, (1.0,), T, w=w, b=b, r=0.2)
+    return _counted(rng, inside, way, exact, (1.0,), T, w=w, b=b, r=0.2)
 
 
 @family("narrow", "turning", "kinked")
@@ -156,10 +156,10 @@ def corner_of_three_walls(rng):
         return s.x + p.u * t, s.y - p.u * t / 2, s.q + p.A * _during(mp, t, begin, max(begin, end))
 
     start = -c, c / 2 + w * rng.uniform(-0.8, 0.9), rng.choice((0.0, 1.0))
-    return Case(Model("corner", parameters, ("x", "y", "q"), rates), 10.0 / u, start, exact=exact)
+    return by_rates(rates, parameters, "x y q", 10.0 / u, start, exact=exact)
 
 
-def _mound(rng, name, shape, area, **more):
+def _mound(rng, shape, area, **more):
     """``q`` is the area of a shape of width w along the path so far."""
     v, w, c = rng.values((0.5, 3.0), more.pop("width", WIDTH), (3.0, 7.0))
     parameters = {"v": v, "w": w, "c": c, "A": v / w}
@@ -169,7 +169,7 @@ def _mound(rng, name, shape, area, **more):
         return p.v * t, s.q + mp.mpf(p.A) * p.w / p.v * area(mp, (p.v * t - p.c) / mp.mpf(p.w))
 
     start = 0.0, rng.choice((0.0, 1.0))
-    return Case(Model(name, parameters, ("x", "q"), rates), 10.0 / v, start, exact=exact)
+    return by_rates(rates, parameters, "x q", 10.0 / v, start, exact=exact)
 
 
 @family("narrow", "turning", "kinked")
@@ -178,7 +178,7 @@ def mound_by_an_absolute_value(rng):
     half = lambda mp, z: min(max(z, -1), 1)
     area = lambda mp, z: half(mp, z) - half(mp, z) ** 3 / 3 + mp.mpf(2) / 3
     g = lambda z: (1 - z) * (1 + z)
-    return _mound(rng, "mound", lambda z: (g(z) + abs(g(z))) / 2, area)
+    return _mound(rng, lambda z: (g(z) + abs(g(z))) / 2, area)
 
 
 @family("narrow", "turning", "kinked")
@@ -190,7 +190,7 @@ def dome_by_a_root(rng):
         return (z * mp.sqrt(1 - z * z) + mp.asin(z) + mp.pi / 2) / 2
 
     shape = lambda z: sqrt(where(1 - z * z > 0, 1 - z * z, 0.0))
-    return _mound(rng, "dome", shape, area, width=Log(1e-5, 1e-1))
+    return _mound(rng, shape, area, width=Log(1e-5, 1e-1))
 
 
 @family("narrow", "turning")
@@ -211,7 +211,7 @@ def hill_of_a_fourth_power(rng):
         return p.v * t, s.q + high - low
 
     start = 0.0, rng.choice((0.0, 1.0))
-    return Case(Model("hill", parameters, ("x", "q"), rates), 10.0 / v, start, exact=exact)
+    return by_rates(rates, parameters, "x q", 10.0 / v, start, exact=exact)
 
 
 @family("narrow", "turning")
@@ -233,8 +233,7 @@ def flash_of_a_lighthouse(rng):
         return p.n * t, s.q + p.A / p.n * lit
 
     T = (parameters["at"] + rng.uniform(1.0, 20.0)) / n
-    model = Model("lighthouse", parameters, ("x", "q"), rates)
-    return Case(model, T, (0.0, rng.choice((0.0, 1.0))), exact=exact)
+    return by_rates(rates, parameters, "x q", T, (0.0, rng.choice((0.0, 1.0))), exact=exact)
 
 
 # -- from nothing
@@ -252,8 +251,8 @@ def heater_that_is_switched_on(rng):
         on = max(t - p.c / mp.mpf(p.v), mp.mpf(0))
         return p.v * t, p.a * on, p.k * p.a * on**2 / 2, p.k * p.a * on**3 / 6
 
-    model = Model("heater", {"v": v, "c": c, "a": a, "k": k}, ("x", "q", "r", "phi"), rates)
-    return Case(model, 10.0 / v, (0.0, 0.0, 0.0, 0.0), exact=exact)
+    T, start = 10.0 / v, (0.0, 0.0, 0.0, 0.0)
+    return by_rates(rates, {"v": v, "c": c, "a": a, "k": k}, "x q r phi", T, start, exact=exact)
 
 
 @family("kinked", "turning", "forced")
@@ -273,28 +272,27 @@ def push_from_rest(rng):
             return t, p.f * p.r * on**3 / 6, p.f * p.r * on**2 / 2
         return t, p.f * on**2 / 2, p.f * on
 
-    model = Model("push from rest", parameters, ("c", "y", "v"), rates)
-    return Case(model, T, (0.0, 0.0, 0.0), exact=exact)
+    return by_rates(rates, parameters, "c y v", T, (0.0, 0.0, 0.0), exact=exact)
 
 
 # -- events, and tables of positions
 
 
-def _passed(rng, name, function, times, width):
+def _passed(rng, function, times, width):
     """A straight path of 10 m with an event of width w somewhere on it."""
     v, w, c = rng.values((0.5, 3.0), width, (3.0, 7.0))
     parameters = {"v": v, "w": w, "c": c}
-    model = Model(name, parameters, ("x",), lambda s, p, t: (p.v + 0.0 * s.x,))
-    exact, events = lambda mp, s, p, t: (s.x + p.v * t,), (Event(function),)
+    rates, exact = lambda s, p, t: (p.v + 0.0 * s.x,), lambda mp, s, p, t: (s.x + p.v * t,)
     at = lambda mp, s, p: [(p.c + mp.mpf(p.w) * z) / p.v for z in times(mp)]
-    return Case(model, 10.0 / v, (0.0,), exact=exact, events=events, event_times=at)
+    known = {"exact": exact, "events": (Event(function),), "event_times": at}
+    return by_rates(rates, parameters, "x", 10.0 / v, (0.0,), **known)
 
 
 @family("events", "turning", "narrow")
 def marks_that_are_close(rng):
     """The passage of two marks close together, written as one function."""
     function = lambda s, p, t: (s.x - p.c) * (p.c + p.w - s.x)
-    return _passed(rng, "two marks", function, lambda mp: (0, 1), Log(1e-5, 1e-1))
+    return _passed(rng, function, lambda mp: (0, 1), Log(1e-5, 1e-1))
 
 
 @family("events", "turning", "narrow")
@@ -302,7 +300,7 @@ def level_of_a_peak(rng):
     """A smooth peak that rises above a level."""
     function = lambda s, p, t: exp(-(((s.x - p.c) / p.w) ** 2)) - 0.5
     times = lambda mp: (-mp.sqrt(mp.log(2)), mp.sqrt(mp.log(2)))
-    return _passed(rng, "peak", function, times, Log(1e-4, 1e-1))
+    return _passed(rng, function, times, Log(1e-4, 1e-1))
 
 
 @family("events", "turning", "narrow")
@@ -310,7 +308,7 @@ def level_of_a_resonance(rng):
     """A resonance curve, a quotient, that rises above a level."""
     function = lambda s, p, t: 1 / (1 + ((s.x - p.c) / p.w) ** 2) - 0.25
     times = lambda mp: (-mp.sqrt(3), mp.sqrt(3))
-    return _passed(rng, "resonance", function, times, Log(1e-4, 1e-1))
+    return _passed(rng, function, times, Log(1e-4, 1e-1))
 
 
 @family("tables", "turning", "narrow")
@@ -331,4 +329,4 @@ def table_with_a_spike(rng):
         return x, s.q + area / p.v
 
     start = 0.0, rng.choice((0.0, 1.0))
-    return Case(Model("spike", {"v": v}, ("x", "q"), rates), 10.0 / v, start, exact=exact)
+    return by_rates(rates, {"v": v}, "x q", 10.0 / v, start, exact=exact)

@@ -2,10 +2,9 @@
 
 import math
 
-from newton_euler import Model, exp, sin, sqrt
-from newton_euler.motion import second_order
+from newton_euler import exp, sin, sqrt
 from tests.honesty import models
-from tests.honesty.cases import Case, Log, family
+from tests.honesty.cases import Case, Log, by_accelerations, by_rates, family
 
 
 @family("units")
@@ -41,7 +40,7 @@ def satellite_in_metres(rng):
     v = math.sqrt(parameters["GM"] / r) * rng.uniform(0.95, 1.15)
     T = rng.uniform(0.5, 6.0) * 2 * math.pi * r / v
     start = r, 0.0, 0.0, 0.0, v * math.cos(i), v * math.sin(i)
-    return Case(second_order("satellite", parameters, ("x", "y", "z"), accelerations), T, start)
+    return by_accelerations(accelerations, parameters, "x y z", T, start)
 
 
 @family("units")
@@ -55,9 +54,7 @@ def molecule_in_metres(rng):
 
     w = parameters["a"] * math.sqrt(2 * parameters["D"] / parameters["m"])
     T, x = rng.values((5.0, 60.0), (0.85, 1.3))
-    return Case(
-        second_order("molecule", parameters, ("x",), accelerations), T / w, (7.4e-11 * x, 0.0)
-    )
+    return by_accelerations(accelerations, parameters, "x", T / w, (7.4e-11 * x, 0.0))
 
 
 @family("units")
@@ -65,9 +62,8 @@ def trap_for_an_ion(rng):
     """A Penning trap: micrometres, megahertz, and metres a second."""
     wc, wz = rng.values(Log(1e7, 1e9), Log(1e5, 1e6))
     a = lambda s, p, t: (p.k * s.x / 2 + p.c * s.dy, p.k * s.y / 2 - p.c * s.dx, -p.k * s.z)
-    model = second_order("Penning trap", {"c": wc, "k": wz * wz}, ("x", "y", "z"), a)
     T, *start = rng.values((50.0, 400.0), *[(-1e-5, 1e-5)] * 3, *[(-1e3, 1e3)] * 3)
-    return Case(model, T / wc, tuple(start))
+    return by_accelerations(a, {"c": wc, "k": wz * wz}, "x y z", T / wc, start)
 
 
 @family("units")
@@ -80,9 +76,9 @@ def star_in_parsecs(rng):
         d = s.x * s.x + s.y * s.y / (p.q * p.q) + p.core * p.core
         return -p.V * p.V * s.x / d, -p.V * p.V * s.y / (p.q * p.q * d)
 
-    model = second_order("star in a galaxy", parameters, ("x", "y"), accelerations)
     T, x, u, v = rng.values(Log(1e15, 3e16), (0.3, 1.5), (-1.0, 1.0), (0.3, 1.0))
-    return Case(model, T, (2.5e20 * x, 0.0, 2e4 * u, 2e5 * v))
+    start = 2.5e20 * x, 0.0, 2e4 * u, 2e5 * v
+    return by_accelerations(accelerations, parameters, "x y", T, start)
 
 
 @family("units")
@@ -90,6 +86,5 @@ def pendulum_in_arc_seconds(rng):
     """A pendulum whose angle is in arc seconds."""
     parameters = rng.parameters(k=(0.5, 10.0), u=206264.80624709636)
     rates = lambda s, p, t: (s.omega, -p.k * p.u * sin(s.theta / p.u))
-    model = Model("pendulum in arc seconds", parameters, ("theta", "omega"), rates)
     T, theta = rng.values((5.0, 30.0), (0.5, 2.5))
-    return Case(model, T, (2e5 * theta, 0.0))
+    return by_rates(rates, parameters, "theta omega", T, (2e5 * theta, 0.0))

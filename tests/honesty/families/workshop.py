@@ -8,7 +8,7 @@ from itertools import pairwise
 from newton_euler import Event, Model, atan, cos, exp, sin, table, tanh
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
-from tests.honesty.cases import Case, Log, around, family
+from tests.honesty.cases import Case, Log, around, by_accelerations, by_rates, family
 
 
 def _time_to(speed, length, parts=4000):
@@ -29,8 +29,8 @@ def tether_that_is_paid_out(rng):
         swing = -2 * pace / s.l * (s.w + p.n) - 3 * p.n**2 * sin(s.a) * cos(s.a)
         return s.w, swing, pace
 
-    model = Model("paid out", parameters, ("a", "w", "l"), rates)
-    return Case(model, t1 + rng.uniform(1e3, 2e4), start, knots=around(t1, b, 30))
+    T = t1 + rng.uniform(1e3, 2e4)
+    return by_rates(rates, parameters, "a w l", T, start, knots=around(t1, b, 30))
 
 
 @family("engineers", "events", "tables")
@@ -44,7 +44,7 @@ def ball_with_a_table_of_restitution(rng):
     thrown_back = lambda s, p, t: (0 * s.z, -s.dz * measured(-s.dz))
     floor = Event(lambda s, p, t: s.z, -1, then=lambda s, p, t: (model, thrown_back(s, p, t)))
     T = top / g * rng.uniform(1.5, 5.0)
-    return Case(model, T, (h, 0.0), events=(floor,), impact=thrown_back)
+    return Case(model, T, (h, 0.0), events=(floor,))
 
 
 @family("engineers", "narrow")
@@ -61,14 +61,12 @@ def brake_at_the_foot_of_a_valley(rng):
         brake = p.A * exp(-(((s.x - p.c) / p.w) ** 2)) * s.v
         return s.v, -(p.k**2 * s.x * s.v**2 + p.g * p.k * s.x) / (1 + (p.k * s.x) ** 2) - brake
 
-    model = Model("valley", parameters, ("x", "v"), rates)
     v0 = rng.uniform(0.5, 2.0)
     quick = lambda s: math.sqrt(
         (v0**2 * (1 + (k * h) ** 2) + g * k * (h * h - (h - s) ** 2)) / (1 + (k * (h - s)) ** 2)
     )
     met = _time_to(quick, c)
-    return Case(model, met + h / v * rng.uniform(0.1, 0.4), (h, -v0),
-                knots=around(met, w / quick(c) / 2, 40))  # fmt: skip
+    return by_rates(rates, parameters, "x v", met + h / v * rng.uniform(0.1, 0.4), (h, -v0), knots=around(met, w / quick(c) / 2, 40))  # fmt: skip
 
 
 @family("engineers", "scales")
@@ -92,8 +90,7 @@ def torsion_wire_after_many_turns(rng):
         return (free[0] + b * mp.cos(q * now) + p.a0, free[1] - b * q * mp.sin(q * now), now)
 
     start = parameters["a0"] + rng.uniform(0.1, 2.0), 0.0, clock
-    model = Model("torsion", parameters, ("a", "v", "clock"), rates)
-    return Case(model, rng.uniform(5.0, 60.0) / w, start, exact=exact)
+    return by_rates(rates, parameters, "a v clock", rng.uniform(5.0, 60.0) / w, start, exact=exact)
 
 
 @family("engineers", "near-singular")
@@ -120,8 +117,8 @@ def marble_barely_over_a_hump(rng):
         pace = u * k * mp.sinh(k * t) + rate * mp.cosh(k * t)
         return w * mp.asinh(now), w * pace / mp.sqrt(1 + now * now)
 
-    model = Model("hump", parameters, ("x", "v"), rates)
-    return Case(model, w / math.sqrt(V) * rng.uniform(6.0, 20.0), (x0, v0), exact=exact)
+    T = w / math.sqrt(V) * rng.uniform(6.0, 20.0)
+    return by_rates(rates, parameters, "x v", T, (x0, v0), exact=exact)
 
 
 @family("engineers", "narrow")
@@ -163,8 +160,8 @@ def trolley_over_a_smooth_step(rng):
             x = new
         return x, since(x)[1]
 
-    model, v = Model("step", parameters, ("x", "v"), rates), math.sqrt(2 * E)
-    return Case(model, L / v * rng.uniform(1.2, 2.5), (-L, v), exact=exact)
+    v = math.sqrt(2 * E)
+    return by_rates(rates, parameters, "x v", L / v * rng.uniform(1.2, 2.5), (-L, v), exact=exact)
 
 
 @family("engineers", "narrow")
@@ -187,8 +184,9 @@ def ion_through_a_narrow_well(rng):
         counted = mp.mpf(p.I) * w * (mp.tanh(x / w) - mp.tanh(s.x / w))
         return x, far * B * mp.cosh(phase) / mp.sqrt(1 + u * u), s.q + counted
 
-    model, v = Model("well", parameters, ("x", "v", "q"), rates), math.sqrt(2 * E)
-    return Case(model, L / v * rng.uniform(1.2, 2.5), (-L, v, 0.0), exact=exact)
+    v = math.sqrt(2 * E)
+    T = L / v * rng.uniform(1.2, 2.5)
+    return by_rates(rates, parameters, "x v q", T, (-L, v, 0.0), exact=exact)
 
 
 @family("engineers", "stiff")
@@ -202,10 +200,9 @@ def stage_that_slips_and_sticks(rng):
         drive = p.V * (sin(p.w * t) + 0.5 * sin(2 * p.w * t) + sin(3 * p.w * t) * p.c / 3)
         return s.v, p.mu * tanh((drive - s.v) / p.e)
 
-    model = Model("stage", parameters, ("x", "v"), rates)
     turns = rng.uniform(2.0, 5.0)
     knots = tuple(2 * math.pi / w * k / 100 for k in range(1, int(100 * turns)))
-    return Case(model, turns / w * 2 * math.pi, (0.0, 0.0), knots=knots)
+    return by_rates(rates, parameters, "x v", turns / w * 2 * math.pi, (0.0, 0.0), knots=knots)
 
 
 @family("engineers", "stiff", "forced")
@@ -221,9 +218,8 @@ def gear_train_with_smooth_play(rng):
         h = force(p, s.u - s.z, s.du - s.dz)
         return p.M * cos(p.w * t) - f, (f - h) / p.J, h - p.r * s.dz
 
-    model = second_order("gears", parameters, ("a", "u", "z"), accelerations)
     start = tuple(rng.uniform(-b, b) / 2 for _ in range(3)) + (rng.uniform(-1.0, 1.0), 0.0, 0.0)
-    return Case(model, rng.uniform(1.0, 8.0), start)
+    return by_accelerations(accelerations, parameters, "a u z", rng.uniform(1.0, 8.0), start)
 
 
 @family("engineers", "tables", "events")
@@ -257,7 +253,7 @@ def rocket_by_its_thrust_table(rng):
         return s.v + p.c * burnt - (p.c * k + p.g) * t, m * (left if t > t1 else 1)
 
     T = rng.uniform(5.5, 9.0)
-    return Case(model, T, (0.0, m0), events=(cast_off,), exact=exact, impact=dropped,
+    return Case(model, T, (0.0, m0), events=(cast_off,), exact=exact,
                 event_times=lambda mp, s, p: [mp.mpf(t1)])  # fmt: skip
 
 
@@ -275,9 +271,8 @@ def fast_top_that_nutates(rng):
         lean = turn * sin(s.theta) * (p.A * turn * cos(s.theta) - p.L) + p.m * sin(s.theta)
         return s.w, lean / p.A, turn, p.L * p.i - turn * cos(s.theta)
 
-    model = Model("nutation", parameters, ("theta", "w", "phi", "psi"), rates)
     T = rng.uniform(20.0, 150.0) * 2 * math.pi * A / L
-    return Case(model, T, (theta, 0.0, 0.0, 0.0))
+    return by_rates(rates, parameters, "theta w phi psi", T, (theta, 0.0, 0.0, 0.0))
 
 
 @family("engineers", "events")
@@ -296,7 +291,7 @@ def pendulum_on_a_peg(rng):
     then = lambda s, p, t: (model, caught(s, p, t))
     T = rng.uniform(3.0, 12.0) * math.sqrt(L / g)
     start = rng.uniform(0.6, 1.4), 0.0, L
-    return Case(model, T, start, events=(Event(at, 0, then=then),), impact=caught)
+    return Case(model, T, start, events=(Event(at, 0, then=then),))
 
 
 @family("engineers", "narrow", "smooth")
@@ -312,10 +307,9 @@ def car_through_a_cloud_of_dust(rng):
         near = ((s.x - p.px) ** 2 + (s.y - p.py) ** 2) / p.w**2
         return s.v * cos(s.h), s.v * sin(s.h), s.v / p.R, -p.A * s.v / (1 + near) ** 2
 
-    model, met = Model("dust", parameters, ("x", "y", "h", "v"), rates), R * angle / v
-    return Case(
-        model, met * rng.uniform(1.3, 2.5), (0.0, 0.0, 0.0, v), knots=around(met, w / v / 2, 40)
-    )
+    met = R * angle / v
+    T, start = met * rng.uniform(1.3, 2.5), (0.0, 0.0, 0.0, v)
+    return by_rates(rates, parameters, "x y h v", T, start, knots=around(met, w / v / 2, 40))
 
 
 @family("engineers", "narrow")
@@ -329,5 +323,5 @@ def needle_over_a_ferrite(rng):
         # a moment that changes its sign at the mark, within w
         return (-p.k * s.x - p.M * atan((s.x - p.a) / p.w) - p.c * s.dx,)
 
-    model = second_order("needle", parameters, ("x",), accelerations)
-    return Case(model, rng.uniform(2.0, 8.0) / math.sqrt(k), (X, 0.0))
+    T = rng.uniform(2.0, 8.0) / math.sqrt(k)
+    return by_accelerations(accelerations, parameters, "x", T, (X, 0.0))

@@ -3,7 +3,7 @@
 import math
 
 from newton_euler import Model, cos, exp, where
-from tests.honesty.cases import Branches, Case, Log, held_out
+from tests.honesty.cases import Case, Log, by_rates, held_out
 
 
 @held_out("stiff")
@@ -16,7 +16,7 @@ def oregonator(rng):
 
     parameters = {"s": 77.27, "q": 8.375e-6, "w": 0.161}
     T, *start = rng.values((0.2, 4.0), (1.0, 4.0), (1.0, 2.0), (2.0, 3.0))
-    return Case(Model("Oregonator", parameters, ("a", "b", "c"), rates), T, tuple(start))
+    return by_rates(rates, parameters, "a b c", T, start)
 
 
 @held_out("smooth")
@@ -26,17 +26,17 @@ def brusselator(rng):
     def rates(s, p, t):
         return p.A + s.x * s.x * s.y - (p.B + 1) * s.x, p.B * s.x - s.x * s.x * s.y
 
-    model = Model("Brusselator", rng.parameters(A=1.0, B=(1.5, 4.0)), ("x", "y"), rates)
+    parameters = rng.parameters(A=1.0, B=(1.5, 4.0))
     T, *start = rng.values((5.0, 30.0), (0.5, 2.0), (1.0, 3.0))
-    return Case(model, T, tuple(start))
+    return by_rates(rates, parameters, "x y", T, start)
 
 
 @held_out("stiff", "tiny")
 def flame(rng):
     """A ball of flame, y' = y^2 - y^3, from small until it burns steadily."""
     d = rng.decades(1e-4, 1e-1)
-    model = Model("flame", {"k": 1.0}, ("y",), lambda s, p, t: (p.k * (s.y**2 - s.y**3),))
-    return Case(model, (1 / d) * rng.uniform(0.5, 1.9), (d,))
+    T = (1 / d) * rng.uniform(0.5, 1.9)
+    return by_rates(lambda s, p, t: (p.k * (s.y**2 - s.y**3),), {"k": 1.0}, "y", T, (d,))
 
 
 @held_out("tiny", "closed form")
@@ -44,11 +44,9 @@ def decay_to_nothing(rng):
     """Decay over up to three hundred decades, with a model that brings its solution."""
     k = rng.decades(1e-6, 1e6)
     rates = lambda s, p, t: (-p.k * s.x, 0 * s.total)
-    solution = lambda s, p, t: (s.x * exp(-p.k * t), s.total)
-    exact = lambda mp, s, p, t: (s.x * mp.exp(-p.k * t), s.total)
-    model = Model("decay", {"k": k}, ("x", "total"), rates, exact=solution)
+    exact = lambda m, s, p, t: (s.x * m.exp(-p.k * t), s.total)
     T, *start = rng.values((20.0, 690.0), Log(1e-9, 1e23), Log(1e-9, 1e23))
-    return Case(model, T / k, tuple(start), exact=exact)
+    return by_rates(rates, {"k": k}, "x total", T / k, start, exact=exact, brings=True)
 
 
 @held_out("units", "stiff")
@@ -63,8 +61,8 @@ def chain_in_atoms(rng):
         B = s.A * p.k0 / (p.k1 - p.k0) * (a - b)
         return s.A * a, B, s.A * (1 - a) - B
 
-    model = Model("nuclides", parameters, ("A", "B", "C"), rates)
-    return Case(model, min(half) * rng.decades(0.1, 1e3), (6.022e23, 0.0, 0.0), exact=exact)
+    T = min(half) * rng.decades(0.1, 1e3)
+    return by_rates(rates, parameters, "A B C", T, (6.022e23, 0.0, 0.0), exact=exact)
 
 
 @held_out("near-singular", "stiff")
@@ -77,7 +75,7 @@ def ignition(rng):
         return -r, p.q * r - p.loss * (s.T - p.T0)
 
     T, *start = rng.values((0.1, 1.0), 1.0, (330.0, 420.0))
-    return Case(Model("reactor", parameters, ("c", "T"), rates), T, tuple(start))
+    return by_rates(rates, parameters, "c T", T, start)
 
 
 @held_out("units", "stiff")
@@ -90,7 +88,7 @@ def enzyme_in_moles(rng):
         return -bind + p.cat * s.ES, -bind, bind - p.cat * s.ES, p.cat * s.ES
 
     T, *start = rng.values(Log(0.03, 3.0), Log(1e-9, 1e-6), Log(1e-6, 1e-3), 0.0, 0.0)
-    return Case(Model("enzyme", parameters, ("E", "S", "ES", "P"), rates), T, tuple(start))
+    return by_rates(rates, parameters, "E S ES P", T, start)
 
 
 @held_out("tiny", "law")
@@ -122,16 +120,11 @@ def nerve(rng):
     parameters = rng.parameters(I=(0.2, 1.0), t1=(5.0, 15.0), t2=(17.0, 40.0), e=Log(0.02, 0.1))
     parameters |= {"a": 0.7, "b": 0.8, "third": 1 / 3}
 
-    def currents(s, p, I):
+    def rates(s, p, t):
+        I = where(t > p.t1, where(t < p.t2, p.I, 0.0), 0.0)
         return s.v - p.third * s.v**3 - s.w + I, p.e * (s.v + p.a - p.b * s.w)
 
-    def rates(s, p, t):
-        return currents(s, p, where(t > p.t1, where(t < p.t2, p.I, 0.0), 0.0))
-
-    switches = lambda s, p, t: t - p.t1, lambda s, p, t: t - p.t2
-    branches = Branches(switches, lambda s, p, t, b: currents(s, p, p.I * (b[0] - b[1]) / 2))
-    model = Model("nerve", parameters, ("v", "w"), rates)
-    return Case(model, rng.uniform(40.0, 100.0), (-1.1994, -0.6243), branches=branches)
+    return by_rates(rates, parameters, "v w", rng.uniform(40.0, 100.0), (-1.1994, -0.6243))
 
 
 @held_out("multi-scale")
@@ -140,7 +133,7 @@ def foxes_nearly_extinct(rng):
     parameters = rng.parameters(a=(0.5, 2.0), b=1.0, c=1.0, d=(0.5, 1.5))
     rates = lambda s, p, t: (p.a * s.x - p.b * s.x * s.y, p.c * s.x * s.y - p.d * s.y)
     T, *start = rng.values((3.0, 30.0), (5.0, 15.0), Log(1e-6, 1.0))
-    return Case(Model("foxes", parameters, ("x", "y"), rates), T, tuple(start))
+    return by_rates(rates, parameters, "x y", T, start)
 
 
 @held_out("stiff")
@@ -160,9 +153,9 @@ def eight_species(rng):
             -p.k * bind + 1.81 * s.g,
         )
 
-    model = Model("HIRES", {"k": 1.0, "in_": 0.0007}, tuple("abcdefgh"), rates)
     T, h = rng.values(Log(0.5, 10.0), (0.5, 2.0))
-    return Case(model, T, (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0057 * h))
+    start = 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0057 * h
+    return by_rates(rates, {"k": 1.0, "in_": 0.0007}, "a b c d e f g h", T, start)
 
 
 @held_out("stiff", "tiny")
@@ -171,4 +164,4 @@ def laser(rng):
     parameters = rng.parameters(kap=(20.0, 100.0), gam=1.0, P=(2.0, 10.0))
     rates = lambda s, p, t: (p.gam * (p.P - s.N) - s.N * s.n, p.kap * (s.N - 1) * s.n)
     T, n = rng.values((0.5, 3.0), Log(1e-8, 1e-2))
-    return Case(Model("laser", parameters, ("N", "n"), rates), T, (0.0, n))
+    return by_rates(rates, parameters, "N n", T, (0.0, n))

@@ -5,8 +5,7 @@ import math
 from newton_euler import Event, Model, acos, asin, atan2, cos, sin, sqrt, tan, where
 from newton_euler.motion import second_order
 from tests.honesty import closed_forms
-from tests.honesty.cases import Branches, Case, Log, held_out
-from tests.honesty.models import brought
+from tests.honesty.cases import Case, Log, by_accelerations, by_rates, held_out
 
 
 @held_out("kinked", "sticking")
@@ -25,9 +24,9 @@ def skidding_then_rolling(rng):
         return s.v + f * t, s.w - mp.mpf(5) / 2 * f / p.R * t
 
     mu, v, w = rng.values((0.05, 0.3), (4.0, 9.0), (-30.0, 30.0))
-    model = Model("bowling ball", {"mu": mu, "g": 9.81, "R": 0.108}, ("v", "w"), rates)
     rolls = (v - 0.108 * w) / (3.5 * mu * 9.81)
-    return Case(model, rolls * rng.choice((0.6, 0.95, 1.4)), (v, w), exact=exact)
+    T = rolls * rng.choice((0.6, 0.95, 1.4))
+    return by_rates(rates, {"mu": mu, "g": 9.81, "R": 0.108}, "v w", T, (v, w), exact=exact)
 
 
 @held_out("kinked")
@@ -47,8 +46,8 @@ def up_and_down_a_rough_plank(rng):
         return x, s.v - up * first - down * then
 
     slope, mu, v, T = rng.values((25.0, 60.0), (0.05, 0.4), (1.0, 12.0), (1.5, 5.0))
-    model = Model("rough plank", {"g": 9.81, "mu": mu, "deg": slope}, ("x", "v"), rates)
-    return Case(model, v / 9.81 * T, (0.0, v), exact=exact)
+    parameters = {"g": 9.81, "mu": mu, "deg": slope}
+    return by_rates(rates, parameters, "x v", v / 9.81 * T, (0.0, v), exact=exact)
 
 
 @held_out("kinked")
@@ -62,13 +61,8 @@ def bungee_jump(rng):
         cord = where(s.y > p.L, p.k * (s.y - p.L) + p.b * s.v, 0.0)
         return s.v, p.g - cord / p.m - p.c / p.m * s.v * abs(s.v)
 
-    def pieces(s, p, t, b):
-        cord = (1 + b[0]) / 2 * (p.k * (s.y - p.L) + p.b * s.v)
-        return s.v, (p.m * p.g - cord - p.c * b[1] * s.v * s.v) / p.m
-
-    branches = Branches((lambda s, p, t: s.y - p.L, lambda s, p, t: s.v), pieces)
-    model, T = Model("bungee", parameters, ("y", "v"), rates), rng.uniform(4.0, 30.0)
-    return Case(model, T, (0.0, 0.0), branches=branches)
+    T = rng.uniform(4.0, 30.0)
+    return by_rates(rates, parameters, "y v", T, (0.0, 0.0))
 
 
 @held_out("kinked", "forced")
@@ -80,14 +74,8 @@ def parachute(rng):
         drag = where(t < p.t1, p.c1, p.c2)
         return -s.v, p.g - drag * s.v * sqrt(s.v * s.v)
 
-    def pieces(s, p, t, b):
-        drag = (p.c1 * (1 - b[0]) + p.c2 * (1 + b[0])) / 2
-        return -s.v, p.g - drag * b[1] * s.v * s.v
-
-    branches = Branches((lambda s, p, t: t - p.t1, lambda s, p, t: s.v), pieces)
     T, h = rng.values((1.0, 20.0), (500.0, 4000.0))
-    model = Model("parachute", parameters, ("h", "v"), rates)
-    return Case(model, parameters["t1"] + T, (h, 0.0), branches=branches)
+    return by_rates(rates, parameters, "h v", parameters["t1"] + T, (h, 0.0))
 
 
 @held_out("forced")
@@ -99,8 +87,7 @@ def kapitza(rng):
         return ((p.g - p.a * p.W * p.W * cos(p.W * t)) / p.L * sin(s.th) - p.c * s.dth,)
 
     T, th = rng.values((0.5, 2.0), (0.01, 0.5))
-    model = second_order("Kapitza's pendulum", parameters, ("th",), accelerations)
-    return Case(model, T, (rng.either(th), 0.0))
+    return by_accelerations(accelerations, parameters, "th", T, (rng.either(th), 0.0))
 
 
 @held_out("events", "equilibrium")
@@ -111,7 +98,7 @@ def ladder_leaves_the_wall(rng):
     a = lambda s, p, t: (1.5 * p.g / p.L * sin(s.th),)
     free = Event(lambda s, p, t: 3 * cos(s.th) - 2 * p.c0, -1, True, name="leaves the wall")
     T = (math.log(4 / tilt) + 2.0) / math.sqrt(1.5 * 9.81 / L)
-    return Case(second_order("ladder", parameters, ("th",), a), T, (tilt, 0.0), events=(free,))
+    return by_accelerations(a, parameters, "th", T, (tilt, 0.0), events=(free,))
 
 
 @held_out("forced", "law")
@@ -128,9 +115,9 @@ def pendulum_on_a_winch(rng):
         "L": lambda s, p, t: p.L0 + p.a * sin(p.w * t),
         "dL": lambda s, p, t: p.a * p.w * cos(p.w * t),
     }
-    model = Model("winch", {**numbers, **laws}, ("th", "om"), rates)
     T, th = rng.values((3.0, 15.0), (0.1, 1.5))
-    return Case(model, T, (th, 0.0), written_out=Model("winch", numbers, ("th", "om"), written))
+    written_out = Model("winch", numbers, ("th", "om"), written)
+    return by_rates(rates, {**numbers, **laws}, "th om", T, (th, 0.0), written_out=written_out)
 
 
 @held_out("kinked", "law")
@@ -145,22 +132,15 @@ def model_rocket(rng):
     def thrust(s, p, t):
         return where(t < p.ta, p.F1, where(t < p.tb, p.F2, 0.0))
 
-    def pieces(s, p, t, b):
-        F = p.F1 * (1 - b[0]) / 2 + p.F2 * (1 + b[0]) * (1 - b[1]) / 4
-        return s.v, (F - p.c * b[2] * s.v * s.v) / s.m - p.g, -F / p.u
-
     def written(s, p, t):
         F = thrust(s, p, t)
         return s.v, (F - p.c * s.v * abs(s.v)) / s.m - p.g, -F / p.u
 
-    switches = lambda s, p, t: t - p.ta, lambda s, p, t: t - p.tb, lambda s, p, t: s.v
     name, states = "model rocket", ("h", "v", "m")
     model = Model(name, {**numbers, "thrust": thrust}, states, rates)
     T, m = rng.values((0.2, 6.0), (0.2, 0.6))
-    return Case(
-        model, numbers["tb"] + T, (0.0, 0.0, m),
-        branches=Branches(switches, pieces), written_out=Model(name, numbers, states, written),
-    )  # fmt: skip
+    written = Model(name, numbers, states, written)
+    return Case(model, numbers["tb"] + T, (0.0, 0.0, m), written_out=written)
 
 
 @held_out("events", "tiny")
@@ -196,8 +176,8 @@ def gimbal_in_degrees(rng):
 
     parameters["wx"] *= rng.choice((0.0, 0.01, 1.0))
     T, pitch = rng.values((0.8, 2.5), (0.0, 30.0))
-    model = Model("gimbal", parameters, ("yaw", "pitch", "roll"), rates)
-    return Case(model, 90.0 / parameters["wy"] * T, (0.0, pitch, 0.0))
+    start = 0.0, pitch, 0.0
+    return by_rates(rates, parameters, "yaw pitch roll", 90.0 / parameters["wy"] * T, start)
 
 
 @held_out("chaotic")
@@ -209,9 +189,8 @@ def swinging_atwood(rng):
         r = (s.r * s.dth * s.dth - p.g * (p.mu - cos(s.th))) / (1 + p.mu)
         return r, -(2 * s.dr * s.dth + p.g * sin(s.th)) / s.r
 
-    model = second_order("swinging Atwood machine", parameters, ("r", "th"), accelerations)
     T, *start = rng.values((0.5, 2.5), (0.8, 1.5), (1.0, 2.0), 0.0, 0.0)
-    return Case(model, T, tuple(start))
+    return by_accelerations(accelerations, parameters, "r th", T, start)
 
 
 @held_out("near-singular")
@@ -223,8 +202,8 @@ def bead_on_a_cycloid(rng):
     def exact(mp, s, p, t):
         return closed_forms.oscillator(mp, mp.sqrt(p.g / p.a4), s.s, s.v, t)
 
-    model = Model("cycloid", {"a4": 4 * a, "g": 9.81}, ("s", "v"), rates)
-    return Case(model, T * math.sqrt(4 * a / 9.81), (4 * a * (1 - near), 0.0), exact=exact)
+    parameters, T = {"a4": 4 * a, "g": 9.81}, T * math.sqrt(4 * a / 9.81)
+    return by_rates(rates, parameters, "s v", T, (4 * a * (1 - near), 0.0), exact=exact)
 
 
 @held_out("mechanics")
@@ -238,7 +217,7 @@ def dog_and_rabbit(rng):
         return p.v * cos(s.phi), p.v * sin(s.phi), p.k * sin(heading - s.phi)
 
     T, *start = rng.values((5.0, 30.0), (-3.0, -1.5), (-2.0, 2.0), (-3.0, 3.0))
-    return Case(Model("dog and rabbit", parameters, ("x", "y", "phi"), rates), T, tuple(start))
+    return by_rates(rates, parameters, "x y phi", T, start)
 
 
 @held_out("near-singular")
@@ -246,8 +225,8 @@ def angle_by_arccosine(rng):
     """A door by the cosine and sine of its angle; its spring takes acos, near 1 where it turns."""
     k, th, M, T = rng.values((1.0, 10.0), Log(1e-2, 0.3), (0.4, 1.0), (2.0, 25.0))
     rates = lambda s, p, t: (-s.s * s.w, s.c * s.w, p.M - p.k * acos(s.c))
-    model = Model("door", {"k": k, "M": k * M}, ("c", "s", "w"), rates)
-    return Case(model, T / k**0.5, (math.cos(th), math.sin(th), 0.0))
+    start = math.cos(th), math.sin(th), 0.0
+    return by_rates(rates, {"k": k, "M": k * M}, "c s w", T / k**0.5, start)
 
 
 @held_out("mechanics", "multi-scale")
@@ -262,8 +241,7 @@ def gyro_with_damping(rng):
         return a, (p.H * cos(s.a) * s.da - p.c * s.db) / p.B
 
     T, *start = rng.values((30.0, 300.0), (-0.5, 0.5), 0.0, (-0.1, 0.1), 0.0)
-    model = second_order("gyro", parameters, ("a", "b"), accelerations)
-    return Case(model, T / parameters["H"], tuple(start))
+    return by_accelerations(accelerations, parameters, "a b", T / parameters["H"], start)
 
 
 @held_out("mechanics", "closed form")
@@ -280,7 +258,6 @@ def fall_with_a_terminal_speed(rng):
     parameters = rng.parameters(g=9.81, c=Log(1e-4, 1.0))
     scale = math.sqrt(1 / (9.81 * parameters["c"]))
     rates = lambda s, p, t: (s.v, p.c * s.v * s.v - p.g)
-    model = Model("fall", parameters, ("h", "v"), rates, exact=brought(solution))
     T = scale * rng.choice(rng.values(Log(1e-3, 10.0), Log(10.0, 3000.0)))
     start = rng.uniform(10.0, 1000.0), rng.choice((0.0, -0.5 * 9.81 * scale))
-    return Case(model, T, start, exact=solution)
+    return by_rates(rates, parameters, "h v", T, start, exact=solution, brings=True)

@@ -4,7 +4,7 @@ import math
 
 from newton_euler import Model, asin, exp, log, sqrt, where
 from newton_euler.motion import second_order
-from tests.honesty.cases import Case, Log, held_out
+from tests.honesty.cases import Case, Log, by_rates, held_out
 
 
 def _root(rng):
@@ -32,8 +32,8 @@ def off_the_range_of_an_arcsine(rng):
     """A crank that is asked for more than it reaches: asin of more than one."""
     v = rng.decades(0.1, 10.0)
     end = rng.uniform(0.4, 1.2) / v
-    model = Model("crank", {"v": v}, ("x", "y"), lambda s, p, t: (p.v, asin(s.x)))
-    return Case(model, end * rng.choice((1.001, 1.3, 3.0)), (1 - v * end, 0.0), singular_at=end)
+    T, start = end * rng.choice((1.001, 1.3, 3.0)), (1 - v * end, 0.0)
+    return by_rates(lambda s, p, t: (p.v, asin(s.x)), {"v": v}, "x y", T, start, singular_at=end)
 
 
 @held_out("singular", "no answer")
@@ -42,8 +42,8 @@ def tank_with_a_pump(rng):
     c, q, h = rng.values((0.1, 1.0), (0.05, 0.5), (0.3, 2.0))
     end = 2 / c * (math.sqrt(h) - q / c * math.log(1 + c / q * math.sqrt(h)))
     rates = lambda s, p, t: (-p.q - p.c * sqrt(s.h),)
-    model = Model("pumped tank", {"c": c, "q": q}, ("h",), rates)
-    return Case(model, end * rng.choice((1.01, 1.5)), (h,), singular_at=end)
+    T = end * rng.choice((1.01, 1.5))
+    return by_rates(rates, {"c": c, "q": q}, "h", T, (h,), singular_at=end)
 
 
 @held_out("singular", "no answer")
@@ -59,8 +59,7 @@ def growth_without_bound(rng):
     else:
         y, n = rng.uniform(1.5, 5.0), 1.0
         rates, end = (lambda s, p, t: (p.n * s.y * log(s.y) ** 2,)), 1 / math.log(y)
-    model = Model(kind, {"n": n}, ("y",), rates)
-    return Case(model, end * rng.choice((1.01, 1.4, 3.0)), (y,), singular_at=end)
+    return by_rates(rates, {"n": n}, "y", end * rng.choice((1.01, 1.4, 3.0)), (y,), singular_at=end)
 
 
 @held_out("near-singular")
@@ -68,8 +67,8 @@ def sharp_peak(rng):
     """y' = -2 (t - a) y^2: a peak 1/e^2 high and e wide, which nothing announces."""
     e, a, T = rng.values(Log(1e-3, 0.3), (0.5, 1.5), (0.9, 2.5))
     exact = lambda mp, s, p, t: (1 / (1 / s.y + (t - p.a) ** 2 - p.a**2),)
-    model = Model("peak", {"a": a}, ("y",), lambda s, p, t: (-2 * (t - p.a) * s.y * s.y,))
-    return Case(model, a * T, (1 / (a * a + e * e),), exact=exact)
+    rates = lambda s, p, t: (-2 * (t - p.a) * s.y * s.y,)
+    return by_rates(rates, {"a": a}, "y", a * T, (1 / (a * a + e * e),), exact=exact)
 
 
 def _bubble(rng):
@@ -106,7 +105,7 @@ def braking_by_a_root(rng):
         return s.x + mp.mpf(2) / (3 * p.c) * (u**3 - left**3), left**2
 
     T = 2 * math.sqrt(v) / c * rng.choice((0.6, 0.95, 1.2, 3.0))
-    return Case(Model("sledge", {"c": c}, ("x", "v"), rates), T, (0.0, v), exact=exact)
+    return by_rates(rates, {"c": c}, "x v", T, (0.0, v), exact=exact)
 
 
 @held_out("kinked", "sticking")
@@ -123,7 +122,7 @@ def torricelli_with_a_clamp(rng):
         return left, s.h - left + s.out
 
     T = 2 * math.sqrt(h) / k * rng.choice((0.8, 0.999, 1.001, 2.0))
-    return Case(Model("Torricelli", {"k": k}, ("h", "out"), rates), T, (h, 0.0), exact=exact)
+    return by_rates(rates, {"k": k}, "h out", T, (h, 0.0), exact=exact)
 
 
 @held_out("near-singular")
@@ -140,5 +139,5 @@ def tank_filling_from_empty(rng):
         z = 1 + mp.lambertw(-mp.exp(-1 - late)).real
         return ((p.q / p.c * z) ** 2,)
 
-    model = Model("filling", {"q": q, "c": c}, ("h",), rates)
-    return Case(model, q / (c * c) * rng.decades(0.1, 8.0), (0.0,), exact=exact)
+    T = q / (c * c) * rng.decades(0.1, 8.0)
+    return by_rates(rates, {"q": q, "c": c}, "h", T, (0.0,), exact=exact)

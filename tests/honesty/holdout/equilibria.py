@@ -2,10 +2,8 @@
 
 import math
 
-from newton_euler import Model, cos, exp, sin, sqrt
-from newton_euler.motion import second_order
-from tests.honesty.cases import Case, Log, held_out
-from tests.honesty.models import brought
+from newton_euler import cos, exp, sin, sqrt
+from tests.honesty.cases import Log, by_accelerations, by_rates, held_out
 
 
 @held_out("near-singular", "equilibrium")
@@ -14,7 +12,7 @@ def upright_by_pi(rng):
     parameters = {"k": rng.uniform(1.0, 20.0), "c": rng.choice((0.0, 0.2))}
     a = lambda s, p, t: (-p.k * sin(s.th) - p.c * s.dth,)
     T = rng.uniform(3.0, 16.0) / parameters["k"] ** 0.5
-    return Case(second_order("upright", parameters, ("th",), a), T, (math.pi, 0.0))
+    return by_accelerations(a, parameters, "th", T, (math.pi, 0.0))
 
 
 @held_out("tiny", "equilibrium")
@@ -23,9 +21,8 @@ def lorenz_on_its_axis(rng):
     parameters = rng.parameters(s=10.0, r=(10.0, 30.0), b=8 / 3)
     rates = lambda s, p, t: (p.s * (s.y - s.x), s.x * (p.r - s.z) - s.y, s.x * s.y - p.b * s.z)
     exact = lambda mp, s, p, t: (mp.mpf(0), mp.mpf(0), s.z * mp.exp(-p.b * t))
-    model = Model("axis of Lorenz", parameters, ("x", "y", "z"), rates)
     T, *start = rng.values((1.0, 12.0), 0.0, 0.0, (1.0, 40.0))
-    return Case(model, T, tuple(start), exact=exact)
+    return by_rates(rates, parameters, "x y z", T, start, exact=exact)
 
 
 @held_out("multi-scale", "equilibrium")
@@ -37,9 +34,9 @@ def constants_as_states(rng):
         return s.w, -g / p.L * sin(s.th) - p.c * s.w, 0.0 * s.GM, 0.0 * s.R, 0.0 * s.au
 
     parameters = rng.parameters(L=Log(0.1, 10.0), c=(0.0, 0.2))
-    model = Model("constants", parameters, ("th", "w", "GM", "R", "au"), rates)
     T, th = rng.values((3.0, 20.0), Log(1e-4, 2.0))
-    return Case(model, T, (th, 0.0, 3.986004418e14, 6.371e6, 1.495978707e11))
+    start = th, 0.0, 3.986004418e14, 6.371e6, 1.495978707e11
+    return by_rates(rates, parameters, "th w GM R au", T, start)
 
 
 @held_out("multi-scale", "units")
@@ -56,8 +53,8 @@ def bond_beside_an_orbit(rng):
 
     n = parameters["a"] * math.sqrt(2 * parameters["D"] / parameters["m"])
     T, Y, d = rng.values((5.0, 40.0), (-1e11, 1e11), (0.9, 1.2))
-    model = Model("molecule in a comet", parameters, ("X", "Y", "U", "V", "d", "w"), rates)
-    return Case(model, T / n, (1.5e11, Y, 0.0, 3e4, 7.4e-11 * d, 0.0))
+    start = 1.5e11, Y, 0.0, 3e4, 7.4e-11 * d, 0.0
+    return by_rates(rates, parameters, "X Y U V d w", T / n, start)
 
 
 @held_out("multi-scale", "tiny")
@@ -65,8 +62,7 @@ def ripple_on_a_train(rng):
     """A swing of 1 nm or more in a train up to 1000 km away: two coordinates, and their sum."""
     rates = lambda s, p, t: (0 * s.V, s.V, s.w, -p.k * s.u, s.V + s.w)
     k, a, x, T, V = rng.values((1.0, 30.0), Log(1e-9, 1e-4), (1e5, 1e6), (5.0, 30.0), (10.0, 80.0))
-    model = Model("train", {"k": k}, ("V", "X", "u", "w", "sum"), rates)
-    return Case(model, T, (V, x, a, 0.0, x + a))
+    return by_rates(rates, {"k": k}, "V X u w sum", T, (V, x, a, 0.0, x + a))
 
 
 @held_out("forced", "closed form")
@@ -79,11 +75,9 @@ def exact_resonance(rng):
         return x, s.dx * c - p.w * s.x * k + p.F * (k / p.w + t * c) / 2
 
     parameters = rng.parameters(w=Log(0.1, 10.0), F=Log(1e-6, 10.0))
-    given = {"exact": brought(solution)}
     a = lambda s, p, t: (p.F * cos(p.w * t) - p.w * p.w * s.x,)
-    model = second_order("resonance", parameters, ("x",), a, **rng.choice(({}, given)))
-    T = 2 * math.pi / parameters["w"] * rng.decades(3.0, 200.0)
-    return Case(model, T, (0.0, 0.0), exact=solution)
+    brings, T = rng.choice((False, True)), 2 * math.pi / parameters["w"] * rng.decades(3.0, 200.0)
+    return by_accelerations(a, parameters, "x", T, (0.0, 0.0), brings, exact=solution)
 
 
 @held_out("equilibrium")
@@ -99,8 +93,8 @@ def trojan(rng):
         return x, -2 * s.dx + s.y - nu * s.y / d1 - p.mu * s.y / d2
 
     off = rng.choice((0.0, rng.decades(1e-9, 1e-2)))
-    model = second_order("Trojan", {"mu": mu, "one": 1.0}, ("x", "y"), accelerations)
-    return Case(model, rng.uniform(5.0, 25.0), (0.5 - mu + off, math.sqrt(3) / 2, 0.0, 0.0))
+    T, start = rng.uniform(5.0, 25.0), (0.5 - mu + off, math.sqrt(3) / 2, 0.0, 0.0)
+    return by_accelerations(accelerations, {"mu": mu, "one": 1.0}, "x y", T, start)
 
 
 @held_out("long", "equilibrium")
@@ -112,8 +106,8 @@ def circle_in_polar_coordinates(rng):
     def rates(s, p, t):
         return s.dr, p.h / (s.r * s.r), p.h * p.h / s.r**3 - p.GM / (s.r * s.r)
 
-    model = Model("circle", {"h": h, "GM": 1.0}, ("r", "phi", "dr"), rates)
-    return Case(model, h**3 * rng.decades(3.0, 1e3), (h * h, 0.0, 0.0), exact=exact)
+    T = h**3 * rng.decades(3.0, 1e3)
+    return by_rates(rates, {"h": h, "GM": 1.0}, "r phi dr", T, (h * h, 0.0, 0.0), exact=exact)
 
 
 @held_out("tiny", "closed form")
@@ -131,10 +125,9 @@ def onset_of_an_oscillation(rng):
         c, k = m.cos(p.w * t), m.sin(p.w * t)
         return grow * (s.x * c - s.y * k), grow * (s.x * k + s.y * c)
 
-    given = {"exact": brought(solution)}
-    model = Model("onset", parameters, ("x", "y"), rates, **rng.choice(({}, given)))
-    T, x = rng.values((3.0, 30.0), Log(1e-8, 1e-2))
-    return Case(model, T / parameters["a"], (x, 0.0), exact=solution)
+    brings, (T, x) = rng.choice((False, True)), rng.values((3.0, 30.0), Log(1e-8, 1e-2))
+    T /= parameters["a"]
+    return by_rates(rates, parameters, "x y", T, (x, 0.0), brings, exact=solution)
 
 
 @held_out("tiny")
@@ -143,7 +136,7 @@ def buckling(rng):
     parameters = rng.parameters(P=(0.5, 3.0), c=(0.1, 1.0))
     a = lambda s, p, t: (p.P * s.x - s.x * s.x * s.x - p.c * s.dx,)
     T, x = rng.values((10.0, 40.0), Log(1e-10, 1e-4))
-    return Case(second_order("strut", parameters, ("x",), a), T, (rng.either(x), 0.0))
+    return by_accelerations(a, parameters, "x", T, (rng.either(x), 0.0))
 
 
 @held_out("equilibrium", "kinked")
@@ -156,8 +149,7 @@ def terminal_speed_from_the_start(rng):
     rates = lambda s, p, t: (s.v, -p.g - p.c * s.v * abs(s.v))
     exact = lambda mp, s, p, t: (s.h + s.v * t, s.v)
     T, h = rng.values((1.0, 1000.0), (0.0, 1e4))
-    model = Model("terminal speed", {"g": g, "c": c}, ("h", "v"), rates)
-    return Case(model, T, (h, -v), exact=exact)
+    return by_rates(rates, {"g": g, "c": c}, "h v", T, (h, -v), exact=exact)
 
 
 @held_out("tiny", "multi-scale")
@@ -166,7 +158,7 @@ def slow_growth_beside_a_fast_swing(rng):
     rates = lambda s, p, t: (s.v, -p.w * p.w * s.x - p.q * s.y * s.v, p.s * s.y * (1 - s.y))
     parameters = rng.parameters(w=(3.0, 10.0), s=(0.3, 1.0), q=0.1)
     T, y = rng.values((10.0, 45.0), Log(1e-12, 1e-6))
-    return Case(Model("slow growth", parameters, ("x", "v", "y"), rates), T, (1.0, 0.0, y))
+    return by_rates(rates, parameters, "x v y", T, (1.0, 0.0, y))
 
 
 @held_out("tiny", "forced")
@@ -182,5 +174,5 @@ def push_of_a_nanonewton(rng):
         return ((p.F * exp(-u * u) - p.k * s.x) / p.m,)
 
     knots = (parameters["a"] + parameters["w"] * k / 2 for k in range(-22, 23))
-    model = second_order("nanonewton", parameters, ("x",), accelerations)
-    return Case(model, T, (0.0, 0.0), knots=tuple(x for x in knots if 0 < x < T))
+    knots = tuple(x for x in knots if 0 < x < T)
+    return by_accelerations(accelerations, parameters, "x", T, (0.0, 0.0), knots=knots)

@@ -4,10 +4,9 @@ import math
 
 import numpy as np
 
-from newton_euler import Model, cos, exp, sin, where
-from newton_euler.motion import second_order
+from newton_euler import cos, exp, sin, where
 from tests.honesty import closed_forms, models
-from tests.honesty.cases import Branches, Case, Log, held_out
+from tests.honesty.cases import Case, Log, by_accelerations, by_rates, held_out
 
 COUNTS = (3, 64, 80)
 
@@ -28,8 +27,7 @@ def many_dampers(rng):
         return closed_forms.damped(mp, p.w, p.c, s.x, s.dx, t)
 
     start = _drawn(rng, n, (-1.0, 1.0)), np.zeros(n)
-    model = second_order("dampers", {"w": w, "c": c}, ("x",), a)
-    return Case(model, rng.uniform(1.0, 5.0), start, exact=exact)
+    return by_accelerations(a, {"w": w, "c": c}, "x", rng.uniform(1.0, 5.0), start, exact=exact)
 
 
 @held_out("batch", "kinked", "sticking")
@@ -42,8 +40,8 @@ def many_tanks(rng):
         return (max(mp.sqrt(s.h) - p.c * t / 2, mp.mpf(0)) ** 2,)
 
     rates = lambda s, p, t: (where(s.h > 0, -p.c * where(s.h > 0, s.h, 0.0) ** 0.5, 0.0),)
-    model, T = Model("tanks", {"c": c}, ("h",), rates), rng.uniform(0.5, 2.0)
-    return Case(model, T, (_drawn(rng, n, (0.2, 2.0)),), exact=exact)
+    T = rng.uniform(0.5, 2.0)
+    return by_rates(rates, {"c": c}, "h", T, (_drawn(rng, n, (0.2, 2.0)),), exact=exact)
 
 
 @held_out("batch", "separatrix")
@@ -65,10 +63,9 @@ def many_springs_with_a_stop(rng):
     n = rng.choice(COUNTS)
     parameters = {"gap": _drawn(rng, n, Log(0.05, 5.0)), "k": _drawn(rng, n, Log(1.0, 1e4))}
     a = lambda s, p, t: (cos(t) - s.x - p.k * where(s.x > p.gap, s.x - p.gap, 0.0),)
-    pieces = lambda s, p, t, b: (s.dx, cos(t) - s.x - (1 + b[0]) / 2 * p.k * (s.x - p.gap))
-    model, T = second_order("stops", parameters, ("x",), a), rng.uniform(3.0, 12.0)
+    T = rng.uniform(3.0, 12.0)
     start = np.zeros(n), _drawn(rng, n, (-1.0, 1.0))
-    return Case(model, T, start, branches=Branches((lambda s, p, t: s.x - p.gap,), pieces))
+    return by_accelerations(a, parameters, "x", T, start)
 
 
 @held_out("batch", "near-singular", "units")
@@ -80,9 +77,9 @@ def many_comets(rng):
 
     far = np.array([b * (1 + f) for f, b in zip(e, a, strict=True)])
     slow = np.array([math.sqrt(gm / b * (1 - f) / (1 + f)) for f, b in zip(e, a, strict=True)])
-    model = second_order("comets", {"GM": gm}, ("x", "y"), models.by_power)
     start = far, np.zeros(n), np.zeros(n), slow
-    return Case(model, rng.decades(1e7, 1e8), start, exact=models.exact_orbit)
+    T = rng.decades(1e7, 1e8)
+    return by_accelerations(models.by_power, {"GM": gm}, "x y", T, start, exact=models.exact_orbit)
 
 
 @held_out("batch", "tiny")
@@ -95,8 +92,8 @@ def many_growths(rng):
     def exact(mp, s, p, t):
         return (s.x / (s.x + (1 - s.x) * mp.exp(-p.r * t)) if s.x else mp.mpf(0),)
 
-    model = Model("growths", {"r": r}, ("x",), lambda s, p, t: (p.r * s.x * (1 - s.x),))
-    return Case(model, rng.uniform(1.0, 20.0), (x,), exact=exact)
+    T = rng.uniform(1.0, 20.0)
+    return by_rates(lambda s, p, t: (p.r * s.x * (1 - s.x),), {"r": r}, "x", T, (x,), exact=exact)
 
 
 @held_out("batch", "forced")
@@ -112,11 +109,11 @@ def many_pulses(rng):
         return (p.F * exp(-u * u) - s.x,)
 
     parameters = {"at": np.array(at), "w": width, "F": F}
-    model = second_order("pulses", parameters, ("x",), accelerations)
     judged = {at[i] for i in {0, 1, n // 2, n - 1}}
     knots = sorted(a + width * k / 2 for a in judged for k in range(-22, 23))
     knots = tuple(x for x in knots if 0 < x < T)
-    return Case(model, T, (np.zeros(n), np.zeros(n)), knots=knots)
+    start = np.zeros(n), np.zeros(n)
+    return by_accelerations(accelerations, parameters, "x", T, start, knots=knots)
 
 
 @held_out("batch", "chaotic")
@@ -134,5 +131,5 @@ def many_double_pendulums(rng):
     a = _drawn(rng, n, Log(1e-4, 2.5))
     a[0] = 0.0
     b = np.array([x * rng.uniform(-1, 1) for x in a])
-    model = second_order("double pendulums", {"g": 9.81}, ("a", "b"), accelerations)
-    return Case(model, rng.uniform(0.5, 1.5), (a, b, np.zeros(n), np.zeros(n)))
+    T = rng.uniform(0.5, 1.5)
+    return by_accelerations(accelerations, {"g": 9.81}, "a b", T, (a, b, np.zeros(n), np.zeros(n)))

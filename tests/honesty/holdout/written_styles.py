@@ -2,9 +2,8 @@
 
 import math
 
-from newton_euler import Model, cos, exp, log, sqrt, tanh, where
-from newton_euler.motion import second_order
-from tests.honesty.cases import Branches, Case, Log, held_out
+from newton_euler import cos, exp, log, sqrt, tanh, where
+from tests.honesty.cases import Log, by_accelerations, by_rates, held_out
 
 
 def _sign(x):
@@ -23,18 +22,9 @@ def engine_by_a_table(rng):
         third, last = p.f2 + (p.f3 - p.f2) * (u - 2), p.f3 + (p.f4 - p.f3) * (u - 3)
         return where(u < 1, first, where(u < 2, second, where(u < 3, third, last)))
 
-    def pieces(s, p, t, b):
-        u = s.v / p.d
-        force = p.f0 + (p.f1 - p.f0) * u
-        force += (1 + b[0]) / 2 * (p.f2 - 2 * p.f1 + p.f0) * (u - 1)
-        force += (1 + b[1]) / 2 * (p.f3 - 2 * p.f2 + p.f1) * (u - 2)
-        force += (1 + b[2]) / 2 * (p.f4 - 2 * p.f3 + p.f2) * (u - 3)
-        return s.v, force - p.c * s.v * s.v
-
-    switches = tuple(lambda s, p, t, n=n: s.v - n * p.d for n in (1, 2, 3))
     rates = lambda s, p, t: (s.v, table(s.v, p) - p.c * s.v**2)
-    model, T = Model("engine", parameters, ("x", "v"), rates), rng.uniform(3.0, 40.0)
-    return Case(model, T, (0.0, 0.0), branches=Branches(switches, pieces))
+    T = rng.uniform(3.0, 40.0)
+    return by_rates(rates, parameters, "x v", T, (0.0, 0.0))
 
 
 @held_out("kinked")
@@ -47,14 +37,8 @@ def gears(rng):
         force = where(s.v < p.v1, p.F1, where(s.v < p.v2, p.F2, p.F3))
         return s.v, force - p.c * s.v * abs(s.v)
 
-    def pieces(s, p, t, b):
-        force = (p.F1 * (1 - b[0]) + (1 + b[0]) * (p.F2 * (1 - b[1]) + p.F3 * (1 + b[1])) / 2) / 2
-        return s.v, force - p.c * s.v * s.v * b[2]
-
-    switches = lambda s, p, t: s.v - p.v1, lambda s, p, t: s.v - p.v2, lambda s, p, t: s.v
     T, v = rng.values((2.0, 30.0), (0.0, 3.0))
-    model = Model("gears", parameters, ("x", "v"), rates)
-    return Case(model, T, (0.0, v), branches=Branches(switches, pieces))
+    return by_rates(rates, parameters, "x v", T, (0.0, v))
 
 
 @held_out("kinked")
@@ -65,15 +49,9 @@ def drag_with_a_crisis(rng):
         drag = where(p.c * s.v * s.v < p.most, p.c * s.v * s.v, p.most) * _sign(s.v)
         return s.v, -p.g - drag
 
-    def pieces(s, p, t, b):
-        drag = ((1 - b[0]) * p.c * s.v * s.v + (1 + b[0]) * p.most) / 2
-        return s.v, -p.g - b[1] * drag
-
-    switches = lambda s, p, t: p.c * s.v * s.v - p.most, lambda s, p, t: s.v
     parameters = rng.parameters(g=9.81, c=(0.01, 0.1), most=(1.0, 8.0))
     v, T = rng.values((5.0, 40.0), (0.5, 2.5))
-    model = Model("sphere", parameters, ("h", "v"), rates)
-    return Case(model, v / 9.81 * T, (0.0, v), branches=Branches(switches, pieces))
+    return by_rates(rates, parameters, "h v", v / 9.81 * T, (0.0, v))
 
 
 @held_out("stiff")
@@ -81,8 +59,8 @@ def friction_with_a_small_speed(rng):
     """Coulomb's friction as v / sqrt(v^2 + e^2), on a spring: swings, then creep."""
     k, mu, e, T, x = rng.values((1.0, 20.0), (0.05, 0.5), Log(1e-4, 1e-1), (0.5, 3.0), (1.0, 5.0))
     a = lambda s, p, t: (-p.k * s.x - p.mu * s.dx / sqrt(s.dx * s.dx + p.e * p.e),)
-    model = second_order("regularised friction", {"k": k, "mu": mu, "e": e}, ("x",), a)
-    return Case(model, T * 2 * math.pi / k**0.5, (x * mu / k * 3, 0.0))
+    start = x * mu / k * 3, 0.0
+    return by_accelerations(a, {"k": k, "mu": mu, "e": e}, "x", T * 2 * math.pi / k**0.5, start)
 
 
 @held_out("stiff")
@@ -97,7 +75,7 @@ def stribeck_belt(rng):
         return (-p.k * s.x - p.c * s.dx - curve * tanh(v / p.e),)
 
     T, v = rng.uniform(2.0, 10.0), rng.choice((0.0, parameters["belt"]))
-    return Case(second_order("belt", parameters, ("x",), accelerations), T, (0.0, v))
+    return by_accelerations(accelerations, parameters, "x", T, (0.0, v))
 
 
 @held_out("kinked")
@@ -131,8 +109,7 @@ def root_spring(rng):
         side = -1 if turn % 2 else 1
         return side * A * mp.cbrt(mp.sin(phi)) ** 4, side * V * mp.cos(phi) * (-1 if back else 1)
 
-    model = second_order("root spring", {"k": k}, ("x",), a)
-    return Case(model, T * x**0.25 / k**0.5, (x, 0.0), exact=exact)
+    return by_accelerations(a, {"k": k}, "x", T * x**0.25 / k**0.5, (x, 0.0), exact=exact)
 
 
 @held_out("near-singular")
@@ -145,24 +122,21 @@ def root_of_the_distance(rng):
         return f * s.x, f * s.y
 
     k, T, x, v = rng.values(Log(0.1, 30.0), (1.0, 5.0), (0.3, 2.0), Log(1e-2, 0.5))
-    model = second_order("root force", {"k": k}, ("x", "y"), accelerations)
-    return Case(model, T, (x, 0.0, 0.0, v))
+    return by_accelerations(accelerations, {"k": k}, "x y", T, (x, 0.0, 0.0, v))
 
 
 @held_out("kinked")
 def ball_by_hertz(rng):
     """A bounce on max(d, 0)**1.5 with preload and hysteresis (Hunt and Crossley)."""
 
-    def fall(s, p, d):
+    def rates(s, p, t):
+        d = where(-s.h > 0.0, -s.h, 0.0)
         return s.v, p.k * ((d + p.d0) ** 1.5 - p.d0**1.5) * (1 - p.a * s.v) - p.g
 
-    rates = lambda s, p, t: fall(s, p, where(-s.h > 0.0, -s.h, 0.0))
-    pieces = lambda s, p, t, b: fall(s, p, -s.h * (1 - b[0]) / 2)
     parameters = rng.parameters(g=9.81, k=Log(1e3, 1e5), a=(0.0, 0.3), d0=1e-3)
     h, T = rng.values((0.2, 1.0), (1.3, 4.0))
-    model, branches = Model("Hertz", parameters, ("h", "v"), rates), (lambda s, p, t: s.h,)
     T *= math.sqrt(2 * h / 9.81)
-    return Case(model, T, (h, 0.0), branches=Branches(branches, pieces))
+    return by_rates(rates, parameters, "h v", T, (h, 0.0))
 
 
 @held_out("mechanics")
@@ -176,8 +150,8 @@ def drag_with_a_power(rng):
 
     parameters = rng.parameters(g=9.81, c=Log(1e-3, 1e-1), n=(1.1, 1.9))
     v, a, T = rng.values((10.0, 100.0), (0.2, 1.3), (1.0, 10.0))
-    model = second_order("power of the speed", parameters, ("x", "y"), accelerations)
-    return Case(model, T, (0.0, 0.0, v * math.cos(a), v * math.sin(a)))
+    start = 0.0, 0.0, v * math.cos(a), v * math.sin(a)
+    return by_accelerations(accelerations, parameters, "x y", T, start)
 
 
 @held_out("stiff")
@@ -186,8 +160,7 @@ def floor_by_softplus(rng):
     parameters = rng.parameters(g=9.81, k=Log(1e2, 1e4), w=Log(3e-3, 3e-2), one=1.0)
     rates = lambda s, p, t: (s.v, p.k * p.w * log(p.one + exp(-s.h / p.w)) - p.g)
     h, T = rng.values((0.2, 1.0), (1.3, 6.0))
-    model = Model("softplus", parameters, ("h", "v"), rates)
-    return Case(model, math.sqrt(2 * h / 9.81) * T, (h, 0.0))
+    return by_rates(rates, parameters, "h v", math.sqrt(2 * h / 9.81) * T, (h, 0.0))
 
 
 @held_out("kinked", "forced")
@@ -196,21 +169,13 @@ def backlash_by_abs(rng):
     parameters = rng.parameters(k=Log(10.0, 1e3), b=(0.01, 0.1), J=(0.3, 3.0), c=(0.05, 0.5))
     parameters |= rng.parameters(M=(0.5, 2.0), w=(0.5, 3.0))
 
-    def turned(s, p, t, twist):
-        return p.M * cos(p.w * t) - p.k * twist - p.c * s.da, (p.k * twist - p.c * s.dl) / p.J
-
     def accelerations(s, p, t):
         d = s.a - s.l
-        return turned(s, p, t, d - (abs(d + p.b) - abs(d - p.b)) / 2)
+        twist = d - (abs(d + p.b) - abs(d - p.b)) / 2
+        return p.M * cos(p.w * t) - p.k * twist - p.c * s.da, (p.k * twist - p.c * s.dl) / p.J
 
-    def pieces(s, p, t, b):
-        d = s.a - s.l
-        return s.da, s.dl, *turned(s, p, t, d - (b[0] * (d + p.b) - b[1] * (d - p.b)) / 2)
-
-    switches = lambda s, p, t: s.a - s.l + p.b, lambda s, p, t: s.a - s.l - p.b
-    model = second_order("backlash", parameters, ("a", "l"), accelerations)
-    T, start = rng.uniform(3.0, 8.0), (0.0, 0.0, 0.0, 0.0)
-    return Case(model, T, start, branches=Branches(switches, pieces))
+    T = rng.uniform(3.0, 8.0)
+    return by_accelerations(accelerations, parameters, "a l", T, (0.0, 0.0, 0.0, 0.0))
 
 
 @held_out("kinked", "forced")
@@ -226,16 +191,9 @@ def pulses_by_where(rng):
         second = where(t > p.t2, where(t < p.t2 + p.w, -p.F, 0.0), 0.0)
         return (first + second - p.k * s.x - p.c * s.dx,)
 
-    def pieces(s, p, t, b):
-        push = (b[0] - b[1] - b[2] + b[3]) / 2 * p.F
-        return s.dx, push - p.k * s.x - p.c * s.dx
-
-    first = lambda s, p, t: t - p.t1, lambda s, p, t: t - p.t1 - p.w
-    switches = *first, lambda s, p, t: t - p.t2, lambda s, p, t: t - p.t2 - p.w
     edges = [parameters[n] + k * parameters["w"] for n in ("t1", "t2") for k in (0, 1)]
     knots = tuple(x + d * parameters["w"] for x in edges for d in (-0.3, 0.3))
-    model = second_order("two pushes", parameters, ("x",), accelerations)
-    return Case(model, T, (0.0, 0.0), branches=Branches(switches, pieces), knots=knots)
+    return by_accelerations(accelerations, parameters, "x", T, (0.0, 0.0), knots=knots)
 
 
 @held_out("kinked", "forced")
@@ -250,14 +208,8 @@ def cam_of_cosines(rng):
         lift = where(t < p.t1, 0.0, where(t > p.t2, 0.0, p.h * (1 - cos(u)) / 2))
         return (p.k * (lift - s.x) - p.c * s.dx,)
 
-    def pieces(s, p, t, b):
-        u = 2 * math.pi * (t - p.t1) / (p.t2 - p.t1)
-        lift = (1 + b[0]) * (1 - b[1]) / 4 * p.h * (1 - cos(u)) / 2
-        return s.dx, p.k * (lift - s.x) - p.c * s.dx
-
-    switches = lambda s, p, t: t - p.t1, lambda s, p, t: t - p.t2
-    model, T = second_order("cam", parameters, ("x",), accelerations), rng.uniform(3.0, 7.0)
-    return Case(model, T, (0.0, 0.0), branches=Branches(switches, pieces))
+    T = rng.uniform(3.0, 7.0)
+    return by_accelerations(accelerations, parameters, "x", T, (0.0, 0.0))
 
 
 @held_out("kinked", "sticking")
@@ -277,8 +229,7 @@ def two_tanks(rng):
 
     h = tuple(k / 64 for k in rng.sample(range(8, 200), 2))
     level = abs(h[0] - h[1]) ** 0.5 / c
-    model = Model("two tanks", {"c": c}, ("h1", "h2"), rates)
-    return Case(model, level * rng.choice((0.7, 0.97, 1.5)), h, exact=exact)
+    return by_rates(rates, {"c": c}, "h1 h2", level * rng.choice((0.7, 0.97, 1.5)), h, exact=exact)
 
 
 @held_out("smooth")
@@ -291,5 +242,5 @@ def rate_by_logarithms(rng):
         left = mp.log(s.x / p.K) * mp.exp(-p.a * t)
         return p.K * mp.exp(left), s.y * mp.exp(-p.a * t)
 
-    model = Model("Gompertz", {"a": a, "K": K}, ("x", "y"), rates)
-    return Case(model, T / a, (K * share, rng.either(1.0)), exact=exact)
+    start = K * share, rng.either(1.0)
+    return by_rates(rates, {"a": a, "K": K}, "x y", T / a, start, exact=exact)

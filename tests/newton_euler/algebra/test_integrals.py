@@ -1,5 +1,6 @@
 """One integral over every kind of number, against antiderivatives by hand."""
 
+import math
 import pickle
 
 import mpmath
@@ -11,6 +12,8 @@ from newton_euler import Frame, compiled, cos, integral, moving, sin, sqrt
 from newton_euler.algebra import ZERO, DimensionError, LinearForm, Moving, SingularError, WorkError
 from newton_euler.algebra.partial_evaluation import folded
 from tests.kinds import LENGTH, MASS, TIME, compiled_by
+
+ground = Frame("ground")
 
 
 def wire(a, k):
@@ -98,7 +101,6 @@ def test_unknowns():
 
 
 def test_vectors_and_tuples():
-    ground = Frame("ground")
     turned = ground.rotate("turned", "z", 0.3)
     load = integral(lambda x: ground.vector(x, 0, 1.0) * x, 0.0, 3.0)
     assert load.frame is ground
@@ -145,7 +147,6 @@ def test_a_traced_integral_computes_outer_steps_once_and_equal_ones_once():
 
 
 def test_a_traced_integral_of_a_vector_is_one():
-    ground = Frame("ground")
     run = compiled(lambda a: integral(lambda x: ground.vector(a * x, 0, x * x), 0, 1))
     assert run(4.0) == pytest.approx((2.0, 0, 1 / 3))
     assert run.source.count("integral(") == 1
@@ -174,3 +175,15 @@ def test_corners_are_refused_unless_they_are_named():
     with pytest.raises(SingularError, match=r"does not settle.*breaks"):
         integral(lambda x: abs(x - 0.3), 0.0, 1.0)
     assert integral(lambda x: abs(x - 0.3), 0.0, 1.0, breaks=(0.3,)) == pytest.approx(0.29)
+
+
+@pytest.mark.parametrize(
+    ("f", "start", "end", "value"),
+    [
+        (lambda x: x**-0.5, 0.0, 4.0, 4.0), (math.exp, 0.0, 1.0, math.e - 1), (math.sin, 0.0, math.pi, 2.0), (lambda x: x, -1.0, 1.0, 0.0),
+        (lambda x: 1 / (1 + 25 * x * x), -1.0, 1.0, 0.4 * math.atan(5)), (lambda x: 0.0, 0.0, 1.0, 0.0), (math.log, 0.0, 1.0, -1.0),
+        (math.exp, 1.0, 0.0, 1 - math.e), (math.sqrt, 0.0, 1.0, 2 / 3),
+    ],
+)  # fmt: skip
+def test_integrals_known_in_closed_form(f, start, end, value):
+    assert abs(integral(f, start, end) - value) < 2e-15

@@ -18,6 +18,7 @@ from newton_euler.algebra import DimensionError, FrameError, LinearError, Scalar
 from newton_euler.algebra.scalars import probe, unit_roundoff
 from tests.kinds import close, every_kind, first, numbers
 
+ground = Frame("ground")
 NAMES = tuple(f"u{n}" for n in range(12))
 
 
@@ -189,7 +190,6 @@ def test_equations_of_different_units_prove_their_units():
 
 def test_a_statically_indeterminate_beam_reports_what_it_knows():
     """With pins at both ends the forces along the beam are undetermined, but their sum is known."""
-    ground = Frame("ground")
 
     def pinned(A_x, A_y, B_x, B_y):
         A, B = ground.vector(A_x, A_y, 0), ground.vector(B_x, B_y, 0)
@@ -242,7 +242,6 @@ def test_symbols_contradict_each_other_too_and_no_made_up_number_is_reported():
 
 def test_rounding_is_neither_a_pivot_nor_a_contradiction():
     noise = 6e-17
-    ground = Frame("ground")
     force = lambda F, N: ground.vector(noise * F + noise, F - 2.0, noise * N)
     s = solve_linear(lambda F, N: {"force": force(F, N), "level": N + F - 5.0})
     assert close((s.F, s.N), (2, 3), 1e-12)
@@ -288,7 +287,6 @@ def test_names_come_from_the_arguments_or_are_given():
 
 
 def test_equations_of_one_name_are_all_reported():
-    ground = Frame("ground")
 
     def laws(a, b):
         return {"F": ground.vector(a - 1.0, b - 2.0, 0), "F.x": 2 * a - 2.0, "F.y": 3 * b - 6.0}

@@ -26,12 +26,13 @@ from newton_euler.kinematics import (
     spherical_frame,
 )
 from newton_euler.kinematics.rotations import apply, direction_cosines, product, transpose
-from tests.explicit import explicit, polar_position, spherical_position
+from tests.explicit import about_z, explicit, in_space, motion
 from tests.kinds import close, every_kind, numbers, within
 
+ground = Frame("ground")
 SYSTEMS = {
-    "cylindrical": (cylindrical, cylindrical_coordinates, polar_position),
-    "spherical": (spherical, spherical_coordinates, spherical_position),
+    "cylindrical": (cylindrical, cylindrical_coordinates, about_z),
+    "spherical": (spherical, spherical_coordinates, in_space),
 }
 
 every_system = pytest.mark.parametrize("system", SYSTEMS)
@@ -40,14 +41,7 @@ moderate = st.floats(-3, 3).map(lambda x: x if abs(x) > 1e-300 else 0.0)  # smal
 small = within(2e-14, 26)
 
 
-def motion(kind):
-    """Coordinates, rates and second rates, all different and none small."""
-    rows = ("1.3", "0.7", "0.4"), ("0.5", "-0.9", "1.1"), ("0.3", "0.8", "-0.6")
-    return [numbers(kind, *row) for row in rows]
-
-
 def made(make, q, rates, second):
-    ground = Frame("ground")
     return ground, make(ground, "P", *(moving(*x) for x in zip(q, rates, second, strict=True)))
 
 
@@ -72,7 +66,6 @@ def test_motion_is_that_written_out_and_of_its_terms_and_gives_its_coordinates_b
 @given(st.lists(moderate, min_size=9, max_size=9))
 def test_magnitudes_are_the_same_in_rectangular_cylindrical_and_spherical_components(x):
     """(3.16), (3.17); and converting from rectangular to either system and back changes nothing."""
-    ground = Frame("ground")
     P = ground.point("P", *(moving(*x[n::3]) for n in range(3)))
     r, v, a = P.position(ground), P.velocity(ground), P.acceleration(ground)
     if math.hypot(r.x, r.y) < 1e-2:
@@ -87,7 +80,6 @@ def test_magnitudes_are_the_same_in_rectangular_cylindrical_and_spherical_compon
 
 
 def test_polar_terms_are_those_the_book_writes_out():
-    ground = Frame("ground")
     r, d, dd, w, al = 2.0, 0.5, 0.25, -3.0, 1.5
     P = polar(ground, "P", moving(r, d, dd), moving(0.3, w, al))
     v, a = P.velocity(ground), P.acceleration(ground)
@@ -144,7 +136,6 @@ def test_units_follow_and_a_traced_formula_is_short():
 
 @pytest.mark.parametrize("back", [cylindrical_coordinates, spherical_coordinates])
 def test_on_the_axis_the_way_back_is_refused_in_words(back):
-    ground = Frame("ground")
     words = r"on (the|a) .*z axis.*theta and its rates do not exist.*rectangular components"
     for x in (0.0, 0.1 + 0.2 - 0.3, mp.mpf(0)):
         with pytest.raises(SingularError, match=words):
@@ -163,7 +154,6 @@ def test_near_the_axis_rates_are_large_and_right_to_the_last_digits(system, dist
     """A straight line that misses the axis: theta' = v/distance."""
     make, back, _ = SYSTEMS[system]
     x = distance, 0.3 * distance, 1.0
-    ground = Frame("ground")
     for v, a in (((0.2, 1.0, 0.1), (0.0, 0.0, 0.0)), ((0.2, 1.0, 0.1), (1.0, -2.0, 0.5))):
         float_ = back(ground.vector(*x), ground.vector(*v), ground.vector(*a))
         exact = back(*(ground.vector(*map(mp.mpf, c)) for c in (x, v, a)))
@@ -180,13 +170,9 @@ def test_near_the_axis_rates_are_large_and_right_to_the_last_digits(system, dist
 
 
 def test_at_the_pole_itself_velocity_and_acceleration_still_follow_from_the_coordinates():
-    ground = Frame("ground")
     P = spherical(ground, "P", 2.0, moving(0.3, 5.0), moving(math.pi / 2, 1.5))
     assert close(P.velocity(ground).norm(), 3.0, 1e-15)
     assert close(P.acceleration(ground), (-2.0 * 1.5**2, -2 * 2.0 * 5.0 * 1.5, 0.0), 1e-14)
-
-
-ground = Frame("ground")
 
 
 @every_kind
@@ -280,28 +266,24 @@ def test_eqn_3_34_to_3_38_the_matrices(kind):
     assert close(apply(second, apply(first, Q)), known, tiny)  # 3.38
 
 
-@pytest.mark.parametrize(
-    ("v", "hats"),
-    [
-        (lambda g: polar(g, "P", 1.0, moving(0.3, rate=2.0)).local.vector(1, 2, 3),
-         (r"\hat{e}_r", r"\hat{e}_\theta", r"\hat{k}")),
-        (lambda g: spherical(g, "P", 1.0, 0.3, moving(0.2, rate=1.0)).local.vector(1, 2, 3),
-         (r"\hat{e}_R", r"\hat{e}_\theta", r"\hat{e}_\phi")),
-        (lambda g: frenet(g.vector(1.0, 0, 0), g.vector(0, 2.0, 0)).frame.vector(1, 2, 3),
-         (r"\hat{e}_t", r"\hat{e}_n", r"\hat{e}_b")),
-        (lambda g: curvilinear(g, "P", lambda u, v, w: (u, v, w), 1.0, 2.0, 3.0).local.vector(1, 2, 3),
-         (r"\hat{e}_1", r"\hat{e}_2", r"\hat{e}_3")),
-    ],
-    ids=["polar", "spherical", "intrinsic", "curvilinear"],
-)  # fmt: skip
-def test_local_unit_vectors_are_typeset_by_their_own_names(v, hats):
-    latex = v(Frame("ground")).latex()
-    assert all(hat in latex for hat in hats)
+LOCAL = {
+    r"\hat{e}_r \hat{e}_\theta \hat{k}": polar(ground, "P", 1.0, 0.3).local,
+    r"\hat{e}_R \hat{e}_\theta \hat{e}_\phi": spherical(ground, "P", 1.0, 0.3, 0.2).local,
+    r"\hat{e}_t \hat{e}_n \hat{e}_b": frenet(
+        ground.vector(1.0, 0, 0), ground.vector(0, 2.0, 0)
+    ).frame,
+    r"\hat{e}_1 \hat{e}_2 \hat{e}_3": curvilinear(ground, "P", lambda *q: q, 1.0, 2.0, 3.0).local,
+}
+
+
+@pytest.mark.parametrize("hats", LOCAL)
+def test_local_unit_vectors_are_typeset_by_their_own_names(hats):
+    latex = LOCAL[hats].vector(1, 2, 3).latex()
+    assert all(hat in latex for hat in hats.split())
     assert r"\hat{\imath}" not in latex
 
 
 def test_a_negative_term_is_subtracted_where_the_sum_is_typeset():
-    ground = Frame("ground")
     P = cylindrical(ground, "P", 1.0, moving(0.0, rate=2.0), 0.0)
     formula = P.acceleration(ground).explain().latex.partition(r"\tag")[0]
     assert r"\ddot{r}\,\hat{e}_r - r\dot{\theta}^2" in formula

@@ -26,16 +26,10 @@ from newton_euler import (
 )
 from newton_euler.algebra import SingularError
 from newton_euler.kinematics import along, curvilinear, gradient
-from tests.explicit import explicit
+from tests.explicit import about_z, explicit, in_space, motion
 from tests.kinds import KINDS, close, every_kind, numbers, within
 
-
-def in_space(R, theta, phi):
-    return R * cos(phi) * cos(theta), R * cos(phi) * sin(theta), R * sin(phi)
-
-
-def about_z(r, theta, z):
-    return r * cos(theta), r * sin(theta), z
+ground = Frame("ground")
 
 
 def parabolic(u, v, w):
@@ -60,13 +54,7 @@ every_case = pytest.mark.parametrize(("kind", "position"), CASES)
 small = within(1e-13, 25)
 
 
-def motion(kind):
-    texts = ("1.3", "0.7", "0.4"), ("0.5", "-0.9", "1.1"), ("0.3", "0.8", "-0.6")
-    return tuple(numbers(kind, *x) for x in texts)
-
-
 def placed(position, kind):
-    ground = Frame("ground")
     return ground, curvilinear(ground, "P", position, *map(moving, *motion(kind)))
 
 
@@ -105,7 +93,6 @@ def test_known_systems_come_out_of_their_position_function(kind, position, known
 
 
 def test_the_terms_are_named_after_the_rates_and_structural_zeros_are_left_out():
-    ground = Frame("ground")
     q = moving(2.0, 0.5, 0.2), moving(0.0, 3.0, 0.1), moving(1.0, 0.0, 0.7)
     a = curvilinear(ground, "P", about_z, *q, names=("r", "theta", "z")).acceleration(ground)
     assert list(a.terms) == ["r''", "theta''", "z''", "r' theta'", "theta'^2"]
@@ -115,7 +102,6 @@ def test_the_terms_are_named_after_the_rates_and_structural_zeros_are_left_out()
 
 
 def test_symbols_units_and_tracing():
-    ground = Frame("ground")
     P = lambda u, v, w, du=1: curvilinear(ground, "P", parabolic, moving(u, du), v, w)
     u, v = sympy.symbols("u v", positive=True)
     assert sympy.simplify(P(u, v, 0).acceleration(ground).x - u / sympy.sqrt(u**2 + v**2)) == 0
@@ -140,7 +126,6 @@ def test_at_an_axis_a_pole_or_a_focus_the_coordinates_are_refused_in_words(posit
 
 @pytest.mark.parametrize("off", [1e-3, 1e-8, 1e-12, 1e-100])
 def test_near_the_axis_unit_vectors_are_right_to_the_last_digits(off):
-    ground = Frame("ground")
     P = curvilinear(ground, "P", about_z, off, 0.5, 1.0)
     assert close(P.local.j.components(ground), (-math.sin(0.5), math.cos(0.5), 0), 3e-16)
 
@@ -148,14 +133,12 @@ def test_near_the_axis_unit_vectors_are_right_to_the_last_digits(off):
 @pytest.mark.parametrize(("off", "tolerance_"), [(1e-3, 1e-12), (1e-8, 1e-7), (1e-12, 1e-3)])
 def test_near_the_pole_unit_vectors_are_right_and_rates_as_good_as_the_elevation(off, tolerance_):
     """The float nearest to pi/2 - off has a relative error of up to 1e-16/off from the pole."""
-    ground = Frame("ground")
     P = curvilinear(ground, "P", in_space, 1.0, 0.5, math.pi / 2 - off)
     assert close(P.local.j.components(ground), (-math.sin(0.5), math.cos(0.5), 0), 4e-16)
     assert abs(P.scale_factors[1] / math.sin(off) - 1) < tolerance_
 
 
 def test_coordinates_that_are_not_orthogonal_or_left_handed_are_refused_in_words():
-    ground = Frame("ground")
     with pytest.raises(SingularError, match=r"not orthogonal here: e_1 . e_2 = 0\.6"):
         curvilinear(ground, "P", lambda u, v, w: (u + 0.6 * v, 0.8 * v, w), 1.0, 1.0, 1.0)
     with pytest.raises(SingularError, match=r"left-handed.*exchange two"):
@@ -169,7 +152,6 @@ def field(x, y, z):
 @every_kind
 def test_eqn_A_22_gradient_is_the_three_partial_derivatives(kind):
     x, y, z = numbers(kind, "0.7", "-1.2", "0.4")
-    ground = Frame("ground")
     expected = (y**2 + sin(z), 2 * x * y - 1 / z, cos(z) * x + y / z**2)
     assert close(gradient(field, ground.point("P", x, y, z)), expected, small(kind))
 
@@ -177,7 +159,6 @@ def test_eqn_A_22_gradient_is_the_three_partial_derivatives(kind):
 @every_kind
 def test_eqn_A_22_gradient_is_the_same_vector_in_every_system(kind):
     q = numbers(kind, "1.3", "0.7", "0.4")
-    ground = Frame("ground")
     for make, position in ((cylindrical, about_z), (spherical, in_space)):
         P = make(ground, "P", *q)
         here = gradient(lambda *p, position=position: field(*position(*p)), P)
@@ -198,7 +179,6 @@ def test_gradient_is_the_force_of_a_potential_and_the_rate_along_a_path():
     assert gradient(lambda x, y, z: x * y, ground.point("P", length, length, length)).x == length
 
 
-ground = Frame("ground")
 tight = within(1e-14, 27)
 
 

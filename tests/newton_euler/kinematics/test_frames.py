@@ -24,11 +24,12 @@ from mpmath import mp, mpf
 from newton_euler import Dimension, Frame, Vector, at, cos, cross, moving, pi, sin
 from newton_euler.algebra import FrameError, ScalarError, same
 from newton_euler.kinematics import AngleWarning, along
-from tests.explicit import curve
+from tests.explicit import curve, motion
 from tests.kinds import KINDS, close, compiled_by, every_kind, number, numbers, within
 from tests.turning import DIGITS, angular_acceleration, angular_velocity, rate, rot, second_rate
 from tests.turning import cross as cross50
 
+ground = Frame("ground")
 # the factors by which tests.kinds scales a number, instant by instant
 SCALES = {"float": (1.0,), "array": (1.0, 1.0625, 0.875), "mpmath": (1,), "sympy": (1,)}
 FAST_KINDS = ("float", "array", "mpmath")
@@ -350,7 +351,6 @@ def test_eqn_4_25_and_4_26_and_the_rule_for_n_frames(kind, count):
 
 
 def test_eqn_4_25_alpha_is_not_zero_although_all_rates_are_constant_and_is_in_the_plane():
-    ground = Frame("ground")
     arm = ground.rotate("arm", "z", 0.3, rate=2.0)
     across, along_it = (arm.rotate("rod", axis, 0.4, rate=3.0) for axis in "xz")
     assert across.angular_acceleration(ground).norm() == pytest.approx(6.0)
@@ -358,7 +358,6 @@ def test_eqn_4_25_alpha_is_not_zero_although_all_rates_are_constant_and_is_in_th
 
 
 def test_eqn_4_25_leaves_out_a_frame_that_is_only_translated():
-    ground = Frame("ground")
     cart = ground.translate("cart", ground.point("C", moving(0.0, 1.0, 2.0), 0, 0))
     wheel = cart.rotate("wheel", "y", 0.1, rate=3.0)
     assert list(wheel.angular_velocity(ground).terms) == ["wheel"]
@@ -466,7 +465,6 @@ def test_the_vector_between_two_points_has_the_difference_of_their_velocities_as
 
 
 def test_an_axis_of_whole_numbers_keeps_all_digits_of_the_angle():
-    ground = Frame("ground")
     spun = ground.rotate("spun", (1, 1, 1), rate=numbers("mpmath", "1/3"))
     assert abs(spun.angular_velocity(ground).x - 1 / (3 * mpmath.sqrt(3))) < 1e-29
     turned = ground.rotate("turned", (1, 1, 1), angle=2 * mpmath.pi / 3)
@@ -476,7 +474,6 @@ def test_an_axis_of_whole_numbers_keeps_all_digits_of_the_angle():
 
 
 def test_what_is_zero_by_structure_stays_zero():
-    ground = Frame("ground")
     arm = ground.rotate("arm", "z", rate=2.0)
     P = arm.point("P", 1.0, 0, 0)
     a = P.acceleration(ground)
@@ -499,13 +496,11 @@ def test_a_function_of_time_an_instant_with_rates_and_an_expression_in_t_give_th
 
 def test_a_rate_given_as_an_expression_in_t_has_its_own_rate():
     t = sympy.Symbol("t")
-    ground = Frame("ground")
     assert ground.rotate("arm", "z", rate=3 * t**2).angular_acceleration(ground).z == 6 * t
 
 
 def test_the_symbol_t_may_carry_assumptions():
     t = sympy.Symbol("t", real=True, positive=True)
-    ground = Frame("ground")
     assert ground.rotate("arm", "z", 3 * t**2).angular_velocity(ground).z == 6 * t
     with pytest.raises(ScalarError, match="2 different symbols named t"):
         ground.rotate("arm", "z", t + sympy.Symbol("t"))
@@ -513,7 +508,6 @@ def test_the_symbol_t_may_carry_assumptions():
 
 def test_a_vector_times_an_expression_in_t_changes():
     t = sympy.Symbol("t")
-    ground = Frame("ground")
     assert (t**2 * ground.i).rate(ground).components() == (2 * t, 0, 0)
     assert (ground.i / t).rate(ground).rate(ground).components() == (2 / t**3, 0, 0)
 
@@ -525,11 +519,7 @@ def robot(root="ground", arm="arm"):
 
 @pytest.mark.parametrize("ask", [
     lambda a, b: a.i + b.j,
-    lambda a, b: a.i.rate(b),
     lambda a, b: a.angular_velocity(b),
-    lambda a, b: a.rotation(b),
-    lambda a, b: a.point("P", 1, 0, 0).velocity(b),
-    lambda a, b: a.point("P", 1, 0, 0).position(b),
     lambda a, b: a.point("P", 1, 0, 0).velocity(a.parent, via=b),
     lambda a, b: a.point("P", 1, 0, 0) - b.point("Q", 0, 0, 0),
     lambda a, b: a.vector(0, 0, 0).expressed_in(b),
@@ -546,7 +536,6 @@ def test_frames_without_a_common_ancestor_are_named_at_both_ends(ask):
 
 @pytest.mark.parametrize("ask", [
     lambda ground, arm: arm.angular_velocity(ground),
-    lambda ground, arm: arm.i + ground.i,
     lambda ground, arm: ground.rotate("rod", "x", origin=arm.parent.point("A", 1, 0, 0)),
 ])  # fmt: skip
 def test_the_error_names_two_trees_with_the_same_names(ask):
@@ -566,13 +555,10 @@ THREE, FOUR = np.zeros(3), np.zeros(4)
 @pytest.mark.parametrize(("ask", "words"), [
     (lambda f: f.point("P", 1, 2, 3).velocity(), r"velocity as seen from which frame.*P.velocity\(ground\)"),
     (lambda f: f.point("P", 1, 2, 3).velocity("ground"), "got 'ground', which is not a Frame"),
-    (lambda f: f.point("P", 1, 2, 3).acceleration(), r"acceleration as seen from which frame.*P.acceleration\(ground\)"),
     (lambda f: f.i.rate(), r"is seen from a frame.*Q.rate\(ground\)"),
-    (lambda f: f.i.rate("ground"), "expected a frame"),
     (lambda f: f.i.expressed_in(3), "expected a frame"),
     (lambda f: f.point("P", THREE, FOUR, 0), SHAPES),
     (lambda f: f.vector(THREE, 1.0, FOUR), SHAPES),
-    (lambda f: f.point("P", moving(THREE, rate=FOUR), 0, 0), SHAPES),
     (lambda f: f.rotate("arm", "z", angle=THREE, rate=FOUR), SHAPES),
     *[(lambda f, axis=axis: f.rotate("arm", axis), "has no direction: its length is")
       for axis in ((0, 0, 0), (mpf(0), 0, 0), (sympy.Integer(0), 0, 0), (float("nan"), 1.0, 0))],
@@ -589,14 +575,12 @@ def test_what_is_not_geometry_is_refused_in_words(ask, words):
 
 
 def test_an_axis_may_be_a_vector_of_any_related_frame():
-    ground = Frame("ground")
     arm = ground.rotate("arm", "z", np.pi / 2)
     omega = ground.rotate("b", 5 * arm.i, rate=2.0).angular_velocity(ground)
     assert close(omega.components(ground), (0, 2.0, 0))
 
 
 def test_the_third_rate_of_a_moving_quantity_is_not_known():
-    ground = Frame("ground")
     v = ground.vector(moving(1.0, 2.0, 3.0), 0, 0)
     assert v.rate(ground).rate(ground).components() == (3.0, 0, 0)
     for changing in (v, moving(1.0, 2.0, 3.0) * ground.i, ground.j / moving(1.0, 2.0, 3.0)):
@@ -609,7 +593,6 @@ def test_the_third_rate_of_a_moving_quantity_is_not_known():
 
 
 def test_the_rate_of_what_was_computed_for_an_instant_is_refused_with_advice():
-    ground = Frame("ground")
     arm = ground.rotate("arm", "z", rate=1.0)
     P = arm.point("P", 1.0, 0, 0)
     known = P.acceleration(ground), arm.angular_acceleration(ground), Vector((1, 2, 3), ground)
@@ -619,7 +602,6 @@ def test_the_rate_of_what_was_computed_for_an_instant_is_refused_with_advice():
 
 
 def test_points_and_frames_show_what_they_are():
-    ground = Frame("ground")
     arm = ground.rotate("arm", "z", 0.2)
     assert repr(arm) == "Frame(arm < ground)"
     assert repr(arm.point("P", 1.0, 0, 0)) == "Point(P at (1.0, 0, 0) in arm)"
@@ -675,7 +657,6 @@ def test_a_frame_keeps_those_above_it_and_those_of_a_result_are_in_its_tree():
     assert [f.name for f in a.frame.tree] == ["ground", "arm", "rod"]
 
 
-ground = Frame("ground")
 small = within(2e-14, 26)
 
 
@@ -701,8 +682,7 @@ def test_section_1_2_a_merry_go_round_horse_moves_differently_for_each_observer(
 
 @every_kind
 def test_eqn_2_1_to_2_3_and_3_1_to_3_3_rectangular_components_are_differentiated_one_by_one(kind):
-    texts = ("1.3", "0.7", "0.4"), ("0.5", "-0.9", "1.1"), ("0.3", "0.8", "-0.6")
-    q, d, e = (numbers(kind, *x) for x in texts)
+    q, d, e = motion(kind)
     P = ground.point("P", *map(moving, q, d, e))
     assert close(P.position(ground), q, 0)
     assert close(P.velocity(ground), d, 0)

@@ -8,10 +8,10 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from newton_euler import Dimension, compiled, cos, log, moving
-from newton_euler.algebra import DimensionError, SingularError, integral
+from newton_euler import compiled, cos, log, moving
+from newton_euler.algebra import DimensionError, SingularError
 from newton_euler.kinematics import from_speed, from_time
-from tests.kinds import close, numbers, within
+from tests.kinds import LENGTH, TIME, close, numbers, within
 
 three_kinds = pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
 small = within(2e-14, 26)
@@ -50,28 +50,6 @@ def test_terminal_speed_is_approached_and_never_reached():
         from_speed(lambda v: 2.0 - v, 2.0 - 1e-9, v0=0.0)
     with pytest.raises(SingularError, match="not reached"):
         from_speed(lambda v: 2.0 - v, 2.0, v0=0.0)
-
-
-@pytest.mark.parametrize(
-    ("f", "start", "end", "value"),
-    [
-        (lambda x: x**-0.5, 0.0, 4.0, 4.0), (math.exp, 0.0, 1.0, math.e - 1), (math.sin, 0.0, math.pi, 2.0), (lambda x: x, -1.0, 1.0, 0.0),
-        (lambda x: 1 / (1 + 25 * x * x), -1.0, 1.0, 0.4 * math.atan(5)), (lambda x: 0.0, 0.0, 1.0, 0.0), (math.log, 0.0, 1.0, -1.0),
-        (math.exp, 1.0, 0.0, 1 - math.e), (math.sqrt, 0.0, 1.0, 2 / 3),
-    ],
-)  # fmt: skip
-def test_integrals_known_in_closed_form(f, start, end, value):
-    assert abs(integral(f, start, end) - value) < 2e-15
-
-
-def test_integrals_that_do_not_settle_are_refused_in_words():
-    with pytest.raises(SingularError, match=r"does not settle.*Split it where it is not"):
-        integral(lambda x: 0.0 if x < 0.3 else 1.0, 0.0, 1.0)
-    with pytest.raises(SingularError, match=r"does not settle"):
-        integral(lambda x: 0.0 if x < 0.3 else 1.0, 0.0, 1.0, breaks=(0.4,))
-
-
-LENGTH, TIME = Dimension(0, 1, 0), Dimension(0, 0, 1)
 
 
 def slides(t, c, k):

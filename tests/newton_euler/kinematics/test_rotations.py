@@ -53,6 +53,7 @@ from newton_euler.kinematics.rotations import (
 )
 from tests.kinds import close, every_kind, number, numbers, within
 
+ground = Frame("ground")
 EPS = 2.0**-52
 UNIT = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 I, J, K = UNIT
@@ -213,7 +214,6 @@ def test_eqn_4_12_angular_acceleration_is_the_rate_of_the_angular_velocity(kind)
 
 def rolling_cone(h, r, nu):
     """Ground, cone, highest point P of the base, rate of the line of contact (along I)."""
-    ground = Frame("ground")
 
     def placed(line_rate, spin):
         line = ground.rotate("line of contact", "z", rate=line_rate)
@@ -406,7 +406,6 @@ def test_a_rotation_matrix_is_orthogonal_turns_right_handed_and_keeps_its_axis(a
     assert close(product(transpose(R), R), UNIT, 12 * EPS)
     assert abs(determinant(R) - 1) < 12 * EPS  # at most 9 were found
     assert close(apply(R, axis), axis, 12 * EPS)
-    ground = Frame("ground")
     assert close(R, ground.rotate("body", axis, angle).rotation(ground), 12 * EPS)
 
 
@@ -491,7 +490,6 @@ def test_quaternions_that_are_not_rotations_are_refused(read, q, words):
 @every_kind
 def test_eqn_10_3_and_10_4_angular_velocity_of_the_precessing_frame_and_of_the_body(kind):
     psi, theta, phi, dpsi, dtheta, dphi = numbers(kind, "0.3", "1.1", "-0.8", 2, "-0.5", 7)
-    ground = Frame("ground")
     body = euler_frame(ground, "top", moving(psi, dpsi), moving(theta, dtheta), moving(phi, dphi))
     nodal, tiny = body.parent, 20 * small(kind)
     across, along = dpsi * sin(theta), dpsi * cos(theta)
@@ -503,7 +501,6 @@ def test_eqn_10_3_and_10_4_angular_velocity_of_the_precessing_frame_and_of_the_b
 @every_kind
 def test_eqn_10_5_to_10_10_the_matrix_of_the_angles_is_that_of_the_frames(kind):
     angles = numbers(kind, "0.3", "1.1", "-0.8")
-    ground = Frame("ground")
     body = euler_frame(ground, "body", *angles)
     R = euler_matrix(*angles)
     assert close(R, body.rotation(ground), small(kind))
@@ -518,7 +515,6 @@ def test_eqn_10_5_to_10_10_the_matrix_of_the_angles_is_that_of_the_frames(kind):
 @every_kind
 def test_eqn_10_12_body_rates_from_the_rates_of_the_angles_and_back(kind):
     *angles, a, b, c = numbers(kind, "0.3", "1.1", "-0.8", 2, "-0.5", 7)
-    ground = Frame("ground")
     body = euler_frame(ground, "body", *map(moving, angles, (a, b, c)))
     omega = euler_body_rates(*angles, (a, b, c))
     assert close(omega, body.angular_velocity(ground), 20 * small(kind))
@@ -579,7 +575,6 @@ def test_euler_rates_are_refused_at_the_poles(theta):
 
 
 def test_euler_frame_may_have_its_origin_anywhere():
-    ground = Frame("ground")
     pivot = ground.point("O", 1.0, 2.0, 3.0)
     tip = euler_frame(ground, "top", 0.4, math.pi / 2, 0.0, origin=pivot).point("tip", 0, 0, 2.0)
     assert close(tip.position(ground), (1 + 2 * math.sin(0.4), 2 - 2 * math.cos(0.4), 3))

@@ -10,9 +10,8 @@ from newton_euler.motion import second_order
 from newton_euler.motion.methods.base import MAX_STALLED_STEPS, StepError
 from newton_euler.motion.methods.dop853 import GROW, SAFETY, SHRINK, Dop853
 from newton_euler.motion.prepared import prepared_model
-from tests.models import FALL, begun
+from tests.models import FALL, SPRING, begun
 
-SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 DECAY = Model("decay", {"c": 3.0}, ("x",), lambda s, p, t: (-p.c * s.x,))
 TOL = 1e-8
 

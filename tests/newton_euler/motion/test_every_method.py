@@ -3,21 +3,19 @@
 import numpy as np
 import pytest
 
-from newton_euler.motion import second_order
 from newton_euler.motion.methods.dop853 import Dop853
-from newton_euler.motion.methods.scipy import scipy_method
-from newton_euler.motion.methods.splitting import splitting
+from newton_euler.motion.methods.scipy import DOP853, LSODA, RK45
+from newton_euler.motion.methods.splitting import Splitting
 from newton_euler.motion.methods.taylor import Taylor
 from newton_euler.motion.prepared import prepared_model
-from tests.models import begun, needs_heyoka
+from tests.models import SPRING, begun, needs_heyoka
 
-SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 BY_STOPS = {
     "dop853": Dop853,
-    **{f"scipy {name}": scipy_method(name) for name in ("RK45", "DOP853", "LSODA")},
+    **{f"scipy {kind.__name__}": kind for kind in (RK45, DOP853, LSODA)},
     "taylor": pytest.param(Taylor, marks=needs_heyoka),
 }
-EVERY = {**BY_STOPS, "splitting": splitting(4, False)}
+EVERY = {**BY_STOPS, "splitting": Splitting}
 STEPPED = {name: kind for name, kind in EVERY.items() if name != "taylor"}  # these go step by step
 
 
@@ -28,7 +26,7 @@ def over(kinds):
 def run(method, t1=5.0, **options):
     """A run that has not begun, of x'' = -4 x from x = 1."""
     floors = {} if method is Taylor else {"floors": (1e-3, 1e-3)}
-    fixed = {} if method is not EVERY["splitting"] else {"step": 0.1}
+    fixed = {"step": 0.1} if method is Splitting else {}
     return begun(method, prepared_model(SPRING), (1.0, 0.0), t1, **floors, **fixed, **options)
 
 

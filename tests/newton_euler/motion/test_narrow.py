@@ -1,6 +1,5 @@
 """Brakes a millimetre wide, blows a millisecond long: the speed they take is known exactly."""
 
-import importlib.util
 import math
 from contextlib import suppress
 
@@ -13,10 +12,8 @@ from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
 from newton_euler.motion.run import Run
 from newton_euler.motion.trajectory import Trajectory
+from tests.models import needs_heyoka
 
-needs_heyoka = pytest.mark.skipif(
-    importlib.util.find_spec("heyoka") is None, reason="heyoka is not installed"
-)
 size = lambda x: sqrt(4 * x * x) / 2
 # the speed that each takes, over its strength and its width
 BRAKES = {

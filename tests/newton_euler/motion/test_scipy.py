@@ -8,11 +8,10 @@ import pytest
 from newton_euler import Model, sqrt
 from newton_euler.motion import second_order
 from newton_euler.motion.methods.base import MAX_STALLED_STEPS, StepError
-from newton_euler.motion.methods.scipy import scipy_method
+from newton_euler.motion.methods.table import METHODS
 from newton_euler.motion.prepared import prepared_model
-from tests.models import begun
+from tests.models import SPRING, begun
 
-SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 NAMES = "DOP853", "RK45", "LSODA", "Radau"
 
 
@@ -29,7 +28,8 @@ def run(name="RK45", t1=5.0, start=(1.0, 0.0), model=SPRING, **options):
         constants=system.constants,
         rates=lambda t, x: counting(t, *x, *system.constants),
     )
-    one = begun(scipy_method(name), watched, start, t1, floors=(1e-3,) * len(start), **options)
+    kind, floors = METHODS[f"scipy {name}"].stepper, (1e-3,) * len(start)
+    one = begun(kind, watched, start, t1, floors=floors, **options)
     one.counted = counted
     return one
 

@@ -1,6 +1,7 @@
 """Which models a splitting method can split, how long its steps are, and what it keeps."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,14 +12,13 @@ from newton_euler.motion.methods.base import LengthError, StepError
 from newton_euler.motion.methods.splitting import (
     COMPOSITIONS,
     MAX_STEPS,
+    LiePoisson,
+    Splitting,
     partition,
     principal_moments,
-    splitting,
 )
 from newton_euler.motion.prepared import prepared_model
-from tests.models import begun, free_body
-
-SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
+from tests.models import SPRING, begun, free_body
 
 
 def model(rates, *states):
@@ -28,7 +28,8 @@ def model(rates, *states):
 def run(order=4, t1=5.0, step=0.1, start=(1.0, 0.0), model=SPRING, tolerance=1e-6, **options):
     """A run that has not begun."""
     options |= {"step": step, "tolerance": tolerance}
-    return begun(splitting(order, len(start) == 3), prepared_model(model), start, t1, **options)
+    kind, method = LiePoisson if len(start) == 3 else Splitting, SimpleNamespace(order=order)
+    return begun(kind, prepared_model(model), start, t1, method=method, **options)
 
 
 # -- which models

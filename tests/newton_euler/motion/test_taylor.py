@@ -12,11 +12,9 @@ from newton_euler.motion import prepare, second_order
 from newton_euler.motion.methods import taylor
 from newton_euler.motion.methods.base import LengthError, StepError
 from newton_euler.motion.prepared import PreparedModel, prepared_model
-from tests.models import FALL, begun
+from tests.models import FALL, SPRING, begun
 
 pytest.importorskip("heyoka")
-
-SPRING = second_order("spring", {"k": 4.0}, ("x",), lambda s, p, t: (-p.k * s.x,))
 
 
 UNKNOWN = Model("unknown", {}, ("r",), lambda s, p, t: (1 / s.r - 1 / s.r**3,))
