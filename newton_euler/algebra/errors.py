@@ -88,9 +88,7 @@ def checked(f: F, unchecked: tuple[str, ...] = ()) -> F:
 
 
 def checked_words(cls: type) -> type:
-    """A decorator of a class that checks the texts, choices of words, and True or False that its
-    public methods take, see :func:`checked`; the rest is left to the methods.
-    """
+    """A class decorator: :func:`checked` for texts, choices and bools of the public methods."""
     for name, f in list(vars(cls).items()):
         if isinstance(f, types.FunctionType) and not name.startswith("_"):
             kinds = f.__annotations__.items()

@@ -206,9 +206,7 @@ def speaking(name: str) -> Iterator[None]:
 
 
 class Catalogue:
-    """A catalogue: ``texts`` is {English: its forms in the language}, ``form`` which of them
-    goes with a number.
-    """
+    """``texts`` is {English: its forms}, ``form`` which of them goes with a number."""
 
     def __init__(self, text: str):
         from gettext import c2py  # type: ignore[attr-defined]

@@ -431,9 +431,7 @@ class Amount(NamedTerms):
     )
 
     def explain(self, unit: str = "") -> str:
-        """The sum as a text: the number of its equation, each term, and the sum, in this ``unit``
-        (default: J, and W of a power).
-        """
+        """The equation, terms and sum as a text, in this ``unit`` (default: J; W of a power)."""
         own = _UNITS.get(self.what, "")
         _check_unit(unit, self.what, own)
         unit = unit or own or "J"

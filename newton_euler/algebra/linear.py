@@ -127,8 +127,6 @@ class LinearForm(Unordered, _Own):
     __rmul__ = __mul__
 
     def __truediv__(self, other):
-        if isinstance(other, LinearForm):
-            return other.__rtruediv__(self)
         if outranks(other, self):
             return NotImplemented
         other = real_scalar(other)
@@ -435,9 +433,7 @@ def _solved(equations, names):
 
 
 def _equations(conditions, count):
-    """The conditions as equations with names: "force.x" of a Vector, numbers without one. Names are
-    made distinct, as of a Vector "force" beside a scalar "force.x".
-    """
+    """The conditions as equations with distinct names, as "force.x" of a Vector, "equation 2"."""
     if not isinstance(conditions, Mapping):
         parts = conditions if isinstance(conditions, (tuple, list)) else (conditions,)
         conditions = {f"equation {n}": x for n, x in enumerate(parts, 1)}

@@ -129,9 +129,7 @@ F = TypeVar("F", bound=Callable)
 
 
 def guided(f: F) -> F:
-    """The function ``f``; a call with arguments that it does not take is refused in words. Of a
-    class, its constructor.
-    """
+    """The function ``f``, or a class, with calls whose arguments do not fit refused in words."""
     if isinstance(f, type):
         f.__init__ = guided(f.__init__)  # type: ignore[misc]
         return f

@@ -14,9 +14,7 @@ _NOT_A_CALLERS = {"newton_euler", "scipy", "", *LIBRARIES, *sys.stdlib_module_na
 
 
 def callers_places(error: BaseException) -> Iterator[tuple[FrameType, int]]:
-    """Where functions that the caller passed stand in the traceback of an error, below the frame
-    that caught it: pairs of a frame and the number of its line.
-    """
+    """Pairs (frame, line) of the caller's functions in a traceback, below where it was caught."""
     caught = error.__traceback__
     for frame, line in walk_tb(caught and caught.tb_next):
         if frame.f_globals.get("__name__", "").partition(".")[0] not in _NOT_A_CALLERS:

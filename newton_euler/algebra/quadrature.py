@@ -114,9 +114,7 @@ def _slow(start, end, rtol, why):
 
 
 def _bisected(f, ends, rtol, scale):
-    """The same by the engine alone, from parts with these ``ends``: the one with the largest error
-    is halved until all errors together are small enough.
-    """
+    """The same without SciPy: the part with the largest error is halved until all are small."""
     parts = sorted(_by_gauss(f, a, b) for a, b in pairwise(ends))
     while True:
         value, error = sum(part[3] for part in parts), -sum(part[0] for part in parts)
@@ -133,9 +131,7 @@ def _bisected(f, ends, rtol, scale):
 
 
 def _by_gauss(f, start, end):
-    """(-error, start, end, integral) over an interval; the error by two rules, and by round-off of
-    the values and of the places.
-    """
+    """(-error, start, end, integral), with the errors of the rules and of round-off."""
     way, sums = end - start, []
     for count in PLACES:
         values = [(w, float(_finite(f, start + way * x))) for x, w in gauss(count, epsilon())]

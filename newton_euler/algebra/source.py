@@ -154,9 +154,7 @@ def _root_of(formula, low, high, *outer):
 
 
 def runtime_names(library: ModuleType) -> dict[str, Callable[..., Any]]:
-    """The functions ``where``, ``lt`` … of a text over this library, by name; for heyoka also
-    absolute values and powers of a number.
-    """
+    """``where``, ``lt`` … of a text over this library; for heyoka also ``abs`` and ``pow``."""
     if library.__name__ != "heyoka":
         choice = library.where if library.__name__ == "numpy" else where
         comparisons = {name: getattr(operator, name) for name in COMPARISONS}

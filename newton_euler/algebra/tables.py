@@ -175,9 +175,7 @@ class Table:
         return self._kept[key]
 
     def _refuse_outside(self, low, high):
-        """Raise :class:`SingularError` if the numbers from ``low`` to ``high`` do not lie in the
-        table, by more than round-off.
-        """
+        """Raise SingularError unless ``low`` to ``high`` lie in the table, but for round-off."""
         first, last = self.places[0], self.places[-1]
         slack = SLACK * max(abs(first), abs(last))
         if low != low or not (self.hold or (first - low <= slack and high - last <= slack)):

@@ -50,9 +50,7 @@ def asked_by(frame, instruction):
 
 
 class _NoUfunc:
-    """``__array_ufunc__`` of traced values, None: NumPy then refuses, and does not say which value
-    it refused.
-    """
+    """``__array_ufunc__`` of traced values, None: NumPy refuses, and does not say which."""
 
     def __get__(self, step, kind):
         _note(sys._getframe(1))
@@ -63,9 +61,7 @@ def _comparison(name):
 
 
 class Step(_Own):
-    """One traced scalar: the operation ``op`` on ``args``, which are earlier steps or numbers; its
-    ``number`` counts the steps of the trace.
-    """
+    """A traced scalar, the ``number``-th: ``op`` on ``args``, earlier steps or numbers."""
 
     __slots__ = ("args", "number", "op", "trace")
     rank = 3

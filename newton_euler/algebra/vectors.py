@@ -103,6 +103,12 @@ def sub3(a, b):
     return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
+def triple(values: Iterable[Scalar]) -> Triple:
+    """The triple of these three components; ZERO3 where all are zero by structure."""
+    x, y, z = values
+    return ZERO3 if x is ZERO and y is ZERO and z is ZERO else (x, y, z)
+
+
 def three(values: Any, what: str, error: type[Exception]) -> Triple:
     """The triple of three numbers; anything else is the ``error`` in place of ``what``."""
     with suppress(TypeError):
@@ -163,9 +169,7 @@ class Vector(Scaled, NamedTerms):
 
     # without __hash__: vectors that are equal up to round-off would need one hash for all
     def __eq__(self, other):
-        """True for the same vector, in whichever frame it is expressed, up to round-off as
-        :func:`same` says; False where no frame is common, or where it cannot be known.
-        """
+        """True if equal up to round-off (:func:`same`), in any frame; False if unknown."""
         if not isinstance(other, Vector):
             return NotImplemented
         if len({x.shape for x in (*self.c, *other.c) if getattr(x, "shape", ())}) > 1:
@@ -331,9 +335,7 @@ class Vector(Scaled, NamedTerms):
         return Vector(c, f, lambda: self.rate(f).cross(other) + self.cross(other.rate(f)))
 
     def norm(self) -> Scalar:
-        """The magnitude (A.12); of a formula that is compiled between 1e-154 and 1e154, since the
-        squares are floats, too.
-        """
+        """The magnitude (A.12); in compiled formulas from 1e-154 to 1e154: squares are floats."""
         return to_plain(hypot(*self.c))
 
     def direction(self) -> "Vector":
@@ -489,8 +491,8 @@ def _rests(vector):
 
 
 def _vector(c, frame, own_rate, ledger):
-    """The :class:`Vector` that was pickled; zeros known by structure are ZERO3 again."""
-    return Vector(ZERO3 if all(x is ZERO for x in c) else c, frame, own_rate, ledger)
+    """The :class:`Vector` that was pickled."""
+    return Vector(triple(c), frame, own_rate, ledger)
 
 
 def _rate_of(s):

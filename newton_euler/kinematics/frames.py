@@ -21,13 +21,11 @@ from ..algebra.otherwise import built
 from ..algebra.scalars import (
     ZERO,
     Scalar,
-    ScalarError,
     clipped,
     cos,
     hypot,
     integer_like,
     is_finite,
-    scalar,
     sin,
     to_plain,
     vanishes,
@@ -42,9 +40,12 @@ from ..algebra.vectors import (
     dot3,
     scale3,
     sub3,
+    three,
+    triple,
 )
 
 _AXES = {"x": 0, "y": 1, "z": 2}
+_AN_AXIS = "an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant components"
 _TURN = 2 * math.pi
 _REST = Moving(ZERO)
 # pickled frames by their tokens: a frame that comes back from another process is recognised, so
@@ -211,24 +212,18 @@ class Frame:
         return self._origin or _origin(self)
 
     def _unit_axis(self, axis, angle):
-        given = axis
-        if isinstance(axis, Vector):
-            axis = axis.expressed_in(self).c
-        try:
-            axis = tuple(scalar(v) for v in axis) if len(axis) == 3 else ()
-        except (TypeError, ScalarError):
-            axis = ()
-        if len(axis) != 3 or any(isinstance(v, Moving) for v in axis):
+        c = axis.expressed_in(self).c if isinstance(axis, Vector) else axis
+        c = three(c, _AN_AXIS, FrameError)
+        if any(isinstance(v, Moving) for v in c):
             raise FrameError(
-                "an axis is 'x', 'y', 'z', '-x', '-y', '-z', a Vector, or three constant "
-                f"components, as in (0, 0.6, 0.8); got {clipped(given)}. Turn about a moving axis "
-                "by one more frame in between"
+                f"{_AN_AXIS}; got {clipped(axis)}. Turn about a moving axis by one more frame in "
+                "between"
             )
         # otherwise the root of a whole number has 16 digits, even where the angle has more
         parts = (angle.value, angle.rate, angle.acceleration)
         exact = next((v for v in parts if v is not ZERO), ZERO)
-        axis = tuple(integer_like(v, exact) for v in axis)
-        return divided_by_length(axis, hypot(*axis), FrameError)
+        c = tuple(integer_like(v, exact) for v in c)
+        return divided_by_length(c, hypot(*c), FrameError)
 
     def _place(self, origin):
         if origin is None:
@@ -424,16 +419,14 @@ def _sent_frame(kind, token, parent):
 
 
 class Point:
-    """A point, made by ``frame.point(...)``, fixed in the frame unless its coordinates are moving;
-    ``origin_of`` is the name of the first frame whose origin it is, or None.
-    """
+    """A point, by ``frame.point(...)``; ``origin_of`` names the first frame whose origin it is."""
 
     __slots__ = ("_c", "frame", "name", "origin_of", "x")
 
     def __init__(self, name: str, frame: Frame, x: tuple):
         self.name, self.frame, self.x = name, frame, x
         self.origin_of: str | None = None
-        self._c = _triple(v.value for v in x)
+        self._c = triple(v.value for v in x)
 
     def __repr__(self):
         x = ", ".join(repr(to_plain(v.value if v.rests() else v)) for v in self.x)
@@ -612,12 +605,7 @@ def _moving_vector(x, frame, order=0, kind=None):
         return _moving_vector(x, frame, order + 1)
 
     name = ("value", "rate", "acceleration")[order]
-    return Vector(_triple(getattr(v, name) for v in x), frame, own_rate, kind)
-
-
-def _triple(values):
-    x, y, z = values
-    return ZERO3 if x is ZERO and y is ZERO and z is ZERO else (x, y, z)
+    return Vector(triple(getattr(v, name) for v in x), frame, own_rate, kind)
 
 
 def _same_shape(numbers, what):

@@ -350,13 +350,6 @@ def test_eqn_4_25_and_4_26_and_the_rule_for_n_frames(kind, count):
         assert alpha.explain().equation.number == "4.25"
 
 
-def test_eqn_4_25_alpha_is_not_zero_although_all_rates_are_constant_and_is_in_the_plane():
-    arm = ground.rotate("arm", "z", 0.3, rate=2.0)
-    across, along_it = (arm.rotate("rod", axis, 0.4, rate=3.0) for axis in "xz")
-    assert across.angular_acceleration(ground).norm() == pytest.approx(6.0)
-    assert along_it.angular_acceleration(ground).components() == (0, 0, 0)
-
-
 def test_eqn_4_25_leaves_out_a_frame_that_is_only_translated():
     cart = ground.translate("cart", ground.point("C", moving(0.0, 1.0, 2.0), 0, 0))
     wheel = cart.rotate("wheel", "y", 0.1, rate=3.0)
