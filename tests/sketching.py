@@ -24,13 +24,17 @@ def png(s):
 
 
 def vertices(s, colour=DARK):
-    """The coordinates on the page of each line and outline of one colour, in the order of drawing."""
+    """The coordinates on the page of each line and outline of one colour, in the order of drawing;
+    the sketch is finished before.
+    """
+    s.finish()
     return [
         p.get_path().vertices for p in s.ax.patches if to_hex(p.get_edgecolor()) == colour.lower()
     ]
 
 
 def texts(s):
+    s.finish()
     return {t.get_text(): t for t in s.ax.texts}
 
 

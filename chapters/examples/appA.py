@@ -10,8 +10,7 @@ def turning_unit_vector(theta: Scalar, rate: Scalar) -> tuple[Vector, Vector]:
     """The unit vector e = cos theta i + sin theta j and its rate theta' e_theta, Vectors of the
     ground (App. A, example 1).
 
-    theta : rad, from i towards j
-    rate : theta' in rad/s
+    theta, rate : rad from i towards j, and rad/s
 
     >>> e, e_dot = turning_unit_vector(0.0, 3.0)
     >>> e_dot, e.dot(e_dot)
@@ -24,26 +23,21 @@ def turning_unit_vector(theta: Scalar, rate: Scalar) -> tuple[Vector, Vector]:
 
 def triangle(A: Point, B: Point, C: Point) -> tuple[Vector, Vector, Vector]:
     """The unit vectors along AB and AC, and the unit normal in the direction of AB x AC, of three
-    Points of one frame (App. A, example 2).
-
-    Raises :class:`~newton_euler.algebra.scalars.SingularError` if the points lie exactly on one
-    line.
+    Points of one frame (App. A, example 2). Raises :class:`.SingularError` if they lie exactly on
+    one line.
 
     >>> ground = Frame("ground")
     >>> A, B = ground.point("A", 0, 0, 0), ground.point("B", 2.0, 0, 0)
     >>> triangle(A, B, ground.point("C", 0, 5.0, 0))[2]
     Vector(0, 0, 1.0 in ground)
     """
-    normal = _normal(A, B, C)
-    return (B - A).direction(), (C - A).direction(), normal.direction()
+    return (B - A).direction(), (C - A).direction(), _normal(A, B, C).direction()
 
 
 def plane(A: Point, B: Point, C: Point) -> tuple[Scalar, ...]:
     """(a, b, c, d) of the plane a x + b y + c z + d = 0 through three Points of one frame (App. A,
-    example 3); (a, b, c) is AB x AC.
-
-    Units: with coordinates in m, a, b, c are in m^2 and d in m^3. Raises
-    :class:`~newton_euler.algebra.scalars.SingularError` as :func:`triangle` does.
+    example 3); (a, b, c) is AB x AC. With coordinates in m, a, b, c are in m^2 and d in m^3. Raises
+    :class:`.SingularError` as :func:`triangle` does.
 
     >>> ground = Frame("ground")
     >>> plane(ground.point("A", 1, 1, 1), ground.point("B", 4, 5, 6), ground.point("C", 2, 3, 7))

@@ -73,11 +73,8 @@ class Nozzle:
 
 def speed_in_curve(rho: Scalar, speed_rate: Scalar, acceleration: Scalar) -> Scalar:
     """The speed in a curve of radius ``rho`` at which the magnitude of the total acceleration is
-    ``acceleration`` (2.5), from (2.14).
-
-    speed_rate : rate of change of the speed. Any consistent units. Raises
-    :class:`~newton_euler.algebra.scalars.SingularError` if ``speed_rate`` alone exceeds the total:
-    then no speed exists.
+    ``acceleration`` (2.5), from (2.14); ``speed_rate`` is the rate of change of the speed. Any
+    consistent units. Raises :class:`.SingularError` if ``speed_rate`` alone exceeds the total.
 
     >>> round(speed_in_curve(rho=250.0, speed_rate=2.0, acceleration=3.0), 2)  # m, s
     23.64
@@ -93,9 +90,7 @@ def speed_in_curve(rho: Scalar, speed_rate: Scalar, acceleration: Scalar) -> Sca
 
 def acceleration_in_curve(ground: Frame, rho: Scalar, speed: Scalar, speed_rate: Scalar) -> Vector:
     """The acceleration of a car that moves along i of ``ground`` in a curve of radius ``rho`` to
-    its left (2.5), by (2.14): a Vector of ``ground``.
-
-    Any consistent units.
+    its left (2.5), by (2.14): a Vector of ``ground``. Any consistent units.
 
     >>> acceleration_in_curve(Frame("ground"), 200.0, 20.0, -4.0)
     Vector(-4.0, 2.0, 0 in ground)
@@ -106,9 +101,7 @@ def acceleration_in_curve(ground: Frame, rho: Scalar, speed: Scalar, speed_rate:
 @dataclass(frozen=True)
 class TelescopingBoom:
     """The telescoping boom AB of a parked truck, in polar components (2.7) and in a moving frame
-    (2.11).
-
-    It turns in the vertical plane about A, the origin; x is horizontal, y up.
+    (2.11). It turns in the vertical plane about A, the origin; x is horizontal, y up.
 
     length : of AB; any consistent units
     elevation : of AB above x, in rad; both numbers or moving
@@ -128,16 +121,14 @@ class TelescopingBoom:
 
     def end_in_boom_frame(self, ground: Frame) -> Point:
         """B as a Point of a frame fixed in the boom, with i along it: (2.24), (2.25)."""
-        boom = ground.rotate("boom", "z", moving(self.elevation))
-        return boom.point("B", self.length, 0, 0)
+        return ground.rotate("boom", "z", moving(self.elevation)).point("B", self.length, 0, 0)
 
 
 @dataclass(frozen=True)
 class TwoCars:
-    """One car seen from another that turns (2.12).
-
-    Car A is on a straight road along I. Car B is at the crossing and moves along J in a curve to
-    its left: the centre is on the side of -I. Any consistent units.
+    """One car seen from another that turns (2.12). Car A is on a straight road along I. Car B is at
+    the crossing and moves along J in a curve to its left: the centre is on the side of -I. Any
+    consistent units.
 
     distance : of A before the crossing
     radius : of B's curve

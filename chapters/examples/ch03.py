@@ -40,9 +40,7 @@ def point_on_exponential_curve(
 @dataclass(frozen=True)
 class Spring:
     """The wire of a coil spring (3.2): a right-handed helix of ``radius`` about z that rises by
-    ``rise`` per radian (the pitch over 2 pi).
-
-    Any consistent units.
+    ``rise`` per radian (the pitch over 2 pi). Any consistent units.
 
     >>> spring = Spring(radius=3.0, rise=4.0)
     >>> spring.flexure, spring.torsion
@@ -80,10 +78,9 @@ class Spring:
     @staticmethod
     def drawn_out(wire: Scalar, slope: Scalar) -> "Spring":
         """The spring with the length ``wire`` per radian whose wire rises at the angle ``slope``
-        (rad): 0 is flat, a right angle is straight.
-
-        As the spring is drawn straight, f tends to 0 and the torsion to -1/wire, which is finite
-        (the book says infinite). The straight wire itself has no e_n and so no torsion.
+        (rad): 0 is flat, a right angle is straight. As it is drawn straight, f tends to 0 and the
+        torsion to -1/wire, which is finite (the book says infinite); the straight wire has no e_n
+        and so no torsion.
 
         >>> round(Spring.drawn_out(5.0, 1.57).torsion, 6)
         -0.2
@@ -112,11 +109,9 @@ def cable_load(path: Callable, tension: Callable, q: Scalar, ground: Frame | Non
     """The force per length that holds a cable at rest (3.3), a Vector along e_t, e_n, e_b: R1 =
     -dT/ds, R2 = -T f, R3 = 0.
 
-    path : function of a parameter that returns (x, y, z) of the cable
-    tension : T as a function of the same parameter
+    path, tension : functions of a parameter: (x, y, z) of the cable, and T
     q : the value of the parameter
-
-    Raises :class:`~newton_euler.algebra.scalars.SingularError` where the cable is straight.
+    Raises :class:`.SingularError` where the cable is straight.
 
     >>> def post(q):  # a smooth post of radius 2 pushes outwards with T/r
     ...     return 2.0*cos(q), 2.0*sin(q), 0
@@ -130,14 +125,10 @@ def cable_load(path: Callable, tension: Callable, q: Scalar, ground: Frame | Non
 
 def screw_jack_ball(ground: Frame, a: Scalar, K: Scalar, lead: Scalar, t: Scalar) -> Point:
     """The ball on the arm of a screw-jack at the time ``t`` (3.6), a Point of ``ground`` in
-    cylindrical coordinates.
+    cylindrical coordinates. It starts from rest at theta = 0 and turns about the vertical z axis.
 
-    It starts from rest at theta = 0, turns with a constant angular acceleration about the vertical
-    z axis and rises by the lead in each turn.
-
-    a : length of the arm
-    K : angular acceleration, rad/s^2
-    lead : rise in one turn
+    a, lead : length of the arm; rise in one turn
+    K : the constant angular acceleration, rad/s^2
 
     >>> ground = Frame("ground")
     >>> print(screw_jack_ball(ground, 0.1, 10.0, 0.5, 1.0).velocity(ground))

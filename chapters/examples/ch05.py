@@ -39,11 +39,10 @@ def hammer_on_film(pictures: int = 26, a_second: float = 25.0) -> list[tuple[flo
 
 @dataclass(frozen=True)
 class BurstingProjectile:
-    """A projectile that bursts at the top of its path into three pieces (5.3).
-
-    It is launched in the (x, z) plane, z up. After the burst A flies straight up, B horizontally,
-    and C has the rest of the momentum. Any consistent units. Neglected: air resistance, and the
-    impulse of the weight during the burst.
+    """A projectile that bursts at the top of its path into three pieces (5.3), launched in the (x,
+    z) plane, z up. After the burst A flies straight up, B horizontally, and C has the rest of the
+    momentum. Any consistent units. Neglected: air resistance, and the impulse of the weight during
+    the burst.
 
     v_x, v_z : launch velocity
     m_A, m_B, m_C : masses, or weights, since only their ratios matter
@@ -86,15 +85,13 @@ class BurstingProjectile:
         """The velocity of C after the burst, which keeps the momentum of the three (5.8)."""
         ground = ground or Frame("ground")
         before = (self.m_A + self.m_B + self.m_C) * ground.vector(self.v_x, 0, 0)
-        others = self.m_A * ground.vector(0, 0, self.v_A) + self.m_B * self.v_B(ground)
-        return (before - others) / self.m_C
+        return (before - self._momentum_of_A_and_B(ground)) / self.m_C
 
     def v_G(self, ground: Frame | None = None) -> Vector:
         """The velocity of the common centre of mass after the burst (5.4), the same as before."""
         ground = ground or Frame("ground")
-        momentum = (
-            self.m_A * ground.vector(0, 0, self.v_A)
-            + self.m_B * self.v_B(ground)
-            + self.m_C * self.v_C(ground)
-        )
+        momentum = self._momentum_of_A_and_B(ground) + self.m_C * self.v_C(ground)
         return momentum / (self.m_A + self.m_B + self.m_C)
+
+    def _momentum_of_A_and_B(self, ground):
+        return self.m_A * ground.vector(0, 0, self.v_A) + self.m_B * self.v_B(ground)

@@ -27,10 +27,8 @@ def guide_force(m: Scalar, v: Scalar, radius: Scalar, g: Scalar) -> Scalar:
 def screw_jack_force(
     ground: Frame, m: Scalar, a: Scalar, K: Scalar, lead: Scalar, t: Scalar
 ) -> Vector:
-    """The resultant force on the ball of
-    :func:`~newton_euler.chapters.examples.ch03.screw_jack_ball` at the time ``t`` (6.5), by (6.8).
-
-    A Vector along the ball's cylindrical axes, N if in SI. The book calls it the force of the arm;
+    """The resultant force on the ball of :func:`.screw_jack_ball` at the time ``t`` (6.5), (6.8): a
+    Vector along the ball's cylindrical axes, N if in SI. The book calls it the force of the arm;
     but the arm carries the weight too, see :func:`screw_jack_arm_force`.
 
     >>> print(screw_jack_force(Frame("ground"), 0.2, 0.1, 10.0, 0.5, 1.0))
@@ -48,9 +46,8 @@ def screw_jack_arm_force(
     >>> print(screw_jack_arm_force(Frame("ground"), 0.2, 0.1, 10.0, 0.5, 1.0, 9.81))
     [-2, 0.2, 2.12115] in cylindrical axes of ball
     """
-    return reaction(
-        m, screw_jack_ball(ground, a, K, lead, t).acceleration(ground), weight=m * g * -ground.k
-    )
+    acceleration = screw_jack_ball(ground, a, K, lead, t).acceleration(ground)
+    return reaction(m, acceleration, weight=m * g * -ground.k)
 
 
 def rim_speed(g, radius):
@@ -86,8 +83,6 @@ def flight_forces(m, g, v, gamma, chi=0):
     """
     north = Frame("ground")  # i along the heading 0, k up
     path = north.rotate("heading", "-z", chi).rotate("path", "-y", gamma)
-    force = reaction(
-        m, path.vector(moving(v), 0, 0).rate(north), weight=m * g * -north.k
-    ).expressed_in(path)
-    excess, left, up = force.c
+    force = reaction(m, path.vector(moving(v), 0, 0).rate(north), weight=m * g * -north.k)
+    excess, left, up = force.expressed_in(path).c
     return FlightForces(to_plain(excess), to_plain(sqrt(left * left + up * up)), atan2(-left, up))

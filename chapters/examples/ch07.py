@@ -10,11 +10,8 @@ from newton_euler.bodies.solids import disk, half_disk, plate, rod
 
 def thin_rod(m: Scalar, length: Scalar, exact: bool = False, frame: Frame | None = None) -> Body:
     """A thin uniform rod from the origin to x = ``length``, a Body, by integration of its mass over
-    x (5.5, 7.3), from (5.13), (7.10).
-
-    exact : True for SymPy's integrals
-
-    Any consistent units. :func:`newton_euler.bodies.solids.rod` makes a rod without integration.
+    x (5.5, 7.3), from (5.13), (7.10); ``exact`` by SymPy's integrals. Any consistent units.
+    :func:`newton_euler.bodies.solids.rod` makes a rod without integration.
 
     >>> body = thin_rod(3.0, 2.0)
     >>> round(body.centre.position(body.frame).x, 12)
@@ -29,12 +26,10 @@ def thin_rod(m: Scalar, length: Scalar, exact: bool = False, frame: Frame | None
 
 
 def three_rods(m: Scalar, length: Scalar, frame: Frame | None = None) -> Body:
-    """A body of three equal thin rods at right angles (5.5, 7.3, 7.5, 7.9, 7.10), a Body.
-
-    Each rod has the mass ``m``: rod 1 along z at x = -length/2, rod 2 along x through the origin,
-    rod 3 along y at x = length/2. Any consistent units. The mass is 3 m; the book transfers to G
-    with m (7.10). ``about(frame)`` is the matrix of 7.3, ``about(frame).principal()`` has the axes
-    of 7.5.
+    """A body of three equal thin rods at right angles (5.5, 7.3, 7.5, 7.9, 7.10), a Body. Each rod
+    has the mass ``m``: rod 1 along z at x = -length/2, rod 2 along x through the origin, rod 3
+    along y at x = length/2. Any consistent units. The mass is 3 m; the book transfers to G with m
+    (7.10). ``about(frame)`` is the matrix of 7.3, ``about(frame).principal()`` has the axes of 7.5.
 
     >>> body = three_rods(12.0, 1.0)
     >>> body.about(body.frame).matrix
@@ -59,7 +54,6 @@ def machine_part(
     frame: Frame | None = None,
 ) -> Body:
     """A machine part of sheet metal: half disk and rectangle less a round hole (5.6, 7.10), a Body.
-
     The sheet lies in the plane x = 0, with the origin in the middle of the half disk's straight
     edge and y along that edge. Any consistent units.
 

@@ -28,13 +28,10 @@ class Turning:
 
 def bars_about_x(m: Scalar, length: Scalar, rate: Scalar, acceleration: Scalar) -> Turning:
     """The three rods turning about x (8.4, example 1), a :class:`Turning`: x is not principal, so
-    that Euler's equations do not apply.
+    that Euler's equations do not apply. M = (2/3 alpha, -(alpha + omega^2)/4, (alpha - omega^2)/4)
+    m L^2 about the origin of the rods' axes. Any consistent units of mass and length.
 
-    M = (2/3 alpha, -(alpha + omega^2)/4, (alpha - omega^2)/4) m L^2 about the origin of the rods'
-    axes. Any consistent units of mass and length.
-
-    m : mass of one rod
-    rate, acceleration : omega in rad/s, alpha in rad/s^2
+    m : mass of one rod; rate, acceleration : omega in rad/s, alpha in rad/s^2
 
     >>> bars_about_x(12.0, 1.0, 2.0, 1.0).M
     Vector(8.0, -15.0, -9.0 in bars)
@@ -48,9 +45,7 @@ def bars_about_principal_axis(
     m: Scalar, length: Scalar, rate: Scalar, acceleration: Scalar
 ) -> Turning:
     """The three rods turning about (2, 1, -1) (8.4, example 2), a :class:`Turning`: a principal
-    axis, with H and M along it.
-
-    The principal moment is 5/12 m L^2; the arguments are those of :func:`bars_about_x`.
+    axis, with H and M along it, and the moment 5/12 m L^2. Arguments as of :func:`bars_about_x`.
 
     >>> e = bars_about_principal_axis(12.0, 1.0, 2.0, 3.0)
     >>> round(e.H.norm(), 12), round(e.M.norm(), 12), round(e.M.cross(e.H).norm(), 12)
@@ -65,10 +60,8 @@ def bars_about_mass_centre(
     m: Scalar, length: Scalar, rate: Scalar, acceleration: Scalar
 ) -> Turning:
     """The three rods turning about the axis through G parallel to z (8.4, example 3), a
-    :class:`Turning`.
-
-    M = (3 alpha - omega^2, alpha + 3 omega^2, 10 alpha) m L^2/12 about G, with the whole mass 3 m;
-    the book takes the mass of one rod. The arguments are those of :func:`bars_about_x`.
+    :class:`Turning`: M = (3 alpha - omega^2, alpha + 3 omega^2, 10 alpha) m L^2/12 about G, with
+    the whole mass 3 m; the book takes that of one rod. Arguments as of :func:`bars_about_x`.
 
     >>> print(bars_about_mass_centre(12.0, 1.0, 2.0, 1.0).M)
     [-1, 13, 10] in bars
@@ -82,13 +75,8 @@ def bars_about_mass_centre(
 
 
 def _turning(body, ground, about):
-    return Turning(
-        body,
-        ground,
-        about,
-        angular_momentum(body, ground, about),
-        resultant_moment(body, ground, about),
-    )
+    H, M = angular_momentum(body, ground, about), resultant_moment(body, ground, about)
+    return Turning(body, ground, about, H, M)
 
 
 @dataclass(frozen=True)
@@ -168,11 +156,9 @@ class Contact:
     def __str__(self):
         if getattr(self.rolls, "shape", ()):
             return f"rolls: {self.rolls}"
-        compared = (
-            f"the friction needed is {float(abs(self.needed)):.6g}, the limit "
-            f"{float(self.limit):.6g}"
-        )
-        return f"{'rolls without slip' if self.rolls else 'slips'}: {compared}"
+        needed, limit = float(abs(self.needed)), float(self.limit)
+        regime = "rolls without slip" if self.rolls else "slips"
+        return f"{regime}: the friction needed is {needed:.6g}, the limit {limit:.6g}"
 
 
 def rolling(mass, radius, inertia, force=0, moment=0, surface=0):
@@ -201,9 +187,8 @@ def slipping(mass, radius, inertia, friction, force=0, moment=0):
     """The accelerations (a, alpha) of a body that slips, with the friction known, as -mu N against
     the slip.
     """
-    return to_plain((force + friction) / scalar(mass)), to_plain(
-        (moment + radius * friction) / scalar(inertia)
-    )
+    a = (force + friction) / scalar(mass)
+    return to_plain(a), to_plain((moment + radius * friction) / scalar(inertia))
 
 
 def contact(
@@ -233,16 +218,13 @@ def contact(
             f"the normal force is {normal!r}: the surface would have to pull, so the body has "
             "left it; it is in free flight"
         )
-    roll, kinetic = (
-        rolling(mass, radius, inertia, force, moment, surface),
-        mu if mu_kinetic is None else mu_kinetic,
-    )
+    roll = rolling(mass, radius, inertia, force, moment, surface)
+    kinetic = mu if mu_kinetic is None else mu_kinetic
     limit, needed = mu * normal, roll.friction
     slip = to_plain(given[5])
     sense = where(slip == 0, where(needed >= 0, 1, -1), where(slip > 0, -1, 1))
     rolls = (slip == 0) & (abs(needed) <= limit)
     friction = where(rolls, needed, sense * kinetic * normal)
-    a, alpha = slipping(mass, radius, inertia, friction, force, moment)
-    return Contact(
-        rolls, where(rolls, roll.a, a), where(rolls, roll.alpha, alpha), friction, needed, limit
-    )
+    slips = slipping(mass, radius, inertia, friction, force, moment)
+    a, alpha = (where(rolls, *both) for both in zip((roll.a, roll.alpha), slips, strict=True))
+    return Contact(rolls, a, alpha, friction, needed, limit)

@@ -38,10 +38,8 @@ def bent_disk(
     mass: Scalar, radius: Scalar, beta: Scalar, a: Scalar, b: Scalar, psi: Scalar, omega: Scalar
 ) -> "RotorScene":
     """A thin disk with its centre on the shaft and its normal tilted by beta from the shaft towards
-    y (9.3). Its ``reactions()`` are (9.4)-(9.6).
-
-    The reactions are along the axes of the disk, x along its normal; for components along the axes
-    of the shaft use ``A.expressed_in(rotor.shaft)``.
+    y (9.3). Its ``reactions()``, (9.4)-(9.6), are along the axes of the disk, x along its normal;
+    along the axes of the shaft they are ``A.expressed_in(rotor.shaft)``.
 
     beta, psi, omega : in rad and rad/s; any consistent units of mass and length
 
@@ -77,11 +75,8 @@ class RotorScene:
 
 
 def on_shaft(axis, a, b, psi, omega, alpha=0):
-    """A shaft turned by psi about ``axis`` ("x" or "z") of the ground, its bearings at -a and b
-    from O.
-
-    Returns the frame of the shaft, and a function that makes the :class:`RotorScene` of a body in
-    it.
+    """The frame of a shaft turned by psi about ``axis`` ("x" or "z") of the ground, its bearings at
+    -a and b from O, and a function that makes the :class:`RotorScene` of a body in it.
 
     >>> from newton_euler.bodies.solids import disk
     >>> shaft, scene = on_shaft("x", 0.2, 0.3, 0.0, 10.0)
@@ -90,11 +85,12 @@ def on_shaft(axis, a, b, psi, omega, alpha=0):
     """
     ground = Frame("ground")
     shaft = ground.rotate("shaft", axis, psi, omega, alpha)
-    A, B = (
-        shaft.point(name, *((s, 0, 0) if axis == "x" else (0, 0, s)))
-        for name, s in (("A", -a), ("B", b))
-    )
-    return shaft, lambda body: RotorScene(ground, shaft, body, A, B, shaft.point("O", 0, 0, 0))
+
+    def at(name, s):
+        return shaft.point(name, *((s, 0, 0) if axis == "x" else (0, 0, s)))
+
+    A, B, O = at("A", -a), at("B", b), shaft.point("O", 0, 0, 0)
+    return shaft, lambda body: RotorScene(ground, shaft, body, A, B, O)
 
 
 def unbalanced_rotor(mass, centre, moments, products, a, b, psi, omega, alpha=0):
@@ -111,8 +107,5 @@ def unbalanced_rotor(mass, centre, moments, products, a, b, psi, omega, alpha=0)
     """
     shaft, scene = on_shaft("z", a, b, psi, omega, alpha)
     G = shaft.point("G", *centre)
-    return scene(
-        Body(
-            "rotor", mass, G, Inertia(shaft.point("O", 0, 0, 0), moments, products, mass, G), shaft
-        )
-    )
+    inertia = Inertia(shaft.point("O", 0, 0, 0), moments, products, mass, G)
+    return scene(Body("rotor", mass, G, inertia, shaft))

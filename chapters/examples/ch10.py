@@ -41,12 +41,10 @@ def station_moments(radius: Scalar, length: Scalar, centre: Point) -> tuple[Scal
 
 def wobble_period(ellipticity: Scalar, day: Scalar) -> Scalar:
     """The period of the wobble of the rigid Earth, in units of ``day`` (10.8): of the axis of
-    rotation about the axis of symmetry, seen from the body.
+    rotation about the axis of symmetry, seen from the body, at (I - I0) omega_z/I0. The observed
+    period is 14 months, since the Earth is elastic.
 
     ellipticity : (I - I0)/I0, 0.003285 for the Earth
-
-    The rate is (I - I0) omega_z/I0, and with theta small phi' = -(I - I0) omega_z/I0. The observed
-    period is 14 months, since the Earth is elastic.
 
     >>> round(wobble_period(0.003285, 1.0))  # days
     304
@@ -188,7 +186,7 @@ def tilt_growth(I_x, I_y, I_z, axis, rate):
         raise GyroError(f"the axis is 'x', 'y' or 'z', got {axis!r}")
     n = "xyz".index(axis)
     I = [to_plain(x) for x in (I_x, I_y, I_z)]
-    own, u, v = I[n], I[(n + 1) % 3], I[(n + 2) % 3]
+    own, u, v = I[n:] + I[:n]
     square = (own - u) * (v - own) / (u * v)
     return abs(rate) * sqrt(where(square > 0, square, abs(0.0 * square)))
 
@@ -204,9 +202,8 @@ def body_quaternion(state, spun):
 
 
 def compass_period(I0, I, omega_z, earth_rate, latitude):
-    """The period (s) of small swings of a gyrocompass about north (10.11).
-
-    It is 2 pi sqrt(I0/(c (I omega_z - I0 c))) with c = Omega cos(latitude).
+    """The period (s) of small swings of a gyrocompass about north (10.11), 2 pi sqrt(I0/(c (I
+    omega_z - I0 c))) with c = Omega cos(latitude).
 
     >>> round(compass_period(0.002, 0.003, 1000.0, 7.292e-5, 0.8), 3)
     22.761
@@ -217,14 +214,11 @@ def compass_period(I0, I, omega_z, earth_rate, latitude):
 
 def precession_rate(I0, I, theta, omega_z, momentum_difference):
     """psi' of a top at the angle theta (10.24) from its constants: (p_psi - p_phi cos(theta))/(I0
-    sin^2(theta)), by half angles.
-
-    If ``momentum_difference`` is the integer 0 it has its limit at theta = 0.
+    sin^2(theta)), by half angles; its limit at theta = 0 if ``momentum_difference`` is the integer
+    0.
 
     >>> precession_rate(0.02, 0.01, 0.0, 100.0, 0)
     25.0
     """
-    q = scalar(momentum_difference)
-    return to_plain(
-        (2 * I * omega_z + q) / (4 * I0 * cos(theta / 2) ** 2) + q / (4 * I0 * sin(theta / 2) ** 2)
-    )
+    q, c, s = scalar(momentum_difference), cos(theta / 2), sin(theta / 2)
+    return to_plain((2 * I * omega_z + q) / (4 * I0 * c**2) + q / (4 * I0 * s**2))

@@ -49,10 +49,9 @@ class PendulumWithPin:
         component over their length (11.3); exact=True: by SymPy.
         """
         rest, zero = scalar(self.length) - self.pin, 0 * self.angle
+        right = pi(self.angle) / 2 + zero
         down = work_integral(lambda a: self.g * sin(a) * self.length, zero, self.angle, exact=exact)
-        rising = work_integral(
-            lambda a: -(self.g * sin(a)) * rest, 0, pi(self.angle) / 2 + zero, exact=exact
-        )
+        rising = work_integral(lambda a: -(self.g * sin(a)) * rest, 0, right, exact=exact)
         terms = {"A to the bottom": down, "bottom to C": rising}
         return summed(terms, number="11.3", error=down.error + rising.error)
 
@@ -77,9 +76,7 @@ class PendulumWithPin:
         return self.speed_at(self.length)
 
     def speed_at_pin(self) -> Scalar:
-        """The speed at C, straight up. Raises :class:`~newton_euler.dynamics.energy.EnergyError` if
-        the ball does not reach C.
-        """
+        """The speed at C, straight up. Raises :class:`.EnergyError` if it does not reach C."""
         return self.speed_at(self.pin)
 
 
@@ -105,10 +102,8 @@ def attraction_field(K: Scalar, M: Scalar, m: Scalar) -> Callable:
 
 def speed_at_distance(r: Scalar, r0: Scalar, v0: Scalar, K: Scalar, M: Scalar) -> Scalar:
     """The speed at the distance ``r`` from a mass M, from the speed ``v0`` at ``r0``, on any path
-    (11.10): v^2 = v0^2 + 2 K M (1/r - 1/r0).
-
-    m/s if in SI; without cancellation as r -> r0. Raises
-    :class:`~newton_euler.dynamics.energy.EnergyError` if the particle does not reach it.
+    (11.10): v^2 = v0^2 + 2 K M (1/r - 1/r0), without cancellation as r -> r0; m/s if in SI. Raises
+    :class:`.EnergyError` if the particle does not reach it.
 
     >>> round(speed_at_distance(4.0, 2.0, 3.0, 1.0, 14.0), 12)
     1.414213562373
@@ -138,19 +133,14 @@ def rolling_energy(m, R, speed, pivoting=0, k=None):
     """
     k, translation = inertia_ratio(m, k), scalar(m) * speed * speed / 2
     spun = k * (scalar(m) * R * R) * (scalar(pivoting) * pivoting) / 2
-    return summed(
-        {"translation": translation, "rolling": k * translation, "pivoting": spun},
-        "kinetic energy",
-        "11.45",
-    )
+    terms = {"translation": translation, "rolling": k * translation, "pivoting": spun}
+    return summed(terms, "kinetic energy", "11.45")
 
 
 def rolling_speed(drop, g, v0=0, k=None):
     """The speed of the centre after a descent by ``drop``: sqrt(v0^2 + 2 g h/(1 + k)), from rest
-    sqrt(10 g h/7) for a sphere (11.49).
-
-    The contact is at rest, so its force does no work; without rolling it would be sqrt(2 g h), on
-    any incline.
+    sqrt(10 g h/7) for a sphere (11.49). The contact is at rest, so its force does no work; without
+    rolling it would be sqrt(2 g h), on any incline.
 
     >>> round(rolling_speed(0.7, 10.0), 9)
     3.16227766
@@ -170,12 +160,10 @@ def friction_needed(slope, k=None):
 
 def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
     """T + V of a top about its fixed point, an Amount with the terms ``transverse``, ``axial`` and
-    ``weight``; constant during the motion.
-
-    I0, I, ``mgr`` and angles as in :mod:`newton_euler.applications.gyroscopes`. V = + mgr
-    cos(theta), since theta is counted from the *upward* vertical and the moment of the weight, +
-    mgr sin(theta) (10.30), makes it grow. The book prints a minus sign here, with which the sum is
-    not constant.
+    ``weight``; constant during the motion. Arguments as in
+    :mod:`newton_euler.applications.gyroscopes`. V = + mgr cos(theta), since theta is counted from
+    the *upward* vertical and the moment of the weight, + mgr sin(theta) (10.30), makes it grow. The
+    book prints a minus sign here, with which the sum is not constant.
 
     >>> top_energy(1.5, 1.0, 10.0, 0.0, 0.0, 2.0, 3.0).terms
     {'transverse': 0.0, 'axial': 12.5, 'weight': 10.0}
@@ -192,16 +180,13 @@ def pendulum_energy(m, I, l, g, theta, omega):
     {'translation': 2.25, 'rotation': 2.25, 'weight': -10.0}
     """
     T = plane_kinetic_energy(m, scalar(l) * omega, I, omega)
-    return summed(
-        {**T.terms, "weight": weight_potential(m, -(scalar(l) * cos(theta)), g)}, "energy", "11.32"
-    )
+    weight = weight_potential(m, -(scalar(l) * cos(theta)), g)
+    return summed({**T.terms, "weight": weight}, "energy", "11.32")
 
 
 def swing_rate(m, I, l, g, theta, theta0, omega0=0):
     """The absolute value of omega at the angle theta, from that at theta0, without cancellation as
-    theta -> theta0.
-
-    Raises :class:`~newton_euler.dynamics.energy.EnergyError` if the pendulum does not reach theta.
+    theta -> theta0; :class:`.EnergyError` if the pendulum does not reach theta.
 
     >>> round(swing_rate(2.0, 0.5, 0.5, 10.0, 0.0, 1.5707963267948966), 6)
     4.472136
@@ -248,8 +233,9 @@ class Car:
         v, a : speed and acceleration; slope : inclination of the road, rad, positive uphill. It is
             the rate of (11.48).
         """
-        terms = {"accelerate": scalar(self.m) * v * a, "wheels": self._wheels() * v * a}
-        terms |= {
+        terms = {
+            "accelerate": scalar(self.m) * v * a,
+            "wheels": self._wheels() * v * a,
             "climb": scalar(self.m) * self.g * v * sin(slope),
             "air": scalar(self.drag(v)) * v,
         }
@@ -270,12 +256,11 @@ class Car:
         """The motion up a hill as a Model with the states s, the distance, and v; ``power`` and
         ``slope`` numbers or laws (s, p, t).
         """
-        return Model(
-            "car on a hill",
-            {"power": power, "slope": slope},
-            ("s", "v"),
-            lambda s, p, t: (s.v, self.acceleration(p.power, s.v, p.slope)),
-        )
+
+        def rates(s, p, t):
+            return s.v, self.acceleration(p.power, s.v, p.slope)
+
+        return Model("car on a hill", {"power": power, "slope": slope}, ("s", "v"), rates)
 
     def _wheels(self):
         """The moments of inertia of the wheels over radius^2, which act as an added mass."""

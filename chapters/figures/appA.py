@@ -7,6 +7,7 @@ from newton_euler.algebra.late import plt
 from newton_euler.algebra.vectors import cross3, dot3
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch
+from newton_euler.drawing.page.projection import moved
 
 from .curves import evenly, level_lines
 from .sliding import with_sliders
@@ -14,14 +15,15 @@ from .sliding import with_sliders
 O = (0, 0, 0)
 
 
-def _add(a, b, factor=1.0):
-    """a + factor b, of triples."""
-    return tuple(x + factor * y for x, y in zip(a, b, strict=True))
-
-
 def _in_plane(length, angle):
     """The triple of this length in the plane of x and y, at ``angle`` degrees from x."""
     return length * math.cos(math.radians(angle)), length * math.sin(math.radians(angle)), 0
+
+
+def _in_space(around, up):
+    """The unit triple at ``around`` degrees from x in the plane, and ``up`` degrees above it."""
+    a, b = math.radians(around), math.radians(up)
+    return math.cos(b) * math.cos(a), math.cos(b) * math.sin(a), math.sin(b)
 
 
 @with_sliders(
@@ -34,45 +36,36 @@ def _in_plane(length, angle):
 def total(ax, theta):
     """Figure A.1: P and Q head to tail in both orders, and their sum."""
     P, Q = _in_plane(3, 0), _in_plane(4, theta)
+    both = moved(P, 1, Q)
     s = Sketch(ax, Frame("ground"), plane="xy")
     s.arrow(O, P, r"$\mathbf{P}$", "velocity")
-    s.arrow(P, _add(P, Q), r"$\mathbf{Q}$", "acceleration")
+    s.arrow(P, both, r"$\mathbf{Q}$", "acceleration")
     s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
-    s.arrow(Q, _add(P, Q), r"$\mathbf{P}$", "velocity")
-    s.arrow(O, _add(P, Q), r"$\mathbf{P}+\mathbf{Q}$", "rate")
+    s.arrow(Q, both, r"$\mathbf{P}$", "velocity")
+    s.arrow(O, both, r"$\mathbf{P}+\mathbf{Q}$", "rate")
     s.arc(O, P, Q, r"$\theta$")
-    ax.set_title(rf"$|\mathbf{{P}}+\mathbf{{Q}}|$ = {math.hypot(*_add(P, Q)):.2f}", fontsize=11)
+    ax.set_title(rf"$|\mathbf{{P}}+\mathbf{{Q}}|$ = {math.hypot(*both):.2f}", fontsize=11)
 
 
-def components():
+@with_sliders(
+    Slider("around", 55, 30, 150, 5, label="direction in the plane of i and j", unit="°"),
+    Slider("up", 35, 0, 65, 5, label="elevation", unit="°"),
+    alt="A vector P of length one from the origin of three axes i, j, k. Three arrows along the "
+    "axes, of the lengths of its components, lead head to tail from the origin to its tip.",
+    size=(4.6, 5.0),
+)
+def components(ax, around, up):
     """Figure A.2: a vector and its components along the axes."""
-
-    def triple(around, up):
-        a, b = math.radians(around), math.radians(up)
-        return math.cos(b) * math.cos(a), math.cos(b) * math.sin(a), math.sin(b)
-
-    def draw(ax, around, up):
-        ground, (x, y, z) = Frame("ground"), triple(around, up)
-        s = Sketch(ax, ground, azimuth=25, elevation=25)
-        s.axes(O, ground, length=1.1, labels=[r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
-        legs = (O, (x, 0, 0), (x, y, 0), (x, y, z))
-        for tail, tip, name in zip(legs, legs[1:], "xyz", strict=False):
-            if math.dist(tail, tip) > 0.02:
-                s.arrow(tail, tip, f"$P_{name}$", "acceleration")
-        s.arrow(O, (x, y, z), r"$\mathbf{P}$", "velocity")
-        lengths = (
-            rf"$P_x = {x:.2f},\quad P_y = {y:.2f},\quad P_z = {z:.2f};\quad|\mathbf{{P}}|$ = 1"
-        )
-        ax.set_title(lengths, fontsize=11)
-
-    interactive_figure(
-        draw,
-        Slider("around", 55, 30, 150, 5, label="direction in the plane of i and j", unit="°"),
-        Slider("up", 35, 0, 65, 5, label="elevation", unit="°"),
-        alt="A vector P of length one from the origin of three axes i, j, k. Three arrows along the "
-        "axes, of the lengths of its components, lead head to tail from the origin to its tip.",
-        size=(4.6, 5.0),
-    )
+    ground, (x, y, z) = Frame("ground"), _in_space(around, up)
+    s = Sketch(ax, ground, azimuth=25, elevation=25)
+    s.axes(O, ground, length=1.1, labels=[r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
+    legs = (O, (x, 0, 0), (x, y, 0), (x, y, z))
+    for tail, tip, name in zip(legs, legs[1:], "xyz", strict=False):
+        if math.dist(tail, tip) > 0.02:
+            s.arrow(tail, tip, f"$P_{name}$", "acceleration")
+    s.arrow(O, (x, y, z), r"$\mathbf{P}$", "velocity")
+    lengths = rf"$P_x = {x:.2f},\quad P_y = {y:.2f},\quad P_z = {z:.2f};\quad|\mathbf{{P}}|$ = 1"
+    ax.set_title(lengths, fontsize=11)
 
 
 def kite():
@@ -115,12 +108,9 @@ def projection(ax, theta):
     s.dimension(O, foot, r"$|\mathbf{Q}|\cos\theta$", offset=(0, -0.35, 0))
     if theta:
         s.arc(O, P, Q, r"$\theta$")
-    product = 3 * Q[0]
-    ax.set_title(
-        rf"$|\mathbf{{Q}}|\cos\theta = {Q[0] + 0.0:.2f},\quad"
-        rf"\mathbf{{P}}\cdot\mathbf{{Q}} = {product + 0.0:.2f}$",
-        fontsize=11,
-    )
+    of_Q = rf"|\mathbf{{Q}}|\cos\theta = {Q[0] + 0.0:.2f}"
+    product = rf"\mathbf{{P}}\cdot\mathbf{{Q}} = {3 * Q[0] + 0.0:.2f}"
+    ax.set_title(rf"${of_Q},\quad{product}$", fontsize=11)
 
 
 @with_sliders(
@@ -137,7 +127,7 @@ def area(ax, theta):
     s = Sketch(ax, ground, azimuth=-65, elevation=20)  # no Q of the slider below P x Q
     s.axes((-1.1, -1.1, 0), ground, 0.5, [r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
     if abs(product) > 0.01:
-        s.plate([O, P, _add(P, Q), Q], shade="light")
+        s.plate([O, P, moved(P, 1, Q), Q], shade="light")
         s.arrow(O, (0, 0, product), r"$\mathbf{P}\times\mathbf{Q}$", "rate")
     s.arrow(O, P, r"$\mathbf{P}$", "velocity")
     s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
@@ -157,23 +147,21 @@ def block(ax, height):
     """Figure A.6: the triple scalar product as a volume with a sign."""
     ground = Frame("ground")
     P, Q, R = (1.2, 0.1, 0), (0.3, 1.0, 0), (0.25, 0.2, height)
-    base = [O, P, _add(P, Q), Q]
+    base = [O, P, moved(P, 1, Q), Q]
+    lid = [moved(corner, 1, R) for corner in base]
     volume = dot3(P, cross3(Q, R))
     s = Sketch(ax, ground, azimuth=-65, elevation=22)
     s.plate(base, shade="light")
-    for corner in base:
-        s.line(corner, _add(corner, R))
-    lid = [_add(corner, R) for corner in base]
+    for corner, above in zip(base, lid, strict=True):
+        s.line(corner, above)
     for tail, tip in zip(lid, [*lid[1:], lid[0]], strict=True):
         s.line(tail, tip)
     s.arrow(O, P, r"$\mathbf{P}$", "velocity")
     s.arrow(O, Q, r"$\mathbf{Q}$", "acceleration")
     s.arrow(O, R, r"$\mathbf{R}$", "rate")
     hand = "right-handed" if volume > 0 else "left-handed" if volume < 0 else "in one plane"
-    ax.set_title(
-        rf"$\mathbf{{P}}\cdot\mathbf{{Q}}\times\mathbf{{R}} = {volume + 0.0:.2f}$: {hand}",
-        fontsize=11,
-    )
+    product = rf"$\mathbf{{P}}\cdot\mathbf{{Q}}\times\mathbf{{R}} = {volume + 0.0:.2f}$"
+    ax.set_title(f"{product}: {hand}", fontsize=11)
 
 
 @with_sliders(
@@ -187,9 +175,7 @@ def block(ax, height):
 def double_cross(ax, around, up):
     """Figure A.7: (P x Q) x R lies in the plane of P and Q."""
     ground = Frame("ground")
-    P, Q = (1.1, 0, 0), (0.5, 0.9, 0)
-    a, b = math.radians(around), math.radians(up)
-    R = (math.cos(b) * math.cos(a), math.cos(b) * math.sin(a), math.sin(b))
+    P, Q, R = (1.1, 0, 0), (0.5, 0.9, 0), _in_space(around, up)
     normal = cross3(P, Q)
     double = cross3(normal, R)
     s = Sketch(ax, ground, azimuth=-60, elevation=28)
@@ -219,7 +205,7 @@ def triangle(ax, corners, normal, eye):
     s.plate(corners, shade="light")
     s.arrow(A, B, r"$\mathbf{P}$", "velocity")
     s.arrow(A, C, r"$\mathbf{Q}$", "acceleration")
-    s.arrow(centre, _add(centre, e, 3), r"$\hat e$", "rate")
+    s.arrow(centre, moved(centre, 3, e), r"$\hat e$", "rate")
     for place, name in zip(corners, "ABC", strict=True):
         s.label(place, name)
 
@@ -235,24 +221,23 @@ def plane(ax, corners, normal, off):
     """Figure A.9: a plane, its normal N at A, and a point X on it or off it."""
     A, B, C = corners
     e = tuple(x / math.hypot(*normal) for x in normal)
-    along = tuple(x / math.dist(A, B) for x in _add(B, A, -1))
+    along = tuple(x / math.dist(A, B) for x in moved(B, -1, A))
     across = cross3(e, along)
+
+    def on_plane(u, v):
+        return moved(moved(A, u, along), v, across)
+
+    foot = on_plane(4.5, 2)
+    X = moved(foot, off, e)
     ground = Frame("ground")
-    corner = [
-        _add(_add(A, along, u), across, v) for u, v in ((-1, -1), (8.5, -1), (8.5, 5), (-1, 5))
-    ]
-    foot = _add(_add(A, along, 4.5), across, 2)
-    X = _add(foot, e, off)
     s = Sketch(ax, ground, azimuth=10, elevation=25)
     s.axes(O, ground, length=2.0)
-    s.path([*corner, corner[0]])
-    s.arrow(A, _add(A, e, 3), r"$\mathbf{N}$", "rate")
+    s.path([on_plane(u, v) for u, v in ((-1, -1), (8.5, -1), (8.5, 5), (-1, 5), (-1, -1))])
+    s.arrow(A, moved(A, 3, e), r"$\mathbf{N}$", "rate")
     s.arrow(A, X, "", "velocity")
     s.line(foot, X)
-    for place in (A, B, C, X):
-        s.dot(place)
     for place, name in ((A, "A"), (B, "B"), (C, "C"), (X, "X")):
-        s.label(place, name)
+        s.dot(place, name)
     product = off * math.hypot(*normal)
     ax.set_title(
         rf"$\overrightarrow{{AX}}\cdot\mathbf{{N}} = {product + 0.0:.1f}$; "
@@ -277,8 +262,8 @@ def difference(ax, vector, rate, now, step):
     s.path([vector(n / 30) for n in range(70)])
     s.arrow(O, start, r"$\mathbf{P}(t)$")
     s.arrow(O, later, r"$\mathbf{P}(t+\Delta t)$")
-    s.arrow(start, _add(start, quotient), r"$\Delta\mathbf{P}/\Delta t$", "acceleration")
-    s.arrow(start, _add(start, rate), r"$d\mathbf{P}/dt$", "velocity")
+    s.arrow(start, moved(start, 1, quotient), r"$\Delta\mathbf{P}/\Delta t$", "acceleration")
+    s.arrow(start, moved(start, 1, rate), r"$d\mathbf{P}/dt$", "velocity")
     s.line(start, later)
     ax.set_title(rf"$\Delta t$ = {step:.1f}: the two differ by {miss:.3f}", fontsize=11)
 
@@ -300,7 +285,7 @@ def turning(ax, theta, rate):
     s.ring(O, ground.k, 1)
     s.arrow(O, e, r"$\hat e$")
     if rate:
-        s.arrow(e, _add(e, across, rate), r"$\dot{\hat e}$", "velocity")
+        s.arrow(e, moved(e, rate, across), r"$\dot{\hat e}$", "velocity")
     if theta:
         s.arc(O, (1, 0, 0), e, r"$\theta$")
     ax.set_title(rf"$|\dot{{\hat e}}|$ = {abs(rate):.2f}", fontsize=11)
@@ -319,25 +304,25 @@ def two_observers(axes, turn):
     ground = Frame("ground")
     disk = ground.rotate("disk", "z", math.radians(turn))
     back = ground.rotate("ground from the disk", "z", -math.radians(turn))
-    for ax, Q, title, other in zip(
+    fixed, turning = ["X", "Y", ""], ["x", "y", ""]
+    for ax, Q, title, own, other, labels in zip(
         axes.flat,
         (disk.vector(0.8, 0.4, 0), ground.vector(0.8, 0.4, 0)),
         ("seen from the ground", "seen from the disk"),
+        (fixed, turning),
         (disk, back),
+        (turning, fixed),
         strict=True,
     ):
         s = Sketch(ax, ground, plane="xy")
         s.ring(O, ground.k, 1.1)
-        own, moved = (["X", "Y", ""], ["x", "y", ""])
-        if other is back:
-            own, moved = moved, own
         s.axes(O, ground, length=0.5, labels=own)
-        s.axes(O, other, length=0.5, labels=moved)
+        s.axes(O, other, length=0.5, labels=labels)
         tip = Q.components(ground)
         s.arrow(O, tip, r"$\mathbf{Q}$")
         if other is disk:
-            s.arrow(tip, _add(tip, ground.k.cross(Q).components(ground), 0.6),
-                    r"$d\mathbf{Q}/dt$", "velocity")  # fmt: skip
+            rate = ground.k.cross(Q).components(ground)
+            s.arrow(tip, moved(tip, 0.6, rate), r"$d\mathbf{Q}/dt$", "velocity")
         ax.set_title(title, fontsize=11)
 
 
@@ -358,14 +343,12 @@ def hill(height, slope):
         s = Sketch(ax, Frame("ground"), plane="xy")
         for line in lines:
             s.path(line, style="dotted")
-        s.arrow(here, _add(here, uphill, 0.6), r"$\nabla f$", "velocity")
-        s.arrow(here, _add(here, e, 0.6), r"$\hat e$", "acceleration")
+        s.arrow(here, moved(here, 0.6, uphill), r"$\nabla f$", "velocity")
+        s.arrow(here, moved(here, 0.6, e), r"$\hat e$", "acceleration")
         s.dot(here)
         s.axes((-2, -1.5, 0), s.frame, 0.6, ["x", "y", ""])
-        along = dot3(uphill, e)
-        ax.set_title(
-            rf"slope along the walk: $\nabla f\cdot\hat e = {along + 0.0:.2f}$", fontsize=11
-        )
+        along = rf"$\nabla f\cdot\hat e = {dot3(uphill, e) + 0.0:.2f}$"
+        ax.set_title(f"slope along the walk: {along}", fontsize=11)
 
     interactive_figure(
         draw,

@@ -37,54 +37,25 @@ def element(ax, x, y, z):
     ax.set_title(rf"$\ell_x^2 = y^2 + z^2$ = {y**2 + z**2:.2f} m²", fontsize=11)
 
 
-def _rod(s, ground):
-    s.rod((-0.7, 0, 0), (0.7, 0, 0))
-
-
-def _plate(s, ground):
-    s.plate([(0, -0.5, -0.3), (0, 0.5, -0.3), (0, 0.5, 0.3), (0, -0.5, 0.3)])
-
-
-def _prism(s, ground):
-    s.box(O, ground, (0.9, 0.6, 0.4))
-
-
-def _disk(s, ground):
-    s.disk(O, ground.i, 0.55)
-
-
-def _cylinder(s, ground):
-    s.cylinder((-0.5, 0, 0), (0.5, 0, 0), 0.35)
-
-
-def _cone(s, ground):
-    s.cone(O, ground.i, 1.0, 0.45)
-
-
-def _sphere(s, ground):
-    s.sphere(O, 0.5)
-
-
 def table():
     """Figure B.2: the seven solids of the table, with their axes and centres of mass."""
-    shapes = {
-        "thin rod": _rod,
-        "thin rectangular plate": _plate,
-        "rectangular prism": _prism,
-        "thin disk": _disk,
-        "cylinder": _cylinder,
-        "cone, axes at the apex": _cone,
-        "sphere": _sphere,
+    ground = Frame("ground")
+    corners = [(0, -0.5, -0.3), (0, 0.5, -0.3), (0, 0.5, 0.3), (0, -0.5, 0.3)]
+    solids = {  # what draws each, and its centre of mass
+        "thin rod": (lambda s: s.rod((-0.7, 0, 0), (0.7, 0, 0)), O),
+        "thin rectangular plate": (lambda s: s.plate(corners), O),
+        "rectangular prism": (lambda s: s.box(O, ground, (0.9, 0.6, 0.4)), O),
+        "thin disk": (lambda s: s.disk(O, ground.i, 0.55), O),
+        "cylinder": (lambda s: s.cylinder((-0.5, 0, 0), (0.5, 0, 0), 0.35), O),
+        "cone, axes at the apex": (lambda s: s.cone(O, ground.i, 1.0, 0.45), (0.75, 0, 0)),
+        "sphere": (lambda s: s.sphere(O, 0.5), O),
     }
     fig, axes = plt.subplots(2, 4, figsize=(11, 5.2))
-    for ax, (name, draw) in zip(axes.flat, shapes.items(), strict=False):
-        ground = Frame("ground")
+    for ax, (name, (draw, G)) in zip(axes.flat, solids.items(), strict=False):
         s = Sketch(ax, ground, azimuth=55, elevation=22)
-        draw(s, ground)
+        draw(s)
         s.axes(O, ground, length=1.1)
-        G = (0.75, 0, 0) if draw is _cone else O
-        s.dot(G)
-        s.label(G, "G")
+        s.dot(G, "G")
         ax.set_title(name, fontsize=11)
     axes.flat[-1].axis("off")
     show_figure(
@@ -113,9 +84,8 @@ def particles(ax, n):
     for x in places:
         s.sphere((x, 0, 0), 0.02)
     s.dimension((-0.5, 0, 0), (0.5, 0, 0), "L", offset=-0.12)
-    ax.set_title(
-        f"{n} particle{'s' * (n > 1)}: {total:.5f} $mL^2$; 1/12 = {1 / 12:.5f}", fontsize=11
-    )
+    count = f"{n} particle{'s' * (n > 1)}"
+    ax.set_title(f"{count}: {total:.5f} $mL^2$; 1/12 = {1 / 12:.5f}", fontsize=11)
 
 
 def _bars(ax, moments):
@@ -144,24 +114,20 @@ def flat(ax, y, z):
     s = Sketch(ax, Frame("ground"), plane="yz")
     s.plate([(0, -1, -0.7), (0, 1, -0.7), (0, 1, 0.7), (0, -1, 0.7)], shade="light")
     s.axes(O, s.frame, 1.2, ["", "y", "z"])
-    s.dot((0, y, z))
-    s.label((0, y, z), "dm")
+    s.dot((0, y, z), "dm")
     s.arrow(O, (0, y, z), r"$\ell_x$", "acceleration")
     s.arrow((0, 0, z), (0, y, z), "$y$", "velocity")
     s.arrow((0, y, 0), (0, y, z), "$z$", "velocity")
-    ax.set_title(
-        rf"$y^2$ = {y**2:.2f}, $z^2$ = {z**2:.2f}, $\ell_x^2$ = {y**2 + z**2:.2f} m²",
-        fontsize=11,
-    )
+    squares = rf"$y^2$ = {y**2:.2f}, $z^2$ = {z**2:.2f}, $\ell_x^2$ = {y**2 + z**2:.2f} m²"
+    ax.set_title(squares, fontsize=11)
 
 
 @with_sliders(
     Slider("a", 0.9, 0.02, 1.0, 0.02, unit="m"),
     Slider("b", 0.6, 0.02, 1.0, 0.02, unit="m"),
     Slider("c", 0.4, 0.02, 1.0, 0.02, unit="m"),
-    alt="Left: a rectangular prism with the edges a, b, c along x, y, z. Right: its three "
-    "moments of inertia as bars. The edge along an axis does not change the moment about that "
-    "axis.",
+    alt="Left: a rectangular prism with the edges a, b, c along x, y, z. Right: its three moments "
+    "of inertia as bars. The edge along an axis does not change the moment about that axis.",
     size=(8.4, 4.4),
     panels=(1, 2),
 )
@@ -215,8 +181,7 @@ def cone_axes(axes, d):
     s = Sketch(axes[0], ground, azimuth=-65, elevation=20)
     s.cone(O, ground.i, h, a)
     s.line((d, -0.7, 0), (d, 0.7, 0), style="centre")
-    s.dot((3 * h / 4, 0, 0))
-    s.label((3 * h / 4, 0, 0), "G")
+    s.dot((3 * h / 4, 0, 0), "G")
     s.axes(O, ground, 1.2)
     s = Sketch(axes[1], ground, plane="xz")
 

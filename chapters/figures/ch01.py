@@ -7,6 +7,7 @@ import math
 from newton_euler import Frame
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved
 
 from .sliding import with_sliders
 
@@ -36,7 +37,7 @@ def position_and_velocity(ax, dt):
     s.arrow(O, P, r"$\mathbf{r}(t)$")
     s.arrow(O, later, r"$\mathbf{r}(t+\Delta t)$")
     s.arrow(P, later, r"$\Delta\mathbf{r}$", kind="velocity")
-    s.line(*(tuple(p + f * v for p, v in zip(P, rate, strict=True)) for f in (-0.4, 1.2)), "dotted")
+    s.line(moved(P, -0.4, rate), moved(P, 1.2, rate), "dotted")
     s.label(O, "O")
     s.label(P, "P")
     s.label(curve(4.0), "C", bold=False)

@@ -6,7 +6,9 @@ from newton_euler import Frame, cos, frenet, moving, sin
 from newton_euler.algebra.vectors import named_sum
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved
 from newton_euler.kinematics.paths import along
+from newton_euler.scenes.closed_forms.harmonic import turned
 
 from .sliding import with_sliders
 
@@ -25,11 +27,6 @@ def wave_path():
 def parts(v):
     """The components of a vector as floats."""
     return tuple(map(float, v))
-
-
-def shifted(P, v, factor=1.0):
-    """The place that a vector leads to from P."""
-    return tuple(p + factor * x for p, x in zip(P, v, strict=True))
 
 
 STRAIGHT, INNER, LANE = 84.39, 36.50, 1.22  # m, of a standard track
@@ -112,14 +109,14 @@ def two_limits(axes, dt):
     left.arrow(O, P, r"$\mathbf{r}(t)$")
     left.arrow(O, Q, r"$\mathbf{r}(t+\Delta t)$")
     left.arrow(P, Q, r"$\Delta\mathbf{r}$", kind="velocity")
-    left.line(shifted(P, v, -0.3), shifted(P, v, 0.8), style="dotted")
+    left.line(moved(P, -0.3, v), moved(P, 0.8, v), style="dotted")
     left.label(O, "O")
     start = (0.6, 0.3, 0)
-    tip, later = shifted(start, v), shifted(start, w)
+    tip, later = moved(start, 1, v), moved(start, 1, w)
     right.arrow(start, tip, r"$\mathbf{v}(t)$", kind="velocity")
     right.arrow(start, later, r"$\mathbf{v}(t+\Delta t)$", kind="velocity")
     right.arrow(tip, later, r"$\Delta\mathbf{v}$", kind="acceleration")
-    right.line(tip, shifted(tip, parts(now.acceleration(ground)), 0.6), style="dotted")
+    right.line(tip, moved(tip, 0.6, parts(now.acceleration(ground))), style="dotted")
     axes[0].set_title("positions", fontsize=11)
     axes[1].set_title("velocities", fontsize=11)
 
@@ -200,10 +197,10 @@ def curvature_of_the_jet(ax, build, percent):
     P = ground.point("P", *along(lambda t: build(t, speed, up, g), time * percent / 100))
     here = frenet(P.velocity(ground), P.acceleration(ground))
     place, out = parts(P.position(ground)), parts(here.to_center.components(ground))
-    centre = shifted(place, out)
+    centre = moved(place, 1, out)
     s = Sketch(ax, ground, plane="xy", arrows=90)
     s.path(places)
-    start = shifted(centre, turned(out, math.pi + 0.5))
+    start = moved(centre, 1, (*turned(*out[:2], math.pi + 0.5), 0))
     s.path(s.around(centre, start, (0, 0, -1), 1.0), style="dashed")
     s.line(place, centre)
     s.dot(centre)
@@ -211,12 +208,6 @@ def curvature_of_the_jet(ax, build, percent):
     s.sum(P, here.acceleration, r"$\mathbf{a}$", size="ft/s²")
     s.label(centre, "centre", bold=False)
     ax.set_title(f"ρ = {here.radius:.2f} ft, v = {here.speed:.2f} ft/s", fontsize=11)
-
-
-def turned(v, angle):
-    """A vector of the plane, turned counterclockwise."""
-    c, s = math.cos(angle), math.sin(angle)
-    return c * v[0] - s * v[1], s * v[0] + c * v[1], 0
 
 
 @with_sliders(
@@ -236,8 +227,9 @@ def car_in_a_curve(ax, v):
     s = Sketch(ax, ground, plane="xy", arrows=240)
     for r in (rho - 12, rho + 12):
         s.path(_bend(0, r, -0.1, 0.6))
-    s.line(tuple(0.75 * x for x in here), here)
-    s.label(tuple(0.75 * x for x in here), "to the centre", bold=False)
+    inner = tuple(0.75 * x for x in here)
+    s.line(inner, here)
+    s.label(inner, "to the centre", bold=False)
     s.box(here, car, (8, 16, 1))
     s.sum(here, inward, r"$\mathbf{a}$", size="m/s²")
     ax.set_title(f"v = {v:.1f} m/s = {3.6 * v:.0f} km/h", fontsize=11)
@@ -285,29 +277,17 @@ def _turning_pair(s, theta, turn):
         (theta + math.pi / 2, r"\hat{e}_\theta", r"-\Delta\theta\,\hat{e}_r"),
     ):
         now, later = (
-            shifted(centre, (math.cos(x), math.sin(x), 0), 1.3) for x in (start, start + turn)
+            moved(centre, 1.3, (math.cos(x), math.sin(x), 0)) for x in (start, start + turn)
         )
         s.arrow(centre, now, rf"${name}$")
         s.arrow(centre, later, rf"${name}$ later")
         s.arrow(now, later, rf"$\approx{change}$", kind="velocity")
 
 
-def boom(build):
-    """Figure 2.8: the boom, from ``build(ground, length_rate, rate)``, its end P."""
-
-    def draw(ax, length_rate, rate):
-        ground = Frame("ground")
-        P = build(ground, length_rate, rate)
-        s = Sketch(ax, ground, plane="xy", arrows=100)
-        _truck_and_boom(s, ground, P)
-        s.vector(P, P.velocity(ground), r"$\mathbf{v}_P$", size="ft/s")
-        s.vector(P, P.acceleration(ground), r"$\mathbf{a}_P$", kind="acceleration", size="ft/s²")
-        s.arc(O, (1, 0, 0), P, r"$\theta$", radius=4)
-
-    _boom_figure(
-        draw,
-        _boom_in_words,
-    )
+BOOM = (
+    Slider("length_rate", 0.5, -1, 1, 0.1, label="extends at", unit="ft/s"),
+    Slider("rate", -0.075, -0.1, 0.1, 0.025, label="raised at", unit="rad/s"),
+)
 
 
 def _boom_in_words(length_rate, rate):
@@ -324,51 +304,47 @@ def _boom_in_words(length_rate, rate):
     )
 
 
-def boom_terms():
-    """Figure 2.13: the terms of the acceleration of the end of the boom."""
-
-    def draw(ax, length_rate, rate):
-        ground = Frame("ground")
-        frame = ground.rotate("boom", "z", angle=math.radians(30), rate=rate)
-        P = frame.point("P", moving(20.0, rate=length_rate), 0, 0)
-        s = Sketch(ax, ground, plane="xy", arrows=170)
-        inner, joint = frame.point("", 16, 0, 0), frame.point("", 17.5, 0, 0)
-        s.shaft(inner, joint)
-        s.rod(joint, P)
-        s.axes(inner, frame, length=1, labels=[r"$\hat\imath$", r"$\hat\jmath$", ""])
-        terms = P.acceleration(ground).terms
-        two = {name: terms[name] for name in ("coriolis", "centripetal")}  # the others are zero
-        s.sum(P, named_sum("acceleration", "P", two, frame), r"$\mathbf{a}_P$")
-
-    _boom_figure(
-        draw,
-        "The outer part of the boom with the terms of the acceleration of its end laid head to tail: Coriolis across "
-        "the boom and centripetal along it towards the pivot; the others are zero. The sum closes "
-        "the chain.",
-    )
-
-
-def _truck_and_boom(s, ground, P):
-    place = parts(P.position(ground))
+@with_sliders(*BOOM, alt=_boom_in_words, size=(7.4, 4.8))
+def boom(ax, build, length_rate, rate):
+    """Figure 2.8: the boom, from ``build(ground, length_rate, rate)``, its end P."""
+    ground = Frame("ground")
+    P = build(ground, length_rate, rate)
+    s = Sketch(ax, ground, plane="xy", arrows=100)
     s.road([(-9, -6, 0), (24, -6, 0)])
     s.box((-1.5, -2.6, 0), ground, (11, 3.6, 1))
     for x in (-5, 2):
         s.disk((x, -5, 0), ground.k, 1.0)
-    s.shaft(O, tuple(0.6 * x for x in place))
-    s.rod(tuple(0.6 * x for x in place), P)
+    joint = tuple(0.6 * x for x in parts(P.position(ground)))
+    s.shaft(O, joint)
+    s.rod(joint, P)
     s.hinge(O)
     s.label(O, "O")
     s.label(P, "P")
+    s.vector(P, P.velocity(ground), r"$\mathbf{v}_P$", size="ft/s")
+    s.vector(P, P.acceleration(ground), r"$\mathbf{a}_P$", kind="acceleration", size="ft/s²")
+    s.arc(O, (1, 0, 0), P, r"$\theta$", radius=4)
 
 
-def _boom_figure(draw, alt):
-    interactive_figure(
-        draw,
-        Slider("length_rate", 0.5, -1, 1, 0.1, label="extends at", unit="ft/s"),
-        Slider("rate", -0.075, -0.1, 0.1, 0.025, label="raised at", unit="rad/s"),
-        alt=alt,
-        size=(7.4, 4.8),
-    )
+@with_sliders(
+    *BOOM,
+    alt="The outer part of the boom with the terms of the acceleration of its end laid head to "
+    "tail: Coriolis across the boom and centripetal along it towards the pivot; the others are "
+    "zero. The sum closes the chain.",
+    size=(7.4, 4.8),
+)
+def boom_terms(ax, length_rate, rate):
+    """Figure 2.13: the terms of the acceleration of the end of the boom."""
+    ground = Frame("ground")
+    frame = ground.rotate("boom", "z", angle=math.radians(30), rate=rate)
+    P = frame.point("P", moving(20.0, rate=length_rate), 0, 0)
+    s = Sketch(ax, ground, plane="xy", arrows=170)
+    inner, joint = frame.point("", 16, 0, 0), frame.point("", 17.5, 0, 0)
+    s.shaft(inner, joint)
+    s.rod(joint, P)
+    s.axes(inner, frame, length=1, labels=[r"$\hat\imath$", r"$\hat\jmath$", ""])
+    terms = P.acceleration(ground).terms
+    two = {name: terms[name] for name in ("coriolis", "centripetal")}  # the others are zero
+    s.sum(P, named_sum("acceleration", "P", two, frame), r"$\mathbf{a}_P$")
 
 
 @with_sliders(
@@ -449,8 +425,9 @@ def seen_from_two_frames(ax, direction, turn):
     s.arrow(O, Q, r"$\mathbf{Q}$")
     s.arrow(O, later, r"$\mathbf{Q}$ later")
     s.arrow(Q, later, r"$\Delta\mathbf{Q}$", kind="velocity")
-    s.arrow(Q, (Q[0] - angle * Q[1], Q[1] + angle * Q[0], 0), kind="rate")
-    s.label((Q[0] - angle * Q[1], Q[1] + angle * Q[0], 0), r"$\Delta\theta\,\hat k\times$Q")
+    tip = Q[0] - angle * Q[1], Q[1] + angle * Q[0], 0
+    s.arrow(Q, tip, kind="rate")
+    s.label(tip, r"$\Delta\theta\,\hat k\times$Q")
 
 
 @with_sliders(
@@ -493,8 +470,7 @@ def five_terms(ax, build, rate, out_rate):
     _truck_and_table(s, ground, table)
     s.axes(table.origin, table, length=0.7, labels="xy ")
     s.label(table.origin, "B")
-    s.dot(A)
-    s.label(A, "A")
+    s.dot(A, "A")
     s.sum(A, A.acceleration(ground), r"$\mathbf{a}_A$", size="m/s²")
 
 

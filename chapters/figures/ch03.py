@@ -7,12 +7,14 @@ from newton_euler.algebra.late import mpmath
 from newton_euler.chapters.examples.ch03 import Spring, screw_jack_ball, screw_jack_time
 from newton_euler.classroom import Slider
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved
 from newton_euler.kinematics import frenet_along
 from newton_euler.kinematics.paths import along
 
 from .sliding import with_sliders
 
 O = (0, 0, 0)
+TRIAD = [r"$\hat e_t$", r"$\hat e_n$", r"$\hat e_b$"]
 
 
 def _curve(path, low, high, count=60):
@@ -53,7 +55,7 @@ def triad(ax, path, q):
     here = frenet_along(path, at(lambda t: q + t, 0.0), ground)
     P, rho = path(q), here.radius
     e_t, e_n = (e.components(ground) for e in (here.e_t, here.e_n))
-    centre = tuple(p + rho * n for p, n in zip(P, e_n, strict=True))
+    centre = moved(P, rho, e_n)
     s = Sketch(ax, ground, azimuth=-60, elevation=25)
     s.path(_curve(path, -1.0, 1.0))
     circle = [
@@ -66,7 +68,7 @@ def triad(ax, path, q):
     s.path(circle, style="dashed")
     s.dot(centre)
     s.line(P, centre)
-    s.axes(P, here.frame, length=0.7, labels=[r"$\hat e_t$", r"$\hat e_n$", r"$\hat e_b$"])
+    s.axes(P, here.frame, length=0.7, labels=TRIAD)
     s.label(P, "P")
     ax.set_title(rf"$\rho$ = {rho:.2f}, $\tau$ = {here.torsion:.2f}", fontsize=11)
 
@@ -91,15 +93,9 @@ def spring(ax, slope):
             s.path(piece, style="dashed") if half % 2 else s.wire(piece)
     s.line(O, (0, 0, 1.2 * turns * wire.rise + 0.1), style="centre")
     here = wire.intrinsic(at(lambda t: 1.0 + t, 0.0), ground)
-    s.axes(
-        wire.path(1.0),
-        here.frame,
-        length=0.28,
-        labels=[r"$\hat e_t$", r"$\hat e_n$", r"$\hat e_b$"],
-    )
-    ax.set_title(
-        rf"$f$ = {wire.flexure:.2f}, $\tau$ = {wire.torsion + 0.0:.2f} per metre", fontsize=11
-    )
+    s.axes(wire.path(1.0), here.frame, length=0.28, labels=TRIAD)
+    flexure, torsion = f"$f$ = {wire.flexure:.2f}", rf"$\tau$ = {wire.torsion + 0.0:.2f}"
+    ax.set_title(f"{flexure}, {torsion} per metre", fontsize=11)
 
 
 @with_sliders(
@@ -125,7 +121,7 @@ def bollard(ax, turns):
         s.path(front + rope, on=((0, 0, 0), (0, 0, 0.5)))
     q = angles[-1]
     hand = (rope[-1][0], rope[-1][1], rope[-1][2] - 0.005)
-    off = tuple(h + 0.5 * d for h, d in zip(hand, (-math.sin(q), math.cos(q), 0), strict=True))
+    off = moved(hand, 0.5, (-math.sin(q), math.cos(q), 0))
     s.wire([(-0.6, -radius, 0.15), (-0.2, -radius, 0.15)])
     s.wire([hand, off])
     s.vector((-0.6, -radius, 0.15), (-1, 0, 0), "$T_1$, ship", kind="force")
@@ -146,8 +142,8 @@ def cable_element(ax, angle):
     s = Sketch(ax, ground, plane="xy")
     half = math.radians(angle) / 2
     ends = [(math.sin(a), math.cos(a) - 1, 0) for a in (-half, half)]
-    s.wire([(math.sin(-half + angle_), math.cos(-half + angle_) - 1, 0) for angle_ in
-            (2 * half * n / 30 for n in range(31))])  # fmt: skip
+    angles = [-half + 2 * half * n / 30 for n in range(31)]
+    s.wire([(math.sin(a), math.cos(a) - 1, 0) for a in angles])
     for end, a, sign, label in (
         (ends[0], -half, -1, r"$-T\,\hat{e}_t$"),
         (ends[1], half, 1, r"$(T+dT)(\hat{e}_t+d\hat{e}_t)$"),
@@ -171,20 +167,29 @@ def cylindrical_axes(ax, theta, z):
     """Figure 3.6: cylindrical coordinates and axes."""
     ground = Frame("ground")
     P = cylindrical(ground, "P", 0.9, math.radians(theta), z)
-    foot = ground.point("Q", *(P.position(ground).components(ground)[:2]), 0)
+    x, y, _ = P.position(ground).components(ground)
+    foot = (x, y, 0)
     s = Sketch(ax, ground, azimuth=25, elevation=25)
     s.axes(O, ground, length=0.6, labels="XYZ")
     s.arrow(O, P)
     s.line(O, foot, style="solid")
     s.line(foot, P)
-    s.label(
-        ground.point("", 0.5 * foot.position(ground).x, 0.5 * foot.position(ground).y, 0), "$r$"
-    )
-    s.label(ground.point("", foot.position(ground).x, foot.position(ground).y, z / 2), "$z$")
+    s.label((x / 2, y / 2, 0), "$r$")
+    s.label((x, y, z / 2), "$z$")
     s.arc(O, ground.i, foot, label=r"$\theta$")
     axes = P.velocity(ground).frame
     s.axes(P, axes, length=0.4, labels=[r"$\hat e_r$", r"$\hat e_\theta$", r"$\hat k$"])
     s.label(P, "P")
+
+
+def _jack(ax, ground, A, arrows):
+    """A sketch of the screw on its ground and the ball A on its arm."""
+    s = Sketch(ax, ground, azimuth=35, elevation=22, arrows=arrows)
+    s.ground((0, 0, -0.1), ground.k, size=0.5)
+    s.shaft((0, 0, -0.1), (0, 0, 0.45))
+    s.rod((0, 0, A.position(ground).components(ground)[2]), A)
+    s.sphere(A, 0.015)
+    return s
 
 
 @with_sliders(
@@ -198,12 +203,7 @@ def screw_jack(ax, turns):
     b, K, lead = 0.3, 2.0, 0.15
     ground = Frame("ground")
     A = screw_jack_ball(ground, b, K, lead, screw_jack_time(turns, K))
-    height = A.position(ground).components(ground)[2]
-    s = Sketch(ax, ground, azimuth=35, elevation=22, arrows=170)
-    s.ground((0, 0, -0.1), ground.k, size=0.5)
-    s.shaft((0, 0, -0.1), (0, 0, 0.45))
-    s.rod((0, 0, height), A)
-    s.sphere(A, 0.015)
+    s = _jack(ax, ground, A, arrows=170)
     s.path(_curve(Spring(b, lead / (2 * math.pi)).path, 0, 2 * math.pi))
     s.vector(A, A.velocity(ground), r"$\mathbf{v}$", size="m/s")
     s.vector(A, A.acceleration(ground), r"$\mathbf{a}$", kind="acceleration", size="m/s²")
@@ -258,20 +258,14 @@ def one_vector(ax, theta, phi):
     s.line(O, P)
     s.axes(P, axes, length=0.6, labels=[r"$\hat e_R$", r"$\hat e_\theta$", r"$\hat e_\phi$"])
     s.dot(P, "P")
-    tip = P
+    tip = P.position(ground).components(ground)
     for e, x, name in zip((axes.i, axes.j, axes.k), parts, ("R", r"\theta", r"\phi"), strict=True):
-        start, tip = tip, tip_of(ground, tip, e * x)
+        start, tip = tip, moved(tip, 1, (e * x).components(ground))
         if abs(x) > 1e-9:
             s.arrow(start, tip, rf"$Q_{name}$", kind="acceleration")
     s.arrow(P, tip, r"$\mathbf{Q}$", kind="velocity")
     text = ", ".join(f"{round(x, 2) + 0.0:.2f}" for x in parts)
     ax.set_title(rf"$(Q_R,Q_\theta,Q_\phi)$ = ({text}); $|Q|$ = {Q.norm():.2f}", fontsize=11)
-
-
-def tip_of(ground, place, v):
-    """The place at the tip of the vector ``v`` from a point or a triple."""
-    start = place.position(ground).components(ground) if hasattr(place, "position") else place
-    return tuple(a + b for a, b in zip(start, v.components(ground), strict=True))
 
 
 def screw_film():
@@ -281,11 +275,7 @@ def screw_film():
     def draw(t, ax):
         ground = Frame("ground")
         A = screw_jack_ball(ground, b, K, lead, t)
-        s = Sketch(ax, ground, azimuth=35, elevation=22, arrows=150)
-        s.ground((0, 0, -0.1), ground.k, size=0.5)
-        s.shaft((0, 0, -0.1), (0, 0, 0.45))
-        s.rod((0, 0, A.position(ground).components(ground)[2]), A)
-        s.sphere(A, 0.015)
+        s = _jack(ax, ground, A, arrows=150)
         s.vector(A, A.velocity(ground), r"$\mathbf{v}$")
         s.vector(A, A.acceleration(ground), r"$\mathbf{a}$", kind="acceleration")
 

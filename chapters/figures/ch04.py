@@ -6,6 +6,7 @@ from newton_euler import Frame, axis_angle, euler_frame, rotation_matrix
 from newton_euler.algebra.late import mpmath, np, plt
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved
 from newton_euler.kinematics.rotations import apply
 
 from .sliding import with_sliders
@@ -102,25 +103,15 @@ def two_orders(axes, a, b):
     ground = Frame("ground")
     a, b = math.radians(a), math.radians(b)
     # turns about fixed axes: the later one is nearer to the ground in the chain
-    x_first = [
-        ground,
-        ground.rotate("1", "x", a),
-        ground.rotate("2", "y", b).rotate("3", "x", a),
-    ]
-    y_first = [
-        ground,
-        ground.rotate("1", "y", b),
-        ground.rotate("2", "x", a).rotate("3", "y", b),
-    ]
-    titles = (
-        "start",
-        "turned about X",
-        "then about Y",
-        "start",
-        "turned about Y",
-        "then about X",
-    )
-    for ax, frame, title in zip(axes.flat, x_first + y_first, titles, strict=True):
+    frames = {
+        "turned about X": ground.rotate("1", "x", a),
+        "then about Y": ground.rotate("2", "y", b).rotate("3", "x", a),
+        "turned about Y": ground.rotate("1", "y", b),
+        "then about X": ground.rotate("2", "x", a).rotate("3", "y", b),
+    }
+    turned = list(frames.items())
+    pictures = [("start", ground), *turned[:2], ("start", ground), *turned[2:]]
+    for ax, (title, frame) in zip(axes.flat, pictures, strict=True):
         s = Sketch(ax, ground, azimuth=35, elevation=22)
         s.box(O, frame, (1.6, 0.9, 0.35))
         s.axes(O, frame, length=1.25)
@@ -131,9 +122,8 @@ def shrinking_gap(gap):
     """Figure 4.5: the gap between the two orders, ``gap(angle)``, against the angle."""
     angles = np.geomspace(1e-3, math.pi / 2, 25)
     fig, ax = plt.subplots(figsize=(6, 3.4))
-    ax.loglog(
-        angles, [gap(a) for a in angles], "o", color="#0072B2", label="gap between the orders"
-    )
+    gaps = [gap(a) for a in angles]
+    ax.loglog(angles, gaps, "o", color="#0072B2", label="gap between the orders")
     ax.loglog(angles, angles, color="#555555", ls=":", label="the angle itself")
     ax.loglog(angles, angles**2, color="#D55E00", label="square of the angle")
     ax.set(xlabel="angle of both turns (rad)", ylabel="gap (rad)")
@@ -157,22 +147,21 @@ def small_turn(ax, turn):
     """Figure 4.6: a small turn moves the tip of r by the cross product."""
     ground = Frame("ground")
     r, angle = (0.75, 0, 0.8), math.radians(turn)
-    moved = apply(rotation_matrix((0, 0, 1), angle), r)
+    turned = apply(rotation_matrix((0, 0, 1), angle), r)
+    tangent = (r[0], r[1] + 0.75 * angle, r[2])
     s = Sketch(ax, ground, azimuth=-70, elevation=25)
     s.line((0, 0, -0.1), (0, 0, 1.02), style="centre")
     s.ring((0, 0, 0.8), ground.k, 0.75)
     s.arrow(O, r, r"$\mathbf{r}$")
-    s.arrow(O, moved, r"$\mathbf{r}+\Delta\mathbf{r}$")
+    s.arrow(O, turned, r"$\mathbf{r}+\Delta\mathbf{r}$")
     s.line((0, 0, 0.8), r)
-    s.line((0, 0, 0.8), moved)
-    s.arrow(r, moved, r"$\Delta\mathbf{r}$", kind="velocity")
-    s.arrow(
-        r, (r[0], r[1] + 0.75 * angle, r[2]), r"$\Delta\theta\,\hat{e}\times\mathbf{r}$", "rate"
-    )
+    s.line((0, 0, 0.8), turned)
+    s.arrow(r, turned, r"$\Delta\mathbf{r}$", kind="velocity")
+    s.arrow(r, tangent, r"$\Delta\theta\,\hat{e}\times\mathbf{r}$", "rate")
     s.arc(O, (0, 0, 1), r, label=r"$\beta$")
-    s.arc((0, 0, 0.8), r, moved, label=r"$\Delta\theta$")
+    s.arc((0, 0, 0.8), r, turned, label=r"$\Delta\theta$")
     s.label((0, 0, 1.02), r"$\hat{e}$")
-    miss = math.dist(moved, (r[0], r[1] + 0.75 * angle, r[2]))
+    miss = math.dist(turned, tangent)
     ax.set_title(f"the two differ by {miss / (0.75 * angle):.1%} of their length", fontsize=11)
 
 
@@ -224,10 +213,9 @@ def cone_film(build):
         s.axes(O, ground, length=0.75, labels="XYZ")
         s.vector(O, cone.angular_velocity(ground), r"$\omega$", kind="rate")
 
-    times = [time * n / 40 for n in range(41)]
     return animate(
         draw,
-        times,
+        [time * n / 40 for n in range(41)],
         alt="The cone rolls once round the vertical axis; omega turns with the line of contact.",
     )
 
@@ -300,9 +288,8 @@ def two_sources():
     angle, r, dr = math.radians(28), 1.0, 0.45
     later = ground.rotate("later", "z", angle)
     fig, axes = plt.subplots(1, 2, figsize=(8.4, 4))
-    for ax, title in zip(
-        axes, ("the relative velocity is turned", "a place that moves faster"), strict=True
-    ):
+    titles = "the relative velocity is turned", "a place that moves faster"
+    for ax, title in zip(axes, titles, strict=True):
         s = Sketch(ax, ground, plane="xy")
         s.line(O, (1.75, 0, 0))
         s.line(O, later.point("", 1.75, 0, 0))
@@ -311,27 +298,18 @@ def two_sources():
         A, A_later = (r, 0, 0), later.point("", r + dr, 0, 0)
         s.label(A, "A")
         if ax is axes[0]:
-            s.arrow(A, (r + 0.5, 0, 0), r"$\mathbf{v}_r$", kind="velocity")
-            s.arrow(
-                A,
-                tuple(a + 0.5 * e for a, e in zip(A, later.i.components(ground), strict=True)),
-                kind="velocity",
-            )
-            tip = tuple(a + 0.5 * e for a, e in zip(A, later.i.components(ground), strict=True))
-            s.arrow(
-                (r + 0.5, 0, 0), tip, r"$\omega\times\mathbf{v}_r\,\Delta t$", kind="acceleration"
-            )
+            before = (r + 0.5, 0, 0)
+            after = moved(A, 0.5, later.i.components(ground))
+            s.arrow(A, before, r"$\mathbf{v}_r$", kind="velocity")
+            s.arrow(A, after, kind="velocity")
+            s.arrow(before, after, r"$\omega\times\mathbf{v}_r\,\Delta t$", "acceleration")
         else:
+            as_before, faster = (later.point("", r + dr, 0.5 * x, 0) for x in (r, r + dr))
             s.dot(A)
             s.dot(A_later)
             s.arrow(A, (r, 0.5 * r, 0), r"$\omega r$", kind="velocity")
-            s.arrow(A_later, later.point("", r + dr, 0.5 * r, 0), kind="velocity")
-            s.arrow(
-                later.point("", r + dr, 0.5 * r, 0),
-                later.point("", r + dr, 0.5 * (r + dr), 0),
-                r"$\omega\,v_r\,\Delta t$",
-                kind="acceleration",
-            )
+            s.arrow(A_later, as_before, kind="velocity")
+            s.arrow(as_before, faster, r"$\omega\,v_r\,\Delta t$", kind="acceleration")
         ax.set_title(title, fontsize=11)
     show_figure(
         fig,
@@ -411,9 +389,8 @@ def disk_on_shaft(ax, build, phi, p):
 def step_sizes(steps, errors, floor):
     """Figure 4.13: the error of each quotient against its step; ``floor``: that of (4.18)."""
     fig, ax = plt.subplots(figsize=(6.4, 3.8))
-    for (name, found), colour, marker in zip(
-        errors.items(), ("#0072B2", "#D55E00"), "os", strict=True
-    ):
+    looks = ("#0072B2", "o"), ("#D55E00", "s")
+    for (name, found), (colour, marker) in zip(errors.items(), looks, strict=True):
         ax.loglog(steps, found, color=colour, marker=marker, ms=5, label=name)
     ax.axhline(1e-3, color="#777777", ls=":", label="good enough for a sensor")
     ax.axhline(floor, color="black", ls="--", label="(4.18), no step")
@@ -431,9 +408,8 @@ def step_sizes(steps, errors, floor):
 
 def central(path, t, h):
     """The second central difference of each coordinate of ``path`` at t, with the step h."""
-    return [
-        (a - 2 * b + c) / h**2 for a, b, c in zip(path(t - h), path(t), path(t + h), strict=True)
-    ]
+    around = zip(path(t - h), path(t), path(t + h), strict=True)
+    return [(a - 2 * b + c) / h**2 for a, b, c in around]
 
 
 def five_points(path, t, h):

@@ -7,6 +7,7 @@ from newton_euler.algebra.late import np, plt
 from newton_euler.chapters.examples.ch05 import END, HEAD, hammer
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics import gravity_at_height
 
 from .curves import evenly
@@ -42,14 +43,14 @@ def two_skaters(ax, pushed, ratio):
 
 
 def _hammer(s, t):
-    """Draw the hammer of the film at the time t, and return the places of head, end and G."""
+    """Draw the hammer of the film at the time t, and return the place of G."""
     (x, z), angle = hammer(t)
     along = math.cos(angle), 0, math.sin(angle)
     G = (x, 0, z)
-    A, B = (tuple(g + d * e for g, e in zip(G, along, strict=True)) for d in (HEAD, END))
+    A, B = moved(G, HEAD, along), moved(G, END, along)
     s.rod(A, B)
     s.box(A, s.frame.rotate("hammer", "y", angle=-angle), (0.05, 0.03, 0.13))
-    return A, B, G
+    return G
 
 
 def thrown_hammer():
@@ -59,9 +60,7 @@ def thrown_hammer():
     def draw(t, ax):
         s = Sketch(ax, Frame("ground"), plane="xz")
         s.path(path)
-        _, _, G = _hammer(s, t)
-        s.dot(G)
-        s.label(G, "G")
+        s.dot(_hammer(s, t), "G")
 
     return animate(
         draw,
@@ -83,9 +82,8 @@ def marked_hammer(ax, film, share):
     s = Sketch(ax, Frame("ground"), plane="xz")
     for row in film[::3]:
         _hammer(s, row[0])
-    marks = [
-        ((1 - share) * x + share * u, 0, (1 - share) * z + share * w) for _, x, z, u, w in film
-    ]
+    rest = 1 - share
+    marks = [(rest * x + share * u, 0, rest * z + share * w) for _, x, z, u, w in film]
     for mark in marks:
         s.dot(mark)
     s.path(marks)
@@ -154,9 +152,7 @@ def three_rods(ax, body, rods, azimuth):
     s.axes(O, ground, length=0.9, labels="xyz")
     for a, b in rods:
         s.rod(a, b)
-    G = tuple(body.centre.position(body.frame).components(body.frame))
-    s.dot(G)
-    s.label(G, "G")
+    s.dot(tuple(body.centre.position(body.frame).components(body.frame)), "G")
 
 
 @with_sliders(
@@ -175,8 +171,7 @@ def machine_part(ax, build, h, hole):
     outline = [*s.around(O, (0, 0, 0.3), (-1, 0, 0), math.pi), (0, -h, -0.3), (0, -h, 0.3)]
     s.plate(outline, [s.around((0, -h / 2, 0), (0, -h / 2, hole), (1, 0, 0))])
     s.axes(O, ground, length=0.5, labels=["", "y", "z"])
-    s.dot(G)
-    s.label(G, "G")
+    s.dot(G, "G")
     ax.set_title(f"G at y = {G[1]:.3f} m", fontsize=11)
 
 
@@ -221,9 +216,8 @@ def two_body_frames(ax, angle):
         one = ground.rotate("1", "z", angle=turned, origin=at_1)
         at_2 = one.point("O2", 0.9, 0.3, 0)
         two = one.rotate("2", "z", angle=0.7, origin=at_2)
-        s.plate(
-            [one.point("", *c, 0) for c in ((-0.2, -0.2), (1.3, -0.2), (1.3, 0.7), (-0.2, 0.7))]
-        )
+        corners = (-0.2, -0.2), (1.3, -0.2), (1.3, 0.7), (-0.2, 0.7)
+        s.plate([one.point("", *corner, 0) for corner in corners])
         s.axes(at_1, one, length=0.35, labels=["$x_1$", "$y_1$", ""])
         s.axes(at_2, two, length=0.35, labels=["$x_2$", "$y_2$", ""])
     ax.set_title(f"both frames have turned by {angle:.0f}°", fontsize=11)
@@ -265,12 +259,9 @@ def pendulum_on_cart(ax, x, theta):
     s.box(cart, ground, (0.4, 0.2, 0.2))
     s.rod(cart, bob)
     s.sphere(bob, 0.08)
-    s.line(cart, (x, 0, -0.9), style="centre")
+    below = (x, 0, -0.9)
+    s.line(cart, below, style="centre")
     if theta:
-        s.arc(
-            cart,
-            (x, 0, -0.9) if theta > 0 else bob,
-            bob if theta > 0 else (x, 0, -0.9),
-            r"$\theta$",
-        )
-    s.dimension((0, 0, 0.3), (x, 0, 0.3), "$x$") if x else None
+        s.arc(cart, *((below, bob) if theta > 0 else (bob, below)), r"$\theta$")
+    if x:
+        s.dimension((0, 0, 0.3), (x, 0, 0.3), "$x$")

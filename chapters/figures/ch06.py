@@ -16,6 +16,7 @@ from newton_euler.applications.earth import (
 )
 from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics.newton import acceleration_by, reaction, resultant_force
 from newton_euler.scenes.particles.low_pressure import air_near_low
 
@@ -68,10 +69,7 @@ def hammer_film():
         return along * t, 0, up * t - G * t * t / 2
 
     def end(t):
-        return tuple(
-            c + 0.75 * e
-            for c, e in zip(place(t), (-math.cos(spin * t), 0, math.sin(spin * t)), strict=True)
-        )
+        return moved(place(t), 0.75, (-math.cos(spin * t), 0, math.sin(spin * t)))
 
     def draw(t, ax):
         ground = Frame("ground")
@@ -83,8 +81,7 @@ def hammer_film():
             s.path([end(q) for q in past], style="dotted")
         s.rod(hammer.point("", -0.75, 0, 0), hammer.point("", 0.1, 0, 0))
         s.box(hammer.point("", 0.15, 0, 0), hammer, (0.16, 0.16, 0.4))
-        s.dot(hammer.origin)
-        s.label(hammer.origin, "G")
+        s.dot(hammer.origin, "G")
 
     return animate(
         draw,
@@ -147,13 +144,9 @@ def guide(ax, v):
     m, rho = 2.0, 0.5
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xz", arrows=120)
-    for radius in (rho - 0.035, rho + 0.035):
-        s.wire(
-            [
-                (radius * math.sin(q / 20), 0, radius * math.cos(q / 20) - rho)
-                for q in range(-20, 21)
-            ]
-        )
+    angles = [q / 20 for q in range(-20, 21)]
+    for r in (rho - 0.035, rho + 0.035):
+        s.wire([(r * math.sin(q), 0, r * math.cos(q) - rho) for q in angles])
     s.line((0, 0, -rho), O, style="centre")
     s.dimension((0, 0, -rho), (rho * math.sin(-0.8), 0, rho * math.cos(0.8) - rho), r"$\rho$", 0)
     s.sphere(O, 0.03)
@@ -233,73 +226,61 @@ def coordinates_in_space(axes, theta, phi):
     ground = Frame("ground")
     th, ph = math.radians(theta), math.radians(phi)
     r, z = math.cos(ph), math.sin(ph)
-    points = cylindrical(ground, "P", r, th, z), spherical(ground, "P", 1.0, th, ph)
-    names = [r"$\hat e_r$", r"$\hat e_\theta$", r"$\hat k$"], [
-        r"$\hat e_R$", r"$\hat e_\theta$", r"$\hat e_\phi$",
-    ]  # fmt: skip
-    for ax, P, labels, title in zip(
-        axes, points, names, ("cylindrical, (6.8)", "spherical, (6.9)"), strict=True
-    ):
+    of_r, of_R = cylindrical(ground, "P", r, th, z), spherical(ground, "P", 1.0, th, ph)
+    points = (
+        (of_r, [r"$\hat e_r$", r"$\hat e_\theta$", r"$\hat k$"], "cylindrical, (6.8)"),
+        (of_R, [r"$\hat e_R$", r"$\hat e_\theta$", r"$\hat e_\phi$"], "spherical, (6.9)"),
+    )
+    for ax, (P, labels, title) in zip(axes, points, strict=True):
         s = Sketch(ax, ground, azimuth=25, elevation=22)
         foot = (r * math.cos(th), r * math.sin(th), 0)
         s.axes(O, ground, length=1.15)
         s.ring(O, ground.k, 1.0)
         s.line(O, foot)
         s.line(foot, P)
-        if title[0] == "s":
+        if P is of_R:
             s.line(O, P, style="solid")
         s.axes(P, P.local, length=0.5, labels=labels)
         if theta:
             s.arc(O, ground.i, foot, label=r"$\theta$")
-        if phi and title[0] == "s":
+        if phi and P is of_R:
             s.arc(O, foot, P, label=r"$\phi$")
         s.dot(P)
         ax.set_title(title, fontsize=11)
 
 
-def screw_jack():
+@with_sliders(
+    Slider("turns", 1.0, 0.05, 1, 0.05),
+    alt="Left: a ball on an arm climbs a helix about a vertical screw; the resultant force on "
+    "it turns towards the screw as the ball speeds up, that of the arm has an upward part, too. "
+    "Right: F_r falls in proportion to the turns, the other components stay the same.",
+    size=(9, 4.8),
+    panels=(1, 2),
+)
+def screw_jack(axes, turns):
     """Figure 6.7: the ball of the screw-jack, and its force components over the turns."""
-    m, a, K, lead = 0.2, 0.1, 10.0, 0.5
-
-    def ball(ground, theta):
-        angle = moving(theta, math.sqrt(2 * K * theta), K)
-        return cylindrical(ground, "ball", a, angle, angle * lead / (2 * math.pi))
-
-    def draw(axes, turns):
-        ground, theta = Frame("ground"), 2 * math.pi * turns
-        P = ball(ground, theta)
-        F = resultant_force(m, P.acceleration(ground))
-        arm = reaction(m, P.acceleration(ground), weight=-m * G * ground.k)
-        s = Sketch(axes[0], ground, azimuth=-55, elevation=18, arrows=75)
-        height = float(P.position(ground).z)
-        s.shaft((0, 0, -0.05), (0, 0, 0.6))
-        s.path([_helix(a, lead, q / 10) for q in range(int(20 * math.pi) + 1)], style="dashed")
-        s.rod((0, 0, height), P)
-        s.sphere(P, 0.014)
-        s.vector(P, F, r"$\mathbf{F}^e$", kind="acceleration", size="N")
-        s.vector(P, arm, "arm", kind="force", size="N")
-        ax = axes[1]
-        ax.plot([0, 1], [0, -m * a * 4 * math.pi * K], color=ORANGE, label="$F_r$")
-        ax.axhline(m * a * K, color=BLUE, ls="--", label=r"$F_\theta$")
-        ax.axhline(m * lead * K / (2 * math.pi), color=GREEN, ls=":", lw=2, label="$F_z$")
-        ax.axhline(float(arm.z), color="black", ls="-.", label="arm, upward")
-        ax.axvline(turns, color=GREY, lw=0.8)
-        ax.set(xlabel="turns", ylabel="component (N)", xlim=(0, 1), ylim=(-2.8, 2.8))
-        ax.legend(frameon=False, fontsize=9, loc="lower left")
-
-    interactive_figure(
-        draw,
-        Slider("turns", 1.0, 0.05, 1, 0.05),
-        alt="Left: a ball on an arm climbs a helix about a vertical screw; the resultant force on "
-        "it turns towards the screw as the ball speeds up, that of the arm has an upward part, too. Right: F_r falls in "
-        "proportion to the turns, the other components stay the same.",
-        size=(9, 4.8),
-        panels=(1, 2),
-    )
-
-
-def _helix(a, lead, theta):
-    return a * math.cos(theta), a * math.sin(theta), lead * theta / (2 * math.pi)
+    m, a, K, rise = 0.2, 0.1, 10.0, 0.5 / (2 * math.pi)
+    ground, theta = Frame("ground"), 2 * math.pi * turns
+    angle = moving(theta, math.sqrt(2 * K * theta), K)
+    P = cylindrical(ground, "ball", a, angle, angle * rise)
+    F = resultant_force(m, P.acceleration(ground))
+    arm = reaction(m, P.acceleration(ground), weight=-m * G * ground.k)
+    s = Sketch(axes[0], ground, azimuth=-55, elevation=18, arrows=75)
+    s.shaft((0, 0, -0.05), (0, 0, 0.6))
+    angles = [q / 10 for q in range(int(20 * math.pi) + 1)]
+    s.path([(a * math.cos(q), a * math.sin(q), rise * q) for q in angles], style="dashed")
+    s.rod((0, 0, float(P.position(ground).z)), P)
+    s.sphere(P, 0.014)
+    s.vector(P, F, r"$\mathbf{F}^e$", kind="acceleration", size="N")
+    s.vector(P, arm, "arm", kind="force", size="N")
+    ax = axes[1]
+    ax.plot([0, 1], [0, -m * a * 4 * math.pi * K], color=ORANGE, label="$F_r$")
+    ax.axhline(m * a * K, color=BLUE, ls="--", label=r"$F_\theta$")
+    ax.axhline(m * rise * K, color=GREEN, ls=":", lw=2, label="$F_z$")
+    ax.axhline(float(arm.z), color="black", ls="-.", label="arm, upward")
+    ax.axvline(turns, color=GREY, lw=0.8)
+    ax.set(xlabel="turns", ylabel="component (N)", xlim=(0, 1), ylim=(-2.8, 2.8))
+    ax.legend(frameon=False, fontsize=9, loc="lower left")
 
 
 @with_sliders(
@@ -316,7 +297,7 @@ def wagon(axes, a):
     ground = Frame("ground")
     tension = m * math.hypot(a, G)
     e = ground.vector(a / math.hypot(a, G), 0, G / math.hypot(a, G))
-    lamp = tuple(c - length * x for c, x in zip((0, 0, 2.1), e.components(), strict=True))
+    lamp = moved((0, 0, 2.1), -length, e.components())
     for ax, title in zip(axes, ("seen from the ground", "seen from the wagon"), strict=True):
         s = Sketch(ax, ground, plane="xz", arrows=48)
         _wagon_body(s, ground)
@@ -356,8 +337,7 @@ def station(ax, r):
     s.turn(O, -ground.k, r"$\omega$")
     s.vector(A, -omega * r * ground.j, r"$\mathbf{v}_A$", size="m/s")
     s.vector(A, -omega * omega * r * ground.i, r"$\mathbf{a}_A$", "acceleration", size="m/s²")
-    s.dot(A)
-    s.label(A, "A")
+    s.dot(A, "A")
     turns = omega * 30 / math.pi
     ax.set_title(f"r = {r} m: ω = {omega:.3f} rad/s, {turns:.1f} turns a minute", fontsize=11)
 
@@ -448,9 +428,8 @@ def throw(axes, u, part):
     r = 100.0
     ground, (_, time) = Frame("ground"), _flight(r, u)
     t = time * part / 100
-    for ax, inside, name in zip(
-        axes, (False, True), ("from the stars", "from inside"), strict=True
-    ):
+    observers = (False, "from the stars"), (True, "from inside")
+    for ax, (inside, name) in zip(axes, observers, strict=True):
         s = Sketch(ax, ground, plane="xy")
         _throw_scene(s, O, r, u, t, inside)
         ax.set_title(f"{name}, t = {t:.2f} s of {time:.2f} s", fontsize=11)
@@ -511,11 +490,8 @@ def coriolis_on_the_ground(ax, latitude, azimuth):
     a = coriolis_acceleration(omega_e, v)
     s.vector(O, a, r"$-2\omega_e\times\mathbf{v}_r$", kind="acceleration")
     right = a.dot(v.cross(ground.k))
-    ax.set_title(
-        f"to the {'right' if right >= 0 else 'left'}: {abs(right):.2f}, "
-        f"up: {a.z:+.2f}, in units of $\\omega_e v_r$",
-        fontsize=11,
-    )
+    aside = f"to the {'right' if right >= 0 else 'left'}: {abs(right):.2f}"
+    ax.set_title(rf"{aside}, up: {a.z:+.2f}, in units of $\omega_e v_r$", fontsize=11)
 
 
 def _swing_turned(hours, latitude):
@@ -541,10 +517,9 @@ def _swing_in_words(hours, latitude):
 )
 def foucault(ax, hours, latitude):
     """Figure 6.13: the swings of Foucault's pendulum, hour by hour, on the floor below."""
-    ring = evenly(0, 2 * math.pi, 121)
-    ax.plot(
-        [3.2 * math.cos(a) for a in ring], [3.2 * math.sin(a) for a in ring], color=GREY, lw=0.8
-    )
+    angles = evenly(0, 2 * math.pi, 121)
+    ring = zip(*((3.2 * math.cos(a), 3.2 * math.sin(a)) for a in angles), strict=True)
+    ax.plot(*ring, color=GREY, lw=0.8)
     for hour in range(hours + 1):
         turned = math.radians(_swing_turned(hour, latitude))
         x, y = 3 * math.cos(turned), 3 * math.sin(turned)
@@ -583,9 +558,8 @@ def shot(ax, azimuth, latitude):
         [(a + magnified * (b - a)) / 1000 for a, b in zip(*both, strict=True)]
         for both in zip(still, there, strict=True)
     ]
-    ax.plot(
-        *([x / 1000 for x in side] for side in still), color=GREY, ls="--", label="Earth at rest"
-    )
+    in_km = ([x / 1000 for x in side] for side in still)
+    ax.plot(*in_km, color=GREY, ls="--", label="Earth at rest")
     ax.plot(*drawn, color=BLUE, label="Earth turning, magnified")
     ax.plot(*(side[-1] for side in drawn), "o", color=BLUE)
     ax.plot(*(side[-1] / 1000 for side in still), "o", mfc="none", color=GREY)

@@ -8,6 +8,7 @@ from newton_euler.bodies import plate
 from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved
 
 from .curves import evenly
 from .sliding import with_sliders
@@ -15,11 +16,6 @@ from .sliding import with_sliders
 O = (0, 0, 0)
 BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
 RODS = (((-0.5, 0, 0), (-0.5, 0, 1)), ((-0.5, 0, 0), (0.5, 0, 0)), ((0.5, 0, 0), (0.5, 1, 0)))
-
-
-def _apart(axes):
-    """Room between two panels for the scale of the right one, and below it."""
-    axes[0].figure.subplots_adjust(left=0.03, right=0.98, bottom=0.17, wspace=0.28)
 
 
 def angle_between(v, w):
@@ -74,45 +70,38 @@ def dumbbell_film(build):
     )
 
 
-def two_balls():
+@with_sliders(
+    Slider("turn", 30, 0, 360, 5, label="angle", unit="°"),
+    alt="Left: a rod with a ball at each end in the plane of x and y, at an angle to x. Right: "
+    "I_xx and I_yy against that angle, never negative, and I_xy, positive while the balls "
+    "are in the first and third quadrants and negative while they are in the others.",
+    size=(8.4, 3.9),
+    panels=(1, 2),
+)
+def two_balls(axes, turn):
     """Figure 7.2: two balls in the plane, and their moments and product of inertia."""
+    ground, a = Frame("ground"), math.radians(turn)
+    A, B = (math.cos(a), math.sin(a), 0), (-math.cos(a), -math.sin(a), 0)
+    s = Sketch(axes[0], ground, plane="xy")
+    s.axes(O, ground, length=1.25, labels=["x", "y", ""])
+    s.rod(A, B)
+    s.line(A, (A[0], 0, 0))
+    s.line(A, (0, A[1], 0))
+    s.sphere(A, 0.08)
+    s.sphere(B, 0.08)
     degrees = range(0, 361, 3)
-    curves = (
+    for label, f, colour, style in (
         ("$I_{xx}$", lambda a: math.sin(a) ** 2, BLUE, "-"),
         ("$I_{yy}$", lambda a: math.cos(a) ** 2, RED, "--"),
         ("$I_{xy}$", lambda a: math.sin(a) * math.cos(a), GREEN, "-."),
-    )
-
-    def draw(axes, turn):
-        _apart(axes)
-        a = math.radians(turn)
-        ground = Frame("ground")
-        A = (math.cos(a), math.sin(a), 0)
-        s = Sketch(axes[0], ground, plane="xy")
-        s.axes(O, ground, length=1.25, labels=["x", "y", ""])
-        s.rod(A, tuple(-x for x in A))
-        s.line(A, (A[0], 0, 0))
-        s.line(A, (0, A[1], 0))
-        s.sphere(A, 0.08)
-        s.sphere(tuple(-x for x in A), 0.08)
-        for label, f, colour, style in curves:
-            values = [f(math.radians(x)) for x in degrees]
-            axes[1].plot(degrees, values, style, color=colour, label=label)
-            axes[1].plot([turn], [f(a)], "o", color=colour)
-        axes[1].axhline(0, color="black", lw=0.8)
-        axes[1].set(xlabel="angle from x to the rod (°)", xticks=range(0, 361, 90))
-        axes[1].set(ylabel="in units of m d²", ylim=(-0.65, 1.1))
-        axes[1].legend(frameon=False, ncol=3, loc="lower center", fontsize=9)
-
-    interactive_figure(
-        draw,
-        Slider("turn", 30, 0, 360, 5, label="angle", unit="°"),
-        alt="Left: a rod with a ball at each end in the plane of x and y, at an angle to x. Right: "
-        "I_xx and I_yy against that angle, never negative, and I_xy, positive while the balls "
-        "are in the first and third quadrants and negative while they are in the others.",
-        size=(8.4, 3.9),
-        panels=(1, 2),
-    )
+    ):
+        values = [f(math.radians(x)) for x in degrees]
+        axes[1].plot(degrees, values, style, color=colour, label=label)
+        axes[1].plot([turn], [f(a)], "o", color=colour)
+    axes[1].axhline(0, color="black", lw=0.8)
+    axes[1].set(xlabel="angle from x to the rod (°)", xticks=range(0, 361, 90))
+    axes[1].set(ylabel="in units of m d²", ylim=(-0.65, 1.1))
+    axes[1].legend(frameon=False, ncol=3, loc="lower center", fontsize=9)
 
 
 def racket():
@@ -152,14 +141,12 @@ def racket():
 )
 def rod_and_point(axes, b):
     """Figure 7.4: the thin rod, the point B on its line, and the integrand of I_yy."""
-    _apart(axes)
     ground = Frame("ground")
     B = (b, 0, 0)
     s = Sketch(axes[0], ground, plane="xz")
     s.rod(O, (1, 0, 0))
     s.axes(B, ground, length=0.3, labels=["x", "", "z"])
-    s.dot(B)
-    s.label(B, "B")
+    s.dot(B, "B")
     s.dimension(O, (1, 0, 0), r"$\ell$", offset=-0.15)
     x = evenly(-b, 1 - b, 101)
     squares = [q * q for q in x]
@@ -205,7 +192,6 @@ def _rods(s):
 )
 def plate_and_ellipse(axes, turn, b):
     """Figure 7.6: a plate, an axis in its plane, omega and H, and the ellipse of inertia."""
-    _apart(axes)
     ground, a = Frame("ground"), 1.2
     I = plate(a, b, ground, "z", mass=12.0).about(ground)
     n = ground.vector(math.cos(math.radians(turn)), math.sin(math.radians(turn)), 0)
@@ -217,9 +203,8 @@ def plate_and_ellipse(axes, turn, b):
     s.vector(O, n, r"$\omega$", kind="rate")
     s.vector(O, H, r"$\mathbf{H}$", kind="plain")
     P = tuple(0.9 * math.sqrt(b * b / I.moment(n)) * x for x in n.components())
-    along = ground.k.cross(H) * (0.4 / float(H.norm()))
-    t = along.components()
-    s.line(tuple(p - x for p, x in zip(P, t, strict=True)), tuple(map(sum, zip(P, t, strict=True))))
+    along = (ground.k.cross(H) * (0.4 / float(H.norm()))).components()
+    s.line(moved(P, -1, along), moved(P, 1, along))
     s.dot(P)
     axes[0].set_title(f"angle between ω and H: {angle_between(n, H):.0f}°", fontsize=11, pad=14)
     _moments_over_angle(axes[1], I, turn)
@@ -245,14 +230,12 @@ def _moments_over_angle(ax, I, here):
         return xx * c * c + yy * s * s, (yy - xx) * s * c
 
     degrees = range(0, 181, 2)
-    for values, label, colour, style, now in zip(
-        zip(*map(both, degrees), strict=True),
-        ("moment about the axis", "product with the axis across"),
-        (BLUE, RED),
-        ("-", "--"),
-        both(here),
-        strict=True,
-    ):
+    looks = (
+        ("moment about the axis", BLUE, "-"),
+        ("product with the axis across", RED, "--"),
+    )
+    curves = zip(*map(both, degrees), strict=True)
+    for values, (label, colour, style), now in zip(curves, looks, both(here), strict=True):
         ax.plot(degrees, values, style, color=colour, label=label)
         ax.plot([here], [now], "o", color=colour)
     ax.axhline(0, color="black", lw=0.8)
@@ -277,7 +260,6 @@ def rods_and_axis():
     apart = [angle_between(direction(s), I.times(direction(s))) for s in way]
 
     def draw(axes, at):
-        _apart(axes)
         n = direction(at)
         s = Sketch(axes[0], ground, azimuth=30, elevation=22, arrows=85)
         _rods(s)
@@ -287,9 +269,8 @@ def rods_and_axis():
             s.label(0.76 * e, name, bold=False)
         s.vector(O, n, r"$\omega$", kind="rate")
         s.vector(O, I.times(n), r"$\mathbf{H}$", kind="plain")
-        axes[0].set_title(
-            f"angle between ω and H: {angle_between(n, I.times(n)):.1f}°", fontsize=11
-        )
+        angle = angle_between(n, I.times(n))
+        axes[0].set_title(f"angle between ω and H: {angle:.1f}°", fontsize=11)
         axes[1].plot(way, moments, color=BLUE, label="moment (units of $m\\ell^2/12$)")
         axes[1].plot(way, apart, "--", color=RED, label="angle between ω and H (°)")
         axes[1].axvline(at, color="black", lw=0.8)
@@ -300,49 +281,44 @@ def rods_and_axis():
     interactive_figure(
         draw,
         Slider("at", 0, 0, 3, 0.1, label="how far it has gone"),
-        alt="Left: the three rods with the axes x, y and z, their three principal axes, dash-dotted and named "
-        "by their moments, an axis of turning "
-        "omega, and H. Right: moment about that axis and angle between omega and H as the axis "
-        "goes from x to each principal axis; the angle is zero at these, where the moments are 5, "
-        "11 and 14.",
+        alt="Left: the three rods with the axes x, y and z, their three principal axes, "
+        "dash-dotted and named by their moments, an axis of turning omega, and H. Right: moment "
+        "about that axis and angle between omega and H as the axis goes from x to each principal "
+        "axis; the angle is zero at these, where the moments are 5, 11 and 14.",
         size=(9.2, 4.4),
         panels=(1, 2),
     )
 
 
-def propeller():
+@with_sliders(
+    Slider("blades", 2, 2, 4, 1, label="blades"),
+    Slider("turn", 30, 0, 90, 15, label="turned", unit="°"),
+    alt="Left: a propeller of straight blades in the plane of x and y. Right: its moment about "
+    "x divided by that about z, against the angle by which it is turned: a wave between 0 and "
+    "1 for two blades, a straight line at one half for three or more.",
+    size=(8.4, 3.9),
+    panels=(1, 2),
+)
+def propeller(axes, blades, turn):
     """Figure 7.8: a propeller with n blades, and its moment about a fixed axis in its plane."""
+    blades, ground = round(blades), Frame("ground")
+
+    def angles(turn):
+        return [math.radians(turn) + 2 * math.pi * n / blades for n in range(blades)]
+
+    def moment(turn):
+        return sum(math.sin(a) ** 2 for a in angles(turn)) / blades
+
+    s = Sketch(axes[0], ground, plane="xy")
+    s.axes(O, ground, length=1.2, labels=["x", "y", ""])
+    for a in angles(turn):
+        s.rod(O, (math.cos(a), math.sin(a), 0))
+    s.hinge(O)
     turns = range(0, 181, 2)
-
-    def moment(blades, turn):
-        angles = (math.radians(turn) + 2 * math.pi * n / blades for n in range(blades))
-        return sum(math.sin(a) ** 2 for a in angles) / blades
-
-    def draw(axes, blades, turn):
-        _apart(axes)
-        blades, ground = round(blades), Frame("ground")
-        s = Sketch(axes[0], ground, plane="xy")
-        s.axes(O, ground, length=1.2, labels=["x", "y", ""])
-        for n in range(blades):
-            a = math.radians(turn) + 2 * math.pi * n / blades
-            s.rod(O, (math.cos(a), math.sin(a), 0))
-        s.hinge(O)
-        moments = [moment(blades, x) for x in turns]
-        axes[1].plot(turns, moments, color=BLUE, label="$I_{xx}$")
-        axes[1].plot([turn], [moment(blades, turn)], "o", color=BLUE)
-        axes[1].set(ylim=(-0.05, 1.05), xlabel="turned by (°)", xticks=range(0, 181, 45))
-        axes[1].set(ylabel="$I_{xx}/I_{zz}$")
-
-    interactive_figure(
-        draw,
-        Slider("blades", 2, 2, 4, 1, label="blades"),
-        Slider("turn", 30, 0, 90, 15, label="turned", unit="°"),
-        alt="Left: a propeller of straight blades in the plane of x and y. Right: its moment about "
-        "x divided by that about z, against the angle by which it is turned: a wave between 0 and "
-        "1 for two blades, a straight line at one half for three or more.",
-        size=(8.4, 3.9),
-        panels=(1, 2),
-    )
+    axes[1].plot(turns, [moment(x) for x in turns], color=BLUE, label="$I_{xx}$")
+    axes[1].plot([turn], [moment(turn)], "o", color=BLUE)
+    axes[1].set(ylim=(-0.05, 1.05), xlabel="turned by (°)", xticks=range(0, 181, 45))
+    axes[1].set(ylabel="$I_{xx}/I_{zz}$")
 
 
 @with_sliders(
@@ -357,18 +333,15 @@ def vectors_to_particle(ax, place):
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     G = (1.3, 0.55, 0)
-    outline = [
-        (1.05 + 1.5 * math.cos(a), 0.45 + 0.95 * math.sin(a), 0) for a in evenly(0, 2 * math.pi, 61)
-    ]
     a = math.radians(place)
     P = (G[0] + 0.95 * math.cos(a), G[1] + 0.6 * math.sin(a), 0)
-    s.path(outline)
+    around = evenly(0, 2 * math.pi, 61)
+    s.path([(1.05 + 1.5 * math.cos(a), 0.45 + 0.95 * math.sin(a), 0) for a in around])
     s.arrow(O, G, r"$\mathbf{d}$", kind="force")
     s.arrow(G, P, r"$\mathbf{\rho}_i$", kind="velocity")
     s.arrow(O, P, r"$\mathbf{d}_i$")
     for point, name in ((O, "B"), (G, "G"), (P, "i")):
-        s.dot(point)
-        s.label(point, name)
+        s.dot(point, name)
 
 
 def shifted_axis(build):
@@ -379,19 +352,16 @@ def shifted_axis(build):
     far = evenly(0, 0.9, 60)
 
     def draw(axes, away, turn):
-        _apart(axes)
         y, z = away * math.cos(math.radians(turn)), away * math.sin(math.radians(turn))
         P = frame.point("P", 0, 1 / 6 + y, 1 / 6 + z)
         moment = float(body.about(P).moments[0])
         s = Sketch(axes[0], frame, plane="yz")
-        for A, B in RODS:
-            s.rod(A, B)
+        _rods(s)
         s.axes(O, frame, length=0.45, labels=["", "y", "z"])
         s.ring(G, frame.i, away or 1e-3)
         s.line(G, P)
         for place, name in ((O, "B"), (G, "G"), (P, "P")):
-            s.dot(place)
-            s.label(place, name)
+            s.dot(place, name)
         axes[1].plot(far, [least + mass * x * x for x in far], color=BLUE)
         axes[1].plot([away], [moment], "o", color=RED)
         axes[1].axhline(least, color="black", lw=0.8, ls="--", label="about G")
@@ -424,8 +394,7 @@ def ring_of_gyration(ax, b):
     s.rod((-b, 0, 0), (1 - b, 0, 0))
     s.ring(O, ground.k, k)
     s.dot(O)
-    s.dot((0.5 - b, 0, 0))
-    s.label((0.5 - b, 0, 0), "G")
+    s.dot((0.5 - b, 0, 0), "G")
     s.label(O, "B")
     s.arrow(O, (0.6 * k, 0.8 * k, 0), "$k$")
     ax.set_title(f"k = {k:.3f} ℓ, G at {abs(b - 0.5):.2f} ℓ", fontsize=11)
@@ -445,34 +414,22 @@ def machine_part(ax, build, h, s):
     body = build(r, h, s)
     frame = body.frame
     sketch = Sketch(ax, frame, plane="yz")
-    outline = [
-        (0, r, 0),
-        (0, r, h),
-        (0, -r, h),
-        (0, -r, 0),
-        *sketch.around(O, (0, -r, 0), frame.i, math.pi),
-    ]
+    corners = [(0, r, 0), (0, r, h), (0, -r, h), (0, -r, 0)]
+    round_end = sketch.around(O, (0, -r, 0), frame.i, math.pi)
     hole = sketch.around((0, 0, h / 2), (0, s, h / 2), frame.i)
-    sketch.plate(outline, [hole])
+    sketch.plate([*corners, *round_end], [hole])
     sketch.axes(O, frame, length=0.16, labels=["", "y", "z"])
-    sketch.dot(body.centre)
-    sketch.label(body.centre, "G")
+    sketch.dot(body.centre, "G")
     sketch.dimension((0, -r, 0), (0, -r, h), "h", offset=0.02)
     sketch.dimension((0, -r, h), (0, 0, h), "r", offset=0.02)
     xx, yy, zz = (1e3 * float(x) for x in body.about(frame).moments)
-    ax.set_title(
-        rf"$I_{{xx}}$ = {xx:.2f}, $I_{{yy}}$ = {yy:.2f}, $I_{{zz}}$ = {zz:.2f} g m²",
-        fontsize=11,
-    )
+    moments = rf"$I_{{xx}}$ = {xx:.2f}, $I_{{yy}}$ = {yy:.2f}, $I_{{zz}}$ = {zz:.2f} g m²"
+    ax.set_title(moments, fontsize=11)
 
 
 def particles_along(length, count, mass, frame, start):
     """``count`` equal particles, in the middles of equal parts of a rod along x from ``start``."""
     step = length / count
-    return composite(
-        "particles",
-        [
-            particle(mass / count, frame.point("", start + (n + 0.5) * step, 0, 0), f"{n}")
-            for n in range(count)
-        ],
-    )
+    places = (frame.point("", start + (n + 0.5) * step, 0, 0) for n in range(count))
+    parts = [particle(mass / count, place, f"{n}") for n, place in enumerate(places)]
+    return composite("particles", parts)

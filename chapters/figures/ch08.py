@@ -2,19 +2,24 @@
 
 import math
 
-from newton_euler import Frame
+from newton_euler import Frame, axis_angle
 from newton_euler.algebra.late import np, plt
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics import angular_momentum, resultant_moment
+from newton_euler.kinematics.rotations import (
+    matrix_from_quaternion,
+    quaternion,
+    quaternion_product,
+)
 
+from .ch07 import BLUE, GREEN, RED, RODS
 from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
-BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
-RODS = (((-0.5, 0, 0), (-0.5, 0, 1)), ((-0.5, 0, 0), (0.5, 0, 0)), ((0.5, 0, 0), (0.5, 1, 0)))
 
 
 @with_sliders(
@@ -57,12 +62,10 @@ def internal_forces(ax, off):
     s.line(P, Q)
     s.arrow(O, P, r"$\mathbf{d}_i$")
     s.arrow(O, Q, r"$\mathbf{d}_j$")
-    s.arrow(P, tuple(map(sum, zip(P, push, strict=True))), r"$\mathbf{F}_{ij}$", kind="force")
-    back = tuple(q - f for q, f in zip(Q, push, strict=True))
-    s.arrow(Q, back, r"$\mathbf{F}_{ji}$", kind="force")
+    s.arrow(P, moved(P, 1, push), r"$\mathbf{F}_{ij}$", kind="force")
+    s.arrow(Q, moved(Q, -1, push), r"$\mathbf{F}_{ji}$", kind="force")
     for place, name in ((O, "B"), (P, "i"), (Q, "j")):
-        s.dot(place)
-        s.label(place, name)
+        s.dot(place, name)
     moment = (P[0] - Q[0]) * push[1] - (P[1] - Q[1]) * push[0]
     ax.set_title(f"sum of both moments about B: {moment:.2f} N m", fontsize=11)
 
@@ -70,9 +73,8 @@ def internal_forces(ax, off):
 @with_sliders(
     Slider("a", 3.0, 0, 6, 0.5, label="acceleration", unit="m/s²"),
     Slider("tilt", 0, 0, 40, 1, label="leaning forward", unit="°"),
-    alt="A pole stands on the foot B on a truck that accelerates to the right. Upright, the "
-    "foot must give a moment; leaning forward at the angle whose tangent is a over g it needs "
-    "none.",
+    alt="A pole stands on the foot B on a truck that accelerates to the right. Upright, the foot "
+    "must give a moment; leaning forward at the angle whose tangent is a over g it needs none.",
     size=(6.4, 4.2),
 )
 def pole_on_truck(ax, build, a, tilt):
@@ -93,24 +95,21 @@ def pole_on_truck(ax, build, a, tilt):
     s.vector((1.35, 0, -0.25), ground.i * a, r"$\mathbf{a}_B$", kind="acceleration", size="m/s²")
     s.label(O, "B")
     s.label(d.components(ground), "G")
-    ax.set_title(
-        f"moment that the foot must give: {round(float(hinge.y), 9) + 0.0:.1f} N m", fontsize=11
-    )
+    moment = round(float(hinge.y), 9) + 0.0
+    ax.set_title(f"moment that the foot must give: {moment:.1f} N m", fontsize=11)
 
 
 def three_spins(times, runs):
     """Figure 8.4: omega over time for spins about the three principal axes, disturbed a little."""
     fig, axes = plt.subplots(1, 3, figsize=(9.6, 3.4), sharey=True, layout="constrained")
+    looks = ("x", BLUE, "-"), ("y", RED, "--"), ("z", GREEN, "-.")
     for ax, (name, rates) in zip(axes, runs.items(), strict=True):
-        for values, label, colour, style in zip(
-            np.transpose(rates), "xyz", (BLUE, RED, GREEN), ("-", "--", "-."), strict=True
-        ):
+        for values, (label, colour, style) in zip(np.transpose(rates), looks, strict=True):
             ax.plot(times, values, style, color=colour, label=rf"$\omega_{label}$")
         ax.set(title=name, xlabel="time (s)", ylim=(-6, 6))
     axes[0].set(ylabel="rad/s")
-    fig.legend(
-        *axes[0].get_legend_handles_labels(), frameon=False, ncol=3, loc="outside lower center"
-    )
+    entries = axes[0].get_legend_handles_labels()
+    fig.legend(*entries, frameon=False, ncol=3, loc="outside lower center")
     show_figure(
         fig,
         alt="Three plots of the components of omega over time. About the axes of least and largest "
@@ -123,13 +122,12 @@ def attitudes(times, rates):
     """The attitude of a body at these times, as (axis, angle), from the components of omega on its
     own axes: in each step it turns about the mean omega.
     """
-    q, found = np.array([1.0, 0, 0, 0]), []
+    q, found = (1.0, 0.0, 0.0, 0.0), []
     means = (rates[1:] + rates[:-1]) / 2
     for step in [np.zeros(3), *(means * np.diff(times)[:, None])]:
-        half = np.linalg.norm(step) / 2
-        c, v = math.cos(half), step * np.sinc(half / math.pi) / 2
-        q = np.append(c * q[0] - v @ q[1:], c * q[1:] + q[0] * v + np.cross(q[1:], v))
-        found.append((q[1:] if half else (0, 0, 1.0), 2 * math.atan2(np.linalg.norm(q[1:]), q[0])))
+        if any(step):
+            q = quaternion_product(q, quaternion(step, float(np.linalg.norm(step))))
+        found.append(axis_angle(matrix_from_quaternion(q)))
     return found
 
 
@@ -159,6 +157,11 @@ def flipping_handle(times, rates, bar=0.12, stem=0.08, every=15):
     )
 
 
+def _rods(s, frame):
+    for A, B in RODS:
+        s.rod(frame.point("", *A), frame.point("", *B))
+
+
 def turning_rods(build, words, azimuth=-60, acceleration=0.0):
     """Figures 8.5 to 8.7: the three rods with omega, H and M, from ``build(rate, acceleration)``:
     ground, body, point; ``words`` names the axis, ``azimuth`` is the direction of view,
@@ -166,12 +169,11 @@ def turning_rods(build, words, azimuth=-60, acceleration=0.0):
     """
 
     def draw(ax, rate, acceleration):
-        ground, body, about = build(rate, acceleration)
-        frame, P = body.frame, about
+        ground, body, P = build(rate, acceleration)
+        frame = body.frame
         s = Sketch(ax, ground, azimuth=azimuth, elevation=22, arrows=110)
         s.axes(P, frame, length=0.35)
-        for A, B in RODS:
-            s.rod(frame.point("", *A), frame.point("", *B))
+        _rods(s, frame)
         axis = frame.angular_velocity(ground)
         unit = axis / max(float(axis.norm()), 1e-9)
         line = [(P - frame.origin).expressed_in(ground) + unit * x for x in (-0.8, 0.8)]
@@ -252,7 +254,6 @@ def drum_and_load(ax, solve, drum):
 )
 def sphere(axes, v0, mu, g, radius, t, spin):
     """Figure 8.10: the sphere at a time, and its speeds over time."""
-    axes[0].figure.subplots_adjust(left=0.03, right=0.98, bottom=0.17, wspace=0.25)
     slip0 = v0 + spin * radius
     given = (v0, mu, g, radius, spin, None, 1 if slip0 >= 0 else -1)
     x, v, omega = (float(q) for q in sphere_at(t, *given))
@@ -301,8 +302,7 @@ def pushed_rod(ax, b):
     for x in evenly(-0.5, 0.5, 9):
         s.vector((x, 0, 0), ground.j * (a + alpha * x), kind="acceleration")
     s.vector((b, -0.32, 0), ground.j * F, "$F$", kind="force")
-    s.dot(O)
-    s.label(O, "G", offset=(0, -14))
+    s.dot(O, "G", offset=(0, -14))
     rest = "none" if abs(b) < 1e-9 else f"x = {-1 / (12 * b):.3f} m"
     ax.set_title(f"no acceleration at {rest}; at G {a:.1f} m/s²", fontsize=11)
 
@@ -328,8 +328,7 @@ def rods_film(build):
         ground, body, about = build(1.0, 0.0, angle=t)
         frame = body.frame
         s = Sketch(ax, ground, azimuth=-60, elevation=22, arrows=80)
-        for A, B in RODS:
-            s.rod(frame.point("", *A), frame.point("", *B))
+        _rods(s, frame)
         s.line((-0.9, 0, 0), (0.9, 0, 0), style="centre")
         s.vector(about, frame.angular_velocity(ground), r"$\omega$", kind="rate")
         s.vector(about, angular_momentum(body, ground, about), r"$\mathbf{H}$", kind="plain")

@@ -57,10 +57,8 @@ def symbols_of_a_rotor(ax, build, psi):
     s.axes(O, ground, length=0.16, labels=["", "Y", "Z"])
     s.axes(O, shaft, length=0.14, labels=["x", "y", "z"])
     s.arc(O, ground.j * 0.1, shaft.j * 0.1, r"$\psi$", radius=0.07)
-    s.dot(body.centre)
-    s.label(body.centre, "G")
-    s.dot(O)
-    s.label(O, "O", offset=(-10, -10))
+    s.dot(body.centre, "G")
+    s.dot(O, "O", offset=(-10, -10))
     s.dimension(A, O, "a", offset=-0.17)
     s.dimension(O, B, "b", offset=-0.17)
 
@@ -77,8 +75,7 @@ def lever():
         s.hinge(P)
         s.label(P, name, offset=(-12, 8))
         s.vector(P, ground.j * -force, rf"$\mathbf{{{name}}}$", kind="force")
-    s.dot(G)
-    s.label(G, "G", offset=(10, 8))
+    s.dot(G, "G", offset=(10, 8))
     s.vector(G, ground.j * -5, r"$m\,\bar{\mathbf{a}}$", kind="acceleration")
     s.dimension(A, O, "a", offset=-0.17)
     s.dimension(O, B, "b", offset=-0.17)
@@ -183,8 +180,7 @@ def balance_by_hand(ax, build, m1, angle1, m2, angle2):
     ]
     s = in_bearings(ax, ground, shaft, A, B)
     draw_masses(s, shaft, body.parts, (-0.1, 0.2), weights)
-    found = reactions(composite("all", [body, *weights]), A, B, ground)
-    bearing_forces(s, A, B, found)
+    bearing_forces(s, A, B, reactions(composite("all", [body, *weights]), A, B, ground))
 
 
 def spot(shaft, x, degrees):
@@ -218,8 +214,7 @@ def balancing(ax, build, x1, x2):
     weights = balancing_masses(body, A, B, planes, radius=0.1)
     s = in_bearings(ax, ground, shaft, A, B)
     draw_masses(s, shaft, body.parts, (x1 / 100, x2 / 100), weights)
-    text = ", ".join(f"{w.name}: {1000 * w.mass:.0f} g" for w in weights)
-    ax.set_title(text, fontsize=11)
+    ax.set_title(", ".join(f"{w.name}: {1000 * w.mass:.0f} g" for w in weights), fontsize=11)
 
 
 def balancing_machine():
@@ -232,8 +227,7 @@ def balancing_machine():
     for y in (-0.2, 0.2):  # the rim, cut
         s.line((-0.08, y, 0), (0.08, y, 0), style="solid")
         for x, name in ((-0.08, "1"), (0.08, "2")):
-            s.dot((x, y, 0))
-            s.label((x, y, 0), name if y > 0 else "", offset=(0, 12))
+            s.dot((x, y, 0), name if y > 0 else "", offset=(0, 12))
     s.sphere((0.045, 0.188, 0), 0.011)
     s.label((0.045, 0.188, 0), "coin", offset=(6, -14), bold=False)
     for x, name in ((-0.3, "A"), (-0.1, "B")):
@@ -261,17 +255,14 @@ def general_rotor(axes, build, psi):
     """Figure 9.8: an end view of any body on a level shaft, X downward, and a side view."""
     ground, shaft, A, B, body = build(psi=math.radians(psi))
     page = ground.rotate("page", "y", -math.pi / 2)  # its z points up, its x along the shaft
-    end, side = (
-        Sketch(axes[0], page, plane="yz"),
-        Sketch(axes[1], page, azimuth=-50, elevation=18),
-    )
+    end = Sketch(axes[0], page, plane="yz")
+    side = Sketch(axes[1], page, azimuth=-50, elevation=18)
     G = body.centre
     for s in (end, side):
         s.axes(O, ground, length=0.24, labels=["X", "Y", ""], moved=False)
         s.axes(O, shaft, length=0.22, labels=["x", "y", ""], moved=True)
         s.box(G, shaft, (0.22, 0.14, 0.24))
-        s.dot(G)
-        s.label(G, "G")
+        s.dot(G, "G")
         s.vector(G, ground.i, r"$m\mathbf{g}$", kind="force")
         s.line(shaft.point("", 0, 0, G.position(shaft).z), G)
     end.arc(O, ground.i * 0.1, shaft.i * 0.1, r"$\psi$")
@@ -300,13 +291,8 @@ def force_over_a_turn(ax, build, omega):
     ax.plot(weight[1], -weight[0], "s", color="#D55E00", label="share of the weight")
     ax.plot(0, 0, "k+", markersize=12, label="no force")
     ax.annotate("", tips[4], (0, 0), arrowprops={"arrowstyle": "->", "color": "k"})
-    ax.set(
-        xlim=(-17, 17),
-        ylim=(-9, 25),
-        aspect="equal",
-        xlabel="along Y, level (N)",
-        ylabel="upward, −X (N)",
-    )
+    ax.set(xlim=(-17, 17), ylim=(-9, 25), aspect="equal")
+    ax.set(xlabel="along Y, level (N)", ylabel="upward, −X (N)")
     ax.legend(frameon=False, fontsize=9, loc="upper right")
 
 

@@ -68,8 +68,7 @@ def points_at_rest(ax, build, spin, precession):
     for x in (-0.32, 0.32):
         P = body.point("P", 0, x, 0.75)
         s.vector(P, P.velocity(ground), size="m/s")
-    s.dot(O)
-    s.label(O, "B")
+    s.dot(O, "B")
     s.axes(O, ground, length=0.5, labels=["", "", "Z"])
 
 
@@ -102,11 +101,10 @@ def angles_film():
     """A film: first precession alone, then nutation, then spin."""
 
     def draw(t, ax):
-        psi, theta, phi = (
-            min(max(t - n, 0), 1) * full for n, full in enumerate((1.2, 0.9, 2 * math.pi))
-        )
+        ends = (1.2, 0.9, 2 * math.pi)
+        angles = (min(max(t - n, 0), 1) * end for n, end in enumerate(ends))
         ground = Frame("ground")
-        body = euler_frame(ground, "body", psi, theta, phi)
+        body = euler_frame(ground, "body", *angles)
         s = sketch(ax, ground)
         s.axes(O, ground, length=0.9, labels="XYZ")
         draw_top(s, body, 0.6, 0.4)
@@ -170,17 +168,12 @@ def nutating(precession, time, pictures):
     return [state[:3] for state in states]
 
 
-def tip(psi, theta, radius=1.0):
-    """The tip of the axis of a top."""
-    return (
-        radius * math.sin(theta) * math.sin(psi),
-        -radius * math.sin(theta) * math.cos(psi),
-        radius * math.cos(theta),
-    )
-
-
 def path_of_axis(precession, time, pictures):
-    return [tip(psi, theta) for psi, theta, _ in nutating(precession, time, pictures)]
+    """The path of the tip of its axis, 1 m from the fixed point."""
+    return [
+        (math.sin(theta) * math.sin(psi), -math.sin(theta) * math.cos(psi), math.cos(theta))
+        for psi, theta, _ in nutating(precession, time, pictures)
+    ]
 
 
 @with_sliders(
@@ -299,9 +292,8 @@ def hanging_rod(axes, angle, omega):
     degrees = range(-90, 91)
     right.plot(degrees, [potential(math.radians(x)) for x in degrees], color=BLUE)
     right.plot(math.degrees(theta), potential(theta), "o", color=ORANGE)
-    right.set(
-        xlim=(-90, 90), ylim=(-1.9, 0.1), xlabel="θ (°)", ylabel="effective potential / (mgL/2)"
-    )
+    right.set(xlim=(-90, 90), ylim=(-1.9, 0.1), xlabel="θ (°)")
+    right.set(ylabel="effective potential / (mgL/2)")
 
 
 def draw_cones(s, ground, ratio, theta, psi, phi):
@@ -313,8 +305,7 @@ def draw_cones(s, ground, ratio, theta, psi, phi):
     if space > 0.01:
         s.cone(O, ground.k, math.cos(space), math.sin(space), open=True)
     s.cone(O, body.k, math.cos(tilt), math.sin(tilt), open=True)
-    rim = [body.point("", math.sin(tilt), 0, math.cos(tilt))]
-    s.line(O, rim[0], style="solid")
+    s.line(O, body.point("", math.sin(tilt), 0, math.cos(tilt)), style="solid")
     omega = body.parent.vector(0, math.sin(tilt), math.cos(tilt))
     s.vector(O, omega * 1.3, r"$\omega$", kind="rate")
     s.line(O, ground.k * 1.3, style="centre")
@@ -386,13 +377,13 @@ def three_at_right_angles(ax, build, spin, precession):
 def rim(axes, build, angle):
     """Figure 10.11: forces and velocities along the axle of the particles of a rim."""
     ground, particles = build()
-    for panel, kind, of in zip(axes, ("force", "velocity"), (2, 3), strict=True):
+    for panel, kind in zip(axes, ("force", "velocity"), strict=True):
         s = Sketch(panel, ground, azimuth=25, elevation=15, arrows=70)
         s.disk(O, (0, 1, 0), 0.3)
-        for particle in particles:
-            place = particle[1].position(ground)
-            s.vector(place, particle[of], kind=kind)
-            if round(particle[0]) == angle:
+        for past_the_top, P, force, velocity in particles:
+            place = P.position(ground)
+            s.vector(place, force if kind == "force" else velocity, kind=kind)
+            if round(past_the_top) == angle:
                 s.dot(place)
         panel.set_title(f"{kind} along the axle", fontsize=11)
 
@@ -417,14 +408,12 @@ def car(ax, loads, rotor):
     ax.set_title(f"rotor {rotor:.0f} rad/s", fontsize=11)
     level = 3000 / 32.2 * 100**2 / 500
     for y, load, name in ((2.5, outer, "outer"), (-2.5, inner, "inner")):
-        s.plate(
-            [(0, y + w, z) for w, z in ((-0.4, 0), (0.4, 0), (0.4, 2), (-0.4, 2))], shade="dark"
-        )
+        wheel = (-0.4, 0), (0.4, 0), (0.4, 2), (-0.4, 2)
+        s.plate([(0, y + w, z) for w, z in wheel], shade="dark")
         s.vector((0, y, 0), ground.k * load, kind="force")
         s.label((0, y + 0.2, -0.7), f"{name} {load:.0f} lb")
         s.vector((0, y, 0), ground.j * (-level * load / 3000), "$F_H$", kind="force")
-    s.dot((near + 1, 0, 4))
-    s.label((near + 1, 0, 4), "G", offset=(-9, 9))
+    s.dot((near + 1, 0, 4), "G", offset=(-9, 9))
     s.road([(0, -4.5, 0), (0, 4.5, 0)])
 
 

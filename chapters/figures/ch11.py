@@ -7,6 +7,7 @@ from newton_euler import Frame, integrate, prepare, sin, work_along
 from newton_euler.algebra.late import np, plt
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing.page.projection import moved, on_circle, on_plane
 from newton_euler.dynamics.energy import gyroscope_energy
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial.top import euler
@@ -50,9 +51,8 @@ def tug(pull, track, winch):
     ground, q = Frame("ground"), evenly(0, 8, 241)
     places = [ground.vector(*track(x)) for x in q]
     s = [*accumulate((float((b - a).norm()) for a, b in pairwise(places)), initial=0.0)]
-    tangents = [
-        (ground.vector(*track(x + 1e-3)) - ground.vector(*track(x - 1e-3))).direction() for x in q
-    ]
+    around = [(ground.vector(*track(x - 1e-3)), ground.vector(*track(x + 1e-3))) for x in q]
+    tangents = [(after - before).direction() for before, after in around]
     forces = [ground.vector(*pull(*place)) for place in places]
     F_t = [F.dot(e) for F, e in zip(forces, tangents, strict=True)]
 
@@ -125,45 +125,42 @@ def couple(ax, angle):
 # -- a particle
 
 
-def pendulum_with_pin(speed, cord, pin, angle):
+@with_sliders(
+    Slider("way", 30, 0, 100, 2, label="way from A to C", unit="%"),
+    alt="Left: a ball on a cord from the nail O swings down from A; at the bottom the cord "
+    "catches the pin B, and the ball rises on a smaller circle to C, level with B. Right: bars of "
+    "the kinetic energy, the potential energy and their sum, which does not change.",
+    size=(8.6, 4.2),
+    panels=(1, 2),
+)
+def pendulum_with_pin(axes, speed, cord, pin, angle, way):
     """Figure 11.3: the ball on its two arcs; ``speed`` is a function of the depth."""
     rest = cord - pin
     first = cord * angle / (cord * angle + rest * math.pi / 2)
 
     def place(way):
+        """The place at this share of the way, and the direction of motion."""
         if way < first:
             a = angle * (1 - way / first)
-            return (-cord * math.sin(a), -cord * math.cos(a)), (math.cos(a), -math.sin(a))
+            return (-cord * math.sin(a), -cord * math.cos(a), 0), (math.cos(a), -math.sin(a), 0)
         b = math.pi / 2 * (way - first) / (1 - first)
-        return (rest * math.sin(b), -pin - rest * math.cos(b)), (math.cos(b), math.sin(b))
+        return (rest * math.sin(b), -pin - rest * math.cos(b), 0), (math.cos(b), math.sin(b), 0)
 
-    def draw(axes, way):
-        (x, y), direction = place(way / 100)
-        v, ball = speed(-y), (x, y, 0)
-        B = (0, -pin, 0)
-        sketch = Sketch(axes[0], Frame("ground"), plane="xy")
-        sketch.path([(*place(n / 60)[0], 0) for n in range(61)], style="dotted")
-        for stops in [(O, ball)] if way / 100 < first else [(O, B), (B, ball)]:
-            sketch.line(*stops, style="solid")
-        for nail in (O, B):
-            sketch.hinge(nail)
-        sketch.sphere(ball, 0.03)
-        sketch.vector(ball, tuple(v * c for c in (*direction, 0)), r"$\mathbf{v}$")
-        axes[0].set_title(f"speed {v:.2f} m/s", fontsize=11)
-        for P, name in ((O, "O"), ((*place(0)[0], 0), "A"), (B, "B"), ((*place(1)[0], 0), "C")):
-            sketch.label(P, name)
-        T, V = v * v / 2, G_SI * y
-        bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -11, 9, "J/kg")
-
-    interactive_figure(
-        draw,
-        Slider("way", 30, 0, 100, 2, label="way from A to C", unit="%"),
-        alt="Left: a ball on a cord from the nail O swings down from A; at the bottom the "
-        "cord catches the pin B, and the ball rises on a smaller circle to C, level with B. Right: bars of the kinetic "
-        "energy, the potential energy and their sum, which does not change.",
-        size=(8.6, 4.2),
-        panels=(1, 2),
-    )
+    ball, direction = place(way / 100)
+    v, B = speed(-ball[1]), (0, -pin, 0)
+    sketch = Sketch(axes[0], Frame("ground"), plane="xy")
+    sketch.path([place(n / 60)[0] for n in range(61)], style="dotted")
+    for stops in [(O, ball)] if way / 100 < first else [(O, B), (B, ball)]:
+        sketch.line(*stops, style="solid")
+    for nail in (O, B):
+        sketch.hinge(nail)
+    sketch.sphere(ball, 0.03)
+    sketch.vector(ball, tuple(v * c for c in direction), r"$\mathbf{v}$")
+    axes[0].set_title(f"speed {v:.2f} m/s", fontsize=11)
+    for P, name in ((O, "O"), (place(0)[0], "A"), (B, "B"), (place(1)[0], "C")):
+        sketch.label(P, name)
+    T, V = v * v / 2, G_SI * ball[1]
+    bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -11, 9, "J/kg")
 
 
 @with_sliders(
@@ -184,8 +181,7 @@ def two_works(axes, forces, bulge):
     ax = axes[0]
     around = list(forces.values())[1]
     swirl = [(x, y, *around(x, y, 0)[:2]) for x in grid for y in grid]
-    sides = zip(*swirl, strict=True)
-    ax.quiver(*sides, color=COLOURS[1], width=0.007, scale=300, pivot="mid")
+    ax.quiver(*zip(*swirl, strict=True), color=COLOURS[1], width=0.007, scale=300, pivot="mid")
     places = [_bulging(q, bulge)[:2] for q in evenly(0, 1, 61)]
     ax.plot(*zip(*places, strict=True), color="black", lw=2)
     for name, (x, y) in {"A": (0, 0), "B": (2, 1)}.items():
@@ -200,43 +196,37 @@ def _bulging(q, bulge):
     return 2 * q, q + bulge * sin(math.pi * q), 0
 
 
-def satellite(speed, mu, nearest, farthest):
+@with_sliders(
+    Slider("round_", 60, 0, 360, 5, label="angle from the nearest point", unit="°"),
+    alt="Left: a satellite on an ellipse about the Earth, with its velocity and the force "
+    "towards the Earth. Right: bars of its kinetic energy, its negative potential energy and "
+    "their sum, which stays the same all the way round.",
+    size=(9, 4),
+    panels=(1, 2),
+)
+def satellite(axes, speed, mu, nearest, farthest, round_):
     """Figure 11.5: a satellite on an ellipse and its energies; ``speed`` of the distance, SI."""
     e = (farthest - nearest) / (farthest + nearest)
 
     def at(degrees):
         f = math.radians(degrees)
         r = nearest * (1 + e) / (1 + e * math.cos(f))
-        return (
-            r,
-            (1e-6 * r * math.cos(f), 1e-6 * r * math.sin(f), 0),
-            (-math.sin(f), e + math.cos(f)),
-        )
+        place = (1e-6 * r * math.cos(f), 1e-6 * r * math.sin(f), 0)
+        return r, place, (-math.sin(f), e + math.cos(f))
 
-    def draw(axes, round_):
-        r, P, direction = at(round_)
-        v = speed(r)
-        sketch = Sketch(axes[0], Frame("space"), plane="xy")
-        sketch.path([at(3 * n)[1] for n in range(121)], style="dotted")
-        sketch.sphere(O, 6.4)
-        sketch.line(O, P)
-        sketch.dot(P)
-        size = math.hypot(*direction)
-        velocity = tuple(1e-3 * v * c / size for c in (*direction, 0))
-        sketch.vector(P, velocity, r"$\mathbf{v}$", size="km/s")
-        sketch.vector(P, tuple(-c / r**3 for c in P), r"$\mathbf{F}$", kind="force")
-        T, V = 1e-6 * v * v / 2, -1e-6 * mu / r
-        bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -70, 60, "MJ/kg")
-
-    interactive_figure(
-        draw,
-        Slider("round_", 60, 0, 360, 5, label="angle from the nearest point", unit="°"),
-        alt="Left: a satellite on an ellipse about the Earth, with its velocity and the force "
-        "towards the Earth. Right: bars of its kinetic energy, its negative potential energy and "
-        "their sum, which stays the same all the way round.",
-        size=(9, 4),
-        panels=(1, 2),
-    )
+    r, P, direction = at(round_)
+    v = speed(r)
+    sketch = Sketch(axes[0], Frame("space"), plane="xy")
+    sketch.path([at(3 * n)[1] for n in range(121)], style="dotted")
+    sketch.sphere(O, 6.4)
+    sketch.line(O, P)
+    sketch.dot(P)
+    size = math.hypot(*direction)
+    velocity = tuple(1e-3 * v * c / size for c in (*direction, 0))
+    sketch.vector(P, velocity, r"$\mathbf{v}$", size="km/s")
+    sketch.vector(P, tuple(-c / r**3 for c in P), r"$\mathbf{F}$", kind="force")
+    T, V = 1e-6 * v * v / 2, -1e-6 * mu / r
+    bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -70, 60, "MJ/kg")
 
 
 def sliding_block(m, slope, mu, length):
@@ -339,10 +329,8 @@ def pair_in_a_body(ax, turn):
         sketch.vector(P, v, rf"$\mathbf{{v}}_{name}$", size="m/s")
         sketch.vector(P, along * line, "")
         sketch.label(P, name)
-    ax.set_title(
-        f"component from i to j: {along:.3f} m/s for both".replace("-", "\N{MINUS SIGN}"),
-        fontsize=11,
-    )
+    both = f"component from i to j: {along:.3f} m/s for both".replace("-", "\N{MINUS SIGN}")
+    ax.set_title(both, fontsize=11)
 
 
 @with_sliders(
@@ -372,49 +360,34 @@ def particle_of_a_body(ax, turn):
         sketch.label(place, name)
 
 
-def rolling_sphere(energy, speed, m, R, slope):
-    """Figure 11.10: a sphere rolls down; ``energy(v)`` has terms, ``speed`` is that after a drop."""
-    down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
-    length = 1.0
-
-    def draw(axes, s):
-        drop = s * math.sin(slope)
-        v = speed(drop)
-        C = (s * down[0], s * down[1], 0)
-        G = tuple(c + R * n for c, n in zip(C, (*normal, 0), strict=True))
-        spoke = s / R
-        rim = tuple(
-            g + R * (math.cos(spoke) * d + math.sin(spoke) * n)
-            for g, d, n in zip(G, (*down, 0), (-normal[0], -normal[1], 0), strict=True)
-        )
-        weight = m * G_SI
-        sketch = Sketch(axes[0], Frame("ground"), plane="xy")
-        sketch.road([tuple(x * d for d in (*down, 0)) for x in (-0.3, length + 0.3)])
-        sketch.disk(G, (0, 0, 1), R, spoke=rim)
-        sketch.vector(G, tuple(v * d for d in (*down, 0)), r"$\bar{\mathbf{v}}$")
-        axes[0].set_title(f"speed of the centre: {v:.2f} m/s", fontsize=11)
-        contact = (
-            weight * (math.cos(slope) * normal[0] - 2 / 7 * math.sin(slope) * down[0]),
-            weight * (math.cos(slope) * normal[1] - 2 / 7 * math.sin(slope) * down[1]),
-            0,
-        )
-        sketch.vector(G, (0, -weight, 0), r"$m\mathbf{g}$", kind="force")
-        sketch.vector(C, contact, "contact force", kind="force")
-        sketch.label(C, "C")
-        T = energy(v).terms
-        V = weight * (length * math.sin(slope) - drop)
-        values = {"translation": T["translation"], "rotation": T["rotation"], "V": V}
-        bars(axes[1], values, 0, 1.2 * weight * length * math.sin(slope))
-
-    interactive_figure(
-        draw,
-        Slider("s", 0.4, 0, length, 0.05, label="distance", unit="m"),
-        alt="Left: a sphere rolls down an incline, with the velocity of its centre, its weight and "
-        "the contact force at C, which is at rest. Right: bars of the energies of translation and "
-        "rotation, always as 5 to 2, and of the potential energy.",
-        size=(9, 3.9),
-        panels=(1, 2),
-    )
+@with_sliders(
+    Slider("s", 0.4, 0, 1.0, 0.05, label="distance", unit="m"),
+    alt="Left: a sphere rolls down an incline, with the velocity of its centre, its weight and "
+    "the contact force at C, which is at rest. Right: bars of the energies of translation and "
+    "rotation, always as 5 to 2, and of the potential energy.",
+    size=(9, 3.9),
+    panels=(1, 2),
+)
+def rolling_sphere(axes, energy, speed, m, R, slope, s):
+    """Figure 11.10: a sphere rolls down 1 m; ``energy(v)`` has terms, ``speed`` is that after a
+    drop.
+    """
+    down, normal = (math.cos(slope), -math.sin(slope), 0), (math.sin(slope), math.cos(slope), 0)
+    weight, drop = m * G_SI, s * math.sin(slope)
+    v, C = speed(drop), moved(O, s, down)
+    G = moved(C, R, normal)
+    sketch = Sketch(axes[0], Frame("ground"), plane="xy")
+    sketch.road([moved(O, -0.3, down), moved(O, 1.3, down)])
+    sketch.disk(G, (0, 0, 1), R, spoke=on_circle(G, down, moved(O, -1, normal), R, s / R))
+    sketch.vector(G, moved(O, v, down), r"$\bar{\mathbf{v}}$")
+    axes[0].set_title(f"speed of the centre: {v:.2f} m/s", fontsize=11)
+    N, F = weight * math.cos(slope), weight * 2 / 7 * math.sin(slope)
+    sketch.vector(G, (0, -weight, 0), r"$m\mathbf{g}$", kind="force")
+    sketch.vector(C, on_plane(O, N, normal, -F, down), "contact force", kind="force")
+    sketch.label(C, "C")
+    T, V = energy(v).terms, weight * (math.sin(slope) - drop)
+    values = {"translation": T["translation"], "rotation": T["rotation"], "V": V}
+    bars(axes[1], values, 0, 1.2 * weight * math.sin(slope))
 
 
 def race(speeds, slope, length=2.0):
@@ -458,11 +431,8 @@ def top_energies(I0, I, mgr, spin):
     axle = spin - s["psi_rate"] * np.cos(s["theta"])
     T = gyroscope_energy(I0, I, s["theta"], s["theta_rate"], s["psi_rate"], axle).terms
     V = mgr * (np.cos(s["theta"]) - math.cos(0.6))  # zero at the start, to make its fall visible
-    curves = {
-        "transverse": T["transverse"],
-        "weight": V,
-        "transverse + weight": T["transverse"] + V,
-    }
+    transverse = T["transverse"]
+    curves = {"transverse": transverse, "weight": V, "transverse + weight": transverse + V}
     fig, ax = plt.subplots(figsize=(6.6, 3.4))
     for (name, y), colour, style in zip(curves.items(), COLOURS, STYLES, strict=False):
         ax.plot(motion.times, y, color=colour, ls=style, label=name)
@@ -489,10 +459,8 @@ def pendulum_levels(m, I, l):
         V = [-depth * math.cos(math.radians(x)) for x in angles]
         axes[0].plot(angles, V, color=COLOURS[0], label="V")
         axes[0].axhline(E, color="black", ls="--", label="E")
-        below = [x < E for x in V]
-        axes[0].fill_between(
-            angles, V, E, where=below, color=COLOURS[2], alpha=0.3, label="T = E − V"
-        )
+        look = {"color": COLOURS[2], "alpha": 0.3, "label": "T = E − V"}
+        axes[0].fill_between(angles, V, E, where=[x < E for x in V], **look)
         axes[0].set(xlabel="θ (°)", ylabel="J", xlim=(-180, 180), ylim=(-1.3 * depth, 3.6 * depth))
         axes[0].legend(frameon=False, fontsize=9, loc="upper left", ncols=3)
         t = evenly(0, 4, 161)

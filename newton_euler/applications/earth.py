@@ -463,7 +463,10 @@ def gradient_wind(
     >>> round(gradient_wind(1e-3, 500e3, 0.8), 2), round(gradient_wind(-1e-3, 500e3, 0.8), 2)
     (8.26, -12.59)
     """
-    f = _turning(latitude, rate)
+    f = coriolis_parameter(latitude, rate)
+    if vanishes(f):
+        raise EarthError("on the equator, or an Earth at rest, nothing turns a wind aside")
+    f = sqrt(f * f)
     square = f * f + 4 * pressure_gradient / radius
     if is_numeric(square) and max_abs(abs(square) - square) > 0:
         raise EarthError(
@@ -473,11 +476,3 @@ def gradient_wind(
         )
     # the root (sqrt(square) - f) radius/2 without its cancellation on large circles
     return 2 * pressure_gradient / (f + sqrt(square))
-
-
-def _turning(latitude, rate):
-    """|2 omega sin(latitude)|"""
-    f = coriolis_parameter(latitude, rate)
-    if vanishes(f):
-        raise EarthError("on the equator, or an Earth at rest, nothing turns a wind aside")
-    return sqrt(f * f)

@@ -139,7 +139,8 @@ def _of_numbers(rows):
         return moments, _canonical(moments, axes)
     if library != "mpmath" and is_here("numpy"):
         return _by_numpy([rows])[0]
-    return _by_rotations(rows)
+    moments, axes = zip(*sorted(zip(*_rotated(rows), strict=True)), strict=True)
+    return list(moments), _canonical(moments, axes)
 
 
 def _with_report(inertia, noise, moments, axes):
@@ -169,11 +170,6 @@ def _by_numpy(matrices):
     values, columns = np.linalg.eigh(np.asarray(matrices, dtype=float))
     pairs = zip(values.tolist(), columns.swapaxes(-1, -2).tolist(), strict=True)
     return [(v, _canonical(v, c)) for v, c in pairs]
-
-
-def _by_rotations(rows):
-    moments, axes = zip(*sorted(zip(*_rotated(rows), strict=True)), strict=True)
-    return list(moments), _canonical(moments, axes)
 
 
 def _rotated(rows):

@@ -10,7 +10,7 @@ from ..algebra.errors import checked
 from ..algebra.linear import LinearError, solve_regular
 from ..algebra.scalars import ZERO, Scalar, is_numeric, is_zero, max_abs, scalar, to_plain
 from ..algebra.vectors import ZERO3, Vector, cross3, named_sum, scale3, sub3
-from ..bodies.admissibility import AXES, MassError
+from ..bodies.admissibility import AXES, PRODUCTS, MassError
 from ..bodies.inertia import Inertia, axis_index
 
 
@@ -161,7 +161,7 @@ def _check_principal(inertia, axes, law, instead):
     small = 1e-12 * max((max_abs(x) for x in inertia.moments if is_numeric(x)), default=0.0)
     left = [
         f"I_{name} = {x}"
-        for name, x in zip(("xy", "yz", "zx"), inertia.products, strict=True)
+        for name, x in zip(PRODUCTS, inertia.products, strict=True)
         if any(a in name for a in axes)
         and not (is_zero(x) or (is_numeric(x) and max_abs(x) <= small))
     ]

@@ -11,7 +11,6 @@ from ..kinematics.frames import Frame, Point, place
 
 K = 6.673e-11  # m^3/(kg s^2), as in the book; CODATA 2018 has 6.67430e-11
 G_STANDARD = 9.81  # m/s^2, the book's flat earth
-G_STANDARD_FT = 32.2  # ft/s^2
 
 
 @checked

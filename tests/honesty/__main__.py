@@ -53,9 +53,9 @@ from rich.progress import (
 import tests.honesty.families
 import tests.honesty.holdout  # noqa: F401
 from newton_euler.algebra.names import did_you_mean
+from newton_euler.motion import METHODS
 from tests.honesty import printing, report
 from tests.honesty.cases import DRAWS, FAMILIES, HOLDOUT
-from tests.honesty.engine import METHOD_NAMES
 from tests.honesty.judge import SECONDS, TOLERANCES
 from tests.honesty.references import SECONDS as REFERENCE_SECONDS
 from tests.honesty.references import cache_folder
@@ -105,7 +105,7 @@ def _cases(context, parameter, texts):
 option = partial(click.option, show_default=True)
 COUNT = click.IntRange(1)
 FOLDER = click.Path(file_okay=False, path_type=Path)
-METHODS = "auto", *METHOD_NAMES
+ASKED = "auto", *METHODS
 USUAL = ",".join(f"{x:g}" for x in TOLERANCES)
 
 
@@ -123,7 +123,7 @@ USUAL = ",".join(f"{x:g}" for x in TOLERANCES)
     metavar="F/S/D",
     help="this case, every call listed; may be repeated",
 )
-@option("--methods", callback=_several(METHODS), metavar="A,B", help="only these methods")
+@option("--methods", callback=_several(ASKED), metavar="A,B", help="only these methods")
 @option("--tolerances", default=USUAL, callback=_numbers, help="errors asked for")
 @option("--without-heyoka", "heyoka", flag_value="without", help="as if heyoka were not installed")
 @option(
@@ -153,7 +153,7 @@ def main(families, holdout, listed, cache, out, count, jobs, cases, **asked):
     first, seeds, draws = asked["first_seed"], asked["seeds"], asked["draws"]
     drawn = product(range(first, first + seeds), families or known, range(draws))
     plan = Plan(
-        asked["methods"] or METHODS, asked["tolerances"], asked["heyoka"] or "both",
+        asked["methods"] or ASKED, asked["tolerances"], asked["heyoka"] or "both",
         asked["seconds"], asked["reference_seconds"], str(cache or cache_folder()),
         not asked["no_changes"],
     )  # fmt: skip

@@ -7,6 +7,8 @@ from random import Random
 from types import SimpleNamespace
 from typing import NamedTuple
 
+import numpy as np
+
 import newton_euler
 from newton_euler import Model
 from newton_euler.motion import second_order
@@ -25,7 +27,7 @@ class Case:
     name, tags : family/seed/draw, and the subject with what else is special; both are filled in by
         :func:`draw`
     knots : times at which the reference stops to look, where something short happens that long
-        steps would pass over
+        steps would pass over; those outside of the motion do not count
     exact : a function ``(mp, s, p, t)`` on mpmath numbers, the states at the time t of the clock,
         which shows t0 at the start, or None; hidden from the engine
     singular_at : the time at which the motion ceases to exist, or None; beyond it the only right
@@ -106,7 +108,8 @@ def _case(made, f, parameters, states, t_end, start, brings, known):
     of_family = f.__qualname__.partition(".")[0].strip("_").replace("_", " ")
     own = (lambda s, p, t: known["exact"](newton_euler, s, p, t)) if brings else None
     model = made(of_family, parameters, tuple(states.split()), f, exact=own)
-    return Case(model, t_end, tuple(start), **known)
+    knots = tuple(known.pop("knots", ()))
+    return Case(model, t_end, tuple(start), knots=knots, **known)
 
 
 def family(subject, *tags, among=FAMILIES):
@@ -169,6 +172,10 @@ class Draws(Random):
             self.decades(*r) if isinstance(r, Log) else self.uniform(*r) if type(r) is tuple else r
             for r in ranges
         )
+
+    def array(self, n, within):
+        """An array of n numbers from one range."""
+        return np.array(self.values(*[within] * n))
 
     def parameters(self, **ranges):
         """A number from each range, by name."""

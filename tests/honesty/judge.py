@@ -13,8 +13,7 @@ from decimal import Context, Decimal
 from time import perf_counter
 
 from newton_euler import integrate, prepare
-from newton_euler.motion import ModelError, UnfitError
-from tests.honesty.engine import METHOD_NAMES
+from newton_euler.motion import METHODS, ModelError, UnfitError
 from tests.honesty.limits import TimeUp, frequent_switches, limited
 from tests.honesty.references import scales
 
@@ -154,7 +153,7 @@ def reachable(truth, rtol):
 # -- the ways to ask
 
 
-def runs_of(case, methods=("auto", *METHOD_NAMES), tolerances=TOLERANCES, without=False):
+def runs_of(case, methods=("auto", *METHODS), tolerances=TOLERANCES, without=False):
     """All calls for a case: pairs of method and way, each at all tolerances, as tuples (method,
     way, rtol); ``auto`` comes first.
 

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from newton_euler.motion import ModelError
+from newton_euler.motion import METHODS, ModelError
 from tests.honesty import judge, references
 from tests.honesty.cases import draw
 
@@ -174,7 +174,7 @@ def test_every_way_is_asked_at_every_tolerance():
     single, batch, late, eventful = (judge.runs_of(draw(n, 0, 0)) for n in cases)
     assert len(set(single)) == len(single)
     assert {t for _, _, t in single} == set(judge.TOLERANCES)
-    assert {m for m, way, _ in single if not way} == {"auto", *judge.METHOD_NAMES}
+    assert {m for m, way, _ in single if not way} == {"auto", *METHODS}
     ways = {way for m, way, _ in single if m == "auto"}
     assert ways == {"", "samples", "prepared", "batch of 3", "batch of 64"}
     assert single[0][:2] == ("auto", "")

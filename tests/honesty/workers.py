@@ -38,7 +38,7 @@ class Plan:
     changes : True to repeat calls and to run them in two threads
     """
 
-    methods: tuple = ("auto", *judge.METHOD_NAMES)
+    methods: tuple = ("auto", *judge.METHODS)
     tolerances: tuple = judge.TOLERANCES
     heyoka: str = "both"
     seconds: float = judge.SECONDS

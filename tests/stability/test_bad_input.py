@@ -201,16 +201,6 @@ def test_whatever_can_be_read_as_real_numbers_is_accepted():
     assert FALL.derivative(iter(START)) == FALL.derivative([1, 0]) == (0.0, -9.81)
 
 
-def test_a_compiled_formula_says_where_it_has_no_value():
-    ratio = ne.compiled(lambda x, y: ne.sqrt(x) / y)
-    with pytest.raises(SingularError, match=r"no value: x = -1\.0, y = 1\.0"):
-        ratio(-1.0, 1.0)
-    with pytest.raises(scalars.DivisionError, match="no value"):
-        ratio(1.0, 0.0)
-    with pytest.raises(scalars.RangeError, match="no value"):
-        ne.compiled(ne.exp)(1e6)
-
-
 def test_a_vector_is_equal_to_itself_there_and_back():
     """Going through another frame rounds, and no frame is better than another."""
     turned = ground.rotate("turned", (1, 2, 3), 0.7)

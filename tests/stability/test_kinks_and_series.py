@@ -15,9 +15,9 @@ from newton_euler import Model, prepare, sin, sqrt, where
 from newton_euler.motion import AccuracyError, ModelError, integrate, second_order
 from newton_euler.motion.prepared import prepared_model
 from tests.honesty import closed_forms
+from tests.models import needs_heyoka
 
 HEYOKA = importlib.util.find_spec("heyoka") is not None
-needs_heyoka = pytest.mark.skipif(not HEYOKA, reason="heyoka is not installed")
 RTOL = 1e-9
 
 

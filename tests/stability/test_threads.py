@@ -14,7 +14,9 @@ from newton_euler.scenes.planar.pendulum import physical_pendulum
 from tests.honesty.limits import frequent_switches
 
 
-def pendulum():
+def pendulum(method=""):
+    if method == "exact":
+        return physical_pendulum(2.0, 0.5, 0.5, 10.0)
     return second_order("pendulum", {"k": 4.0}, ("a",), lambda s, p, t: (-p.k * sin(s.a),))
 
 
@@ -35,8 +37,7 @@ METHODS = ["taylor", "dop853", "exact"]
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_prepared_run_in_four_threads(method, busy):
-    model = physical_pendulum(2.0, 0.5, 0.5, 10.0) if method == "exact" else pendulum()
-    run = prepare(model, 1e-9, method)
+    run = prepare(pendulum(method), 1e-9, method)
     count = 60 if method == "dop853" else 1500
     asked = [(5.0 + n % 3, (0.1 + 2.5 * (n % 97) / 97, 0.0)) for n in range(count)]
     alone = {a: run(*a) for a in asked}
@@ -45,7 +46,7 @@ def test_a_prepared_run_in_four_threads(method, busy):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_whole_integrations_in_four_threads(method, busy):
-    model = physical_pendulum(2.0, 0.5, 0.5, 10.0) if method == "exact" else pendulum()
+    model = pendulum(method)
     turns = Event(lambda s, p, t: s.omega if method == "exact" else s.da, name="turns")
 
     def run(t, start):
@@ -60,8 +61,7 @@ def test_whole_integrations_in_four_threads(method, busy):
 @pytest.mark.parametrize("method", METHODS)
 def test_one_motion_is_read_by_four_threads(method, busy):
     """The dense output between the steps is made when it is first asked for."""
-    model = physical_pendulum(2.0, 0.5, 0.5, 10.0) if method == "exact" else pendulum()
-    made = lambda: integrate(model, 20.0, (1.0, 0.0), 1e-9, method)
+    made = lambda: integrate(pendulum(method), 20.0, (1.0, 0.0), 1e-9, method)
     times = [(t,) for t in np.random.default_rng(1).uniform(0, 20, 400).tolist()]
     alone = [made().at(*t) for t in times[:40]]
     for _ in range(2):

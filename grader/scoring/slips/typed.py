@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from newton_euler.algebra.language import Words
+from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.trace import Step
 
 FUNCTIONS = {"sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs"}
@@ -58,8 +59,9 @@ class Product:
             self.cancelled[s] = None
 
     def _constant(self, x, power):
-        near = Fraction(x).limit_denominator(999)
-        if near and abs(near - Fraction(x)) < 1e-12 * abs(near):
+        exact = Fraction(to_plain(x))
+        near = exact.limit_denominator(999)
+        if near and abs(near - exact) < 1e-12 * abs(near):
             self.coefficient *= near**power
         else:
             self.is_exact = False

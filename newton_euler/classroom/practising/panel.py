@@ -41,7 +41,7 @@ class _Panel:
         self.means = widgets.HTML(layout=widgets.Layout(margin="0 0 0 9.5em"))
         self.step = self._field(_("its value"), _("a number or a list"))
         buttons = self._row(
-            (_("Check"), self._check_answers, _("Check the answers")),
+            (_("Check"), lambda: self._check(p.check, self.answers), _("Check the answers")),
             (_("Next step"), lambda: self._show(p.next_step()), _("Where to go on; again: more")),
             (_("Solution"), lambda: self._show(p.solution()), _("The solution in these numbers")),
             (_("New numbers"), self._new_numbers, _("The same problem with other numbers")),
@@ -81,15 +81,12 @@ class _Panel:
         form = dict(self._forms(self.p.steps)).get(name := self.chosen.value)
         self.means.value = escape(f"{self.p.meanings[name]}: {_as_typed(form)}") if form else ""
 
-    def _check_answers(self):
-        self._check(self.p.check, {key: field.value for key, field in self.answers.items()})
-
     def _check_step(self):
-        self._check(self.p.check_step, {self.chosen.value: self.step.value})
+        self._check(self.p.check_step, {self.chosen.value: self.step})
 
-    def _check(self, check, texts):
+    def _check(self, check, fields):
         try:
-            read = {key: self._read(key, text) for key, text in texts.items()}
+            read = {key: self._read(key, field.value) for key, field in fields.items()}
             given = {key: x for key, x in read.items() if x is not None}
             message = check(**given) if given else self.widgets.HTML(_("Write a value first."))
         except (AnswerError, ValueError) as error:

@@ -1,12 +1,15 @@
 """What names and measures a scene: angles, dimension lines, labels."""
 
 import math
+from typing import TypeAlias
 
 from ...algebra.errors import checked_words
 from ...algebra.vectors import FrameError, cross3, dot3, scale3, sub3
 from ..page.primitives import MARK
 from ..page.projection import between, moved, norm3, on_circle, perpendicular_towards, unit3
 from ..page.recorder import Direction, Place, Recorder
+
+Offset: TypeAlias = Direction | tuple[float, float]
 
 
 @checked_words
@@ -68,22 +71,14 @@ class Measures(Recorder):
                     canvas.head(tail, tip, "measure", MARK, 6)
             canvas.note(between(a, b, 0.5), label, away_from=between(A, B, 0.5))
 
-    def dot(
-        self, P: Place, label: str = "", offset: Direction | tuple[float, float] | None = None
-    ) -> None:
+    def dot(self, P: Place, label: str = "", offset: Offset | None = None) -> None:
         """Draw a small black dot at P, with its name; ``offset`` as for :meth:`label`."""
         place = self._place(P)
         self._record(lambda canvas: canvas.disc(place, 2, "dot"))
         if label:
             self.label(P, label, offset)
 
-    def label(
-        self,
-        P: Place,
-        text: str,
-        offset: Direction | tuple[float, float] | None = None,
-        bold: bool = True,
-    ) -> None:
+    def label(self, P: Place, text: str, offset: Offset | None = None, bold: bool = True) -> None:
         """Write the name of a place beside it. ``offset``: a pair, points to the right and up; or a
         direction from the place. ``bold``: as for points and bodies; a quantity or a word is not.
         """

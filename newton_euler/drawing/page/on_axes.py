@@ -97,8 +97,8 @@ def _holes(view, stroke):
 def place_labels(ax, canvas, renderer, before):
     """The labels as texts on ``ax``; ``before``, their last places in an animation, is updated."""
     _share_parser(renderer)
-    edges = ax.transData.inverted().transform(ax.figure.bbox.get_points()) / canvas.pt
-    made = []
+    corners = ax.transData.inverted().transform(ax.figure.bbox.get_points()) / canvas.pt
+    edges, made = tuple(map(tuple, corners.tolist())), []
 
     def half_of(note):
         artist = ax.annotate(
@@ -109,7 +109,6 @@ def place_labels(ax, canvas, renderer, before):
         made.append(artist)
         return artist.get_window_extent(renderer).size * 72 / ax.figure.dpi / 2
 
-    edges = tuple(map(tuple, edges.tolist()))
     for _, shift in label_shifts(canvas, canvas.shapes(), half_of, edges, before):
         made[-1].set_position(shift)
         yield made[-1]

@@ -1,11 +1,9 @@
 """A plot as SVG: its frame, ticks, marks and legend."""
 
 import math
-from collections.abc import Iterator
 from html import escape
 
 from .letters import letters
-from .paper import Panel
 from .plots import GREY, Mark, Plot, Scale
 from .primitives import BLACK, WHITE
 from .texts import text_at
@@ -17,25 +15,21 @@ _CORNERS = {"upper left": (0, 1), "upper right": (1, 1), "lower left": (0, 0),
             "center left": (0, 0.5), "center right": (1, 0.5), "center": (0.5, 0.5)}  # fmt: skip
 
 
-def plot(panel: Panel) -> Iterator[str]:
-    """The plot of a panel."""
-    yield from _Drawing(panel).parts()
-
-
-class _Drawing:
-    """The scales of a plot, and where its frame is on the page: left, top, width and height."""
+class Drawing:
+    """The plot of a panel: its scales, and where its frame is on the page: left, top, width and
+    height.
+    """
 
     def __init__(self, panel):
         self.plot: Plot = panel.plotted
         settings = self.plot.settings
-        marks = self.plot.marks
         self.x, self.y = (
             Scale(
-                [v for m in marks for v in values(m) if v is not None],
+                [v for mark in self.plot.marks for v in getattr(mark, f"{name}s") if v is not None],
                 settings.get(f"{name}lim"),
                 settings.get(f"{name}scale") == "log",
             )
-            for name, values in (("x", lambda m: m.xs), ("y", lambda m: m.ys))
+            for name in "xy"
         )
         self.yticks = self._ticks("y", self.y, panel.box()[3] / 30)
         self.wide = max((SMALL * letters(t).width for _, t in self.yticks), default=0.0)
@@ -63,11 +57,8 @@ class _Drawing:
         if texts is None:
             step = places[1] - places[0] if len(places) > 1 else places[0] if places else 1.0
             texts = [scale.text(x, step) for x in places]
-        return [
-            (x, str(t))
-            for x, t in zip(places, texts, strict=False)
-            if -1e-9 <= scale(x) <= 1 + 1e-9
-        ]
+        ticks = zip(places, map(str, texts), strict=False)
+        return [(x, text) for x, text in ticks if -1e-9 <= scale(x) <= 1 + 1e-9]
 
     def at(self, x, y):
         """A place on the page; None stands for an edge."""
@@ -127,8 +118,7 @@ class _Drawing:
     def _dots(self, mark):
         for x, y in zip(mark.xs, mark.ys, strict=True):
             x, y = self.at(x, y)
-            inside = -1 <= x - self.left <= self.w + 1 and -1 <= y - self.top <= self.h + 1
-            if inside:
+            if -1 <= x - self.left <= self.w + 1 and -1 <= y - self.top <= self.h + 1:
                 yield _dot(mark, x, y)
 
     def _arrow(self, mark):

@@ -101,10 +101,6 @@ class Stroke:
     cut: bool = False  # a piece of a line that a face cuts
     holes: tuple = ()  # in its filling, each a list of places
 
-    def outlines(self):
-        """The line, or the outline, and the outlines of the holes."""
-        return [self.points, *self.holes]
-
 
 class Canvas(View):
     """A view with strokes and labels of one picture; ``pt``: the length of a point in metres."""
@@ -223,11 +219,11 @@ class Canvas(View):
             self.notes.append(Note(self.project(place), text, towards, gap, colour, weight, fixed))
 
     def shapes(self):
-        """The outlines of each stroke on the page, in points."""
+        """The outlines of each stroke and of its holes on the page, in points."""
         pt, project = self.pt, self.project
         return [
-            [[(x / pt, y / pt) for x, y in map(project, line)] for line in stroke.outlines()]
-            for stroke in self.strokes
+            [[(x / pt, y / pt) for x, y in map(project, line)] for line in (s.points, *s.holes)]
+            for s in self.strokes
         ]
 
     def box(self):

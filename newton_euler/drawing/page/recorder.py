@@ -178,13 +178,9 @@ class Recorder:
         if not self._pending:
             return
         self._pending = False
-        window = self._window or _fitted([self], *self._page())
+        window = self._window or _fitted([self], *self._surface.size())
         self.drawn = laid_out(self, window)
         self._surface.render(self.drawn, window, renderer)
-
-    def _page(self):
-        """Width and height of the axes in points."""
-        return self._surface.size()
 
     def _canvas(self, pt, centre):
         canvas = Canvas(self.view, pt, self._extent, centre)
@@ -244,7 +240,7 @@ def share_window(sketches: Sequence[Recorder]) -> Window:
     for sketch in sketches:
         sketch._longest = longest  # before the fit, which draws arrows
         sketch._shortest = 0.0  # what moves is in proportion
-    window = _fitted(sketches, *sketches[0]._page())
+    window = _fitted(sketches, *sketches[0]._surface.size())
     for sketch in sketches:
         sketch._window = window
     return window
@@ -258,7 +254,7 @@ def join_window(old: Recorder, window: Window, sketches: Sequence[Recorder]) -> 
         for kind, size in sketch._longest.items():
             old._longest[kind] = old._longest.get(kind) or size
         sketch._longest, sketch._shortest = old._longest, 0.0
-    width, height = sketches[0]._page()
+    width, height = sketches[0]._surface.size()
     (x, y), w, h = window.middle, width / 2 * window.pt, height / 2 * window.pt
     page = x - w, x + w, y - h, y + h
     box = _union([page, *(s._canvas(window.pt, window.centre).box() for s in sketches)])

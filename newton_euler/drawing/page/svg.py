@@ -9,7 +9,7 @@ from ...algebra.errors import checked
 from .label_placement import label_shifts
 from .letters import letters
 from .paper import LINE, Page
-from .plot_writer import plot
+from .plot_writer import Drawing
 from .primitives import DASHES, FONT, STYLES, WHITE
 from .recorder import laid_out, share_window
 from .texts import text_at
@@ -63,7 +63,7 @@ def svg(page: Page, alt: str = "") -> str:
         for sketch in panel.sketches:
             parts += _sketch(sketch, panel, number)
         if panel.plotted.calls:
-            parts += plot(panel)
+            parts += Drawing(panel).parts()
         parts += _titles(panel)
     if page.title.strip():
         parts.append(text_at(page.title, width / 2, 12, 11))

@@ -9,8 +9,9 @@ import pytest
 
 from grader.scoring.slips.formulas import Formulas, Stage, Traced
 from grader.scoring.slips.perturbed import Computation, Perturbed
-from grader.scoring.slips.typed import typed
+from grader.scoring.slips.typed import Product, typed
 from newton_euler import asin, sqrt
+from newton_euler.algebra.scalars import ZERO
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI
 from tests.grader.scoring.traced import named_causes
@@ -190,3 +191,7 @@ def test_the_square_of_a_sum_is_written_once_and_a_1_is_not_looked_up():
     assert "has the term b with the opposite sign" in found
     assert not [words for words in found if "b with the opposite sign, in one" in words]
     assert not [words for words in found if "for the 1 of" in words]
+
+
+def test_a_zero_from_the_structure_of_a_formula_is_taken_as_a_number():
+    assert not Product(ZERO).is_exact

@@ -8,16 +8,12 @@ from tests.honesty.cases import Case, Log, by_rates, family
 COUNTS = (3, 64, 70)  # the engine works in one way up to 63, in another from 64 on
 
 
-def _drawn(rng, n, within):
-    return np.array(rng.values(*[within] * n))
-
-
 @family("batch")
 def many_pendulums(rng):
     """Pendulums of lengths over three decades, each from its own angle."""
     n = rng.choice(COUNTS)
-    model = models.pendulum(_drawn(rng, n, Log(0.1, 100.0)), "pendulums")
-    start = _drawn(rng, n, (-2.5, 2.5)), np.zeros(n)
+    model = models.pendulum(rng.array(n, Log(0.1, 100.0)), "pendulums")
+    start = rng.array(n, (-2.5, 2.5)), np.zeros(n)
     return Case(model, rng.uniform(3.0, 12.0), start, exact=models.exact_pendulum)
 
 
@@ -26,7 +22,7 @@ def amplitudes_over_decades(rng):
     """One spring, many amplitudes from 1e-9 to 1e3."""
     n = rng.choice(COUNTS)
     model, T = models.spring(k=rng.uniform(0.5, 5.0)), rng.uniform(5.0, 40.0)
-    return Case(model, T, (_drawn(rng, n, Log(1e-9, 1e3)), np.zeros(n)), exact=models.exact_spring)
+    return Case(model, T, (rng.array(n, Log(1e-9, 1e3)), np.zeros(n)), exact=models.exact_spring)
 
 
 @family("batch", "multi-scale")
@@ -46,18 +42,18 @@ def many_planets(rng):
 def many_relaxations(rng):
     """Van der Pol's oscillator for parameters from 0.1 to 50."""
     n = rng.choice(COUNTS)
-    mu = _drawn(rng, n, Log(0.1, 50.0))
+    mu = rng.array(n, Log(0.1, 50.0))
     rates = lambda s, p, t: (s.y, p.mu * (1 - s.x * s.x) * s.y - s.x)
     T = rng.uniform(2.0, 15.0)
-    return by_rates(rates, {"mu": mu}, "x y", T, (np.array([2.0] * n), _drawn(rng, n, (-1.0, 1.0))))
+    return by_rates(rates, {"mu": mu}, "x y", T, (np.array([2.0] * n), rng.array(n, (-1.0, 1.0))))
 
 
 @family("batch", "kinked")
 def many_falls(rng):
     """Light and heavy bodies thrown upwards with drag v |v|."""
     n = rng.choice(COUNTS)
-    parameters = {"g": 9.81, "c": _drawn(rng, n, Log(1e-3, 0.5))}
+    parameters = {"g": 9.81, "c": rng.array(n, Log(1e-3, 0.5))}
     rates = lambda s, p, t: (s.v, -p.g - p.c * abs(s.v) * s.v)
     T = rng.uniform(2.0, 6.0)
-    start = np.zeros(n), _drawn(rng, n, (5.0, 30.0))
+    start = np.zeros(n), rng.array(n, (5.0, 30.0))
     return by_rates(rates, parameters, "h v", T, start)

@@ -4,7 +4,10 @@ them.
 
 import math
 
-from tests.honesty import closed_forms, engine, models
+from newton_euler.scenes.particles.orbit import orbit
+from newton_euler.scenes.planar.pendulum import physical_pendulum
+from newton_euler.scenes.spatial.free_body import free_body
+from tests.honesty import closed_forms, models
 from tests.honesty.cases import Case, Log, family
 from tests.honesty.families.events import LOWEST_PLACE, crossings
 
@@ -17,7 +20,7 @@ def _spring(rng):
 
 def _pendulum(rng):
     k = rng.decades(0.1, 100.0)
-    return engine.physical_pendulum(2.0, 0.5, 0.5, k), math.sqrt(k)  # whose stiffness is k
+    return physical_pendulum(2.0, 0.5, 0.5, k), math.sqrt(k)  # whose stiffness is k
 
 
 def _stiffness(p):
@@ -54,7 +57,7 @@ def free_body_by_its_closed_form(rng):
     def exact(mp, s, p, t):
         return closed_forms.free_body(mp, (p.I_x, p.I_y, p.I_z), (s.w_x, s.w_y, s.w_z), t)
 
-    model = engine.free_body(1.0, *rng.values((1.2, 1.8), (2.0, 2.5)))
+    model = free_body(1.0, *rng.values((1.2, 1.8), (2.0, 2.5)))
     tilt, T, spin = rng.values(Log(1e-6, 1.0), Log(10.0, 1e6), (0.5, 1.5))
     start = tilt, rng.either(spin), tilt * rng.uniform(0.3, 3.0)
     return Case(model, 2 * math.pi * T, start, exact=exact)
@@ -69,7 +72,7 @@ def orbit_by_its_closed_form(rng):
 
     e, mu, T = rng.values((0.0, 0.95), Log(0.1, 10.0), Log(1.0, 1e6))
     start = 1 + e, 0.0, 0.0, math.sqrt(mu * (1 - e) / (1 + e))
-    return Case(engine.orbit(mu), 2 * math.pi / mu**0.5 * T, start, exact=exact)
+    return Case(orbit(mu), 2 * math.pi / mu**0.5 * T, start, exact=exact)
 
 
 @family("events", "closed form")

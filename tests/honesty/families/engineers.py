@@ -62,8 +62,7 @@ def tower_in_an_earthquake(rng):
         return x, v
 
     T = times[-1] * rng.uniform(0.6, 1.0)
-    knots = tuple(x for x in times if 0 < x < T)
-    return by_accelerations(a, parameters, "u", T, (0.0, 0.0), exact=exact, knots=knots)
+    return by_accelerations(a, parameters, "u", T, (0.0, 0.0), exact=exact, knots=times)
 
 
 @family("engineers", "forced")
@@ -361,5 +360,5 @@ def plane_in_a_turning_beam(rng):
 
     T, met = rng.uniform(7.0, 20.0), math.atan2(y0, x0)
     hits = [t for k in range(20) if 0 < (t := (met + k * math.pi) / W) < T]
-    knots = sorted({u for t in hits for u in around(t, w / W / 2, 12) if 0 < u < T})
+    knots = sorted({u for t in hits for u in around(t, w / W / 2, 12)})
     return by_rates(rates, parameters, "x y u q", T, (x0, y0, -v, 0.0), knots=tuple(knots))

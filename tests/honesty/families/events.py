@@ -2,10 +2,9 @@
 
 import math
 
-from newton_euler import Event, Model, cos, sin, sqrt
+from newton_euler import Event, Model, cos, sin, sqrt, where
 from tests.honesty import closed_forms, models
 from tests.honesty.cases import Case, Log, by_accelerations, by_rates, family
-from tests.honesty.engine import where
 
 LINE = Event(lambda s, p, t: s.x - p.line)
 LOWEST_PLACE = Event(lambda s, p, t: s.theta, name="lowest place")

@@ -5,9 +5,8 @@ Friction, drag as it is usually written, springs with play, walls, valves.
 
 import math
 
-from newton_euler import cos, sin, sqrt
+from newton_euler import cos, sin, sqrt, where
 from tests.honesty.cases import Log, by_accelerations, by_rates, family
-from tests.honesty.engine import where
 
 DRIVE = {"k": (0.5, 20.0), "c": (0.05, 0.5), "F": (0.5, 3.0), "w": Log(0.2, 8.0)}  # an oscillator
 

@@ -46,7 +46,6 @@ def engine_with_a_peak_of_pressure(rng):
         if v2 < 0.3 * w0**2:
             break
     T = t + rng.uniform(0.2, 0.6) * 2 * math.pi / math.sqrt(v2)
-    knots = tuple(x for x in knots if 0 < x < T)
     return by_rates(rates, parameters, "a w", T, (0.0, w0), knots=knots)
 
 

@@ -9,10 +9,6 @@ from tests.honesty import closed_forms
 from tests.honesty.cases import Case, Log, around, by_accelerations, by_rates, family
 
 
-def _inside(T, *knots):
-    return tuple(sorted(t for t in knots if 0 < t < T))
-
-
 @family("narrow")
 def dose_under_two_beams(rng):
     """The dose at a spot, narrower in one direction, for a body that swings in two."""
@@ -30,7 +26,7 @@ def dose_under_two_beams(rng):
     pace = max(abs(math.sin(a * met)) * a, 0.02)
     knots = [k for t in times for k in around(t / a, wx / pace / 2, 16)]
     start = 1.0, 0.0, 0.0, b, 0.0
-    return by_rates(rates, parameters, "x u y v D", T, start, knots=_inside(T, *knots))
+    return by_rates(rates, parameters, "x u y v D", T, start, knots=knots)
 
 
 @family("narrow")
@@ -45,7 +41,7 @@ def reaction_at_a_product(rng):
     def rates(s, p, t):
         return -p.a * s.x, p.b * s.y, p.A / (1 + ((s.x * s.y - p.c) / p.w) ** 2) ** 2 * (1 - s.z)
 
-    knots = _inside(T, *around(met, w / rise / 2, 40))
+    knots = around(met, w / rise / 2, 40)
     return by_rates(rates, parameters, "x y z", T, (1.0, 2.0, 0.0), knots=knots)
 
 
@@ -61,7 +57,7 @@ def stroke_of_a_late_clock(rng):
         return s.v, -p.k * s.x - p.F * z * exp(-z * z), 1 + 0 * s.x
 
     start = 0.5, 0.0, begun
-    return by_rates(rates, parameters, "x v c", T, start, knots=_inside(T, *around(met, w / 2, 24)))
+    return by_rates(rates, parameters, "x v c", T, start, knots=around(met, w / 2, 24))
 
 
 @family("narrow", "stiff")
@@ -77,7 +73,7 @@ def stiff_with_a_spike(rng):
         return -p.L * (s.y - cos(t)) + hit, hit - 0.3 * s.z
 
     knots = (*around(at, w / 2, 40), T * 1e-6, T * 1e-4)
-    return by_rates(rates, parameters, "y z", T, (0.0, 0.5), knots=_inside(T, *knots))
+    return by_rates(rates, parameters, "y z", T, (0.0, 0.5), knots=knots)
 
 
 @family("multi-scale", "closed form")
@@ -180,7 +176,7 @@ def film_that_runs_back(rng):
         return -p.v, p.A * exp(-(((p.v * back - p.c) / p.w) ** 2)) * s.y, s.y * sin(back)
 
     knots = around((1 - c) * T, w * T / 2, 24)
-    return by_rates(rates, parameters, "x y z", T, (v * T, 1.0, 0.0), knots=_inside(T, *knots))
+    return by_rates(rates, parameters, "x y z", T, (v * T, 1.0, 0.0), knots=knots)
 
 
 @family("singular", "closed form")
@@ -234,7 +230,7 @@ def quotient_of_two_amounts(rng):
         return -p.a * s.x, p.b, p.A * (opened - closed) / 2 * (1 - s.z)
 
     wide = w / (a + b / y(met))
-    knots = _inside(T, *around(met, wide / 8, 60))
+    knots = around(met, wide / 8, 60)
     return by_rates(rates, parameters, "x y z", T, (1.0, 1.0, 0.0), knots=knots)
 
 
@@ -252,5 +248,4 @@ def bow_on_a_string(rng):
     # until it has turned twice
     T, start = turns[-1] + rng.uniform(0.2, 0.8) / math.sqrt(k), v + 2 * mu / math.sqrt(k)
     knots = (x for t in turns for x in around(t, vs / k / v / 2, 40))
-    knots = _inside(T, *knots)
     return by_accelerations(accelerations, parameters, "x", T, (-start, 0.0), knots=knots)

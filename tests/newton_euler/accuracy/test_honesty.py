@@ -1,6 +1,5 @@
 """Honesty, measured and drawn: when a promise is kept, what is drawn where, and the command."""
 
-import csv
 import math
 from itertools import pairwise
 from types import SimpleNamespace
@@ -11,17 +10,14 @@ from matplotlib.figure import Figure
 from newton_euler.accuracy.charts.honesty import PROMISE, draw_honesty
 from newton_euler.accuracy.measurements import honesty as measuring
 from newton_euler.accuracy.measurements.honesty import (
-    COLUMNS,
     EPS,
     FAILED,
     REFUSED,
     Answer,
     honesty,
-    percent,
     relative_costs,
     table,
     tallies,
-    write_csv,
 )
 from newton_euler.motion.solution import MotionError
 
@@ -116,10 +112,9 @@ def test_progress_is_reported_scene_by_scene_and_never_goes_back():
     assert 0 <= output[0][0] < output[-1][0] < 1
 
 
-def answer(method="mine", cost=1e-3, error=1e-7, asked=1e-6, estimate=2e-7, problem="a", absent=""):
-    return Answer(
-        method, cost, error, asked=asked, estimate=estimate, problem=problem, absent=absent
-    )
+def answer(method="mine", cost=1e-3, error=1e-7, estimate=2e-7, problem="a", absent=""):
+    about = {"estimate": estimate, "problem": problem, "absent": absent}
+    return Answer(method, cost, error, asked=1e-6, **about)
 
 
 def test_errors_below_half_a_unit_of_the_last_place_count_as_that():
@@ -163,25 +158,12 @@ def test_methods_come_from_the_cheapest_to_the_dearest_and_those_without_an_answ
     assert math.isnan(found[-1].met)
 
 
-def test_nothing_less_than_all_is_a_hundred_per_cent():
-    assert [percent(x) for x in (1.0, 1999 / 2000, 0.5, 0.0)] == ["100", "99.9", "50.0", "0.0"]
-
-
 def test_the_table_has_seconds_for_one_problem_and_ratios_for_several():
     one = [answer(), answer("slow", cost=2e-2, error=5e-6)]
     several = [*one, answer(problem="b", absent=FAILED, estimate=None)]
     assert table(one).splitlines()[1].split() == ["mine", "1", "100", "100", "2", "1.0", "ms"]
     assert table(several).splitlines()[1].split() == ["mine", "2", "100", "100", "2", "1", "1", "x"]
     assert table(several).splitlines()[2].split() == ["slow", "1", "0.0", "0.0", "0.04", "20", "x"]
-
-
-def test_the_csv_has_a_line_for_every_run(tmp_path):
-    write_csv([answer(), answer(estimate=None, absent=REFUSED)], tmp_path / "a.csv")
-    with open(tmp_path / "a.csv", newline="", encoding="utf-8") as file:
-        head, first, second = csv.reader(file)
-    assert tuple(head) == COLUMNS
-    assert first == ["mine", "a", "1e-06", "0.001", "1e-07", "2e-07", "", ""]
-    assert dict(zip(head, second, strict=True))["absent"] == REFUSED
 
 
 def drawn(answers):

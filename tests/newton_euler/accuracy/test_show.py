@@ -73,10 +73,8 @@ def test_the_caption_of_ways_names_the_most_accurate_and_the_cheapest():
         output = ways_caption([Measured("a", 1e-6, exact), Measured("b", 1e-5, 1e-16)])
         assert "Of these a is the cheapest. b takes about 10 times as long as a." in output
     output = ways_caption([Measured("a", 1e-6, 1e-3), Measured("b", 1e-5, 1e-16)])
-    assert output == (
-        "Most accurate (error 2.2 × 10⁻¹⁶ or less): b. "
-        "a is about 10 times faster, with an error of 0.001."
-    )
+    best = "Most accurate (error 2.2 × 10⁻¹⁶ or less): b."
+    assert output == f"{best} a is about 10 times faster, with an error of 0.001."
     output = ways_caption([Measured("a", 1e-6, 1e-3), Measured("b", 2e-6, 1e-16)])
     assert output.endswith("b. a costs about the same, with an error of 0.001.")
 

@@ -50,9 +50,8 @@ def test_round_off_beside_a_large_value_of_the_same_unit_is_zero(capsys):
 
 
 def test_a_row_of_a_table_is_one_line_with_its_digits(capsys):
-    assert printed(capsys, "t", 1.0, "s", "v", 2.2222222, "m/s", row=True, digits=3) == (
-        "t = 1 s, v = 2.22 m/s"
-    )
+    row = printed(capsys, "t", 1.0, "s", "v", 2.2222222, "m/s", row=True, digits=3)
+    assert row == "t = 1 s, v = 2.22 m/s"
 
 
 def test_a_value_with_few_digits_has_no_power_of_ten(capsys):

@@ -11,9 +11,10 @@ from PIL import Image
 from newton_euler import Frame
 from newton_euler.algebra.errors import ArgumentError
 from newton_euler.drawing.animation import MAX_PICTURES, AnimationError, animate
+from newton_euler.drawing.page.primitives import KINDS
 from newton_euler.drawing.page.recorder import share_window
 from newton_euler.drawing.sketch import Sketch
-from tests.sketching import ground, sketch, texts
+from tests.sketching import ground, sketch, texts, vertices
 
 
 def arm(t, ax):
@@ -47,12 +48,11 @@ def test_draw_is_called_once_for_each_time_with_a_float():
 
 def test_nothing_reaches_the_edge_of_any_picture():
     for picture in seen(animate(arm, TIMES, size=(3, 2))):
-        assert (
-            np.concatenate((picture[0], picture[-1], picture[:, 0], picture[:, -1])) > 250
-        ).all()
+        edges = picture[0], picture[-1], picture[:, 0], picture[:, -1]
+        assert (np.concatenate(edges) > 250).all()
 
 
-def sketches():
+def test_what_rests_stays_on_the_page_and_arrows_of_one_kind_have_one_measure_in_all_pictures():
     scenes = []
     for size in (1, 2, 4):
         s = sketch(plane="yz")
@@ -60,37 +60,18 @@ def sketches():
         s.vector((0, size, 0), (0, 0, size), "v")
         s.label((0, 0, 0), "O")
         scenes.append(s)
-    return scenes
-
-
-def test_what_rests_stays_where_it_is_on_the_page():
-    scenes = sketches()
     share_window(scenes)
-    for s in scenes:
-        s.finish()
-    assert len({(*s.ax.get_xlim(), *s.ax.get_ylim()) for s in scenes}) == 1
     assert len({texts(s)["O"].get_position() for s in scenes}) == 1
-
-
-def test_arrows_of_one_kind_have_one_measure_in_all_pictures():
-    scenes = sketches()
-    share_window(scenes)
-    lengths = []
-    for s in scenes:
-        s.finish()
-        lengths.append(
-            next(np.ptp(p.get_path().vertices[:, 1]) for p in s.ax.patches if p.get_zorder() == 4)
-        )
-    assert np.array(lengths) / lengths[-1] == pytest.approx([0.25, 0.5, 1])
+    assert len({(*s.ax.get_xlim(), *s.ax.get_ylim()) for s in scenes}) == 1
+    shafts = [next(v for v in vertices(s, KINDS["velocity"]) if len(v) == 2) for s in scenes]
+    lengths = np.array([np.ptp(shaft[:, 1]) for shaft in shafts])
+    assert lengths / lengths[-1] == pytest.approx([0.25, 0.5, 1])
 
 
 @pytest.mark.parametrize(("end", "speed"), [(2, 1), (30, 1), (0.008, 0.001), (800, 100)])
 def test_a_motion_that_is_too_quick_or_too_slow_to_watch_lasts_8_seconds(end, speed):
     assert animate(arm, [0, end / 2, end]).speed == pytest.approx(speed)
-
-
-def test_the_speed_asked_for_is_kept():
-    assert animate(arm, [0, 1], speed=0.5).speed == 0.5
+    assert animate(arm, [0, end], speed=0.5).speed == 0.5
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,6 @@ def test_points_vectors_and_triples_name_the_same_place():
     s = sketch(plane="xy")
     for place in (arm.point("P", 2, 0, 0), arm.vector(2, 0, 0), (0, 2, 0), [0.0, np.float64(2), 0]):
         s.line(O, place)
-    s.finish()
     for line in vertices(s):
         assert line[1] == pytest.approx((0, 2), abs=1e-12)
 
@@ -48,7 +47,6 @@ def test_everything_lies_within_the_axes():
 def test_a_disk_is_as_wide_as_its_diameter_and_foreshortened_by_the_elevation():
     s = sketch(azimuth=10, elevation=30)
     s.disk((1, 2, 3), ground.k, 0.5)
-    s.finish()
     assert np.ptp(vertices(s)[0], axis=0) == pytest.approx((1, 0.5), rel=3e-3)
 
 
@@ -58,7 +56,6 @@ def test_an_arc_spans_the_angle_from_the_first_direction_to_the_second():
     s.line(O, A)
     s.line(O, B)
     s.arc(O, A, B, label=r"$\beta$")
-    s.finish()
     x, y = vertices(s)[-1].T
     angles = np.unwrap(np.arctan2(y, x))
     assert angles == pytest.approx(np.linspace(0, 2, len(angles)))
@@ -71,7 +68,6 @@ def test_the_arc_of_a_small_angle_is_farther_out_and_a_radius_is_kept():
         s = sketch(plane="xy")
         s.line(O, (1, 1, 0))
         s.arc(O, (1, 0, 0), (math.cos(angle), math.sin(angle), 0), **radius)
-        s.finish()
         return np.hypot(*vertices(s)[-1][0]), s.drawn.pt
 
     assert drawn(0.3, radius=0.4)[0] == pytest.approx(0.4)
@@ -84,7 +80,6 @@ def test_the_arc_of_a_small_angle_is_farther_out_and_a_radius_is_kept():
 def test_arcs_of_0_and_180_degrees_and_arcs_seen_edge_on_are_drawn(B, angle):
     s = sketch(plane="xy")
     s.arc(O, (1, 0, 0), B, "a")
-    s.finish()
     x, y = vertices(s)[0].T
     assert abs(np.unwrap(np.arctan2(y, x))[-1]) == pytest.approx(
         angle if angle != math.pi / 2 else 0, abs=1e-9
@@ -96,7 +91,6 @@ def test_a_turn_about_an_axis_towards_the_eye_runs_counter_clockwise(axis, sign)
     s = sketch(plane="xy")
     s.line((-2, -2, 0), (2, 2, 0))
     s.turn(O, axis, r"$\omega$")
-    s.finish()
     first = next(v for v in vertices(s, KINDS["rate"]))
     a, b = first[0], first[1]
     assert np.sign(a[0] * b[1] - a[1] * b[0]) == sign
@@ -108,7 +102,6 @@ def test_arrows_of_one_kind_have_lengths_in_proportion():
     s.vector(O, (4, 0, 0), "u")
     s.vector(O, (0, 2, 0), "w")
     s.vector(O, (0, 90, 0), "a", kind="acceleration")
-    s.finish()
     u, w = (np.hypot(*(v[1] - v[0])) for v in vertices(s, KINDS["velocity"]) if len(v) == 2)
     (a,) = (np.hypot(*(v[1] - v[0])) for v in vertices(s, KINDS["acceleration"]) if len(v) == 2)
     assert u == pytest.approx(2 * w)
@@ -119,7 +112,6 @@ def test_an_arrow_at_the_eye_is_a_circle_with_a_dot_and_one_from_it_a_circle_wit
     for z, extra in ((1, 1), (-1, 2)):
         s = sketch(plane="xy")
         s.vector(O, (0, 0, z), "v")
-        s.finish()
         assert len(vertices(s, KINDS["velocity"])) == extra
         assert len(s.ax.patches) == 1 + extra
 
@@ -127,7 +119,6 @@ def test_an_arrow_at_the_eye_is_a_circle_with_a_dot_and_one_from_it_a_circle_wit
 def test_a_dimension_line_is_parallel_to_what_it_measures_and_keeps_its_offset():
     s = sketch(plane="xy")
     s.dimension((1, 1, 0), (4, 5, 0), "b", offset=0.5)
-    s.finish()
     lines = [v for v in vertices(s, "#000000") if len(v) == 2]
     assert lines[-1] == pytest.approx(np.array([(0.6, 1.3), (3.6, 5.3)]))
     assert texts(s).keys() == {"$b$"}
@@ -222,6 +213,9 @@ def test_a_scene_of_one_place_and_an_empty_scene_are_drawn(place):
     assert png(sketch())
 
 
+CORNERS = [(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0)]
+
+
 @pytest.mark.parametrize(
     ("draw", "words"),
     [
@@ -233,10 +227,24 @@ def test_a_scene_of_one_place_and_an_empty_scene_are_drawn(place):
         (lambda s: s.ground(O, normal=(0, 0, 0)), "points nowhere"),
         (lambda s: s.turn(O, ground.point("A", 1, 0, 0), "w"), "write B - A"),
         (lambda s: s.vector(O, ground.i, "v", kind="speed"), "kind is one of 'velocity', 'acceleration', 'rate', 'force', 'plain'; got 'speed'"),
-        (lambda s: s.line(O, O, style="wavy"), "style is one of 'solid', 'dashed', 'dotted', 'centre'; got 'wavy'"),
         (lambda s: s.disk(O, ground.k, -1), "positive number of metres; got -1"),
         (lambda s: s.sphere(O, "big"), "positive number of metres; got 'big'"),
+        (lambda s: s.disk(O, ground.k, 1, hole=-0.1), "positive number of metres; got -0.1"),
+        (lambda s: s.cylinder(O, (0, 0, 1), 1, bore=1), "a hole is narrower than its body, 1 m"),
         (lambda s: s.plate([O, O]), "three corners or more, got 2"),
+        (lambda s: s.plate(CORNERS, thickness=math.nan), "positive number of metres; got nan"),
+        (lambda s: s.plate([O, (1, 0, 0), (2, 0, 0)], thickness=1), "has an area"),
+        (lambda s: s.plate(CORNERS, holes=[3]), "as holes=[s.around(...)]; got [3]"),
+        (lambda s: s.plate(CORNERS, holes=3), "holes are outlines"),
+        (lambda s: s.plate(CORNERS, s.around(O, CORNERS[1], ground.k)), "holes are outlines"),
+        (lambda s: s.around(O, (0, 0, 1), ground.k), "a circle needs a place off its axis"),
+        (lambda s: s.around(O, CORNERS[1], ground.k, "pi"), "an angle is in radians, at most 1000 turns; got 'pi'"),
+        (lambda s: s.around(O, CORNERS[1], ground.k, 1e308), "at most 1000 turns; got 1e"),
+        (lambda s: s.spring(O, CORNERS[1], radius=0.1, coils=0), "a spring has 1 to 100 coils; got 0"),
+        (lambda s: s.spring(O, CORNERS[1], radius=0.1, coils=2.5), "a spring has 1 to 100 coils; got 2.5"),
+        (lambda s: s.road([O]), "two places or more, got 1"),
+        (lambda s: s.swing(O, (0, 0, 2), ground.k), "a circle needs a place off its axis"),
+        (lambda s: s.sum(O, ground.i), "a Vector with terms"),
         (lambda s: s.arc(O, O, (1, 0, 0), "a"), "two other places"),
         (lambda s: s.axes(O, ground, labels="xy"), "three labels"),
         (lambda s: s.axes(O, ground.k), "axes of a Frame, got"),
@@ -248,7 +256,6 @@ def test_a_scene_of_one_place_and_an_empty_scene_are_drawn(place):
         (lambda s: Sketch(s.ax, s.ax), "ground) is a Frame"),
         (lambda s: Sketch(ground, ground), "the Axes of plt.subplots()"),
         (lambda s: Sketch(s.ax, ground, plane="xx"), "two axes, as in plane='xz'"),
-        (lambda s: Sketch(s.ax, ground, up="-z"), "up is one of 'x', 'y', 'z'"),
     ],
 )  # fmt: skip
 def test_a_mistake_is_an_error_at_once(draw, words):

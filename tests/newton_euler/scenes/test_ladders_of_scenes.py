@@ -18,7 +18,6 @@ from newton_euler import Dimension, integrate
 from newton_euler.chapters.examples.ch11 import Car
 from newton_euler.motion.model import ModelError, Named, is_law
 from newton_euler.scenes import ladder
-from newton_euler.scenes.particles import space_station
 from newton_euler.scenes.particles.space_station import body_in_air
 from newton_euler.scenes.planar.hinged_rod import hinged, least_rate, on_free_shaft, rod
 from newton_euler.scenes.planar.rolling_sphere import rolling_in_air
@@ -162,9 +161,8 @@ def test_a_sphere_in_air_keeps_what_power_against_the_air_leaves(slope, air, k, 
     """(v^2 - a/b) e^(2 b x) is constant, with a = g sin(slope)/(1 + k) and b = air/(1 + k)."""
     a, b = 9.81 * math.sin(slope) / (1 + k), air / (1 + k)
     end = integrate(rolling_in_air(slope, 9.81, air, k), 2.5, (0.0, v), 1e-11).end
-    assert (end["v"] ** 2 - a / b) * math.exp(2 * b * end["x"]) == pytest.approx(
-        v**2 - a / b, rel=1e-7, abs=1e-8 * a / b
-    )
+    kept = (end["v"] ** 2 - a / b) * math.exp(2 * b * end["x"])
+    assert kept == pytest.approx(v**2 - a / b, rel=1e-7, abs=1e-8 * a / b)
 
 
 def closed_form(air):
@@ -264,10 +262,14 @@ def test_a_balanced_aircraft_flies_straight_or_in_a_level_turn():
     assert turn.error(turn.rung("aircraft, straight")) > 100
 
 
-def test_a_sphere_that_goes_uphill_is_refused():
-    with pytest.raises(ModelError, match=r"a sphere that comes down, v >= 0; got v = -0\.1"):  # fmt: skip
-        ladder("sphere on an incline", start=(0.0, -0.1))
-    assert ladder("sphere on an incline", start=(0.0, 0.0)).rungs
+@pytest.mark.parametrize(("name", "given", "words"), [
+    ("sphere on an incline", {"start": (0.0, -0.1)}, r"a sphere that comes down, v >= 0; got v = -0\.1"),
+    ("space station", {"omega": 0.0}, "omega must not be zero"),
+    ("turning shaft", {"mass": 1.0, "length": 1.5, "omega": math.sqrt(9.81)}, "the least rate of swinging out"),
+])  # fmt: skip
+def test_what_has_no_ladder_is_refused(name, given, words):
+    with pytest.raises(ModelError, match=words):
+        ladder(name, **given)
 
 
 @pytest.mark.parametrize("air", [0.0, 0.4, 50.0])
@@ -281,15 +283,13 @@ def test_a_car_that_comes_to_rest_is_refused_just_before_it_does(air):
         ladder("car on a hill", **given, t=1.0001 * stops)
 
 
-def test_small_swings_exist_on_both_sides_of_the_least_rate_but_not_at_it():
+def test_small_swings_exist_on_both_sides_of_the_least_rate():
     data = rod(1.0, 1.5, 1.0, 9.81)  # sqrt(3 g/(2 L)), here sqrt(9.81)
     least = least_rate(**data)
     given = {"mass": 1.0, "length": 1.5, "shaft": 1e9}
     for omega, rest in ((0.999 * least, 0.0), (1.001 * least, math.acos(1 / 1.001**2))):
         found = ladder("turning shaft", **given, omega=omega, start=(rest + 1e-6, 0.0))
         assert found.error(found.rungs[0]) < 1e-8
-    with pytest.raises(ModelError, match="the least rate of swinging out"):
-        ladder("turning shaft", **given, omega=math.sqrt(9.81), start=(0.1, 0.0))
 
 
 def test_a_rod_on_the_other_side_swings_about_the_other_angle():
@@ -297,8 +297,6 @@ def test_a_rod_on_the_other_side_swings_about_the_other_angle():
     assert one.error(one.rungs[0]) == pytest.approx(other.error(other.rungs[0]), rel=1e-9)
 
 
-def test_a_station_that_does_not_turn_has_no_ladder():
-    with pytest.raises(ModelError, match="omega must not be zero"):
-        space_station.ladder(omega=0.0)
-    barely = space_station.ladder(omega=1e-9)
+def test_a_station_may_turn_slowly():
+    barely = ladder("space station", omega=1e-9)
     assert barely.error(barely.rungs[0]) < 1.0  # m, from the air alone

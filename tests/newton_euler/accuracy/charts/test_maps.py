@@ -11,11 +11,13 @@ from newton_euler.accuracy.measurements.regime_maps import MAPS, Axis, Map
 SEA, LAND = "sea", "land"
 
 
-def map_of(column, timed=False):
-    """A map of the square (0, 10) x (0, 10)."""
+def measured(land, timed=False):
+    """A map of the square (0, 10) x (0, 10), whose land is where ``land(x, y)``, and its cells."""
     sides = Axis("x, m", 0.0, 10.0, "linear"), Axis("y, m", 0.0, 10.0, "linear")
-    choices = (SEA, LAND)
-    return Map("fake", "A sea", "Words.", *sides, choices, column, (), (10, 10), timed=timed)
+    column = lambda x, ys: [LAND if land(x, y) else SEA for y in ys]
+    about = "fake", "A sea", "Words.", *sides, (SEA, LAND)
+    chart = Map(*about, column, (), (10, 10), timed=timed)
+    return chart, chart.measure()
 
 
 def test_parts_that_touch_at_a_corner_are_one_and_others_are_islands():
@@ -23,12 +25,6 @@ def test_parts_that_touch_at_a_corner_are_one_and_others_are_islands():
     found[0, 0] = found[1, 1] = found[3, 3] = LAND
     (island,) = islands(found)
     assert (island.choice, island.cells) == (LAND, ((3, 3),))
-
-
-def measured(land, timed=False):
-    """A map whose land is where ``land(x, y)`` says, and its cells."""
-    chart = map_of(lambda x, ys: [LAND if land(x, y) else SEA for y in ys], timed)
-    return chart, chart.measure()
 
 
 def test_an_island_of_times_missing_from_a_repeat_is_removed():
@@ -53,13 +49,11 @@ def test_a_speck_that_recurs_goes_to_its_neighbours_and_a_large_island_stays():
 def test_an_island_where_no_times_decide_is_called_a_strip_thinner_than_a_cell():
     found = measured(lambda x, y: (abs(y - 4.5) < 0.2 and abs(x - 4.5) < 0.1) or y > 9)
     (output,) = explained(*found)
-    assert output.startswith('The island of "land" at x = 4.5 lies between 4.3 and 4.7 of y: a strip')  # fmt: skip
+    place = 'The island of "land" at x = 4.5 lies between 4.3 and 4.7 of y'
+    assert output.startswith(f"{place}: a strip")
     assert output in map_caption(*found)
-
-
-def test_an_island_larger_than_a_cell_is_called_a_region():
     (output,) = explained(*measured(lambda x, y: (2 < x < 5 and 2 < y < 5) or y > 9))
-    assert output.endswith("a region of its own.")
+    assert output.endswith("a region of its own.")  # larger than a cell
 
 
 def test_the_caption_follows_when_the_choices_are_swapped():

@@ -54,6 +54,10 @@ def test_a_scene_without_invariants_says_so_on_its_chart():
 
 def test_every_method_has_its_own_look():
     assert len({tuple(marker_style(n).values()) for n in range(len(NAMES))}) == len(NAMES)
+    ax = Figure().subplots()
+    chart([Measured(f"way {n}", 10.0**-n, 1e-9) for n in range(12)], ax)
+    drawn = {(x.get_color(), x.get_marker(), x.get_markerfacecolor()) for x in ax.lines[:12]}
+    assert len(drawn) == 12
 
 
 def measured(closed=(1e-6, 1e-15), prepared=0.0, **stepping):
@@ -96,17 +100,15 @@ def test_the_runs_that_earn_back_a_preparation_are_counted_by_their_size():
 
 def test_the_caption_has_only_what_all_repeats_agree_on():
     """A pendulum on a busy or quiet machine: dop853 took 12 to 25 times as long, or 24 times."""
-    times = {"taylor": [79, 75, 62, 39, 37], "dop853": [908, 866, 843, 883, 911]}
-    quiet = times | {"taylor": [36, 36, 41, 36, 39]}
-    busy_caption, quiet_caption = (
-        methods_caption(
-            WorkPrecision(FAKE, tuple(
-                replace(Measured(name, 0.0, 1e-8, asked=1e-6, family=STEPPING), **of_repeats(t))
-                for name, t in measured.items()
-            ), {}, {}, {}, {})
-        )
-        for measured in (times, quiet)
-    )  # fmt: skip
+    busy = {"taylor": [79, 75, 62, 39, 37], "dop853": [908, 866, 843, 883, 911]}
+
+    def caption(**times):
+        point = Measured("", 0.0, 1e-8, asked=1e-6, family=STEPPING)
+        points = (replace(point, method=name, **of_repeats(t)) for name, t in times.items())
+        return methods_caption(WorkPrecision(FAKE, tuple(points), {}, {}, {}, {}))
+
+    busy_caption = caption(**busy)
+    quiet_caption = caption(**busy | {"taylor": [36, 36, 41, 36, 39]})
     assert "taylor is the cheapest stepping method" in busy_caption
     assert "There dop853 takes about 30 times as long as taylor" in quiet_caption
     assert "There dop853" not in busy_caption

@@ -92,9 +92,8 @@ def test_costs_are_counted_and_so_the_same_at_each_measurement(shots):
     assert [p.cost for p in first] == [p.cost for p in again]
     runs = [integrate(r.model, 5.0, r.start, 1e-9, "dop853") for r in shots.rungs]
     operations = [r.model.compiled_rhs(*r.model.parameters).operations for r in shots.rungs]
-    assert [p.cost for p in first] == [
-        n * run.cost.calls for n, run in zip(operations, runs, strict=True)
-    ]
+    counted = [n * run.cost.calls for n, run in zip(operations, runs, strict=True)]
+    assert [p.cost for p in first] == counted
 
 
 def test_the_usual_tolerance_lies_between_the_errors():

@@ -98,17 +98,12 @@ def test_without_heyoka_the_exact_solution_takes_its_place(monkeypatch):
 
 @pytest.mark.parametrize("flight", [2.0, 10.0, 40.0])
 def test_a_flat_earth_at_rest_holds_until_the_centrifugal_acceleration_is_seen(flight):
+    """And a uniform field until the weight is seen to be less above."""
     chart = MAPS["projectile"]
     below = {name for name in chart.choices if name != "projectile, flat"}
     assert border(chart, flight, below) == pytest.approx(maps._centrifugal_error(flight), rel=0.15)
-
-
-@pytest.mark.parametrize("flight", [2.0, 10.0, 40.0])
-def test_a_uniform_field_holds_until_the_weight_is_seen_to_be_less_above(flight):
-    chart = MAPS["projectile"]
-    assert border(chart, flight, {"projectile, full"}) == pytest.approx(
-        maps._uniform_field_error(flight), rel=0.1
-    )
+    uniform = border(chart, flight, {"projectile, full"})
+    assert uniform == pytest.approx(maps._uniform_field_error(flight), rel=0.1)
 
 
 @pytest.mark.parametrize("omega_z", [150.0, 400.0, 900.0])
@@ -126,9 +121,8 @@ def test_a_top_that_is_too_slow_has_no_rung_of_steady_precession():
 
 @pytest.mark.parametrize("ratio", [0.8, 0.95, 0.99])
 def test_a_top_below_the_critical_rate_falls_when_its_growth_rate_predicts(ratio):
-    assert maps.falling_time(ratio) == pytest.approx(
-        float(maps._theoretical_falling_time(np.array(ratio))), rel=0.02
-    )
+    predicted = float(maps._theoretical_falling_time(np.array(ratio)))
+    assert maps.falling_time(ratio) == pytest.approx(predicted, rel=0.02)
 
 
 def test_near_the_critical_rate_the_criterion_decides_and_the_run_does_not():
@@ -151,9 +145,8 @@ def test_a_map_is_drawn_with_a_legend_of_what_it_holds_and_the_curves_of_theory(
     found = chart.measure((6, 6))
     draw_choices(chart, found, ax)
     output = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert output == [choice for choice in chart.choices if (found == choice).any()] + [
-        curve.label for curve in chart.curves
-    ]
+    shown = [choice for choice in chart.choices if (found == choice).any()]
+    assert output == shown + [curve.label for curve in chart.curves]
     assert (ax.get_xlabel(), ax.get_ylabel()) == (chart.x.label, chart.y.label)
     assert ax.get_xlim() == (chart.x.low, pytest.approx(chart.x.high))
     ax.figure.canvas.draw()

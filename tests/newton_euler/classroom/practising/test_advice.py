@@ -71,14 +71,10 @@ def test_where_all_is_right_it_goes_on_and_ends_in_words(progress):
     assert (found.problem, "comes again in 3 days" in found.sentence) == ("", True)
 
 
-def test_progress_of_an_older_notebook_has_no_days_and_still_counts(progress):
-    progress.take_in(
-        '{"format": 1, "problems": {"1/1": {"0": {"v": {"tries": 2, "right": 2, "help": 0}}}}}'
-    )
+def test_the_longer_of_two_records_counts_also_of_an_older_notebook_without_days(progress):
+    entry = '{"v": {"tries": 2, "right": 2, "help": 0}}'
+    progress.take_in(f'{{"format": 1, "problems": {{"1/1": {{"0": {entry}}}}}}}')
     assert advise(SECTIONS, progress).problem == "1/1"
-
-
-def test_the_longer_of_two_records_counts(progress):
     longer, shorter = Progress(None), Progress(None)
     for right in (False, False, True):
         longer.tried("1/1", 0, "v", right, MISTAKE)

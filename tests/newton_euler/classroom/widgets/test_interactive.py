@@ -30,11 +30,11 @@ def test_without_ipywidgets_the_picture_stands_alone(shown, monkeypatch):
 
 def boxes(shown):
     """The sliders and the texts beside them."""
+    pytest.importorskip("ipywidgets")
     return [row.children for row in shown.outputs[1].children]
 
 
 def test_a_slider_redraws_the_picture_in_its_place(shown):
-    pytest.importorskip("ipywidgets")
     interactive_figure(plot, A, B, alt=lambda a, b: f"{ALT} a = {a}, b = {b}", size=(2, 2))
     (first, beside), (second, _) = boxes(shown)
     assert beside.value == "a = 1.0\N{NO-BREAK SPACE}m"
@@ -46,15 +46,12 @@ def test_a_slider_redraws_the_picture_in_its_place(shown):
 
 
 def test_an_alternative_text_says_where_the_sliders_are(shown):
-    pytest.importorskip("ipywidgets")
     interactive_figure(plot, A, B, alt=ALT, size=(2, 2))
     boxes(shown)[1][0].value = 3
     assert shown.updates[-1][0]["text/plain"] == f"{ALT} (a = 1.0\N{NO-BREAK SPACE}m, β = 3)"
 
 
 def test_an_error_in_draw_is_shown_in_place_of_the_picture(shown):
-    pytest.importorskip("ipywidgets")
-
     def fails(ax, a):
         if a == 1.51:
             raise ValueError("too far")
@@ -92,13 +89,10 @@ def test_an_error_in_draw_at_a_sample_says_for_which_values(shown):
     ((A, B), {"alt": lambda a, b: "too short"}, "8 words"),
     ((A, B), {"panels": (0, 1)}, "one row and column or more"),
     ((A, B), {"size": 3}, "size is a sequence"),
+    ((A, B), {"draw": lambda ax, a, b: ax.figure}, "returns nothing"),
     ((3,), {}, "Slider"),
 ])  # fmt: skip
 def test_a_figure_that_cannot_be_is_refused_in_words(shown, sliders, options, message):
+    given = {"draw": plot, "alt": ALT, **options}
     with pytest.raises(NewtonEulerError, match=message):
-        interactive_figure(plot, *sliders, **{"alt": ALT, **options})
-
-
-def test_draw_returns_nothing(shown):
-    with pytest.raises(NewtonEulerError, match="returns nothing"):
-        interactive_figure(lambda ax, a: ax.figure, A, alt=ALT)
+        interactive_figure(given.pop("draw"), *sliders, **given)

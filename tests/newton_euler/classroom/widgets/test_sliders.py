@@ -6,14 +6,11 @@ from newton_euler import NewtonEulerError
 from newton_euler.classroom import Slider
 
 
-def test_a_value_is_the_start_and_whole_steps_without_round_off():
+def test_a_value_is_the_start_and_whole_steps_without_round_off_and_whole_numbers_stay_whole():
     slider = Slider("p", 0.3, 0, 1, 0.1)
     assert [slider.nearest(x) for x in (0.2999999, 0.7, 0.31)] == [0.3, 0.7, 0.3]
     assert slider.limits == (0, 1)
     assert Slider("p", 0.25, 0, 1, 0.1).limits == (0.05, 0.95)
-
-
-def test_whole_numbers_stay_whole():
     assert isinstance(Slider("n", 3, 1, 9, 2).nearest(6.8), int)
 
 
@@ -31,8 +28,5 @@ def test_a_value_is_shown_with_label_unit_and_the_decimals_of_the_step():
 def test_a_slider_that_cannot_be_is_refused_in_words(numbers, message):
     with pytest.raises(NewtonEulerError, match=message):
         Slider("a", *numbers)
-
-
-def test_the_name_is_that_of_an_argument():
     with pytest.raises(NewtonEulerError, match="argument of draw; got 'a b'"):
         Slider("a b", 1, 0, 2, 1)

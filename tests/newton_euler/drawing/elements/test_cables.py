@@ -100,7 +100,6 @@ def test_a_cable_does_not_begin_inside_a_pulley_and_pulleys_do_not_overlap_for_a
 def test_the_flanges_are_a_tenth_larger_than_the_groove_and_the_cable_touches_the_groove():
     s = sketch(plane="xy")
     s.cable((-1, -5, 0), s.pulley((0, 0, 0), ground.k, 1), (1, -5, 0))
-    s.finish()
     widths = sorted({round(float(np.ptp(v[:, 0])), 2) for v in vertices(s)})
     assert widths[-1] == pytest.approx(2.2, abs=0.02)
     straight = [v for v in vertices(s) if len(v) == 2]
@@ -112,7 +111,6 @@ def test_the_cable_lies_between_the_flanges(elevation):
     """Seen from either side it is drawn after the far flange and before the near one."""
     s = sketch(azimuth=-90, elevation=elevation)
     s.cable((-1, -5, 0), s.pulley((0, 0, 0), ground.k, 1), (1, -5, 0))
-    s.finish()
     drawn = vertices(s)
     flanges = [n for n, v in enumerate(drawn) if len(v) == 61 and np.ptp(v[:, 0]) > 2.15]
     touching = [n for n, v in enumerate(drawn) if len(v) == 2 and np.abs(v[:, 1]).min() < 1e-9]

@@ -5,7 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from newton_euler import NewtonEulerError
 from tests.sketching import O, ground, sketch, vertices
 
 
@@ -31,7 +30,6 @@ def test_once_round_does_not_repeat_the_first_place():
 def test_a_wire_runs_through_all_its_places():
     s = sketch(plane="xy")
     s.wire(s.around(O, (2, 0, 0), ground.k, math.pi))
-    s.finish()
     along = np.concatenate(vertices(s))
     assert np.hypot(*along.T) == pytest.approx(2)
     assert along[:, 0].min() == pytest.approx(-2)
@@ -41,7 +39,6 @@ def test_a_wire_runs_through_all_its_places():
 def test_a_dashed_curve_is_one_line_so_that_its_dashes_do_not_restart():
     s = sketch(plane="xy")
     s.path([(x, x * x, 0) for x in range(20)], style="dashed")
-    s.finish()
     assert [len(v) for v in vertices(s)] == [20]
 
 
@@ -68,17 +65,3 @@ def test_only_the_near_side_of_a_curve_on_a_sphere_is_drawn():
     runs = [stroke for stroke in s.drawn.strokes if stroke.styles == ("path",)]
     assert all(P[0] >= 0 for run in runs for P in run.points)
     assert sum(len(run.points) for run in runs) == pytest.approx(31, abs=2)
-
-
-@pytest.mark.parametrize(
-    ("draw", "words"),
-    [
-        (lambda s: s.around(O, (0, 0, 1), ground.k), "off its axis"),
-        (lambda s: s.around(O, (1, 0, 0), ground.k, "pi"), "an angle is in radians, at most 1000 turns; got 'pi'"),
-        (lambda s: s.around(O, (1, 0, 0), ground.k, 1e308), "at most 1000 turns; got 1e"),
-        (lambda s: s.path([O, (1, 0, 0)], style="bold"), "style is one of 'solid', 'dashed', 'dotted', 'centre'"),
-    ],
-)  # fmt: skip
-def test_a_mistake_is_an_error_at_once(draw, words):
-    with pytest.raises(NewtonEulerError, match=words):
-        draw(sketch())

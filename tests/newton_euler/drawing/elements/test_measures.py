@@ -10,8 +10,6 @@ def test_a_dot_is_named_as_a_label_names_its_place():
     named.dot(O, "O", offset=(9, -7))
     both.dot(O)
     both.label(O, "O", offset=(9, -7))
-    for s in (named, both):
-        s.finish()
     assert texts(named)["O"].get_position() == texts(both)["O"].get_position()
     assert texts(named)["O"].get_weight() == texts(both)["O"].get_weight() == "bold"
     assert len(vertices(named)) == len(vertices(both))

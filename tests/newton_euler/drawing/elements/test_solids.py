@@ -1,11 +1,8 @@
 """Bodies with holes and thickness: one sees through holes, into shells, and the near parts."""
 
-import math
-
 import numpy as np
 import pytest
 
-from newton_euler import NewtonEulerError
 from newton_euler.drawing.page.primitives import LIGHT, MIDDLE, PALE, SHADED, WHITE
 from tests.sketching import O, colour_at, ground, sketch
 
@@ -116,18 +113,3 @@ def test_the_inside_of_an_open_cone_is_visible():
     s = sketch(azimuth=0, elevation=40)
     s.cone(O, ground.k, 2, 1, open=True)
     assert colour_at(s, 0, 0, 2) == SHADED.lower()
-
-
-@pytest.mark.parametrize(("draw", "words"), [
-    (lambda s: s.cylinder(O, (0, 0, 1), 1, bore=1), "a hole is narrower than its body, 1 m"),
-    (lambda s: s.disk(O, ground.k, 1, hole=-0.1), "a positive number of metres; got -0.1"),
-    (lambda s: s.plate(CORNERS, thickness=math.nan), "a positive number of metres; got nan"),
-    (lambda s: s.plate(CORNERS, shade="red"), "shade is one of 'light', 'medium', 'dark'"),
-    (lambda s: s.plate([O, (1, 0, 0), (2, 0, 0)], thickness=1), "has an area"),
-    (lambda s: s.plate(CORNERS, holes=[3]), r"as holes=\[s.around\(...\)\]; got \[3\]"),
-    (lambda s: s.plate(CORNERS, holes=3), "holes are outlines"),
-    (lambda s: s.plate(CORNERS, s.around(O, CORNERS[1], ground.k)), "holes are outlines"),
-])  # fmt: skip
-def test_a_mistake_is_an_error_at_once(draw, words):
-    with pytest.raises(NewtonEulerError, match=words):
-        draw(sketch())

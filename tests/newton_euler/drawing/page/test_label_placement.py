@@ -60,7 +60,6 @@ def test_an_offset_of_a_label_is_kept():
     s = sketch()
     s.rod(O, (1, 1, 1))
     s.label(O, "O", offset=(12, -9))
-    s.finish()
     assert texts(s)["O"].get_position() == pytest.approx((12, -9))
     assert texts(s)["O"].get_fontweight() == "bold"
 
@@ -71,14 +70,12 @@ def test_single_letters_are_italic_except_names_of_points():
     s.dimension(O, (0, 1, 0), "2b")
     s.axes(O, ground, labels=["x", "$y_1$", "z"])
     s.label(O, "O")
-    s.finish()
     assert texts(s).keys() == {"$b$", "2b", "$x$", "$y_1$", "$z$", "O"}
 
 
 def test_an_axis_with_an_empty_label_is_left_out():
     s = sketch(plane="xz")
     s.axes(O, ground, labels=["x", "", "z"])
-    s.finish()
     assert texts(s).keys() == {"$x$", "$z$"}
     # a shaft, a white edge and a head for each arrow, no circle for the axis that points away
     assert len(s.ax.patches) == 6

@@ -8,7 +8,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from newton_euler.drawing.page.paper import NeedsMatplotlib, Page
-from newton_euler.drawing.page.plot_writer import _Drawing
+from newton_euler.drawing.page.plot_writer import Drawing
 from newton_euler.drawing.page.plots import Scale
 from newton_euler.drawing.page.recorder import figure_of
 from newton_euler.drawing.page.svg import svg
@@ -56,7 +56,7 @@ def test_limits_scales_and_lines_are_those_of_matplotlib(draw):
     page, tree = tree_of(draw)
     ax = Figure(figsize=(5, 4)).add_subplot()
     draw(ax)
-    found = _Drawing(page.panel)
+    found = Drawing(page.panel)
     for scale, limits in ((found.x, ax.get_xlim()), (found.y, ax.get_ylim())):
         assert (scale.low, scale.high) == pytest.approx(limits, rel=0.06, abs=0.1)
     replayed = figure_of(page).axes[0]
@@ -70,7 +70,7 @@ def test_limits_scales_and_lines_are_those_of_matplotlib(draw):
 def test_a_place_is_drawn_where_its_numbers_are():
     page, tree = tree_of(lambda ax: (ax.plot([1], [10], "o"), ax.set(xlim=(0, 4), ylim=(0, 40))))
     (dot,) = tree.iter(NAME + "circle")
-    frame = _Drawing(page.panel)
+    frame = Drawing(page.panel)
     assert float(dot.get("cx")) == pytest.approx(frame.left + frame.w / 4, abs=0.1)
     assert float(dot.get("cy")) == pytest.approx(frame.top + frame.h * 3 / 4, abs=0.1)
 
@@ -83,7 +83,7 @@ def test_an_arrow_leads_to_its_place_or_is_as_long_as_its_scale_says():
         ax.axis("off")
 
     page, tree = tree_of(arrows)
-    frame = _Drawing(page.panel)
+    frame = Drawing(page.panel)
     begins = lambda path: [float(x) for x in re.findall(r"[\d.]+", path.get("d"))[:2]]
     paths = [*tree.iter(NAME + "path")]
     tails, tips = ([begins(p) for p in paths if p.get(of)] for of in ("stroke", "fill"))
@@ -96,7 +96,7 @@ def test_an_arrow_leads_to_its_place_or_is_as_long_as_its_scale_says():
 
 def test_equal_units_are_equal():
     page, _ = tree_of(circle)
-    frame = _Drawing(page.panel)
+    frame = Drawing(page.panel)
     assert frame.w == pytest.approx(2 * frame.h)
 
 

@@ -22,7 +22,6 @@ from tests.sketching import sketch, vertices
 def test_a_place_is_seen_where_it_should_be(view, place, page):
     s = sketch(**view)
     s.line((0, 0, 0), place)
-    s.finish()
     assert vertices(s)[0] == pytest.approx(np.array([(0, 0), page]), abs=1e-12)
 
 

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from newton_euler import Dimension, Frame, cos, moving, sin
+from newton_euler import Frame, cos, moving, sin
 from newton_euler.chapters.examples.ch06 import flight_forces
 from newton_euler.scenes.particles.aircraft import flight, vertical_flight
 from tests.explicit import by_scipy
@@ -59,11 +59,3 @@ def test_a_level_turn_by_integration_is_a_circle():
     period = 2 * math.pi * v / (g * math.tan(bank))
     run = by_scipy(model, (v, 0.2, 0.0, 10.0, 20.0, 500.0), period)
     assert run.y[:, -1] == pytest.approx([v, 0.2 + 2 * math.pi, 0, 10, 20, 500], abs=1e-6)
-
-
-def test_flight_units():
-    MASS, LENGTH, TIME, PURE = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1), Dimension()  # fmt: skip
-    speed, g = LENGTH / TIME, LENGTH / TIME**2
-    model = flight(MASS, g, MASS * g, MASS * g, MASS * g, PURE)
-    rates = model.derivative((speed, PURE, PURE, LENGTH, LENGTH, LENGTH))
-    assert rates == (g, 1 / TIME, 1 / TIME, *[speed] * 3)

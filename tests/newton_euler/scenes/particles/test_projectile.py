@@ -10,12 +10,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from newton_euler import Dimension, Frame, at
+from newton_euler import Dimension, Frame
 from newton_euler.applications import earth as e
 from newton_euler.motion.model import ModelError
 from newton_euler.scenes.ladders import Ladder, smallest
 from newton_euler.scenes.particles import projectile as shots
-from tests.kinds import close, numbers, small
+from tests.kinds import close, numbers
 
 
 def kepler(t, start, latitude, g, rate, radius):
@@ -112,22 +112,6 @@ def test_the_ladder_gives_the_cheapest_model_that_is_accurate_enough():
     less = Ladder("projectile", asked.of, asked.t, asked.rungs[:2])
     with pytest.raises(ModelError, match=r"no model .* as accurate as 1e-06; the errors may reach projectile, flat: "):  # fmt: skip
         smallest(less, 1e-6)
-
-
-@pytest.mark.parametrize("kind", ["float", "array", "mpmath"])
-def test_the_models_solve_their_equations(kind):
-    """Differentiated by the product rule; the first model is a parabola."""
-    latitude, g, rate, radius = numbers(kind, "0.8", "9.81", "0.0001", "6371000")
-    start, t = numbers(kind, 10, 20, 30, 100, -50, 70), numbers(kind, 15)
-    for model in simpler(g, latitude, rate, radius):
-        state = model.solution(t, start)
-        part = lambda n, model=model: at(lambda t: model.solution(t, start)[n] + 0 * t, t)
-        rates = [part(n).rate for n in range(6)]
-        assert close(rates, model.derivative(state, t), small(kind, 100))
-        assert close(model.solution(0 * t, start), start, 0)
-    parabola = [r + v * t for r, v in zip(start[:3], start[3:], strict=True)]
-    parabola[2] = parabola[2] - g * t * t / 2
-    assert close(shots.shot("flat", g).solution(t, start)[:3], parabola, small(kind, 1000))
 
 
 def test_every_model_has_the_units_of_a_motion():

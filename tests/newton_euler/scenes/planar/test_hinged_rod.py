@@ -58,10 +58,8 @@ def test_section_10_7_stiffness_is_the_slope_of_the_model():
 
 def test_exercise_9_9_ring_on_a_turning_shaft():
     a, omega, g, m = 0.5, 8.0, 9.81, 2.0
-    body = Frame("ring")
-    own = Inertia(
-        body.origin, (m * a * a / 2, m * a * a, m * a * a / 2), mass=m, centre=body.origin
-    )
+    body, unit = Frame("ring"), m * a * a
+    own = Inertia(body.origin, (unit / 2, unit, unit / 2), mass=m, centre=body.origin)
     hinge, across, along = own.about(body.point("A", 0, 0, a)).moments
     data = {"weight_moment": m * g * a, "inertia_difference": across - along, "about_hinge": hinge}
     data["omega"] = omega
