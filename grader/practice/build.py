@@ -231,7 +231,7 @@ def _variant(p, values, described, right, help):
     return {
         "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
         "statement": statement(p, values, figure=False),
-        "text": _plain(p, values),
+        "text": plain_text(p, values),
         "right": {k: x for k, x in right.items() if k in shown},
         "wrong": [w for w in wrong if w[0] in shown],
         "slips": [
@@ -258,12 +258,12 @@ def _typeset_term(name, equation, p):
     return with_values(term_text(name, equation, p, latex=True), lambda x: typeset(x, p))
 
 
-def _plain(p, values):
+def plain_text(p: Problem, values: Values) -> str:
     """The text of a problem for a terminal, with names as typed."""
 
     def quantity(n):
-        unit = p.givens[n].unit if n in p.givens else "1"
-        return f"{n} = {short_number(values[n])}{'' if unit == '1' else ' ' + unit}"
+        unit = "" if p.units[n] == "1" else f" {p.units[n]}"
+        return f"{n} = {short_number(values[n])}{unit}" if n in values else n
 
     lines = [plain(p.text, p.units, quantity)]
     if p.frame:
