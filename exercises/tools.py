@@ -2,6 +2,7 @@
 
 from mpmath import mp, mpf
 
+from newton_euler import Frame
 from newton_euler.drawing import Sketch
 
 from .catalogue import in_frame, proofs
@@ -9,5 +10,11 @@ from .catalogue.following import acceleration_of
 from .catalogue.proofs import *  # noqa: F403
 from .catalogue.steps import Step, terms
 
-__all__ = ["Sketch", "Step", "acceleration_of", "in_frame", "mp", "mpf", "proofs", "terms"]
-__all__ += proofs.__all__
+__all__ = ["Sketch", "Step", "acceleration_of", "in_frame", "mp", "mpf", "on_ground", "terms"]
+__all__ += ["proofs", *proofs.__all__]
+
+
+def on_ground(ax, **view):
+    """A ground of its own for a figure, and the sketch on it."""
+    ground = Frame("ground")
+    return ground, Sketch(ax, ground, **view)

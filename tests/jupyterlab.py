@@ -2,7 +2,6 @@
 by keyboard and mouse. Where one of these is not installed, the test is skipped.
 """
 
-import json
 import os
 import secrets
 import shutil
@@ -18,19 +17,16 @@ from pathlib import Path
 import pytest
 
 REPOSITORY = Path(__file__).parents[1]
-LONG = 120  # seconds: for a busy machine
+LONG = 180  # seconds: for a busy machine
 
 
 def write_notebook(path, cells):
     """Write a notebook with these cells of code."""
-    cells = [
-        {"cell_type": "code", "id": f"c{n}", "metadata": {}, "execution_count": None,
-         "outputs": [], "source": source}
-        for n, source in enumerate(cells)
-    ]  # fmt: skip
-    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
-    notebook = {"cells": cells, "metadata": kernel, "nbformat": 4, "nbformat_minor": 5}
-    path.write_text(json.dumps(notebook))
+    from nbformat import v4, write
+
+    kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    made = v4.new_notebook(metadata={"kernelspec": kernel}, cells=[*map(v4.new_code_cell, cells)])
+    write(made, path)
 
 
 @contextmanager
@@ -121,19 +117,21 @@ class Page:
         self.driver = driver
 
     def wait(self, condition, what):
-        """What a condition gives as soon as it is true."""
-        from selenium.common.exceptions import StaleElementReferenceException
+        """What a condition gives as soon as it is true. Until then it may fail: a page that comes
+        has not all of its parts.
+        """
+        from selenium.common.exceptions import WebDriverException
 
-        end = time.monotonic() + LONG
+        end, why = time.monotonic() + LONG, ""
         while time.monotonic() < end:
             try:
                 if found := condition():
                     return found
-            except StaleElementReferenceException:
-                pass
+            except WebDriverException as error:
+                why = f" ({error.msg})"
             time.sleep(0.02)
         self.shoot("failed")
-        return pytest.fail(f"not seen within {LONG} s: {what}")
+        return pytest.fail(f"not seen within {LONG} s: {what}{why}")
 
     def shoot(self, name):
         """A picture of the page, in the folder SCREENSHOTS if that is set."""

@@ -6,6 +6,7 @@ import shutil
 import tempfile
 import warnings
 from collections.abc import Callable, Collection, Mapping
+from functools import partial
 from pathlib import Path
 
 import nbformat
@@ -26,11 +27,10 @@ from . import (
     reference,
 )
 from .execution import WebsiteError, with_outputs
-from .kept import ROOT
 from .notebooks import FOLDER, Chapter, chapters, translation
+from .rendering import rendered
 
 THEME = Path(__file__).with_name("theme")
-CACHE = ROOT / ".site_cache"
 
 
 def build(
@@ -38,8 +38,7 @@ def build(
     names: Collection[str] = (),
     run: Callable[[Chapter], bool] = lambda chapter: True,
     folder: Path = FOLDER,
-    cache: Path = CACHE,
-    progress: Callable[[str, int, int], object] = lambda step, done, number: None,
+    progress: Callable[[str, int], Callable[..., object]] = lambda *_: lambda done=1: None,
     with_engine: bool = True,
     packages: str = "",
     practised: Collection[str] | None = None,
@@ -52,9 +51,9 @@ def build(
     names : of chapters, as "ch04"; by default all
     run : whether the notebook of a chapter may be run if its outputs are not cached
     folder : of the notebooks
-    cache : folder of cached outputs and figures
-    progress : called with a step, the number done, and the number in all
-    with_engine : add Python and the engine, if Pyodide is in ``cache`` or npm provides it
+    progress : takes a step and the number of things to do in it; what it returns is called with the
+    number done, by default 1
+    with_engine : add Python and the engine, if Pyodide is cached or npm provides it
     packages : address of Pyodide's other packages, from which readers may load NumPy
     practised : the chapters with practice on their problem pages; by default all
     course : the folder of a course; practice stays away from its graded numbers
@@ -62,59 +61,36 @@ def build(
 
     The site is in the current language; what is not translated is in English.
     """
-    cache = Path(cache)
-    python = engine.pyodide(cache / "npm") if with_engine else None
+    python = engine.PYODIDE.files(*engine.FILES) if with_engine else None
     wanted = problem_pages.names(names)
     found = [translation(c, language()) or c for c in chapters(names, folder)]
-    ran = with_outputs(found, cache / "executed", run, _counter(progress, "notebooks", len(found)))
-    count = sum(bool(p.figure) for name in wanted for p in problem_pages.problems(name))
-    figures = problem_pages.figures(wanted, cache / "figures", _counter(progress, "figures", count))
+    ran = with_outputs(found, run, partial(progress, "notebooks"))
+    figures = problem_pages.figures(wanted, partial(progress, "figures"))
     practised = [name for name in wanted if practised is None or name in practised]
-    count = sum(len(problem_pages.problems(name)) for name in practised if python)
-    found_sets = practice_sets.sets(
-        practised if python else (),
-        cache / "practice",
-        _counter(progress, "practice", count),
-        course,
-    )
+    sets = practice_sets.sets(practised if python else (), partial(progress, "practice"), course)
     with tempfile.TemporaryDirectory() as work:
         source, pages = Path(work) / "source", Path(work) / "pages"
-        _write_source(source, found, ran, wanted, figures, pages / "moving" if python else None)
+        moving = pages / "moving" if python else None
+        for name, text in _sources(found, ran, wanted, figures, moving):
+            path = source / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
         shown = languages.settings(found, wanted, beside or {})
-        _sphinx(source, pages, bool(names), progress, ["engine"] if python else [], shown)
+        done = progress("pages", 1)
+        _sphinx(source, pages, bool(names), ["engine"] if python else [], shown)
+        done()
         languages.write_words(pages)
         pictures.take_out(pages)
-        formulas.typeset(pages, cache / "npm")
+        formulas.typeset(pages)
         if python:
             engine.write(pages, python, packages)
             (pages / "practice").mkdir()
-            for name, data in found_sets.items():
+            for name, data in sets.items():
                 (pages / "practice" / name).write_bytes(data)
         (pages / ".nojekyll").touch()  # without it GitHub leaves out folders like _static
         shutil.copytree(pages, _emptied(Path(out)), dirs_exist_ok=True)
     without = [f"outputs of {c.stem}" for c in found if ran[c.stem] is None]
     return without + ["engine (npm does not reach Pyodide)"] * (with_engine and not python)
-
-
-def _counter(progress, step, number):
-    done = 0
-
-    def count(more=1):
-        nonlocal done
-        done += more if isinstance(more, int) else 1
-        progress(step, done, number)
-
-    return count
-
-
-def _write_source(source, found, ran, wanted, figures, moving):
-    _write_chapters(source / "chapters", found, ran, moving)
-    _write_problems(source / "problems", wanted, found, figures)
-    pages = reference.pages()
-    for name, text in pages.items():
-        _write(source / "reference" / f"{name}.rst", text)
-    question = landing.question() if "ch04" in wanted else ""
-    _write(source / "index.md", contents.page(found, wanted, reference.titles(pages), question))
 
 
 def _emptied(folder):
@@ -128,32 +104,30 @@ def _emptied(folder):
     return folder
 
 
-def _write(path, text):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, encoding="utf-8")
-
-
-def _write_chapters(folder, found, ran, moving):
+def _sources(found, ran, wanted, figures, moving):
+    """(name, text) of the files that Sphinx reads."""
     for c in found:
         notebook = ran[c.stem] or nbformat.read(c.path, as_version=4)
         page = chapter_pages.page(notebook, ran[c.stem] is not None, moving)
-        _write(folder / c.path.name, nbformat.writes(page))
-
-
-def _write_problems(folder, names, found, figures):
+        yield f"chapters/{c.path.name}", nbformat.writes(page)
     notebooks = {c.name: c.path.name for c in found}
-    for name in names:
-        _write(folder / f"{name}.md", problem_pages.page(name, notebooks.get(name, "")))
-        for file, text in problem_pages.own_pages(name).items():
-            _write(folder / file, text)
-    _write(folder / "index.md", problem_index.page(names))
-    _write(folder / "own.md", problem_pages.taken())
+    for name in wanted:
+        yield f"problems/{name}.md", problem_pages.page(name, notebooks.get(name, ""))
+        for file, text in problem_pages.own_pages(name):
+            yield f"problems/{file}", text
     for name, svg in figures.items():
-        (folder / "figures").mkdir(exist_ok=True)
-        (folder / "figures" / name).write_bytes(svg)
+        yield f"problems/figures/{name}", svg
+    yield "problems/index.md", problem_index.page(wanted)
+    yield "problems/own.md", rendered("taken.md")
+    described = reference.pages()
+    for name, text in described.items():
+        yield f"reference/{name}.rst", text
+    titles = {name: text.partition("\n")[0] for name, text in described.items()}
+    question = landing.question() if "ch04" in wanted else ""
+    yield "index.md", contents.page(found, wanted, titles, question)
 
 
-def _sphinx(source, out, partial, progress, tags, changed):
+def _sphinx(source, out, partial, tags, changed):
     """Call Sphinx, with warnings as errors, except for links out of a partial site."""
     from sphinx.application import Sphinx
     from sphinx.util.docutils import docutils_namespace
@@ -161,14 +135,12 @@ def _sphinx(source, out, partial, progress, tags, changed):
     output = io.StringIO()
     if partial:
         changed = {**changed, "suppress_warnings": ["myst.xref_missing", "toc.not_readable"]}
-    progress("pages", 0, 1)
     # so that Sphinx's registrations with docutils do not reach the next site of this process
     with warnings.catch_warnings(), docutils_namespace():
         warnings.simplefilter("ignore")  # Sphinx's extensions warn about each other
         trees = out.parent / "doctrees"
         app = Sphinx(source, THEME, out, trees, "html", changed, None, output, tags=tags)
         app.build(force_all=True)
-    progress("pages", 1, 1)
     warned = re.sub(r"\x1b\[[\d;]*m", "", output.getvalue()).replace(f"{source}/", "").strip()
     if warned or app.statuscode:
         raise WebsiteError(f"Sphinx does not accept the pages:\n{warned}")

@@ -17,6 +17,7 @@ from . import moving
 HEADING = re.compile(r"(?m)^#+ ((?:\d+|[AB])\.\d+) .+$")
 # a displayed formula in a list item, which MyST wants as a paragraph of the item
 IN_ITEM = re.compile(r"(?m)^(( *)(\d+\.|-) .+)\n(\$\$.+\$\$)$")
+SUMMARY = re.compile(r"(?s)<summary>(.*?)</summary>")
 WIDGET = "application/vnd.jupyter.widget-view+json"
 TRIED = re.compile(r'try_problem\("([^"]+)"\)')
 TRY = Words(
@@ -34,32 +35,31 @@ def page(notebook: NotebookNode, ran: bool = True, pictures: Path | None = None)
     cells = notebook.cells
     for cell, after in zip(cells, [*cells[1:], {}], strict=True):
         if cell.cell_type == "markdown":
-            cell.source = markdown(cell.source)
+            cell.source = _markdown(cell.source)
         elif tried := TRIED.fullmatch(cell.source.strip()):
             _say_where(cell, tried[1])
         elif cell.cell_type == "code":
-            _fold(cell)
+            hidden = cell.metadata.get("jupyter", {}).get("source_hidden", False)
+            tags = cell.metadata.setdefault("tags", [])
+            if hidden and "hide-input" not in tags:
+                tags.append("hide-input")
             cell.outputs = [x for x in cell.outputs if WIDGET not in x.get("data", {})]
             _without_kernel(cell)
             moving.mark(cell, pictures)
-            _describe(cell, caption(after.get("source", "")))
+            _describe(cell, _caption(after.get("source", "")))
     if not ran:
         cells[0].source += f"\n\n{_(NO_OUTPUTS)}"
     return notebook
 
 
-def markdown(text: str) -> str:
+def _markdown(text):
     """The text of a cell with anchors at numbered sections, with <details> on lines of their own,
     so that Markdown continues inside, and with formulas in summaries and list items.
     """
     text = IN_ITEM.sub(lambda m: f"{m[1]}\n\n{m[2]}{' ' * len(m[3])} {m[4]}\n", text)
     text = HEADING.sub(lambda m: f"({section_anchor(m[1])})=\n{m[0]}", text)
-    text = re.sub(r"(?s)<summary>(.*?)</summary>", _summary, text)
+    text = SUMMARY.sub(lambda m: f"\n\n<summary>{inline(m[1].strip())}</summary>\n\n", text)
     return re.sub(r"[ \t]*(</?details\b[^>]*>)[ \t]*", r"\n\n\1\n\n", text)
-
-
-def _summary(match):
-    return f"\n\n<summary>{inline(match[1].strip())}</summary>\n\n"
 
 
 def _say_where(cell, number):
@@ -68,13 +68,6 @@ def _say_where(cell, number):
     cell.cell_type, cell.source = "markdown", _(TRY, number=number, page=page)
     cell.pop("outputs", None)
     cell.pop("execution_count", None)
-
-
-def _fold(cell):
-    tags = cell.metadata.setdefault("tags", [])
-    hidden = cell.metadata.get("jupyter", {}).get("source_hidden", False)
-    if hidden and "hide-input" not in tags:
-        tags.append("hide-input")
 
 
 def _without_kernel(cell):
@@ -87,15 +80,10 @@ def _without_kernel(cell):
         cell.metadata.tags.append("remove-input")
 
 
-def caption(text: str) -> str:
+def _caption(text):
     """The text of a caption, "*Figure 3. A bead on a rod.*", in plain words."""
     found = re.match(r"\s*\*((?:Figure|Bild|Film)\b.+?)\*(?:\s|$)", text, re.S)
-    return plain(found[1]) if found else ""
-
-
-def plain(text: str) -> str:
-    """Markdown as one line of plain text."""
-    return " ".join(re.sub(r"[*`$]|\\(?=[a-z])", "", text).split())
+    return " ".join(re.sub(r"[*`$]|\\(?=[a-z])", "", found[1]).split()) if found else ""
 
 
 def _describe(cell, words):

@@ -3,13 +3,12 @@
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 
 import click
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from grader.commands.shared import PROBLEMS_FROM
+from grader.commands.shared import FOLDER, PROBLEMS_FROM, progress_bar
 from newton_euler.algebra.language import VARIABLE, speaking
 from newton_euler.algebra.language import languages as known_languages
 
@@ -20,7 +19,7 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
 @click.option(
     "--out",
     default="_site",
-    type=click.Path(path_type=Path, file_okay=False),
+    type=FOLDER,
     help="Folder for the pages, empty or written by an earlier build.",
 )
 @click.option(
@@ -32,9 +31,7 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100, "sh
     help="Only this chapter, e.g. ch04; may be repeated.",
 )
 @click.option(
-    "--no-run",
-    is_flag=True,
-    help="Run no notebook: those without cached outputs are shown without any.",
+    "--no-run", is_flag=True, help="Run no notebook: those without cached outputs have none."
 )
 @click.option("--engine/--no-engine", default=True, help="Add Python and the engine to the pages.")
 @click.option(
@@ -104,18 +101,20 @@ def main(
 
     if context.invoked_subcommand:
         return
-    known = {c.name for c in chapters()} | {c.stem for c in chapters()}
-    if unknown := [n for n in names if n not in known]:
-        raise click.UsageError(f"there is no chapter {unknown[0]}; there are {_list(chapters())}")
+    known = [c.name for c in chapters()]
+    if unknown := {*names} - {*known, *(c.stem for c in chapters())}:
+        raise click.UsageError(f"there is no chapter {min(unknown)}; there are {', '.join(known)}")
     if wrong := [x for x in beside if not all(x.partition("="))]:
         raise click.UsageError(f"--beside {wrong[0]}: expected LANGUAGE=ADDRESS, as en=../")
     try:
-        with _bar() as bar, in_every_process(language):
+        with progress_bar() as bar, in_every_process(language):
             left = steps.build(
                 out,
                 names,
                 lambda c: not no_run,
-                progress=_progress_of(bar),
+                progress=lambda step, number: partial(
+                    bar.advance, bar.add_task(step, total=number)
+                ),
                 with_engine=engine,
                 packages=packages,
                 course=course,
@@ -123,8 +122,10 @@ def main(
             )
     except WebsiteError as error:
         raise click.ClickException(str(error)) from None
-    pages = sum(1 for _ in out.rglob("*.html"))
-    click.echo(f"{pages} pages, {_megabytes(out):.0f} MB; open {out / 'index.html'}")
+    files = [path for path in out.rglob("*") if path.is_file()]
+    pages = sum(path.suffix == ".html" for path in files)
+    size = sum(path.stat().st_size for path in files) / 1e6
+    click.echo(f"{pages} pages, {size:.0f} MB; open {out / 'index.html'}")
     if left:
         click.echo(f"left out: {', '.join(left)}")
 
@@ -132,15 +133,13 @@ def main(
 @contextmanager
 def in_every_process(name: str) -> Iterator[None]:
     """Make this the current language, here and in kernels that are started."""
-    before = os.environ.get(VARIABLE)
+    before = os.environ.get(VARIABLE, "")
     os.environ[VARIABLE] = name
     try:
         with speaking(name):
             yield
     finally:
-        os.environ.pop(VARIABLE)
-        if before is not None:
-            os.environ[VARIABLE] = before
+        os.environ[VARIABLE] = before
 
 
 @main.command()
@@ -187,30 +186,3 @@ def translations(
         click.echo(f"{part.percent:3} % of {part.all:4}  {part.name}  {'; '.join(lacks + stale)}")
         for text in part.missing if every else ():
             click.echo(f"       {text}")
-
-
-def _list(found):
-    return ", ".join(
-        c.name if c.name[-1].isdigit() or c.name[:3] == "app" else c.stem for c in found
-    )
-
-
-def _megabytes(folder):
-    return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file()) / 1e6
-
-
-def _bar():
-    console = Console(stderr=True)
-    columns = TextColumn("{task.description:10}"), BarColumn(), MofNCompleteColumn()
-    return Progress(*columns, TimeElapsedColumn(), console=console, disable=not console.is_terminal)
-
-
-def _progress_of(bar):
-    tasks = {}
-
-    def progress(step, done, number):
-        if step not in tasks:
-            tasks[step] = bar.add_task(step, total=number)
-        bar.update(tasks[step], completed=done)
-
-    return progress

@@ -1,13 +1,12 @@
 """The engine for a reader's browser: Pyodide and the package, as files of the site."""
 
-import hashlib
 import io
 import json
 import zipfile
 from importlib.util import find_spec
 from pathlib import Path
 
-from .kept import ROOT
+from .kept import ROOT, put
 from .npm import Package
 
 PYODIDE = Package(
@@ -25,11 +24,6 @@ OFFLINE = Path(__file__).with_name("theme") / "offline.js"
 ON_PAGES = [ROOT / "website" / "__init__.py", *(ROOT / "website" / "browser").glob("*.py")]
 
 
-def pyodide(cache: Path) -> dict[str, bytes] | None:
-    """The files of Pyodide by name; None if it cannot be fetched."""
-    return PYODIDE.files(cache, *FILES)
-
-
 def write(out: Path, found: dict[str, bytes], packages: str = "") -> None:
     """Write the engine and these files of Pyodide to the folder ``engine`` of the site. Names
     change with contents, so that a browser may cache them for ever.
@@ -41,12 +35,15 @@ def write(out: Path, found: dict[str, bytes], packages: str = "") -> None:
     (folder / python).mkdir(parents=True)
     for name, contents in found.items():
         (folder / python / name).write_bytes(contents)
-    package = _put(ROOT / "newton_euler", folder, *ON_PAGES)
+    package = put(folder, packed(ROOT / "newton_euler", *ON_PAGES), ".zip", "newton_euler-")
     about = {
         "python": f"{python}/",
         "package": package,
         "bytes": sum(map(len, found.values())) + (folder / package).stat().st_size,
-        "later": {n: [_put(path, folder) for path in paths] for n, paths in _later().items()},
+        "later": {
+            name: [put(folder, packed(path), ".zip", f"{path.name}-") for path in paths]
+            for name, paths in _later().items()
+        },
         "packages": packages and f"{packages.rstrip('/')}/",
     }
     (folder / "engine.json").write_text(json.dumps(about))
@@ -57,14 +54,6 @@ def _later():
     """{pure Python package that cells may import: its folder and those of its dependencies}."""
     folders = {name: Path(str(find_spec(name).origin)).parent for name in ("mpmath", "sympy")}
     return {"mpmath": [folders["mpmath"]], "sympy": [*folders.values()]}
-
-
-def _put(package, folder, *others):
-    """Put a package as a zip into the folder, with other files of this repository; its name."""
-    contents = packed(package, *others)
-    name = f"{package.name}-{hashlib.sha256(contents).hexdigest()[:12]}.zip"
-    (folder / name).write_bytes(contents)
-    return name
 
 
 def packed(package: Path, *others: Path) -> bytes:

@@ -4,14 +4,13 @@ import os
 import subprocess
 import tempfile
 from collections.abc import Callable, Collection
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import nbformat
 
 from newton_euler.classroom.widgets.on_pages import ASKED
 
-from .kept import ROOT, fingerprint, kept_name, store
+from .kept import CACHE, ROOT, Start, complete, fingerprint, kept_name, store
 from .notebooks import Chapter
 
 LONGEST = 600  # seconds for one cell, on a busy machine
@@ -22,74 +21,56 @@ class WebsiteError(Exception):
 
 
 def with_outputs(
-    chapters: Collection[Chapter],
-    cache: Path,
-    run: Callable[[Chapter], bool],
-    done: Callable[[str], object],
+    chapters: Collection[Chapter], run: Callable[[Chapter], bool], start: Start
 ) -> dict[str, nbformat.NotebookNode | None]:
     """{stem: executed notebook}; None for a chapter that may not be run and has no cached outputs.
 
     run : whether a chapter may be run
-    done : called with the stem of each finished chapter
     """
-    names = {c.stem: cache / _name(c) for c in chapters}
-    jobs = [c for c in chapters if not names[c.stem].exists() and run(c)]
-    with ProcessPoolExecutor(os.cpu_count() or 1) as pool:
-        texts = pool.map(_executed, [c.path for c in jobs])
-        for c in chapters:
-            if names[c.stem].exists() or c not in jobs:
-                done(c.stem)
-        for c, text in zip(jobs, texts, strict=True):
-            keep(c, text, cache)
-            done(c.stem)
-    return {stem: _read(path) if path.exists() else None for stem, path in names.items()}
+    files = {c: _kept(c) for c in chapters}
+    wanted = {c.path: file for c, file in files.items() if file.exists() or run(c)}
+    complete(wanted, _executed, start)
+    return {c.stem: nbformat.read(files[c], 4) if c.path in wanted else None for c in chapters}
 
 
-def keep(chapter: Chapter, text: str, cache: Path) -> None:
+def keep(chapter: Chapter, text: str) -> None:
     """Cache the text of an executed notebook; the tests of the chapters do so too."""
-    store(cache / _name(chapter), text.encode())
+    store(_kept(chapter), text.encode())
 
 
-def _name(chapter):
-    return kept_name(chapter.stem, ".ipynb", chapter.path.read_text("utf-8"), fingerprint())
-
-
-def _read(path):
-    return nbformat.read(path, as_version=4)
+def _kept(chapter):
+    text = chapter.path.read_text("utf-8")
+    return CACHE / "executed" / kept_name(chapter.stem, ".ipynb", text, fingerprint())
 
 
 def _executed(path):
-    """The text of the notebook with its outputs, run with nothing but the engine."""
+    """The notebook with its outputs, run with nothing but the engine; as bytes."""
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError, CellTimeoutError
 
-    notebook = _read(path)
+    notebook = nbformat.read(path, 4)
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "newton_euler").symlink_to(ROOT / "newton_euler")
-        resources = {"metadata": {"path": folder}}
+        environment = {
+            **os.environ,
+            "PYTHONPATH": folder,
+            "IPYTHONDIR": f"{folder}/ipython",
+            ASKED: "yes",
+            "MPLBACKEND": "module://matplotlib_inline.backend_inline",
+        }
         client = NotebookClient(
             notebook,
             timeout=LONGEST,
             kernel_name="python3",
-            resources=resources,
+            resources={"metadata": {"path": folder}},
             coalesce_streams=True,  # MyST would separate the pieces of a text
         )
         try:
             # the kernel's own messages
-            client.execute(env=_environment(folder), stderr=subprocess.DEVNULL)
+            client.execute(env=environment, stderr=subprocess.DEVNULL)
         except (CellExecutionError, CellTimeoutError) as error:
             raise WebsiteError(f"{path.name}, {_place(notebook, error)}") from None
-    return nbformat.writes(notebook)
-
-
-def _environment(folder):
-    return {
-        **os.environ,
-        "PYTHONPATH": folder,
-        "IPYTHONDIR": f"{folder}/ipython",
-        ASKED: "yes",
-        "MPLBACKEND": "module://matplotlib_inline.backend_inline",
-    }
+    return nbformat.writes(notebook).encode()
 
 
 def _place(notebook, error):

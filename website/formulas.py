@@ -6,7 +6,6 @@ import json
 import re
 import subprocess
 import tempfile
-from collections.abc import Iterable
 from html import unescape
 from pathlib import Path
 
@@ -49,29 +48,21 @@ USED = re.compile(r'(?<= href="#)MJX[^"]+')
 OUTLINES = '<svg class="outlines" aria-hidden="true"><defs>{}</defs></svg>'
 
 
-def typeset(pages: Path, cache: Path) -> bool:
-    """Typeset the formulas of all pages in the folder; return whether that was possible.
-
-    cache : folder for MathJax
-    """
-    found = MATHJAX.files(cache, *FILES)
+def typeset(pages: Path) -> bool:
+    """Typeset the formulas of all pages in the folder; return whether that was possible."""
     texts = {path: path.read_text("utf-8") for path in sorted(pages.rglob("*.html"))}
-    asked = list(dict.fromkeys(_formula(m) for text in texts.values() for m in _found(text)))
-    made = _made(asked, found) if found else None
+    asked = {path: [*map(_formula, FORMULA.finditer(text))] for path, text in texts.items()}
+    every = list(dict.fromkeys(formula for found in asked.values() for formula in found))
+    made = _made(every)
     if made is None:
         return False
-    drawn = dict(zip(asked, made["formulas"], strict=True))
+    drawn = dict(zip(every, made["formulas"], strict=True))
     glyphs = {m[1]: m[0] for m in GLYPH.finditer(made["glyphs"])}
     for path, text in texts.items():
-        for formula in map(_formula, _found(text)):
-            if "merror" in drawn[formula]:
-                raise WebsiteError(f"{path.relative_to(pages)}: not a formula: {formula[0]}")
+        if wrong := [formula for formula in asked[path] if "merror" in drawn[formula]]:
+            raise WebsiteError(f"{path.relative_to(pages)}: not a formula: {wrong[0][0]}")
         path.write_text(_page(text, drawn, glyphs), encoding="utf-8")
     return True
-
-
-def _found(text: str) -> Iterable[re.Match[str]]:
-    return FORMULA.finditer(text)
 
 
 def _formula(match):
@@ -79,18 +70,19 @@ def _formula(match):
     return unescape(match[4]).strip(), match[3] == "["
 
 
-def _made(asked, found):
-    """The output of formulas.js; None without node."""
+def _made(asked):
+    """The output of formulas.js; None without node or MathJax."""
+    files = MATHJAX.files(*FILES)
+    if files is None:
+        return None
     with tempfile.TemporaryDirectory() as folder:
-        for name, contents in found.items():
+        for name, contents in files.items():
             path = Path(folder, name)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(contents)
-        command = ["node", SCRIPT, folder]
+        command, given = ["node", SCRIPT, folder], json.dumps(asked).encode()
         try:
-            done = subprocess.run(
-                command, input=json.dumps(asked), capture_output=True, text=True, check=True
-            )
+            done = subprocess.run(command, input=given, capture_output=True, check=True)
         except (OSError, subprocess.CalledProcessError):
             return None
     return json.loads(done.stdout)

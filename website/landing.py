@@ -25,15 +25,16 @@ WRONG = 1, -1, 0, 0.5, -0.5, 2, -2
 
 def moving() -> str:
     """The figure of 4/16 at many angles, one of them visible, with the terms at each."""
-    p, values = _asked()
-    stage = Stage(lambda ax, beta_1: p.code.draw(_base(p, values, beta_1), ax), (5.2, 3.6), (1, 1))
+    p = problem("4/16")
+    values = draw(p, practice_seed(p, 0))  # of a public set
+    at = {angle: {**values, "beta_1": angle} for angle in ANGLES}
+    stage = Stage(lambda ax, beta_1: p.code.draw(p.base(at[beta_1]), ax), (5.2, 3.6), (1, 1))
     stage.rehearse([{"beta_1": angle} for angle in ANGLES])
     frames = [stage.picture({"beta_1": x}, alt=_alt(x)).decode() for x in ANGLES]
-    sizes = [_terms(p, {**values, "beta_1": angle}) for angle in ANGLES]
-    most, middle = max(max(x.values()) for x in sizes), len(ANGLES) // 2
-    data = {"angles": list(ANGLES), "most": most, "sizes": [list(x.values()) for x in sizes]}
-    given = {"frames": frames, "angles": ANGLES, "middle": middle, "data": json.dumps(data)}
-    return rendered("landing.html", **given)
+    sizes = [_sizes(p.solve(numbers)["a_D"].terms) for numbers in at.values()]
+    data = {"angles": list(ANGLES), "most": max(map(max, sizes)), "sizes": sizes}
+    given = {"frames": frames, "angles": ANGLES, "middle": len(ANGLES) // 2}
+    return rendered("landing.html", **given, data=json.dumps(data))
 
 
 def _alt(angle):
@@ -44,20 +45,9 @@ def _alt(angle):
     )
 
 
-def _asked():
-    """The problem and its numbers, those of a public set."""
-    p = problem("4/16")
-    return p, draw(p, practice_seed(p, 0))
-
-
-def _base(p, values, angle):
-    return p.base({**values, "beta_1": angle})
-
-
-def _terms(p, values):
-    """{term of the acceleration: its magnitude}, to three digits."""
-    terms = p.solve(values)["a_D"].terms
-    return {name: float(f"{math.hypot(*terms[name].components()):.3g}") for name in TERMS}
+def _sizes(terms):
+    """The magnitudes of the terms of the acceleration, to three digits."""
+    return [float(f"{math.hypot(*terms[name].components()):.3g}") for name in TERMS]
 
 
 def _no_figure(p, values):

@@ -36,16 +36,13 @@ def settings(
 def _pages(name: str, found: Iterable[Chapter], wanted: Iterable[str]) -> list[str]:
     """The pages that exist in the named language."""
     own = ["index", "problems/index", "problems/own"]
-    stems = [c.stem for c in found]
-    own += [f"chapters/{x}" for x in stems if name == ENGLISH or _notebook(x, name).exists()]
+    for c in found:
+        if name == ENGLISH or (FOLDER / name / c.path.name).exists():
+            own.append(f"chapters/{c.stem}")
     for chapter in wanted:
         there = [slug(p.id) for p in problems(chapter) if has_own_texts(p.id, name)]
         own += [f"problems/{x}" for x in (*there, *[chapter] * bool(there))]
     return own
-
-
-def _notebook(stem, name):
-    return FOLDER / name / f"{stem}.ipynb"
 
 
 def write_words(pages: Path) -> None:
@@ -62,9 +59,9 @@ def write_words(pages: Path) -> None:
 def links(page: str, beside: Mapping[str, tuple[str, Collection[str]]]) -> str:
     """The links of a page to itself in other languages, as HTML."""
     up = "../" * page.count("/")
-    found = [_link(f"{up}{root}{page}.html", n) for n, (root, all) in beside.items() if page in all]
+    found = [
+        f'<a href="{up}{root}{page}.html" hreflang="{n}" lang="{n}">{NAMES.get(n, n)}</a>'
+        for n, (root, all) in beside.items()
+        if page in all
+    ]
     return f'<p class="languages">{" ".join(found)}</p>' if found else ""
-
-
-def _link(address, name):
-    return f'<a href="{address}" hreflang="{name}" lang="{name}">{NAMES.get(name, name)}</a>'

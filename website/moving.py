@@ -2,7 +2,6 @@
 some pictures along the sliders.
 """
 
-import hashlib
 import json
 import re
 from base64 import b64decode
@@ -12,6 +11,8 @@ from pathlib import Path
 from nbformat import NotebookNode
 
 from newton_euler.classroom.widgets.on_pages import MOVING
+
+from .kept import put
 
 EMBEDDED = re.compile(r'<img\b[^>]*\bsrc="data:image/svg\+xml;base64,([^"]+)"[^>]*>')
 
@@ -26,16 +27,8 @@ def mark(cell: NotebookNode, folder: Path | None) -> None:
         if folder is None:
             continue
         for picture in (x for along in about["along"].values() for x in along):
-            picture["file"] = _written(picture.pop("svg"), folder)
+            picture["file"] = put(folder, picture.pop("svg").encode(), ".svg")
         given = escape(json.dumps({**about, "number": number}))
         # inline, so that it follows the page's theme; it has its own alternative text
         picture = EMBEDDED.sub(lambda m: b64decode(m[1]).decode(), data["text/html"])
         data["text/html"] = f'<div class="moving" data-engine data-moving="{given}">{picture}</div>'
-
-
-def _written(svg, folder):
-    """Write a picture; returns the name of its file."""
-    folder.mkdir(parents=True, exist_ok=True)
-    name = hashlib.sha256(svg.encode()).hexdigest()[:16] + ".svg"
-    (folder / name).write_text(svg, encoding="utf-8")
-    return name

@@ -27,8 +27,8 @@ class Chapter:
 
     @property
     def name(self) -> str:
-        """The name of its problems' folder: "ch04"."""
-        return self.stem.partition("_")[0]
+        """The name of its problems' folder: "ch04"; without one its own, "speed_and_accuracy"."""
+        return re.sub(r"^(ch\d+|app[A-Z])_.*", r"\1", self.stem)
 
     @cached_property
     def cells(self) -> list[dict[str, Any]]:
@@ -49,7 +49,8 @@ def chapters(names: Collection[str] = (), folder: Path = FOLDER) -> list[Chapter
     number, then the appendices.
     """
     found = [Chapter(path) for path in folder.glob("*.ipynb")]
-    return sorted((c for c in found if not names or {c.name, c.stem} & {*names}), key=_place)
+    found = [c for c in found if not names or {c.name, c.stem} & {*names}]
+    return sorted(found, key=lambda c: place(c.stem))
 
 
 def translation(chapter: Chapter, name: str) -> Chapter | None:
@@ -72,10 +73,6 @@ def mark_cells_current(notebook: Any, source: Any) -> None:
 
 def _hash(cell):
     return hashlib.sha256("".join(cell["source"]).encode()).hexdigest()[:12]
-
-
-def _place(chapter):
-    return place(chapter.stem)
 
 
 def place(name: str) -> tuple[int, str]:

@@ -5,7 +5,8 @@ import hashlib
 import subprocess
 import tarfile
 from dataclasses import dataclass
-from pathlib import Path
+
+from .kept import CACHE
 
 
 @dataclass(frozen=True)
@@ -16,11 +17,11 @@ class Package:
     version: str
     integrity: str
 
-    def files(self, cache: Path, *names: str) -> dict[str, bytes] | None:
+    def files(self, *names: str) -> dict[str, bytes] | None:
         """{name: contents} of these files; None if the package is neither cached nor can be
         fetched.
         """
-        archive = cache / f"{self.name}-{self.version}.tgz"
+        archive = CACHE / "npm" / f"{self.name}-{self.version}.tgz"
         if not (self._is_whole(archive) or self._fetched(archive)):
             return None
         with tarfile.open(archive) as packed:

@@ -2,7 +2,7 @@
 
 import json
 import tempfile
-from collections.abc import Callable, Collection
+from collections.abc import Collection
 from pathlib import Path
 
 from exercises.catalogue import problems
@@ -11,38 +11,36 @@ from exercises.catalogue.translations import file_of, has_own_texts
 from grader.practice import write_public
 from newton_euler.algebra.language import ENGLISH, language, speaking
 
-from .kept import fingerprint, kept_name, store
+from .kept import CACHE, Start, fingerprint, kept_name, store
 
 
-def sets(
-    names: Collection[str], cache: Path, done: Callable[[], object], course: Path | None = None
-) -> dict[str, bytes]:
+def sets(names: Collection[str], start: Start, course: Path | None = None) -> dict[str, bytes]:
     """{file name: contents} for these chapters, cached; "index.json" has {problem: [title,
     section]}.
 
-    done : called after each problem
     course : the folder of a course; practice stays away from its graded numbers and is not cached
     """
-    found = {}
+    titles = {p.id: [p.title, p.section] for name in names for p in problems(name)}
+    found, done = {}, start(len(titles))
     for name in names:
         own = any(has_own_texts(p.id, language()) for p in problems(name))
         with speaking(language() if own else ENGLISH):
-            found[f"{name}.practice"] = _set(name, cache, course, done)
-    titles = {p.id: [p.title, p.section] for name in names for p in problems(name)}
+            found[f"{name}.practice"] = _set(name, course, done)
     return {**found, "index.json": json.dumps(titles).encode()}
 
 
-def _set(name, cache, course, done):
+def _set(name, course, done):
     """The practice file of a chapter in the current language."""
-    kept = cache / _kept(name)
-    if course or not kept.exists():
-        data = _written(name, course, done)
-        if not course:
-            store(kept, data)
-        return data
-    for _problem in problems(name):
-        done()
-    return kept.read_bytes()
+    kept = CACHE / "practice" / _kept(name)
+    if kept.exists() and not course:
+        done(len(problems(name)))
+        return kept.read_bytes()
+    with tempfile.TemporaryDirectory() as folder:
+        write_public(Path(folder), [name], course, done)
+        data = (Path(folder) / f"{name}.practice").read_bytes()
+    if not course:
+        store(kept, data)
+    return data
 
 
 def _kept(name):
@@ -51,9 +49,3 @@ def _kept(name):
     own = fingerprint("exercises/catalogue", "exercises/devices", "grader")
     stem = name if language() == ENGLISH else f"{language()}-{name}"
     return kept_name(stem, ".practice", *texts, own)
-
-
-def _written(name, course, done):
-    with tempfile.TemporaryDirectory() as folder:
-        write_public(Path(folder), [name], course, done)
-        return (Path(folder) / f"{name}.practice").read_bytes()

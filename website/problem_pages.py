@@ -2,11 +2,8 @@
 Nothing here calls ``solve``, ``prove`` or ``mistakes``.
 """
 
-import os
 import re
-from collections.abc import Callable, Collection, Iterable
-from concurrent.futures import ProcessPoolExecutor
-from pathlib import Path
+from collections.abc import Collection, Iterable, Iterator
 
 from exercises.catalogue import chapter, chapters, problem, problems
 from exercises.catalogue.places import files_of
@@ -15,7 +12,7 @@ from grader.assignment.figures import figure_for_page
 from grader.assignment.notebook import definitions, slug, statement, typeset
 from newton_euler.algebra.language import _, language
 
-from .kept import fingerprint, kept_name, store
+from .kept import CACHE, Start, complete, fingerprint, kept_name
 from .notebooks import place
 from .rendering import rendered
 
@@ -26,20 +23,10 @@ FIGURE = """```{{raw}} html
 ```"""
 
 
-def taken() -> str:
-    """The page on which a reader opens a practice file."""
-    return rendered("taken.md")
-
-
 def names(wanted: Collection[str] = ()) -> list[str]:
     """The chapters that have problems, in the order of the book."""
     found = [c for c in chapters() if not wanted or c in wanted]
     return sorted(found, key=lambda c: place(c)[0])
-
-
-def anchor(number: str) -> str:
-    """The anchor of a problem on its chapter's page: "p4-16", "pa-3"."""
-    return f"p{slug(number)}".lower()
 
 
 def page(name: str, notebook: str = "") -> str:
@@ -57,17 +44,14 @@ def heading(title: str) -> str:
     """ "Chapter 4: relative motion" as the title of its problems."""
     if not re.match(r"(Chapter|Appendix|Kapitel|Anhang) ", title):
         return title  # a chapter of a course
-    return _("Problems of {chapter}", chapter=in_a_sentence(title))
-
-
-def in_a_sentence(title: str) -> str:
-    """ "Chapter 4: …" within a sentence: "chapter 4: …"; German keeps its capital letter."""
-    return title if language() == "de" else title[:1].lower() + title[1:]
+    if language() != "de":  # which keeps capital letters in a sentence
+        title = title[:1].lower() + title[1:]
+    return _("Problems of {chapter}", chapter=title)
 
 
 def _text(p):
     work = f"**[{_('Work problem {number}', number=p.id)}]({slug(p.id)}.md)**"
-    return f"({anchor(p.id)})=\n{_statement(p)}\n\n{work}\n\n{_data(p)}"
+    return f"(p{slug(p.id).lower()})=\n{_statement(p)}\n\n{work}\n\n{_data(p)}"
 
 
 def _statement(p):
@@ -81,34 +65,26 @@ def _data(p):
     return rendered("numbers.md", lines=lines) if p.givens or p.symbols else ""
 
 
-def own_pages(name: str) -> dict[str, str]:
-    """{file name: text} of the pages on which the problems of a chapter are worked."""
-    found = {}
+def own_pages(name: str) -> Iterator[tuple[str, str]]:
+    """(file name, text) of the pages on which the problems of a chapter are worked."""
     for p in problems(name):
         head, _newline, text = _statement(p).partition("\n")
-        found[f"{slug(p.id)}.md"] = rendered(
-            "own.md", title=head.lstrip("# "), text=text.strip(), data=_data(p), id=p.id,
-            chapter=name,
-        )  # fmt: skip
-    return found
+        title, text = head.lstrip("# "), text.strip()
+        given = {"title": title, "text": text, "data": _data(p), "id": p.id, "chapter": name}
+        yield f"{slug(p.id)}.md", rendered("own.md", **given)
 
 
-def figures(wanted: Iterable[str], cache: Path, done: Callable[[int], object]) -> dict[str, bytes]:
+def figures(wanted: Iterable[str], start: Start) -> dict[str, str]:
     """{file name: SVG} of the figures of these chapters' problems, cached."""
-    ids = [p.id for name in wanted for p in problems(name) if p.figure]
-    found = {number: cache / _kept(problem(number)) for number in ids}
-    missing = [number for number in ids if not found[number].exists()]
-    done(len(ids) - len(missing))
-    with ProcessPoolExecutor(os.cpu_count() or 1) as pool:
-        for number, svg in zip(missing, pool.map(_drawn, missing, chunksize=4), strict=True):
-            store(found[number], svg)
-            done(1)
-    return {f"{slug(number)}.svg": path.read_bytes() for number, path in found.items()}
+    files = {p.id: _kept(p) for name in wanted for p in problems(name) if p.figure}
+    complete(files, _drawn, start)
+    return {f"{slug(number)}.svg": path.read_text("utf-8") for number, path in files.items()}
 
 
 def _kept(p):
     texts = [f.read_text("utf-8") for f in files_of(p.id)]
-    return kept_name(slug(p.id), ".svg", *texts, fingerprint("exercises/devices"))
+    name = kept_name(slug(p.id), ".svg", *texts, fingerprint("exercises/devices"))
+    return CACHE / "figures" / name
 
 
 def _drawn(number):

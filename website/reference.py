@@ -7,28 +7,23 @@ import importlib
 import inspect
 import re
 import tomllib
-from collections.abc import Iterable
 
-import newton_euler
 from newton_euler.answers.notation import symbol
 
 from .kept import ROOT
 
 ENGINE = ROOT / "newton_euler"
-SYMBOLS = "symbols"
 # examples of printed names: letters, dots, indices
 NAMES = ("omega", "theta_dot", "rddot", "alpha_CD", "omega_2_dot", "l_OA", "x1", "v_max", "lead")
 
 
 def pages() -> dict[str, str]:
     """{name of the page: its text in reStructuredText}, in reading order."""
-    return {"newton_euler": _top(), **{room: _room(room) for room in rooms()}, SYMBOLS: _symbols()}
-
-
-def titles(names: Iterable[str]) -> dict[str, str]:
-    """{name of the page: its title}."""
-    special = {"newton_euler": "Names at the top", SYMBOLS: "Symbols and equations"}
-    return {name: special.get(name, f"Room {name}") for name in names}
+    return {
+        "newton_euler": _top(),
+        **{room: _room(room) for room in rooms()},
+        "symbols": _symbols(),
+    }
 
 
 def rooms() -> list[str]:
@@ -41,11 +36,8 @@ def rooms() -> list[str]:
 def public(room: str) -> dict[str, list[str]]:
     """{file of the room: its public names}, from the imports and definitions in ``__init__``."""
     tree = ast.parse((ENGINE / room / "__init__.py").read_text(encoding="utf-8"))
-    defined = [
-        node.name
-        for node in tree.body
-        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")
-    ]
+    functions = (node.name for node in tree.body if isinstance(node, ast.FunctionDef))
+    defined = [name for name in functions if not name.startswith("_")]
     return {**_imported(tree), **({"": defined} if defined else {})}
 
 
@@ -69,9 +61,13 @@ def _top():
     lines += ["Each is described with its room.", ""]
     tree = ast.parse((ENGINE / "__init__.pyi").read_text(encoding="utf-8"))
     for room, names in _imported(tree).items():
-        links = (f":py:obj:`{n} <newton_euler.{room}.{n}>`" for n in sorted(names))
+        links = (_link(room, name) for name in sorted(names))
         lines += [f":doc:`{room} <{room}>`", f"    {', '.join(links)}", ""]
     return "\n".join(lines)
+
+
+def _link(room, name):
+    return f":py:obj:`{name} <newton_euler.{room}.{name}>`"
 
 
 def _room(room):
@@ -87,10 +83,9 @@ def _room(room):
 def _entry(module, name):
     value = getattr(importlib.import_module(module), name)
     if inspect.isclass(value):
-        members = (
-            [] if issubclass(value, Exception) else ["   :members:", "   :member-order: bysource"]
-        )
-        return [f".. autoclass:: {module}.{name}", *members, ""]
+        members = ["   :members:", "   :member-order: bysource"]
+        shown = [] if issubclass(value, Exception) else members
+        return [f".. autoclass:: {module}.{name}", *shown, ""]
     if callable(value) and hasattr(value, "__name__"):
         return [f".. autofunction:: {module}.{name}", ""]
     shown = [f"   :value: {value!r}"] if isinstance(value, float) else []
@@ -101,11 +96,8 @@ def _symbols():
     lines = [*_title("Symbols and equations"), *_title("How a name is printed", "-")]
     lines += _table(("in code", "in print"), [(f"``{n}``", f":math:`{symbol(n)}`") for n in NAMES])
     lines += _title("Sums that keep their terms by name", "-")
-    lines += [
-        "The names of the terms are those of ``explain``, ``without`` and ``reweighted``.",
-        "",
-    ]
-    lines += _table(("sum", "equation", "symbol", "terms"), _sums())
+    words = "The names of the terms are those of ``explain``, ``without`` and ``reweighted``."
+    lines += [words, "", *_table(("sum", "equation", "symbol", "terms"), _sums())]
     lines += _title("Equations of the book", "-")
     lines += ["What quotes an equation in its description.", ""]
     lines += _table(("equation", "names"), _equations())
@@ -123,13 +115,11 @@ def _sums():
 def _equations():
     found = {}
     for room in rooms():
+        module = importlib.import_module(f"newton_euler.{room}")
         for name in (n for names in public(room).values() for n in names):
-            value = getattr(newton_euler, room), name
-            text = inspect.getdoc(getattr(*value)) or ""
+            text = inspect.getdoc(getattr(module, name)) or ""
             for number in set(re.findall(r"\((\d+\.\d+)\)", text)):
-                found.setdefault(number, []).append(
-                    f":py:obj:`{name} <newton_euler.{room}.{name}>`"
-                )
+                found.setdefault(number, []).append(_link(room, name))
     for number in sorted(found, key=lambda n: [int(x) for x in n.split(".")]):
         yield f"({number})", ", ".join(found[number])
 

@@ -11,7 +11,7 @@ import ast
 import contextlib
 import json
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -51,11 +51,11 @@ def sentences(suffixes: Collection[str] = (".py", ".j2", ".js")) -> dict[str, tu
     """
     files = [path for folder in SOURCES for path in sorted((ROOT / folder).rglob("*.*"))]
     found: dict[str, tuple[str, ...]] = {}
-    for path in files:
-        if (reads := READ.get(path.suffix)) and path.suffix in suffixes:
-            for forms in reads(path.read_text("utf-8")):
-                if any(map(str.isalpha, re.sub(r"\{[^}]*\}", "", forms[0]))):
-                    found.setdefault(forms[0], forms)
+    for path in (path for path in files if path.suffix in suffixes):
+        read = _of_python if path.suffix == ".py" else _of_other
+        for forms in read(path.read_text("utf-8")):
+            if any(map(str.isalpha, re.sub(r"\{[^}]*\}", "", forms[0]))):
+                found.setdefault(forms[0], forms)
     return found
 
 
@@ -68,19 +68,14 @@ def _of_python(text):
             yield tuple(texts)
 
 
-def _of_script(text):
-    return [(json.loads(m),) for m in re.findall(r'gettext\(("(?:[^"\\]|\\.)*")', text)]
-
-
-def _of_template(text):
-    return [(json.loads(m),) for m in re.findall(r'\b_\(("(?:[^"\\]|\\.)*")', text)]
+def _of_other(text):
+    """The sentences in a script or a template."""
+    found = re.findall(r'\b(?:gettext|_)\(("(?:[^"\\]|\\.)*")', text)
+    return [(json.loads(sentence),) for sentence in found]
 
 
 SAID = "_", "Words", "AnswerError", "OpenAnswer", "TreeError", "form.error", "PracticeFileError"
 CALLS = {"plural": 2} | dict.fromkeys(SAID, 1)  # {function: number of its sentences}
-READ: dict[str, Callable[[str], Iterable[tuple[str, ...]]]] = {
-    ".py": _of_python, ".js": _of_script, ".j2": _of_template,
-}  # fmt: skip
 
 
 def predictions(chapter: Chapter) -> dict[str, tuple[str, ...]]:
@@ -154,35 +149,33 @@ def _quoted(text):
 
 def report(language: str) -> Iterator[Part]:
     """The parts of the course: its sentences, the problems of each chapter, each notebook."""
-    yield _lacking("sentences", sentences(), catalogue(language))
+    yield _catalogued("sentences", sentences(), catalogue(language))
     for name in chapters():
-        sources = [p.id for p in problems(name)]
-        yield _part(f"problems of {name}", sources, lambda p: is_current(p, language))
+        found = {p.id: is_current(p.id, language) for p in problems(name)}
+        yield _part(f"problems of {name}", found)
     for c in notebooks():
         other, current = translation(c, language), {}
         for n, cell in enumerate(c.cells):
             if cell["cell_type"] == "markdown":
                 there = other and n < len(other.cells) and other.cells[n]
                 current[f"cell {n}"] = is_cell_current(cell, there) if there else None
-        yield _part(c.stem, current, current.__getitem__)
+        yield _part(c.stem, current)
         if other and (asked := predictions(c)):
-            yield _lacking(
-                f"predictions of {c.stem}", asked, catalogue(language, file_of(c, language))
-            )
+            known = catalogue(language, file_of(c, language))
+            yield _catalogued(f"predictions of {c.stem}", asked, known)
 
 
-def _lacking(name: str, found: Collection[str], known: Mapping[str, Mapping[str, str]]) -> Part:
-    """The part of a catalogue."""
-    translated = {
-        text for text, m in known.items() if all(x for k, x in m.items() if "msgstr" in k)
-    }
-    return Part(name, len(found), [x for x in found if x not in translated])
+def _catalogued(name: str, found: Iterable[str], known: Mapping[str, Mapping[str, str]]) -> Part:
+    """The part of a catalogue, in which a changed sentence is a missing one."""
+    forms = {m: [x for key, x in known[m].items() if "msgstr" in key] for m in found if m in known}
+    return _part(name, {m: all(forms.get(m, [""])) or None for m in found})
 
 
-def _part(name: str, sources: Iterable[str], current: Callable[[str], bool | None]) -> Part:
-    found = {x: current(x) for x in sources}
-    missing = [x for x, is_it in found.items() if is_it is None]
-    return Part(name, len(found), missing, [x for x, is_it in found.items() if is_it is False])
+def _part(name: str, current: Mapping[str, bool | None]) -> Part:
+    """A part: of each text whether its translation is current; None without one."""
+    missing = [text for text, is_it in current.items() if is_it is None]
+    stale = [text for text, is_it in current.items() if is_it is False]
+    return Part(name, len(current), missing, stale)
 
 
 def mark(paths: Iterable[Path]) -> None:

@@ -8,7 +8,6 @@ follows = {"angle": lambda g, R: R.angle_to(R.frame.i)}
 
 
 def vectors(g):
-    """P and G."""
     return AXES.vector(g.P_x, g.P_y, 0), AXES.vector(g.G_x, g.G_y, 0)
 
 

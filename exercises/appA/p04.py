@@ -3,9 +3,10 @@
 from exercises.tools import minus, plus, size
 from newton_euler import Frame
 
+follows = {"dot_sd": lambda g, sum, diff: sum.dot(diff)}
+
 
 def vectors(g):
-    """P and G."""
     vector = Frame("axes").vector
     return vector(g.P_x, g.P_y, g.P_z), vector(g.G_x, g.G_y, 0)
 
@@ -18,9 +19,6 @@ def solve(g):
 def steps(g):
     P, G = vectors(g)
     return {"dot_i": P.x * G.x, "dot_j": P.y * G.y}
-
-
-follows = {"dot_sd": lambda g, sum, diff: sum.dot(diff)}
 
 
 def prove(g):

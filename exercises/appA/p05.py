@@ -4,6 +4,7 @@ from exercises.tools import Sketch, minus, plus, rate, root, scaled, size
 from newton_euler import Frame
 
 AXES = Frame("axes")
+follows = {"comp": lambda g, PG: PG.dot(PG.frame.vector(*steps(g)["e"].components()))}
 
 
 def points(g):
@@ -20,15 +21,6 @@ def solve(g):
 def steps(g):
     _, _, A, B = points(g)
     return {"AB": B - A, "l": (B - A).norm(), "e": (B - A).direction()}
-
-
-def along(g, PG):
-    """The component, from a student's PG."""
-    _, _, A, B = points(g)
-    return PG.dot(PG.frame.vector(*(B - A).direction().components()))
-
-
-follows = {"comp": along}
 
 
 def prove(g):

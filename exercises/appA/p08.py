@@ -3,15 +3,14 @@
 from exercises.tools import Sketch, at_angle, in_frame, mp, rate, second_rate
 from newton_euler import Frame, cos, moving, sin
 
+follows = {"f": lambda g, eddot: eddot.dot(eddot.frame.vector(cos(g.theta), sin(g.theta), 0))}
+
 
 def turning(g):
     """The fixed axes, a frame whose first axis is e, and the tip of e."""
     axes = Frame("axes")
     turned = axes.rotate("turned", "z", angle=moving(g.theta, rate=g.omega))
     return axes, turned, turned.point("tip", 1, 0, 0)
-
-
-follows = {"f": lambda g, eddot: eddot.dot(eddot.frame.vector(cos(g.theta), sin(g.theta), 0))}
 
 
 def solve(g):

@@ -36,17 +36,10 @@ def prove(g):
 
 
 def mistakes(g):
-    k = Frame("axes").k
-    right = solve(g)
-    j = right["dudt"].frame.j
+    right, k = solve(g), Frame("axes").k
+    lost = {"dudt": 4 * g.c_4 * g.t, "dudt_1": 4 * g.c_4 * g.t_1}
     return {
-        "minus_to_first_term": {
-            "dudt": right["dudt"] - 4 * g.c_4 * g.t * right["dudt"].frame.k,
-            "dudt_1": right["dudt_1"] - 4 * g.c_4 * g.t_1 * right["dudt_1"].frame.k,
-        },
+        "minus_to_first_term": {key: v - lost[key] * v.frame.k for key, v in right.items()},
         "number_first": {"dudt_1": 0 * g.c_1 * k},
-        "keeps_constant": {
-            "dudt": right["dudt"] - g.c_3 * j,
-            "dudt_1": right["dudt_1"] - g.c_3 * right["dudt_1"].frame.j,
-        },
+        "keeps_constant": {key: v - g.c_3 * v.frame.j for key, v in right.items()},
     }

@@ -7,16 +7,12 @@ AXES = Frame("axes")
 
 
 def vectors(g):
-    """A and B."""
     return AXES.vector(g.a_1, g.a_2, g.a_3), AXES.vector(g.b_1, g.b_2, g.b_3)
 
 
 def rates(g):
-    """The derivatives of A and B."""
-    return (
-        AXES.vector(g.a_1_dot, g.a_2_dot, g.a_3_dot),
-        AXES.vector(g.b_1_dot, g.b_2_dot, g.b_3_dot),
-    )
+    A = AXES.vector(g.a_1_dot, g.a_2_dot, g.a_3_dot)
+    return A, AXES.vector(g.b_1_dot, g.b_2_dot, g.b_3_dot)
 
 
 def solve(g):
@@ -61,16 +57,9 @@ def prove(g):
 def mistakes(g):
     A, B = vectors(g)
     dA, dB = rates(g)
+    products = lambda v, w: {"rate_AB": v.dot(w), "rate_AxB": v.cross(w)}
     return {
-        "product_of_derivatives": {
-            "rate_uA": g.u_dot * dA,
-            "rate_AB": dA.dot(dB),
-            "rate_AxB": dA.cross(dB),
-        },
+        "product_of_derivatives": products(dA, dB) | {"rate_uA": g.u_dot * dA},
         "order": {"rate_AxB": dA.cross(B) + dB.cross(A)},
-        "first_factor_only": {
-            "rate_uA": g.u_dot * A,
-            "rate_AB": dA.dot(B),
-            "rate_AxB": dA.cross(B),
-        },
+        "first_factor_only": products(dA, B) | {"rate_uA": g.u_dot * A},
     }

@@ -5,14 +5,8 @@ from newton_euler import Frame
 from newton_euler.kinematics.curvilinear_systems import gradient
 
 AXES = Frame("axes")
-
-
-def A(x, y, z):
-    return x * y, y * z, z * x
-
-
-def B(x, y, z):
-    return y, z, x
+A = lambda x, y, z: (x * y, y * z, z * x)
+B = lambda x, y, z: (y, z, x)
 
 
 def point(g):

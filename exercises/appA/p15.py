@@ -3,9 +3,10 @@
 from exercises.tools import Sketch, mp
 from newton_euler import Frame
 
+follows = {"right_handed": lambda g, triple: answers(triple)["right_handed"]}
+
 
 def vectors(g):
-    """The axes, and A, B, G."""
     axes = Frame("axes")
     A = axes.vector(g.A_1, g.A_2, g.A_3)
     return axes, A, axes.vector(g.B_1, g.B_2, g.B_3), axes.vector(g.G_1, g.G_2, g.G_3)
@@ -13,9 +14,6 @@ def vectors(g):
 
 def answers(triple):
     return {"triple": triple, "right_handed": lambda: "yes" if triple > 0 else "no"}
-
-
-follows = {"right_handed": lambda g, triple: answers(triple)["right_handed"]}
 
 
 def solve(g):

@@ -4,18 +4,9 @@ from exercises.tools import cross, proofs
 from newton_euler import Frame, solve_linear
 
 AXES = Frame("axes")
-
-
-def P(g):
-    return AXES.vector(g.p_1, g.p_2, g.p_3)
-
-
-def Q(g, z):
-    return AXES.vector(g.q_1, 0, z)
-
-
-def R(g, x, y):
-    return AXES.vector(g.r_1, x, y)
+P = lambda g: AXES.vector(g.p_1, g.p_2, g.p_3)
+Q = lambda g, z: AXES.vector(g.q_1, 0, z)
+R = lambda g, x, y: AXES.vector(g.r_1, x, y)
 
 
 def z(g):

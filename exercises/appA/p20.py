@@ -4,6 +4,7 @@ from exercises.tools import cross, plus
 from newton_euler import Frame
 
 COEFFICIENTS = Frame("A, B, C")
+follows = {"total": lambda g, first, second, third: first + second + third}
 
 
 def double(PQ, PR):
@@ -18,18 +19,11 @@ def solve(g):
         "second": COEFFICIENTS.vector(second[1], 0, second[0]),
         "third": COEFFICIENTS.vector(*third, 0),
     }
-    return three | {"total": total(g, **three)}
+    return three | {"total": follows["total"](g, **three)}
 
 
 def steps(g):
     return {"on_B": double(g.AB, g.CA)[0]}
-
-
-def total(g, first, second, third):
-    return first + second + third
-
-
-follows = {"total": total}
 
 
 def prove(g):

@@ -44,9 +44,6 @@ def mistakes(g):
     kept = A.rate(AXES) + g.c_3 * AXES.k
     return {
         "AxB": {"rate_BxA": A.cross(B).rate(AXES)},
-        "product_of_derivatives": {
-            "rate_BA": 0 * right["rate_BA"],
-            "rate_BxA": 0 * right["rate_BxA"],
-        },
+        "product_of_derivatives": {key: 0 * x for key, x in right.items()},
         "keeps_constant": {"rate_BxA": B.cross(kept)},
     }

@@ -4,14 +4,8 @@ from exercises.tools import proofs
 from newton_euler import Frame, integral
 
 AXES = Frame("axes")
-
-
-def A(g, t):
-    return AXES.vector(g.c_1 * t, -(g.c_2 * t**2 + g.c_3), 0)
-
-
-def B(g, t):
-    return AXES.vector(-g.b_1 * t**2, 0, g.b_2)
+A = lambda g, t: AXES.vector(g.c_1 * t, -(g.c_2 * t**2 + g.c_3), 0)
+B = lambda g, t: AXES.vector(-g.b_1 * t**2, 0, g.b_2)
 
 
 def solve(g):

@@ -5,7 +5,6 @@ from newton_euler import Frame
 
 
 def line(g):
-    """The axes, Q and R."""
     axes = Frame("axes")
     return axes, axes.point("Q", g.Q_x, g.Q_y, g.Q_z), axes.vector(g.R_x, g.R_y, g.R_z)
 
@@ -18,8 +17,7 @@ def solve(g):
 def prove(g):
     """By integration at the rate R per unit of s."""
     Q, R = [g.Q_x, g.Q_y, g.Q_z], [g.R_x, g.R_y, g.R_z]
-    place = lambda s: proofs.plus(Q, proofs.integral(lambda _: R, 0, s))
-    return {"r": place(g.s)}
+    return {"r": proofs.plus(Q, proofs.integral(lambda _: R, 0, g.s))}
 
 
 def mistakes(g):

@@ -1,6 +1,4 @@
-"""The catalogue: every problem's text, data and code, checked on reading: ``problem("4/16")`` is a
-:class:`Problem`.
-"""
+"""The catalogue of problems: ``problem("4/16")`` is a :class:`Problem`, checked on reading."""
 
 from .model import Answer, CatalogueError, Chapter, Given, Givens, Problem, Symbol
 from .reading import chapter, chapters, problem, problems, select

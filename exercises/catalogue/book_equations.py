@@ -16,9 +16,7 @@ def book_equations() -> Mapping[str, Any]:
 
 
 def own_number(number: str, p: Problem) -> str:
-    """The number that the chapter of ``p`` gives to an equation of the engine; "" if it comes
-    later.
-    """
+    """The number of an engine's equation in the chapter of ``p``; "" if it comes later."""
     order = ("A", *map(str, range(2, 12)))
     chapter = p.id.partition("/")[0]
     if chapter not in order:  # a course's own
@@ -29,8 +27,6 @@ def own_number(number: str, p: Problem) -> str:
 
 
 def own_term(number: str, name: str, p: Problem | None) -> Sequence[str]:
-    """A term of an equation of the engine as the chapter of ``p`` writes it, as text and in LaTeX;
-    empty where both write it alike.
-    """
+    """A term as the chapter of ``p`` writes it, as text and in LaTeX; empty if like the engine."""
     chapter = p.id.partition("/")[0] if p else ""
     return book_equations()["own_terms"].get(chapter, {}).get(number, {}).get(name, ())

@@ -36,9 +36,7 @@ def explained(problem_id: str, error: Exception) -> str:
 
 
 def of_own_problem(error: Exception) -> str:
-    """The error as a sentence if a course's own problem raised it, here or in another process; or
-    "".
-    """
+    """The error as a sentence if a course's own problem raised it, in any process; or ""."""
     text = "".join(traceback.format_exception(error))
     for file, line in reversed(re.findall(r'File "([^"\n]+)", line (\d+)', text)):
         folder = Path(file).parent

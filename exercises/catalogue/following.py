@@ -37,24 +37,21 @@ def follow(
     values : givens and symbols in the units of the text
     earlier : {answer: tuple of numbers, in its unit}, of at least those in ``earlier_answers``
     """
-    base = {name: _in_base(p, name, earlier[name]) for name in earlier_answers(p)[key]}
+    base = {}
+    for name in earlier_answers(p)[key]:
+        a, given = p.answer(name), earlier[name]
+        to_base = unit(a.unit).to_base
+        base[name] = given if a.kind.is_word else [to_base(x, p.system) for x in given]
     found = follow_in_base(p, key, p.base(values), base)
     if p.answer(key).kind.is_word:
         return (word(found),)
-    return flat(in_unit(found, p.answer(key), p.system))
+    return flat(in_unit(found, p.answer(key).form, p.system))
 
 
 def follow_in_base(p: Problem, key: str, g: Givens, earlier: Mapping[str, Sequence[Any]]) -> Any:
     """:func:`follow` in base units: a scalar, a Vector, rows, or a word."""
     frame = Frame("axes of the answers")
     return p.code.follows[key](g, **{n: _nested(p, n, x, frame) for n, x in earlier.items()})
-
-
-def _in_base(p, name, numbers):
-    answer = p.answer(name)
-    if answer.kind.is_word:
-        return numbers
-    return [unit(answer.unit).to_base(x, p.system) for x in numbers]
 
 
 def _nested(p, name, numbers, frame):

@@ -33,9 +33,7 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Given:
-    """A number that a problem gives: its value in the book, its unit, the range of its variants;
-    ``latex`` is its symbol where that does not follow from the name.
-    """
+    """A number that a problem gives; ``vary``: range of its variants, ``latex``: its own symbol."""
 
     name: str
     value: float
@@ -48,9 +46,7 @@ class Given:
 
 @dataclass(frozen=True)
 class Symbol:
-    """A quantity without a number; ``vary`` is the range in which formulas are compared, ``latex``
-    its symbol where that does not follow from the name.
-    """
+    """A quantity without a number; formulas are compared within ``vary``; ``latex`` as of Given."""
 
     name: str
     unit: str
@@ -131,9 +127,7 @@ class Givens:
 
     @property
     def one(self) -> Scalar:
-        """The number 1 of the same type as the givens: ``sqrt(3 * g.one)`` is exact to all their
-        digits, even if the problem gives no number.
-        """
+        """The number 1 of the same type as the givens: ``sqrt(3 * g.one)`` has all their digits."""
         kinds = (integer_like(1, x) for x in self._values.values())
         return next((x for x in kinds if type(x) is not int), self._one)
 
@@ -287,12 +281,9 @@ class Problem:
         return pure.but(**{n: unit(u).dimension for n, u in self.units.items()})
 
     def in_units(self, results: Mapping[str, Any]) -> dict[str, Any]:
-        """Results of the code (in base units) in the units of the answers; a Vector keeps its
-        terms, and a function that returns a word is left as it is.
-        """
-        return {
-            key: in_unit(value, self.answer(key), self.system) for key, value in results.items()
-        }
+        """Results of the code in the units of the answers; Vectors keep terms, functions stay."""
+        form = lambda key: self.answer(key).form
+        return {key: in_unit(x, form(key), self.system) for key, x in results.items()}
 
     def solve(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> dict[str, Any]:
         """The answers, by the engine, for ``values`` in the units of the text: {key: number,
@@ -339,9 +330,7 @@ class Problem:
         }
 
     def formulas(self) -> dict[str, Any]:
-        """The answers with SymPy symbols and the book's givens, which are exact (3/2 for 1.5) if an
-        answer is a formula.
-        """
+        """The answers with SymPy symbols and the book's givens, exact (3/2) for a formula."""
         given = self.book_values
         if self.symbolic:
             given = {n: sympy.Rational(str(x)) for n, x in given.items()}

@@ -24,9 +24,7 @@ class CatalogueError(ValueError):
 
 
 def place(problem_id: str) -> tuple[str, str]:
-    """The folder of a problem and the name of its files: ("ch04", "p16") for "4/16", ("appA",
-    "p03") for "A/3", and ("bridge", "p03") for "bridge/3" of a course.
-    """
+    """Folder and file of a problem: ("ch04", "p16") of "4/16", ("bridge", "p03") of "bridge/3"."""
     found = re.fullmatch(r"([1-9]\d*|[AB]|[a-z][a-z0-9_]*)/([1-9]\d*)", str(problem_id), re.A)
     if not found or re.match(r"(ch\d+|app[a-z])/", str(problem_id)):
         raise CatalogueError(
@@ -81,9 +79,7 @@ def home(chapter: str) -> Path:
 
 
 def files_of(problem_id: str) -> list[Path]:
-    """The files that belong to a problem: its two, and in a course's own chapter the code that its
-    problems share.
-    """
+    """The two files of a problem, and the code shared by those of a course's own chapter."""
     chapter, name = place(problem_id)
     folder = home(chapter)
     shared = [] if folder.parent == EXERCISES else sorted(folder.rglob("*.py"))

@@ -57,9 +57,7 @@ def _problems(name):
 
 
 def problem(problem_id: str) -> Problem:
-    """The problem with this number, ``problem("4/16")``, in the reader's language if translated.
-    Only its own file is read.
-    """
+    """The problem ``problem("4/16")``, in the reader's language; only its own file is read."""
     return translated(_problem(problem_id))
 
 

@@ -1,6 +1,4 @@
-"""Bounds on the answers of a problem over all variants. Students get them: a receipt warns of an
-impossible answer.
-"""
+"""Bounds on the answers of a problem over all variants, for receipts to warn students by."""
 
 import math
 import random

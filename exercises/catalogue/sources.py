@@ -1,6 +1,4 @@
-"""Whether a translation of a problem is up to date: its file keeps a hash of the English texts,
-``source``.
-"""
+"""Whether a translation is up to date: its ``source`` is a hash of the English texts."""
 
 import hashlib
 import json
@@ -36,9 +34,7 @@ def source_of(problem_id: str) -> str:
 
 
 def is_current(problem_id: str, name: str) -> bool | None:
-    """True if the texts in the named language are complete and made from the present English ones;
-    None if there are none.
-    """
+    """True if the texts in this language are complete and up to date; None if there are none."""
     path = file_of(problem_id, name)
     if not path.exists():
         return None
@@ -48,9 +44,7 @@ def is_current(problem_id: str, name: str) -> bool | None:
 
 
 def begin(problem_id: str, name: str) -> Path:
-    """Write the English texts of a problem to the file of its translation, to be translated there;
-    an existing file is kept.
-    """
+    """Write the English texts to the file of a translation, unless it exists; return its path."""
     path = file_of(problem_id, name)
     if not path.exists():
         path.parent.mkdir(exist_ok=True)

@@ -1,6 +1,4 @@
-"""A new chapter from its spec, a YAML list of problems: each becomes a ``pNN.yaml`` and a
-``pNN.py`` with functions to be filled in.
-"""
+"""A chapter's files, ``pNN.yaml`` and ``pNN.py`` to be filled in, from a YAML list of problems."""
 
 import re
 import textwrap

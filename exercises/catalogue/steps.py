@@ -130,11 +130,9 @@ def steps(
 
 
 def listed_steps(p: Problem, g: Givens) -> list[Step]:
-    """The steps of ``p`` for givens ``g``, in base units: those of its code, or the terms of its
-    answers.
-    """
+    """The steps of ``p`` in base units: those of its code, or the terms of its answers."""
     own = getattr(p.code, "steps", None)
-    found = own(g) if own else _from_answers(p, g)
+    found = own(g) if own else _terms_of(p, p.code.solve(g))
     computed = found.items() if isinstance(found, dict) else found
     listed = list[Step]()
     for s in (s if isinstance(s, Step) else _with_text(p, *s) for s in computed):
@@ -146,9 +144,7 @@ def listed_steps(p: Problem, g: Givens) -> list[Step]:
 
 @cache
 def repeated(p: Problem) -> frozenset[str]:
-    """The steps that practice does not ask for: for all numbers they equal an answer or, as terms,
-    another step.
-    """
+    """Steps not asked for in practice: they always equal an answer or, as terms, another step."""
     rng, always = random.Random(f"steps of {p.id}"), None
     for _ in range(SETS):
         numbers = {n: drawn_value(q, rng) for n, q in p.givens.items()} | symbol_values(p, rng)
@@ -217,17 +213,11 @@ def further_terms(p: Problem, listed: Iterable[Step], answers: Mapping[str, Any]
 
 
 def is_sum(answer: Any, p: Problem) -> bool:
-    """True if an answer is shown with a table of its terms, which are then not listed as steps:
-    unless its equation comes after the chapter of ``p``.
-    """
+    """True if an answer is shown with a table of its terms, by an equation known in its chapter."""
     if not isinstance(answer, Vector) or len(answer.terms) < 2 or answer.equation is None:
         return False
     by_equation = answer.terms.keys() & answer.equation.terms.keys()
     return not by_equation or bool(own_number(answer.equation.number, p))
-
-
-def _from_answers(p, g):
-    return list(_terms_of(p, p.code.solve(g)))
 
 
 def _terms_of(p, answers):

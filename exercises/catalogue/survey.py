@@ -55,9 +55,7 @@ class ProblemEntry:
 
     @property
     def minutes(self) -> int:
-        """The time for a student who knows the section, to the next five minutes: reading, and each
-        step, term, answer and operation.
-        """
+        """The time for a student who knows the section, to the next five minutes."""
         reading = 2 + len(self.words.split()) / 80
         work = 2 * self.steps + self.terms + self.answers + self.operations / 5
         return 5 * max(1, round((reading + work) / 5))
@@ -85,9 +83,7 @@ Span = tuple[float, float]
 
 @dataclass(frozen=True)
 class Wanted:
-    """A search: any of the ``sections`` (4 is the whole chapter) and ``kinds``, all of the
-    ``equations`` and ``words``; empty fields match every problem.
-    """
+    """A search: any of ``sections`` (4: all 4.x) and ``kinds``, all ``equations`` and ``words``."""
 
     sections: tuple[str, ...] = ()
     kinds: tuple[str, ...] = ()

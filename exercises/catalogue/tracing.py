@@ -1,6 +1,4 @@
-"""The computation of a problem, traced once: its steps and answers as traced scalars, and the
-linear equations solved on the way.
-"""
+"""A problem traced once: steps and answers as traced scalars, linear equations solved for them."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -1,6 +1,4 @@
-"""Each student's own numbers: drawn within the ranges of a problem, rounded as in a textbook,
-rejected if they make a bad problem.
-"""
+"""Each student's numbers: drawn within ranges, round, rejected if they make a bad problem."""
 
 import hashlib
 import hmac
@@ -28,9 +26,7 @@ SENSITIVITY = 50  # rounding a given to 0.1 % may change an answer by 5 % at mos
 
 
 def seed(secret: bytes, assignment: str, student: str, problem_id: str) -> bytes:
-    """The seed of one student's numbers: HMAC-SHA256 of assignment, student and problem, keyed by
-    the course's secret.
-    """
+    """The seed of one student's numbers: HMAC-SHA256, keyed by the course's secret."""
     text = "\0".join((assignment, student, problem_id))
     return hmac.new(secret, text.encode(), hashlib.sha256).digest()
 
@@ -64,9 +60,7 @@ def symbol_values(p: Problem, rng: random.Random) -> dict[str, float]:
 
 @cache
 def symbol_points(p: Problem) -> dict[str, Any]:
-    """The points at which formulas of problem ``p`` are compared, the same for all students:
-    {symbol: array}.
-    """
+    """{symbol: array}, the points at which formulas are compared, the same for all students."""
     rng = random.Random(f"points of {p.id}")
     points = [symbol_values(p, rng) for _ in range(POINTS)]
     return {n: np.array([x[n] for x in points]) for n in p.symbols}
@@ -83,9 +77,7 @@ def drawn_value(given: Given, rng: random.Random) -> float:
 
 
 def sheets(p: Problem) -> int:
-    """The number of variants of a problem, including those that :func:`objection` refuses; 1 if
-    nothing varies.
-    """
+    """The number of variants, those that :func:`objection` refuses too; 1 if nothing varies."""
     grids = [_grid(g.vary) for g in p.givens.values() if g.vary]
     return math.prod(last - first + 1 for first, last, _ in grids)
 
@@ -141,9 +133,7 @@ def _ill_conditioned(p, values, right):
 
 
 def apart(wrong: Points, right: Points) -> bool:
-    """True if a wrong answer is far from the key at half or more of the points where both are real,
-    or if there are no such points. Answers are tuples of points.
-    """
+    """True if a wrong answer is far from the key at half of the points where both are real."""
     far = [
         distance(x, key) >= SEPARATION
         for x, key in zip(wrong, right, strict=True)
@@ -183,9 +173,7 @@ _SCALARS = {float, int, str}
 
 
 def as_points(components: Sequence[Any], count: int = 1) -> Points:
-    """The components of an answer (floats, words, or arrays of them) as points: ``count``, or as
-    many as the arrays hold.
-    """
+    """An answer's components (floats, words, arrays) as ``count`` points, or those of arrays."""
     if count == 1 and _SCALARS.issuperset(map(type, components)):
         return (tuple(components),)
     arrays = [np.asarray(x) for x in components]
@@ -234,10 +222,3 @@ def traced(
         [inspect.Parameter(n, inspect.Parameter.POSITIONAL_OR_KEYWORD) for n in names]
     )
     return compiled(run)
-
-
-__all__ = [
-    "POINTS", "SEPARATION", "apart", "as_points", "at_points", "distance", "draw", "drawn_value",
-    "evaluate", "flat", "objection", "practice_seed", "seed", "sheets", "symbol_points",
-    "symbol_values", "traced",
-]  # fmt: skip

@@ -1,7 +1,7 @@
 """2/2: constant speed along a spiral."""
 
 from exercises.devices.plane_curve import at_constant_speed as proved_motion
-from exercises.tools import Sketch, cross, mp, size
+from exercises.tools import cross, mp, on_ground, size
 from newton_euler import Frame, cos, moving, polar, sin
 from newton_euler.kinematics import speed_rate
 
@@ -21,7 +21,6 @@ def rates(g, theta):
 
 
 def at_constant_speed(g, theta, ground=None):
-    """Velocity and acceleration at constant speed."""
     return motion(g, moving(theta, *rates(g, theta)), ground)
 
 
@@ -39,13 +38,8 @@ def solve(g):
 def steps(g):
     theta_dot, theta_ddot = rates(g, g.theta)
     a = at_constant_speed(g, g.theta)[1]
-    return {
-        "thetadot": theta_dot,
-        "thetaddot": theta_ddot,
-        "a_r": a.x,
-        "a_theta": a.y,
-        "rho": radius(g, theta_dot, a),
-    }
+    angle = {"thetadot": theta_dot, "thetaddot": theta_ddot}
+    return {**angle, "a_r": a.x, "a_theta": a.y, "rho": radius(g, theta_dot, a)}
 
 
 def prove(g):
@@ -67,8 +61,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     place = lambda theta: (g.A * theta * cos(theta), g.A * theta * sin(theta), 0)
     theta = 2.3  # on the first turn, with room for labels
     O, P = (0, 0, 0), place(theta)

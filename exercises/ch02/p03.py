@@ -1,6 +1,6 @@
 """2/3: a parabola with steady horizontal motion."""
 
-from exercises.tools import Sketch, in_frame, mp, rate, root, second_rate
+from exercises.tools import in_frame, mp, on_ground, rate, root, second_rate
 from newton_euler import Frame, moving
 from newton_euler.kinematics import at_speed, frenet_along
 
@@ -47,8 +47,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     place = parabola(g)
     O, here = (0, 0, 0), place(g.x)
     far = 1.5 * g.x

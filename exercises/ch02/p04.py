@@ -1,7 +1,7 @@
 """2/4: grain falling into a chute."""
 
-from exercises.tools import Sketch, root
-from newton_euler import Frame, sqrt
+from exercises.tools import on_ground, root
+from newton_euler import sqrt
 
 
 def fall_time(g):
@@ -38,8 +38,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     deep = -g.h - 0.4 * g.h
     for v in solve(g)["v_0"]:
         T = fall_time(g)

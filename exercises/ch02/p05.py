@@ -1,7 +1,7 @@
 """2/5: a jet of water falling into a trench."""
 
-from exercises.tools import Sketch, mp, root
-from newton_euler import Frame, cos, kinematics, pi, sin
+from exercises.tools import mp, on_ground, root
+from newton_euler import cos, kinematics, pi, sin
 
 
 def drop(g, x, up):
@@ -45,16 +45,13 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     low, high = solve(g)["h"]
     u, v = g.v_0 * sin(g.phi), upward(g)
     for h, x in ((low, g.d), (high, g.d + g.w)):
-        T = x / u
-        times = [T * n / 60 for n in range(61)]
+        times = [x / u * n / 60 for n in range(61)]
         s.path([(u * t, 0, h + v * t - g.g / 2 * t**2) for t in times])
-    depth = 0.06 * g.d
-    end = g.d + g.w
+    depth, end = 0.06 * g.d, g.d + g.w
     s.road([(-0.1 * g.d, 0, 0), (g.d, 0, 0), (g.d, 0, -depth), (end, 0, -depth), (end, 0, 0),
             (end + 0.1 * g.d, 0, 0)])  # fmt: skip
     nozzle = (0, 0, high)

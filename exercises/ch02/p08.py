@@ -5,13 +5,11 @@ from exercises.tools import mp, rate, root
 from newton_euler import sqrt
 
 draw = device.draw
+follows = {"sense": lambda g, slope: sense(slope)}
 
 
 def sense(slope):
     return "ascending" if slope > 0 else "descending"
-
-
-follows = {"sense": lambda g, slope: sense(slope)}
 
 
 def solve(g):

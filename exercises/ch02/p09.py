@@ -1,6 +1,6 @@
 """2/9: an airplane whose passengers are weightless, or nearly so."""
 
-from exercises.tools import Sketch, mp, rate, second_rate
+from exercises.tools import mp, on_ground, rate, second_rate
 from newton_euler import Frame, frenet, sqrt
 
 
@@ -16,15 +16,12 @@ def solve(g):
 
 
 def steps(g):
-    a_n = over_the_top(g).acceleration.y
-    return {"a_n": a_n}
+    return {"a_n": over_the_top(g).acceleration.y}
 
 
 def prove(g):
     """The angle of the velocity on the parabola with this acceleration, as a function of time."""
-
-    def place(t):
-        return [g.v * t, 0, (g.n - 1) * g.g * t**2 / 2]
+    place = lambda t: [g.v * t, 0, (g.n - 1) * g.g * t**2 / 2]
 
     def angle(t):
         ahead, _, up = rate(place, t)
@@ -44,13 +41,9 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     L = g.v**2 / g.g
-
-    def place(x):
-        return (x * L, 0, -(x**2) * L / 2)
-
+    place = lambda x: (x * L, 0, -(x**2) * L / 2)
     top, later = place(0), place(0.55)
     s.path([place(n / 40) for n in range(-32, 37)])
     s.dot(top)

@@ -1,6 +1,6 @@
 """2/10: a car speeding up in a curve."""
 
-from exercises.tools import Sketch, at_angle, rate, root, second_rate, size
+from exercises.tools import at_angle, on_ground, rate, root, second_rate, size
 from newton_euler import Frame, moving, polar, sqrt
 
 FOOT = 0.3048  # m, for the mistake of ft/s for mi/h
@@ -54,8 +54,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     start = 0.15 - g.L / g.R / 2  # so that the stretch lies to the right of O
     axes = lambda distance: ground.rotate("there", "z", angle=start + distance / g.R)
     at = lambda distance, r=1.0: axes(distance).vector(r * g.R, 0, 0).components(ground)

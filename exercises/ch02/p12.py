@@ -4,6 +4,8 @@ from exercises.devices import jet
 from exercises.tools import mp, root
 from newton_euler import Frame, sqrt
 
+follows = {"rho_top": lambda g, v_0: top(g, v_0)}
+
 
 def direction(g):
     """The ground, and the unit vector along the nozzle."""
@@ -27,9 +29,6 @@ def top(g, v_0):
 def solve(g):
     v_0 = sqrt(g.rho_0 * normal_acceleration(g))
     return {"v_0": v_0, "rho_top": top(g, v_0)}
-
-
-follows = {"rho_top": lambda g, v_0: top(g, v_0)}
 
 
 def steps(g):

@@ -1,6 +1,6 @@
 """2/14: a slotted collar driven by a crank."""
 
-from exercises.tools import Sketch, mp, rate, second_rate
+from exercises.tools import mp, on_ground, rate, second_rate
 from newton_euler import Frame, moving, polar
 
 CASES = 1, 2
@@ -49,8 +49,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     P = polar(ground, "P", g.d, g.theta)
     x = P.position(ground).expressed_in(ground).x
     d, O = g.d, (0, 0, 0)

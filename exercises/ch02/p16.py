@@ -1,7 +1,9 @@
 """2/16: tape over two pulleys: one speed, one tangential acceleration, two curvatures."""
 
-from exercises.tools import Sketch, at_angle, mp, root, second_rate, size
+from exercises.tools import at_angle, mp, on_ground, root, second_rate, size
 from newton_euler import Frame, sqrt
+
+follows = {"a_P2": lambda g, v_tape: rim_point(g.r_2, v_tape, g.a_t2).norm()}
 
 
 def speed(g):
@@ -27,9 +29,6 @@ def steps(g):
     return {"a_t1": rim_point(g.r_1, v, g.a_t2).y, "a_n2": -rim_point(g.r_2, v, g.a_t2).x}
 
 
-follows = {"a_P2": lambda g, v_tape: rim_point(g.r_2, v_tape, g.a_t2).norm()}
-
-
 def prove(g):
     """The rims over time; the speed gives P1 the given inward acceleration."""
     path = lambda r, v: lambda t: at_angle(r, (v * t + g.a_t2 * t**2 / 2) / r)
@@ -52,8 +51,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     r, q = g.r_1, g.r_2
     apart, down, k = 3 * (r + q), 2.5 * (r + q), ground.k
     one, two = (0, 0, 0), (apart, 0, 0)

@@ -6,7 +6,6 @@ from newton_euler import Frame, cos, moving, pi, polar
 
 
 def pin(g):
-    """Ground, distance and pin."""
     ground, theta = Frame("ground"), moving(g.theta, rate=g.omega)
     r = g.b - g.c * cos(theta)
     return ground, r, polar(ground, "P", r, theta)
@@ -17,7 +16,6 @@ solve, steps, mistakes = polar_motion.problem_of(pin)
 
 def prove(g):
     """The limacon as the sum of two cranks: b at omega and c/2 at 2 omega."""
-
     angle = lambda t: g.theta + g.omega * t
     back = lambda t: plus(at_angle(g.c / 2, 2 * angle(t)), [g.c / 2, 0, 0])
     place = lambda t: minus(at_angle(g.b, angle(t)), back(t))

@@ -1,6 +1,6 @@
 """2/18: a rocket on the radar: its heading, a word, and the curvature of its path."""
 
-from exercises.tools import Sketch, at_angle, cross, rate, second_rate, size
+from exercises.tools import at_angle, cross, on_ground, rate, second_rate, size
 from newton_euler import Frame, cos, moving, sin
 from newton_euler.kinematics import flexure, polar
 
@@ -50,8 +50,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     sight = ground.vector(cos(0.7), 0, sin(0.7))
     down = ground.vector(sin(0.7), 0, -cos(0.7))
     rho = solve(g)["rho"]

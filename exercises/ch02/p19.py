@@ -2,15 +2,8 @@
 
 from exercises.devices import collar_on_rod
 
-
-def r(g, t):
-    return g.c_2 * t**2 - g.c_3 * t**3
-
-
-def theta(g, t):
-    return g.q * t**2
-
-
+r = lambda g, t: g.c_2 * t**2 - g.c_3 * t**3
+theta = lambda g, t: g.q * t**2
 solve, steps, prove, draw = collar_on_rod.moving_by(r, theta)
 
 

@@ -3,19 +3,9 @@
 from exercises.devices import collar_on_rod
 from newton_euler import pi
 
-
-def r(g, t):
-    return g.c_2 * t**2 - g.c_3 * t**3
-
-
-def no_half_pi(g, t):
-    return g.q_1 * t - g.q_2 * t**2
-
-
-def theta(g, t):
-    return pi(g.q_1) / 2 * no_half_pi(g, t)
-
-
+r = lambda g, t: g.c_2 * t**2 - g.c_3 * t**3
+no_half_pi = lambda g, t: g.q_1 * t - g.q_2 * t**2
+theta = lambda g, t: pi(g.q_1) / 2 * no_half_pi(g, t)
 solve, steps, prove, draw = collar_on_rod.moving_by(r, theta)
 
 

@@ -1,7 +1,7 @@
 """2/22: the acceleration on an exponential spiral."""
 
 from exercises.devices import polar_motion
-from exercises.tools import Sketch, mp, second_rate, size
+from exercises.tools import mp, on_ground, second_rate, size
 from newton_euler import Frame, cos, exp, log, moving, polar, sin
 
 
@@ -24,8 +24,7 @@ def prove(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     O, r_0 = (0, 0, 0), 0.3 * g.R
     total = log(g.R / r_0) / g.n
     r = lambda theta: r_0 * exp(g.n * theta)

@@ -4,6 +4,11 @@ from exercises.tools import Sketch, mp, rate, second_rate
 from newton_euler import Frame, sin
 from newton_euler.kinematics import cylindrical_frame, polar_coordinates
 
+follows = {  # both components of the acceleration are zero
+    "r_ddot": lambda g, theta_dot: motion(g)[0].x * theta_dot**2,
+    "theta_ddot": lambda g, r_dot, theta_dot: -2 * r_dot * theta_dot / motion(g)[0].x,
+}
+
 
 def axes(g):
     """The ground, with x to the right and y up, and the axes e_r, e_theta."""
@@ -14,12 +19,8 @@ def axes(g):
 def rates(position, velocity):
     """The four answers, for zero acceleration."""
     r, theta = polar_coordinates(position, velocity, 0 * velocity)
-    return {
-        "r_dot": r.rate,
-        "theta_dot": theta.rate,
-        "r_ddot": r.acceleration,
-        "theta_ddot": theta.acceleration,
-    }
+    rates = {"r_dot": r.rate, "theta_dot": theta.rate}
+    return rates | {"r_ddot": r.acceleration, "theta_ddot": theta.acceleration}
 
 
 def motion(g):
@@ -37,24 +38,13 @@ def steps(g):
     return {"r": r.x, "v_A": v}
 
 
-follows = {  # both components of the acceleration are zero
-    "r_ddot": lambda g, theta_dot: motion(g)[0].x * theta_dot**2,
-    "theta_ddot": lambda g, r_dot, theta_dot: -2 * r_dot * theta_dot / motion(g)[0].x,
-}
-
-
 def prove(g):
     """Distance and direction of A over time."""
     start = g.h / mp.tan(g.theta)
     r = lambda t: mp.hypot(start + g.v * t, g.h)
     theta = lambda t: mp.atan2(g.h, start + g.v * t)
-    return {
-        "r_dot": rate(r),
-        "theta_dot": rate(theta),
-        "r_ddot": second_rate(r),
-        "theta_ddot": second_rate(theta),
-        "r": r(0),
-    }
+    answers = {"r_dot": rate(r), "theta_dot": rate(theta)}
+    return answers | {"r_ddot": second_rate(r), "theta_ddot": second_rate(theta), "r": r(0)}
 
 
 def mistakes(g):

@@ -4,18 +4,11 @@ from exercises.devices.slotted_arm import crank, in_arm, sketch, turning
 from exercises.tools import mp, rate, rot, second_rate, size, terms, times
 from newton_euler import Frame, polar
 
+follows = {"v_mag": lambda g, v_P: v_P.norm(), "a_mag": lambda g, a_P: a_P.norm()}
+
 
 def answers(v, a):
     return {"v_P": v, "a_P": a, "v_mag": v.norm(), "a_mag": a.norm()}
-
-
-def of_crank(g):
-    """Velocity and acceleration of P in the crank, without theta; the crank is at 2 theta."""
-    ground = Frame("ground")
-    C = ground.point("C", g.b, 0, 0)
-    crank = ground.rotate("crank", "z", 2 * turning(g)[0], origin=C)
-    P = crank.point("P", g.b, 0, 0)
-    return [v.expressed_in(crank) for v in (P.velocity(ground), P.acceleration(ground))]
 
 
 def motion(g, r):
@@ -26,7 +19,12 @@ def motion(g, r):
 
 
 def solve(g):
-    v, a = of_crank(g)
+    """The magnitudes by the motion in the crank, at 2 theta: they do not depend on theta."""
+    ground = Frame("ground")
+    C = ground.point("C", g.b, 0, 0)
+    crank = ground.rotate("crank", "z", 2 * turning(g)[0], origin=C)
+    P = crank.point("P", g.b, 0, 0)
+    v, a = (x.expressed_in(crank) for x in (P.velocity(ground), P.acceleration(ground)))
     return answers(*motion(g, turning(g)[1])) | {"v_mag": v.norm(), "a_mag": a.norm()}
 
 
@@ -38,9 +36,6 @@ def steps(g):
     yield from terms(v, "v_P", "m/s", "2.6")
     yield from terms(a, "a_P", "m/s^2", "2.6")
     yield "omega_CP", 2 * turning(g)[0].rate * v.frame.k
-
-
-follows = {"v_mag": lambda g, v_P: v_P.norm(), "a_mag": lambda g, a_P: a_P.norm()}
 
 
 def prove(g):

@@ -74,16 +74,13 @@ def prove(g):
 
 
 def mistakes(g):
-    right, r = solve(g), turning(g)[1]
+    (_, a_rel, a_cor, _, a_P), r = solve(g).values(), turning(g)[1]
     out = motion(*arm_and_pin(g, moving(r.value, rate=-r.rate, acceleration=r.acceleration)))
     return {
-        "no_coriolis": {"a_P": right["a_P"].without("coriolis")},
-        "no_a_rel": {"a_rel": 0 * right["a_rel"], "a_P": right["a_P"].without("relative")},
+        "no_coriolis": {"a_P": a_P.without("coriolis")},
+        "no_a_rel": {"a_rel": 0 * a_rel, "a_P": a_P.without("relative")},
         "slides_outward": {key: out[key] for key in ("v_rel", "a_cor", "v_P", "a_P")},
-        "half_coriolis": {
-            "a_cor": right["a_cor"] / 2,
-            "a_P": right["a_P"].reweighted(coriolis=0.5),
-        },
+        "half_coriolis": {"a_cor": a_cor / 2, "a_P": a_P.reweighted(coriolis=0.5)},
     }
 
 

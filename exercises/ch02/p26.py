@@ -1,9 +1,8 @@
 """2/26: a boom extending at an increasing rate."""
 
-from exercises.devices.truck_boom import moving_with, sketch
+from exercises.devices import truck_boom as device
 
-_, solve, steps, prove = moving_with(L_ddot=lambda g: g.L_ddot)
-draw = sketch
+solve, steps, prove, draw = device.solve, device.steps, device.prove, device.draw
 
 
 def mistakes(g):

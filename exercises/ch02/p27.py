@@ -1,9 +1,8 @@
 """2/27: a boom lowered at an increasing rate."""
 
-from exercises.devices.truck_boom import moving_with, sketch
+from exercises.devices import truck_boom as device
 
-_, solve, steps, prove = moving_with(alpha=lambda g: -g.alpha)
-draw = sketch
+solve, steps, prove, draw = device.solve, device.steps, device.prove, device.draw
 
 
 def mistakes(g):

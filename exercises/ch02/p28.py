@@ -1,12 +1,12 @@
 """2/28: a boom on a truck at constant speed."""
 
-from exercises.devices.truck_boom import moving_with, sketch
+from exercises.devices import truck_boom as device
 
-scene, solve, steps, prove = moving_with(theta=lambda g: g.theta, v=lambda g: g.v)
+solve, steps, prove, draw = device.solve, device.steps, device.prove, device.draw
 
 
 def mistakes(g):
-    ground, arm, _ = scene(g)
+    ground, arm, _ = device.boom(g)
     right = solve(g)
     on_parked_truck = right["v_B"].without("origin")
     twice = 2 * arm.angular_velocity(ground).cross(g.v * ground.i)
@@ -17,8 +17,3 @@ def mistakes(g):
         "no_coriolis": {"a_B": right["a_B"].without("coriolis")},
         "truck_in_v_rel": {"a_B": right["a_B"] + right["a_B"].frame.vector(*twice)},
     }
-
-
-def draw(g, ax):
-    s = sketch(g, ax, g.theta)
-    s.vector((0.26 * g.L, -0.2 * g.L, 0), (1, 0, 0), "v")

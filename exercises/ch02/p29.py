@@ -1,8 +1,8 @@
 """2/29: a boom on an accelerating truck."""
 
-from exercises.devices.truck_boom import moving_with, sketch
+from exercises.devices import truck_boom as device
 
-_, solve, steps, prove = moving_with(theta=lambda g: g.theta, v=lambda g: g.v, a=lambda g: g.a)
+solve, steps, prove, draw = device.solve, device.steps, device.prove, device.draw
 
 
 def mistakes(g):
@@ -17,9 +17,3 @@ def mistakes(g):
         "wrong_sign": solve(g.but(theta=-g.theta)),
         "no_coriolis": {"a_B": a_B.without("coriolis")},
     }
-
-
-def draw(g, ax):
-    s = sketch(g, ax, g.theta)
-    s.vector((0.26 * g.L, -0.2 * g.L, 0), (1, 0, 0), "v")
-    s.vector((0.26 * g.L, -0.1 * g.L, 0), (1, 0, 0), "a", kind="acceleration")

@@ -1,9 +1,9 @@
 """2/30: the velocity of a car as seen from another one that turns."""
 
-from exercises.devices import two_cars
-from exercises.devices.two_cars import cars, draw, seen_velocity, velocity_steps
+from exercises.devices import two_cars as device
+from exercises.devices.two_cars import cars, seen_velocity
 
-__all__ = ["draw", "mistakes", "prove", "solve", "steps"]
+draw, prove = device.draw, device.proved_velocities
 
 
 def solve(g):
@@ -11,18 +11,11 @@ def solve(g):
 
 
 def steps(g):
-    yield from velocity_steps(*cars(g))
-
-
-def prove(g):
-    velocities, _ = two_cars.prove(g)
-    return velocities
+    yield from device.velocity_steps(*cars(g))
 
 
 def mistakes(g):
-    def wrong(**factors):
-        return {"v_rel": seen_velocity(*cars(g), lambda v: v.reweighted(**factors))}
-
+    wrong = lambda **factors: {"v_rel": seen_velocity(*cars(g), lambda v: v.reweighted(**factors))}
     return {
         "no_turning": wrong(rotation=0),
         "clockwise": wrong(rotation=-1),

@@ -3,7 +3,7 @@
 from exercises.devices import sliding_rod
 from exercises.devices.turning_plate import acceleration_from, motion
 
-end, solve, steps, prove, draw = sliding_rod.about("B", -1, alpha=lambda g: g.alpha)
+end, solve, steps, prove, draw = sliding_rod.about("B", -1)
 follows = {"a_B": lambda g, v_B: acceleration_from(*end(g), v_B)}
 
 

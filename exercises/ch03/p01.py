@@ -31,7 +31,6 @@ def steps(g):
 
 def prove(g):
     """Mean velocity times time, the velocity likewise from the mean acceleration."""
-
     instants = proofs.box(1, 0, 0, order=3)  # from -1/2 to 1/2; exact for t^4
 
     def up_to(t, f):

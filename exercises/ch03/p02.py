@@ -8,7 +8,6 @@ GROUND = Frame("ground")
 
 
 def point(g, t):
-    """P at the time t."""
     return GROUND.point("P", *along(lambda t: (g.cx * t**2, g.cy * t**3, -g.cz * t**4), t))
 
 

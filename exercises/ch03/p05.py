@@ -4,6 +4,8 @@ from exercises.devices.helix import figure, on_helix
 from exercises.tools import mp, proofs
 from newton_euler import asin, integral, kinematics, moving, pi, sin, sqrt
 
+follows = {"z_uniform": lambda g, theta_uniform: rise(g.p) * theta_uniform}
+
 
 def rise(p):
     """The rise per radian."""
@@ -56,42 +58,31 @@ def solve(g):
     return formulas(g, *of_symbols(g)) | times_from_rest(g, *of_numbers(g))
 
 
-follows = {"z_uniform": lambda g, theta_uniform: rise(g.p) * theta_uniform}
-
-
 def steps(g):
-    c, n = of_symbols(g)
-    return {
-        "c": c,
-        "n": n,
-        "w": 2 * n * g.theta / c,
-        "c_1": of_numbers(g)[0],
-        **dict(zip(("K_h", "K_1"), falls(g), strict=True)),
-    }
+    (c, n), (K_h, K_1) = of_symbols(g), falls(g)
+    w = 2 * n * g.theta / c
+    return {"c": c, "n": n, "w": w, "c_1": of_numbers(g)[0], "K_h": K_h, "K_1": K_1}
 
 
 def prove(g):
     """theta and t as integrals over u = theta'^2 from rest, up to A/n; the rate as a root."""
     c, n, h = stretch_and_bend(g.a, g.p)
+    c_1, n_1, _ = stretch_and_bend(g.a_1, g.p_1)
+    scale = c_1 / n_1 / mp.sqrt(g.A_1 / n_1)
+
+    def time(share):
+        """The time until u is this share of A/n."""
+        return proofs.integral(lambda s: scale / mp.sqrt(1 - s**4), 0, mp.sqrt(share))
+
     rate = proofs.root(lambda w: n * w**2 - g.A, 0, 2 * mp.sqrt(g.A / n))
     return {
         "theta_uniform": rate * g.t,
         "z_uniform": h * rate * g.t,
         "theta_rate": mp.sqrt(g.A / n * share_at(g.theta, c, n)),
         "theta_1": reached(0, c, n),
-        **proved_times(g),
+        "t_h": time(share_at(reached(0, c_1, n_1) / 2, c_1, n_1)),
+        "t_1": time(1),
     }
-
-
-def proved_times(g):
-    c, n, _ = stretch_and_bend(g.a_1, g.p_1)
-    scale = c / n / mp.sqrt(g.A_1 / n)
-
-    def time(share):
-        """The time until u is this share of A/n."""
-        return proofs.integral(lambda s: scale / mp.sqrt(1 - s**4), 0, mp.sqrt(share))
-
-    return {"t_h": time(share_at(reached(0, c, n) / 2, c, n)), "t_1": time(1)}
 
 
 def stretch_and_bend(a, p):

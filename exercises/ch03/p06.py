@@ -1,42 +1,25 @@
 """3/6: a point on a sphere, in spherical, cylindrical and rectangular components."""
 
-from exercises.tools import Sketch, cross, mp, rate, rot, second_rate, times, transposed
+from exercises.tools import cross, mp, on_ground, rate, rot, second_rate, times, transposed
 from newton_euler import Frame, cylindrical, moving, pi, spherical, sqrt
 
 
-def angle(g):
-    return moving(g.theta, rate=g.theta_dot, acceleration=g.theta_ddot)
-
-
-def elevation(g):
-    return moving(g.phi, rate=g.phi_dot, acceleration=g.phi_ddot)
-
-
-def height(g):
-    return moving(g.z, rate=g.z_dot, acceleration=g.z_ddot)
-
-
-def by_angles(g, R):
-    return spherical(Frame("ground"), "P", R, angle(g), elevation(g))
+def given(g, name):
+    """A coordinate with its rates."""
+    return moving(*(getattr(g, name + end) for end in ("", "_dot", "_ddot")))
 
 
 def by_height(g, r):
-    return cylindrical(Frame("ground"), "P", r, angle(g), height(g))
+    return cylindrical(Frame("ground"), "P", r, given(g, "theta"), given(g, "z"))
 
 
 def distance_from_axis(g):
-    return sqrt(g.R**2 - height(g) ** 2)
-
-
-def level(g):
-    """x and y with their rates."""
-    x = moving(g.x, rate=g.x_dot, acceleration=g.x_ddot)
-    return x, moving(g.y, rate=g.y_dot, acceleration=g.y_ddot)
+    return sqrt(g.R**2 - given(g, "z") ** 2)
 
 
 def height_above(g):
     """z above x and y: from z^2 = R^2 - 2 half, z z' = -half' and z z'' + z'^2 = -half''."""
-    x, y = level(g)
+    x, y = given(g, "x"), given(g, "y")
     half = (x**2 + y**2) / 2
     z = sqrt(g.R**2 - g.x**2 - g.y**2)
     z_rate = -half.rate / z
@@ -50,12 +33,13 @@ def motion(system, P, ground=None):
 
 def rectangular(g, z):
     ground = Frame("ground")
-    return motion("rect", ground.point("P", *level(g), z), ground)
+    return motion("rect", ground.point("P", given(g, "x"), given(g, "y"), z), ground)
 
 
 def solve(g):
+    P = spherical(Frame("ground"), "P", g.R, given(g, "theta"), given(g, "phi"))
     return {
-        **motion("sph", by_angles(g, g.R)),
+        **motion("sph", P),
         **motion("cyl", by_height(g, distance_from_axis(g))),
         **rectangular(g, height_above(g)),
     }
@@ -72,7 +56,6 @@ def prove(g):
     theta = later(g.theta, g.theta_dot, g.theta_ddot)
     phi = later(g.phi, g.phi_dot, g.phi_ddot)
     z = later(g.z, g.z_dot, g.z_ddot)
-
     raised = lambda up: lambda t: times(rot("z", theta(t)), rot("y", -up(t)), [g.R, 0, 0])
 
     def along(axes, place):
@@ -101,24 +84,22 @@ def prove(g):
 
 
 def mistakes(g):
-    right = solve(g)
-    a, z = right["a_rect"], height_above(g)
-    a_sph = right["a_sph"]
+    _, a_sph, *_, a = solve(g).values()
+    z = height_above(g)
     other = pi(g.one) / 2 - g.phi  # with sine and cosine exchanged, at the same rates
     phi = moving(other, rate=g.phi_dot, acceleration=g.phi_ddot)
-    exchanged = spherical(Frame("ground"), "P", g.R, angle(g), phi)
+    exchanged = spherical(Frame("ground"), "P", g.R, given(g, "theta"), phi)
     return {
         "phi_from_the_vertical": motion("sph", exchanged),
         "r_constant": motion("cyl", by_height(g, distance_from_axis(g).value)),
-        "z_not_eliminated": rectangular(g, height(g)),
+        "z_not_eliminated": rectangular(g, given(g, "z")),
         "z_rate_not_differentiated": {"a_rect": a + a.frame.k * (z.rate**2 / z.value)},
         "no_radial_acceleration": {"a_sph": a_sph - a_sph.x * a_sph.frame.i},
     }
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=35, elevation=22)
+    ground, s = on_ground(ax, azimuth=35, elevation=22)
     O = (0, 0, 0)
     P = spherical(ground, "P", g.R, 1.0, 0.75)
     Q = ground.point("Q", *P.position(ground).components(ground)[:2], 0)

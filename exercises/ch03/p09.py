@@ -3,14 +3,13 @@
 from exercises.devices import instant_of_motion as device
 from newton_euler import acos, asin, cos, kinematics
 
+follows = {"speed_rate": lambda g, angle: device.vectors(g)[1].norm() * cos(angle)}
+
 
 def solve(g):
     v, a = device.vectors(g)
     cosine = v.dot(a) / (v.norm() * a.norm())
     return {"angle": acos(cosine), "speed_rate": kinematics.speed_rate(v, a)}
-
-
-follows = {"speed_rate": lambda g, angle: device.vectors(g)[1].norm() * cos(angle)}
 
 
 def steps(g):

@@ -4,13 +4,12 @@ from exercises.devices.instant_of_motion import GROUND, figure, speed_and_flexur
 from exercises.tools import minus, plus, size
 from newton_euler.kinematics import flexure, speed_rate
 
+follows = {"speed_rate": lambda g, v_dot_a: v_dot_a / vectors(g)[0].norm()}
+
 
 def solve(g):
     v, a = vectors(g)
     return {"v_dot_a": v.dot(a), "speed_rate": speed_rate(v, a), "flexure": flexure(v, a)}
-
-
-follows = {"speed_rate": lambda g, v_dot_a: v_dot_a / vectors(g)[0].norm()}
 
 
 def steps(g):

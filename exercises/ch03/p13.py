@@ -1,6 +1,6 @@
 """3/13: the largest acceleration of a point on an element that turns and oscillates axially."""
 
-from exercises.tools import Sketch, mp, proofs
+from exercises.tools import mp, on_ground, proofs
 from newton_euler import Frame, cylindrical, moving, pi, sin
 
 
@@ -42,8 +42,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=35, elevation=20)
+    ground, s = on_ground(ax, azimuth=35, elevation=20)
     O, z = (0, 0, 0), 0.7 * g.z0
     C, A = (0, 0, z), (0, g.r, z)
     low, high = (0, 0, -1.6 * g.z0), (0, 0, 2.2 * g.z0)

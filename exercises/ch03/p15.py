@@ -6,6 +6,7 @@ from newton_euler import Frame, moving, pi
 from newton_euler.kinematics import spherical_frame
 
 draw = figure
+KEYS = "e_R_rate", "e_theta_rate", "e_phi_rate"
 
 
 def axes(g):
@@ -16,11 +17,8 @@ def axes(g):
 
 def solve(g):
     ground, local = axes(g)
-    return {
-        "e_R_rate": local.i.rate(ground),
-        "e_theta_rate": local.j.rate(ground),
-        "e_phi_rate": local.k.rate(ground),
-    }
+    rates = (e.rate(ground) for e in (local.i, local.j, local.k))
+    return dict(zip(KEYS, rates, strict=True))
 
 
 def steps(g):
@@ -33,13 +31,8 @@ def prove(g):
     """The unit vectors at the moving point, differentiated."""
     place = place_in_time(lambda t: 1, lambda t: g.theta_dot * t, lambda t: g.phi + g.phi_dot * t)
     here = spherical_axes(place(mp.mpf(0)))
-    e_R, e_theta, e_phi = rate(lambda t: spherical_axes(place(t)))
-    return {
-        "e_R_rate": times(here, e_R),
-        "e_theta_rate": times(here, e_theta),
-        "e_phi_rate": times(here, e_phi),
-        "k": times(here, [0, 0, 1]),
-    }
+    rates = [*rate(lambda t: spherical_axes(place(t))), [0, 0, 1]]
+    return {key: times(here, v) for key, v in zip((*KEYS, "k"), rates, strict=True)}
 
 
 def mistakes(g):

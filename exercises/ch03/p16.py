@@ -33,11 +33,8 @@ def steps(g):
 
 def prove(g):
     motion = lambda *rates: lambda t: rates[0] + rates[1] * t + rates[2] * t**2 / 2
-    place = place_in_time(
-        motion(g.R, g.R_dot, g.R_ddot),
-        motion(0, g.theta_dot, g.theta_ddot),
-        motion(g.phi, g.phi_dot, g.phi_ddot),
-    )
+    R, phi = motion(g.R, g.R_dot, g.R_ddot), motion(g.phi, g.phi_dot, g.phi_ddot)
+    place = place_in_time(R, motion(0, g.theta_dot, g.theta_ddot), phi)
     here = spherical_axes(place(mp.mpf(0)))
 
     def part(n):
@@ -53,10 +50,9 @@ def mistakes(g):
     a = solve(g)["a"]
     # e_phi points down if phi is from the vertical
     down = solve(g.but(phi=pi(g.phi) / 2 - g.phi, phi_dot=-g.phi_dot, phi_ddot=-g.phi_ddot))["a"]
+    constant = a.reweighted(centripetal_theta=0, centripetal_phi=0, **PRODUCTS)
     return {
-        "constant_unit_vectors": {
-            "a": a.reweighted(centripetal_theta=0, centripetal_phi=0, **PRODUCTS)
-        },
+        "constant_unit_vectors": {"a": constant},
         "single_products": {"a": a.reweighted(**PRODUCTS)},
         "phi_from_the_vertical": {"a": a.frame.vector(down.x, down.y, -down.z)},
     }

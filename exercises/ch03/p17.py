@@ -7,7 +7,6 @@ from newton_euler import moving, pi
 
 
 def boom(g):
-    """Ground, and the end A."""
     return boom_end(g.omega, moving(g.beta_1, rate=g.b_dot), moving(g.l1, rate=g.l_dot))
 
 

@@ -5,6 +5,8 @@ from exercises.devices.telescoping_boom import boom_end, end_in_time, figure
 from exercises.tools import rate, second_rate, size, terms
 from newton_euler import moving, pi
 
+follows = {"acc_mag": lambda g, a: a.norm()}
+
 
 def boom(g, time=None):
     """Ground, and the end A, at the instant or another time."""
@@ -21,17 +23,11 @@ def solve(g):
     return with_size(A.acceleration(ground))
 
 
-follows = {"acc_mag": lambda g, a: a.norm()}
-
-
 def steps(g):
     ground, A = boom(g)
     R, _, phi = A.coordinates
-    yield "phi", phi.value
-    yield "phi_dot", phi.rate
-    yield "R", R.value
-    yield "R_dot", R.rate
-    yield "R_ddot", R.acceleration
+    yield from {"phi": phi.value, "phi_dot": phi.rate}.items()
+    yield from {"R": R.value, "R_dot": R.rate, "R_ddot": R.acceleration}.items()
     yield from terms(A.acceleration(ground), "a", "in/s^2", "3.7")
 
 

@@ -1,28 +1,9 @@
 """3/20: the acceleration of a car of an amusement ride in cylindrical components."""
 
 from exercises.devices import amusement_ride as ride
-from exercises.tools import cylindrical_axes, second_rate, terms, times
 from newton_euler import cylindrical
 
-draw = ride.figure
-
-STEPS = "z_dot", "r", "r_dot", "r_ddot"
-
-
-def solve(g):
-    ground, P, _ = ride.car(g)
-    return {"a": P.acceleration(ground)}
-
-
-def steps(g):
-    yield from ride.steps(g, "3.5", *STEPS)
-    yield from terms(solve(g)["a"], "a", "m/s^2", "3.5")
-
-
-def prove(g):
-    P = ride.car_in_time(g)
-    a = times(cylindrical_axes(P(0)), second_rate(P))
-    return {"a": a} | ride.proved_steps(g, *STEPS)
+solve, steps, prove, draw = ride.problem_of("a", ("z_dot", "r", "r_dot", "r_ddot"))
 
 
 def mistakes(g):

@@ -1,24 +1,10 @@
 """3/21: the velocity of a car of an amusement ride in spherical components."""
 
 from exercises.devices import amusement_ride as ride
-from exercises.tools import rate, spherical_axes, times
 from newton_euler import cos, tan
 
 STEPS = "sin_phi", "cos_phi", "z_dot", "phi_dot"
-
-
-def solve(g):
-    ground, _, P = ride.car(g)
-    return {"v": P.velocity(ground)}
-
-
-def steps(g):
-    yield from ride.steps(g, "3.7", *STEPS)
-
-
-def prove(g):
-    P = ride.car_in_time(g)
-    return {"v": times(spherical_axes(P(0)), rate(P))} | ride.proved_steps(g, *STEPS)
+solve, steps, prove, draw = ride.problem_of("v", STEPS, in_spherical=True)
 
 
 def mistakes(g):
@@ -29,7 +15,3 @@ def mistakes(g):
         "no_cosine": {"v": v.reweighted(theta=1 / cos(phi))},
         "phi_from_the_vertical": {"v": v.reweighted(theta=tan(phi), phi=1 / tan(phi))},
     }
-
-
-def draw(g, ax):
-    ride.figure(g, ax, elevation_angle=True)

@@ -18,7 +18,6 @@ def velocity(g):
 
 
 def transformed(g, matrix):
-    """The answers with this matrix."""
     v, _, axes = velocity(g)
     return {"T_phi": matrix, "v": axes.vector(*apply(matrix, v.components()))}
 

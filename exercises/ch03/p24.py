@@ -17,7 +17,6 @@ def acceleration(g):
 
 
 def transformed(g, matrix):
-    """The answers with this matrix."""
     a, _, axes = acceleration(g)
     return {"T_phi_inv": matrix, "a": axes.vector(*apply(matrix, a.components()))}
 

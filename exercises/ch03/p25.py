@@ -5,6 +5,8 @@ from exercises.devices.spherical_point import elevation_in_time, local_accelerat
 from exercises.tools import mp, rate, second_rate, size, terms
 from newton_euler import Frame, atan2, moving, pi, spherical, sqrt
 
+follows = {"acc_mag": lambda g, a: a.norm()}
+
 
 def angle_AOP(g):
     """The angle at O in the right triangle OAP."""
@@ -30,9 +32,6 @@ def answers(g, inside):
 
 def solve(g):
     return answers(g, angle_AOP(g))
-
-
-follows = {"acc_mag": lambda g, a: a.norm()}
 
 
 def steps(g):

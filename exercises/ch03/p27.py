@@ -1,9 +1,15 @@
 """3/27: components of a position by matrices, given as three rows."""
 
-from exercises.tools import Sketch, mp, times
+from exercises.tools import mp, on_ground, times
 from newton_euler import Frame, atan2, sqrt
 from newton_euler.kinematics.coordinates import T_phi, T_theta, cylindrical_frame, spherical_frame
 from newton_euler.kinematics.rotations import apply, transpose
+
+# in full: the matrices of a student may have entries where there are none
+follows = {
+    "r_cyl": lambda g, T_theta: Frame("cylindrical").vector(*apply(T_theta, (g.x, g.y, g.z))),
+    "r_sph": lambda g, r_cyl, T_phi: r_cyl.frame.vector(*apply(T_phi, r_cyl.components())),
+}
 
 
 def coordinates(g):
@@ -24,13 +30,6 @@ def answers(g, phi, turned=lambda T: T):
         "T_phi": to_spherical,
         "r_sph": spherical_frame(ground, theta, phi).vector(*apply(to_spherical, cylindrical)),
     }
-
-
-# in full: the matrices of a student may have entries where there are none
-follows = {
-    "r_cyl": lambda g, T_theta: Frame("cylindrical").vector(*apply(T_theta, (g.x, g.y, g.z))),
-    "r_sph": lambda g, r_cyl, T_phi: r_cyl.frame.vector(*apply(T_phi, r_cyl.components())),
-}
 
 
 def solve(g):
@@ -72,8 +71,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=60, elevation=22)
+    ground, s = on_ground(ax, azimuth=60, elevation=22)
     O, P, Q = (0, 0, 0), (g.x, g.y, g.z), (g.x, g.y, 0)
     s.axes(O, ground, length=1.1 * max(g.x, g.y, g.z))
     s.arrow(O, P)

@@ -5,6 +5,8 @@ from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.devices.robot_arm import figure, robot, tip_in_time
 from exercises.tools import in_frame, rate, rot, second_rate, size, terms, times
 
+follows = {"acc_mag": lambda g, a: a.norm()}
+
 
 def with_size(a):
     return {"a": a, "acc_mag": a.norm()}
@@ -22,9 +24,6 @@ def steps(g):
     yield from terms(solve(g)["a"], "a", "m/s^2", "4.8")
 
 
-follows = {"acc_mag": lambda g, a: a.norm()}
-
-
 def prove(g):
     P = tip_in_time(g)
     seen = lambda t: times(rot("z", -g.omega * t), P(t))
@@ -34,10 +33,9 @@ def prove(g):
 
 def mistakes(g):
     ground, base, P = robot(g)
+    in_degrees = {n: g.stated(n) for n in ("omega", "b_dot", "b_ddot")}
     wrong = {
-        "rates_in_degrees": solve(
-            g.but(omega=g.stated("omega"), b_dot=g.stated("b_dot"), b_ddot=g.stated("b_ddot"))
-        ),
+        "rates_in_degrees": solve(g.but(**in_degrees)),
         "no_coriolis": with_size(P.acceleration(ground, via=base).without("coriolis")),
         "no_tangential": solve(g.but(b_ddot=0)),
         "beta_the_other_way": solve(g.but(b_dot=-g.b_dot, b_ddot=-g.b_ddot)),

@@ -39,16 +39,10 @@ def steps(g):
 
 
 def prove(g):
-    def in_shaft(t):
-        theta = g.theta_0 + g.theta_A * mp.sin(g.n * t)
-        return [g.L * mp.cos(theta), 0, g.L * mp.sin(theta)]
-
+    flapping = lambda t: g.theta_0 + g.theta_A * mp.sin(g.n * t)
+    in_shaft = lambda t: [g.L * mp.cos(flapping(t)), 0, g.L * mp.sin(flapping(t))]
     tip = lambda t: times(rot("z", g.omega * t), in_shaft(t))
-
-    def theta(t):
-        x, _, z = in_shaft(t)
-        return mp.atan2(z, x)
-
+    theta = lambda t: mp.atan2(in_shaft(t)[2], in_shaft(t)[0])
     turned_back = proofs.transposed(rot("z", g.omega * g.t))
     return {
         "v_tip": times(turned_back, rate(tip, g.t)),
@@ -63,14 +57,11 @@ def prove(g):
 def mistakes(g):
     theta = flapping(g)
     v, a = solve(g).values()
-    too_wide = 1 / cos(theta.value)
+    too_wide, by_turning = 1 / cos(theta.value), ("coriolis", "centripetal")
     steady = moving(theta.value, rate=theta.rate, acceleration=0)
     return {
         "no_coriolis": {"a_tip": a.without("coriolis")},
-        "no_turning": {
-            "v_tip": v.without("rotation"),
-            "a_tip": a.without("coriolis", "centripetal"),
-        },
+        "no_turning": {"v_tip": v.without("rotation"), "a_tip": a.without(*by_turning)},
         "constant_flapping_rate": motion(g, moving(theta.value, rate=g.n * g.theta_A)),
         "radius_L": {
             "v_tip": v.reweighted(rotation=too_wide),

@@ -36,7 +36,6 @@ def solve(g):
 
 
 def a_B(g, omega):
-    """a_B from omega and its given rate."""
     vector = omega.frame.vector
     AB = vector(g.L, 0, 0)
     a_A, omega_dot = vector(g.a_Ax, g.a_Ay, g.a_Az), vector(g.wd_x, g.wd_y, g.wd_z)

@@ -10,15 +10,10 @@ follows, draw = device.follows, device.draw
 
 def mistakes(g):
     ground, arm, _, D = device.arm_and_rod(g)
+    v, a = device.motion(D, ground).values()
     beta = moving(g.beta_1, rate=g.b_dot)
     from_vertical = arm.point("D", 0, g.b + g.L * sin(beta), g.L * cos(beta))
     return device.common_mistakes(g) | in_frame(ground, {
-        "C_at_rest": {
-            "v_D": D.velocity(ground).without("origin"),
-            "a_D": D.acceleration(ground).without("origin"),
-        },
-        "beta_from_the_vertical": {
-            "v_D": from_vertical.velocity(ground),
-            "a_D": from_vertical.acceleration(ground),
-        },
+        "C_at_rest": {"v_D": v.without("origin"), "a_D": a.without("origin")},
+        "beta_from_the_vertical": device.motion(from_vertical, ground),
     })  # fmt: skip

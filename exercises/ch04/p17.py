@@ -10,11 +10,6 @@ follows, draw = device.follows, device.draw
 def mistakes(g):
     ground, arm, rod, _ = device.arm_and_rod(g)
     outward = arm.rotate("rod", "x", angle=g.beta_1, rate=g.b_dot, origin=rod.origin)
-    D = outward.point("D", 0, g.L, 0)
-    return device.common_mistakes(g) | in_frame(ground, {
-        "CD_outward": {
-            "alpha_CD": outward.angular_acceleration(ground),
-            "v_D": D.velocity(ground),
-            "a_D": D.acceleration(ground),
-        },
-    })  # fmt: skip
+    moves = device.motion(outward.point("D", 0, g.L, 0), ground)
+    moves["alpha_CD"] = outward.angular_acceleration(ground)
+    return device.common_mistakes(g) | in_frame(ground, {"CD_outward": moves})

@@ -4,13 +4,9 @@ from exercises.devices import rolling_disk as device
 from exercises.tools import in_frame, proofs, terms
 
 
-def answers(g, spin):
+def solve(g, spin=None):
     ground, axle, disk, _ = device.axle_and_disk(g, spin)
     return in_frame(axle, {"omega_disk": disk.angular_velocity(ground)})
-
-
-def solve(g):
-    return answers(g, device.rolling_spin(g))
 
 
 def steps(g):
@@ -25,9 +21,9 @@ def prove(g):
 def mistakes(g):
     return {
         "spin_only": {"omega_disk": solve(g)["omega_disk"].without("axle")},
-        "spin_reversed": answers(g, -device.rolling_spin(g)),
-        "one_turn_each_circuit": answers(g, -device.turning(g)),
-        "ratio_inverted": answers(g, -device.turning(g) * g.r / g.R),
+        "spin_reversed": solve(g, -device.rolling_spin(g)),
+        "one_turn_each_circuit": solve(g, -device.turning(g)),
+        "ratio_inverted": solve(g, -device.turning(g) * g.r / g.R),
     }
 
 

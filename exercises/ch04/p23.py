@@ -7,18 +7,14 @@ from exercises.tools import in_frame, rate, terms
 draw = device.sketch
 
 
-def answers(g, spin):
+def solve(g, spin=None):
     ground, axle, _, A = device.axle_and_disk(g, spin)
     return in_frame(axle, {"v_A": A.velocity(ground, via=axle)})
 
 
-def solve(g):
-    return answers(g, device.rolling_spin(g))
-
-
 def steps(g):
     yield from device.rolling_steps(g)
-    _, axle, _, A = device.axle_and_disk(g, device.rolling_spin(g))
+    _, axle, _, A = device.axle_and_disk(g)
     phrase = "the moving frame, fixed in the axle"
     start = "C, the origin of the moving frame"
     yield from seen_in(axle, A, axle, "m", phrase, start, "r_A", False)
@@ -34,6 +30,6 @@ def mistakes(g):
     return {
         "no_turning_about_vertical": {"v_A": v.without("rotation")},
         "C_at_rest": {"v_A": v.without("origin")},
-        "spin_reversed": answers(g, -device.rolling_spin(g)),
-        "one_turn_each_circuit": answers(g, -device.turning(g)),
+        "spin_reversed": solve(g, -device.rolling_spin(g)),
+        "one_turn_each_circuit": solve(g, -device.turning(g)),
     }

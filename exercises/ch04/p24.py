@@ -5,9 +5,7 @@ from newton_euler import Frame, cos, sin
 
 
 def fuselage_and_rotor(g):
-    """y toward the nose, z along the mast; the fuselage pitches down about -x; the rotor is about
-    z.
-    """
+    """y toward the nose, z along the mast; the fuselage pitches about -x, the rotor about z."""
     ground = Frame("ground")
     fuselage = ground.rotate("fuselage", "-x", rate=g.omega)
     return ground, fuselage, fuselage.rotate("rotor", "z", rate=g.Omega)

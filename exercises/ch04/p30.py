@@ -7,21 +7,17 @@ from exercises.tools import angular_acceleration, in_frame, second_rate, terms
 draw = device.sketch
 
 
-def answers(g, spin):
+def solve(g, spin=None):
     ground, axle, disk, A = device.axle_and_disk(g, spin)
     alpha, a = disk.angular_acceleration(ground), A.acceleration(ground, via=axle)
     return in_frame(axle, {"alpha_disk": alpha, "a_A": a})
-
-
-def solve(g):
-    return answers(g, device.rolling_spin(g))
 
 
 def steps(g):
     yield from device.rolling_steps(g)
     alpha, a = solve(g).values()
     yield from terms(alpha, "alpha_disk", "rad/s^2", "4.9")
-    _, axle, _, A = device.axle_and_disk(g, device.rolling_spin(g))
+    _, axle, _, A = device.axle_and_disk(g)
     phrase = "the moving frame, fixed in the axle"
     yield from seen_in(axle, A, axle, "m", phrase, "C, the origin of the moving frame", "r_A")
     yield from terms(a, "a_A", "m/s^2", "4.8")
@@ -38,5 +34,5 @@ def mistakes(g):
         "zero": {"alpha_disk": 0 * right["alpha_disk"]},
         "C_not_accelerated": {"a_A": right["a_A"].without("origin")},
         "no_turning_about_vertical": {"a_A": right["a_A"].without("centripetal")},
-        "spin_reversed": {"alpha_disk": answers(g, -device.rolling_spin(g))["alpha_disk"]},
+        "spin_reversed": {"alpha_disk": solve(g, -device.rolling_spin(g))["alpha_disk"]},
     }

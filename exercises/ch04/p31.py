@@ -3,6 +3,8 @@
 from exercises.tools import Sketch, rate, rot, size, times
 from newton_euler import Frame, sqrt
 
+follows = {"r": lambda g, speed: speed / g.n}
+
 
 def velocity(g):
     return Frame("ground").vector(g.v_x, 0, g.v_z)
@@ -15,9 +17,6 @@ def solve(g):
 
 def steps(g):
     return {"omega": g.n}
-
-
-follows = {"r": lambda g, speed: speed / g.n}
 
 
 def prove(g):

@@ -2,12 +2,9 @@
 
 from exercises.devices import disk_in_bracket as device
 
-draw, prove, steps = device.figure, device.prove_turning, device.turning_steps
+solve, steps, prove = device.solve_turning, device.turning_steps, device.prove_turning
+draw = device.figure
 follows = {"alpha_disk": device.alpha_disk}
-
-
-def solve(g):
-    return device.turning(device.disk_in_bracket(g))
 
 
 def mistakes(g):

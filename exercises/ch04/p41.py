@@ -2,8 +2,7 @@
 
 from exercises.devices import disk_in_bracket as device
 
-solve, steps, prove, draw = device.whole_problem("B")
-follows = device.all_from_turning("B")
+solve, steps, prove, draw, follows = device.whole_problem("B")
 
 
 def mistakes(g):

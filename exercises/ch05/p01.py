@@ -4,18 +4,7 @@ from exercises.devices import plate_under_curve as plate
 from exercises.devices.triangular_plate import area_points, figure, height
 
 draw = figure
-
-
-def moments(g):
-    return plate.moments_to_first(g.b, height(g))
-
-
-def solve(g):
-    return plate.centre(*moments(g))
-
-
-def steps(g):
-    yield from plate.steps_to_centre(g.b, height(g))
+moments, solve, steps = plate.centre_of(lambda g: g.b, height)
 
 
 def prove(g):

@@ -4,21 +4,16 @@ from exercises.devices.put_together import centre, problem_of, proved
 from exercises.devices.satellite import SATELLITE, figure, parts, spheres
 from exercises.tools import proofs
 
-solve, steps = problem_of(
-    SATELLITE, parts, content="mass", mass="slug", length="ft", given=("larger", "smaller")
-)
+GIVEN = "larger", "smaller"
+solve, steps = problem_of(SATELLITE, parts, content="mass", mass="slug", length="ft", given=GIVEN)
 draw = figure
 
 
 def prove(g):
     """By the mass points of both spheres."""
-    points = [
-        (mass * share, proofs.plus(place, middle))
-        for mass, ball, middle in spheres(g)
-        for share, place in ball
-    ]
-    whole = sum(m for m, _ in points)
-    return proved("mass", whole, [sum(m * place[n] for m, place in points) for n in range(3)])
+    centres = [(m, proofs.plus(middle, proofs.mean(list, ball))) for m, ball, middle in spheres(g)]
+    first = proofs.plus(*(proofs.scaled(m, place) for m, place in centres))
+    return proved("mass", sum(m for m, _ in centres), first)
 
 
 def mistakes(g):

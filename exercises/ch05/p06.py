@@ -29,7 +29,6 @@ def steps(g):
 
 def prove(g):
     """By strips along y, which end at the circle."""
-
     area, first_y = proofs.integral(lambda x: [top(g, x), top(g, x) ** 2 / 2], -g.R, g.R)
     return {"d": [0, first_y / area, 0], "area": area, "Q_y": first_y}
 

@@ -3,9 +3,8 @@
 from exercises.devices.put_together import centre, problem_of, unweighed, walked
 from exercises.devices.welded_rods import WELDED, figure, parts, path
 
-solve, steps = problem_of(
-    WELDED, parts, content="length", length="m", given=("first", "second", "third")
-)
+RODS = "first", "second", "third"
+solve, steps = problem_of(WELDED, parts, content="length", length="m", given=RODS)
 draw = figure
 
 

@@ -25,16 +25,15 @@ def steps(g):
 def prove(g):
     """By zero moment of the weights about a knife edge across each axis in turn."""
 
-    def balance(*places):
+    def balance(places):
         moment = lambda edge: sum(m * (x - edge) for m, x in zip(masses(g), places, strict=True))
         return root(moment, -max(places), 2 * max(places))
 
-    d = [balance(0, g.a, g.a, g.a), balance(0, 0, g.b, g.b), balance(0, 0, 0, g.c)]
+    axes = (0, g.a, g.a, g.a), (0, 0, g.b, g.b), (0, 0, 0, g.c)
     # Q is d/dt of half the sum of m (r + t e)^2, for each axis e
     half_square = lambda m, x: lambda t: m * (x + t) ** 2 / 2
-    moment = lambda *along: sum(map(rate, map(half_square, masses(g), along)))
-    Q = [moment(0, g.a, g.a, g.a), moment(0, 0, g.b, g.b), moment(0, 0, 0, g.c)]
-    return {"d": d, "Q": Q, "r_4": [g.a, g.b, g.c]}
+    moment = lambda along: sum(map(rate, map(half_square, masses(g), along)))
+    return {"d": [*map(balance, axes)], "Q": [*map(moment, axes)], "r_4": [g.a, g.b, g.c]}
 
 
 def mistakes(g):

@@ -5,18 +5,7 @@ from exercises.devices.parabola_plate import figure, height, start
 from exercises.tools import proofs
 
 draw = figure
-
-
-def moments(g):
-    return plate.moments_to_first(g.a, height(g))
-
-
-def solve(g):
-    return plate.centre(*moments(g))
-
-
-def steps(g):
-    yield from plate.steps_to_centre(g.a, height(g))
+moments, solve, steps = plate.centre_of(lambda g: g.a, height)
 
 
 def prove(g):

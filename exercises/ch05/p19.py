@@ -4,11 +4,7 @@ from exercises.tools import Sketch, freedom, mp, mpf
 from newton_euler import Frame, cos, dynamics, sin
 
 TWO = {"P1": "particle", "P2": "particle"}
-
-
-def f(x, y, z):
-    """One surface for all: an ellipsoid."""
-    return x**2 + 2 * y**2 + 3 * z**2 - 1
+f = lambda x, y, z: x**2 + 2 * y**2 + 3 * z**2 - 1  # one surface for all: an ellipsoid
 
 
 def count(bodies, **constraints):

@@ -1,14 +1,10 @@
 """5/20: the degrees of freedom of a pendulum: a count is an int. The length is only drawn."""
 
-from exercises.tools import Sketch, freedom, mp, mpf
-from newton_euler import Frame, dynamics
+from exercises.tools import freedom, mp, mpf, on_ground
+from newton_euler import dynamics
 
 SPACE, PLANE = "particle", "particle in plane"
-
-
-def rod(P):
-    """The particle stays at unit distance from O."""
-    return sum(x * x for x in P) - 1
+rod = lambda P: sum(x * x for x in P) - 1  # P stays at unit distance from O
 
 
 def count(kind, **constraints):
@@ -37,8 +33,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     O, P = (0, 0, 0), (0.5 * g.L, 0, -(0.75**0.5) * g.L)
     s.ground(O, normal=-ground.k)
     s.rod(O, P)

@@ -1,12 +1,9 @@
 """5/21: the degrees of freedom of a particle on a sphere. The radius is only drawn."""
 
-from exercises.tools import Sketch, at_angle, freedom, mp, mpf
-from newton_euler import Frame, dynamics
+from exercises.tools import at_angle, freedom, mp, mpf, on_ground
+from newton_euler import dynamics
 
-
-def sphere(P):
-    """The particle stays at unit distance from O."""
-    return sum(x * x for x in P) - 1
+sphere = lambda P: sum(x * x for x in P) - 1  # P stays at unit distance from O
 
 
 def count(**constraints):
@@ -37,8 +34,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=35, elevation=35)
+    ground, s = on_ground(ax, azimuth=35, elevation=35)
     down, side = -ground.k, ground.vector(0, -0.8, -0.6)
     O = (0, 0, 0)
     P = tuple(g.R * x for x in side.components())

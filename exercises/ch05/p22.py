@@ -1,19 +1,13 @@
 """5/22: the degrees of freedom of a pendulum on a cart. The length is only drawn."""
 
-from exercises.tools import Sketch, freedom, mp, mpf
-from newton_euler import Frame, dynamics
+from exercises.tools import freedom, mp, mpf, on_ground
+from newton_euler import dynamics
 
 BODIES = {"cart": "body in plane", "P": "particle in plane"}
-
-
-def track(cart):
-    """The hinge C, which locates the cart, stays at its height, and the cart stays level."""
-    return cart[1:]
-
-
-def rod(cart, P):
-    """P stays at unit distance from C."""
-    return (P[0] - cart[0]) ** 2 + (P[1] - cart[1]) ** 2 - 1
+# the hinge C, which locates the cart, stays at its height, and the cart stays level
+track = lambda cart: cart[1:]
+# P stays at unit distance from C
+rod = lambda cart, P: (P[0] - cart[0]) ** 2 + (P[1] - cart[1]) ** 2 - 1
 
 
 def count(**constraints):
@@ -41,8 +35,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     L = g.L
     # the pendulum is in front of cart and track
     C, P = (0, -0.3 * L, 0), (0.28 * L, -0.3 * L, -0.96 * L)

@@ -3,17 +3,10 @@
 from exercises.tools import Sketch, freedom, mp, mpf
 from newton_euler import Frame, cos, dynamics
 
-
-def floor(ladder):
-    """The lower end is on the floor; it and the slope locate the ladder."""
-    _, y, _ = ladder
-    return y
-
-
-def wall(ladder):
-    """The upper end of the ladder, of unit length, is at the wall x = 0."""
-    x, _, slope = ladder
-    return x + cos(slope)
+# the lower end, at x and y, is on the floor; it and the slope locate the ladder
+floor = lambda ladder: ladder[1]
+# the upper end of the ladder, of unit length, is at the wall x = 0
+wall = lambda ladder: ladder[0] + cos(ladder[2])
 
 
 def count(**constraints):

@@ -1,8 +1,7 @@
 """5/24: the degrees of freedom of a double Atwood machine."""
 
 from exercises.devices.atwood import count, draw_machine, miscounts, rope, steps_to_count
-from exercises.tools import Sketch, freedom, mpf
-from newton_euler import Frame
+from exercises.tools import freedom, mpf, on_ground
 
 MASSES = "m1", "m2", "m3"
 HEIGHTS = *MASSES, "P2"
@@ -36,7 +35,6 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     movable = ("$P_2$", 0.6, (2, "2"), (1.4, "3"))
     draw_machine(s, ground, ("$P_1$", 0.8, (3, "1"), (2.2, movable)))

@@ -1,8 +1,7 @@
 """5/25: the degrees of freedom of five masses on four ropes."""
 
 from exercises.devices.atwood import count, draw_machine, miscounts, rope, steps_to_count
-from exercises.tools import Sketch, freedom, mpf
-from newton_euler import Frame
+from exercises.tools import freedom, mpf, on_ground
 
 MASSES = "m1", "m2", "m3", "m4", "m5"
 HEIGHTS = *MASSES, "P2", "P3", "P4"
@@ -40,8 +39,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     P2 = ("$P_2$", 0.6, (2.2, "1"), (1.5, "2"))
     P4 = ("$P_4$", 0.6, (1.2, "4"), (1.8, "5"))
     P3 = ("$P_3$", 0.7, (2.6, "3"), (2, P4))

@@ -1,7 +1,7 @@
 """5/26: degrees of freedom, a count and a word, in a problem without numbers."""
 
-from exercises.tools import Sketch, freedom, mpf
-from newton_euler import Frame, dynamics
+from exercises.tools import freedom, mpf, on_ground
+from newton_euler import dynamics
 
 BLOCKS = {"first": 1, "second": 1}  # one coordinate each, along the track
 PAIRS = 3
@@ -33,12 +33,11 @@ def prove(g):
 
 
 def mistakes(g):
+    left, right = (lambda first: first[0] - 1), (lambda second: second[0] - 2)
     return {
         "springs_hold": {"without": "larger"},
         "rigid_link": answers(count(pair=lambda first, second: second[0] - first[0] - 1), count()),
-        "outer_pairs_hold": answers(
-            count(left=lambda first: first[0] - 1, right=lambda second: second[0] - 2), count()
-        ),
+        "outer_pairs_hold": answers(count(left=left, right=right), count()),
         "each_pair": {"dof": PAIRS},
         "pairs_move": {"dof": count().count + PAIRS, "without": "smaller"},
         "two_directions": {"dof": count(dict.fromkeys(BLOCKS, "particle in plane"))},
@@ -46,8 +45,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     s.ground((0, 0, 0.5), normal=ground.i, size=1)
     s.ground((9, 0, 0.5), normal=-ground.i, size=1)
     s.road([(0, 0, 0), (9, 0, 0)])

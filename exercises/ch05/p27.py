@@ -1,24 +1,14 @@
 """5/27: the degrees of freedom of a double pendulum. The lengths are only drawn."""
 
-from exercises.tools import Sketch, freedom, mp, mpf
-from newton_euler import Frame, dynamics
+from exercises.tools import freedom, mp, mpf, on_ground
+from newton_euler import dynamics
 
 PLANE = {"P1": "particle in plane", "P2": "particle in plane"}
-
-
-def rod_1(P1):
-    """P1 stays at unit distance from O."""
-    return P1[0] ** 2 + P1[1] ** 2 - 1
-
-
-def rod_2(P1, P2):
-    """P2 stays at unit distance from P1."""
-    return (P2[0] - P1[0]) ** 2 + (P2[1] - P1[1]) ** 2 - 1
-
-
-def in_one_line(P1, P2):
-    """The second rod continues in the direction of the first."""
-    return P1[0] * P2[1] - P1[1] * P2[0]
+# P1 stays at unit distance from O, P2 from P1
+rod_1 = lambda P1: P1[0] ** 2 + P1[1] ** 2 - 1
+rod_2 = lambda P1, P2: (P2[0] - P1[0]) ** 2 + (P2[1] - P1[1]) ** 2 - 1
+# the second rod continues in the direction of the first
+in_one_line = lambda P1, P2: P1[0] * P2[1] - P1[1] * P2[0]
 
 
 def count(**constraints):
@@ -52,8 +42,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     O, P1 = (0, 0, 0), (0.28 * g.L1, 0, -0.96 * g.L1)
     P2 = (P1[0] + 0.8 * g.L2, 0, P1[2] - 0.6 * g.L2)
     s.ground(O, normal=-ground.k)

@@ -1,43 +1,24 @@
 """5/28: two particles on a string through the tip of a cone. Angle and length are only drawn."""
 
-from exercises.tools import Sketch, freedom, mp, mpf
-from newton_euler import Frame, cos, sin, sqrt
+from exercises.tools import freedom, mp, mpf, on_ground
+from newton_euler import cos, sin, sqrt
 from newton_euler.dynamics import degrees_of_freedom
 
 TWO = {"P1": "particle", "P2": "particle"}
 follows = {"dof_vertical": lambda g, dof_swinging: dof_swinging - 2}
 
-
-def length(P):
-    """The distance from the tip."""
-    return sqrt(sum(x * x for x in P))
-
-
-def cone(P1):
-    """Zero on the cone about z with the half angle of 45 deg."""
-    x, y, z = P1
-    return x * x + y * y - z * z
-
-
-def string(P1, P2):
-    """Straight on both sides of the hole, 3 units long."""
-    return length(P1) + length(P2) - 3
-
-
-def vertical(P2):
-    return P2[:2]
-
-
-def fixed_length(P2):
-    return length(P2) - 1
+# the cone is about z, with the half angle of 45 deg; its tip is the origin
+cone = lambda P1: P1[0] ** 2 + P1[1] ** 2 - P1[2] ** 2
+length = lambda P: sqrt(sum(x * x for x in P))
+# straight on both sides of the hole, 3 units long
+string = lambda P1, P2: length(P1) + length(P2) - 3
 
 
 def answers(**constraints):
     """When P2 may swing, and when it may not."""
-    return {
-        "dof_swinging": degrees_of_freedom(TWO, constraints),
-        "dof_vertical": degrees_of_freedom(TWO, {**constraints, "vertical": vertical}),
-    }
+    hangs = {**constraints, "vertical": lambda P2: P2[:2]}
+    dofs = (degrees_of_freedom(TWO, given) for given in (constraints, hangs))
+    return dict(zip(("dof_swinging", "dof_vertical"), dofs, strict=True))
 
 
 def solve(g):
@@ -65,18 +46,16 @@ def prove(g):
 
 
 def mistakes(g):
-    swing_only = answers(cone=cone, string=string, fixed_length=fixed_length)
     return {
         "no_string": answers(cone=cone),
         "no_swing": {"dof_swinging": solve(g)["dof_vertical"]},
         "no_cone": answers(string=string),
-        "fixed_length": swing_only,
+        "fixed_length": answers(cone=cone, string=string, length=lambda P2: length(P2) - 1),
     }
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=0, elevation=18)
+    ground, s = on_ground(ax, azimuth=0, elevation=18)
     r, h = 0.75 * g.L * sin(g.gamma), 0.75 * g.L * cos(g.gamma)
     tip, rim, left, right = (0, 0, 0), (0, 0, h), (0, -r, h), (0, r, h)
     P1, P2 = (-0.6 * r, 0.48 * r, 0.768 * h), (0, 0, 0.768 * 0.75 * g.L - g.L)

@@ -9,7 +9,6 @@ follows = {"R_mag": lambda g, R: R.norm(), "dir_R": lambda g, R: direction(R)}
 
 
 def pulls(g, along=cos, across=sin):
-    """The three forces."""
     pairs = (g.F_1, g.theta_1), (g.F_2, g.theta_2), (g.F_3, g.theta_3)
     return [AXES.vector(F * along(theta), F * across(theta), 0) for F, theta in pairs]
 

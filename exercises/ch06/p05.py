@@ -2,8 +2,9 @@
 
 from exercises.devices.atwood import draw_machine
 from exercises.devices.roped_blocks import block_steps, by_energy, hanging, motion
-from exercises.tools import Sketch
-from newton_euler import Frame
+from exercises.tools import on_ground
+
+follows = {"a_B": lambda g, a_A: a_A, "T": lambda g, a_A: g.W_A * (1 - a_A / g.g)}
 
 
 def blocks(g):
@@ -18,9 +19,6 @@ def solve(g):
 def steps(g):
     B, A = blocks(g)
     yield from block_steps(B, A, "T - W_B = m_B*a_B and W_A - T = m_A*a_B")
-
-
-follows = {"a_B": lambda g, a_A: a_A, "T": lambda g, a_A: g.W_A * (1 - a_A / g.g)}
 
 
 def prove(g):
@@ -41,6 +39,5 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     draw_machine(s, ground, ("", 0.8, (2.4, "A"), (1.9, "B")))

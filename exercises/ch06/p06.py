@@ -1,41 +1,29 @@
 """6/6: a block on a smooth plane, pulled by a hanging one."""
 
-from exercises.devices.roped_blocks import (
-    block_steps,
-    by_energy,
-    draw_wedge,
-    hanging,
-    motion,
-    on_face,
-)
+from exercises.devices import roped_blocks as device
 from exercises.tools import mp
 from newton_euler import pi
 
+follows = {"T": lambda g, a_B: g.W_B * (1 - a_B / g.g)}
+
 
 def blocks(g):
-    return on_face(g, "A", g.W_A, g.beta), hanging(g, "B", g.W_B)
+    return device.on_face(g, "A", g.W_A, g.beta), device.hanging(g, "B", g.W_B)
 
 
 def solve(g):
-    found = motion(*blocks(g))
+    found = device.motion(*blocks(g))
     return {"a_B": -found.second, "T": found.T}
 
 
 def steps(g):
     A, B = blocks(g)
-    yield from block_steps(A, B, "T - W_At = m_A*a_A and W_B - T = m_B*a_A")
-
-
-follows = {"T": lambda g, a_B: g.W_B * (1 - a_B / g.g)}
+    yield from device.block_steps(A, B, "T - W_At = m_A*a_A and W_B - T = m_B*a_A")
 
 
 def prove(g):
-    """By the energy."""
-
-    def A(s):
-        return [s * mp.cos(g.beta), s * mp.sin(g.beta)]
-
-    a, T = by_energy(g, g.W_A, g.W_B, (A, lambda s: [0, -s]), 10 * g.g)
+    A = lambda s: [s * mp.cos(g.beta), s * mp.sin(g.beta)]
+    a, T = device.by_energy(g, g.W_A, g.W_B, (A, lambda s: [0, -s]), 10 * g.g)
     return {"a_B": a, "T": T}
 
 
@@ -52,4 +40,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    draw_wedge(ax, (g.beta, r"$\beta$"))
+    device.draw_wedge(ax, (g.beta, r"$\beta$"))

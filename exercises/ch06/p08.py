@@ -3,8 +3,9 @@
 from dataclasses import replace
 
 from exercises.devices.roped_blocks import block_steps, by_energy, hanging, motion
-from exercises.tools import Sketch, root, second_rate
-from newton_euler import Frame
+from exercises.tools import on_ground, root, second_rate
+
+follows = {"a_B": lambda g, a_A: 2 * a_A, "T": lambda g, a_A: g.W_A / 2 * (1 + a_A / g.g)}
 
 
 def blocks(g):
@@ -25,15 +26,9 @@ def steps(g):
     yield from block_steps(A, B, "2*T - W_A = m_A*a_A and W_B - T = 2*m_B*a_A")
 
 
-follows = {"a_B": lambda g, a_A: 2 * a_A, "T": lambda g, a_A: g.W_A / 2 * (1 + a_A / g.g)}
-
-
 def prove(g):
     """By the energy; the fixed length of the rope, from the ceiling at height 1, locates A."""
-
-    def A(s):
-        return [0, root(lambda y: 2 * (1 - y) + (1 + s) - 3, -1 - abs(s), 1 + abs(s))]
-
+    A = lambda s: [0, root(lambda y: 2 * (1 - y) + (1 + s) - 3, -1 - abs(s), 1 + abs(s))]
     a, T = by_energy(g, g.W_A, g.W_B, (A, lambda s: [1, -s]), 10 * g.g)
     return {"a_A": second_rate(lambda t: A(a * t**2 / 2)[1]), "a_B": a, "T": T}
 
@@ -49,8 +44,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     r, size, ceiling, low = 0.4, 0.45, 1.0, -1.6
     s.road([(3.4 * r, ceiling, 0), (-3.4 * r, ceiling, 0)])
     end, axle, top = (-2 * r, ceiling, 0), (-r, low, 0), (r, 0, 0)

@@ -1,6 +1,6 @@
 """6/9: when an object begins to slip on a turning cone; forces per unit mass."""
 
-from exercises.tools import Sketch, mp, mpf, root, rot, second_rate, times
+from exercises.tools import mp, mpf, on_ground, root, rot, second_rate, times
 from newton_euler import Frame, cos, cylindrical, sin, solve_linear, sqrt, tan, where
 from newton_euler.dynamics import resultant_force, weight
 
@@ -57,8 +57,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     out = 1.7 * g.r  # the radius of the base
     low = out * tan(g.beta)
     foot = (0, 0, -low - 0.3 * out)

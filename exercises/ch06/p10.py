@@ -1,6 +1,6 @@
 """6/10: the tension in a pendulum's wire before and after release, for unit weight and length."""
 
-from exercises.tools import Sketch, mp, plus, rate, root, rot, second_rate, size, times
+from exercises.tools import mp, on_ground, plus, rate, root, rot, second_rate, size, times
 from newton_euler import Frame, cos, moving, polar, sin, solve_linear
 from newton_euler.dynamics import resultant_force, weight
 
@@ -56,8 +56,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     bob = (sin(g.theta), -cos(g.theta), 0)
     wall = (sin(g.theta) + 0.7, -cos(g.theta), 0)
     s.road([(0.3, 0, 0), (-0.3, 0, 0)])

@@ -1,6 +1,6 @@
 """6/11: a slider held by a cord in the slot of a turning disk."""
 
-from exercises.tools import Sketch, rot, second_rate, times
+from exercises.tools import on_ground, rot, second_rate, times
 from newton_euler import Frame, cos, moving, sin, solve_linear, sqrt
 from newton_euler.dynamics import resultant_force
 from newton_euler.kinematics import polar
@@ -12,17 +12,13 @@ def slider(g):
     return ground, polar(ground, "A", g.r, moving(0, g.omega, g.n * g.omega**2))
 
 
-def forces(g):
-    """The tension, and the force of the side of the slot, toward O."""
+def solve(g):
+    """By the tension, and the force of the side of the slot, toward O."""
     ground, A = slider(g)
     c, s = cos(g.psi), sin(g.psi)
     slot, side = A.local.vector(-c, s, 0), A.local.vector(-s, -c, 0)
     F = resultant_force(g.m, A.acceleration(ground))
-    return solve_linear(lambda T, N: T * slot + N * side - F)
-
-
-def solve(g):
-    return {"T": forces(g).T}
+    return {"T": solve_linear(lambda T, N: T * slot + N * side - F).T}
 
 
 def steps(g):
@@ -33,10 +29,7 @@ def steps(g):
 
 def prove(g):
     """m times the acceleration of A on its circle, along the slot."""
-
-    def place(t):
-        return times(rot("z", g.omega * t + g.n * (g.omega * t) ** 2 / 2), [g.r, 0, 0])
-
+    place = lambda t: times(rot("z", g.omega * t + g.n * (g.omega * t) ** 2 / 2), [g.r, 0, 0])
     a = second_rate(place)
     return {"T": -g.m * times(rot("z", g.psi), a)[0], "a_A": a}
 
@@ -52,21 +45,14 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
-    r = g.r
-    R = 1.6 * r
+    ground, s = on_ground(ax, plane="xy")
+    r, R, half = g.r, 1.6 * g.r, 0.07 * g.r
     disk = ground.rotate("disk", "z", 0)
     A = disk.point("A", r, 0, 0)
     slot = disk.rotate("slot", "-z", g.psi, origin=A)
-    half = 0.07 * r
-
-    def to_rim(sign):
-        """Along the slot from A, to just inside the rim."""
-        middle, c = r * cos(g.psi), r * sin(g.psi)
-        return -middle + sign * (0.9 * R**2 - c**2) ** 0.5
-
-    near, far = to_rim(-1), to_rim(1)
+    # along the slot from A, to just inside the rim
+    middle, reach = -r * cos(g.psi), (0.9 * R**2 - (r * sin(g.psi)) ** 2) ** 0.5
+    near, far = middle - reach, middle + reach
     hole = [slot.point("", x, y, 0) for x, y in
             ((near, -half), (far, -half), (far, half), (near, half))]  # fmt: skip
     s.plate(s.around((0, 0, 0), (R, 0, 0), ground.k), [hole], shade="light")

@@ -1,7 +1,7 @@
 """6/12: a car that leaves the road at a hump."""
 
 from exercises.devices.plane_curve import at_constant_speed
-from exercises.tools import Sketch, mp, root
+from exercises.tools import mp, on_ground, root
 from newton_euler import Frame, kinematics, moving, pi, sin, sqrt
 from newton_euler.dynamics import path_force
 
@@ -11,7 +11,6 @@ def road(g):
 
 
 def flexure(g, x):
-    """The flexure of the road at x."""
     return kinematics.frenet_along(road(g), moving(x, rate=g.one), Frame("ground")).flexure
 
 
@@ -63,8 +62,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     L, b = 1.0, 0.11  # the waves are exaggerated
     height = lambda x: b * sin(2 * pi(x) * x / L)
     xs = [L * n / 60 for n in range(-7, 86)]

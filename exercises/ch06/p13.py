@@ -4,6 +4,8 @@ from exercises.tools import Sketch, minus, mp, rate, second_rate, size
 from newton_euler import Frame, cos, moving, sin, solve_linear
 from newton_euler.dynamics import resultant_force
 
+follows = {"T": lambda g, a_A: g.m_A * a_A / sin(g.theta)}
+
 
 def hung(g, a_A, alpha):
     """Ground with x to the right and z up, the cord, and the block at the instant of release."""
@@ -14,9 +16,7 @@ def hung(g, a_A, alpha):
 
 
 def let_go(g, cart_moves=1):
-    """Newton's second law for the cart along the track and for the block; in the mistakes the
-    block's equation has a fixed cart.
-    """
+    """Newton's second law for cart and block; in mistakes the block hangs from a fixed cart."""
 
     def laws(a_A, alpha, T):
         ground, cord, B = hung(g, cart_moves * a_A, alpha)
@@ -39,29 +39,16 @@ def steps(g):
     return {"W_t": g.m_B * g.g * cos(g.theta)}
 
 
-follows = {"T": lambda g, a_A: g.m_A * a_A / sin(g.theta)}
-
-
 def prove(g):
     """The centre of mass keeps its horizontal position and the energy is conserved: these give the
     second rate of the angle at rest, then the explicit motion.
     """
-
-    def A(theta):
-        return [-g.m_B * g.L * mp.sin(theta) / (g.m_A + g.m_B), 0, 0]
-
-    def B(theta):
-        return [A(theta)[0] + g.L * mp.sin(theta), 0, -g.L * mp.cos(theta)]
-
-    def inertia(m, place):
-        return m * size(rate(place, g.theta)) ** 2
-
+    A = lambda theta: [-g.m_B * g.L * mp.sin(theta) / (g.m_A + g.m_B), 0, 0]
+    B = lambda theta: [A(theta)[0] + g.L * mp.sin(theta), 0, -g.L * mp.cos(theta)]
+    inertia = lambda m, place: m * size(rate(place, g.theta)) ** 2
     slope = g.m_B * g.g * rate(B, g.theta)[2]
     alpha = -slope / (inertia(g.m_A, A) + inertia(g.m_B, B))
-
-    def angle(t):
-        return g.theta + alpha * t**2 / 2
-
+    angle = lambda t: g.theta + alpha * t**2 / 2
     a_A, a_B = (second_rate(lambda t, P=P: P(angle(t))) for P in (A, B))
     pull = minus(a_B, [0, 0, -g.g])
     return {"a_A": a_A[0], "T": g.m_B * size(pull)}

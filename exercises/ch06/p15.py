@@ -1,5 +1,7 @@
 """6/15: where a collar stays on a hoop that turns about its vertical diameter."""
 
+from itertools import pairwise
+
 from exercises.tools import Sketch, mp, mpf, proofs, rate, times
 from newton_euler import Frame, acos, asin, atan, cos, pi, root, sin
 from newton_euler.dynamics import reaction
@@ -14,24 +16,17 @@ def collar(g, theta):
     return ground, hoop, hoop.point("C", g.r * sin(theta), 0, -g.r * cos(theta))
 
 
-def hoop_force(g, theta):
-    """The force that the collar needs to stay at theta, along the hoop's axes."""
+def along_hoop(g, theta):
+    """The force along the hoop that the collar needs to stay at theta, zero without friction."""
     ground, hoop, C = collar(g, theta)
     a = C.acceleration(ground, via=hoop).expressed_in(hoop)
-    return reaction(g.m, a, weight=-g.m * g.g * ground.k)
-
-
-def along_hoop(g, theta):
-    """The component along the hoop, zero without friction."""
-    N = hoop_force(g, theta)
-    return N.dot(N.frame.vector(cos(theta), 0, sin(theta)))
+    N = reaction(g.m, a, weight=-g.m * g.g * ground.k)
+    return N.dot(hoop.vector(cos(theta), 0, sin(theta)))
 
 
 def solve(g):
-    places = [
-        root(lambda theta: along_hoop(g, theta), low * g.one, high * g.one)
-        for low, high in zip(map(float, ENDS), map(float, ENDS[1:]), strict=False)
-    ]
+    pairs = pairwise(float(end) * g.one for end in ENDS)
+    places = (root(lambda theta: along_hoop(g, theta), *pair) for pair in pairs)
     return {f"theta_{n}": theta for n, theta in enumerate(places, 1)}
 
 
@@ -50,12 +45,9 @@ def prove(g):
         x, y, z = place(theta)
         return g.omega**2 * (x * x + y * y) / 2 - g.g * z
 
-    return {
-        f"theta_{n + 1}": proofs.root(
-            lambda theta: rate(lagrangian, theta), mpf(ENDS[n]), mpf(ENDS[n + 1])
-        )
-        for n in range(3)
-    }
+    slope = lambda theta: rate(lagrangian, theta)
+    places = (proofs.root(slope, *pair) for pair in pairwise(map(mpf, ENDS)))
+    return {f"theta_{n}": theta for n, theta in enumerate(places, 1)}
 
 
 def mistakes(g):

@@ -7,12 +7,8 @@ from newton_euler.algebra import at
 
 def distance(g, t):
     """The solution of r'' - r omega^2 = -g sin(omega t), (6.6), from r = a with r' = 0."""
-    return hyperbolic(g, t) + oscillating(g, t) - drop(g) * sinh(g.omega * t)
-
-
-def drop(g):
-    """Half of the length g/omega^2."""
-    return g.g / (2 * g.omega**2)
+    drop = g.g / (2 * g.omega**2)
+    return hyperbolic(g, t) + oscillating(g, t) - drop * sinh(g.omega * t)
 
 
 def hyperbolic(g, t):
@@ -22,7 +18,7 @@ def hyperbolic(g, t):
 
 def oscillating(g, t):
     """A particular solution with gravity."""
-    return drop(g) * sin(g.omega * t)
+    return g.g / (2 * g.omega**2) * sin(g.omega * t)
 
 
 def particle(g, r):
@@ -31,15 +27,11 @@ def particle(g, r):
     return ground, polar(ground, "P", at(r, g.t), moving(g.omega * g.t, rate=g.omega))
 
 
-def force(g, r=None, leave_out=()):
+def solve(g, r=None, leave_out=()):
     """The force across the tube, for the distance as a function of time."""
     ground, P = particle(g, r or (lambda t: distance(g, t)))
     a = P.acceleration(ground).without(*leave_out)
     return {"F_theta": dynamics.reaction(g.m, a, weight=-g.m * g.g * ground.j).y}
-
-
-def solve(g):
-    return force(g)
 
 
 def steps(g):
@@ -68,10 +60,10 @@ def mistakes(g):
         return g.a + 2 * oscillating(g, t) - g.g * t / g.omega
 
     return {
-        "no_gravity_along": force(g, lambda t: hyperbolic(g, t)),
-        "no_coriolis": force(g, leave_out=["coriolis"]),
-        "no_centripetal": force(g, no_square),
-        "initial_speed": force(g, lambda t: hyperbolic(g, t) + oscillating(g, t)),
+        "no_gravity_along": solve(g, lambda t: hyperbolic(g, t)),
+        "no_coriolis": solve(g, leave_out=["coriolis"]),
+        "no_centripetal": solve(g, no_square),
+        "initial_speed": solve(g, lambda t: hyperbolic(g, t) + oscillating(g, t)),
     }
 
 

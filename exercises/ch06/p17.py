@@ -40,11 +40,8 @@ def prove(g):
     on_circle = lambda t: [g.rho_B * mp.sin(angle(t)), -g.rho_B * mp.cos(angle(t)), 0]
     in_flight = lambda t: [v_C * t, -g.g * t**2 / 2, mpf(0)]
     a_B, v, a = second_rate(on_circle)[1], rate(in_flight), second_rate(in_flight)
-    return {
-        "F_B": g.m * (a_B + g.g),
-        "rho_C": size(v) ** 3 / size(cross(v, a)),
-        "v_B": v_B, "a_B": a_B, "v_C": v_C,
-    }  # fmt: skip
+    answers = {"F_B": g.m * (a_B + g.g), "rho_C": size(v) ** 3 / size(cross(v, a))}
+    return answers | {"v_B": v_B, "a_B": a_B, "v_C": v_C}
 
 
 def mistakes(g):

@@ -1,8 +1,8 @@
 """6/18: a shot at a target on a tower to the north, on the turning Earth."""
 
 from exercises.devices.turning_earth import flight, ground_axes, shot, to_first_order
-from exercises.tools import Sketch, root, scaled, size
-from newton_euler import Frame, sin
+from exercises.tools import on_ground, root, scaled, size
+from newton_euler import sin
 
 
 def launch(g):
@@ -11,23 +11,17 @@ def launch(g):
     return aim * (g.v_0 / aim.norm())
 
 
-def from_target(g, r, t):
-    """The answers, for the position of the bullet at the time t."""
-    return {"t_D": t, "d_up": r.z - g.H, "d_east": r.x}
-
-
 def solve(g):
     v = launch(g)
     t = g.D / v.y  # y does not depend on the rotation for a shot to the north
-    return from_target(g, shot(g, t, v), t)
+    r = shot(g, t, v)
+    return {"t_D": t, "d_up": r.z - g.H, "d_east": r.x}
 
 
 def steps(g):
     v = launch(g)
-    yield "v_rel", v
-    r = shot(g, g.D / v.y, v)
-    yield "x_launch", r.terms["launch turned"].x
-    yield "x_fall", r.terms["fall turned"].x
+    moved = {name: x.x for name, x in shot(g, g.D / v.y, v).terms.items()}
+    return {"v_rel": v, "x_launch": moved["launch turned"], "x_fall": moved["fall turned"]}
 
 
 def prove(g):
@@ -56,8 +50,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="yz")
+    _, s = on_ground(ax, plane="yz")
     O, foot, T = (0, 0, 0), (0, g.D, 0), (0, g.D, g.H)
     sag = 0.12 * size([g.D, g.H])  # far greater than in the problem
     s.road([(0, -0.15 * g.D, 0), (0, 1.4 * g.D, 0)])

@@ -6,6 +6,8 @@ from exercises.tools import root as place_of
 from newton_euler import Frame, asin, cos, pi, sin
 from newton_euler.applications import flight_time, launch_velocity
 
+follows = {"x": lambda g, phi: landing(g, phi)[1].x}
+
 
 def elevation(g):
     """The smaller one for the range D = v_0^2 sin(2 phi)/g without rotation."""
@@ -29,9 +31,6 @@ def solve(g):
 def steps(g):
     t, r = landing(g, elevation(g))
     return {"t_f": t, "x_launch": r.terms["launch turned"].x, "x_fall": r.terms["fall turned"].x}
-
-
-follows = {"x": lambda g, phi: landing(g, phi)[1].x}
 
 
 def prove(g):

@@ -4,19 +4,14 @@ from exercises.devices.turning_earth import flight, globe, ground_axes, shot, to
 from exercises.tools import root
 from newton_euler import pi
 
+follows = {"side": lambda g, x: answers(x)["side"]}
+
 
 def answers(x):
     """The answers; the word says on which side the shot lands."""
 
-    def side():
-        if x == 0:
-            return "same point"
-        return "east" if x > 0 else "west"
-
+    side = lambda: "east" if x > 0 else "west" if x < 0 else "same point"
     return {"side": side, "x": x}
-
-
-follows = {"side": lambda g, x: answers(x)["side"]}
 
 
 def way(g):

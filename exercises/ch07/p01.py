@@ -3,17 +3,14 @@
 from exercises.catalogue.proofs.digits import weighted
 from exercises.devices.inertia import matrix
 from exercises.devices.inertia_proof import turned
-from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
+from exercises.devices.plate_under_curve import PLATE, area, moments_of_inertia, steps_to_inertia
 from exercises.devices.triangular_plate import area_points, figure, height
 
 draw = figure
 
 
 def moments(g):
-    """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx)."""
-    sigma = g.M / area(g.b, height(g))
-    xx, yy, xy = (sigma * x for x in second_moments(g.b, height(g)))
-    return (yy, xx, xx + yy), (xy, 0, 0)
+    return moments_of_inertia(g.M, area(g.b, height(g)), g.b, height(g))
 
 
 def solve(g):

@@ -2,7 +2,7 @@
 
 from exercises.devices.block_with_cylinder import BLOCK, figure, parts
 from exercises.devices.inertia import answer, no_products, problem_of, together, wrong_sign
-from exercises.devices.inertia_proof import added, of_points, raised
+from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import mp, proofs
 
 solve, steps = problem_of(BLOCK, lambda g: parts(g, density=g.rho), "slug", "in", "slug*ft^2")
@@ -16,11 +16,8 @@ def inertia(g, **changed):
 def prove(g):
     points = proofs.box(g.a, g.b, g.c, order=2)
     block = of_points(g.rho * g.a * g.b * g.c, points, [g.a / 2, g.b / 2, g.c / 2])
-    cylinder = of_points(
-        g.rho * mp.pi * g.r_c**2 * g.l_c,
-        raised(proofs.disk(g.r_c, order=2), g.l_c),
-        [g.x_c, g.b / 2, g.c + g.l_c / 2],
-    )
+    points, mass = proofs.raised(proofs.disk(g.r_c, order=2), g.l_c), mp.pi * g.r_c**2 * g.l_c
+    cylinder = of_points(g.rho * mass, points, [g.x_c, g.b / 2, g.c + g.l_c / 2])
     return {"I_O": added((1, block), (1, cylinder)), "I_block": block, "I_cylinder": cylinder}
 
 

@@ -2,7 +2,7 @@
 
 from exercises.devices.cone import CONE, figure, radius, tube
 from exercises.devices.inertia import matrix
-from exercises.devices.inertia_proof import added, of_points, raised
+from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import proofs
 from newton_euler import bodies, integral, pi
 
@@ -40,7 +40,8 @@ def prove(g):
     def wall(place):
         s = place[0] + g.r / 2
         volume, low, length = tube(g, s)
-        return of_points(volume, raised(proofs.ring(s, order=2), length), [0, 0, low + length / 2])
+        points = proofs.raised(proofs.ring(s, order=2), length)
+        return of_points(volume, points, [0, 0, low + length / 2])
 
     rho = g.M / proofs.integral(lambda s: tube(g, s)[0], 0, g.r)
     I = added((rho * g.r, proofs.mean(wall, proofs.box(g.r, 0, 0))))

@@ -11,7 +11,7 @@ draw = figure
 
 
 def density(g):
-    return g.M / over_rings(g, lambda phi: area_of_ring(g, phi))
+    return g.M / over_rings(g, lambda phi: area_of_ring(g, phi, g.R))
 
 
 def moments(g, width=lambda g, phi: g.R):

@@ -2,7 +2,7 @@
 
 from exercises.devices.bored_bracket import BRACKET, block, figure, parts
 from exercises.devices.inertia import no_products, problem_of, together, whole
-from exercises.devices.inertia_proof import added, of_points, raised
+from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import mp, proofs
 
 solve, steps = problem_of(BRACKET, lambda g: parts(g, g.rho), "slug", "in", "slug*in^2", holes=True)
@@ -15,11 +15,8 @@ def prove(g):
         return of_points(g.rho * x * g.l_y * z, points, [x / 2, g.l_y / 2, middle])
 
     base, wall = solid(g.l_x, g.h_b, g.h_b / 2), solid(g.t_w, g.h_w, g.h_b + g.h_w / 2)
-    hole = of_points(
-        g.rho * mp.pi * g.r_h**2 * g.h_b,
-        raised(proofs.disk(g.r_h, order=2), g.h_b),
-        [g.x_h, g.l_y / 2, g.h_b / 2],
-    )
+    bore, volume = proofs.raised(proofs.disk(g.r_h, order=2), g.h_b), mp.pi * g.r_h**2 * g.h_b
+    hole = of_points(g.rho * volume, bore, [g.x_h, g.l_y / 2, g.h_b / 2])
     I = added((1, base), (1, wall), (-1, hole))
     return {"I_O": I, "I_base": base, "I_wall": wall, "I_hole": hole}
 

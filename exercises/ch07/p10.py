@@ -19,9 +19,8 @@ def prove(g):
 def mistakes(g):
     half, diameter, leg = parts(g, g.lam)
     I = together(WIRE, [half, diameter, leg])
-    sheet = disk(
-        g.r, WIRE, "z", mass=half.mass
-    )  # half of a disk of twice the mass has the same moments
+    # half of a disk of twice the mass has the same moments
+    sheet = disk(g.r, WIRE, "z", mass=half.mass)
     xx, yy, zz = I.moments
     near = leg.mass * g.r**2
     return {

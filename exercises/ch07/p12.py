@@ -17,11 +17,8 @@ def prove(g):
     def ray(toward):
         c, s, _ = toward
         way = rim(g, c, s) - g.r
-        points = []
-        for share, (x, _, _) in proofs.box(way, 0, 0, order=2):
-            from_C = g.r + way / 2 + x
-            points.append((share * way * from_C, turned([g.e + from_C * c, from_C * s, 0])))
-        return added(*points)
+        spread = [(share, g.r + way / 2 + x) for share, (x, _, _) in proofs.box(way, 0, 0, order=2)]
+        return added(*((u * way * r, turned([g.e + r * c, r * s, 0])) for u, r in spread))
 
     I = added((2 * mp.pi * g.rho, proofs.mean(ray, proofs.ring(1, order=40))))
     hole = of_points(g.rho * mp.pi * g.r**2, proofs.disk(g.r, order=2), [g.e, 0, 0])

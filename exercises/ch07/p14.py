@@ -18,12 +18,9 @@ def prove(g):
         width = 2 * mp.sqrt(radius**2 - up**2)
         return of_points(width, proofs.box(0, width, 0, order=2), [0, radius, g.h_v + up])
 
-    horizontal = of_points(
-        g.sigma * g.l_h * g.w, proofs.box(g.l_h, g.w, 0, order=2), [g.l_h / 2, radius, 0]
-    )
-    vertical = of_points(
-        g.sigma * g.w * g.h_v, proofs.box(0, g.w, g.h_v, order=2), [0, radius, g.h_v / 2]
-    )
+    flat, upright = proofs.box(g.l_h, g.w, 0, order=2), proofs.box(0, g.w, g.h_v, order=2)
+    horizontal = of_points(g.sigma * g.l_h * g.w, flat, [g.l_h / 2, radius, 0])
+    vertical = of_points(g.sigma * g.w * g.h_v, upright, [0, radius, g.h_v / 2])
     top = added((g.sigma, proofs.integral(strip, 0, radius)))
     hole = of_points(g.sigma * mp.pi * g.r_h**2, proofs.disk(g.r_h, order=2), [g.x_h, radius, 0])
     return {

@@ -3,16 +3,15 @@
 from exercises.devices.inertia import matrix
 from exercises.devices.inertia_proof import added, of_points
 from exercises.devices.parabola_plate import figure, height, start
-from exercises.devices.plate_under_curve import PLATE, area, second_moments, steps_to_inertia
+from exercises.devices.plate_under_curve import PLATE, area, moments_of_inertia, steps_to_inertia
 from exercises.tools import proofs
 
 draw = figure
 
 
 def moments(g, area):
-    """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx), for the mass spread over this area."""
-    xx, yy, xy = (g.m / area * x for x in second_moments(g.a, height(g)))
-    return (yy, xx, xx + yy), (xy, 0, 0)
+    """Those of the mass spread over this area."""
+    return moments_of_inertia(g.m, area, g.a, height(g))
 
 
 def solve(g):

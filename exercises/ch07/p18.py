@@ -8,12 +8,6 @@ PLATE = Frame("plate")  # its origin is the centre of mass
 follows = {"I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
 
 
-def corners(g):
-    """The ends of the base, and the apex."""
-    base = [PLATE.point(name, x, -g.h / 3, 0) for name, x in (("A", -g.b / 2), ("B", g.b / 2))]
-    return [*base, PLATE.point("C", 0, 2 * g.h / 3, 0)]
-
-
 def about_base(g):
     """By strips of the mass 2 m (1 - u/h) du/h at the height u above the base."""
     return integral(lambda u: 2 * g.m / g.h * (1 - u / g.h) * u**2, 0, g.h)
@@ -67,8 +61,8 @@ def mistakes(g):
 
 def draw(g, ax):
     s = Sketch(ax, PLATE, plane="xy")
-    A, B, C = corners(g)
-    s.plate([A, B, C])
+    A, B = (-g.b / 2, -g.h / 3, 0), (g.b / 2, -g.h / 3, 0)
+    s.plate([A, B, (0, 2 * g.h / 3, 0)])
     s.axes((0, 0, 0), PLATE, length=0.45 * max(g.b, g.h), labels=["x", "y", ""])
     s.dimension(A, B, label="b", offset=-0.1 * max(g.b, g.h))
     s.dimension((g.b / 2, 2 * g.h / 3, 0), (g.b / 2, -g.h / 3, 0), label="h")

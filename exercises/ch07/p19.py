@@ -5,6 +5,7 @@ from newton_euler import Frame, sqrt
 from newton_euler.bodies import cone, cylinder
 
 PART = Frame("part")  # its origin is the middle of the lower end
+follows = {"k_y": lambda g, I_y: sqrt(I_y / g.m)}
 
 
 def solids(g):
@@ -39,21 +40,12 @@ def steps(g):
     return {"share": share, "m_full": m_full, "I_full": I_full, "I_cone": I_cone}
 
 
-follows = {"k_y": lambda g, I_y: sqrt(I_y / g.m)}
-
-
 def prove(g):
     """By thin tubes about the y axis, which reach from the lower face up to the cavity."""
 
-    def total(f):
-        def tube(r):
-            return r * (1 - g.q * (1 - r / edge)) * f(r)  # times 2 pi h
-
-        outside = proofs.integral(lambda r: r * f(r), edge, g.a)
-        return proofs.integral(tube, 0, edge) + outside
-
     edge = g.p * g.a
-
+    height = lambda r: 1 - g.q * (1 - r / edge) if r < edge else 1  # over h
+    total = lambda f: proofs.integral(lambda r: r * height(r) * f(r), 0, g.a, (edge,))
     square = total(lambda r: r**2) / total(lambda r: 1)
     return {"I_y": g.m * square, "k_y": sqrt(square), "share": 1 - total(lambda r: 1) * 2 / g.a**2}
 

@@ -5,6 +5,8 @@ from exercises.tools import mp
 from exercises.tools import root as proof_root
 from newton_euler import sqrt
 
+follows = {"k_G": lambda g, r_a: at_G(g, r_a)}
+
 
 def at_G(g, r_a):
     """The radius of gyration about GG', if GG' is at this distance from AA'."""
@@ -24,9 +26,6 @@ def apart(g):
 
 def steps(g):
     return {"apart": apart(g), "I_GG": g.I_AA - g.m * solve(g)["r_a"] ** 2}
-
-
-follows = {"k_G": lambda g, r_a: at_G(g, r_a)}
 
 
 def prove(g):

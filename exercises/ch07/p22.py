@@ -2,7 +2,7 @@
 
 from math import cos, pi, sin
 
-from exercises.tools import Sketch, mean, mp, rot, times
+from exercises.tools import Sketch, mean, mp, rate, rot, size, times
 from newton_euler import Frame, bodies
 from newton_euler.bodies.inertia import from_second_moments
 
@@ -45,15 +45,9 @@ def cloud(Jx, Jy, Jz):
 def by_points(points):
     """Proof: (I_xx, I_yy, I_zz) from the speeds of the points as the body turns at unit rate."""
 
-    def turned(axis):
-        def square(place):
-            ahead, behind = (times(rot(axis, h), place) for h in (mp.mpf(1) / 8, -mp.mpf(1) / 8))
-            chord = sum((x - y) ** 2 for x, y in zip(ahead, behind, strict=True))
-            return chord / (2 * mp.sin(mp.mpf(1) / 8)) ** 2
-
-        return mean(square, points)
-
-    return [turned(axis) for axis in "xyz"]
+    speed = lambda axis, place: size(rate(lambda t: times(rot(axis, t), place)))
+    moment = lambda axis: mean(lambda place: speed(axis, place) ** 2, points)
+    return [moment(axis) for axis in "xyz"]
 
 
 def prove(g):

@@ -5,6 +5,7 @@ from newton_euler import Frame, bodies
 from newton_euler.bodies import ring as thin_tube
 
 END = Frame("end")
+follows = {"trend": lambda g, err_1, err_2: trend(err_1, err_2)}
 
 
 def about(q, body):
@@ -26,9 +27,6 @@ def one(g):
 def trend(first, second):
     """The answer on the trend, from both errors."""
     return "improves" if second < first else "worsens"
-
-
-follows = {"trend": lambda g, err_1, err_2: trend(err_1, err_2)}
 
 
 def solve(g):

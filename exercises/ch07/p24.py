@@ -5,6 +5,7 @@ from newton_euler import Frame, cos, pi, sin
 from newton_euler.bodies import arc, wedge
 
 WEDGE = Frame("wedge")  # its origin is on the axis OO', x toward the centre of mass, z along OO'
+follows = {"I_GG": lambda g, I_OO: less(g, I_OO, distance(g, full(g)))}
 
 
 def full(g):
@@ -52,9 +53,6 @@ def prove(g):
 
 def less(g, I_OO, d):
     return I_OO - g.m * d**2
-
-
-follows = {"I_GG": lambda g, I_OO: less(g, I_OO, distance(g, full(g)))}
 
 
 def mistakes(g):

@@ -36,13 +36,11 @@ def mistakes(g):
     right = solve(g)["I_ring"]
     part, _ = device.half(g)
     d, I_x, I_z = device.depth(part), full(g).inertia.moment("x"), full(g).inertia.moment("z")
+    half = device.from_G(g, I_z - g.m * d**2, d)
     return {
         "one_step": {"I_half": right},
         "halved": {"I_half": right / 2},
-        "normal_axis": {
-            "I_ring": I_z + g.m * g.r**2,
-            "I_half": device.from_G(g, I_z - g.m * d**2, d),
-        },
+        "normal_axis": {"I_ring": I_z + g.m * g.r**2, "I_half": half},
         "half_disk": {"I_half": device.with_half_disk(g, I_x)},
     }
 

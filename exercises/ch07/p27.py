@@ -45,11 +45,8 @@ def draw(g, ax):
     s.dot((0, 0, 0))
     s.dot((0, -g.r, 0))
     s.arrow((0, 0, 0), (0.6 * g.r, -0.8 * g.r, 0), "r")
-    axes = (
-        ("A", (-1.4 * g.r, 0, 0), (1.4 * g.r, 0, 0)),
-        ("B", (0, -g.r, 0.8 * g.r), (0, -g.r, -0.8 * g.r)),
-    )
-    for name, start, end in axes:
+    A, B = (-1.4 * g.r, 0, 0), (0, -g.r, 0.8 * g.r)
+    for name, start, end in ("A", A, (1.4 * g.r, 0, 0)), ("B", B, (0, -g.r, -0.8 * g.r)):
         s.line(start, end, style="centre")
         s.label(start, name, offset=(0, 10))
         s.label(end, f"{name}'", offset=(0, 10))

@@ -7,9 +7,7 @@ CONE = Frame("cone")  # its origin is the apex, z points to the base
 
 
 def shares(g):
-    """Height of G, axial moment and integral of squared heights above the apex, for a cone as wide
-    as high.
-    """
+    """Height of G, axial moment, integral of squared heights, for a cone as wide as high."""
     cone = bodies.cone(g.one, g.one, CONE, "z", mass=g.one)
     d, own = cone.centre.position(CONE).z, cone.inertia.moment("z")
     return d, own, cone.about(CONE).moment("x") - own / 2
@@ -32,14 +30,9 @@ def steps(g):
 
 def prove(g):
     """Disks that grow from the apex; a wider cone is a stretched one."""
-    body = [
-        (3 * up**2 * share * w, [y * up, up])
-        for share, (x, _, _) in proofs.box(2, 0, 0, order=3)
-        for up in [(x + 1) / 2]
-        for w, (y, _, _) in proofs.disk(mp.mpf(1), order=2)
-    ]
-    d = proofs.mean(lambda p: p[1], body)
-    across, along = proofs.mean(lambda p: [p[0] ** 2, (p[1] - d) ** 2], body)
+    body = proofs.cone(1, 1)
+    d = proofs.mean(lambda p: p[2], body)
+    across, along = proofs.mean(lambda p: [p[0] ** 2, (p[2] - d) ** 2], body)
     radius = proofs.root(lambda r: 2 * across * r**2 - (across * r**2 + along), mp.mpf(1) / 10, 5)
     return {
         "alpha": mp.atan2(radius, 1),

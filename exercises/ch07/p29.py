@@ -9,10 +9,7 @@ CRAFT = Frame("craft")
 
 def parts(g, l_r, shell_mass=None, panel_mass=None):
     """The shell and two panels, for unit radius and unit mass per area, or with these masses."""
-
-    def matter(mass):
-        return {"density": g.one} if mass is None else {"mass": mass}
-
+    matter = lambda mass: {"density": g.one} if mass is None else {"mass": mass}
     shell = cylindrical_shell(g.one, l_r, CRAFT, "x", **matter(shell_mass))
     middle = g.one + g.c / 2
     panels = [
@@ -26,11 +23,6 @@ def excess(bodies):
     """I_yy - I_xx."""
     I = composite("craft", bodies).about(CRAFT)
     return I.moment("y") - I.moment("x")
-
-
-def critical(g, of):
-    """The l/r at which I_yy - I_xx, a function of it, vanishes."""
-    return {"l_r": root(of, g.one / 10, 100 * g.one)}
 
 
 def solve(g):
@@ -59,17 +51,11 @@ def prove(g):
     round_x = [(w, [y, z]) for w, (y, z, _) in proofs.ring(1, order=2)]
     across = [(w, [1 + g.c / 2 + y, 0]) for w, (y, _, _) in proofs.box(g.c, 0, 0, order=2)]
     shell, panel = (list(points(body, along)) for body in (round_x, across))
-
-    def means(body):
-        return proofs.mean(lambda p: [p[0] ** 2, p[1] ** 2, p[2] ** 2], body)
-
+    means = lambda body: proofs.mean(lambda p: [p[0] ** 2, p[1] ** 2, p[2] ** 2], body)
     (xx, yy, zz), (XX, YY, ZZ) = means(shell), means(panel)
     m, M = 2 * mp.pi, 2 * g.c * g.q  # shell, both panels
     x2 = m * xx + M * XX * g.q**2
-
-    def lacking(l_r):
-        return m * zz + M * ZZ + x2 * l_r**2 - m * (yy + zz) - M * (YY + ZZ)
-
+    lacking = lambda l_r: m * zz + M * ZZ + x2 * l_r**2 - m * (yy + zz) - M * (YY + ZZ)
     return {
         "l_r": proofs.root(lacking, 0, 100),
         "share": M / 2 / m,
@@ -94,11 +80,13 @@ def mistakes(g):
         shell, panels = parts(g, l_r, g.one, g.one)
         return excess([shell, *panels])
 
-    def no_panels(l_r):
-        return excess([parts(g, l_r)[0]])
-
-    models = no_transfer, solid, equal_masses, no_panels
-    return {model.__name__: critical(g, model) for model in models}
+    models = {
+        "no_transfer": no_transfer,
+        "solid": solid,
+        "equal_masses": equal_masses,
+        "no_panels": lambda l_r: excess([parts(g, l_r)[0]]),
+    }
+    return {n: {"l_r": root(of, g.one / 10, 100 * g.one)} for n, of in models.items()}
 
 
 def draw(g, ax):

@@ -1,6 +1,6 @@
 """7/32: the products of inertia of a block at a corner."""
 
-from exercises.devices.products import named
+from exercises.devices.inertia import named
 from exercises.tools import Sketch, proofs
 from newton_euler import Frame, bodies
 

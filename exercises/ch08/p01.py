@@ -1,18 +1,10 @@
 """8/1: a beam on a pin and a cable that snaps."""
 
-from exercises.devices.broken_cable import (
-    acceleration_of,
-    by_energy,
-    fall_steps,
-    falls,
-    mass,
-    moment_of_weight,
-    pin_force,
-    sums,
-)
-from exercises.tools import Sketch, box, plus, second_rate
-from newton_euler import Frame
+from exercises.devices import broken_cable as device
+from exercises.tools import box, on_ground, plus, second_rate
 from newton_euler.bodies import rod
+
+follows = {"R_C": lambda g, a_B: device.pin_force(g, beam(g), -a_B / ((1 - g.k) * g.L)).y}
 
 
 def offset(g):
@@ -21,42 +13,40 @@ def offset(g):
 
 
 def beam(g):
-    return lambda frame: rod(g.L, frame.point("G", offset(g), -g.n * g.L, 0), "x", mass=mass(g))
+    m, place = device.mass(g), (offset(g), -g.n * g.L, 0)
+    return lambda frame: rod(g.L, frame.point("G", *place), "x", mass=m)
 
 
 def a_B(g, alpha):
-    return -acceleration_of(((1 - g.k) * g.L, -g.n * g.L, 0), alpha).y
+    return -device.acceleration_of(((1 - g.k) * g.L, -g.n * g.L, 0), alpha).y
 
 
 def answers(g, alpha):
-    return {"a_B": a_B(g, alpha), "R_C": pin_force(g, beam(g), alpha).y}
+    return {"a_B": a_B(g, alpha), "R_C": device.pin_force(g, beam(g), alpha).y}
 
 
 def solve(g):
-    found = falls(g, beam(g))
+    found = device.falls(g, beam(g))
     return {"a_B": a_B(g, found.alpha), "R_C": found.R_y}
 
 
 def steps(g):
     yield "d", offset(g)
-    *first, a_G = fall_steps(g, beam(g), "C")
+    *first, a_G = device.fall_steps(g, beam(g), "C")
     yield from first
-    alpha = falls(g, beam(g)).alpha
+    alpha = device.falls(g, beam(g)).alpha
     yield "alpha", alpha
     yield a_G
 
 
-follows = {"R_C": lambda g, a_B: pin_force(g, beam(g), -a_B / ((1 - g.k) * g.L)).y}
-
-
 def prove(g):
     points = [(u, plus(r, [offset(g), -g.n * g.L, 0])) for u, r in box(g.L, 0, 0, order=2)]
-    alpha, R, B = by_energy(g, points, [(1 - g.k) * g.L, -g.n * g.L, 0])
-    return {"a_B": -second_rate(B)[1], "R_C": R[1], "alpha": alpha} | sums(g, points, "C")
+    alpha, R, B = device.by_energy(g, points, [(1 - g.k) * g.L, -g.n * g.L, 0])
+    return {"a_B": -second_rate(B)[1], "R_C": R[1], "alpha": alpha} | device.sums(g, points, "C")
 
 
 def mistakes(g):
-    moment, m = moment_of_weight(g, beam(g)), mass(g)
+    moment, m = device.moment_of_weight(g, beam(g)), device.mass(g)
     return {
         "about_G": answers(g, moment / (m * g.L**2 / 12)),
         "about_the_end": answers(g, moment / (m * g.L**2 / 3)),
@@ -67,8 +57,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     low = -g.n * g.L
     A, C, B = (-g.k * g.L, low, 0), (0, 0, 0), ((1 - g.k) * g.L, low, 0)
     top = (B[0], 0.4 * g.L, 0)

@@ -1,8 +1,13 @@
 """8/2: a square plate on a pin and a cable that snaps."""
 
 from exercises.devices import broken_cable as device
-from exercises.tools import Sketch, box, plus, second_rate
+from exercises.tools import box, on_ground, plus, second_rate
 from newton_euler import Frame, bodies, sqrt
+
+follows = {
+    "a_C": lambda g, alpha_plate: a_C(g, alpha_plate),
+    "R_A": lambda g, alpha_plate: device.pin_force(g, square(g), alpha_plate),
+}
 
 
 def square(g):
@@ -29,21 +34,11 @@ def steps(g):
     yield from device.fall_steps(g, square(g), "A")
 
 
-follows = {
-    "a_C": lambda g, alpha_plate: a_C(g, alpha_plate),
-    "R_A": lambda g, alpha_plate: device.pin_force(g, square(g), alpha_plate),
-}
-
-
 def prove(g):
     points = [(u, plus(r, [g.b / 2, -g.b / 2, 0])) for u, r in box(g.b, g.b, 0, order=2)]
     alpha, R, C, G = device.by_energy(g, points, [g.b, -g.b, 0], [g.b / 2, -g.b / 2, 0])
-    return {
-        "alpha_plate": alpha,
-        "a_C": second_rate(C),
-        "R_A": R,
-        "a_G": second_rate(G),
-    } | device.sums(g, points, "A")
+    found = {"alpha_plate": alpha, "a_C": second_rate(C), "R_A": R, "a_G": second_rate(G)}
+    return found | device.sums(g, points, "A")
 
 
 def mistakes(g):
@@ -59,8 +54,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     A, B, C, D = (0, 0, 0), (g.b, 0, 0), (g.b, -g.b, 0), (0, -g.b, 0)
     top = (g.b, 0.4 * g.b, 0)
     s.plate([A, B, C, D], shade="light")

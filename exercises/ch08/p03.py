@@ -33,9 +33,8 @@ def answers(alpha, N_A, N_B):
     return {"alpha_AB": alpha, "F_A": N_A * ground.i, "F_B": N_B * ground.j}
 
 
-def solve(g):
-    found = solve_linear(lambda alpha, N_A, N_B: laws(g, alpha, N_A, N_B))
-    return answers(found.alpha, found.N_A, found.N_B)
+def solve(g, laws=laws):
+    return answers(*solve_linear(lambda alpha, N_A, N_B: laws(g, alpha, N_A, N_B)))
 
 
 def steps(g):
@@ -104,13 +103,12 @@ def G_falls_straight(g, alpha, N_B):
 
 def mistakes(g):
     right = solve(g)
-    A_fixed = solve_linear(lambda alpha, N_A, N_B: about_A_at_rest(g, alpha, N_A, N_B))
     straight = solve_linear(lambda alpha, N_B: G_falls_straight(g, alpha, N_B))
     level = solve(g.but(theta=pi(g.theta) / 2 - g.theta))
     del level["F_A"]  # with sin(theta) cos(theta)
     static = answers(right["alpha_AB"], 0, g.W)
     return {
-        "A_fixed": answers(A_fixed.alpha, A_fixed.N_A, A_fixed.N_B),
+        "A_fixed": solve(g, about_A_at_rest),
         "as_in_statics": {"F_A": static["F_A"], "F_B": static["F_B"]},
         "G_falls_straight": answers(straight.alpha, 0, straight.N_B),
         "weight_as_mass": {"alpha_AB": right["alpha_AB"] / g.stated("g")},

@@ -23,7 +23,7 @@ def force_at_O(g, a_O):
     return -resultant_force(mass_from_weight(g.W_P, g.g), a_O)
 
 
-def forces(g, F_x=None):
+def solve(g, F_x=None):
     """F_B and F_O; ``F_x``: a wrong component of F_O along the cylinder."""
     ground, bar, B, O = engine(g)
     F_x = force_at_O(g, O.acceleration(ground)).dot(ground.i) if F_x is None else F_x
@@ -37,10 +37,6 @@ def forces(g, F_x=None):
     return {f"F_{end}": ground.vector(found[f"{end}_x"], found[f"{end}_y"], 0) for end in "BO"}
 
 
-def solve(g):
-    return forces(g)
-
-
 def steps(g):
     ground, bar, B, O = engine(g)
     yield "m_P", mass_from_weight(g.W_P, g.g)
@@ -52,20 +48,15 @@ def steps(g):
 
 def prove(g):
     """The explicit motion: O is where the rod, of fixed length, meets the axis."""
+    half = mp.mpf(1) / 2
     B = lambda t: [g.b * mp.cos(g.n * t), g.b * mp.sin(g.n * t), 0]
 
     def piston(t):
         x, y, _ = B(t)
         return [root(lambda s: (s - x) ** 2 + y**2 - g.l**2, g.l, g.l + 2 * g.b), 0, 0]
 
-    at = lambda share: lambda t: plus(scaled(1 - share, B(t)), scaled(share, piston(t)))
-
-    def motion(t):
-        ends = B(t), piston(t)
-        return [
-            (u, plus(*(scaled(w, P) for w, P in zip((0.5 - x, 0.5 + x), ends, strict=True))))
-            for u, (x, _, _) in box(1, 0, 0, order=2)
-        ]
+    at = lambda share, t: plus(scaled(1 - share, B(t)), scaled(share, piston(t)))
+    motion = lambda t: [(u, at(half + x, t)) for u, (x, _, _) in box(1, 0, 0, order=2)]
 
     a_O = second_rate(piston)
     F_x = -g.W_P / g.g * a_O[0]
@@ -76,7 +67,7 @@ def prove(g):
         "F_O": [F_x, F_y, 0],
         "a_B": second_rate(B),
         "a_O": a_O,
-        "a_G": second_rate(at(mp.mpf(1) / 2)),
+        "a_G": second_rate(lambda t: at(half, t)),
     }
 
 
@@ -87,7 +78,7 @@ def mistakes(g):
     F_O = ground.vector(*right["F_O"].components())
     F_B = reaction(bar.mass, a_B.expressed_in(ground), O=F_O)
     return {
-        "piston_as_B": forces(g, not_centripetal),
+        "piston_as_B": solve(g, not_centripetal),
         "G_as_B": {"F_B": F_B},
         "force_on_the_piston": {"F_O": -right["F_O"]},
         "rpm_as_rad": solve(g.but(n=g.stated("n"))),

@@ -1,6 +1,6 @@
 """8/5: a bar leaning on the headboard of an accelerating truck."""
 
-from exercises.tools import Sketch, box, mp, mpf, plus, proofs, rot, times, vanishing
+from exercises.tools import box, mp, mpf, on_ground, plus, proofs, rot, times, vanishing
 from newton_euler import Frame, bodies, cos, equations_of_motion, moving, sin, solve_linear
 from newton_euler.dynamics import ForceSystem, resultant_moment, weight
 
@@ -79,8 +79,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     x, y = cos(g.theta), sin(g.theta)
     A, B, front = (0, 0, 0), (x, y, 0), x + 0.012
     cab = [(front + 0.06, -0.1, 0), (front + 0.75, -0.1, 0), (front + 0.75, 0.4, 0),

@@ -1,6 +1,6 @@
 """8/6: an unbalanced wheel, rolling down a slope and about to jump."""
 
-from exercises.tools import Sketch, mp, mpf, rate, root, second_rate, vanishing
+from exercises.tools import Sketch, minus, mp, mpf, plus, rate, root, scaled, second_rate, vanishing
 from newton_euler import Frame, atan2, cos, sin, solve_linear, sqrt
 from newton_euler.dynamics import acceleration_by, weight
 
@@ -50,23 +50,11 @@ def contact(g, phi, square):
 
     pull = [g.g * mp.sin(g.theta), -g.g * mp.cos(g.theta)]
 
-    def missing(a):
-        """The force on each half besides gravity."""
-        return [
-            [(x - y) / 2 for x, y in zip(of_half, pull, strict=True)]
-            for of_half in second_rate(places(a))
-        ]
-
-    def power(a):
-        """The power of these forces, which is zero without slip."""
-        return sum(
-            F * w
-            for half, velocity in zip(missing(a), rate(places(a)), strict=True)
-            for F, w in zip(half, velocity, strict=True)
-        )
-
-    halves = missing(vanishing(power, 0, g.g))
-    return [sum(x) for x in zip(*halves, strict=True)]
+    # the force on each half besides gravity, and the power of both, which is zero without slip
+    missing = lambda a: [scaled(g.one / 2, minus(x, pull)) for x in second_rate(places(a))]
+    dot = lambda F, w: sum(x * y for x, y in zip(F, w, strict=True))
+    power = lambda a: sum(map(dot, missing(a), rate(places(a))))
+    return plus(*missing(vanishing(power, 0, g.g)))
 
 
 def prove(g):

@@ -1,7 +1,7 @@
 """8/7: a cylinder falling while a thread unwinds from it."""
 
 from exercises.devices.rolling_cylinder import rolled, rolls
-from exercises.tools import Sketch, force_needed, kinetic_energy, let_go, mp
+from exercises.tools import force_needed, kinetic_energy, let_go, mp, on_ground
 from newton_euler import Frame
 from newton_euler.bodies import disk, ring
 from newton_euler.dynamics import mass_from_weight
@@ -40,8 +40,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     O, top = (0, 0, 0), (-g.R, 2.6 * g.R, 0)
     s.disk(O, ground.k, g.R)
     s.ground(top, -ground.j)

@@ -1,8 +1,7 @@
 """8/8: a cylinder on a suddenly accelerated slab, slipping and rolling."""
 
 from exercises.devices.rolling_cylinder import rolls, slips
-from exercises.tools import Sketch, disk, plus, proofs, rot, second_rate, times, vanishing
-from newton_euler import Frame
+from exercises.tools import disk, on_ground, plus, proofs, rot, second_rate, times, vanishing
 
 
 def no_slip(g, condition=None):
@@ -26,11 +25,8 @@ def steps(g):
 
 def prove(g):
     """The friction is at its limit, unless less of it keeps the contact at rest on the slab."""
-
-    def motion(alpha):
-        points = disk(g.r, order=2)
-        return lambda t: [(u, times(rot("z", alpha * t**2 / 2), p)) for u, p in points]
-
+    points = disk(g.r, order=2)
+    motion = lambda alpha: proofs.carried(points, lambda t: rot("z", alpha * t**2 / 2))
     # alpha for a unit force at the contact, from the moment that mass points need
     by_one = vanishing(lambda alpha: proofs.moment_needed(1, motion(alpha))[2] - g.r, 0, 1 / g.r)
     turning = lambda F: by_one * F
@@ -65,8 +61,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     O, rim, h = (0, 0, 0), (0.8 * g.r, 0.6 * g.r, 0), 0.3 * g.r
     s.disk(O, ground.k, g.r)
     s.box((0, -g.r - h / 2, 0), ground, (5 * g.r, h, h))

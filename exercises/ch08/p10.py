@@ -1,6 +1,6 @@
 """8/10: a car door swinging shut as the car starts."""
 
-from exercises.tools import Sketch, box, kinetic_energy, mean, mp, rate, vanishing
+from exercises.tools import box, kinetic_energy, mean, mp, on_ground, rate, vanishing
 from newton_euler import Frame, bodies, dynamics, integral, moving, pi, solve_linear, sqrt
 
 
@@ -78,8 +78,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     b, angle = 1.5, 0.65
     nose, tail, left = 1.4, -1.9, -1.7
     car = [(left, tail, 0), (0, tail, 0), (0, 1.0, 0), (-0.25, nose, 0), (left + 0.25, nose, 0),

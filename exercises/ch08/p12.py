@@ -27,18 +27,9 @@ def steps(g):
 
 
 def prove(g):
-    """By momenta of mass points, in disks at the share u of the height."""
-    base = proofs.disk(g.r)
+    """By momenta of mass points."""
     orientation = lambda t: proofs.times(proofs.rot("x", g.omega * t), proofs.rot("z", g.p * t))
-
-    def over_cone(f):
-        def slice_at(place):
-            u = place[2] + g.one / 2
-            along = proofs.mean(lambda r: f([u * r[0], u * r[1], u * g.b]), base)
-            return proofs.scaled(3 * g.m * u**2, along)
-
-        return proofs.mean(slice_at, proofs.box(0, 0, 1))
-
+    over_cone = lambda f: proofs.scaled(g.m, proofs.mean(f, proofs.cone(g.r, g.b)))
     turning = proofs.rate(orientation)
     H_O = over_cone(lambda r: proofs.cross(r, proofs.times(turning, r)))
     I_z = over_cone(lambda r: [r[0] ** 2 + r[1] ** 2])[0]

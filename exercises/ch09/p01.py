@@ -20,12 +20,13 @@ def prove(g):
 
 def mistakes(g):
     r = two_bodies(g)
+    right = rotor.answers(r)
     none = rotor.with_inertia(r, product=0)
     return {
         "static_is_enough": {**rotor.only(none, "F_A", "F_B"), "balance": "both"},
         "wrong_sign": rotor.with_inertia(r, product=-1),
         "no_rotation": {**{k: x for k, x in none.items() if k != "H_O"}, "balance": "both"},
-        "on_the_bearings": rotor.on_the_bearings(r),
+        "on_the_bearings": {key: -force for key, force in rotor.only(right, "F_A", "F_B").items()},
     }
 
 

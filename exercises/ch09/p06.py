@@ -41,9 +41,7 @@ def mistakes(g):
     return {
         "principal_diagonal": {**rotor.with_inertia(r, product=0), "balance": "both"},
         "wrong_sign": rotor.with_inertia(r, product=-1),
-        "mid_lines_exchanged": rotor.only(
-            rotor.answers(with_sides(g, g.b, g.a)), "H_O", "Hdot_O", "F_A", "F_B"
-        ),
+        "mid_lines_exchanged": rotor.only(rotor.answers(with_sides(g, g.b, g.a))),
         "millimetres": rotor.with_inertia(r, moment=10**6, product=10**6),
     }
 

@@ -13,19 +13,11 @@ def disk_on_arm(g):
     return device.spinning(g, g.r, "y", "z", place(g))
 
 
-def in_order(d):
-    found = device.answers(d, "M_A")
-    return {
-        "H_O": found["H_O"],
-        "Hdot_O": found["Hdot_O"],
-        "F_A": device.force(d),
-        "M_A": found["M_A"],
-        "balance": lambda: device.balance(d),
-    }
-
-
 def solve(g):
-    return in_order(disk_on_arm(g))
+    d = disk_on_arm(g)
+    H, Hdot, M = device.answers(d, "M_A").values()
+    found = {"H_O": H, "Hdot_O": Hdot, "F_A": device.force(d), "M_A": M}
+    return found | {"balance": lambda: device.balance(d)}
 
 
 def steps(g):

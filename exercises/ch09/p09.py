@@ -1,8 +1,11 @@
 """9/9: a ring swinging out from a turning shaft."""
 
-from exercises.tools import Sketch, mp, proofs
+from exercises.tools import mp, on_ground, proofs
 from newton_euler import Frame, acos, cos, particle, pi, sin, solve_linear, sqrt
 from newton_euler.bodies import Inertia, disk, ring
+
+# omega^2*cos(beta_ring) is the same for all rates
+follows = {"omega_max": lambda g, beta_ring: g.omega * sqrt(cos(beta_ring))}
 
 
 def hanging(g, body=ring):
@@ -37,10 +40,6 @@ def steps(g):
     body, A = hanging(g)
     I = body.about(A)
     return {"J_n": I.moment("z"), "J_d": I.moment("y")}
-
-
-# omega^2*cos(beta_ring) is the same for all rates
-follows = {"omega_max": lambda g, beta_ring: g.omega * sqrt(cos(beta_ring))}
 
 
 def prove(g):
@@ -81,8 +80,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, up="y", azimuth=-18, elevation=12)
+    ground, s = on_ground(ax, up="y", azimuth=-18, elevation=12)
     beta = 0.7
     A, low = (0, 0, 0), (0, -1.9 * g.a, 0)
     out = ground.vector(sin(beta), -cos(beta), 0)

@@ -5,6 +5,8 @@ from exercises.tools import mp
 from newton_euler import Inertia, cos, sin, sqrt
 from newton_euler.applications.gyroscopes import fast_spin
 
+follows = {"eps_slow": lambda g, psi_slow, psi_fast: psi_slow / psi_fast}
+
 
 def leading_terms(g, moment):
     """The leading terms: with c/h and h/a for the roots, the correction is a c/h^2."""
@@ -23,9 +25,6 @@ def steps(g):
     A = -K.cross(I.times(K)).x
     B = g.phi_dot * K.cross(I.times(axes.k)).x
     return {"A": A, "B": B, "s": sqrt(B * B - 4 * A * g.M)}
-
-
-follows = {"eps_slow": lambda g, psi_slow, psi_fast: psi_slow / psi_fast}
 
 
 def prove(g):

@@ -1,31 +1,26 @@
 """10/5: the precessions of the top of 10/3 by the leading terms for a fast spin."""
 
-from exercises.devices.steady_precession import carried, leading, orientation
-from exercises.devices.top_on_its_point import data, data_steps, draw, proof_data, top
-from exercises.tools import angular_momentum
+from exercises.devices import top_on_its_point as device
+from exercises.devices.steady_precession import leading, orientation
+from exercises.tools import angular_momentum, carried
 from newton_euler import cos, sin
 from newton_euler.applications.gyroscopes import fast_spin
 
-__all__ = ["draw", "mistakes", "prove", "solve", "steps"]
+draw = device.draw
 
 
-def approximate(g, **wrong):
-    found = fast_spin(**top(g, **wrong))
-    return {"psi_slow": found.slow, "psi_fast": found.fast}
-
-
-def solve(g):
-    return approximate(g)
+def solve(g, **wrong):
+    return device.two(fast_spin(**device.top(g, **wrong)))
 
 
 def steps(g):
-    yield from data_steps(g)
-    yield "H_s", data(g)["I"] * g.phi_dot
+    yield from device.data_steps(g)
+    yield "H_s", device.data(g)["I"] * g.phi_dot
 
 
 def prove(g):
     """The exact rates at much larger spins, the slow one as 1/spin, the fast one as the spin."""
-    given, found = proof_data(g)
+    given, found = device.proof_data(g)
     rates = leading(*given)
     m, points, *_ = given
     upright = carried(points, orientation(0, 0, g.phi_dot))
@@ -34,12 +29,12 @@ def prove(g):
 
 
 def mistakes(g):
-    right, found = solve(g), data(g)
+    right, found = solve(g), device.data(g)
     I0, I = found["I0"], found["I"]
     return {
         "sine_left": {"psi_slow": right["psi_slow"] * sin(g.theta)},
         "no_cosine": {"psi_fast": right["psi_fast"] * cos(g.theta)},
         "sum": {"psi_fast": right["psi_fast"] * (I0 - I) / (I0 + I)},
-        "inches": {"psi_slow": approximate(g.but(g=g.g / 12))["psi_slow"]},
-        "rpm": approximate(g.but(phi_dot=g.stated("phi_dot"))),
+        "inches": {"psi_slow": solve(g.but(g=g.g / 12))["psi_slow"]},
+        "rpm": solve(g.but(phi_dot=g.stated("phi_dot"))),
     }

@@ -1,9 +1,12 @@
 """10/6: a space station that precesses free of moments."""
 
-from exercises.devices.steady_precession import carried, frames, orientation
-from exercises.tools import Sketch, box, disk, mean, mp, plus, proofs, vanishing
+from exercises.devices.steady_precession import frames, orientation
+from exercises.tools import Sketch, carried, disk, mean, mp, proofs, raised, vanishing
 from newton_euler import bodies, cos, pi
 from newton_euler.applications.gyroscopes import free_precession, steady_spin
+
+# the component along OC of a spin about an axis that may point away from it
+follows = {"sense": lambda g, phi_dot: by_sign(phi_dot * cos(g.theta) * g.psi_dot)}
 
 
 def per_mass(g, shape=bodies.cylinder):
@@ -42,17 +45,9 @@ def by_sign(along):
     return "direct" if along > 0 else "retrograde"
 
 
-# the component along OC of a spin about an axis that may point away from it
-follows = {"sense": lambda g, phi_dot: by_sign(phi_dot * cos(g.theta) * g.psi_dot)}
-
-
 def prove(g):
     """The spin for which the angular momentum is along OC, hence constant."""
-    points = [
-        (u * v, plus(p, q))
-        for u, p in disk(g.R, order=2)
-        for v, q in box(0, 0, g.L, order=2)
-    ]  # fmt: skip
+    points = raised(disk(g.R, order=2), g.L)
 
     def off(phi_dot):
         motion = carried(points, orientation(g.theta, g.psi_dot, phi_dot))

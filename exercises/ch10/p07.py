@@ -16,9 +16,8 @@ def frames(g):
 def gyroscopic_moment(g):
     """The moment needed in steady precession, by the spinning parts only."""
     ground, head, rotor = frames(g)
-    return normal_moment(
-        head.angular_velocity(ground), rotor.angular_velocity(head), g.m * g.k**2
-    ).expressed_in(head).x  # fmt: skip
+    precession, spin = head.angular_velocity(ground), rotor.angular_velocity(head)
+    return normal_moment(precession, spin, g.m * g.k**2).expressed_in(head).x
 
 
 def moment_of_block(g, b):

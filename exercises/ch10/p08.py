@@ -4,6 +4,8 @@ from exercises.tools import Sketch, moment_needed, proofs, rot, times
 from newton_euler import ForceSystem, Frame, solve_linear
 from newton_euler.applications import normal_moment
 
+follows = {"F_B": lambda g, F_A: g.m * g.g - F_A}
+
 
 def motor(g):
     """The ground, the turntable, whose origin is G, and the rotor."""
@@ -47,21 +49,15 @@ def steps(g):
     }
 
 
-follows = {"F_B": lambda g, F_A: g.m * g.g - F_A}
-
-
 def prove(g):
     """The moments about each support that the mass points need besides that of gravity."""
-    turned = [(share, [z, x, y]) for share, (x, y, z) in proofs.ring(g.k)]
-
-    def rotor(t):
-        orientation = times(rot("y", g.Omega * t), rot([-1, 0, 0], g.p * t))
-        return [(share, times(orientation, place)) for share, place in turned]
-
+    turned = proofs.along_x(proofs.ring(g.k))
+    own = lambda t: rot([-1, 0, 0], g.p * t)
+    rotor = proofs.carried(turned, lambda t: times(rot("y", g.Omega * t), own(t)))
     # of the supports, about the place x on AB
     moment = lambda x: moment_needed(g.m_r, rotor, about=(x, 0, 0))[2] - x * g.m * g.g
     AB = g.a + g.b
-    spin = proofs.angular_velocity(lambda t: rot([-1, 0, 0], g.p * t))
+    spin = proofs.angular_velocity(own)
     return {
         "F_A": -moment(g.b) / AB,
         "F_B": moment(-g.a) / AB,

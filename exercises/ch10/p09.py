@@ -14,7 +14,6 @@ def wheel(g, spin):
 
 
 def rolling_spin(g):
-    """The rate of the disk on its axle in rolling."""
 
     def slip(spin):
         ground, axle, body = wheel(g, spin)
@@ -53,7 +52,7 @@ def steps(g):
 def prove(g):
     """By mass points of the rolling disk: the needed moment minus that of the weight."""
     m = g.W / g.g
-    upright = [(share, [z, x, y]) for share, (x, y, z) in proofs.disk(g.r)]
+    upright = proofs.along_x(proofs.disk(g.r))
     unrolled = lambda t: g.R * g.Omega * t / g.r
 
     def disk_at(t):

@@ -1,26 +1,23 @@
 """10/10: the lengths at which a thin tube with a ring has direct precession."""
 
 from exercises.devices.wobbling import WOBBLE, needed_spin, neutral_length
-from exercises.tools import Sketch, mpf, proofs
+from exercises.tools import mpf, on_ground, proofs
 from newton_euler import Frame, root
 from newton_euler.applications import free_precession
 from newton_euler.bodies import cylinder, cylindrical_shell, ring, rod
 
 
-def tube(g, ratio, kind=cylindrical_shell):
+def tube(g, ratio, kind):
     """Transverse and axial moment of inertia of a tube of unit mass and radius."""
     I = kind(g.one, ratio, Frame("tube"), "z", mass=g.one).inertia
     return I.moment("x"), I.moment("z")
 
 
-def around(g):
-    """The moments of inertia of the ring."""
+def whole(g, ratio, kind=cylindrical_shell):
+    """The same with the ring."""
     I = ring(g.one, Frame("ring"), "z", mass=g.one).inertia
-    return g.n * I.moment("x"), g.n * I.moment("z")
-
-
-def whole(g, ratio):
-    return tuple(a + b for a, b in zip(tube(g, ratio), around(g), strict=True))
+    around = g.n * I.moment("x"), g.n * I.moment("z")
+    return tuple(a + b for a, b in zip(tube(g, ratio, kind), around, strict=True))
 
 
 def limit(g, moments):
@@ -48,14 +45,11 @@ def steps(g):
 
 
 def prove(g):
-    """The length at which mass points turn about a slanting axis without a moment; the sense from
-    their spin in torque-free precession.
-    """
+    """The length without precession (:func:`neutral_length`); the sense from the points' spin."""
     rim = proofs.ring(mpf(1), order=2)
 
     def points(ratio):
-        heights = proofs.box(0, 0, ratio, order=2)
-        shell = [(u * v, proofs.plus(p, q)) for u, p in rim for v, q in heights]
+        shell = proofs.raised(rim, ratio)
         return [(u / (1 + g.n), p) for u, p in shell] + [(g.n * u / (1 + g.n), p) for u, p in rim]
 
     spin = needed_spin(points(g.q))
@@ -69,15 +63,12 @@ def prove(g):
 
 
 def mistakes(g):
-    def solid(ratio):
-        return tuple(a + b for a, b in zip(tube(g, ratio, cylinder), around(g), strict=True))
-
     def no_radius(ratio):
         across, axial = whole(g, ratio)
         return across - g.one / 2, axial
 
     return {
-        "solid": {"ratio": limit(g, solid)},
+        "solid": {"ratio": limit(g, lambda ratio: whole(g, ratio, cylinder))},
         "opposite": {"sense": lambda: "retrograde" if sense(g) == "direct" else "direct"},
         "no_radius": {"ratio": limit(g, no_radius)},
         "no_ring": {"ratio": solve(g.but(n=0 * g.n))["ratio"]},
@@ -85,8 +76,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=-60, elevation=20)
+    ground, s = on_ground(ax, azimuth=-60, elevation=20)
     r, l = 1.0, 3.2  # not the shape asked for
     low, high = (-l / 2, 0, 0), (l / 2, 0, 0)
     s.line((-0.85 * l, 0, 0), (l, 0, 0), style="centre")

@@ -1,7 +1,7 @@
 """10/11: two disks on a rod without precession."""
 
 from exercises.devices.wobbling import neutral_length
-from exercises.tools import Sketch, proofs
+from exercises.tools import on_ground, proofs
 from newton_euler import Frame, sqrt
 from newton_euler.bodies import disk
 
@@ -45,8 +45,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=-55, elevation=20)
+    ground, s = on_ground(ax, azimuth=-55, elevation=20)
     r, b = 1.0, 3.0  # not the shape asked for
     P, Q = (-b / 2, 0, 0), (b / 2, 0, 0)
     s.rod(P, Q)

@@ -1,7 +1,7 @@
 """10/12: two cones, joined at their vertices, without precession."""
 
 from exercises.devices.wobbling import difference, neutral_length
-from exercises.tools import Sketch, mpf, proofs
+from exercises.tools import mpf, on_ground, proofs
 from newton_euler import Frame, composite, root, sqrt
 from newton_euler.bodies import cone, cylinder
 
@@ -37,15 +37,8 @@ def solve(g):
 
 
 def prove(g):
-    """The height at which mass points, disks whose radius and mass grow from the vertex, turn about
-    a slanting axis without a moment.
-    """
-    half = [
-        (3 * up**2 * share * w, [x * up, y * up, up])
-        for share, (u, _, _) in proofs.box(2, 0, 0, order=3)
-        for up in [(u + 1) / 2]
-        for w, (x, y, _) in proofs.disk(mpf(1), order=2)
-    ]
+    """The height at which mass points turn about a slanting axis without a moment."""
+    half = proofs.cone(1, 1)
 
     def points(ratio):
         return [(u / 2, [x, y, side * ratio * z]) for u, (x, y, z) in half for side in (1, -1)]
@@ -78,8 +71,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=-60, elevation=15)
+    ground, s = on_ground(ax, azimuth=-60, elevation=15)
     r, h = 1.0, 1.6  # not the shape asked for
     O, high = (0, 0, 0), (0, 0, h)
     for side in (1, -1):

@@ -37,17 +37,10 @@ def prove(g):
     """The moment that a cylinder of another length needs about C, minus that of its weight."""
     m, length = g.W / g.g, g.r
     C = [0, 0, -2 * g.r]
-    points = [
-        (u * v, [x, y, z])
-        for u, (y, z, _) in proofs.disk(g.r, order=2)
-        for v, (x, _, _) in proofs.box(length, 0, 0, order=2)
-    ]
-
-    def turned(t):
-        R = times(rot("z", g.Omega * t), rot("x", g.P * t))
-        return [(u, times(R, p)) for u, p in points]
-
-    spun = lambda t: [(u, times(rot("x", g.P * t), p)) for u, p in points]
+    points = proofs.along_x(proofs.raised(proofs.disk(g.r, order=2), length))
+    own = lambda t: rot("x", g.P * t)
+    turned = proofs.carried(points, lambda t: times(rot("z", g.Omega * t), own(t)))
+    spun = proofs.carried(points, own)
     of_weight = cross(minus(proofs.mean(lambda p: p, points), C), [0, 0, -g.W])
     return {
         "M_C": minus(of_weight, moment_needed(m, turned, about=C)),

@@ -1,9 +1,11 @@
 """10/14: a spinning disk falling over on a cross shaft, and its bearing forces."""
 
-from exercises.tools import Sketch, minus, mp, mpf, plus, proofs, rot, scaled, times
+from exercises.tools import minus, mp, mpf, on_ground, plus, proofs, rot, scaled, times
 from newton_euler import ForceSystem, Frame, particle, pi, solve_linear, sqrt
 from newton_euler.bodies import disk
 from newton_euler.dynamics import resultant_force, resultant_moment, weight
+
+follows = {"F_B": lambda g, F_A: F_A.frame.vector(*needed(g, *fall(g))[0]) - F_A}
 
 
 def scene(g, rate=0, acceleration=0, spin=0, mass=1):
@@ -60,16 +62,8 @@ def solve(g):
 def steps(g):
     rate, acceleration = fall(g)
     force, moment = needed(g, rate, acceleration)
-    return {
-        "I_0": about_shaft(g, scene(g, mass=g.m)[1]),
-        "theta_dot": rate,
-        "theta_ddot": acceleration,
-        "R_AB": force,
-        "M_z": moment.z,
-    }
-
-
-follows = {"F_B": lambda g, F_A: F_A.frame.vector(*needed(g, *fall(g))[0]) - F_A}
+    motion = {"theta_dot": rate, "theta_ddot": acceleration}
+    return {"I_0": about_shaft(g, scene(g, mass=g.m)[1]), **motion, "R_AB": force, "M_z": moment.z}
 
 
 def prove(g):
@@ -131,8 +125,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=-35, elevation=18)
+    ground, s = on_ground(ax, azimuth=-35, elevation=18)
     b, c, r, theta = 1.0, 1.8, 0.55, 0.8  # theta: anywhere
     shafts = ground.rotate("shafts", "-x", angle=theta)
     A, B, O = (-c / 2, 0, 0), (c / 2, 0, 0), (0, 0, 0)

@@ -40,14 +40,9 @@ def solve(g):
 
 
 def steps(g):
-    U = work(g).terms
-    return {
-        "N": normal_force(g),
-        "F_f": g.mu * normal_force(g),
-        "U_w": U["weight"],
-        "U_f": U["friction"],
-        "T_A": start_energy(g),
-    }
+    N, U = normal_force(g), work(g).terms
+    forces = {"N": N, "F_f": g.mu * N}
+    return {**forces, "U_w": U["weight"], "U_f": U["friction"], "T_A": start_energy(g)}
 
 
 def prove(g):

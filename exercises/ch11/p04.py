@@ -5,6 +5,8 @@ from exercises.tools import until
 from newton_euler import pi, sqrt
 from newton_euler.dynamics import speed_after, spring_potential
 
+follows = {"x_max": lambda g, v_B: compression(g, v_B)}
+
 
 def compression(g, v):
     """The compression at which the spring has absorbed the collar's energy at the speed v."""
@@ -22,9 +24,6 @@ def solve(g):
 
 def steps(g):
     return {"U_w": work_of_weight(g)}
-
-
-follows = {"x_max": lambda g, v_B: compression(g, v_B)}
 
 
 def prove(g):

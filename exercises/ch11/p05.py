@@ -1,6 +1,7 @@
 """11/5: a collar sliding down a quarter hoop, pulled by a spring from the other side."""
 
-from exercises.devices.quarter_hoop import hoop, sketch, slides, spring_pull, work_of_weight
+from exercises.devices.quarter_hoop import hoop, sketch, slides, work_of_weight
+from exercises.devices.spring_to_pin import pull
 from exercises.tools import minus, size
 from newton_euler.algebra.ledger import summed
 from newton_euler.dynamics import speed_after, spring_between, spring_potential
@@ -11,7 +12,6 @@ def pin(g, ground):
 
 
 def stretches(g):
-    """The stretches of the spring, at A and at B."""
     ground, _, *ends = hoop(g)
     return [(end - pin(g, ground)).norm() - g.l_0 for end in ends]
 
@@ -38,7 +38,7 @@ def steps(g):
 def prove(g):
     """The motion over time, from the forces along the hoop."""
     P = [g.R, 0]
-    _, v = slides(g, spring_pull(g, P))
+    _, v = slides(g, pull(g.k, g.l_0, P))
     x_A, x_B = (size(minus(end, P)) - g.l_0 for end in ([-g.R, 0], [0, -g.R]))
     return {"v_B": v, "x_A": x_A, "x_B": x_B}
 

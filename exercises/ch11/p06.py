@@ -52,13 +52,8 @@ def solve(g):
 
 
 def steps(g):
-    U = work(g).terms
-    return {
-        "m": mass(g),
-        "x_0": span(g, level(g)) - span(g, g.theta_0),
-        "U_w": U["weights"],
-        "U_s": U["spring"],
-    }
+    U, x_0 = work(g).terms, span(g, level(g)) - span(g, g.theta_0)
+    return {"m": mass(g), "x_0": x_0, "U_w": U["weights"], "U_s": U["spring"]}
 
 
 def prove(g):

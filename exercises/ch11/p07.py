@@ -1,6 +1,6 @@
 """11/7: a linkage of two pairs of links, folding down on a spring."""
 
-from exercises.tools import Sketch, minus, mp, until
+from exercises.tools import minus, mp, on_ground, until
 from newton_euler import Frame, acos, atan2, cos, sin, sqrt
 
 
@@ -16,9 +16,7 @@ def scene(g, theta, side=1):
 
 
 def height(g):
-    """p, q and the height h of the collar from k h^2/2 - p h + q = 0, the energy equation times h
-    over x = a + b - h, which is 0 at the start.
-    """
+    """p, q and the collar's height h: k h^2/2 - p h + q = 0 is the energy equation times h/x."""
     p = g.k * (g.a + g.b) / 2 - (g.m_c + g.m_b) * g.g
     q = g.m_b * g.g * (g.b - g.a)
     return p, q, (p + sqrt(p**2 - 2 * g.k * q)) / g.k
@@ -38,12 +36,8 @@ def prove(g):
     work returns to zero. The velocity of the collar is about the instantaneous centre of an upper
     link, at the height of the collar on the line of the lower link.
     """
-
-    def ball(lean):
-        return [g.a * mp.sin(lean), g.a * mp.cos(lean)]
-
-    def collar(x, y):
-        return y + mp.sqrt(g.b**2 - x**2)
+    ball = lambda lean: [g.a * mp.sin(lean), g.a * mp.cos(lean)]
+    collar = lambda x, y: y + mp.sqrt(g.b**2 - x**2)
 
     def power(state):
         """The power of the collar's weight, of the balls' and of the spring."""
@@ -79,8 +73,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     O, unit = (0, 0, 0), 0.06 * (g.a + g.b)
     s.ground((0, -unit, 0), ground.j)
     s.shaft((0, -unit, 0), (0, g.a + g.b, 0))

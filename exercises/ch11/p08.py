@@ -6,15 +6,11 @@ from newton_euler import Frame, cos, sin
 from newton_euler.dynamics import speed_after, spring_between, spring_potential, weight_potential
 
 
-def scene(g, *thetas):
-    """The ground with z up, C, and B at each theta, from the upward vertical toward x."""
-    ground = Frame("ground")
-    frames = [ground.rotate("frame", "y", angle=theta) for theta in thetas]
-    return ground, ground.point("C", 0, 0, g.d), [f.point("B", 0, 0, g.b) for f in frames]
-
-
 def ends(g):
-    return scene(g, g.theta_0, g.theta_1)
+    """The ground with z up, C, and B at both thetas, from the upward vertical toward x."""
+    ground = Frame("ground")
+    frames = [ground.rotate("frame", "y", angle=theta) for theta in (g.theta_0, g.theta_1)]
+    return ground, ground.point("C", 0, 0, g.d), [f.point("B", 0, 0, g.b) for f in frames]
 
 
 def lengths(g):
@@ -24,7 +20,6 @@ def lengths(g):
 
 
 def drop(g):
-    """The drop of the particle since the release."""
     ground, _, (first, last) = ends(g)
     return (first - last).expressed_in(ground).z
 
@@ -36,7 +31,6 @@ def energies(g):
 
 
 def speed(g, U):
-    """The speed at theta_1, after the work U."""
     return {"v": speed_after(0, U, g.m)}
 
 

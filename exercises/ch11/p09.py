@@ -1,14 +1,13 @@
 """11/9: a roller coaster: the force of the seat in a loop, and a hump without contact force."""
 
 from exercises.devices.vertical_loop import circle, contact, draw_loop, proved_contact
-from exercises.tools import Sketch, force_needed, mp, speed_along
+from exercises.tools import force_needed, mp, on_ground, speed_along
 from exercises.tools import root as proved_root
-from newton_euler import Frame, pi, root
+from newton_euler import pi, root
 from newton_euler.dynamics import mass_from_weight, path_force, speed_after, weight_potential
 
 
 def mass(g):
-    """The mass of the rider."""
     return mass_from_weight(g.W, g.g)
 
 
@@ -27,7 +26,6 @@ def at_D(g, v, r=None, **shares):
 
 def least_radius(g, v):
     """The radius at which the crest needs a force equal to the weight."""
-
     return root(lambda rho: g.W - path_force(mass(g), v, 0, 1 / rho)[1], g.h / 100, 10 * g.h)
 
 
@@ -81,8 +79,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     r, h, crest = g.d / 2, g.h, 0.8 * g.d + 0.55 * g.h
     start, far = -0.9 * h, crest + 0.6 * h
     ways = [n / 40 for n in range(41)]

@@ -1,9 +1,9 @@
 """11/10: the least compression of a spring to shoot a pellet round a loop."""
 
 from exercises.devices.vertical_loop import contact, draw_loop, proved_contact
-from exercises.tools import ProofError, Sketch, after, mp, mpf, until
+from exercises.tools import ProofError, after, mp, mpf, on_ground, until
 from exercises.tools import root as proved_root
-from newton_euler import Frame, pi, root, sqrt
+from newton_euler import pi, root, sqrt
 from newton_euler.dynamics import mass_from_weight, spring_potential, weight_potential
 
 
@@ -69,18 +69,16 @@ def prove(g):
 
 def mistakes(g):
     v = least_speed(g, g.r)
-    inches = g.but(r=g.r / 12)
     return {
         "at_rest_at_the_top": compression(g, 0 * v, 2 * g.r),
         "rise_r": compression(g, v, g.r),
-        "feet": solve(inches),
+        "feet": solve(g.but(r=g.r / 12)),
         "diameter": compression(g, least_speed(g, 2 * g.r), 2 * g.r),
     }
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     r = g.r
     w = 0.12 * r
     left, A = -3.2 * r, (-1.8 * r, 0, 0)

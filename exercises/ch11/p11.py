@@ -5,6 +5,8 @@ from exercises.tools import Sketch, minus, mp, size, speed_along
 from newton_euler import Frame
 from newton_euler.dynamics import mass_from_weight, speed_after, spring_between, weight_potential
 
+follows = {"v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weight(g.W, g.g))}
+
 
 def scene(g):
     """The ground, seen from above: O, x toward A, and the points."""
@@ -31,7 +33,6 @@ def work(g, end):
 
 
 def speeds(g, U_B, U_A, v_C=None):
-    """The speeds after these works."""
     m, start = mass_from_weight(g.W, g.g), g.v_C if v_C is None else v_C
     T_C = m * start**2 / 2
     return {key: speed_after(0, T_C + U, m) for key, U in (("v_B", U_B), ("v_A", U_A))}
@@ -46,9 +47,6 @@ def steps(g):
         yield f"x_{name}", length(g, name) - length(g, "A")
         yield f"V_{name}", energy(g, name)
     yield "T_C", mass_from_weight(g.W, g.g) * g.v_C**2 / 2
-
-
-follows = {"v_A": lambda g, v_B: speed_after(v_B, energy(g, "B"), mass_from_weight(g.W, g.g))}
 
 
 def prove(g):

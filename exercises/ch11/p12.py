@@ -5,9 +5,10 @@ from exercises.tools import Sketch, minus, mp, size, speed_along
 from newton_euler import Frame, pi
 from newton_euler.dynamics import speed_after, spring_between, spring_potential, weight_potential
 
+follows = {"v_C": lambda g, v_B: speed_after(v_B, energy(g, "B") - energy(g, "C"), g.m)}
+
 
 def scene(g):
-    """The ground with y up, and the points."""
     ground = Frame("ground")
     places = {"A": (-g.r, 0, 0), "B": (0, 0, g.r), "C": (g.r, 0, 0), "D": (g.x_D, g.y_D, g.z_D)}
     return ground, {name: ground.point(name, *place) for name, place in places.items()}
@@ -31,7 +32,6 @@ def work(g, name):
 
 
 def speeds(g, U_B, U_C):
-    """The speeds after these works."""
     return {"v_B": speed_after(0, U_B, g.m), "v_C": speed_after(0, U_C, g.m)}
 
 
@@ -43,9 +43,6 @@ def steps(g):
     for name in "ABC":
         yield f"l_{name}", length(g, name)
         yield f"V_{name}", energy(g, name)
-
-
-follows = {"v_C": lambda g, v_B: speed_after(v_B, energy(g, "B") - energy(g, "C"), g.m)}
 
 
 def prove(g):

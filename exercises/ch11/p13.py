@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from exercises.tools import Sketch, box, freedom, gradient, mean, mpf, plus, rate, scaled
+from exercises.tools import box, freedom, gradient, mean, mpf, on_ground, plus, rate, scaled, times
 from newton_euler import Frame, integral, work_along
 from newton_euler.dynamics import conservative_force, curl, degrees_of_freedom
 
@@ -23,18 +23,15 @@ def field(g):
     return linear([getattr(g, name) for name in NAMES])
 
 
-def edge(start, end):
-    """The segment between two places, as a function of a number from 0 to 1."""
-    return lambda s: tuple(p + s * (q - p) for p, q in zip(start, end, strict=True))
-
-
 def corners(g):
     none = 0 * g.a
     return [(none, none, none), (g.a, none, none), (g.a, g.b, none), (none, g.b, none)]
 
 
 def work(g, start, end):
-    return work_along(field(g), edge(start, end), 0, 1).value
+    """The work along the segment between two places."""
+    segment = lambda s: tuple(p + s * (q - p) for p, q in zip(start, end, strict=True))
+    return work_along(field(g), segment, 0, 1).value
 
 
 def round_trip(g, places):
@@ -91,9 +88,7 @@ def prove(g):
     """Mean circulation, mean work, slopes along slanted lines; fields with a potential, counted."""
     coefficients = [getattr(g, name) for name in NAMES]
 
-    def F(r):
-        rows = (coefficients[n : n + 3] for n in (0, 3, 6))
-        return [sum(c * q for c, q in zip(row, r, strict=True)) for row in rows]
+    F = lambda r: times([coefficients[n : n + 3] for n in (0, 3, 6)], r)
 
     def circulation(r):
         """The circulation around a place, per unit area."""
@@ -160,8 +155,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=30, elevation=22)
+    ground, s = on_ground(ax, azimuth=30, elevation=22)
     O, P, foot = (0, 0, 0), (g.x, g.y, g.z), (g.x, g.y, 0)
     s.axes(O, ground, length=1.35 * g.a)
     places = corners(g)

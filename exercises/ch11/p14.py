@@ -1,12 +1,13 @@
 """11/14: a central force with the cube of the distance: its test and its potential."""
 
-from exercises.tools import Sketch, gradient, proofs, rate
+from exercises.tools import gradient, on_ground, proofs, rate
 from newton_euler import Frame, integral
 from newton_euler.dynamics import jacobian
 
+PAIRS = (0, 1), (1, 2), (2, 0)  # one cross derivative of each pair
+
 
 def field(g):
-    """F as a function of the place."""
 
     def force(*place):
         square = sum(q * q for q in place)
@@ -19,12 +20,6 @@ def place(g):
     return g.x, g.y, g.z
 
 
-def derivatives(g):
-    """One cross derivative of each pair."""
-    J = jacobian(field(g), place(g))
-    return Frame("axes").vector(*(J[n][m] for n, m in ((0, 1), (1, 2), (2, 0))))
-
-
 def parts(g):
     """The parts of F.r with c and with k at the end of the segment from the origin."""
     square = sum(q * q for q in place(g))
@@ -32,8 +27,9 @@ def parts(g):
 
 
 def solve(g):
-    cubic, linear = parts(g)
-    return {"cross": derivatives(g), "V": -(cubic / 4 + linear / 2)}
+    (cubic, linear), J = parts(g), jacobian(field(g), place(g))
+    cross = Frame("axes").vector(*(J[n][m] for n, m in PAIRS))
+    return {"cross": cross, "V": -(cubic / 4 + linear / 2)}
 
 
 def steps(g):
@@ -48,15 +44,10 @@ def prove(g):
         r = proofs.size([x, y, z])
         return [(g.c * r**3 - g.k * r) * q / r for q in (x, y, z)]
 
-    def curve(q):
-        return [g.x * q, g.y * q**2, g.z * q**3]
-
-    def work(q):
-        return sum(f * v for f, v in zip(force(*curve(q)), rate(curve, q), strict=True))
-
+    curve = lambda q: [g.x * q, g.y * q**2, g.z * q**3]
+    work = lambda q: sum(f * v for f, v in zip(force(*curve(q)), rate(curve, q), strict=True))
     slopes = [gradient(lambda *r, n=n: force(*r)[n], place(g)) for n in range(3)]
-    pairs = ((0, 1), (1, 2), (2, 0))
-    return {"cross": [slopes[n][m] for n, m in pairs], "V": -proofs.integral(work, 0, 1)}
+    return {"cross": [slopes[n][m] for n, m in PAIRS], "V": -proofs.integral(work, 0, 1)}
 
 
 def mistakes(g):
@@ -76,8 +67,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=30, elevation=22)
+    ground, s = on_ground(ax, azimuth=30, elevation=22)
     O, P, foot = (0, 0, 0), place(g), (g.x, g.y, 0)
     s.axes(O, ground, length=0.8 * g.x)
     s.line(O, P, style="solid")

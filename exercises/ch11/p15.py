@@ -1,8 +1,13 @@
 """11/15: a collar driven outward by a spring on a rod that turns freely about the vertical."""
 
-from exercises.tools import Sketch, mp, until
+from exercises.tools import mp, on_ground, until
 from newton_euler import Frame, kinetic_energy, moving, particle, root, solve_rates, sqrt
 from newton_euler.dynamics import angular_momentum, spring_potential
+
+follows = {
+    "v_r": lambda g, omega_B: sqrt(speed(g) ** 2 - (g.r_B * omega_B) ** 2),
+    "v_theta": lambda g, omega_B: g.r_B * omega_B,
+}
 
 
 def collar(g, r, v_r, omega):
@@ -62,12 +67,6 @@ def solve(g):
     return answers(g, lambda r: turning(g, r))
 
 
-follows = {
-    "v_r": lambda g, omega_B: sqrt(speed(g) ** 2 - (g.r_B * omega_B) ** 2),
-    "v_theta": lambda g, omega_B: g.r_B * omega_B,
-}
-
-
 def steps(g):
     spring = {"V_A": potential(g, g.r_A), "V_B": potential(g, g.r_B)}
     return {"H_O": momentum(g, g.r_A, g.omega_A), **spring, "E": energy(g), "v_B": speed(g)}
@@ -85,14 +84,8 @@ def prove(g):
 
     distance = lambda state: mp.hypot(*state[:2])
 
-    def outward(state):
-        x, y, u, v = state
-        return (x * u + y * v) / mp.hypot(x, y)
-
-    def across(state):
-        x, y, u, v = state
-        return (x * v - y * u) / mp.hypot(x, y)
-
+    outward = lambda s: (s[0] * s[2] + s[1] * s[3]) / distance(s)
+    across = lambda s: (s[0] * s[3] - s[1] * s[2]) / distance(s)
     start, step = [g.r_A, 0, 0, g.r_A * g.omega_A], 1 / (4 * g.omega_A)
     _, B = until(rates, start, lambda state: distance(state) - g.r_B, step)
     _, farthest = until(rates, B, outward, step)
@@ -116,8 +109,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     r, z = g.r_B, ground.k
     A, B, top = (g.r_A, 0, 0), (g.r_B, 0, 0), (0, 0, 0.45 * r)
     s.shaft((0, 0, -0.4 * r), top)

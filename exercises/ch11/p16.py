@@ -19,13 +19,9 @@ def solve(g):
 def steps(g):
     d = spinning(g.Omega, g.omega_s, g.L)
     I, T = disk(g.r, d.body, "x", mass=g.M).inertia, energy(g, g.Omega, g.omega_s)
-    return {
-        "v_C": d.C.velocity(d.ground).norm(),
-        "I_a": I.moment("x"),
-        "I_d": I.moment("y"),
-        "T_trans": T.terms["translation"],
-        "T_rot": T.terms["rotation"],
-    }
+    v, energies = d.C.velocity(d.ground).norm(), T.terms
+    moments = {"I_a": I.moment("x"), "I_d": I.moment("y")}
+    return {"v_C": v, **moments, "T_trans": energies["translation"], "T_rot": energies["rotation"]}
 
 
 def prove(g):

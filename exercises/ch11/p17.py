@@ -1,6 +1,6 @@
 """11/17: the kinetic energy of a rolling disk."""
 
-from exercises.tools import Sketch, mp, plus, proofs, rot, times
+from exercises.tools import mp, on_ground, plus, proofs, rot, times
 from newton_euler import Frame, dynamics, kinetic_energy, moving, solve_rates
 from newton_euler.bodies import disk, ring
 
@@ -61,8 +61,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     C, r = (0, 0, 0), 1.0
     s.road([(-1.8 * r, -r, 0), (2.2 * r, -r, 0)])
     s.disk(C, ground.k, r)

@@ -1,21 +1,16 @@
 """11/18: the kinetic energy of a sphere about a point of its surface, in two forms."""
 
-from exercises.tools import Sketch, ball, proofs, rot, size, times, transposed
+from exercises.tools import ball, on_ground, proofs, rot, size, times, transposed
 from newton_euler import Frame, bodies, cos, kinematics, moving, sin
 
 
 def hung():
-    """The axes x, y, z and the point O."""
     axes = Frame("axes")
     return axes, axes.point("O", 0, 0, 0)
 
 
 def body(g, axes):
     return bodies.sphere(g.R, axes.point("G", 0, 0, g.R), mass=g.M)
-
-
-def by_components(g, axes):
-    return axes.vector(g.omega_x, g.omega_y, g.omega_z)
 
 
 def by_euler(g, axes):
@@ -41,7 +36,8 @@ def about_O(g, omega):
 def answers(g, energy):
     """The answers; ``energy``: a function of the angular velocity along x, y, z."""
     axes, _ = hung()
-    return {"T_omega": energy(by_components(g, axes)), "T_euler": energy(by_euler(g, axes))}
+    omega = axes.vector(g.omega_x, g.omega_y, g.omega_z)
+    return {"T_omega": energy(omega), "T_euler": energy(by_euler(g, axes))}
 
 
 def solve(g):
@@ -61,10 +57,7 @@ def prove(g):
     axis = [g.omega_x, g.omega_y, g.omega_z]
     tilt = lambda t: rot("x", g.theta + g.theta_dot * t)
     in_time = lambda t: times(rot("z", g.psi_dot * t), tilt(t), rot("z", g.phi_dot * t))
-
-    def energy(turned):
-        return proofs.kinetic_energy(g.M, lambda t: [(u, times(turned(t), p)) for u, p in points])
-
+    energy = lambda turned: proofs.kinetic_energy(g.M, proofs.carried(points, turned))
     omega = times(transposed(rot("x", g.theta)), proofs.angular_velocity(in_time))
     return {
         "T_omega": energy(lambda t: rot(axis, size(axis) * t)),
@@ -81,10 +74,7 @@ def mistakes(g):
     ball_at_G = body(g, axes)
     G = ball_at_G.centre - O
     I_G, transverse = ball_at_G.inertia, ball_at_G.about(O).moment("x")
-
-    def components(omega):
-        return axes.vector(*omega.components())
-
+    components = lambda omega: axes.vector(*omega.components())
     v = lambda omega: components(omega).cross(G)
     of_centre = lambda omega: g.M * v(omega).dot(v(omega)) / 2
     euler = by_euler(g, axes)
@@ -97,8 +87,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     R, theta = 1.0, 2.6  # anywhere
     O, down = (0, 0, 0), (sin(theta), 0, cos(theta))
     G, end = (R * down[0], 0, R * down[2]), (2.7 * down[0], 0, 2.7 * down[2])

@@ -5,6 +5,8 @@ from exercises.tools import Sketch
 from newton_euler import Body, kinetic_energy
 from newton_euler.bodies import disk
 
+follows = {"ratio": lambda g, T_outer, T_inner: T_outer / T_inner}
+
 
 def places(g):
     return {"outer": g.R + g.d, "inner": g.R - g.d}
@@ -25,9 +27,6 @@ def solve(g):
     return answers(g, lambda s: terms_at(g, rolling(g.Omega, g.r, s)).value)
 
 
-follows = {"ratio": lambda g, T_outer, T_inner: T_outer / T_inner}
-
-
 def spin(d):
     """Inward, as the shaft turns about the upward vertical."""
     return -d.body.angular_velocity(d.shaft).x
@@ -44,9 +43,9 @@ def steps(g):
 def prove(g):
     spins = {name: unrolled(g.Omega, g.r, s) for name, s in places(g).items()}
     energy = lambda name, s: energy_of_disk(g.M, g.r, g.Omega, spins[name], s)
-    T = {name: energy(name, s) for name, s in places(g).items()}
-    found = {"T_outer": T["outer"], "T_inner": T["inner"], "ratio": T["outer"] / T["inner"]}
-    for name in T:
+    T_outer, T_inner = (energy(name, s) for name, s in places(g).items())
+    found = {"T_outer": T_outer, "T_inner": T_inner, "ratio": T_outer / T_inner}
+    for name in spins:
         found |= {f"omega_{name}": abs(spins[name]), f"T_rot_{name}": energy(name, 0)}
     return found
 

@@ -46,28 +46,18 @@ def solve(g):
 def steps(g):
     d = shaft(g)
     omega, I = turning(g, d), inertia(g, d)
-    return {
-        "omega": rate(g, d),
-        "omega_a": -omega.x,
-        "omega_t": omega.z,
-        "I_a": I.moment("x"),
-        "I_t": I.moment("y"),
-    }
+    moments = {"I_a": I.moment("x"), "I_t": I.moment("y")}
+    return {"omega": rate(g, d), "omega_a": -omega.x, "omega_t": omega.z, **moments}
 
 
 def prove(g):
     """By the rim rolling along the circle of contact, of radius DP."""
     up = mp.acos(g.b / mp.hypot(g.a, g.b))
     spin = unrolled(g.n, g.a, g.b * mp.cos(up) + g.a * mp.sin(up))
-
     omega = angular_velocity(lambda t: times(rot("z", g.n * t), rot("y", -up), rot("x", spin * t)))
     along, _, across = times(rot("y", up), omega)
-    return {
-        "T": energy_of_disk(g.M, g.a, g.n, spin, g.b, up),
-        "omega": size(omega),
-        "omega_a": -along,
-        "omega_t": across,
-    }
+    T = energy_of_disk(g.M, g.a, g.n, spin, g.b, up)
+    return {"T": T, "omega": size(omega), "omega_a": -along, "omega_t": across}
 
 
 def mistakes(g):

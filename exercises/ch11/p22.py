@@ -1,6 +1,6 @@
 """11/22: the kinetic energy of a cone rolling about its tip."""
 
-from exercises.tools import Sketch, mp, proofs
+from exercises.tools import mp, on_ground, proofs
 from newton_euler import Frame, bodies, cos, sin, solve_rates, tan
 
 
@@ -44,21 +44,12 @@ def steps(g):
 def prove(g):
     """By mass points, the base rolling on a circle whose radius is the side of the cone."""
     r, side = g.h * mp.tan(g.alpha), g.h / mp.cos(g.alpha)
-    base = proofs.disk(r, order=2)
-    points = [
-        (3 * s * u**2 * w, [u * g.h, u * y, u * z])
-        for s, u in [(s, p[2] + g.one / 2) for s, p in proofs.box(0, 0, 1, order=3)]
-        for w, (y, z, _) in base
-    ]
+    points = proofs.along_x(proofs.cone(r, g.h))
     unrolled = -g.Omega * side / r
 
     def orientation(t):
         about_z, about_axis = proofs.rot("z", g.Omega * t), proofs.rot("x", unrolled * t)
         return proofs.times(about_z, proofs.rot("y", -g.alpha), about_axis)
-
-    def motion(t):
-        R = orientation(t)
-        return [(share, proofs.times(R, place)) for share, place in points]
 
     def about_x(angle):
         """The mean square distance from the x axis, with the axis of the cone at this angle."""
@@ -66,7 +57,7 @@ def prove(g):
         return g.M * proofs.mean(lambda p: sum(x * x for x in proofs.times(tilt, p)[1:]), points)
 
     return {
-        "T": proofs.kinetic_energy(g.M, motion),
+        "T": proofs.kinetic_energy(g.M, proofs.carried(points, orientation)),
         "spin": unrolled,
         "omega_x": proofs.angular_velocity(orientation)[0],
         "I_axial": about_x(0),
@@ -89,8 +80,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xz")
+    ground, s = on_ground(ax, plane="xz")
     O, axis = (0, 0, 0), ground.vector(cos(g.alpha), 0, sin(g.alpha))
     side = g.h / cos(g.alpha)
     s.road([(-0.5 * side, 0, 0), (1.5 * side, 0, 0)])

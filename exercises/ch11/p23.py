@@ -43,10 +43,7 @@ def steps(g):
 def prove(g):
     """The platform as mass points, and the particle on its spiral."""
     rim = proofs.disk(g.a, order=2)
-
-    def platform(t):
-        return [(share, proofs.times(proofs.rot("z", g.omega * t), p)) for share, p in rim]
-
+    platform = proofs.carried(rim, lambda t: proofs.rot("z", g.omega * t))
     path = lambda t: proofs.at_angle(g.r + g.v * t, g.omega * t, mpf(0))
     spiral = lambda t: [(mpf(1), path(t))]
     found = {}

@@ -5,6 +5,8 @@ from newton_euler import Frame, cos, particle, sin
 from newton_euler.bodies import rod
 from newton_euler.dynamics import speed_after, weight_potential
 
+follows = {"v_bob": lambda g, T: speed(g, T, sum(moments(g)))}
+
 
 def scene(g, theta):
     """Ground, the hinge, rod and bob at the angle theta from the downward vertical."""
@@ -43,9 +45,6 @@ def solve(g):
     return {"T": T, "v_bob": speed(g, T, sum(moments(g)))}
 
 
-follows = {"v_bob": lambda g, T: speed(g, T, sum(moments(g)))}
-
-
 def steps(g):
     rod_lost, bob_lost = losses(g)
     of_rod, of_bob = moments(g)
@@ -54,15 +53,12 @@ def steps(g):
 
 def prove(g):
     """The motion from release, with mass points that need the moment of their weights."""
-    along = [
-        (share, [g.l * (p[0] + mpf(1) / 2), 0, 0]) for share, p in proofs.box(1, 0, 0, order=2)
-    ]
+    half = [g.l / 2, 0, 0]
+    along = [(share, proofs.plus(half, p)) for share, p in proofs.box(g.l, 0, 0, order=2)]
     # x downward; the rod is 1/(1 + n) of the whole mass
     points = [(share / (1 + g.n), p) for share, p in along] + [(g.n / (1 + g.n), [g.l, 0, 0])]
     whole = (1 + g.n) * g.m
-
-    def turned(angle):
-        return lambda t: [(s, proofs.times(proofs.rot("z", angle(t)), p)) for s, p in points]
+    turned = lambda angle: proofs.carried(points, lambda t: proofs.rot("z", angle(t)))
 
     def moment_of_weights(theta):
         turned_x = proofs.rot("z", theta)[1][0]  # the y of a place on x, for 1 m
@@ -70,12 +66,8 @@ def prove(g):
 
     needed = proofs.moment_needed(whole, turned(lambda t: t * t / 2))[2]  # for 1 rad/s^2
     start = [g.theta_A, mpf(0)]
-    _, (_, rate) = proofs.until(
-        lambda s: [s[1], moment_of_weights(s[0]) / needed],
-        start,
-        lambda s: s[0],
-        mp.sqrt(g.l / g.g) / 2,
-    )
+    rates = lambda s: [s[1], moment_of_weights(s[0]) / needed]
+    _, (_, rate) = proofs.until(rates, start, lambda s: s[0], mp.sqrt(g.l / g.g) / 2)
     return {
         "T": proofs.kinetic_energy(whole, turned(lambda t: rate * t)),
         "v_bob": proofs.size(proofs.rate(lambda t: turned(lambda t: rate * t)(t)[-1][1])),
@@ -113,9 +105,5 @@ def draw(g, ax):
     s.label(O, "O", offset=(-12, -14))
     s.label(A, "A", offset=(26, 9))
     s.label(A, "$n\\,m$", offset=(28, -9), bold=False)
-    s.label(
-        (0.4 * g.l * sin(g.theta_A), 0, -0.4 * g.l * cos(g.theta_A)),
-        "m",
-        offset=(-4, -14),
-        bold=False,
-    )
+    on_rod = (0.4 * g.l * sin(g.theta_A), 0, -0.4 * g.l * cos(g.theta_A))
+    s.label(on_rod, "m", offset=(-4, -14), bold=False)

@@ -6,6 +6,8 @@ from exercises.tools import Sketch, in_frame, mp, proofs
 from newton_euler import Frame, cos, cylindrical, moving, sin, sqrt
 from newton_euler.dynamics import gravitational_potential, speed_after
 
+follows = {"v": lambda g, speed: velocity(g, speed)}
+
 
 def tube(g, theta):
     """The particle in the tube, for theta increasing at unit rate."""
@@ -41,9 +43,6 @@ def answers(g, speed):
 
 def solve(g):
     return answers(g, speed_from(g, potential(g, from_origin(g, g.z_0 / g.p))))
-
-
-follows = {"v": lambda g, speed: velocity(g, speed)}
 
 
 def steps(g):

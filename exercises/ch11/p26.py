@@ -3,8 +3,8 @@
 from mpmath import fp
 
 from exercises.devices.spherical_pendulum import level_motion, other_level, way
-from exercises.tools import Sketch, proofs
-from newton_euler import Frame, solve_rates, sqrt
+from exercises.tools import on_ground, proofs
+from newton_euler import solve_rates, sqrt
 from newton_euler.dynamics import speed_after, weight_potential
 
 
@@ -24,7 +24,6 @@ def ratio(g):
 
 def kinetic(g, at_c):
     """The kinetic energy at the level b, for this ratio of that at c to it."""
-
     (T_b,) = solve_rates(lambda T_b: (1 - at_c) * T_b + potential(g, g.b) - potential(g, g.c), 1)
     return T_b
 
@@ -71,8 +70,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=-60, elevation=14)
+    ground, s = on_ground(ax, azimuth=-60, elevation=14)
     O, speed = (0, 0, 0), speed_after(0, kinetic(g, ratio(g)), g.m)
     places = way(g.g, g.b, g.a, speed, 7 * sqrt(g.a / g.g), 120)
     s.ground(O, normal=-ground.k)

@@ -1,20 +1,13 @@
 """11/27: how far a spherical pendulum descends from a horizontal start."""
 
-from exercises.devices.spherical_pendulum import (
-    depth_angle,
-    level_motion,
-    other_level,
-    sine_of_descent,
-    start,
-    way,
-)
-from exercises.tools import Sketch, proofs
-from newton_euler import Frame, asin, pi, sqrt
+from exercises.devices import spherical_pendulum as pendulum
+from exercises.tools import on_ground, proofs
+from newton_euler import asin, pi, sqrt
 from newton_euler.dynamics import weight_potential
 
 
 def sine(g, share=1):
-    return sine_of_descent(g.m, g.l, g.u_0 / g.l, g.g, share)
+    return pendulum.sine_of_descent(g.m, g.l, g.u_0 / g.l, g.g, share)
 
 
 def solve(g):
@@ -22,15 +15,15 @@ def solve(g):
 
 
 def steps(g):
-    T_0, H = level_motion(g.m, g.l, 0 * g.l, g.u_0 / g.l)
+    T_0, H = pendulum.level_motion(g.m, g.l, 0 * g.l, g.u_0 / g.l)
     return {"T_0": T_0, "H": H, "n": T_0 / weight_potential(g.m, g.l, g.g)}
 
 
 def prove(g):
     """The motion under the weight and the force of the rod, until it rises again."""
-    place, _ = other_level(g.g, 0 * g.l, g.l, g.u_0)
-    r, v = start(0 * g.l, g.l, g.u_0)[:3], [0, g.u_0, 0]
-    return {"angle": depth_angle(place), "H": g.m * proofs.cross(r, v)[2]}
+    place, _ = pendulum.other_level(g.g, 0 * g.l, g.l, g.u_0)
+    r, v = pendulum.start(0 * g.l, g.l, g.u_0)[:3], [0, g.u_0, 0]
+    return {"angle": pendulum.depth_angle(place), "H": g.m * proofs.cross(r, v)[2]}
 
 
 def mistakes(g):
@@ -45,9 +38,8 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
-    s = Sketch(ax, ground, azimuth=-60, elevation=18)
-    places = way(g.g, 0, g.l, g.u_0, 3 * sqrt(g.l / g.g), 120)
+    ground, s = on_ground(ax, azimuth=-60, elevation=18)
+    places = pendulum.way(g.g, 0, g.l, g.u_0, 3 * sqrt(g.l / g.g), 120)
     lowest = min(range(len(places)), key=lambda n: places[n][2])
     places = places[: lowest + 1]
     O, B, end = (0, 0, 0), places[0], places[-1]

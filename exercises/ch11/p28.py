@@ -1,19 +1,16 @@
 """11/28: a particle in a ring turning freely about its vertical diameter."""
 
-from exercises.devices.spherical_pendulum import (
-    depth_angle,
-    level_motion,
-    other_level,
-    sine_of_descent,
-)
+from exercises.devices import spherical_pendulum as pendulum
 from exercises.tools import Sketch, mp
 from newton_euler import Frame, acos, asin, cos, pi, sin
 from newton_euler.dynamics import weight_potential
 
+follows = {"drops": lambda g, theta_min: answers(theta_min)["drops"]}
+
 
 def cosine(g, share=1):
     """The cosine of the smallest angle, the sine of the angle below the horizontal."""
-    return sine_of_descent(g.m, g.a, g.omega, g.g, share)
+    return pendulum.sine_of_descent(g.m, g.a, g.omega, g.g, share)
 
 
 def answers(theta):
@@ -21,28 +18,23 @@ def answers(theta):
     return {"drops": lambda: "yes" if theta <= 0 else "no", "theta_min": theta}
 
 
-follows = {"drops": lambda g, theta_min: answers(theta_min)["drops"]}
-
-
 def solve(g):
     return answers(acos(cosine(g)))
 
 
 def steps(g):
-    T_0, H = level_motion(g.m, g.a, 0 * g.a, g.omega)
+    T_0, H = pendulum.level_motion(g.m, g.a, 0 * g.a, g.omega)
     return {"T_0": T_0, "H": H, "n": T_0 / weight_potential(g.m, g.a, g.g)}
 
 
 def prove(g):
-    """The motion to the lowest point, under the weight and a radial force, the only one that a
-    massless ring exerts.
-    """
-    place, _ = other_level(g.g, 0 * g.a, g.a, g.a * g.omega)
-    return answers(mp.pi / 2 - depth_angle(place))
+    """The motion to the lowest point, under the weight and the massless ring's radial force."""
+    place, _ = pendulum.other_level(g.g, 0 * g.a, g.a, g.a * g.omega)
+    return answers(mp.pi / 2 - pendulum.depth_angle(place))
 
 
 def mistakes(g):
-    T_0, _ = level_motion(g.m, g.a, 0 * g.a, g.omega)
+    T_0, _ = pendulum.level_motion(g.m, g.a, 0 * g.a, g.omega)
     right = solve(g)["theta_min"]
     return {
         "driven": {"theta_min": acos(g.m * g.g * g.a / T_0)},

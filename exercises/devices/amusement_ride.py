@@ -1,7 +1,32 @@
 """The ride of 3/19 to 3/24: cars on hinged arms R and a wavy track (h/2)(1 - cos(2 theta))."""
 
-from exercises.tools import Sketch, Step, elevation, mp, rate, second_rate, size
+from exercises.tools import Sketch, Step, mp, proofs, rate, second_rate, size, terms
 from newton_euler import Frame, asin, cos, cylindrical, moving, pi, sin, spherical, sqrt
+
+
+def problem_of(key, names, in_spherical=False):
+    """``solve``, ``steps``, ``prove`` and ``draw`` of the velocity "v" or acceleration "a" of the
+    car, in cylindrical or spherical components; ``names``: of the :func:`steps`.
+    """
+    section = "3.7" if in_spherical else "3.5"
+    axes = proofs.spherical_axes if in_spherical else proofs.cylindrical_axes
+
+    def solve(g):
+        ground, *cars = car(g)
+        P = cars[in_spherical]
+        return {key: P.velocity(ground) if key == "v" else P.acceleration(ground)}
+
+    def all_steps(g):
+        yield from steps(g, section, *names)
+        if key == "a":
+            yield from terms(solve(g)["a"], "a", "m/s^2", section)
+
+    def prove(g):
+        P = car_in_time(g)
+        found = rate(P) if key == "v" else second_rate(P)
+        return {key: proofs.times(axes(P(0)), found)} | proved_steps(g, *names)
+
+    return solve, all_steps, prove, lambda g, ax: figure(g, ax, in_spherical)
 
 
 def coordinates(g):
@@ -69,7 +94,7 @@ def proved_steps(g, *names):
     for name, of in {
         "r": lambda place: mp.hypot(place[0], place[1]),
         "z": lambda place: place[2],
-        "phi": elevation,
+        "phi": proofs.elevation,
     }.items():
         f = lambda t, of=of: of(P(t))
         found |= {name: f(0), f"{name}_dot": rate(f), f"{name}_ddot": second_rate(f)}
@@ -84,7 +109,7 @@ def on_track(g, theta):
     return r * cos(theta), r * sin(theta), z
 
 
-def figure(g, ax, elevation_angle=False):
+def figure(g, ax, elevation_angle):
     """The ride, its track, theta, and the height of a car or the elevation of its arm."""
     ground, C, P = car(g)
     s = Sketch(ax, ground, azimuth=12, elevation=33)

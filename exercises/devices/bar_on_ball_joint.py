@@ -37,7 +37,6 @@ def answers(ground, body, A, D):
 
 
 def solve(g):
-    """The answers of both problems."""
     return answers(*joint_motion(g))
 
 
@@ -80,7 +79,6 @@ def prove(g):
 
 
 def mistakes(g):
-    """The mistakes of both problems."""
     reverse = solve(g.but(v_Ax=-g.v_Ax, v_Ay=-g.v_Ay))  # r x omega = v_A
     return {
         "r_cross_omega": {"omega": reverse["omega"], "v_D": -reverse["v_D"]},
@@ -90,7 +88,6 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    """The figure of both problems."""
     ground, body, A, D = joint_motion(g)
     O, B = body.point("O", 0, 0, 0), body.point("B", 0, g.h, 0)
     corner = ground.point("", g.x_A, g.h, 0)

@@ -1,15 +1,22 @@
-"""Bevel gears of 4/32 and 4/33: B on a turning arm, in mesh with C below, fixed or turning."""
+"""Bevel gears of 4/32 and 4/33: B on a turning arm, in mesh with C below, fixed or turning.
+
+The functions are those of both problems; C turns at n_C if it is given.
+"""
 
 from exercises.tools import Sketch, Step, in_frame, minus, proofs, rot, terms, times
 from newton_euler import Frame, atan, cos, sin, solve_rates
 
+# omega_B is constant along the axes of the arm, which turn about z
+follows = {"alpha_B": lambda g, omega_B: (g.n * omega_B.frame.k).cross(omega_B)}
 
-def gears(n, n_C, tan_gamma):
+
+def gears(g):
     """Ground, the arm turning about z with OA along its y, and gear B, which does not slip on C."""
     ground = Frame("ground")
-    arm, C = ground.rotate("OA", "z", rate=n), ground.rotate("C", "z", rate=n_C)
+    arm = ground.rotate("OA", "z", rate=g.n)
+    C = ground.rotate("C", "z", rate=getattr(g, "n_C", 0))
     # along the common line of the pitch cones, any distance from O
-    contact = (0, tan_gamma, -1)
+    contact = (0, g.tan_gamma, -1)
 
     def slip(spin):
         tooth = arm.rotate("B", "y", rate=spin).point("tooth", *contact)
@@ -20,46 +27,43 @@ def gears(n, n_C, tan_gamma):
     return ground, arm, arm.rotate("B", "y", rate=spin)
 
 
-def answers(n, n_C, tan_gamma):
-    """The answers of both problems, along the axes of the arm."""
-    ground, arm, B = gears(n, n_C, tan_gamma)
+def solve(g):
+    """The answers, along the axes of the arm."""
+    ground, arm, B = gears(g)
     omega, alpha = B.angular_velocity(ground), B.angular_acceleration(ground)
     return in_frame(arm, {"omega_B": omega, "alpha_B": alpha})
 
 
-def steps(n, n_C, tan_gamma, rolling):
-    """The rotation of B on its arm without slip on C, by the formula ``rolling``."""
-    ground, arm, B = gears(n, n_C, tan_gamma)
+def steps(g):
+    """The rotation of B on its arm without slip on C."""
+    ground, arm, B = gears(g)
+    rolling = r"(n_C - n) \tan\gamma" if hasattr(g, "n_C") else r"-n \tan\gamma"
     omega = arm.angular_velocity(ground)
     yield Step("omega_OA", omega, "rad/s", "angular velocity of DE and OA in the ground", "4.9")
     omega = B.angular_velocity(arm).expressed_in(arm)
     means = f"angular velocity of B relative to OA, ${rolling}$ about y, as it does not slide on C"
     yield Step("omega_rel", omega, "rad/s", means, "4.9")
-    omega, alpha = answers(n, n_C, tan_gamma).values()
+    omega, alpha = solve(g).values()
     yield from terms(omega, "omega_B", "rad/s", "4.9")
     yield from terms(alpha, "alpha_B", "rad/s^2", "4.9")
 
 
-# omega_B is constant along the axes of the arm, which turn about z
-follows = {"alpha_B": lambda g, omega_B: (g.n * omega_B.frame.k).cross(omega_B)}
-
-
-def proved(n, n_C, tan_gamma):
-    """Proof: equal arcs on the pitch circles of B and C, whose radii are as 1 to tan(gamma)."""
+def prove(g):
+    """Equal arcs on the pitch circles of B and C, whose radii are as 1 to tan(gamma)."""
 
     def gear_B(t):
-        overtaken = (n - n_C) * t  # angle of the arm relative to C
+        overtaken = (g.n - getattr(g, "n_C", 0)) * t  # angle of the arm relative to C
         # rolling toward -x: the top of B leads
-        return times(rot("z", n * t), rot("y", -overtaken * tan_gamma))
+        return times(rot("z", g.n * t), rot("y", -overtaken * g.tan_gamma))
 
     omega = proofs.angular_velocity(gear_B)
-    found = {"omega_rel": minus(omega, [0, 0, n])}
+    found = {"omega_rel": minus(omega, [0, 0, g.n])}
     return {"omega_B": omega, "alpha_B": proofs.angular_acceleration(gear_B)} | found
 
 
-def figure(ax, tan_gamma, C_turns):
+def draw(g, ax):
     """The gears, with a line of contact of length 1, viewed almost normal to their plane."""
-    gamma = atan(tan_gamma)
+    gamma = atan(g.tan_gamma)
     ground = Frame("ground")
     places = ("O", 0, 0, 0), ("A", 0, sin(gamma) + 0.4, 0), ("D", 0, 0, -2), ("E", 0, 0, 0.8)
     O, A, D, E = (ground.point(*place) for place in places)
@@ -76,7 +80,7 @@ def figure(ax, tan_gamma, C_turns):
     s.line(O, contact, style="solid")
     s.axes(O, ground, length=0.35)
     s.turn(E, ground.k, label="n")
-    if C_turns:
+    if hasattr(g, "n_C"):
         s.turn(C - ground.k * 0.5, ground.k, label="$n_C$")
     else:
         s.ground(foot, normal=ground.k)

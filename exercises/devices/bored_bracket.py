@@ -14,7 +14,6 @@ def block(g, name, x, low, high, density=1):
 
 
 def parts(g, density=1):
-    """Base and wall, and the hole."""
     axis = BRACKET.point("axis", g.x_h, g.l_y / 2, g.h_b / 2)
     return (
         [

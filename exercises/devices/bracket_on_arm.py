@@ -13,6 +13,23 @@ def arm_and_bracket(g):
     return ground, arm, bracket
 
 
+def problem_of(name, out):
+    """The point ``name`` as a function of g, and ``solve``, ``steps`` and ``prove`` for it; it is
+    b up and ``out(g)`` along from C.
+    """
+
+    def point(g):
+        ground, arm, bracket = arm_and_bracket(g)
+        return bracket.point(name, 0, g.b, out(g)), ground, arm
+
+    return (
+        point,
+        lambda g: motion_by_way_of_arm(*point(g)),
+        lambda g: motion_steps(*point(g)),
+        lambda g: prove(g, name, out(g)),
+    )
+
+
 def motion_by_way_of_arm(P, ground, arm):
     """The answers for the point P of the bracket."""
     v, a = P.velocity(ground, via=arm), P.acceleration(ground, via=arm)
@@ -38,12 +55,12 @@ def common_mistakes(P, ground):
     })  # fmt: skip
 
 
-def motion_in_time(g, name, up, out):
-    """Proof, for a point ``up`` and ``out`` from C: about the arm, then about y."""
+def prove(g, name, out):
+    """The point goes round the arm, then round y."""
 
     def seen(t):
         phi = g.omega_1 * t
-        y, z = up * mp.cos(phi) - out * mp.sin(phi), up * mp.sin(phi) + out * mp.cos(phi)
+        y, z = g.b * mp.cos(phi) - out * mp.sin(phi), g.b * mp.sin(phi) + out * mp.cos(phi)
         return [g.c, y, z]
 
     def place(t):

@@ -70,9 +70,7 @@ def fall_steps(g, shape, pin):
 
 
 def by_energy(g, points, *places):
-    """Proof: alpha by energy and the pin force by momentum of mass ``points``; ``places`` over
-    time.
-    """
+    """Proof: alpha by energy, the pin force by momentum of ``points``, and ``places`` over time."""
 
     def energy(q, t):
         motion = lambda t: [(share, times(rot("z", q(t)), r)) for share, r in points]

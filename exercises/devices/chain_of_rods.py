@@ -1,6 +1,4 @@
-"""The chain of 5/11, 7/11, 7/30, 8/11 and 8/17: three equal rods from O, along x, y and z, or in
-cyclic order from another axis, ``first``; ``edge`` names the given length of a rod.
-"""
+"""Three equal rods from O (5/11, 7/11, 7/30, 8/11, 8/17), along x, y, z or from ``first`` on."""
 
 from itertools import pairwise
 

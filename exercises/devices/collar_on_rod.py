@@ -52,7 +52,6 @@ def prove(g, r, theta):
 
 
 def common_mistakes(g, r, theta):
-    """The mistakes of both problems."""
     a = motion(g, r, theta)["a"]
     return {
         "no_coriolis": {"a": a.without("coriolis")},

@@ -9,7 +9,8 @@ from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, spun, terms
 from newton_euler import Frame
 
-PLACES = {"A": (0, 0, 1), "B": (1, 0, 0)}
+# on the rim: at the top, and at the side on +x; C and D are those of 4/42 and 4/43
+PLACES = {"A": (0, 0, 1), "B": (1, 0, 0), "C": (0, 0, 1), "D": (1, 0, 0)}
 
 
 def data(g):
@@ -38,18 +39,24 @@ def rim_problem(name):
 
 
 def whole_problem(name):
-    """``solve``, ``steps``, ``prove`` and ``draw`` of the motion of the disk and of A or B."""
+    """The same, and ``follows``, of the motion of the disk and of A or B."""
     return (
         lambda g: all_motion(disk_in_bracket(g), name, g.r),
         lambda g: [*turning_steps(g), *rim_steps(g, name)],
         lambda g: prove_turning(g) | prove_rim(g, name),
         lambda g, ax: figure(g, ax, name, r"\omega_b"),
+        {"alpha_disk": alpha_disk} | rim_from_turning(name),
     )
 
 
+def from_centre(name, r):
+    """The components from the centre to a point of the rim."""
+    return [r if e else 0 for e in PLACES[name]]
+
+
 def rim_point(disk, name, r):
-    """The point A or B of the rim, fixed in the disk."""
-    return disk.point(name, *(r if e else 0 for e in PLACES[name]))
+    """The point of the rim, fixed in the disk."""
+    return disk.point(name, *from_centre(name, r))
 
 
 def turning(frames):
@@ -68,13 +75,15 @@ def rim_motion(frames, name, r):
 
 
 def all_motion(frames, name, r):
-    """The motion of the disk and of A or B."""
     return turning(frames) | rim_motion(frames, name, r)
 
 
+def solve_turning(g):
+    return turning(disk_in_bracket(g))
+
+
 def turning_steps(g):
-    """The terms of both angular answers."""
-    omega, alpha = turning(disk_in_bracket(g)).values()
+    omega, alpha = solve_turning(g).values()
     yield from terms(omega, "omega_disk", "rad/s", "4.9")
     yield from terms(alpha, "alpha_disk", "rad/s^2", "4.9")
 
@@ -101,9 +110,7 @@ def alpha_disk(g, omega_disk):
 
 def rim_from_turning(name):
     """``follows`` of the velocity and the acceleration of A or B, by the disk as a rigid body."""
-
-    def r(g, frame):
-        return frame.vector(*(g.r if e else 0 for e in PLACES[name]))
+    r = lambda g, frame: frame.vector(*from_centre(name, g.r))
 
     def v(g, omega_disk):
         (omega, _), _, b = data(g)
@@ -117,11 +124,6 @@ def rim_from_turning(name):
         return centre + acceleration_of(omega_disk, alpha_disk, r(g, frame))
 
     return {f"v_{name}": v, f"a_{name}": a}
-
-
-def all_from_turning(name):
-    """``follows`` of the motion of the disk and of A or B."""
-    return {"alpha_disk": alpha_disk} | rim_from_turning(name)
 
 
 def wrong_accelerations_of_B(g, a):

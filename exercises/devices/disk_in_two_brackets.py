@@ -6,11 +6,10 @@ the axis of the disk in A. The three axes meet at the disk's centre. On the rim,
 D at the side on +x.
 """
 
+from exercises.devices.disk_in_bracket import from_centre, rim_point
 from exercises.devices.moving_frame import seen_in
 from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, scaled, terms
 from newton_euler import Frame
-
-PLACES = {"C": (0, 0, 1), "D": (1, 0, 0)}
 
 
 def disk_in_two_brackets(g):
@@ -31,26 +30,18 @@ def rim_problem(name):
     )
 
 
-def rim_point(g, disk, name):
-    """The point C or D of the rim, fixed in the disk."""
-    return disk.point(name, *(g.r if e else 0 for e in PLACES[name]))
-
-
 def frames_and_point(g, name):
-    """The frames and one point of the rim."""
     frames = disk_in_two_brackets(g)
-    return frames, rim_point(g, frames[-1], name)
+    return frames, rim_point(frames[-1], name, g.r)
 
 
 def answers(frames, S):
     """The answers for the rim point S, along the axes of B."""
     ground, B, _, disk = frames
-    return in_frame(B, {
-        "omega_disk": disk.angular_velocity(ground),
-        "alpha_disk": disk.angular_acceleration(ground),
-        f"v_{S.name}": S.velocity(ground),
-        f"a_{S.name}": S.acceleration(ground),
-    })  # fmt: skip
+    omega, alpha = disk.angular_velocity(ground), disk.angular_acceleration(ground)
+    v, a = S.velocity(ground), S.acceleration(ground)
+    turning = {"omega_disk": omega, "alpha_disk": alpha}
+    return in_frame(B, {**turning, f"v_{S.name}": v, f"a_{S.name}": a})
 
 
 def rim_steps(g, name):
@@ -68,10 +59,7 @@ def rim_steps(g, name):
 
 def rim_from_turning(name):
     """``follows`` of v and a of C or D: the disk is rigid, its centre at rest."""
-
-    def r(g, frame):
-        return frame.vector(*(g.r if e else 0 for e in PLACES[name]))
-
+    r = lambda g, frame: frame.vector(*from_centre(name, g.r))
     v = lambda g, omega_disk: omega_disk.cross(r(g, omega_disk.frame))
 
     def a(g, omega_disk, alpha_disk):
@@ -126,7 +114,6 @@ def wrong_alphas(alpha):
 
 
 def draw_two_brackets(g, ax, name):
-    """The figure, with C or D."""
     ground, B, A, disk = disk_in_two_brackets(g)
     s = Sketch(ax, ground, azimuth=50, elevation=20)
     ring, arm, low = 1.3 * g.r, 1.6 * g.r, -1.6 * g.r
@@ -146,7 +133,8 @@ def draw_two_brackets(g, ax, name):
     s.turn(B.point("", 0, 0, 1.3 * low), B.k, label=r"$\omega_1$")
     s.turn(B.point("", arm, 0, 0), B.i, label=r"$\omega_2$")
     s.turn(A.point("", 0, 1.5 * g.r, 0), A.j, label=r"$\omega_3$")
-    s.dot(rim_point(g, disk, name), name)
+    rim = rim_point(disk, name, g.r)
+    s.dot(rim, name)
     s.label(B.point("", arm, 0, low), "B")
     s.label(A.point("", 0.7 * ring, -0.7 * ring, 0), "A")
-    s.dimension(O, rim_point(g, disk, name), label="r")
+    s.dimension(O, rim, label="r")

@@ -45,11 +45,6 @@ def rolling(Omega, radius, L, *rise):
     return spinning(Omega, spin, L, *rise)
 
 
-def turned(points):
-    """Proof: mass points turned from the axis z to the axis x."""
-    return [(share, [z, x, y]) for share, (x, y, z) in points]
-
-
 def carried(points, Omega, spin, L, rise=0):
     """Proof: the motion of mass points, given relative to C along the axes of the shaft."""
     tilt = rot("y", -rise)
@@ -69,5 +64,5 @@ def unrolled(Omega, radius, path):
 
 def energy_of_disk(m, radius, Omega, spin, L, rise=0):
     """Proof: kinetic energy of the mass points of a thin disk."""
-    points = turned(disk(radius, order=2))
+    points = proofs.along_x(disk(radius, order=2))
     return proofs.kinetic_energy(m, carried(points, Omega, spin, L, rise))

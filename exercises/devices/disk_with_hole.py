@@ -8,7 +8,6 @@ DISK = Frame("disk")
 
 
 def parts(g, density=1):
-    """The full disk and the hole."""
     full = disk(g.R, DISK, "z", density=density, name="full disk")
     return [full], [disk(g.r, DISK.point("C", g.e, 0, 0), "z", density=density, name="hole")]
 

@@ -11,9 +11,9 @@ def over_rings(g, f):
     return integral(f, 0, pi(g.one) / 2)
 
 
-def area_of_ring(g, phi, width=None):
-    """Area per dphi; ``width`` is R by default."""
-    return 2 * pi(g.one) * (g.R * sin(phi)) * (g.R if width is None else width)
+def area_of_ring(g, phi, width):
+    """Area per dphi, for this width per dphi."""
+    return 2 * pi(g.one) * (g.R * sin(phi)) * width
 
 
 def shadow(g, s):

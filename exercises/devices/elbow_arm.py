@@ -13,14 +13,14 @@ def arm_and_rod(g):
     return ground, arm, rod, rod.point("D", 0, -g.L, 0)  # at beta = 0 the rod lies on CB
 
 
+def motion(D, ground, **via):
+    return {"v_D": D.velocity(ground, **via), "a_D": D.acceleration(ground, **via)}
+
+
 def solve(g):
-    """The answers of both problems."""
     ground, arm, rod, D = arm_and_rod(g)
-    return in_frame(ground, {
-        "alpha_CD": rod.angular_acceleration(ground),
-        "v_D": D.velocity(ground, via=arm),
-        "a_D": D.acceleration(ground, via=arm),
-    })  # fmt: skip
+    alpha = rod.angular_acceleration(ground)
+    return in_frame(ground, {"alpha_CD": alpha, **motion(D, ground, via=arm)})
 
 
 def steps(g):
@@ -47,15 +47,14 @@ follows = {"a_D": a_D}
 def prove(g):
     """The direction of CD in the turning vertical plane, raised by beta from CB."""
 
+    beta = lambda t: g.beta_1 + g.b_dot * t
+
     def rod(t):
-        c, s = mp.cos(g.beta_1 + g.b_dot * t), mp.sin(g.beta_1 + g.b_dot * t)
+        c, s = mp.cos(beta(t)), mp.sin(beta(t))
         # columns: x, the direction of CD, their cross product
         return times(rot("z", g.omega * t), transposed([[1, 0, 0], [0, -c, s], [0, -s, -c]]))
 
-    def in_arm(t):
-        beta = g.beta_1 + g.b_dot * t
-        return [0, g.b - g.L * mp.cos(beta), g.L * mp.sin(beta)]
-
+    in_arm = lambda t: [0, g.b - g.L * mp.cos(beta(t)), g.L * mp.sin(beta(t))]
     D = lambda t: times(rot("z", g.omega * t), in_arm(t))
     alpha = proofs.angular_acceleration(rod)
     answers = {"alpha_CD": alpha, "v_D": rate(D), "a_D": proofs.second_rate(D)}
@@ -63,7 +62,6 @@ def prove(g):
 
 
 def common_mistakes(g):
-    """The mistakes of both problems."""
     ground, arm, rod, D = arm_and_rod(g)
     return in_frame(ground, {
         "no_cross_product": {"alpha_CD": rod.angular_acceleration(ground).without("BC x CD")},
@@ -73,7 +71,6 @@ def common_mistakes(g):
 
 
 def draw(g, ax):
-    """The figure of both problems."""
     ground, arm, _, D = arm_and_rod(g)
     B, C = arm.point("B", 0, 0, 0), arm.point("C", 0, g.b, 0)
     A = arm.point("A", 0, 0, -g.b)

@@ -1,6 +1,6 @@
 """The helix of 3/4, 3/5 and 3/7, about the z axis; its rise is per radian."""
 
-from exercises.tools import Sketch, mp
+from exercises.tools import Sketch, at_angle, mp
 from newton_euler import Frame, cos, cylindrical, pi, sin
 
 
@@ -18,14 +18,8 @@ def unrolled(radius, rise, speed, start=0):
     """Proof: position at constant speed; unrolled, the helix is a hypotenuse above its circle."""
     turn = 2 * mp.pi * radius
     along = mp.hypot(turn, 2 * mp.pi * rise)
-
-    def place(t):
-        turns = speed * t / along
-        theta = start + 2 * mp.pi * turns
-        up = rise * (start + 2 * mp.pi * turns)
-        return [radius * mp.cos(theta), radius * mp.sin(theta), up]
-
-    return place
+    theta = lambda t: start + 2 * mp.pi * speed * t / along
+    return lambda t: at_angle(radius, theta(t), rise * theta(t))
 
 
 def figure(ax, ground, radius, rise, theta, name, turns=1.25):

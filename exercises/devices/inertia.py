@@ -37,6 +37,11 @@ def untransferred(frame, part):
     return Body(part.name, part.mass, frame.origin, part.inertia.moments, frame)
 
 
+def named(products):
+    """The three products of inertia as answers."""
+    return dict(zip(("I_xy", "I_yz", "I_zx"), products, strict=True))
+
+
 def wrong_sign(frame, I):
     """The mistake of products of inertia with a plus sign in the matrix."""
     return matrix(frame, I.moments, [-x for x in I.products])
@@ -48,24 +53,19 @@ def no_products(frame, I):
 
 
 def steps_of(frame, parts, removed=(), *, mass, length, inertia, at_O=(), given=()):
-    """Mass (unless ``given``), own matrix, place and matrix at O of each part; ``at_O`` names parts
-    centred at O.
-    """
+    """Mass (unless ``given``), own matrix, place, matrix at O of parts; ``at_O``: those there."""
     for part in (*parts, *removed):
         key, cut_out = part.name.split()[0], ", to be subtracted" if part in removed else ""
         if key not in given:
             yield Step(f"m_{key}", part.mass, mass, f"mass of the {part.name}{cut_out}", "7.10")
         own = part.about(part.centre, frame).matrix
         if part.name in at_O:
-            yield Step(f"I_{key}", own, inertia,
-                       f"inertia matrix of the {part.name} at O, its centre of mass",
-                       "7.10", kind="matrix")  # fmt: skip
+            means = f"inertia matrix of the {part.name} at O, its centre of mass"
+            yield Step(f"I_{key}", own, inertia, means, "7.10", kind="matrix")
             continue
-        yield Step(f"I_G_{key}", own, inertia,
-                   f"inertia matrix of the {part.name} about its own centre of mass",
-                   "7.10", kind="matrix")  # fmt: skip
-        yield Step(f"d_{key}", part.centre.position(frame), length,
-                   f"centre of mass of the {part.name}, from O", "7.8")  # fmt: skip
-        yield Step(f"I_{key}", part.about(frame).matrix, inertia,
-                   f"inertia matrix of the {part.name} at O", "7.8", "7.25",
-                   kind="matrix")  # fmt: skip
+        means = f"inertia matrix of the {part.name} about its own centre of mass"
+        yield Step(f"I_G_{key}", own, inertia, means, "7.10", kind="matrix")
+        means, d = f"centre of mass of the {part.name}, from O", part.centre.position(frame)
+        yield Step(f"d_{key}", d, length, means, "7.8")
+        means, I = f"inertia matrix of the {part.name} at O", part.about(frame).matrix
+        yield Step(f"I_{key}", I, inertia, means, "7.8", "7.25", kind="matrix")

@@ -1,6 +1,4 @@
-"""Proofs of inertia matrices, by the angular momenta of mass points of a turning body: without a
-table of solids or the parallel axis theorem.
-"""
+"""Inertia matrices by the angular momenta of mass points, without tables or parallel axes."""
 
 from itertools import pairwise
 
@@ -23,12 +21,6 @@ def added(*weighed):
     """The sum of pairs (factor, matrix), each times its factor."""
     factors, matrices = zip(*weighed, strict=True)
     return weighted(factors, matrices)
-
-
-def raised(points, length):
-    """Mass points spread along z as well, symmetrically over this length."""
-    along = proofs.box(0, 0, length, order=2)
-    return [(u * v, proofs.plus(p, q)) for u, p in points for v, q in along]
 
 
 def along_path(density, place, way, corners):

@@ -7,7 +7,6 @@ GROUND = Frame("ground")
 
 
 def vectors(g):
-    """v and a from their components."""
     return GROUND.vector(g.v_x, g.v_y, g.v_z), GROUND.vector(g.a_x, g.a_y, g.a_z)
 
 

@@ -34,9 +34,7 @@ def seen_in(frame, P, axes, length, phrase, start, r="r", acceleration=True):
 
 
 def motion_via(frame, P, ground, key, phrase, start, moved="P"):
-    """Rotation of the frame in ``phrase``, motion of P relative to it; terms of (4.17), (4.18), in
-    m.
-    """
+    """Rotation of the frame in ``phrase``, motion of P in it, terms of (4.17), (4.18), in m."""
     yield from turning_of(frame, ground, frame, key, f"the moving frame, fixed in {phrase},")
     yield from seen_in(frame, P, frame, "m", phrase, start)
     v, a = P.velocity(ground, via=frame), P.acceleration(ground, via=frame)

@@ -23,18 +23,17 @@ def first_moments(end, height):
     )
 
 
-def moments_to_first(end, height):
-    """The area and its first moments."""
-    return area(end, height), *first_moments(end, height)
+def centre_of(end, height):
+    """The area with its first moments, ``solve`` and ``steps``, for functions of g."""
+    moments = lambda g: (area(end(g), height(g)), *first_moments(end(g), height(g)))
+    return moments, lambda g: centre(*moments(g)), lambda g: steps_to_centre(end(g), height(g))
 
 
-def second_moments(end, height):
-    """The integrals of x^2, y^2 and x y over the area."""
-    return (
-        over_strips(end, height, lambda x, y: x**2 * y),
-        over_strips(end, height, lambda x, y: y**3 / 3),
-        over_strips(end, height, lambda x, y: x * y**2 / 2),
-    )
+def moments_of_inertia(mass, area, end, height):
+    """(I_xx, I_yy, I_zz), (I_xy, I_yz, I_zx) at O, for this mass per area."""
+    of_strips = (lambda x, y: x**2 * y), (lambda x, y: y**3 / 3), (lambda x, y: x * y**2 / 2)
+    xx, yy, xy = (mass / area * over_strips(end, height, f) for f in of_strips)
+    return (yy, xx, xx + yy), (xy, 0, 0)
 
 
 def centre(area, first_x, first_y):
@@ -53,12 +52,12 @@ def steps_to_centre(end, height):
 def steps_to_inertia(end, height, mass):
     """The steps to the inertia matrix at O of a plate of this mass."""
     A = area(end, height)
-    xx, yy, xy = (mass / A * x for x in second_moments(end, height))
+    (I_xx, I_yy, I_zz), (I_xy, _, _) = moments_of_inertia(mass, A, end, height)
     yield Step("area", A, "m^2", "area of the plate, the integral of y dx", "7.3")
     yield Step("sigma", mass / A, "kg/m^2", "mass per unit area", "7.3")
-    yield Step("I_xx", yy, "kg*m^2", "integral of y^2 dm, of each strip y^2/3 dm", "7.2", "7.10")
-    yield Step("I_yy", xx, "kg*m^2", "integral of x^2 dm", "7.2", "7.10")
-    yield Step("I_xy", xy, "kg*m^2", "integral of x y dm, of each strip x y/2 dm", "7.2", "7.10")
+    yield Step("I_xx", I_xx, "kg*m^2", "integral of y^2 dm, of each strip y^2/3 dm", "7.2", "7.10")
+    yield Step("I_yy", I_yy, "kg*m^2", "integral of x^2 dm", "7.2", "7.10")
+    yield Step("I_xy", I_xy, "kg*m^2", "integral of x y dm, of each strip x y/2 dm", "7.2", "7.10")
     yield Step(
-        "I_zz", xx + yy, "kg*m^2", "moment of inertia about z, the plate being flat", "7.2", "7.10"
+        "I_zz", I_zz, "kg*m^2", "moment of inertia about z, the plate being flat", "7.2", "7.10"
     )

@@ -26,7 +26,6 @@ def steps(r, a):
 
 
 def mistakes(a):
-    """Terms of the acceleration left out."""
     return {
         "no_coriolis": {"a": a.without("coriolis").norm()},
         "no_r_ddot": {"a": a.without("radial").norm()},

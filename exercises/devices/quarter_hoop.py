@@ -1,6 +1,6 @@
 """A collar on a smooth quarter hoop (11/4, 11/5): O the origin, y up; A left, B below."""
 
-from exercises.tools import Sketch, minus, mp, plus, until
+from exercises.tools import Sketch, mp, plus, until
 from newton_euler import Frame, pi
 from newton_euler.dynamics import constant_force_work, weight
 
@@ -29,17 +29,6 @@ def slides(g, pull=lambda place: [0, 0]):
     step = mp.sqrt(g.R / g.g) / 8
     t, (_, u) = until(rates, [0 * step, 0 * step], lambda s: s[0] - mp.pi / 2, step)
     return t, u * g.R
-
-
-def spring_pull(g, P):
-    """Proof: the force of a spring from the pin ``P`` on the collar, as a function of its place."""
-
-    def pull(place):
-        toward = minus(P, place)
-        length = mp.hypot(*toward)
-        return [g.k * (length - g.l_0) * x / length for x in toward]
-
-    return pull
 
 
 def sketch(g, ax):

@@ -9,8 +9,11 @@ def turning(g):
     return 2 * pi(g.T) / g.T
 
 
-def axle_and_disk(g, spin):
-    """Axes that turn about y with the axle; the disk, about z, outward; A on its rim."""
+def axle_and_disk(g, spin=None):
+    """Axes that turn about y with the axle; the disk, about z, outward, rolling by default; A on
+    its rim.
+    """
+    spin = rolling_spin(g) if spin is None else spin
     ground = Frame("ground")
     arm = ground.rotate("axle", "y", rate=turning(g))
     axle = arm.translate("axes at C", arm.point("C", 0, 0, g.R))
@@ -32,7 +35,7 @@ def rolling_spin(g):
 
 def rolling_steps(g):
     """The rotation of the axle and the condition of rolling."""
-    ground, axle, disk, _ = axle_and_disk(g, rolling_spin(g))
+    ground, axle, disk, _ = axle_and_disk(g)
     omega = axle.angular_velocity(ground).expressed_in(axle)
     means = "angular velocity of the axle, once round in T"
     yield Step("omega_axle", omega, "rad/s", means, "4.4", "4.9")
@@ -55,11 +58,8 @@ def proved_steps(g):
 def orientation(g):
     """Proof, over time: centre and rim both cover the arc R theta; A starts at the bottom."""
 
-    def disk(t):
-        theta = 2 * mp.pi * t / g.T
-        return times(rot("y", theta), rot([0, 0, -1], g.R * theta / g.r))
-
-    return disk
+    theta = lambda t: 2 * mp.pi * t / g.T
+    return lambda t: times(rot("y", theta(t)), rot([0, 0, -1], g.R * theta(t) / g.r))
 
 
 def rim_point(g):
@@ -69,18 +69,14 @@ def rim_point(g):
         theta = 2 * mp.pi * t / g.T
         unrolled = g.R * theta / g.r
         outward, forward = [mp.sin(theta), 0, mp.cos(theta)], [mp.cos(theta), 0, -mp.sin(theta)]
-        return plus(
-            scaled(g.R, outward),
-            scaled(g.r * mp.cos(unrolled), forward),
-            [0, -g.r * mp.sin(unrolled), 0],
-        )
+        ahead = scaled(g.r * mp.cos(unrolled), forward)
+        return plus(scaled(g.R, outward), ahead, [0, -g.r * mp.sin(unrolled), 0])
 
     return A
 
 
 def sketch(g, ax, with_A=True):
-    """The figure of all three problems."""
-    ground, axle, _, A = axle_and_disk(g, rolling_spin(g))
+    ground, axle, _, A = axle_and_disk(g)
     C = axle.point("C", 0, 0, 0)
     origin = ground.point("origin", 0, 0, 0)
     foot = ground.point("foot", 0, -g.r, 0)

@@ -59,9 +59,7 @@ def motion(A, B):
 
 
 def without_tension(A, B):
-    """(F, M): net force and effective mass after T is eliminated; A accelerates at ``B.runs`` and B
-    at ``-A.runs`` times F/M.
-    """
+    """(F, M): net force and effective mass without T; a_A = B.runs F/M and a_B = -A.runs F/M."""
     F = A.pulls * B.W_t - B.pulls * A.W_t
     return F, A.m * (B.runs * B.pulls) + B.m * (A.runs * A.pulls)
 

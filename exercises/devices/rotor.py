@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from exercises.tools import Sketch, Step, in_frame, mpf, proofs, rate, rot, size, terms, times
+from exercises.tools import Sketch, Step, in_frame, mpf, proofs, rate, rot, size, terms
 from newton_euler import Body, Frame, Point, composite, dynamics
 from newton_euler.applications import balance, reactions
 
@@ -55,14 +55,12 @@ def answers(r):
 def principal_steps(body, *axes):
     """The relevant moments of inertia about the centre; ``axes``: (key, body axis, description)."""
     for key, axis, which in axes:
-        yield Step(key, body.inertia.moment(axis), "kg*m^2", f"moment of inertia {which}",
-                   "7.6")  # fmt: skip
+        means = f"moment of inertia {which}"
+        yield Step(key, body.inertia.moment(axis), "kg*m^2", means, "7.6")
 
 
 def shaft_steps(r, products="xy", from_principal=False, particles=False):
-    """The moment and ``products`` of inertia that enter H_O: those that are not zero;
-    ``from_principal`` moments, sums over ``particles``, or integrals.
-    """
+    """The moment and the non-zero ``products`` of inertia in H_O, and by which formula."""
     found = ("7.4", "") if from_principal else ("7.2", "7.9" if particles else "7.10")
     added = "the sum of m*{}*{}" if particles else "the integral of {}*{}*dm"
     I = r.body.about(r.O, r.shaft)
@@ -77,8 +75,7 @@ def shaft_steps(r, products="xy", from_principal=False, particles=False):
 def force_steps(r):
     """Steps for G off the axis: its acceleration, and the terms of each bearing force."""
     a_G = r.body.centre.acceleration(r.ground).expressed_in(r.shaft)
-    yield Step("a_G", a_G, "m/s^2", "acceleration of the centre of mass", "4.8",
-               "4.18")  # fmt: skip
+    yield Step("a_G", a_G, "m/s^2", "acceleration of the centre of mass", "4.8", "4.18")
     for key, force in ("F_A", forces(r).A), ("F_B", forces(r).B):
         yield from terms(force.expressed_in(r.shaft), key, "N", "9.5", "9.9")
 
@@ -144,21 +141,15 @@ def with_inertia(r, moment=1, product=1):
 
 
 def only(answers, *keys):
-    return {key: answers[key] for key in keys}
+    """These answers; all but the word by default."""
+    return {key: answers[key] for key in keys or ("H_O", "Hdot_O", "F_A", "F_B")}
 
 
 def pure_couple(r):
     """The mistake of bearing forces without m a_G."""
     found = forces(r)
-    return in_frame(r.shaft, {
-        "F_A": found.A.without("static"),
-        "F_B": found.B.without("static"),
-    })  # fmt: skip
-
-
-def on_the_bearings(r):
-    found = answers(r)
-    return {"F_A": -found["F_A"], "F_B": -found["F_B"]}
+    wrong = {"F_A": found.A.without("static"), "F_B": found.B.without("static")}
+    return in_frame(r.shaft, wrong)
 
 
 # -- proof
@@ -170,11 +161,7 @@ def prove(g, points, a, b, extra=("I_xx", "I_xy")):
     has no moment about its own bearing, so each follows from the moment about the other. ``extra``
     names steps to return too.
     """
-
-    def carried(t):
-        R = rot("x", g.omega * t)
-        return [(mass, times(R, place)) for mass, place in points]
-
+    carried = proofs.carried(points, lambda t: rot("x", g.omega * t))
     momentum = lambda t: proofs.angular_momentum(1, carried, t=t)
     _, y, z = proofs.moment_needed(1, carried, (a, 0, 0))
     F_B = [0, z / (b - a), -y / (b - a)]

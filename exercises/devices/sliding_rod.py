@@ -1,35 +1,42 @@
-"""The rod BE of 2/36 to 2/39 slides along i in a bracket that turns clockwise about A."""
+"""The rod BE of 2/36 to 2/39 slides along i in a bracket that turns clockwise about A.
+
+omega grows at alpha (clockwise), and u falls at dec, if they are given.
+"""
 
 from exercises.devices.turning_plate import motion, motion_steps, proof, turning
 from exercises.tools import Sketch, in_frame
 from newton_euler import moving
 
 
-def about(name, side, **rates):
+def about(name, side):
     """The end ``name`` as a function of g, and ``solve``, ``steps``, ``prove`` and ``draw`` for it;
-    ``side``: -1 or 1, along i from A. ``rates``: functions of g, for :func:`end`.
+    ``side``: -1 or 1, along i from A.
     """
     place = lambda g: (side * getattr(g, f"x_{name}"), getattr(g, f"y_{name}"))
-    given = lambda g: {rate: of(g) for rate, of in rates.items()}
-    this_end = lambda g: end(g, name, *place(g), **given(g))
+    this_end = lambda g: end(g, name, *place(g))
     return (
         this_end,
         lambda g: motion(*this_end(g)),
         lambda g: motion_steps(*this_end(g), "mm"),
-        lambda g: prove(g, name, *place(g), **given(g)),
-        lambda g, ax: draw(g, ax, name, *place(g), **given(g)),
+        lambda g: prove(g, name, *place(g)),
+        lambda g, ax: draw(g, ax, name, *place(g)),
     )
 
 
-def end(g, name, x, y, alpha=None, a_r=None):
-    """Ground, and the rod's end; ``alpha`` (clockwise) and ``a_r`` are the rates of omega and u."""
-    ground, bracket = turning("bracket", -g.omega, None if alpha is None else -alpha)
-    growing = {} if a_r is None else {"acceleration": a_r}
-    return ground, bracket.point(name, moving(x, rate=g.u, **growing), y, 0)
+def second_rates(g):
+    """The clockwise rate of omega, and that of u."""
+    return getattr(g, "alpha", 0), -getattr(g, "dec", 0)
 
 
-def prove(g, name, x, y, alpha=0, a_r=0):
+def end(g, name, x, y):
+    alpha, a_r = second_rates(g)
+    ground, bracket = turning("bracket", -g.omega, -alpha)
+    return ground, bracket.point(name, moving(x, rate=g.u, acceleration=a_r), y, 0)
+
+
+def prove(g, name, x, y):
     """Proof by the explicit path of the end."""
+    alpha, a_r = second_rates(g)
     return proof(
         name,
         "bracket",
@@ -53,11 +60,8 @@ def common_mistakes(g, scene, x):
     }
 
 
-def draw(g, ax, name, x, y, alpha=None, a_r=None):
-    """The figure; the rod extends equally far on both sides of A.
-
-    Second rates are arrows: ``alpha`` a wider arc, the negative ``a_r`` to the left.
-    """
+def draw(g, ax, name, x, y):
+    """The figure; the rod extends equally far on both sides of A. A wider arc is alpha."""
     ground, P = end(g, name, x, y)
     bracket, side, far = P.frame, x / abs(x), abs(x)
     w, A = 0.12 * far, bracket.point("A", 0 * x, 0, 0)
@@ -77,9 +81,9 @@ def draw(g, ax, name, x, y, alpha=None, a_r=None):
     s.axes(A, ground, labels=["i", "j", ""])
     s.turn(A, -ground.k, label=r"$\omega$")
     s.vector((far, y, 0), ground.i, "u")
-    if alpha is not None:
+    if hasattr(g, "alpha"):
         s.turn(A, -ground.k, label=r"$\alpha$", radius=0.45 * far)
-    if a_r is not None:
+    if hasattr(g, "dec"):
         s.vector((0.9 * far, y - 0.3 * far, 0), -ground.i, "d", kind="acceleration")
     s.label(A, "A", offset=(-4, -22))
     s.line((0.45 * x, 0, 0), (0.9 * x, 0, 0))

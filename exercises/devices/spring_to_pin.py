@@ -1,4 +1,4 @@
-"""A spring from a fixed pin to a particle on a smooth track (11/8, 11/11, 11/12): its pull."""
+"""A spring from a pin to a particle on a smooth track (11/5, 11/8, 11/11, 11/12): its pull."""
 
 from exercises.tools import minus, scaled, size
 

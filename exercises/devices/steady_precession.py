@@ -6,7 +6,7 @@ proofs find the moment that mass points need in the explicit motion, without mom
 equations of a gyroscope.
 """
 
-from exercises.tools import mean, moment_needed, mp, mpf, plus, ring, root, rot, times
+from exercises.tools import carried, mean, moment_needed, mp, mpf, plus, ring, root, rot, times
 from newton_euler import Frame, dynamics, euler_frame
 
 
@@ -29,16 +29,6 @@ def orientation(theta, psi_dot, phi_dot):
     """Orientation as a function of time; at t = 0 the line of nodes is x."""
     tilted = rot("x", theta)
     return lambda t: times(rot("z", psi_dot * t), tilted, rot("z", phi_dot * t))
-
-
-def carried(points, turned):
-    """Mass points, given along the axes of the body, as a function of time."""
-
-    def motion(t):
-        R = turned(t)
-        return [(share, times(R, place)) for share, place in points]
-
-    return motion
 
 
 def needed(m, points, theta, psi_dot, phi_dot):

@@ -18,6 +18,11 @@ def top(g, **wrong):
     return data(g) | {"spin": g.phi_dot} | wrong
 
 
+def two(found):
+    """The answers, from the engine's slow and fast precession."""
+    return {"psi_slow": found.slow, "psi_fast": found.fast}
+
+
 def data_steps(g):
     found = data(g)
     yield Step("I", found["I"], "slug*ft^2", "moment of inertia about the axis of the top, "

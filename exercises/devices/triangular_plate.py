@@ -11,11 +11,8 @@ def height(g):
 def area_points(g):
     """Proof: pairs (area, place), by a map from the unit square whose lower edge goes to O."""
     half = 1 / mpf(2)
-    points = []
-    for share, (x, y, _) in proofs.box(1, 1, 0):
-        u, v = x + half, y + half
-        points.append((share * g.b * g.h * v, [v * g.b * (1 - u), v * g.h * u, 0]))
-    return points
+    square = [(share, x + half, y + half) for share, (x, y, _) in proofs.box(1, 1, 0)]
+    return [(s * g.b * g.h * v, [v * g.b * (1 - u), v * g.h * u, 0]) for s, u, v in square]
 
 
 def figure(g, ax):

@@ -1,4 +1,8 @@
-"""The telescoping boom AB of a truck (2/26 to 2/29), at rest or driving; theta decreases."""
+"""The telescoping boom AB of a truck (2/26 to 2/29), at rest or driving; theta decreases.
+
+The functions are those of all four problems; rates that are not given are zero, and theta matters
+only where the truck moves.
+"""
 
 from exercises.tools import Sketch, Step, at_angle, in_frame, plus, proofs, rate, rot, terms
 from newton_euler import Frame, moving, pi
@@ -6,40 +10,33 @@ from newton_euler import Frame, moving, pi
 UNITS = {"v_B": "ft/s", "a_B": "ft/s^2"}
 
 
-def moving_with(**rates):
-    """The boom, ``solve``, ``steps`` and ``prove``; ``rates`` as for :func:`boom`, of g."""
-    given = lambda g: {name: of(g) for name, of in rates.items()}
-    scene = lambda g: boom(g, **given(g))
-    return (
-        scene,
-        lambda g: motion(*scene(g)),
-        lambda g: boom_steps(*scene(g)),
-        lambda g: prove_boom(g, **given(g)),
-    )
+def data(g):
+    """The second rates of the length and of theta, and the truck's velocity and acceleration."""
+    L_ddot, alpha, v, a = (getattr(g, name, 0) for name in ("L_ddot", "alpha", "v", "a"))
+    return L_ddot, -alpha, v, a
 
 
-def boom(g, L_ddot=0, alpha=0, theta=0, v=0, a=0):
-    """Ground, x forward and y up; the boom, with i from A to B; B.
-
-    L_ddot : the second rate of the length
-    alpha : theta''; theta itself matters only where the truck moves
-    v, a : of the truck, forward
-    """
+def boom(g, theta=0):
+    """Ground, x forward and y up; the boom, with i from A to B; B."""
+    L_ddot, alpha, v, a = data(g)
     ground = Frame("ground")
     A = ground.point("A", moving(0, rate=v, acceleration=a), 0, 0)
+    theta = getattr(g, "theta", theta)
     arm = ground.rotate("boom", "z", theta, rate=-g.omega, acceleration=alpha, origin=A)
     B = arm.point("B", moving(g.L, rate=g.L_dot, acceleration=L_ddot), 0, 0)
     return ground, arm, B
 
 
-def motion(ground, arm, B):
+def solve(g):
     """The answers, in the axes of the boom."""
+    ground, arm, B = boom(g)
     v, a = B.velocity(ground, via=arm), B.acceleration(ground, via=arm)
     return in_frame(arm, {"v_B": v, "a_B": a})
 
 
-def boom_steps(ground, arm, B):
+def steps(g):
     """The rotation of the boom, the motion of B relative to it, then the terms of the answers."""
+    ground, arm, B = boom(g)
     omega, alpha = arm.angular_velocity(ground), arm.angular_acceleration(ground)
     yield Step("omega_boom", omega.expressed_in(arm), "rad/s",
                "angular velocity of the boom, along k", "2.8", "2.19")  # fmt: skip
@@ -48,15 +45,15 @@ def boom_steps(ground, arm, B):
     yield Step("v_r", B.velocity(arm), "ft/s", "velocity of B in the boom", "2.10", "2.24")
     yield Step("a_r", B.acceleration(arm), "ft/s^2", "acceleration of B in the boom", "2.10",
                "2.25")  # fmt: skip
-    for key, value in motion(ground, arm, B).items():
+    for key, value in solve(g).items():
         yield from terms(value, key, UNITS[key], "2.10", {"v_B": "2.24", "a_B": "2.25"}[key])
 
 
-def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
+def prove(g):
     """B over time, forward and up; along the boom, the answers do not depend on theta."""
+    (L_ddot, alpha, v, a), theta = data(g), getattr(g, "theta", 1)
     elevation = lambda t: theta - g.omega * t + alpha * t**2 / 2
     A = lambda t: [v * t + a * t**2 / 2, 0, 0]
-
     L = lambda t: g.L + g.L_dot * t + L_ddot * t**2 / 2
     B = lambda t: plus(A(t), at_angle(L(t), elevation(t)))
     along_boom = lambda vector, t=0: proofs.times(proofs.transposed(rot("z", elevation(t))), vector)
@@ -71,10 +68,9 @@ def prove_boom(g, L_ddot=0, alpha=0, theta=1, v=0, a=0):
     }
 
 
-def sketch(g, ax, theta=None):
+def draw(g, ax):
     """The truck, the boom, omega and the axes of the answers; theta is 35 degrees by default."""
-    angle = 7 * pi(g.L) / 36 if theta is None else theta
-    ground, arm, B = boom(g, theta=angle)
+    ground, arm, B = boom(g, theta=7 * pi(g.L) / 36)
     size = g.L
     A, road = ground.point("A", 0, 0, 0), -0.3 * size
     s = Sketch(ax, ground, plane="xy")
@@ -96,4 +92,6 @@ def sketch(g, ax, theta=None):
     s.axes(arm.point("foot", 0.6 * size, 0, 0), arm, length=0.14 * size, labels=["i", "j", ""])
     s.label(A, "A", offset=(-12, -4))
     s.label(B, "B", offset=(-3, 12))
-    return s
+    for name, up, kind in (("v", -0.2, "velocity"), ("a", -0.1, "acceleration")):
+        if hasattr(g, name):
+            s.vector((0.26 * size, up * size, 0), (1, 0, 0), name, kind=kind)

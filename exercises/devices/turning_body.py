@@ -62,9 +62,7 @@ def products(inertia, axis):
 
 
 def inertia_steps(inertia, axis, system="SI", particles=False):
-    """The moment of inertia about the axis, of each part and of the whole, and the products, which
-    are sums over ``particles`` or integrals.
-    """
+    """The moments of inertia about the axis, of parts and whole, and the products with it."""
     unit, n = UNITS[system]["inertia"], "xyz".index(axis)
     parts = inertia.terms if len(inertia.terms) > 1 and "own" not in inertia.terms else {}
     for name, part in parts.items():
@@ -83,7 +81,6 @@ def inertia_steps(inertia, axis, system="SI", particles=False):
 
 
 def steps_of(g, inertia, axis, system="SI", particles=False):
-    """The inertia, and the terms of the moment."""
     yield from inertia_steps(inertia, axis, system, particles)
     yield from terms(answers(g, inertia, axis)["M_O"], "M_O", UNITS[system]["moment"], "8.5")
 

@@ -4,9 +4,8 @@ from exercises.tools import Sketch, minus, mp, mpf, plus, rate, rot, scaled, tim
 from newton_euler import Frame, cos, sin
 from newton_euler.applications import earth_frame, earth_rate, ground_frame, projectile_position
 
-RADIUS = mpf(
-    6_400_000
-)  # m, of the Earth in proofs, which to first order in its rate do not depend on it
+# m, of the Earth in proofs, which to first order in its rate do not depend on it
+RADIUS = mpf(6_400_000)
 
 
 def ground_axes(g):

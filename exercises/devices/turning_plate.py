@@ -4,40 +4,32 @@ from exercises.tools import Step, in_frame, mp, proofs, rate, rot, second_rate, 
 from newton_euler import Frame
 
 
-def turning(name, omega, alpha=None):
+def turning(name, omega, alpha=0):
     """Ground with z out of the plane; the plate, about A, at the instant parallel to the ground."""
     ground = Frame("ground")
-    growing = {} if alpha is None else {"acceleration": alpha}
-    return ground, ground.rotate(name, "z", rate=omega, **growing)
+    return ground, ground.rotate(name, "z", rate=omega, acceleration=alpha)
 
 
 def motion(ground, P):
     """Velocity and acceleration of P, which moves in the plate, with their terms."""
-    return in_frame(ground, {
-        f"v_{P.name}": P.velocity(ground),
-        f"a_{P.name}": P.acceleration(ground),
-    })  # fmt: skip
+    v, a = P.velocity(ground), P.acceleration(ground)
+    return in_frame(ground, {f"v_{P.name}": v, f"a_{P.name}": a})
 
 
 def motion_steps(ground, P, length):
     """The quantities in (2.24) and (2.25), then the terms; ``length`` is the unit of length."""
     plate, name = P.frame, P.frame.name
-    yield Step(
-        f"omega_{name}", plate.angular_velocity(ground), "rad/s",
-        f"angular velocity of the {name}", "2.8", "2.19",
-    )  # fmt: skip
-    yield Step(
-        f"alpha_{name}", plate.angular_acceleration(ground), "rad/s^2",
-        f"angular acceleration of the {name}", "2.10", "2.26",
-    )  # fmt: skip
+    omega, alpha = plate.angular_velocity(ground), plate.angular_acceleration(ground)
+    means = f"angular velocity of the {name}"
+    yield Step(f"omega_{name}", omega, "rad/s", means, "2.8", "2.19")
+    means = f"angular acceleration of the {name}"
+    yield Step(f"alpha_{name}", alpha, "rad/s^2", means, "2.10", "2.26")
     yield Step("r", P.position(plate), length, f"position of {P.name} from A", "2.10", "2.23")
-    yield Step(
-        "v_r", P.velocity(plate), f"{length}/s",
-        f"velocity of {P.name} relative to the {name}", "2.10", "2.24",
-    )  # fmt: skip
-    v, a = motion(ground, P).items()
-    yield from terms(v[1], v[0], f"{length}/s", "2.10", "2.24")
-    yield from terms(a[1], a[0], f"{length}/s^2", "2.10", "2.25")
+    means = f"velocity of {P.name} relative to the {name}"
+    yield Step("v_r", P.velocity(plate), f"{length}/s", means, "2.10", "2.24")
+    v, a = motion(ground, P).values()
+    yield from terms(v, f"v_{P.name}", f"{length}/s", "2.10", "2.24")
+    yield from terms(a, f"a_{P.name}", f"{length}/s^2", "2.10", "2.25")
 
 
 def proof(name, plate, theta, x, y):

@@ -1,15 +1,21 @@
-"""The cars of 2/30 to 2/32, on curves that bend apart: the motion of B as seen from A."""
+"""The cars of 2/30 to 2/32, on curves that bend apart: the motion of B as seen from A.
+
+``solve``, ``steps``, ``prove`` and ``draw`` are those of 2/31 and 2/32. The speed of A grows at c_A
+and that of B falls at c_B, if they are given.
+"""
 
 from exercises.tools import Sketch, Step, minus, mp, proofs, rate, rot, second_rate, times
 from newton_euler import Frame, cos, moving, sin
 
 
-def cars(g, a_A=0, a_B=0):
-    """Ground, at the instant parallel to car A; the frame of car A; B.
+def rates(g):
+    """The rates of the speeds of A and B."""
+    return getattr(g, "c_A", 0), -getattr(g, "c_B", 0)
 
-    a_A, a_B : rates of the speeds of A and B
-    """
-    ground = Frame("ground")
+
+def cars(g):
+    """Ground, at the instant parallel to car A; the frame of car A; B."""
+    ground, (a_A, a_B) = Frame("ground"), rates(g)
     # both turn counterclockwise: each car has the centre of its curve on its left
     left = ground.point("centre of A's curve", -g.R, 0, 0)
     right = ground.point("centre of B's curve", g.x + g.R, 0, 0)
@@ -43,6 +49,10 @@ def seen_acceleration(ground, car, B, *missing, seen=None):
     return B.acceleration(ground).expressed_in(ground) - a.without(*missing)
 
 
+def solve(g):
+    return {"a_rel": seen_acceleration(*cars(g))}
+
+
 def velocity_steps(ground, car, B):
     """The quantities in (2.24)."""
     v = place(ground, car, B).velocity(ground).expressed_in(ground)
@@ -54,14 +64,13 @@ def velocity_steps(ground, car, B):
     yield Step("v_rotation", v.terms["rotation"], "m/s", "the term omega x r", "2.10", "2.24")
 
 
-def acceleration_steps(ground, car, B):
+def steps(g):
     """The quantities in (2.25)."""
+    ground, car, B = cars(g)
     yield from velocity_steps(ground, car, B)
     v_rel = seen_velocity(ground, car, B)
-    means = (
-        "velocity of B as seen from the car A, "
-        r"$\mathbf{v}_B - \mathbf{v}_A - \boldsymbol{\omega}\times\mathbf{r}$"
-    )
+    formula = r"$\mathbf{v}_B - \mathbf{v}_A - \boldsymbol{\omega}\times\mathbf{r}$"
+    means = f"velocity of B as seen from the car A, {formula}"
     yield Step("v_rel", v_rel, "m/s", means, "2.10", "2.24")
     terms = place(ground, car, B, v_rel).acceleration(ground).expressed_in(ground).terms
     alpha = car.angular_acceleration(ground)
@@ -78,40 +87,37 @@ def acceleration_steps(ground, car, B):
         yield Step(f"a_{name}", terms[name], "m/s^2", means, "2.10", "2.25")
 
 
-def prove(g, a_A=0, a_B=0):
+def proved_velocities(g):
+    """Proof: what concerns the velocities, by :func:`prove`."""
+    found = prove(g)
+    return {key: found[key] for key in ("v_rel", "omega_A", "r", "v_A", "v_B")}
+
+
+def prove(g):
     """Both cars over time, and the rates of B's coordinates along the turning axes of A."""
     angle = lambda a: lambda t: (g.v * t + a * t**2 / 2) / g.R
 
     def on_circle(centre, phi, side):
         return lambda t: [centre + side * g.R * mp.cos(phi(t)), side * g.R * mp.sin(phi(t)), 0]
 
-    phi = angle(a_A)
-    A, B = on_circle(-g.R, phi, 1), on_circle(g.x + g.R, angle(a_B), -1)
+    phi, of_B = map(angle, rates(g))
+    A, B = on_circle(-g.R, phi, 1), on_circle(g.x + g.R, of_B, -1)
     seen = lambda t: times(proofs.transposed(rot("z", phi(t))), minus(B(t), A(t)))
     turned = lambda t: rot("z", phi(t))
-    velocities = {
+    return {
+        "a_rel": second_rate(seen),
+        "alpha_A": proofs.angular_acceleration(turned),
+        "a_A": second_rate(A),
+        "a_B": second_rate(B),
         "v_rel": rate(seen),
         "omega_A": proofs.angular_velocity(turned),
         "r": seen(0),
         "v_A": rate(A),
         "v_B": rate(B),
     }
-    accelerations = {
-        "a_rel": second_rate(seen),
-        "alpha_A": proofs.angular_acceleration(turned),
-        "a_A": second_rate(A),
-        "a_B": second_rate(B),
-    }
-    return velocities, accelerations
 
 
 def draw(g, ax):
-    """The plan view without rates of the speeds."""
-    figure(g, ax)
-
-
-def figure(g, ax):
-    """The plan view; returns sketch, ground and half the length of a car."""
     ground, _, _ = cars(g)
     s = Sketch(ax, ground, plane="xy")
     far, A, B = 1.3 * g.x / (g.R + 0.3 * g.x), (0, 0, 0), (g.x, 0, 0)
@@ -131,4 +137,6 @@ def figure(g, ax):
     s.axes((-0.8 * g.x, -g.x, 0), ground, labels=["i", "j", ""])
     s.label(A, "A", offset=(-14, -12))
     s.label(B, "B", offset=(14, 12))
-    return s, ground, long
+    if hasattr(g, "c_A"):
+        s.vector((-2 * long, long, 0), ground.j * g.c_A, "$c_A$", kind="acceleration")
+        s.vector((g.x + 2 * long, long, 0), ground.j * g.c_B, "$c_B$", kind="acceleration")

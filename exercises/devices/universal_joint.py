@@ -43,7 +43,6 @@ def orientation(g):
 
 
 def draw(g, ax):
-    """The figure of both problems."""
     ground, fork, shaft = fork_and_shaft(g)
     centre, up = fork.point("centre", 0, 0, 0), fork.point("up", 0, 0, 1)
     foot, middle = fork.point("foot", 0, 0, -1.3), fork.point("middle", 0, 0, -0.7)

@@ -4,18 +4,14 @@ from exercises.tools import force_needed, mp, plus
 from newton_euler import Frame, dynamics, kinematics, moving, pi
 
 
-def track_force(m, g, r, phi, v):
-    """The track's force and the direction to the centre, at ``phi`` from the bottom, y up."""
-    ground = Frame("ground")
+def contact(m, g, r, phi, v, **shares):
+    """The track's force toward the centre, at ``phi`` from the bottom; ``shares`` reweights its
+    terms, for mistakes.
+    """
+    ground = Frame("ground")  # with y up
     P = kinematics.polar(ground, "P", r, moving(phi - pi(phi) / 2, rate=v / r))
     N = dynamics.reaction(m, P.acceleration(ground), weight=-m * g * ground.j)
-    return N, (P - ground.origin) * (-1 / r)
-
-
-def contact(m, g, r, phi, v, **shares):
-    """The track's force toward the centre; ``shares`` reweights its terms, for mistakes."""
-    N, inward = track_force(m, g, r, phi, v)
-    return N.reweighted(**shares).dot(inward)
+    return N.reweighted(**shares).dot((P - ground.origin) * (-1 / r))
 
 
 def circle(r):

@@ -17,13 +17,8 @@ def along(g, f):
     y/(R + x) of the line from (-R, 0), a rational parametrization of the circle.
     """
 
-    def per_slope(u):
-        def place(t):
-            v = u + t
-            return [g.R * (1 - v * v) / (1 + v * v), 2 * g.R * v / (1 + v * v), 0]
-
-        return weighted([proofs.size(proofs.rate(place))], [f(place(0))])
-
+    place = lambda u: [g.R * (1 - u * u) / (1 + u * u), 2 * g.R * u / (1 + u * u), 0]
+    per_slope = lambda u: weighted([proofs.size(proofs.rate(place, u))], [f(place(u))])
     steepest = mp.sin(g.alpha) / (1 + mp.cos(g.alpha))
     return proofs.integral(per_slope, -steepest, steepest)
 

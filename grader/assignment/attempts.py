@@ -12,7 +12,7 @@ from ..course.by_hand import give_student, of_student
 from ..course.exam import refuse_exam
 from .numbers import keep_numbers, numbers_path
 from .personal import make_personal_copies
-from .released import released
+from .released import problems_on_sheet
 
 BY_HAND = "by_hand.json"  # manual grades of an attempt
 
@@ -36,9 +36,8 @@ def attempts_folder(course: Course, assignment: str, student: str) -> Path:
 
 def earlier_attempts(course: Course, assignment: str, student: str) -> dict[int, Path]:
     """{number: folder} of the attempts that have been set aside."""
-    folder = attempts_folder(course, assignment, student)
-    found = [f for f in folder.glob("*") if f.name.isdigit()] if folder.is_dir() else []
-    return dict(sorted((int(f.name), f) for f in found))
+    found = attempts_folder(course, assignment, student).glob("*")
+    return dict(sorted((int(f.name), f) for f in found if f.name.isdigit()))
 
 
 def new_attempt(course: Course, assignment: str, student: str) -> tuple[int, Path]:
@@ -54,8 +53,7 @@ def new_attempt(course: Course, assignment: str, student: str) -> tuple[int, Pat
         )
     done = max(earlier_attempts(course, assignment, student), default=0) + 1
     _set_aside(course, assignment, student, done)
-    asked = {i: t for r in released(course, assignment).values() for i, t in r.tasks.items()}
-    problems = [task.exercise for task in asked.values()]
+    problems = problems_on_sheet(course, assignment)
     drawn = course.values(f"{assignment}, attempt {done + 1}", student, problems)
     keep_numbers(course, assignment, student, problems, drawn)
     paths = make_personal_copies(course, assignment, [student], workers=1)
@@ -74,7 +72,10 @@ def put_back(course: Course, assignment: str, student: str, number: int) -> None
     if now["submitted"].is_dir():
         _set_aside(course, assignment, student, max(earlier) + 1)
     for name, path in now.items():
-        _remove(path)  # a sheet not handed in
+        if path.is_dir():  # a sheet not handed in
+            shutil.rmtree(path)
+        else:
+            path.unlink(missing_ok=True)
         if (earlier[number] / name).exists():
             path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
             (earlier[number] / name).rename(path)
@@ -106,10 +107,3 @@ def _set_aside(course: Course, assignment: str, student: str, number: int) -> No
     for name, path in parts(course, assignment, student).items():
         if path.exists():
             path.rename(folder / name)
-
-
-def _remove(path: Path) -> None:
-    if path.is_dir():
-        shutil.rmtree(path)
-    else:
-        path.unlink(missing_ok=True)

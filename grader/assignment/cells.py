@@ -10,6 +10,7 @@ from typing import Any, NotRequired, TypedDict
 
 Values = dict[str, Any]  # the numbers of one problem, by the names of its givens
 SheetValues = dict[str, Values]  # the numbers of a sheet, by problem
+Hashable = tuple[tuple[str, Any], ...]
 Sources = dict[str, tuple[str, str]]  # (text, checksum) of cells in the gradebook, by grade id
 
 
@@ -92,6 +93,11 @@ def own_metadata(cell: Mapping[str, Any]) -> OwnMetadata:
 def nbgrader_metadata(cell: Mapping[str, Any]) -> NbgraderMetadata:
     """The metadata of nbgrader in a cell, or {}."""
     return _metadata(cell, "nbgrader")
+
+
+def hashable(values: Values) -> Hashable:
+    """The numbers of a problem in an order of their own, for sets and keys."""
+    return tuple(sorted(values.items()))
 
 
 def _metadata(cell: Mapping[str, Any], who: str) -> Any:

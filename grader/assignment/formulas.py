@@ -30,7 +30,7 @@ def written(
     """
     formula, called = laid_out(formula, names)
     names = {**names, **{placed: names[name] for placed, name in called.items()}}
-    printer = _printer(latex)(names, numbers)
+    printer = (_latex_printer() if latex else _text_printer())(names, numbers)
     printer.degrees = degrees
     text = printer.doprint(formula)
     return _BESIDE_WORD.sub(lambda m: (m["word"] or "") + r"\, ", text) if latex else text
@@ -60,16 +60,6 @@ def _numeral(x, stated_in, bare, latex):
     if latex:
         return number_symbol(float(x)) + ("" if bare else unit_symbol(stated_in))
     return six_digits(float(x)) + ("" if bare else f" {stated_in}")
-
-
-def _is_apart(text):
-    """True if the text of a symbol needs parentheses: -3, 2 x 10^3, 25 km/h, l/r."""
-    return "/" in text or (text[:1] in "-0123456789" and not text.replace(".", "").isdigit())
-
-
-def _is_function(text):
-    r"""True if a following power or factor would be read as part of the text: \cos b."""
-    return text.startswith((r"\sin ", r"\cos ", r"\tan "))
 
 
 def _one_root(product):
@@ -141,8 +131,6 @@ class _Names:
         return text.replace("+ -", "- ").replace("- -", "+ ") if self.numbers else text
 
     def _print_Mul(self, expr):
-        import sympy
-
         f = -expr
         if isinstance(f, (sympy.asin, sympy.atan)):  # an angle without a sign
             inside = [-x if x.is_Add else x for x in sympy.Mul.make_args(f.args[0])]
@@ -164,10 +152,16 @@ class _Names:
         return sympy.Mul(*factors, evaluate=False)
 
     def _is_apart(self, expr):
-        return expr.is_Symbol and _is_apart(self._print_Symbol(expr))
+        """True for a symbol whose text needs parentheses: -3, 2 x 10^3, 25 km/h, l/r."""
+        if not expr.is_Symbol:
+            return False
+        text = self._print_Symbol(expr)
+        return "/" in text or (text[:1] in "-0123456789" and not text.replace(".", "").isdigit())
 
     def _is_function(self, expr):
-        return expr.is_Symbol and _is_function(self._print_Symbol(expr))
+        r"""True for a symbol whose text would take in a following power or factor: \cos b."""
+        starts = (r"\sin ", r"\cos ", r"\tan ")
+        return expr.is_Symbol and self._print_Symbol(expr).startswith(starts)
 
     def _print_Pow(self, expr):
         text = self._print(expr.base) if self._is_function(expr.base) else ""
@@ -177,10 +171,6 @@ class _Names:
 
 
 @cache
-def _printer(latex):
-    return _latex_printer() if latex else _text_printer()
-
-
 def _latex_printer():
     from sympy.printing.latex import LatexPrinter
 
@@ -218,6 +208,7 @@ def _latex_printer():
     return Printer
 
 
+@cache
 def _text_printer():
     from sympy.printing.str import StrPrinter
 
@@ -233,9 +224,9 @@ def _text_printer():
 
         def stringify(self, args, sep, level=0):
             """The arguments of a function, without further brackets."""
-            return (
-                super().stringify(args, sep, level) if level else sep.join(map(self._print, args))
-            )
+            if level:
+                return super().stringify(args, sep, level)
+            return sep.join(map(self._print, args))
 
         def parenthesize(self, item, level, strict=False):
             if self._is_apart(item):

@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from exercises.catalogue import Givens
+from newton_euler.algebra.late import sympy
 
 from .names import unsigned
 from .tidy import is_atom, is_forced, is_itself_shorter, is_root, readable
@@ -49,8 +50,6 @@ class Known:
 
     def add(self, parts: Sequence[Any], symbols: Sequence[Any], formulas: Sequence[Any]) -> None:
         """Add a quantity: its traced components, their names, and their formulas or None."""
-        import sympy
-
         for n, (part, symbol) in enumerate(zip(parts, symbols, strict=True)):
             x, sign = unsigned(part)
             if number := getattr(x, "number", None):
@@ -102,7 +101,6 @@ class Known:
 
     def _with_squares(self, formula):
         """The formula with r omega^2 for omega v, if v is r omega; but 2 omega r' stays."""
-        import sympy
 
         def squared(term):
             number, product = term.as_coeff_Mul()
@@ -149,7 +147,6 @@ class Known:
 
     def _without_doubles(self, formula):
         """The formula with both names for a sum of opposite components: v_B - v_A, not 2 v_B."""
-        import sympy
 
         def both(c, x):
             other = self.opposite.get(x)
@@ -161,8 +158,6 @@ class Known:
 
     def _without_bars(self, formula):
         """The formula without bars around what has one sign for all drawn numbers."""
-        import sympy
-
         for bars in formula.atoms(sympy.Abs):
             inside = bars.args[0]
             if self.drawn and self.is_of_givens(inside):
@@ -177,8 +172,6 @@ class Known:
         factor, as 4*I_1/3, and those in a sum with a product that differs by a given of the same
         unit, as m_1*d^2 and m_2*d^2.
         """
-        import sympy
-
         terms = [x.as_coeff_Mul() for x in sympy.Add.make_args(formula)]
         own = self.products.keys() - met
         products = [x for _, x in terms if {s.name for s in x.free_symbols} <= {*self.units}]
@@ -197,8 +190,6 @@ class Known:
 
     def _without_ones(self, formula):
         """The formula simplified by sin^2 + cos^2 = 1 for components of a unit vector."""
-        import sympy
-
         squared = {self.short.get(x.base) for x in formula.atoms(sympy.Pow) if x.exp == 2} - {None}
         if len([x for x in squared if x.has(sympy.sin, sympy.cos)]) < 2:
             return formula

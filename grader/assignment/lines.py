@@ -11,7 +11,6 @@ from typing import Any
 from exercises.catalogue import Problem
 from exercises.catalogue.steps import Step, is_sum, steps
 from exercises.catalogue.variants import flat, symbol_values
-from newton_euler.algebra.language import Words
 from newton_euler.algebra.late import sympy
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.vectors import Vector
@@ -44,7 +43,7 @@ class Line:
     above : True if it is an unknown of equations solved before
     name : of the quantity, or ""
     equal : right-hand sides: formula, formula with numbers, value with unit
-    reason : why there is no formula, or ""
+    too_long : True if its formula is left out for its length
     """
 
     step: Step
@@ -53,12 +52,7 @@ class Line:
     above: bool
     name: str
     equal: tuple[str, ...]
-    reason: str = ""
-
-
-WORD, SUM = "it is a word, or counted", "its terms stand above"
-RESULT, SAME = "the result is a formula", "it is the same whatever is given"
-TOO_LONG = Words("its formula is too long for a page")
+    too_long: bool = False
 
 
 def lines(p: Problem, values: Values, latex: bool = True, formulas: bool = True) -> Iterator[Line]:
@@ -134,8 +128,9 @@ class _Writer:
     def line(self, s):
         """The line of a step or answer."""
         found = self.derivations.get(s.key, Derivation())
-        if s.key in self.sums:
-            found = replace(found, formulas=tuple(self._sum(s.key, n) for n in range(3)))
+        if terms := self.sums.get(s.key):
+            names = ([component(key, n, 3) for key in terms] for n in range(3))
+            found = replace(found, formulas=tuple(sympy.Add(*sympy.symbols(x)) for x in names))
         formula, numbers = self._formula(found.formulas, s)
         value = self._value(s)
         formula = formula or ("" if s in self.steps else self._count(s))
@@ -145,11 +140,11 @@ class _Writer:
         last = (value, value.removesuffix(self._unit(s)))
         chain = [x for n, x in enumerate(chain) if x not in (*chain[:n], *last)]
         above = found.solved and not found.together and s.key not in self.sums
-        reason = "" if chain or above or found.together else self._reason(s, found)
+        too_long = not (chain or above or found.together) and self._has_formula(s, found)
         rows, with_numbers = self._together(found)
         with_numbers = () if formula else with_numbers
         name = self._name(s) or (symbol(s.key) if rows else "")  # as in the equations
-        return Line(s, rows, with_numbers, above, name, (*chain, value), reason)
+        return Line(s, rows, with_numbers, above, name, (*chain, value), too_long)
 
     def _is_same(self, formulas, s):
         """True if the formulas of a result are the result in a form that says no more."""
@@ -162,20 +157,16 @@ class _Writer:
             for f, x in pairs
         )
 
-    def _reason(self, s, found):
-        """Why there is no formula."""
+    def _has_formula(self, s, found):
+        """True if a quantity without a readable formula has one: it varies with the givens, and is
+        neither a word, nor counted, nor a sum whose terms stand above, nor a formula itself.
+        """
         if isinstance(s.value, (str, int)) or callable(s.value):
-            return WORD
-        if s.key in self.sums or is_sum(s.value, self.p):
-            return SUM
-        if not all(map(is_numeric, map(to_plain, flat(s.value)))):
-            return RESULT
+            return False
+        is_shown = s.key in self.sums or is_sum(s.value, self.p)
         known = found.formulas and None not in found.formulas
-        return SAME if known or not found.varies else TOO_LONG
-
-    def _sum(self, key, n):
-        """A component of a sum, in terms of those of its terms."""
-        return sympy.Add(*(sympy.Symbol(component(k, n, 3)) for k in self.sums[key]))
+        numeric = all(map(is_numeric, map(to_plain, flat(s.value))))
+        return numeric and found.varies and not (is_shown or known)
 
     def _together(self, found):
         """The equations to be solved first, with symbols and with numbers."""
@@ -273,7 +264,7 @@ class _Writer:
         return symbol(key, len(formulas) == 3) if self.latex else key
 
     def _joined(self, parts, kind):
-        return kind.typeset(parts) if self.latex else _in_brackets(kind.nested(parts))
+        return kind.typeset(parts) if self.latex else in_brackets(kind.nested(parts))
 
     def _value(self, s):
         value = s.value
@@ -290,8 +281,9 @@ class _Writer:
         return "" if s.unit == "1" else f" {s.unit}"
 
 
-def _in_brackets(parts):
-    return f"[{', '.join(map(_in_brackets, parts))}]" if isinstance(parts, list) else parts
+def in_brackets(parts: Any) -> str:
+    """Texts in nested lists as one text."""
+    return f"[{', '.join(map(in_brackets, parts))}]" if isinstance(parts, list) else parts
 
 
 def _parts(s):

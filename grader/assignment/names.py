@@ -98,7 +98,8 @@ class Names:
         same = [k for k in candidates if self.indices and _indices(k) == self.indices]
         used = max(self.uses[k] for k in candidates)
         key, *others = (k for k in candidates if self.uses[k] == used)
-        is_plain = x.args and all(map(self._is_plain, x.args))
+        steps = [a for a in x.args if isinstance(a, Step)]
+        is_plain = x.args and all(a.number in self.fixed for a in steps)
         if len(candidates) > 1 and len(same) != 1 and is_plain and (others or self.size > 1):
             return None  # as b/2, of two bodies that lie side by side
         same = [k for k in same if k in (key, *others)] or [
@@ -148,7 +149,8 @@ class Names:
         is_multiple = len(parts) == 1 and self.of(parts[0]) is not None
         if given is not None and not is_multiple and not (is_whole and self.size == 1):
             return given
-        if x.op not in "+-" or is_whole or all(map(self._is_known, x.args)):
+        inner = (unsigned(a)[0] for a in parts)
+        if x.op not in "+-" or is_whole or all(self.of(a) is not None for a in inner):
             return None
         for sign in (1, -1):
             found = self.by_value.get(_rounded(numbers, sign), {})
@@ -180,9 +182,6 @@ class Names:
         found = [value_of(x, *sheet) for sheet in self.sheets] if isinstance(x, Step) else []
         return () if None in found or len({*found}) < 2 else found
 
-    def _is_known(self, x):
-        return not isinstance(x, Step) or self.of(unsigned(x)[0]) is not None
-
     def _in_place(self, candidates):
         """The candidates without entries at other places of other matrices, which are equal by
         chance; the latest first.
@@ -192,9 +191,6 @@ class Names:
             for k, by_place in reversed(candidates.items())
             if self.sizes[k] != 9 or self.place in by_place
         }
-
-    def _is_plain(self, a):
-        return not isinstance(a, Step) or a.number in self.fixed
 
     def _candidates(self, x):
         found, other = self.found.get(x.number, {}), self.opposite.get(x.number, {})

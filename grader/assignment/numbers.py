@@ -15,7 +15,7 @@ from newton_euler.algebra.units import unit
 
 from ..course import Course, CourseError, write_json
 from ..course.exam import is_exam
-from .cells import SheetValues, own_metadata
+from .cells import SheetValues, hashable, own_metadata
 from .sheet import tasks
 
 # a file of numbers: {problem: {name: [number, unit]}}
@@ -51,7 +51,7 @@ def _drawn(course, assignment, student, problems):
     for p in problems:
         others = _practised(p) | taken.get(p.id, set())
         for n in range(TRIES):
-            if _as_kept(drawn[p.id]) not in others:
+            if hashable(drawn[p.id]) not in others:
                 break
             # no student has this name, since ids hold no line breaks
             drawn |= course.values(assignment, f"{student}\n{n}", [p])
@@ -61,8 +61,8 @@ def _drawn(course, assignment, student, problems):
 @cache
 def _practised(p: Problem) -> set:
     """The numbers of the book and the first ones of practice files."""
-    return {_as_kept(p.book_values)} | {
-        _as_kept(draw(p, practice_seed(p, n))) for n in range(PRACTISED)
+    return {hashable(p.book_values)} | {
+        hashable(draw(p, practice_seed(p, n))) for n in range(PRACTISED)
     }
 
 
@@ -73,12 +73,8 @@ def _taken(folders: tuple[tuple[Path, int], ...]) -> dict[str, set]:
     for path in (path for folder, _ in folders for path in folder.glob("*.json")):
         for number, given in _read(path).items():
             values = {name: x for name, (x, _) in given.items()}
-            found.setdefault(number, set()).add(_as_kept(values))
+            found.setdefault(number, set()).add(hashable(values))
     return found
-
-
-def _as_kept(values):
-    return tuple(sorted(values.items()))
 
 
 def numbers_in(path: Path, problems: Iterable[Problem]) -> SheetValues:

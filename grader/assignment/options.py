@@ -1,6 +1,6 @@
 """Options of a problem in an assignment, from its file or the metadata of the answer cell."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from exercises.catalogue import Problem
@@ -14,9 +14,24 @@ HELP = ("none", *PRACTICE_HELP)
 LARGEST = 0.1  # relative tolerance
 
 
+OPTIONS = ("points", "weights", "follow_through", "tolerance", "help")
+BY_SHEET = ("follow_through", "tolerance", "help")  # those that a sheet may set for all problems
+
+
 def read_option(name: str, value: Any, p: Problem | None = None) -> Any:
     """The value of an option of problem ``p``, or of a sheet; raises ValueError in words."""
-    return OPTIONS[name](value, p)
+    if name == "points":
+        return _checked(value, 0, 1e6, "not a number of points: expected 0 or more")
+    if name == "follow_through":
+        return _checked(_percent(value), 0, 1, "not a share: expected 0 to 1, as 0.5 or 50%")
+    if name == "tolerance":
+        words = f"not a tolerance: expected 0.001% to {LARGEST:.0%}, as 0.02 or 2%"
+        return _checked(_percent(value), 1e-5, LARGEST, words)
+    if name == "weights":
+        return _weights(value, p)
+    if value not in HELP:
+        raise ValueError(unknown(value, HELP, "is not a help level; the levels are"))
+    return value
 
 
 def unknown(word: object, known: Iterable[str], what: str = "is not one of") -> str:
@@ -32,19 +47,6 @@ def _checked(value, least, most, words):
     return int(value) if float(value).is_integer() else float(value)
 
 
-def _points(value, p=None):
-    return _checked(value, 0, 1e6, "not a number of points: expected 0 or more")
-
-
-def _share(value, p=None):
-    return _checked(_percent(value), 0, 1, "not a share: expected 0 to 1, as 0.5 or 50%")
-
-
-def _tolerance(value, p=None):
-    words = f"not a tolerance: expected 0.001% to {LARGEST:.0%}, as 0.02 or 2%"
-    return _checked(_percent(value), 1e-5, LARGEST, words)
-
-
 def _percent(value):
     """A text with a percent sign as a number; anything else unchanged."""
     text = str(value).strip()
@@ -52,12 +54,6 @@ def _percent(value):
         return float(text.removesuffix("%")) / 100 if text.endswith("%") else value
     except ValueError:
         return value
-
-
-def _help(value, p=None):
-    if value not in HELP:
-        raise ValueError(unknown(value, HELP, "is not a help level; the levels are"))
-    return value
 
 
 def _weights(value, p):
@@ -73,10 +69,3 @@ def _weights(value, p):
     if not any(found.get(key, 1) for key in keys):
         raise ValueError("all weights are 0, so the problem is worth nothing")
     return found
-
-
-OPTIONS: Mapping[str, Callable[[Any, Any], Any]] = {
-    "points": _points, "weights": _weights, "follow_through": _share, "tolerance": _tolerance,
-    "help": _help,
-}  # fmt: skip
-BY_SHEET = ("follow_through", "tolerance", "help")  # those that a sheet may set for all problems

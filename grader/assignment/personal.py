@@ -11,6 +11,7 @@ from exercises.catalogue import problem
 from ..course import Course, CourseError, check_id, write_json
 from ..course.exam import refuse_before_opening, refuse_exam
 from ..course.processes import process_pool
+from .cells import hashable
 from .figures import figure_png
 from .notebook import personal_notebook
 from .released import personal_path, released, sheet_numbers
@@ -43,24 +44,20 @@ def make_personal_copies(
     notebooks = {n: r for n, r in released(course, assignment).items() if r.tasks}
     asked = sorted({number for r in notebooks.values() for number in r.tasks})
     values = {s: sheet_numbers(course, assignment, check_id(s)) for s in students}
-    drawn = {(i, _hashable(values[s][i])): None for s in students for i in asked}
+    drawn = {(i, hashable(values[s][i])): None for s in students for i in asked}
     with process_pool(workers) as pool:
         for figure, png in zip(drawn, pool.map(_draw, drawn, chunksize=8), strict=True):
             drawn[figure] = png
             progress(1 / len(drawn))
     paths = {}
     for s in students:
-        figures = {i: drawn[i, _hashable(values[s][i])] for i in asked}
+        figures = {i: drawn[i, hashable(values[s][i])] for i in asked}
         paths[s] = course.personal_path(assignment, s)
         for name, original in notebooks.items():
             path = personal_path(course, assignment, s, name)
             notebook = personal_notebook(original.notebook, s, values[s], figures)
             write_json(path, with_seals(notebook, values[s], right_or_wrong))
     return paths
-
-
-def _hashable(values):
-    return tuple(sorted(values.items()))
 
 
 def _draw(figure):

@@ -7,6 +7,8 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
+from exercises.catalogue import Problem
+
 from ..course import Course, CourseError, load_json, read_json
 from .cells import Cell, Notebook, SheetValues
 from .notebook import personal_notebook
@@ -72,10 +74,15 @@ def personal_path(course: Course, assignment: str, student: str, name: str) -> P
     return course.personal_path(assignment, student).with_name(f"{name}.ipynb")
 
 
+def problems_on_sheet(course: Course, assignment: str) -> list[Problem]:
+    """The problems of all notebooks of an assignment."""
+    asked = {i: t for r in released(course, assignment).values() for i, t in r.tasks.items()}
+    return [task.exercise for task in asked.values()]
+
+
 def sheet_numbers(course: Course, assignment: str, student: str) -> SheetValues:
     """A student's numbers for all problems of an assignment: {problem id: {name: number}}."""
-    asked = {i: t for r in released(course, assignment).values() for i, t in r.tasks.items()}
-    return kept_numbers(course, assignment, student, [task.exercise for task in asked.values()])
+    return kept_numbers(course, assignment, student, problems_on_sheet(course, assignment))
 
 
 def master_notebook(
@@ -99,12 +106,8 @@ def master_notebook(
     path = personal_path(course, assignment, student, name)
     if path.exists():
         theirs = {c.get("id"): c for c in load_json(path.read_bytes())["cells"]}
-        master["cells"] = [_as_handed_out(c, theirs.get(c.get("id"))) for c in master["cells"]]
+        for n, cell in enumerate(master["cells"]):  # which all students share
+            copy = theirs.get(cell.get("id"), {})
+            if "attachments" in cell and "attachments" in copy:
+                master["cells"][n] = {**cell, "attachments": copy["attachments"]}
     return master
-
-
-def _as_handed_out(cell, copy):
-    """A cell of the master, with the figure of the student's copy."""
-    if copy and "attachments" in cell and "attachments" in copy:
-        return {**cell, "attachments": copy["attachments"]}
-    return cell

@@ -21,20 +21,16 @@ def with_seals(notebook: Notebook, values: SheetValues, unless_set: bool = True)
         own = own_metadata(cell)
         number = own.get("problem")
         if own.get("role") == "givens" and number in values and number in asked:
-            p = asked[number].exercise
-            seals = _seals(p, values[number], asked[number].asked)
+            p, forms = asked[number].exercise, asked[number].asked
+            numbers = numbers_of(p, values[number])
+            # without answers whose form on the sheet is not today's
+            same = [a for a in p.answers if forms is None or forms.get(a.key) == str(a.form)]
+            seals = {a.key: _seal(a, numbers) for a in same}
             names = "".join(f", {n}={n}" for n in p.givens)
             line = f'given("{p.id}", sealed={seals!r}{names})'
             cell = {**cell, "source": f"{cell['source']}\n{line}"}
         cells.append(cell)
     return {**notebook, "cells": cells}
-
-
-def _seals(p, values, asked):
-    """{answer: seal}, without answers whose form on the sheet is not today's."""
-    numbers = numbers_of(p, values)
-    same = [a for a in p.answers if asked is None or asked.get(a.key) == str(a.form)]
-    return {a.key: _seal(a, numbers) for a in same}
 
 
 def _seal(answer, numbers):

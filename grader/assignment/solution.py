@@ -11,7 +11,7 @@ from newton_euler.algebra.scalars import to_plain
 from newton_euler.answers.notation import symbol, unit_symbol
 
 from .cells import Values
-from .lines import TOO_LONG, latex_of, lines
+from .lines import latex_of, lines
 from .notebook import statement, typeset
 from .spelled import typeset_formulas
 
@@ -44,7 +44,7 @@ def _chain(line):
     begin = f"{line.name} = {first}" if line.name else first
     pieces = [f"${begin}$", *(f"$= {x}$" for x in others)]
     begin = _equations(line) or (_("from the equations above") if line.above else "")
-    end = f" ({_(TOO_LONG)})" * (line.reason == TOO_LONG)
+    end = f" ({_('its formula is too long for a page')})" * line.too_long
     return f"{begin}: {' '.join(pieces)}{end}" if begin else f"{' '.join(pieces)}{end}"
 
 

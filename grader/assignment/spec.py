@@ -254,7 +254,10 @@ def _items(path, entry, line):
         if name == "text":
             return [Item(text=str(value))]
         found = _found(path, name, line)
-        own = value if isinstance(value, dict) else _single(value, line)
+        own = value
+        if not isinstance(value, dict):
+            own = _Map(points=value)
+            own.lines = {"points": line}
         for key in own:
             if key not in OPTIONS:
                 raise _error(path, own.lines[key], f"{name}: {unknown(key, OPTIONS)}")
@@ -265,12 +268,6 @@ def _items(path, entry, line):
     if not isinstance(entry, str | float):  # 4.16 is meant for 4/16
         raise _error(path, line, f"{entry!r} is neither a problem nor a text")
     return [Item(p) for p in _found(path, entry, line)]
-
-
-def _single(points, line):
-    own = _Map(points=points)
-    own.lines = {"points": line}
-    return own
 
 
 def _found(path, name, line):

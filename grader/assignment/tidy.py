@@ -150,14 +150,10 @@ def factored(formula: Any) -> Any:
     """The formula with fractions cancelled and with common factors of nested sums taken out; its
     own terms are kept apart.
     """
-    import sympy
-
     return sympy.Add(*(_cancelled(x) for x in sympy.Add.make_args(formula)))
 
 
 def _cancelled(term):
-    import sympy
-
     if term.has(sympy.Integral) or not term.has(sympy.Add):
         return term
     below = sympy.fraction(term)[1]
@@ -170,8 +166,6 @@ def _cancelled(term):
 
 def _names_in(formula):
     """The number of names and of numbers in a formula."""
-    import sympy
-
     atoms = [x for x in sympy.preorder_traversal(formula) if x.is_Atom]
     return sum(x.is_Symbol for x in atoms), sum(not x.is_Symbol and bool(abs(x) > 1) for x in atoms)
 
@@ -211,8 +205,6 @@ def constant(x: Any) -> Any:
 
 def _rooted(root):
     """A root with common factors cancelled under it."""
-    import sympy
-
     inside = sympy.factor(root.base)
     return inside**root.exp if _names_in(inside) < _names_in(root.base) else root
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from exercises.catalogue.tracing import TracedProblem, before
+from newton_euler.algebra.late import sympy
 from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
@@ -70,8 +71,6 @@ class Writer:
 
     def symbol(self, name: str) -> Any:
         """The symbol of a name, positive if its numbers are."""
-        import sympy
-
         return sympy.Symbol(name, real=True, positive=True if name in self.positive else None)
 
     def start(self, key: str, parts: Sequence[Any]) -> None:
@@ -97,8 +96,6 @@ class Writer:
         return None if is_itself or is_long(formula) else formula
 
     def _written(self, x, memo):
-        import sympy
-
         if not isinstance(x, Step):
             number = constant(x)
             return self.known.constants.get(float(x), number) if number.is_Float else number
@@ -117,8 +114,6 @@ class Writer:
         return formula
 
     def _operation(self, x, memo):
-        import sympy
-
         if x.op == "pi":
             return sympy.pi
         if x.op == "abs" and self.cases.get(x.args[0].number):
@@ -143,8 +138,6 @@ class Writer:
 
     def _within(self, whole, n, memo, x):
         """A root or an integral inside this formula."""
-        import sympy
-
         if whole.op not in ("root", "integral"):
             raise Unwritten
         inner, start, end, *outside = whole.args
@@ -168,8 +161,6 @@ class Writer:
 
     def _inner(self, x, own, memo):
         """A traced number inside a root or integral; ``own``: {argument there: its formula}."""
-        import sympy
-
         if not isinstance(x, Step):
             return constant(x)
         if x.op == "argument":
@@ -255,8 +246,6 @@ class Writer:
 
 def _applied(op, args):
     """An operation on formulas."""
-    import sympy
-
     if op in _WRITTEN:
         return _WRITTEN[op](*args)
     if op not in NAMES:

@@ -34,21 +34,16 @@ def spec_of_course(course: Course, name: str) -> Spec:
     left = tuple(x for x in found if isinstance(x, str))
     with course.gradebook() as book:
         due = next((a.duedate for a in book.assignments if a.name == name), None)
-    exam = course.settings.get("exams", {}).get(name, {})
+    exam = course.exams.get(name, {})
     opens = datetime.fromisoformat(exam["opens"]) if exam.get("opens") else None
     late = exam.get("late", "")
-    return Spec(name, _title(notebook) or name, items, _text(due), _text(opens), late, left)
+    texts = (c["source"] for c in notebook["cells"] if kind(c) == "introduction")
+    title = next(texts, "").partition("\n")[0].removeprefix("# ")
+    return Spec(name, title or name, items, _text(due), _text(opens), late, left)
 
 
 def _text(when):
     return f"{when:%Y-%m-%d %H:%M} UTC" if when else ""
-
-
-def _title(notebook: Notebook) -> str:
-    for cell in notebook["cells"]:
-        if own_metadata(cell).get("role") == "introduction":
-            return cell["source"].partition("\n")[0].removeprefix("# ")
-    return ""
 
 
 def _items(notebook: Notebook, built: Mapping[str, str]) -> Iterator[Item | str]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .shared import FILE, ONLY, amount, count_option, course_option, progress_bar
+from .shared import FILE, ONLY, amount, class_numbers, count_option, course_option, progress_bar
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -62,7 +62,6 @@ def bank(
     from ..assignment.chosen import chosen
     from ..course.files import write_text
     from ..lms import FORMATS, write_bank
-    from ..practice import graded_numbers
 
     spec = chosen(assignment, (*only, *more), (), course)
     path = path or Path(f"{spec.name}-{form}{FORMATS[form][1]}")
@@ -70,12 +69,7 @@ def bank(
     if course:  # so that students with this program cannot derive the numbers
         text = hmac.new(course.secret, text.encode(), hashlib.sha256).hexdigest()
     with progress_bar() as bar:
-        graded = None
-        if course:
-            sheets = bar.add_task("reading the course's numbers", total=None)
-            graded = graded_numbers(
-                course.path, lambda n, of: bar.update(sheets, completed=n, total=of)
-            )
+        graded = class_numbers(bar, course)
         task = bar.add_task("solving and drawing", total=len(spec.problems))
         made = write_bank(path, spec, form, variants, text, graded, done=lambda: bar.advance(task))
     for note in made.notes:

@@ -322,7 +322,7 @@ def next_year(
             f"Without a due date: {', '.join(without)}; python -m grader due ASSIGNMENT DATE "
             "--course … sets one"
         )
-    if exams := Course(last).settings.get("exams"):
+    if exams := Course(last).exams:
         click.echo(f"Build these anew, with their new dates: {', '.join(sorted(exams))} (exams)")
 
 

@@ -9,6 +9,7 @@ from .shared import (
     FILE,
     FOLDER,
     amount,
+    class_numbers,
     console,
     count_option,
     counted,
@@ -50,18 +51,13 @@ def practice(
     file of an assignment takes precedence. The file holds the answers for its own numbers only.
     """
     from ..assignment.chosen import named
-    from ..practice import graded_numbers, rules_of, write_practice
+    from ..practice import rules_of, write_practice
 
     chosen = named(names, course)
     problems, rules = list(chosen), {p.id: dict(own) for p, own in chosen.items()}
     with progress_bar() as bar:
-        graded = {}
-        if course:
-            sheets = bar.add_task("reading the course's numbers", total=None)
-            rules |= rules_of(course.path)
-            graded = graded_numbers(
-                course.path, lambda n, of: bar.update(sheets, completed=n, total=of)
-            )
+        graded = class_numbers(bar, course)
+        rules |= rules_of(course.path) if course else {}
         task = bar.add_task("solving and drawing", total=len(problems))
         left = write_practice(
             path, problems, variants, level, graded, done=lambda: bar.advance(task), rules=rules

@@ -177,6 +177,16 @@ def counted(what: str, total: float) -> Iterator[Callable[..., None]]:
         yield lambda share=1: bar.advance(task, share)
 
 
+def class_numbers(bar: Progress, course: "Course | None") -> dict[str, list[dict[str, Any]]] | None:
+    """The numbers that a course grades, None without one; ``bar`` shows how many are read."""
+    from ..practice import graded_numbers
+
+    if course is None:
+        return None
+    task = bar.add_task("reading the course's numbers", total=None)
+    return graded_numbers(course.path, lambda n, of: bar.update(task, completed=n, total=of))
+
+
 def _how_far(task):
     """The progress of a task: a count, or a percentage if the total is 1."""
     done = f"{task.completed:g} of {task.total or '?'}"

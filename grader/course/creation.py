@@ -27,11 +27,9 @@ MADE = {  # the files that a build writes
 def refuse_existing(path: str | Path) -> None:
     """Raise :class:`CourseError` if the folder has more than the remains of a killed build."""
     path = Path(path)
-    if not path.exists():
-        return
-    names = {p.name for p in path.iterdir()}
+    names = {p.name for p in path.iterdir()} if path.exists() else set()
     if UNFINISHED in names:
-        names = {n for n in names - MADE if not _is_partial(n)}
+        names = {n for n in names if not _is_made(n)}
     if names:
         raise CourseError(
             f"{path} exists and is not empty; name a new folder, or add to the course in "
@@ -109,19 +107,18 @@ def _make_exchange(folder):
         raise CourseError(f"the exchange {folder} cannot be written; name a folder of your own")
 
 
-def _is_partial(name):
-    return name.startswith(".") and name.endswith(".partial")
+def _is_made(name):
+    """True for the name of a file that a build writes, or of one that is half written."""
+    return name in MADE or (name.startswith(".") and name.endswith(".partial"))
 
 
 def _empty(path):
-    for place in list(path.iterdir()):
-        if place.name == UNFINISHED or not (place.name in MADE or _is_partial(place.name)):
-            continue
+    made = [p for p in path.iterdir() if _is_made(p.name)]
+    for place in sorted(made, key=lambda p: p.name == UNFINISHED):  # the mark last
         if place.is_dir():
             shutil.rmtree(place)
         else:
             place.unlink(missing_ok=True)
-    (path / UNFINISHED).unlink(missing_ok=True)
 
 
 def _template(file):

@@ -44,7 +44,7 @@ def set_due(course: Course, assignment: str, when: datetime | None) -> None:
     """
     course.require(assignment)
     due = when and when.replace(tzinfo=None)
-    opens = course.settings.get("exams", {}).get(assignment, {}).get("opens")
+    opens = course.exams.get(assignment, {}).get("opens")
     if opens and due and due <= datetime.fromisoformat(opens):
         raise CourseError(f"the exam {assignment} opens at {opens} UTC, after that date")
     with course.gradebook() as book:

@@ -78,14 +78,14 @@ def _span(time):
 
 def is_exam(course: Course, assignment: str) -> bool:
     """True if an assignment of the course is an exam."""
-    return assignment in course.settings.get("exams", {})
+    return assignment in course.exams
 
 
 def window(course: Course, book: "Gradebook", assignment: str) -> Window | None:
     """The window of an exam, None for other assignments. ``book``: the open gradebook."""
     if not is_exam(course, assignment):
         return None
-    kept = course.settings["exams"][assignment]
+    kept = course.exams[assignment]
     master = book.find_assignment(assignment)
     opens = datetime.fromisoformat(kept["opens"]) if kept["opens"] else None
     granted = {s.student_id: s.extension for s in master.submissions if s.extension}
@@ -121,8 +121,7 @@ def set_exam(course: Course, assignment: str, opens: datetime | None, late: str 
             "under another name"
         )
     text = opens.astimezone(UTC).replace(tzinfo=None).isoformat() if opens else ""
-    exams = {**course.settings.get("exams", {}), assignment: {"opens": text, "late": late}}
-    course.set(exams=exams)
+    course.set(exams={**course.exams, assignment: {"opens": text, "late": late}})
 
 
 def refuse_exam(course: Course, assignment: str, what: str) -> None:
@@ -142,7 +141,7 @@ def refuse_feedback(course: Course, assignment: str) -> None:
 
 def refuse_before_opening(course: Course, assignment: str, now: datetime | None = None) -> None:
     """Raise :class:`CourseError` before an exam opens."""
-    opens = course.settings.get("exams", {}).get(assignment, {}).get("opens")
+    opens = course.exams.get(assignment, {}).get("opens")
     if opens and (now or datetime.now(UTC).replace(tzinfo=None)) < datetime.fromisoformat(opens):
         raise CourseError(
             f"the exam {assignment} opens at {opens} UTC: release it then, since students can "

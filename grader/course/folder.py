@@ -79,6 +79,11 @@ class Course:
                 "course, under which students fetch and submit"
             ) from error
 
+    @property
+    def exams(self) -> dict[str, dict[str, str]]:
+        """The exams: {assignment: its opening time and the rule for late work}."""
+        return self.settings.get("exams", {})
+
     def set(self, **settings: Any) -> None:
         """Change settings in course.json."""
         write_json(self.path / "course.json", {**self.settings, "id": self.name, **settings})
@@ -131,6 +136,12 @@ class Course:
                 "nothing is graded"
             ) from error
 
+    @property
+    def exchange(self) -> str:
+        """The root of nbgrader's exchange in the configuration, "" for nbgrader's own."""
+        root = self.config().Exchange.get("root", "")
+        return root if isinstance(root, str) else ""
+
     # -- assignments
 
     def source(self, assignment: str) -> Path:
@@ -157,11 +168,9 @@ class Course:
         """Raise :class:`CourseError` unless nbgrader has generated the assignment for release."""
         if self.released_path(assignment).exists():
             return
-        where = (
-            "generate it with: nbgrader generate_assignment"
-            if self.source(assignment).exists()
-            else "build it with: python -m grader build"
-        )
+        where = "build it with: python -m grader build"
+        if self.source(assignment).exists():
+            where = "generate it with: nbgrader generate_assignment"
         raise CourseError(f"there is no released {assignment} in {self.path}; {where} {assignment}")
 
     def personal_path(self, assignment: str, student: str) -> Path:
@@ -180,7 +189,7 @@ class Course:
         of an exam are derived from a secret of their own.
         """
         secret = self.secret
-        if assignment in self.settings.get("exams", {}):
+        if assignment in self.exams:
             secret = hmac.digest(secret, b"exams", "sha256")
         return {
             p.id: variants.draw(p, variants.seed(secret, assignment, student, p.id))
@@ -208,9 +217,7 @@ class Course:
         from nbgrader import api
         from sqlalchemy.exc import DatabaseError
 
-        api.get_alembic_version = (
-            newest_schema  # nbgrader's own starts a process, for three seconds
-        )
+        api.get_alembic_version = newest_schema  # its own starts a process, for three seconds
         try:
             with api.Gradebook(f"sqlite:///{self.path / 'gradebook.db'}", self.name) as book:
                 yield book

@@ -12,9 +12,9 @@ def write_hub(courses: Sequence[Course], to: Path) -> str:
     """Write the students' configuration for these courses into the folder ``to``; returns their
     common exchange.
     """
-    roots = {course.config().Exchange.get("root", "") or "" for course in courses}
+    roots = {course.exchange for course in courses}
     names = [course.name for course in courses]
-    if len(roots) > 1 or not all(isinstance(r, str) and r for r in roots):
+    if len(roots) > 1 or "" in roots:
         raise CourseError(
             "these courses need one exchange, which all their students reach: build them with the "
             "same --exchange, as /srv/nbgrader/exchange"

@@ -38,7 +38,7 @@ def next_year(
     path = Path(path).resolve()
     if last.path in (path, *path.parents) or path in last.path.parents:
         raise CourseError(f"{path}: one course cannot lie in the other; name a folder beside it")
-    with new_course(path, name, exchange or _exchange(last)) as course:
+    with new_course(path, name, exchange or last.exchange) as course:
         if course.name == last.name:
             raise CourseError(
                 f"both courses have the id {course.name}, by which the exchange tells courses "
@@ -57,20 +57,10 @@ def next_year(
             shutil.copytree(last.path / folder, path / folder, ignore=_no_checkpoints)
     made = Course(path)
     if later is not None:
-        _carry_on(last, made, later)
+        for assignment, due in due_dates(last).items():
+            if made.source(assignment).exists() and assignment not in last.exams:
+                set_due(made, assignment, due + later)
     return made, sorted(p.parent.name for p in path.glob("source/*/*.ipynb"))
-
-
-def _carry_on(last, made, later):
-    """Shift the due dates of assignments other than exams."""
-    for assignment, due in due_dates(last).items():
-        if made.source(assignment).exists() and assignment not in last.settings.get("exams", {}):
-            set_due(made, assignment, due + later)
-
-
-def _exchange(course):
-    root = course.config().Exchange.get("root", "")
-    return root if isinstance(root, str) and root else None
 
 
 _no_checkpoints = shutil.ignore_patterns(".ipynb_checkpoints", "__pycache__")

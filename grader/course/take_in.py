@@ -96,14 +96,12 @@ def _chosen(entries, assignment, people, result):
     chosen = {}
     for student, own in found.items():
         named = [e for e in own if {*words(assignment)} <= {*words(e.filename)}]
-        if len(candidates := named or own) == 1:
+        candidates = named or own
+        why = f"one of {len(candidates)} that fit {student}; leave the right one in the archive"
+        if len(candidates) == 1:
             chosen[student] = candidates[0]
+            why = f"{candidates[0].filename} was taken for {student}"
         rest = [e for e in own if e is not chosen.get(student)]
-        why = (
-            f"{chosen[student].filename} was taken for {student}"
-            if student in chosen
-            else f"one of {len(candidates)} that fit {student}; leave the right one in the archive"
-        )
         result.refused += [(e.filename, why) for e in rest]
     return chosen
 

@@ -9,6 +9,7 @@ import time
 from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 from rich.console import Console
 from rich.progress import Progress
@@ -47,7 +48,9 @@ def run_demo(
     """
     start = time.perf_counter()
     console.print(f"[bold]A course in {folder}[/]")
-    _clear_earlier(folder, console)
+    if (folder / MARK).exists():  # any other existing folder is refused by the build
+        console.print(f"Removing the earlier demo in {folder}")
+        shutil.rmtree(folder)
     with bar() as progress:
         course = build_assignment(folder, chapter, only=only, bar=progress).course
     _use_exchange_within(course)
@@ -88,13 +91,6 @@ def run_demo(
     _print_paths(course, chapter, console, time.perf_counter() - start)
     if unexpected or len(results) != len(STUDENTS):
         sys.exit(1)
-
-
-def _clear_earlier(folder, console):
-    """Remove an earlier demo; any other existing folder is refused by the build."""
-    if (folder / MARK).exists():
-        console.print(f"Removing the earlier demo in {folder}")
-        shutil.rmtree(folder)
 
 
 def _use_exchange_within(course):
@@ -163,17 +159,11 @@ def _exchange_step(course, chapter, step, student="*", home=None):
     if home:
         config.CourseDirectory.root = str(home)
         config.Exchange.assignment_dir = str(home)
-    before = {k: os.environ.get(k) for k in ("USER", "LOGNAME", "JUPYTERHUB_USER")}
-    with contextlib.chdir(home or course.path):
-        os.environ.update(dict.fromkeys(before, student) if home else {})
-        try:
-            coursedir = CourseDirectory(config=config)
-            steps[step](
-                coursedir=coursedir, authenticator=Authenticator(config=config), config=config
-            ).start()
-        finally:
-            for k, v in before.items():
-                os.environ.pop(k, None) if v is None else os.environ.__setitem__(k, v)
+    names = ("USER", "LOGNAME", "JUPYTERHUB_USER") if home else ()
+    user = mock.patch.dict(os.environ, dict.fromkeys(names, student))
+    with contextlib.chdir(home or course.path), user:
+        given = {"coursedir": CourseDirectory(config=config), "config": config}
+        steps[step](**given, authenticator=Authenticator(config=config)).start()
 
 
 def _print_paths(course, chapter, console, seconds):

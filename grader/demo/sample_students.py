@@ -7,7 +7,8 @@ from typing import Any
 from exercises.catalogue import Answer, Problem
 
 from ..assignment.cells import Notebook, SheetValues, Values, own_metadata
-from ..reports import nested
+from ..assignment.lines import in_brackets
+from ..reports import as_json
 
 STUDENTS = {
     "ada": "all right",
@@ -27,13 +28,8 @@ def right_answers(p: Problem, values: Values) -> dict[str, str]:
 
 def literal(a: Answer, value: Any) -> str:
     """The Python source of an answer."""
-    if a.kind.is_formula:
-        return _source(nested(value, str))
-    return repr(nested(value, lambda x: x if isinstance(x, (int, str)) else float(x)))
-
-
-def _source(nested):
-    return "[" + ", ".join(map(_source, nested)) + "]" if isinstance(nested, list) else nested
+    found = as_json(a, value)
+    return in_brackets(found) if a.kind.is_formula else repr(found)
 
 
 def answers_with_a_mistake(p: Problem, values: Values) -> tuple[dict[str, str], list[str]]:

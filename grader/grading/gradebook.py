@@ -9,10 +9,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..assignment.cells import Sources
-from ..course import Course
+from ..course import Course, CourseError
 from ..course.due import extensions
 from ..submission import Graded
 
@@ -36,9 +36,11 @@ class Entry:
     again: bool = False
 
 
-@dataclass
+@dataclass(kw_only=True)
 class Total:
-    """A student's points in the gradebook, minus the penalty; ``waiting``: cells still ungraded."""
+    """A student's points in the gradebook: automatic or manual, with extra credit, minus the
+    penalty for lateness; ``waiting``: the number of cells to grade by hand.
+    """
 
     points: float = 0.0
     out_of: float = 0.0
@@ -57,15 +59,28 @@ class Cells:
     most: dict[str, float] = field(default_factory=dict)
 
 
+def in_gradebook(book: "Gradebook", assignment: str) -> Any:
+    """The assignment in the gradebook; raises :class:`CourseError` if it is not there."""
+    from nbgrader.api import MissingEntry
+
+    try:
+        return book.find_assignment(assignment)
+    except MissingEntry:
+        raise CourseError(
+            f"the gradebook does not know {assignment}; generate it again with: "
+            f"nbgrader generate_assignment {assignment} --force"
+        ) from None
+
+
 def instructors_cells(book: "Gradebook", assignment: str) -> dict[str, Sources]:
     """{notebook: {grade id: (text, checksum)}} of an assignment, with the hidden tests."""
     from nbgrader.api import Notebook, SourceCell
 
-    found: dict[str, Sources] = {n.name: {} for n in book.find_assignment(assignment).notebooks}
+    master = in_gradebook(book, assignment)
+    found: dict[str, Sources] = {n.name: {} for n in master.notebooks}
     columns = (Notebook.name, SourceCell.name, SourceCell.source, SourceCell.checksum)
     rows = book.db.query(*columns).join(Notebook, Notebook.id == SourceCell.notebook_id)
-    here = Notebook.assignment_id == book.find_assignment(assignment).id
-    for notebook, name, source, checksum in rows.filter(here):
+    for notebook, name, source, checksum in rows.filter(Notebook.assignment_id == master.id):
         found[notebook][name] = source, checksum
     return found
 

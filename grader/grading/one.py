@@ -14,6 +14,7 @@ from ..assignment.released import personal_path
 from ..course import Course, load_json, write_notebook
 from ..sandbox import Harvester
 from ..submission import (
+    Executed,
     Graded,
     UnreadableError,
     Work,
@@ -25,7 +26,6 @@ from ..submission import (
     rebuild,
     student_sheet,
 )
-from ..submission.execute import Executed
 from ..submission.files import BESIDE
 from .records import (
     fingerprint,
@@ -35,7 +35,6 @@ from .records import (
     read_record,
     run_state,
     score_state,
-    scores_of,
     write_record,
 )
 
@@ -96,8 +95,9 @@ def grade_one(
     else:
         assert notebook  # rebuilt above, since no run is kept
         executed = execute(harvester, sheet, notebook)
-    kept = {i for i in state["scored"] if ran and entry["scored"].get(i) == state["scored"][i]}
-    graded = grade_notebook(sheet, work, executed, scores_of(entry, kept) if kept else {})
+    scores = graded_from_json(entry).scores if ran else {}
+    kept = {i: s for i, s in scores.items() if entry["scored"].get(i) == state["scored"].get(i)}
+    graded = grade_notebook(sheet, work, executed, kept)
     graded.note = "; ".join(filter(None, [remark, graded.note]))
     now = graded_as_json(graded)
     if notebook is None and any(entry[key] != now[key] for key in now):

@@ -5,7 +5,7 @@ corrected key is graded without running anything again.
 import hashlib
 import json
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, TypedDict
@@ -112,14 +112,8 @@ def graded_as_json(graded: Graded) -> dict[str, Any]:
 
 def graded_from_json(entry: Mapping[str, Any]) -> Graded:
     """The grade in an entry of a record."""
-    scores = {s["problem"]: _score(s) for s in entry["scores"]}
+    scores = {
+        s["problem"]: Score(s["problem"], tuple(map(Part.from_dict, s["parts"])), s["note"])
+        for s in entry["scores"]
+    }
     return Graded(scores, entry["points"], entry["comments"], entry["note"], entry["sandbox"])
-
-
-def scores_of(entry: Mapping[str, Any], wanted: Collection[str]) -> dict[str, Score]:
-    """The scores in an entry of a record, of the ``wanted`` problems only."""
-    return {s["problem"]: _score(s) for s in entry["scores"] if s["problem"] in wanted}
-
-
-def _score(s):
-    return Score(s["problem"], tuple(map(Part.from_dict, s["parts"])), s["note"])

@@ -54,7 +54,7 @@ def grade(
         if new and harvester:
             harvester.__enter__()  # imports in parallel with those of the gradebook
         book = stack.enter_context(course.gradebook())
-        sources, roster = _assignment(book, assignment), {s.id for s in book.students}
+        sources, roster = instructors_cells(book, assignment), {s.id for s in book.students}
         timed = wanted if is_exam(course, assignment) else ()
         times = {s: read_timestamp(submitted[s].parent) for s in timed}
         remarks, refused = judged(course, book, assignment, times)
@@ -105,15 +105,3 @@ def _on_threads(run, harvester, students, progress):
             harvester.abandon()
             raise
     return found
-
-
-def _assignment(book, assignment):
-    from nbgrader.api import MissingEntry
-
-    try:
-        return instructors_cells(book, assignment)
-    except MissingEntry:
-        raise CourseError(
-            f"the gradebook does not know {assignment}; generate it again with: "
-            f"nbgrader generate_assignment {assignment} --force"
-        ) from None

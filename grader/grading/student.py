@@ -9,27 +9,18 @@ from ..course import Course, CourseError
 from ..sandbox import CAGED, Harvester, HarvestError
 from ..scoring import Score
 from ..submission import UnreadableError, read_timestamp
-from .gradebook import Entry
+from .gradebook import Entry, Total
 from .one import grade_one
 
 
 @dataclass
-class Result:
-    """The result of one submission, or in ``problem`` the reason why it was not graded.
-
-    points, out_of, extra, penalty : from the gradebook: automatic or manual points, with extra
-    credit, minus the penalty for lateness
-    waiting : number of cells to grade by hand
-    sandbox : "namespaces", or "unsandboxed: …"
+class Result(Total):
+    """The result of one submission with its points in the gradebook, or in ``problem`` the reason
+    why it was not graded; ``sandbox`` is "namespaces", or "unsandboxed: …".
     """
 
     student: str
     scores: dict[str, Score] = field(default_factory=dict)
-    points: float = 0.0
-    out_of: float = 0.0
-    extra: float = 0.0
-    penalty: float = 0.0
-    waiting: int = 0
     sandbox: str = CAGED
     note: str = ""
     problem: str = ""

@@ -24,7 +24,7 @@ def write(name: str, questions: Iterable[Question]) -> bytes:
         if q.figure:
             figures[f"figures/{q.ident}.png"] = q.figure
         for n, part in enumerate(q.parts):
-            for m in range(1 if part.options else len(part.key)):
+            for m in range(part.count):
                 place = f"{q.ident.rpartition('-')[0]}-{n}-{m}"
                 groups.setdefault(place, []).append(_Item(q, part, n, m))
     path = f"bank-{name}/bank-{name}.xml"
@@ -54,8 +54,7 @@ class _Item:
 
     @property
     def points(self) -> float:
-        count = 1 if self.part.options else len(self.part.key)
-        return self.question.points_of(self.part) / count
+        return self.question.points_of(self.part) / self.part.count
 
     @property
     def text(self) -> str:

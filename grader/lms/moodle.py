@@ -25,11 +25,9 @@ def write(name: str, questions: Iterable[Question]) -> bytes:
 
 
 def _kind(q):
-    if len(q.parts) > 1:
+    if len(q.parts) > 1 or q.parts[0].count > 1:
         return "cloze"
-    if q.parts[0].options:
-        return "multichoice"
-    return "numerical" if len(q.parts[0].key) == 1 else "cloze"
+    return "multichoice" if q.parts[0].options else "numerical"
 
 
 def _text(q, kind):
@@ -46,13 +44,9 @@ def _asked(q, kind):
 
 def _weights(q):
     """The weight of each number of each part, as integers for Moodle."""
-    each = [Fraction(p.weight).limit_denominator(100) / len(_numbers(p)) for p in q.parts]
+    each = [Fraction(p.weight).limit_denominator(100) / p.count for p in q.parts]
     whole = math.lcm(*(x.denominator for x in each))
     return [int(x * whole) for x in each]
-
-
-def _numbers(part):
-    return (part.key,) if part.options else part.key
 
 
 def _embedded(part, weight):

@@ -27,25 +27,17 @@ def write(name: str, questions: Iterable[Question]) -> bytes:
 
 
 def _item(q):
-    given = {
-        "namespace": NAMESPACE,
-        "instance": INSTANCE,
-        "schema": SCHEMA,
-        "number": platform_number,
-    }
-    return xml("qti", q=q, body=_body(q), names=_names, **given)
+    places = {"namespace": NAMESPACE, "instance": INSTANCE, "schema": SCHEMA}
+    body = html(q.text)
+    if q.figure:
+        body += f'<p><img src="{q.ident}.png" alt="{escape(q.words)}"/></p>'
+    body += "".join(_asked(n, part) for n, part in enumerate(q.parts))
+    return xml("qti", q=q, body=body, names=_names, number=platform_number, **places)
 
 
 def _names(n, part):
     """The variables of a part's answers."""
     return [f"R{n}"] if part.options else [f"R{n}-{m}" for m in range(len(part.key))]
-
-
-def _body(q):
-    body = html(q.text)
-    if q.figure:
-        body += f'<p><img src="{q.ident}.png" alt="{escape(q.words)}"/></p>'
-    return body + "".join(_asked(n, part) for n, part in enumerate(q.parts))
 
 
 def _asked(n, part):

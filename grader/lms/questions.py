@@ -49,6 +49,11 @@ class QuestionPart:
         return self.asked.of
 
     @property
+    def count(self) -> int:
+        """The number of its blanks: one for a choice."""
+        return 1 if self.options else len(self.key)
+
+    @property
     def weight(self) -> float:
         """Its share of the points, relative to the other parts."""
         return self.asked.weight

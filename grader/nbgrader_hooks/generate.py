@@ -71,11 +71,12 @@ class SaveChangedCells(OfCourse, SaveCells):
             wanted = getattr(self, f"new_{kind}_cells")
             there = {cell.name: cell for cell in getattr(notebook, f"{kind}_cells")}
             for name in there.keys() - wanted.keys():
-                for row in _rows(there[name]):
+                cell = there[name]
+                for row in (*getattr(cell, "grades", ()), *getattr(cell, "comments", ())):
                     given = by_hand.setdefault(name, {}).setdefault(row.notebook.student.id, {})
                     given.update(given_by_hand([row]))
                     db.delete(row)
-                db.delete(there[name])
+                db.delete(cell)
             db.commit()
             for name in wanted.keys() - there.keys():
                 add = getattr(self.gradebook, f"add_{kind}_cell")
@@ -88,11 +89,6 @@ class SaveChangedCells(OfCourse, SaveCells):
             name: given for name, given in by_hand.items() if name not in back
         }
         write_json(path, kept)
-
-
-def _rows(cell):
-    """The rows of all submissions for a cell."""
-    return *(getattr(cell, "grades", None) or ()), *(getattr(cell, "comments", None) or ())
 
 
 def _add_rows(cell, submission, by_hand):

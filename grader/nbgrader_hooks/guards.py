@@ -7,7 +7,6 @@ instructor. With these names it stops.
 """
 
 import logging
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -50,12 +49,8 @@ class Configured(OfCourse):
         self.log.addFilter(_one_line_each)  # adding it twice has no effect
         converter = self.parent
         if hasattr(converter, "convert_notebooks"):
-            convert = converter.convert_notebooks
-            converter.convert_notebooks = lambda: self._converted(converter, convert)
-
-    def _converted(self, converter: Any, convert: Callable[[], None]) -> None:
-        with ending_at_ctrl_c(self.log, lambda: _how_far(converter)):
-            convert()
+            stopping = ending_at_ctrl_c(self.log, lambda: _how_far(converter))
+            converter.convert_notebooks = stopping(converter.convert_notebooks)
 
     def _refuse(self, why: str) -> NoReturn:
         self.log.error(why)

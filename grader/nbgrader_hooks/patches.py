@@ -4,7 +4,6 @@ the secret), wait for pipes, and fail for the whole class because of one student
 
 import os
 import stat
-from datetime import datetime
 
 from nbgrader.converters import base
 from nbgrader.coursedir import CourseDirectory
@@ -21,17 +20,12 @@ _find_all_files = base.find_all_files
 def read_regular_files_only() -> None:
     """Have nbgrader copy only small regular files, and treat an unreadable time as missing."""
     base.find_all_files = regular_files
-    CourseDirectory.get_existing_timestamp = existing_timestamp
+    CourseDirectory.get_existing_timestamp = lambda self, dest_path: read_timestamp(dest_path)
 
 
 def copy_only_nbgraders_own_files() -> None:
     """Have nbgrader copy nothing but the files that it wrote itself."""
     base.find_all_files = nbgraders_own_files
-
-
-def existing_timestamp(self: CourseDirectory, dest_path: str) -> datetime | None:
-    """Replaces ``CourseDirectory.get_existing_timestamp``."""
-    return read_timestamp(dest_path)
 
 
 def regular_files(path: str, exclude: list[str] | None = None) -> list[str]:

@@ -4,6 +4,7 @@ grade``, write the gradebook, and prepare the feedback page.
 
 import atexit
 from base64 import b64encode
+from functools import cache
 from typing import Any
 
 from nbformat import NotebookNode
@@ -23,16 +24,14 @@ from ..submission import read_timestamp
 from .shared import WRITTEN, OfCourse, Processed
 
 _graded: dict[tuple[str, ...], GradingResult] = {}  # passed from the first step to the second
-_harvester = None
 
 
+@cache
 def shared_harvester() -> Harvester:
     """The harvester of this process, as nbgrader makes new preprocessors for every notebook."""
-    global _harvester
-    if _harvester is None:
-        _harvester = Harvester(1).__enter__()
-        atexit.register(_harvester.__exit__)
-    return _harvester
+    harvester = Harvester(1).__enter__()
+    atexit.register(harvester.__exit__)
+    return harvester
 
 
 def _key(resources):

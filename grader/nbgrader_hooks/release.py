@@ -28,20 +28,21 @@ def _submission_secret(*folders: Path) -> str | None:
     return None
 
 
-def _refused(exchange, rule, *place):
-    """Stop a step of the exchange, in words, if a rule of exams refuses it."""
+def _of_exams(rule, exchange):
+    """The course and assignment of a step, which a rule of exams may end with a sentence."""
+    course, assignment = Course(exchange.coursedir.root), exchange.coursedir.assignment_id
     try:
-        rule(*place)
+        rule(course, assignment)
     except CourseError as error:
         exchange.fail(str(error))
+    return course, assignment
 
 
 class ReleaseWithPersonal(ExchangeReleaseAssignment):
     """Makes each student's own copy, and puts them beside the released assignment."""
 
     def copy_files(self) -> None:
-        course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
-        _refused(self, refuse_before_opening, course, assignment)
+        course, assignment = _of_exams(refuse_before_opening, self)
         students = course.roster()
         if not students:
             super().copy_files()
@@ -66,8 +67,7 @@ class ReleaseOwnPages(ExchangeReleaseFeedback):
     """
 
     def copy_files(self) -> None:
-        course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id
-        _refused(self, refuse_feedback, course, assignment)
+        course, assignment = _of_exams(refuse_feedback, self)
         notebooks = [p.stem for p in course.released_path(assignment).parent.glob("*.ipynb")]
         excluded = set(filter(None, self.coursedir.student_id_exclude.split(",")))
         students = self.coursedir.student_id or "*"

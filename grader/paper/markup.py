@@ -88,10 +88,6 @@ def _table(token):
     return f"#terms-table({widths}, {cells})\n\n"
 
 
-def _link(token):
-    return f"#link({string(token['attrs']['url'])})[{_all(token['children'])}]"
-
-
 def in_line(latex: str, most: str = "15cm") -> str:
     """A LaTeX formula in a line of text; in an equation of matrices each side has its full height,
     and is at most ``most`` wide.
@@ -119,7 +115,7 @@ _WRITERS = {
     ),
     "list": _list,
     "table": _table,
-    "link": _link,
+    "link": lambda t: f"#link({string(t['attrs']['url'])})[{_all(t['children'])}]",
     "image": _around("emph"),  # its alternative text: only figures of problems are printed
     "thematic_break": lambda t: "#line(length: 100%)\n\n",
 }  # fmt: skip

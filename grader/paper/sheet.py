@@ -1,9 +1,10 @@
 """A student's sheet and its key, as Typst."""
 
+import base64
+import hmac
 import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,7 @@ from ..scoring.margins import margins
 from ..scoring.numbers import numbers_of
 from .markup import BLANK, formula, in_line, string, typst
 
-LOOK = Path(__file__).with_name("paper.typ")
+LOOK = Path(__file__).with_name("paper.typ").read_bytes()
 ROOM = 4.0, 1.5  # cm of room for a problem, and for each of its answers
 OWN_ROOM, YOURS = 6.0, "*Your answer*"  # room and heading of an instructor's own question
 Files = dict[str, bytes]  # what Typst compiles: {name: content}
@@ -76,7 +77,7 @@ def _written(e, student, files):
     if svg := figure_svg(p, values):
         files[name := f"{slug(p.id)}.svg"] = svg
         parts.append(f"drawing: {string(name)}, words: {string(plain(p.figure, p.units))}")
-    rows = ", ".join(_asked(p, a) for a in p.answers)
+    rows = ", ".join(f"{_means(p, a)}, [{_to_fill_in(p, a)}]" for a in p.answers)
     parts += [f"asked: answers({rows})", f"room: {ROOM[0] + ROOM[1] * len(p.answers)}cm"]
     return f"#problem({', '.join(parts)})\n\n"
 
@@ -148,11 +149,6 @@ def _tolerance(a, point):
     return f"${limits}$"
 
 
-def _asked(p, a):
-    """The row of an answer: its meaning, and a blank."""
-    return f"{_means(p, a)}, [{_to_fill_in(p, a)}]"
-
-
 def _means(p, a):
     means = typeset(a.means, p)
     return f"[{typst(means[:1].upper() + means[1:])}]"
@@ -189,19 +185,11 @@ def _page(title, student, entries, body, key=False):
 def _files(title, name, code, body, options):
     head = ", ".join(map(string, (title, name, code)))
     preamble = f'#import "paper.typ": *\n#show: body => paper({head}, body, {options})\n'
-    return {"main.typ": (preamble + "".join(body)).encode(), "paper.typ": _look()}
-
-
-@cache
-def _look():
-    return LOOK.read_bytes()
+    return {"main.typ": (preamble + "".join(body)).encode(), "paper.typ": LOOK}
 
 
 def variant_code(digest: bytes, values: Mapping[str, Any]) -> str:
     """A short code for these numbers, as "K7QF-2M3P"; ``digest`` is secret."""
-    import base64
-    import hmac
-
     text = json.dumps(values, sort_keys=True).encode()
     made = base64.b32encode(hmac.digest(digest, text, "sha256"))[:8].decode()
     return f"{made[:4]}-{made[4:]}"

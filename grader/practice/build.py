@@ -174,12 +174,18 @@ def page_of(
         "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "variants": variants,
-        "labels": [(key, *map(kept, astuple(c))) for key, c in labels],
-        "slips": [(key, rank, *map(kept, astuple(c)[1:])) for key, rank, c in slips],
+        "labels": [(key, *map(kept, _texts(c))) for key, c in labels],
+        "slips": [(key, rank, *map(kept, _texts(c)[1:])) for key, rank, c in slips],
         "book": sets[0] == problem(name).book_values, "help": help,
         "symbols": {n: p.notation[n] for n in p.givens},
     }  # fmt: skip
     return page, figures
+
+
+def _texts(cause):
+    """What a file keeps of a cause: its texts, with its answers in place of what it is of."""
+    *texts, of, answers = astuple(cause)
+    return *texts, " ".join(answers) or of
 
 
 def _numbered(variants, name):
@@ -225,7 +231,7 @@ def _variant(p, values, described, right, help):
     return {
         "givens": {n: [values[n], g.unit, plain(g.means, p.units)] for n, g in p.givens.items()},
         "statement": statement(p, values, figure=False),
-        "text": _plain(p, values),
+        "text": plain_text(p, values),
         "right": {k: x for k, x in right.items() if k in shown},
         "wrong": [w for w in wrong if w[0] in shown],
         "slips": [
@@ -252,12 +258,12 @@ def _typeset_term(name, equation, p):
     return with_values(term_text(name, equation, p, latex=True), lambda x: typeset(x, p))
 
 
-def _plain(p, values):
+def plain_text(p: Problem, values: Values) -> str:
     """The text of a problem for a terminal, with names as typed."""
 
     def quantity(n):
-        unit = p.givens[n].unit if n in p.givens else "1"
-        return f"{n} = {short_number(values[n])}{'' if unit == '1' else ' ' + unit}"
+        unit = "" if p.units[n] == "1" else f" {p.units[n]}"
+        return f"{n} = {short_number(values[n])}{unit}" if n in values else n
 
     lines = [plain(p.text, p.units, quantity)]
     if p.frame:

@@ -28,17 +28,14 @@ def graded_numbers(
     done : called with the number of sheets read and the total
     """
     course = Course(path)
-    asked = {
-        folder.name: [_known(name) for source in sorted(folder.glob("*.ipynb"))
-                      for name in tasks(read_json(source))]
-        for folder in sorted((course.path / "source").iterdir()) if folder.is_dir()
-    }  # fmt: skip
-    sheets_of = (p for problems in asked.values() for p in problems if p)
-    found: dict[str, list[Values]] = {p.id: [] for p in sheets_of}
+    asked: dict[str, list[Problem]] = {}
+    for source in sorted((course.path / "source").glob("*/*.ipynb")):
+        known = filter(None, map(_known, tasks(read_json(source))))
+        asked.setdefault(source.parent.name, []).extend(known)
+    found: dict[str, list[Values]] = {p.id: [] for problems in asked.values() for p in problems}
     sheets = [(assignment, student) for assignment in asked for student in course.roster()]
     for n, (assignment, student) in enumerate(sheets, 1):
-        problems = [p for p in asked[assignment] if p]
-        for name, values in course.values(assignment, student, problems).items():
+        for name, values in course.values(assignment, student, asked[assignment]).items():
             found[name].append(values)
         done(n, len(sheets))
     for file in sorted((course.path / "numbers").glob("*/*.json")):

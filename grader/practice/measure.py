@@ -31,7 +31,7 @@ from .quantities import NOISE
 
 LISTED, SLIPS, RANDOM = "listed mistakes", "slips in steps", "random numbers"
 DIGITS = 6  # of a student's answer
-RANDOMS = 5  # answers for each quantity
+RANDOMS = 5  # answers for each quantity, within a factor of three of the size of the right one
 
 
 def practice_shares(
@@ -96,8 +96,11 @@ def _measure(page, number, found, times):
             continue
         for cause, x in slips(q["kind"], right) if q["step"] else ():
             found[SLIPS][_outcome(p, q, x, right, cause, models.get(key, []), times)] += 1
+        size = math.hypot(*right) or 1.0
         for _ in range(RANDOMS):
-            x = _random(right, rng)
+            direction = [rng.gauss(0, 1) for _ in right]
+            scale = size * 3 ** rng.uniform(-1, 1) / math.hypot(*direction)
+            x = [scale * part for part in direction]
             found[RANDOM][_outcome(p, q, x, right, None, models.get(key, []), times)] += 1
 
 
@@ -155,11 +158,3 @@ def slips(kind: str, right: Sequence[float]) -> list[tuple[Any, list[float]]]:
             swapped[a], swapped[b] = right[b], right[a]
             found.append((exchanged_components((a, b)), swapped))
     return [(c, x) for c, x in found if size > NOISE and is_apart((tuple(x),), (tuple(right),))]
-
-
-def _random(right, rng):
-    """Random numbers within a factor of three of the size of the right ones."""
-    size = math.hypot(*right) or 1.0
-    x = [rng.gauss(0, 1) for _ in right]
-    scale = size * 3 ** rng.uniform(-1, 1) / math.hypot(*x)
-    return [scale * part for part in x]

@@ -10,7 +10,7 @@ import numpy as np
 
 from exercises.catalogue import Problem
 from exercises.catalogue.steps import in_unit, listed_steps, repeated, steps
-from exercises.catalogue.variants import flat
+from exercises.catalogue.variants import at_points, flat
 from newton_euler.algebra.language import spoken
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.causes import listed
@@ -39,19 +39,15 @@ def quantities(p: Problem, values: Values) -> tuple[list[dict[str, Any]], dict[s
         })  # fmt: skip
         right[s.key] = _numbers(s.value, s.kind)
     for key, x in p.solve(values).items():
-        a = p.answer(key)
+        a, is_sum = p.answer(key), isinstance(x, Vector) and len(x.terms) > 1
         described.append({
             "key": key, "kind": a.kind.name, "unit": a.unit, "means": typeset(a.means, p),
-            "plain": plain(a.means, p.units), "section": p.section, "equation": _equation(x),
-            "latex": p.notation[key], "atol": a.atol, "of": list(a.of), "sum": "", "step": False,
-            "rtol": a.rtol,
+            "plain": plain(a.means, p.units), "section": p.section,
+            "equation": x.equation.number if is_sum else "", "latex": p.notation[key],
+            "atol": a.atol, "of": list(a.of), "sum": "", "step": False, "rtol": a.rtol,
         })  # fmt: skip
         right[key] = _numbers(x, a.kind)
     return described, right
-
-
-def _equation(x):
-    return x.equation.number if isinstance(x, Vector) and len(x.terms) > 1 else ""
 
 
 def _numbers(x, kind):
@@ -66,10 +62,12 @@ def wrong_numbers(
     """
     g = p.base(values)
     found = []
+    _, wrong = at_points(p, values)
+    for name, answers in wrong.items():
+        cause = listed(name, p.mistakes[name])
+        for key, (point,) in answers.items():
+            found.append((key, cause, point[0] if p.answer(key).kind.is_word else point))
     with np.errstate(all="ignore"):
-        for name, answers in _listed(p, values).items():
-            cause = listed(name, p.mistakes[name])
-            found += [(key, cause, x) for key, x in answers.items()]
         for compute in (_answers_of(p), _steps_of(p)):
             with contextlib.suppress(ArithmeticError, ValueError):
                 found += general_models(p, g, compute(g), compute)
@@ -77,25 +75,6 @@ def wrong_numbers(
     return [
         (key, cause, _short(x)) for key, cause, x in found if _differs(kinds[key], x, right[key])
     ]
-
-
-def _listed(p, values):
-    """{mistake: {answer: its numbers or word}}, nan where a mistake has no real answer."""
-    try:
-        wrong = p.wrong(values)
-    except (ArithmeticError, ValueError):
-        wrong = p.wrong({n: np.atleast_1d(float(x)) for n, x in values.items()})
-    return {
-        name: {
-            k: _one(x) if p.answer(k).kind.is_word else tuple(map(_one, flat(x)))
-            for k, x in answers.items()
-        }
-        for name, answers in wrong.items()
-    }
-
-
-def _one(x):
-    return x.reshape(-1)[0] if isinstance(x, np.ndarray) else x
 
 
 def _answers_of(p):

@@ -9,12 +9,13 @@ from typing import Any
 from exercises.catalogue import Problem
 from exercises.catalogue.steps import repeated
 from exercises.catalogue.tracing import traced_quantities
+from newton_euler.algebra.source import WITHIN
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import unit
 from newton_euler.classroom.practising.programs import OPERATIONS
 
 from ..assignment.cells import Values
-from ..assignment.names import value_of
+from ..assignment.names import unsigned, value_of
 
 
 def relations(p: Problem, values: Values) -> dict[str, Any] | None:
@@ -38,7 +39,7 @@ def relations(p: Problem, values: Values) -> dict[str, Any] | None:
     place: dict[int, int] = {}
     reached: dict[Any, Any] = {}
     for s in trace.steps:
-        if s.op in ("item", *_WITHIN) or not isinstance(numbers[s.number], float):
+        if s.op in ("item", *WITHIN) or not isinstance(numbers[s.number], float):
             continue
         from_quantities = _reached(s, reached, starts)
         if s.number in starts or from_quantities:
@@ -60,9 +61,6 @@ def relations(p: Problem, values: Values) -> dict[str, Any] | None:
     return {"operations": program, "quantities": where, "earlier": _earlier(components, reached)}
 
 
-_WITHIN = "integral", "over_cube", "root"
-
-
 def _is_step(x):
     return isinstance(x, Step)
 
@@ -71,13 +69,8 @@ def _traced(p):
     """{key: [(traced component in base units, factor to the unit of the text)]}."""
     found = traced_quantities(p)
     factors = {key: unit(u).from_base(1.0, p.system) for key, u in found.units.items()}
-    return {key: [_inward(x, factors[key]) for x in parts]
-            for key, parts in found.components.items() if key not in repeated(p)}  # fmt: skip
-
-
-def _inward(x, factor):
-    """A component without its minus sign, which goes into the factor."""
-    return (x.args[0], -factor) if _is_step(x) and x.op == "neg" else (x, factor)
+    parts = {k: map(unsigned, x) for k, x in found.components.items() if k not in repeated(p)}
+    return {key: [(x, sign * factors[key]) for x, sign in pairs] for key, pairs in parts.items()}
 
 
 def _evaluated(trace, g):

@@ -11,7 +11,7 @@ diagnoses    how often the mistakes of the exercises are recognised
 unlisted     the same of unlisted slips (slips_made makes them, setups_made those in a set-up)
 """
 
-from .answers import answers_json, answers_text, given_values, nested, solution_text, solve_problem
+from .answers import answers_json, answers_text, as_json, given_values, solution_text, solve_problem
 from .catalogue import problems_table
 from .diagnoses import diagnosis_shares, shares_table
 from .export import FORMATS, export

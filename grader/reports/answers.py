@@ -1,9 +1,9 @@
 """Answers of problems as text and JSON."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
-from exercises.catalogue import Problem, variants
+from exercises.catalogue import Answer, Problem, variants
 from newton_euler.algebra.scalars import to_plain
 from newton_euler.algebra.vectors import Vector
 
@@ -27,24 +27,23 @@ def solve_problem(p: Problem, seed: int | None, changes: Mapping[str, float]) ->
 
 def answers_json(p: Problem, results: Results) -> dict[str, Any]:
     """{key: {"kind", "value" or "expr", "unit"}} for JSON; formulas as SymPy reads them."""
-    out = {}
-    for a in p.answers:
-        value = results[a.key]
-        if a.kind.is_formula:
-            out[a.key] = {"kind": a.kind.name, "expr": nested(value, str), "unit": a.unit}
-        else:
-            out[a.key] = {"kind": a.kind.name, "value": nested(value, _plain), "unit": a.unit}
-    return out
+    return {
+        a.key: {
+            "kind": a.kind.name,
+            "expr" if a.kind.is_formula else "value": as_json(a, results[a.key]),
+            "unit": a.unit,
+        }
+        for a in p.answers
+    }
 
 
-def nested(value: Any, convert: Callable[[Any], Any]) -> Any:
-    """An answer as a number or as nested lists, with ``convert`` applied to each entry."""
+def as_json(a: Answer, value: Any) -> Any:
+    """An answer as a number, a word, a formula as text, or nested lists of these."""
     if isinstance(value, (Vector, tuple, list)):
-        return [nested(v, convert) for v in value]
-    return convert(to_plain(value))
-
-
-def _plain(x):
+        return [as_json(a, x) for x in value]
+    x = to_plain(value)
+    if a.kind.is_formula:
+        return str(x)
     return x if isinstance(x, (int, str)) else float(x)
 
 

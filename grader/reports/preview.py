@@ -18,7 +18,7 @@ from ..assignment.lines import formatted
 from ..assignment.notebook import short_number, statement
 from ..assignment.sheet import with_tolerance
 from ..assignment.solution import worked_solution
-from ..practice.plain import plain
+from ..practice.build import plain_text
 from ..scoring import score_receipt
 from .answers import solution_text
 from .diagnoses import handed_in
@@ -121,13 +121,11 @@ def preview(p: Problem, options: Mapping[str, Any] | None = None) -> Preview:
     own = dict(options or {})
     p = with_tolerance(p, own.get("tolerance"))
     drawn = {f"student {n + 1}": draw(p, f"preview {n}".encode()) for n in range(STUDENTS)}
-    sheets = tuple(_sheet(p, name, x) for name, x in {"book": p.book_values, **drawn}.items())
-    return Preview(p, own, sheets, tuple(_mistakes(p, own.get("help"))))
-
-
-def _sheet(p, name, values):
-    answers = p.solve({**p.sympy_symbols(), **values})
-    return Variant(name, values, {key: formatted(x) for key, x in answers.items()})
+    sheets = []
+    for name, values in {"book": p.book_values, **drawn}.items():
+        answers = p.solve({**p.sympy_symbols(), **values})
+        sheets.append(Variant(name, values, {key: formatted(x) for key, x in answers.items()}))
+    return Preview(p, own, tuple(sheets), tuple(_mistakes(p, own.get("help"))))
 
 
 def _mistakes(p, help):
@@ -152,7 +150,7 @@ def preview_text(found: Preview) -> str:
     """The preview as text with rich's markup."""
     p = found.problem
     blocks = [
-        plain(p.text, p.units, lambda n: _with_number(p, n)),
+        plain_text(p, p.book_values),
         "\n".join(found.facts),
         "Numbers and key: the book's, and three students'",
         "\n".join("  " + "  ".join(row) for row in found.rows),
@@ -162,9 +160,3 @@ def preview_text(found: Preview) -> str:
     shown = [block.replace("[", r"\[") for block in blocks]
     steps = ["Steps, with the book's numbers", solution_text(p, p.book_values)]
     return "\n\n".join([f"[bold]{p.id}[/] {p.title}", *shown[:4], *steps, *shown[4:]])
-
-
-def _with_number(p, name):
-    if name not in p.givens:
-        return name
-    return f"{name} = {short_number(p.book_values[name])} {p.givens[name].unit}"

@@ -9,6 +9,7 @@ from newton_euler.answers import Cause
 
 from ..assignment.released import released
 from ..course import Course, CourseError
+from ..grading.gradebook import in_gradebook
 
 
 @dataclass(frozen=True)
@@ -115,16 +116,8 @@ def student_rows(
 
     penalties : False to ignore that penalty
     """
-    from nbgrader.api import MissingEntry
-
     with course.gradebook() as book:
-        try:
-            maximum = book.find_assignment(assignment).max_score
-        except MissingEntry:
-            raise CourseError(
-                f"the gradebook does not know {assignment}; generate it first: nbgrader "
-                f"generate_assignment {assignment}"
-            ) from None
+        maximum = in_gradebook(book, assignment).max_score
         submissions = {s.student_id: s for s in book.assignment_submissions(assignment)}
         found = []
         for s in book.students:

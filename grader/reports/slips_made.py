@@ -4,28 +4,24 @@ independent of what the diagnosis looks for.
 
 import math
 import random
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import Any, NamedTuple
 
 from exercises.catalogue import Problem
+from exercises.catalogue.tracing import traced_quantities
 from exercises.catalogue.variants import POINTS, as_points, draw, flat, symbol_points
-from newton_euler.algebra.scalars import ZERO, pi, where
-from newton_euler.algebra.scalars import function as function_of
-from newton_euler.algebra.source import runtime_names
-from newton_euler.algebra.trace import Inner, Step, Trace
+from newton_euler.algebra import scalars
+from newton_euler.algebra.scalars import ZERO
+from newton_euler.algebra.source import operations
+from newton_euler.algebra.trace import Inner, Step
 from newton_euler.algebra.units import SI, US, Dimension, unit
 from newton_euler.algebra.vectors import Vector
 
+from ..scoring.slips.formulas import dimensions_of, needed
 from .setups_made import of_setups
 
-BETWEEN: dict[str, Callable[..., Any]] = {
-    "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b,
-    "/": lambda a, b: a / b, "**": lambda a, b: a**b, "pow": lambda a, b: a**b,
-    "neg": lambda a: -a, "abs": abs, "where": where, "item": lambda a, n: a[n], "pi": pi,
-    "lt": lambda a, b: a < b, "le": lambda a, b: a <= b,
-    "gt": lambda a, b: a > b, "ge": lambda a, b: a >= b,
-}  # fmt: skip
+OPERATIONS = operations(scalars) | {"pi": scalars.pi}
 TWINS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 SETUPS = 4  # of a problem
 OF_INERTIA = Dimension(1, 2, 0)
@@ -48,20 +44,15 @@ class ProblemFormulas:
     """
 
     def __init__(self, p: Problem):
-        trace = Trace()
-        self.problem = p
-        self.given = {n: trace.new("argument", n) for n in p.units}
-        g = p.base(dict.fromkeys(p.units, 1.0)).but(**self.given)
-        asked = {a.key: a for a in p.answers if not a.kind.is_word}
-        self.answers = {
-            key: [(x, unit(asked[key].unit).from_base(1.0, p.system)) for x in flat(found)]
-            for key, found in p.code.solve(g).items()
-            if key in asked
-        }
-        self.steps = _used(x for parts in self.answers.values() for x, _ in parts)
+        found = traced_quantities(p)
+        self.problem, self.given, self.answers = p, found.givens, {}
+        for a in (a for a in p.answers if not a.kind.is_word):
+            factor = unit(a.unit).from_base(1.0, p.system)
+            self.answers[a.key] = [(x, factor) for x in found.components[a.key]]
+        self.steps = needed(x for parts in self.answers.values() for x, _ in parts)
         self.own = US if any(unit(u).is_of_feet for u in p.units.values()) else SI
         self.metres = 0.3048 if self.own is US else 1.0
-        stated = {unit(u) for u in (*p.units.values(), *(a.unit for a in asked.values()))}
+        stated = {unit(u) for u in (*p.units.values(), *(found.units[k] for k in self.answers))}
         sizes = {(float(u.to_base(1.0, SI)), u.dimension.powers[1]) for u in stated}
         if self.own is SI and all(math.isclose(x, 0.001 ** float(n)) for x, n in sizes if n):
             self.metres = 0.001  # all lengths are in mm
@@ -88,27 +79,6 @@ class ProblemFormulas:
         """The components of an answer, with edits."""
         value = _Evaluation(values, edits).value
         return tuple(0.0 if x is ZERO else value(x) * factor for x, factor in self.answers[key])
-
-    def dimensions(self) -> dict[int, Any]:
-        """{number of a step: its dimension}."""
-        value = _Evaluation({n: unit(u).dimension for n, u in self.problem.units.items()}).value
-        found = {}
-        for s in self.steps:
-            try:
-                found[s.number] = value(s)
-            except (ValueError, TypeError, AttributeError):  # an integral on dimensions
-                continue
-        return found
-
-
-def _used(leaves):
-    waiting, found = [x for x in leaves if isinstance(x, Step)], {}
-    while waiting:
-        s = waiting.pop()
-        if s.number not in found:
-            found[s.number] = s
-            waiting += [a for a in s.args if isinstance(a, Step)]
-    return [found[n] for n in sorted(found)]
 
 
 class _Evaluation:
@@ -149,7 +119,7 @@ class _Evaluation:
     def _operated(self, op, args):
         if isinstance(args[0] if args else None, Inner):
             return _within(op, *args)
-        return BETWEEN[op](*args) if op in BETWEEN else function_of(op, *args)
+        return OPERATIONS[op](*args)
 
 
 def _within(op, inner, *args):
@@ -157,7 +127,7 @@ def _within(op, inner, *args):
         value = _Evaluation(dict(zip(inner.parameters, numbers, strict=True))).value
         return tuple(value(x) for x in inner.leaves)
 
-    return runtime_names(math)[op](formula, *args)
+    return OPERATIONS[op](formula, *args)
 
 
 # -- the kinds of slips
@@ -166,7 +136,7 @@ def _within(op, inner, *args):
 def edits(f: ProblemFormulas, values: Mapping[str, Any]) -> dict[str, list[tuple[SlipEdit, ...]]]:
     """{kind of slip: its possible edits of these formulas}."""
     found: dict[str, list[tuple[SlipEdit, ...]]] = {}
-    dimensions = f.dimensions()
+    dimensions = dimensions_of(f.steps, {n: unit(u) for n, u in f.problem.units.items()})
     for s in f.steps:
         for kind, edit in _edits_of(s, f, values, dimensions):
             found.setdefault(kind, []).append((edit,))
@@ -180,11 +150,11 @@ def _edits_of(s, f, values, dimensions):
         yield from _of_given(s, f, values)
     if s.op in "*/" and len(steps) == 2:
         kind = "square lost" if steps[0] is steps[1] else "factor dropped"
-        yield kind, SlipEdit(s, (s.op, steps[0], f.one(dimensions.get(steps[1].number))))
+        yield kind, SlipEdit(s, (s.op, steps[0], f.one(dimensions.get(steps[1]))))
         if s.op == "*" and steps[0] is not steps[1]:
-            yield kind, SlipEdit(s, ("*", steps[1], f.one(dimensions.get(steps[0].number))))
+            yield kind, SlipEdit(s, ("*", steps[1], f.one(dimensions.get(steps[0]))))
     if s.op in ("sqrt", "**"):
-        root = f.one(dimensions.get(s.number)) / f.one(dimensions.get(steps[0].number))
+        root = f.one(dimensions.get(s)) / f.one(dimensions.get(steps[0]))
         yield "square lost", SlipEdit(s, ("*", steps[0], root))
     if s.op in "*/" and numbers and steps and steps[0] is s.args[0]:
         constant = float(numbers[0])
@@ -196,19 +166,19 @@ def _edits_of(s, f, values, dimensions):
         yield "sin for cos", SlipEdit(s, (TWINS[s.op], *s.args))
     if s.op in ("+", "-") and len(steps) == 2:
         yield from _of_sum(s, steps, dimensions)
-    gravity = [a for a in steps if dimensions.get(a.number) == OF_GRAVITY and a.op == "argument"]
+    gravity = [a for a in steps if dimensions.get(a) == OF_GRAVITY and a.op == "argument"]
     if s.op == "*" and len(gravity) == 1 and len(steps) == 2:
         other = next(a for a in steps if a is not gravity[0])
         yield "g left out", SlipEdit(s, ("*", other, f.one(OF_GRAVITY)))
     if s.op == "*":
         for a in steps:
-            if a.op == "argument" and dimensions.get(a.number) == Dimension(1, 0, 0):
+            if a.op == "argument" and dimensions.get(a) == Dimension(1, 0, 0):
                 yield "g put in", SlipEdit(a, ("*", a, 32.2 if f.own is US else 9.81), s)
 
 
 def _of_sum(s, steps, dimensions):
     a, b = steps
-    inertia = dimensions.get(s.number) == OF_INERTIA
+    inertia = dimensions.get(s) == OF_INERTIA
     for term, other, sign in ((a, b, s.op == "-"), (b, a, False)):
         if term.op in ("+", "-"):
             continue  # several terms
@@ -330,7 +300,7 @@ def _going_on(f, base, right, rng):
     choices = [e for every in edits(f, base).values() for e in every]
     for key, edit in _wrong_numbers(f, right, rng):
         follows, later = _later(f, base, right, key, edit)
-        before = {s.number for s in _used(x for x, _ in f.answers[key])}
+        before = {s.number for s in needed(x for x, _ in f.answers[key])}
         after = [e for e in choices if e[0].step.number not in before]
         for slip in rng.sample(after, min(2, len(after))) if later else ():
             wrong, _ = _later(f, base, right, key, (*edit, *slip))

@@ -57,10 +57,12 @@ def _of_part(problem, key, found, totals):
     graded = [e for e in found if not e.waits]
     points = np.array([e.points for e in graded])
     rest = np.array([totals[e.student] for e in graded]) - points
+    few = len(graded) < FEWEST or np.ptp(points) == 0 or np.ptp(rest) == 0
+    discrimination = None if few else float(np.corrcoef(points, rest)[0, 1])
     verdicts = Counter(e.verdict for e in graded)
     return PartStatistics(
         problem, key, len(found), max(e.out_of for e in found), _difficulty(graded),
-        _correlation(points, rest), verdicts, mistake_counts(graded), len(found) - len(graded),
+        discrimination, verdicts, mistake_counts(graded), len(found) - len(graded),
     )  # fmt: skip
 
 
@@ -83,12 +85,6 @@ def mistake_counts(found: Iterable[PartScore]) -> list[tuple[str, int]]:
             counts[mistake] += 1
             words[mistake] = e.diagnosis
     return [(words[mistake], n) for mistake, n in counts.most_common()]
-
-
-def _correlation(x, y):
-    if len(x) < FEWEST or np.ptp(x) == 0 or np.ptp(y) == 0:
-        return None
-    return float(np.corrcoef(x, y)[0, 1])
 
 
 def statistics_table(parts: Iterable[PartStatistics]) -> Table:

@@ -52,13 +52,10 @@ def gradebook_table(results: Sequence[Result]) -> Table:
         found = Counter(p.verdict for s in r.scores.values() for p in s.parts)
         remark = "; ".join([*(["unsandboxed"] if uncaged else []), *_remarks(r)])
         points, verdicts = f"{r.points:.4g}/{r.out_of:g}", (str(found[v]) for v in MARK)
-        table.add_row(in_cell(r.student), points, _percent(r), *verdicts, in_cell(remark))
+        percent = f"{100 * r.points / r.out_of:.0f}" if r.out_of else "–"
+        table.add_row(in_cell(r.student), points, percent, *verdicts, in_cell(remark))
     _add_summary(table, results)
     return table
-
-
-def _percent(result):
-    return f"{100 * result.points / result.out_of:.0f}" if result.out_of else "–"
 
 
 def _remarks(r):

@@ -46,7 +46,9 @@ def slip_shares(problems: Iterable[Problem], draws: int) -> dict[str, Counter[st
 def _of_slips(p, values, rng):
     numbers = numbers_of(p, values)
     for slip in made(p, values, rng):
-        exact = {k: _floats(points_of(p.answer(k), x)) for k, x in slip.answers.items()}
+        points = {k: points_of(p.answer(k), x) for k, x in slip.answers.items()}
+        # floats: a zero may be the engine's own
+        exact = {k: tuple(tuple(map(float, x)) for x in found) for k, found in points.items()}
         digits = rng.choice(DIGITS)
         whole = {k: _judged(p.answer(k), x, numbers) for k, x in exact.items()}
         judged = {k: _judged(p.answer(k), _written(x, digits), numbers) for k, x in exact.items()}
@@ -56,17 +58,14 @@ def _of_slips(p, values, rng):
                 yield slip.kind, _outcome(p.answer(key), judged, numbers, whole, slip)
 
 
-def _floats(points):
-    """The same, with 0.0 for a zero of the engine's own."""
-    return tuple(tuple(map(float, point)) for point in points)
-
-
 def _of_random(p, values, rng):
     numbers = numbers_of(p, values)
     for a in p.answers:
         for _ in range(0 if a.kind.is_word or a.kind.is_formula else TRIES):
-            given = _written(_random(numbers.key[a.key], rng), rng.choice(DIGITS))
-            judged = {a.key: _judged(a, given, numbers)}
+            right = numbers.key[a.key][0]
+            scale = (math.hypot(*right) or 1.0) / math.sqrt(len(right))
+            x = tuple(scale * rng.choice((-1, 1)) * 3 ** rng.uniform(-1, 1) for _ in right)
+            judged = {a.key: _judged(a, _written((x,), rng.choice(DIGITS)), numbers)}
             if judged[a.key].verdict == "wrong":
                 yield RANDOM, "named" if _causes(a, judged, numbers)[0] else "silent"
 
@@ -75,12 +74,6 @@ def _written(points, digits):
     if len(points) > 1:  # a formula keeps all digits
         return points
     return (tuple(float(f"{float(x):.{digits}g}") for x in points[0]),)
-
-
-def _random(points, rng):
-    size = math.hypot(*points[0]) or 1.0
-    scale = size / math.sqrt(len(points[0]))
-    return (tuple(scale * rng.choice((-1, 1)) * 3 ** rng.uniform(-1, 1) for _ in points[0]),)
 
 
 def _judged(asked, given, numbers):

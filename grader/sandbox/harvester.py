@@ -6,7 +6,6 @@ import contextlib
 import os
 import re
 import threading
-import time
 from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
@@ -19,9 +18,8 @@ from .worker import END_SECONDS, GRACE, HarvestError, Job, Limits, Worker
 CAGED = "namespaces"  # the "sandbox" of a reply whose code ran in the cage
 CELL_SECONDS = 10.0
 SECONDS = 60.0
-RUN_SECONDS = (
-    2 * (SECONDS + GRACE) + END_SECONDS
-)  # within which a run ends: cells, tests, leftovers
+# within which a run ends: cells, tests, leftovers
+RUN_SECONDS = 2 * (SECONDS + GRACE) + END_SECONDS
 MOST_TESTS = 200  # in one notebook
 MOST_TEXT = 2**20  # characters of all cells; a chapter worked out in full has 50 000
 PER_CELL = 100  # characters added for each cell, which limits the number of cells too
@@ -51,7 +49,6 @@ class Reply(TypedDict):
     errors: dict[str, str]
     sandbox: str
     ended: str
-    seconds: float
 
 
 class Harvester:
@@ -118,7 +115,6 @@ class Harvester:
                 f"the notebook has {len(tests)} cells with tests; at most {MOST_TESTS} can be run. "
                 "Put several tests into one cell"
             )
-        start = time.perf_counter()
         cells = [c for c in cells if c["role"] != "run" or c["text"].strip()]
         if (size := sum(len(c.get("text", "")) + PER_CELL for c in cells)) > MOST_TEXT:
             return self._not_run(len(cells), size, tests)
@@ -141,7 +137,6 @@ class Harvester:
             "errors": errors,
             "sandbox": state["sandbox"],
             "ended": state["ended"],
-            "seconds": round(time.perf_counter() - start, 4),
         }
 
     def _not_run(self, count, size, tests):
@@ -152,7 +147,6 @@ class Harvester:
             "sandbox": self.sandbox_state,
             "ended": f"not run: its {count} cells hold {size / 1e6:.1f} million characters; the "
             f"limit is {MOST_TEXT / 1e6:.1f} million",
-            "seconds": 0.0,
         }
 
     def _exchange(self, cells, texts, limits):

@@ -1,12 +1,11 @@
 """Runs the code of a rebuilt notebook in the sandbox, in the order of its cells."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from newton_euler.algebra.language import Words, _, relayed
 
 from ..assignment import notebook as nb
-from ..assignment.cells import Cell, Notebook, kind, nbgrader_metadata, own_metadata
+from ..assignment.cells import Notebook, kind, nbgrader_metadata, own_metadata
 from ..assignment.sheet import Task
 from ..sandbox import CAGED, Harvester
 from ..sandbox.receipts import Outcome, RawReceipt
@@ -40,7 +39,7 @@ class Executed:
     note: str = ""
 
 
-def cells_to_run(sheet: Sheet, notebook: Notebook) -> list[Job]:
+def _cells_to_run(sheet: Sheet, notebook: Notebook) -> list[Job]:
     """The cells as :meth:`~grader.sandbox.Harvester.run` takes them; [] without any work."""
     worked = _worked_at(sheet, notebook)
     if not worked:
@@ -66,7 +65,9 @@ def cells_to_run(sheet: Sheet, notebook: Notebook) -> list[Job]:
         elif what in RUN:
             cells.append({"role": "run", "name": cell["id"], "text": cell["source"]})
         elif what == "test":
-            cells.append(_test(sheet, cell, _master(sheet, cell)["source"]))
+            name, seen = nbgrader_metadata(cell)["grade_id"], _master(sheet, cell)["source"]
+            full = sheet.sources.get(name, (seen, ""))[0]
+            cells.append({"role": "test", "name": name, "text": seen, "hidden": full})
     return [*cells, _harvest(sheet.tasks[waiting])] if waiting else cells
 
 
@@ -106,38 +107,29 @@ def _harvest(task: Task) -> Job:
     return {"role": "harvest", "problem": problem, "forms": forms, "symbols": symbols}
 
 
-def _test(sheet: Sheet, cell: Cell, visible: str) -> Job:
-    """A test with the text that students see, and the full one from the gradebook."""
-    name = nbgrader_metadata(cell)["grade_id"]
-    full, _ = sheet.sources.get(name, (visible, ""))
-    return {"role": "test", "name": name, "text": visible, "hidden": full}
-
-
 def _forms(task: Task) -> dict[str, str]:
     return task.forms or {a.key: str(a.form) for a in task.exercise.answers}
 
 
-def run_cells(harvester: Harvester, cells: Sequence[Job]) -> Executed:
-    """Run the cells in the sandbox."""
+def execute(harvester: Harvester, sheet: Sheet, notebook: Notebook) -> Executed:
+    """Run the work in a rebuilt notebook in the sandbox."""
+    cells = _cells_to_run(sheet, notebook)
     if not cells:
         return Executed()
     result = harvester.run(cells)
-    receipts, notes = result["receipts"], []
+    receipts, note = result["receipts"], ""
     asked = [c["problem"] for c in cells if c["role"] == "harvest"]
     unread = [i for i in asked if i not in receipts]
     if result["ended"] != "done":
         how = relayed(result["ended"])
-        notes.append(_("the notebook was {how}; answers that came later were not read", how=how))
+        note = _("the notebook was {how}; answers that came later were not read", how=how)
     elif unread:
-        notes.append(
-            _(
-                "the notebook ended by itself in the cell of {problem}; answers that came later "
-                "were not read",
-                problem=unread[0],
-            )
+        note = _(
+            "the notebook ended by itself in the cell of {problem}; answers that came later "
+            "were not read",
+            problem=unread[0],
         )
         ended = _(PROCESS_ENDED)
         lost: RawReceipt = {"id": unread[0], "answers": None, "faults": None, "error": ended}
         receipts[unread[0]] = lost
-    note = "; ".join(notes)
     return Executed(receipts, result["tests"], result["errors"], result["sandbox"], note)

@@ -10,8 +10,9 @@ def mathml(latex: str, display: str = "inline") -> str:
     """A formula as MathML; one that cannot be converted is left in LaTeX, between dollar signs."""
     from latex2mathml.converter import convert
 
+    raised = _RAISED.sub(lambda m: f"{m[1]}{_EXPONENTS[int(m[2])]}}}", latex)
     try:
-        made = convert(_RAISED.sub(_with_exponent, latex), display=display)
+        made = convert(raised, display=display)
     except Exception:  # its errors have no base class, and an IndexError is among them
         return f"${html.escape(latex)}$"
     # the converter keeps the backslash of \% in a text; HTML needs no XML namespace
@@ -21,11 +22,8 @@ def mathml(latex: str, display: str = "inline") -> str:
 _NAMESPACE = re.compile(r' xmlns="[^"]*"')
 
 # browsers without a mathematical font place an exponent after a word much too high
-_RAISED = re.compile(r"\\text\{([^{}]*)\}\^(\d)")
-
-
-def _with_exponent(match):
-    return rf"\text{{{match[1]}{'⁰¹²³⁴⁵⁶⁷⁸⁹'[int(match[2])]}}}"
+_RAISED = re.compile(r"(\\text\{[^{}]*)\}\^(\d)")
+_EXPONENTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 
 
 def unit_html(text: str, unit: str) -> str:

@@ -5,12 +5,12 @@ from dataclasses import dataclass, field
 
 from newton_euler.algebra.language import _, spoken
 
-from ..assignment.cells import Notebook, kind, nbgrader_metadata
+from ..assignment.cells import kind, nbgrader_metadata
 from ..course import CourseError
-from ..sandbox import CAGED, Harvester
+from ..sandbox import CAGED
 from ..sandbox.receipts import Outcome
 from ..scoring import NO_ANSWER, Score, ScoreError, score_receipt
-from .execute import Executed, cells_to_run, run_cells
+from .execute import Executed
 from .rebuild import Work
 from .sheet import Sheet
 
@@ -30,13 +30,8 @@ class Graded:
     sandbox: str = CAGED
 
 
-def execute(harvester: Harvester, sheet: Sheet, notebook: Notebook) -> Executed:
-    """Run the work in a rebuilt notebook."""
-    return run_cells(harvester, cells_to_run(sheet, notebook))
-
-
 def grade_notebook(
-    sheet: Sheet, work: Work, executed: Executed, kept: Mapping[str, Score] | None = None
+    sheet: Sheet, work: Work, executed: Executed, kept: Mapping[str, Score]
 ) -> Graded:
     """Grade a notebook from the results of its run: no student code runs here. Problems in ``kept``
     need not be scored again.
@@ -47,16 +42,18 @@ def grade_notebook(
     graded = Graded(note="; ".join(n for n in notes if n), sandbox=executed.sandbox)
     by_grade_id = {}
     for number, task in sheet.tasks.items():
-        score = (kept or {}).get(number) or _scored(sheet, task, work, executed)
+        score = kept.get(number) or _scored(sheet, task, work, executed)
         graded.scores[number] = by_grade_id[task.grade_id] = score
     for cell in sheet.released.notebook["cells"]:
         marks, what = nbgrader_metadata(cell), kind(cell)
         name = marks.get("grade_id", "")
         score, untouched = by_grade_id.get(name), name in work.untouched
-        if marks.get("grade"):
-            graded.points[name] = _automatic_points(
-                what, marks, score, untouched, executed.tests.get(name)
-            )
+        if marks.get("grade") and score:
+            graded.points[name] = score.points
+        elif marks.get("grade") and what == "test":
+            graded.points[name] = points_of_test(executed.tests.get(name), marks["points"])
+        elif marks.get("grade"):  # None where a person gives them
+            graded.points[name] = 0.0 if what == "receipt" or untouched else None
         if marks.get("solution") or what == "task":
             empty = _("No response.") if untouched and what != "task" else None
             graded.comments[name] = feedback_comment(score) if score else empty
@@ -74,15 +71,6 @@ def _scored(sheet, task, work, executed):
     except ScoreError as error:
         raise CourseError(str(error)) from error
     return score.without_reasons if task.help == "none" else score
-
-
-def _automatic_points(what, marks, score, untouched, outcome):
-    """The points of a graded cell; None where a person gives them."""
-    if score:
-        return score.points
-    if what == "test":
-        return points_of_test(outcome, marks["points"])
-    return 0.0 if what == "receipt" or untouched else None
 
 
 def points_of_test(outcome: Outcome | None, most: float) -> float:

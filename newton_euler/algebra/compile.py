@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 from . import scalars
 from .errors import checked
 from .jets import Moving
-from .places import callers_line
+from .places import callers_line, package_of
 from .scalars import (
     FUNCTIONS,
     DivisionError,
@@ -51,6 +51,8 @@ HEYOKA_BLOCK = 1 << 15
 # instants (heyoka loaded: True, or not) from which on heyoka, with its compilation and import,
 # takes less time in all than NumPy (measured)
 HEYOKA_BREAK_EVEN = {True: 60_000, False: 1_500_000}
+# those whose functions may ask a traced value for its number
+_LIBRARIES = {"numpy", "scipy", "mpmath", *sys.stdlib_module_names}
 
 
 def _shape(result, leaves, keys):
@@ -356,7 +358,7 @@ def _lacked_values(error):
     if any(map(_traced, (getattr(error.__cause__ or error, "obj", None), *error.args))):
         return True
     frames = [at.tb_frame for at in _tracebacks(error)]
-    raised = takewhile(_of_a_library, reversed(frames))
+    raised = takewhile(lambda frame: package_of(frame) in _LIBRARIES, reversed(frames))
     return any(_traced(x) for frame in raised for x in frame.f_locals.values())
 
 
@@ -365,11 +367,6 @@ def _tracebacks(error):
     while at:
         yield at
         at = at.tb_next
-
-
-def _of_a_library(frame):
-    package = frame.f_globals.get("__name__", "").partition(".")[0]
-    return package in {"numpy", "scipy", "mpmath", *sys.stdlib_module_names}
 
 
 def _traced(x):

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from .names import listed
-from .scalars import ZERO, is_numeric, max_abs, min_abs, short, unit_roundoff
+from .scalars import ZERO, largest_abs, max_abs, min_abs, short, unit_roundoff
 from .vectors import FrameError
 
 # Thresholds of the elimination, in round-offs of the coarsest number. Measured on 3000 surplus
@@ -49,11 +49,6 @@ class LinearEquation:
         return replace(self, coefficients=coefficients, right=change(self.right))
 
 
-def largest_of(values):
-    """The largest size among those of the values that are numbers."""
-    return max((max_abs(x) for x in values if is_numeric(x)), default=0.0)
-
-
 class Varies(Exception):
     """No unknown can serve as the pivot at all instants of the arrays."""
 
@@ -90,7 +85,7 @@ class Elimination:
         """For each equation the largest of its values and of those of the same condition."""
         largest = {}
         for e, own in zip(self.equations, values, strict=True):
-            largest[e.group] = max(largest.get(e.group, 0.0), largest_of(own))
+            largest[e.group] = max(largest.get(e.group, 0.0), largest_abs(own))
         return [largest[e.group] for e in self.equations]
 
     def _scales(self):

@@ -23,7 +23,7 @@ from .scalars import (
     clipped,
     in_range,
     is_numeric,
-    max_abs,
+    largest_abs,
     operations,
     real_scalar,
     scalar,
@@ -293,8 +293,7 @@ class Explanation:
         _check_unit(unit, f"{ledger.equation.kind} {ledger.subject}", ledger.unit)
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
-        sizes = (max_abs(x) for t in (vector, *terms.values()) for x in t.c if is_numeric(x))
-        noise = NOISE * max(sizes, default=0.0)
+        noise = NOISE * largest_abs(x for t in (vector, *terms.values()) for x in t.c)
         self.vector = vector.rounded(noise)
         self.terms = terms.mapped(lambda t: t.rounded(noise))
 

@@ -18,7 +18,7 @@ from operator import add, mul
 from types import MappingProxyType
 from typing import Any
 
-from .elimination import Elimination, LinearEquation, LinearError, Varies, largest_of
+from .elimination import Elimination, LinearEquation, LinearError, Varies
 from .errors import checked
 from .late import np
 from .ledger import distinct
@@ -33,6 +33,7 @@ from .scalars import (
     _Own,
     is_numeric,
     is_zero,
+    largest_abs,
     max_abs,
     min_abs,
     outranks,
@@ -220,7 +221,7 @@ def solve_rates(conditions: Callable[..., Any], count: int) -> Triple:
     (4.0,)
     """
     equations = _equations(conditions(*_unknowns(count)), count)
-    noise = RATE_NOISE * largest_of(c for e in equations for c in e.coefficients)
+    noise = RATE_NOISE * largest_abs(c for e in equations for c in e.coefficients)
 
     rows = [
         e.parts()
@@ -243,8 +244,8 @@ def solve_rates(conditions: Callable[..., Any], count: int) -> Triple:
     terms = [[*map(mul, e.coefficients, rates), -e.right] for e in equations]
     parts = [x for row in terms for x in row]
     if all(map(is_numeric, parts)):
-        worst = largest_of(sum(row, ZERO) for row in terms)
-        if worst > AGREEMENT * largest_of(parts):
+        worst = largest_abs(sum(row, ZERO) for row in terms)
+        if worst > AGREEMENT * largest_abs(parts):
             raise LinearError(
                 "the conditions contradict each other: with the rates that fit best, one of them "
                 f"is {worst:.3g} instead of 0"
@@ -279,7 +280,7 @@ def _cramer(matrix, right):
     determinant = minor(every, every)
     if determinant is ZERO or (
         is_numeric(determinant)
-        and min_abs(determinant) <= RATE_NOISE * prod(largest_of(row) or 1 for row in matrix)
+        and min_abs(determinant) <= RATE_NOISE * prod(largest_abs(row) or 1 for row in matrix)
     ):
         raise LinearError(
             "the conditions do not determine the rates: some are equivalent, or do not contain one"

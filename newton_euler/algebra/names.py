@@ -11,6 +11,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from .language import _
+from .places import package_of
 from .scalars import NewtonEulerError, clipped
 
 # names of other programs, and those used here
@@ -118,7 +119,7 @@ def _is_imported(top):
     from opcode import opname
 
     frame = sys._getframe(2)
-    while frame.f_globals.get("__name__", "").partition(".")[0] == top.__name__:
+    while package_of(frame) == top.__name__:
         frame = frame.f_back
     return opname[frame.f_code.co_code[frame.f_lasti]] == "IMPORT_FROM"
 

@@ -13,11 +13,16 @@ from .scalars import LIBRARIES, NewtonEulerError
 _NOT_A_CALLERS = {"newton_euler", "scipy", "", *LIBRARIES, *sys.stdlib_module_names}
 
 
+def package_of(frame: FrameType) -> str:
+    """The top-level package of the code of a frame; "" for generated code."""
+    return frame.f_globals.get("__name__", "").partition(".")[0]
+
+
 def callers_places(error: BaseException) -> Iterator[tuple[FrameType, int]]:
     """Pairs (frame, line) of the caller's functions in a traceback, below where it was caught."""
     caught = error.__traceback__
     for frame, line in walk_tb(caught and caught.tb_next):
-        if frame.f_globals.get("__name__", "").partition(".")[0] not in _NOT_A_CALLERS:
+        if package_of(frame) not in _NOT_A_CALLERS:
             yield frame, line
 
 
@@ -32,10 +37,8 @@ def callers_line(error: BaseException) -> str:
 
 def raised_by_the_engine(error: BaseException) -> bool:
     """True if the engine itself raised this error, False if a function that it called did."""
-    module = ""
-    for frame, _ in walk_tb(error.__traceback__):
-        module = frame.f_globals.get("__name__", "")
-    return module.partition(".")[0] == "newton_euler"
+    packages = [package_of(frame) for frame, _ in walk_tb(error.__traceback__)]
+    return packages[-1:] == ["newton_euler"]
 
 
 def at_a_place(error: Exception, kind: type[Exception], place: str, advice: str = "") -> None:

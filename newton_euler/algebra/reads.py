@@ -19,19 +19,16 @@ from types import (
     ModuleType,
 )
 
-from .scalars import _Own, _root
+from .scalars import LIBRARIES, _Own, _root
 
 ABSENT = object()
-# packages whose functions and modules stay as they are while a program runs
-FIXED = {
-    "newton_euler", "builtins", "math", "cmath", "operator", "itertools", "functools", "fractions",
-    "numpy", "scipy", "mpmath", "sympy", "symengine", "heyoka",
-}  # fmt: skip
 ENGINE = {"newton_euler"}
+PYTHONS = {"builtins", "math", "cmath", "operator", "itertools", "functools", "fractions"}
+# packages whose functions and modules stay as they are while a program runs
+FIXED = {*ENGINE, *PYTHONS, *LIBRARIES, "scipy"}
 # kinds of values that never change: a name can only be given another one
 CONSTANTS = (bool, int, float, complex, str, bytes, type(None), range, Fraction, _Own)
 RANDOM = "numpy.random"
-NUMBERS = {"numpy", "mpmath", "sympy", "symengine", "heyoka"}
 # by these a function reaches what its byte code does not name
 HIDDEN = {"eval", "exec", "globals", "locals", "open", "input", "__import__", "compile"}
 BY_NAME = {"getattr", "vars", "dir"}
@@ -193,4 +190,4 @@ def _is_constant(x):
     if kind in CONSTANTS or isinstance(x, _Own) or _root(kind) == "newton_euler":
         return True
     # an array and a matrix can change
-    return _root(kind) in NUMBERS and hasattr(x, "__mul__") and not hasattr(x, "__setitem__")
+    return _root(kind) in LIBRARIES and hasattr(x, "__mul__") and not hasattr(x, "__setitem__")

@@ -689,6 +689,11 @@ def max_abs(x: Scalar) -> float:
     return float(largest.max(initial=0)) if hasattr(largest, "max") else float(largest)
 
 
+def largest_abs(values: Iterable[Scalar]) -> float:
+    """The largest absolute value among those that are numbers; 0.0 without any."""
+    return max((max_abs(x) for x in values if is_numeric(x)), default=0.0)
+
+
 def min_abs(x: Scalar) -> float:
     """The smallest absolute value in ``x``, as a float: that of a divisor nearest to zero."""
     smallest = abs(without_rates(x))

@@ -43,6 +43,7 @@ from .scalars import (
     is_expression,
     is_numeric,
     is_zero,
+    largest_abs,
     max_abs,
     min_abs,
     probe,
@@ -209,7 +210,7 @@ class Vector(Scaled, NamedTerms):
 
     def _without_noise(self):
         """The vector as it is printed: components below round-off of the largest are 0."""
-        return self.rounded(NOISE * max((max_abs(x) for x in self.c if is_numeric(x)), default=0.0))
+        return self.rounded(NOISE * largest_abs(self.c))
 
     def cleared(self) -> "Vector":
         """The vector without components that vanish whatever their symbols are; its terms stay."""

@@ -48,7 +48,6 @@ def curvilinear(
     Raises :class:`SingularError` where a scale factor is below round-off (a pole, an axis), and for
     coordinates that are not orthogonal or not right-handed there.
 
-    >>> from newton_euler import Frame, moving
     >>> ground = Frame("ground")
     >>> parabolic = lambda u, v, w: ((u**2 - v**2)/2, u*v, w)
     >>> P = curvilinear(ground, "P", parabolic, moving(3.0, rate=2.0), 4.0, 0.0)
@@ -152,7 +151,6 @@ def gradient(f: Callable[..., Scalar], P: Point) -> Vector:
     f : function of the coordinates by which P is given: x, y, z, or those of a
         :class:`~newton_euler.kinematics.coordinates.CoordinatePoint`
 
-    >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> gradient(lambda x, y, z: x**2*y, ground.point("P", 3.0, 2.0, 5.0))
     Vector(12.0, 9.0, 0 in ground)

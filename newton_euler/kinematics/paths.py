@@ -40,7 +40,6 @@ def along(path: Path, q: Scalar) -> Triple:
     """The three moving coordinates of the point at ``q`` on the path, for ``ground.point("P",
     *along(path, q))`` (3.1)-(3.3); q is a moving parameter, or a time, with the rate 1.
 
-    >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> ground.point("P", *along(lambda t: (t**2, 3.0*t, 1.0), 2.0)).velocity(ground)
     Vector(4.0, 3.0, 0 in ground)
@@ -149,7 +148,6 @@ class Frenet:
 def speed_rate(v: Vector, a: Vector) -> Scalar:
     """nu' = v . a / nu, the tangential component of acceleration; it exists on a straight path too.
 
-    >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> speed_rate(ground.vector(3.0, 4.0, 0), ground.vector(1.0, 1.0, 0))
     1.4
@@ -162,7 +160,6 @@ def speed_rate(v: Vector, a: Vector) -> Scalar:
 def flexure(v: Vector, a: Vector) -> Scalar:
     """f = abs(v x a)/nu^3 (3.6), 1/(radius of curvature); zero (or round-off) on a straight path.
 
-    >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> flexure(ground.vector(2.0, 0, 0), ground.vector(0.5, 3.0, 0))
     0.75
@@ -180,7 +177,6 @@ def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path")
     Raises :class:`SingularError` at rest, and where v x a is below round-off (a straight path, an
     inflection), to which terms of ``v`` and ``a`` that cancel add.
 
-    >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> P = frenet(ground.vector(0, 5.0, 0), ground.vector(-2.0, 1.5, 0))
     >>> P.speed, P.speed_rate, P.radius, P.acceleration
@@ -201,7 +197,7 @@ def frenet_along(path: Path, q: Scalar, ground: Frame, name: str = "path") -> Fr
     Raises :class:`SingularError` as :func:`frenet` does, here where a direction changes by its own
     size while q changes by its round-off.
 
-    >>> from newton_euler import Frame, cos, sin
+    >>> from newton_euler import cos, sin
     >>> helix = frenet_along(lambda s: (3.0*cos(s), 3.0*sin(s), 4.0*s), 0.0, Frame("ground"))
     >>> helix.speed, helix.flexure, helix.torsion  # right-handed, so negative here
     (5.0, 0.12, -0.16)

@@ -108,7 +108,6 @@ def in_sequence(*rotations: Matrix) -> Rows:
     fixed frame (4.2, 4.3): their product in the reverse order. With each axis in the frame turned
     by the earlier ones it is :func:`product` itself.
 
-    >>> import math
     >>> X, Y = (rotation_matrix(axis, math.pi/2) for axis in ((1, 0, 0), (0, 1, 0)))
     >>> [[round(x) for x in row] for row in in_sequence(X, Y)]  # columns: i = -K, j = I, k = -J
     [[0, 1, 0], [0, 0, -1], [-1, 0, 0]]
@@ -121,7 +120,6 @@ def direction_cosines(frame: Frame, ground: Frame) -> Rows:
     """The book's A (4.1), which takes components in ``ground`` to components in ``frame`` (4.7):
     the cosines of the angles between the axes of ``frame`` (rows) and of ``ground`` (columns).
 
-    >>> from newton_euler import Frame
     >>> ground = Frame("ground")
     >>> direction_cosines(ground.rotate("turned", "z", 0.0), ground)[0]  # i.I, i.J, i.K
     (1.0, 0.0, 0)
@@ -467,7 +465,7 @@ def euler_frame(
     about the new x, phi about the new z; numbers or :func:`moving`. ``origin`` is a Point of
     ``parent``. The ``.parent`` of the result is the book's {i, j, k}, which does not spin.
 
-    >>> from newton_euler import Frame, moving
+    >>> from newton_euler import moving
     >>> ground = Frame("ground")
     >>> body = euler_frame(ground, "top", moving(0.0, rate=2.0), 0.0, moving(0.0, rate=3.0))
     >>> body, body.angular_velocity(ground).components()

@@ -1,6 +1,4 @@
-"""Whether a Taylor series sees all that the rates do: beyond a place where they change their
-formula, a series continues the old one.
-"""
+"""Whether a Taylor series sees all that the rates do: past a kink it keeps the old formula."""
 
 from collections import Counter
 
@@ -33,9 +31,7 @@ def surprises(traced):
 
 
 def clocked(traced):
-    """The steps that choose between formulas by linear functions of the time, a list: comparisons,
-    absolute values and tables.
-    """
+    """The comparisons, absolute values and tables of linear functions of the time, a list."""
     linear, found = set(), []
     for s in varying(traced):
         moving = [a for a in s.args if isinstance(a, Step) and traced.depends[a.number]]
@@ -83,9 +79,7 @@ def is_high_power(s, unknown=False):
 
 
 def depends(traced):
-    """For each step of the trace the names of the states, and of the time, on which it depends: a
-    dict of sets by number.
-    """
+    """For each step of the trace, by number, the set of states, and time, on which it depends."""
     changing, found = set(traced.rhs.parameters[: traced.arguments]), {}
     for s in traced.rhs.trace.steps:
         below = [found[a.number] for a in s.args if isinstance(a, Step)]
@@ -113,9 +107,7 @@ def factors(x):
 
 
 def absolutes(s):
-    """The steps of the trace by whose absolute value a step is made: x of abs(x), and of
-    sqrt(4*x*x), which is 2*abs(x).
-    """
+    """The steps x whose absolute value a step is made of: abs(x), sqrt(4*x*x) = 2*abs(x)."""
     if s.op == "abs":
         return [s.args[0]]
     if s.op == "sqrt" or (s.op == "**" and not isinstance(s.args[1], int)):

@@ -1,6 +1,4 @@
-"""The arguments of an integration: each as it is used, or :class:`ModelError`, which says what was
-expected.
-"""
+"""The arguments of an integration, checked: each as it is used, or a :class:`ModelError`."""
 
 import math
 from itertools import islice
@@ -66,9 +64,7 @@ def _start_value(subject, name, x):
 
 
 def check_options(rtol, method, step=None, progress=None):
-    """``rtol`` as a float. Raises :class:`ModelError` for options with which no model can be
-    integrated.
-    """
+    """``rtol`` as a float; :class:`ModelError` for options that suit no model."""
     if not (isinstance(method, str) and method in ("auto", *METHODS)):
         raise ModelError(f"method is 'auto' or one of {', '.join(METHODS)}; got {clipped(method)}")
     least = 1e-15 if method == "auto" else METHODS[method].min_rtol

@@ -15,6 +15,7 @@ from ..algebra.names import Guided
 from ..algebra.scalars import Scalar
 from .error_estimates import REPORTED_SAFETY, error_by_difference, relative_shift
 from .knots import knots
+from .methods.base import rows_of
 from .methods.table import METHODS, Method
 from .methods.taylor import batches
 from .model import Model, ModelError, expect, real_numbers
@@ -115,9 +116,7 @@ def integrate_many(run, name):
 
 @dataclass(frozen=True, eq=False)
 class _Many:
-    """A model with its starts (states, motions), those of its parameters that are arrays, and the
-    times of the samples.
-    """
+    """A model with its starts (states, motions), its array parameters, and the sample times."""
 
     model: Model
     starts: Any
@@ -270,19 +269,18 @@ def _taylor(many, run):
 
 
 def _cancelling(motions, system, times, points, p, sizes):
-    """Those of these numbers of ``motions`` of which a state is small by cancellation at both ends,
-    as of :func:`~newton_euler.motion.sizes.small`.
-    """
+    """Those of these ``motions`` of which a state is small by cancellation at both ends."""
     rates, found = system.traced.folded[0].on(np), np.ones((len(sizes), len(motions)), dtype=bool)
     with np.errstate(all="ignore"):
         for t, x in zip(times, points, strict=True):
             x, size, numbers = x[:, motions], sizes[:, motions], p[:, motions]
             scale = np.where(size > 0, size, 1.0)
-            here, slopes = _rows(rates(t, *x, *numbers), x), []
+            count = len(motions)
+            here, slopes = rows_of(rates(t, *x, *numbers), count), []
             for k, step in enumerate(SLOPE_STEP * scale):
                 moved = x.copy()
                 moved[k] += step
-                slopes.append(abs(_rows(rates(t, *moved, *numbers), x) - here) / step)
+                slopes.append(abs(rows_of(rates(t, *moved, *numbers), count) - here) / step)
             # arrays (rates, states, motions)
             matrix, vector = np.array(slopes).swapaxes(0, 1), np.ones_like(x)
             terms, matrix = (matrix * size).sum(axis=1), matrix * scale / scale[:, None]
@@ -298,15 +296,8 @@ def _cancelling(motions, system, times, points, p, sizes):
     return motions
 
 
-def _rows(values, x):
-    """The values as an array of the shape of ``x``; one of them may be a number."""
-    return np.array([np.broadcast_to(row, x.shape[1]) for row in values])
-
-
 def _unseen(many, run, n, tolerance, error):
-    """The part of the rates that the series of one motion, which has this error, do not see,
-    relative to the scales of the states.
-    """
+    """The part of the rates that the series of one motion, with this error, does not see."""
     one, x0 = many.alone(n)
     alone = replace(run, system=one, state=x0, samples=None, progress=None)
     return alone.trajectory(METHODS["taylor"], tolerance).unseen(error)
@@ -316,23 +307,18 @@ def _constants(many, system):
     """The constants of the folded right-hand side, an array (constants, motions)."""
     count, values = many.starts.shape[1], zip(system.free, system.p, strict=True)
     constants = system.traced.folded[1].on(np)(*(many.parameters.get(n, v) for n, v in values))
-    return np.array([np.broadcast_to(x, count) for x in constants], dtype=float).reshape(-1, count)
+    return rows_of(constants, count)
 
 
 def _clock_errors(system, t0, t1, ends, p, sizes, enough):
-    """The error of each motion by :func:`~newton_euler.motion.sizes.time_round_off`, or a bound of
-    it that is below ``enough``.
-    """
+    """The error of each motion by the clock, or a bound of it that is below ``enough``."""
     count = ends.shape[1]
     if system.autonomous:
         return np.zeros(count)
     rates, span = system.traced.folded[0], t1 - t0 or 1.0
     later = t1 + 1e-6 * span
     with np.errstate(all="ignore"):
-        beside, here = (
-            np.array([np.broadcast_to(row, count) for row in rates.on(np)(t, *ends, *p)])
-            for t in (later, t1)
-        )
+        beside, here = (rows_of(rates.on(np)(t, *ends, *p), count) for t in (later, t1))
         # as if no state changed faster than once in the whole time
         slope = abs((beside - here) / (later - t1) * t1) * span
         errors = TIME_SAFETY * ROUND_OFF * (slope / sizes).max(axis=0)

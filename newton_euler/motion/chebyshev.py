@@ -1,6 +1,4 @@
-"""Polynomials as sums of Chebyshev polynomials on (-1, 1), many at once: values, slopes, extrema;
-and the zero of a function in a bracket.
-"""
+"""Sums of Chebyshev polynomials on (-1, 1), many at once; and the zero in a bracket."""
 
 from functools import cache
 
@@ -28,9 +26,7 @@ def derivatives_at(fits, x):
 
 
 def extrema(fits):
-    """The places in (-1, 1) of all extrema of polynomials, as two arrays: the indices of the
-    polynomials, and the places in order.
-    """
+    """All extrema of polynomials in (-1, 1): their indices, and the places in order."""
     c = fits @ _differentiation()
     sizes = np.abs(c)
     largest = sizes.max(axis=1, keepdims=True)
@@ -52,9 +48,7 @@ def extrema(fits):
 
 
 def _companions(c):
-    """Matrices whose eigenvalues are the zeros of polynomials: ``chebcompanion`` of NumPy for many
-    at once.
-    """
+    """Matrices with the zeros of polynomials as eigenvalues: NumPy's ``chebcompanion`` for many."""
     n = c.shape[1] - 1
     scale = np.sqrt([1.0] + [0.5] * (n - 1))
     last = c[:, :-1] / c[:, -1:] * (scale / scale[-1])

@@ -27,9 +27,7 @@ NEAR = 4  # multiples of the room: a crossing so close to the end of a step need
 
 
 def choices(traced):
-    """The pairs (a, b) of steps of the trace or numbers by whose order the rates choose between
-    formulas, a list.
-    """
+    """The pairs (a, b) of steps or numbers by whose order the rates choose between formulas."""
     found = []
     for s in varying(traced):
         if s.op in COMPARISONS:
@@ -63,9 +61,7 @@ def off_a_border(system, t, x):
 
 
 def distances(system):
-    """The function ``(t, x)`` that returns the distance from each place at which the rates of a
-    prepared model change their formula, a list.
-    """
+    """The function ``(t, x)`` of the distances from each place where the rates change formula."""
     run, p = system.traced.compiled_choices, system.p
 
     def at(t, x):
@@ -204,9 +200,7 @@ class Crossings:
         return max(first, begin + self.room) if first < stepper.t - NEAR * self.room else None
 
     def _pass(self):
-        """Go past a crossing that is next to the last state, at which no step was possible; False
-        if there is none.
-        """
+        """Go past a crossing next to the last state, where no step was possible; False if none."""
         stepper, before = self.stepper, (self.stepper.t, self.stepper.x)
         room = max(self.room, self._last_digit())
         for rooms in WAYS if stepper.steps and self.tries < TRIES else ():

@@ -5,6 +5,7 @@ micrometre at the surface of the Earth is genuine, however many of its digits ro
 from contextlib import suppress
 
 from ..algebra.late import np
+from .methods.base import rows_of
 from .narrow import narrow_times
 
 # a rate, or a state, is genuine above this multiple of what the last digits of states and
@@ -35,8 +36,7 @@ def driven(trajectory, start, natural, doubted):
         times, x = _points_passed(stepper)
 
         def rates(x, p=system.p):
-            values = system.traced.rhs.on(np)(times, *x, *p)
-            return np.array([np.broadcast_to(row, times.shape) for row in values])
+            return rows_of(system.traced.rhs.on(np)(times, *x, *p), len(times))
 
         first, held = np.array(start)[:, None], _driven_by(rates, x, doubted)
         change = np.where(held[:, None], 0.0, x - x[:, :1])
@@ -61,9 +61,7 @@ def driven(trajectory, start, natural, doubted):
 
 
 def _points_passed(stepper):
-    """Times of a run, the start first, including those of narrow features and halfway between
-    these; and the states at these times.
-    """
+    """Times of a run and its states there: the start, narrow features, and between these."""
     begin, end, narrow = stepper.start[0], stepper.t, stepper.system.traced.narrow
     if begin == end:
         return np.array([begin]), np.array(stepper.start[1])[:, None]
@@ -80,9 +78,7 @@ def _points_passed(stepper):
 
 
 def _driven_by(rates, x, doubted):
-    """For each state, whether it is doubted, or its rate depends on doubted states or on others
-    that these drive.
-    """
+    """For each state, whether it is doubted, or driven, perhaps indirectly, by doubted ones."""
     moved, found_rates = abs(x - x[:, :1]).max(axis=1), rates(x)
     driven_ones = np.isin(np.arange(len(x)), list(doubted))
     moved = np.where(driven_ones, abs(x).max(axis=1), moved)[:, None]

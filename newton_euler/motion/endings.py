@@ -118,9 +118,7 @@ def _hidden(system, t, x, span):
 
 
 def _leads_back(system, distance, t, x, span):
-    """True if the distance from a border soon becomes zero along the rates here, and also along
-    those beyond it.
-    """
+    """True if the rates here, and those beyond the border, soon lead back to it."""
     step, signs = TINY * span, []
     for _ in range(2):
         here, there = distance(t, *x), distance(*_moved(system, t, x, step))

@@ -13,8 +13,7 @@ from .sizes import small, time_round_off
 # the median.
 SAFETY, REGULAR, IRREGULAR = 7.0, 0.9, 0.4
 REPORTED_SAFETY = 3.0  # on the error that is reported: with it 99 % are covered
-# on the difference of a run of heyoka from one of higher order, which is its error, and on the
-# integral of the residual of a series that may not see all of the rates
+# on the difference of a series from one of higher order, and on the integral of its residual
 SERIES_SAFETY = RESIDUAL_SAFETY = 3.0
 # limits of the regime: the fewest steps, and the factor by which the number of steps of the fine
 # run may differ from what its order predicts
@@ -31,9 +30,7 @@ TIGHT = 1e-13
 
 
 def reported_error(error, rtol):
-    """The error that is reported: with more safety than the one that is compared with the rtol, but
-    not above the rtol.
-    """
+    """The reported error: with more safety than the one that is judged, but not above the rtol."""
     return max(error, min(rtol, REPORTED_SAFETY * error))
 
 

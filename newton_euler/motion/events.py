@@ -1,6 +1,4 @@
-"""Events: the times at which a function of the state changes its sign, located inside the steps of
-a trajectory by :mod:`newton_euler.motion.zeros`.
-"""
+"""Events: times at which a function of the state changes its sign, in the steps of a trajectory."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -138,9 +136,7 @@ class EventLocator:
         self.cuts: list[float] = []
 
     def look(self, first):
-        """Find the times in the steps from number ``first`` on at which the function may be narrow:
-        the search begins with pieces between these.
-        """
+        """Find where the function may be narrow, from step ``first`` on: a search begins there."""
         arguments = self.stepper.system.narrow_of(self.event.function)
         if arguments:
             times, knots, _ = narrow_times(self.stepper, arguments, first)
@@ -240,9 +236,7 @@ class EventLocator:
         return total.reshape(times.shape).max(axis=1)
 
     def _refined(self, zero, a, b):
-        """The time of a zero with the states that a step to there reaches, which are more accurate
-        than interpolated ones.
-        """
+        """The time of a zero by the states that a step to there reaches: more accurate."""
         stepper, (t, slope), length = self.stepper, zero, b - a
         if type(stepper).state_at is Stepper.state_at:  # which interpolates
             return t

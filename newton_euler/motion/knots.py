@@ -34,9 +34,7 @@ def knots(system, t0, t1):
 
 
 def _joints(system, t0, t1):
-    """The times at which the rates go over from one formula to another by the clock, as tables do
-    at their places.
-    """
+    """The times at which the clock changes the formula of the rates, as tables do."""
     steps, rhs = system.traced.clocked, system.traced.rhs
     pairs = [(s.args[0], 0.0 if s.op in ("abs", "table") else s.args[1]) for s in steps]
     leaves = [x for pair in pairs for x in pair]
@@ -76,9 +74,7 @@ def _found(system, t0, t1):
 
 
 def _edges(busy):
-    """The indices of the instants at which busy intervals follow a run of quiet ones, or end; empty
-    if there are very many.
-    """
+    """The indices at which busy intervals follow quiet ones, or end; empty if very many."""
     numbers = np.flatnonzero(busy)
     breaks = np.flatnonzero(np.diff(numbers) > QUIET_RUN)
     if len(breaks) >= MAX_EVENTS:
@@ -91,9 +87,7 @@ def _edges(busy):
 
 
 def _functions_of_time(traced):
-    """The functions of time alone that occur in the rates, as a
-    :class:`~newton_euler.algebra.compile.Compiled` formula; None if there are none.
-    """
+    """The functions of time alone in the rates, as one formula; None if there are none."""
     rhs, found = traced.rhs, list(traced.rhs.leaves)
     for step in rhs.trace.steps:
         if traced.depends[step.number] - {"t"}:

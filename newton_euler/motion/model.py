@@ -61,9 +61,7 @@ def expect(fits, what, got):
 
 
 class Named:
-    """Values by name, as ``s.v``; an unknown name raises an AttributeError that lists the known
-    ones.
-    """
+    """Values by name, as ``s.v``; an AttributeError for an unknown name lists the known ones."""
 
     def __init__(self, what: str, values: Mapping[str, Scalar]):
         vars(self).update({**values, "": what})  # a name that no state and no parameter has
@@ -418,9 +416,7 @@ def cached(cache, key, make):
 
 
 def shared(formula, cache=_BY_CONTENT):
-    """The :class:`~newton_euler.algebra.compile.Compiled` text of a formula that is recorded or
-    compiled; equal formulas share one.
-    """
+    """The compiled text of a formula that is recorded or compiled; equal ones share it."""
     return cached(cache, content(formula), lambda: text_of(formula))
 
 
@@ -482,9 +478,7 @@ def is_iterable(x):
 
 
 def is_law(x):
-    """True for a parameter that is a function. (A symbolic expression is callable too, but is a
-    number.)
-    """
+    """True for a parameter that is a function; a callable symbolic expression is a number."""
     return callable(x) and not _is_scalar(x)
 
 

@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 from ..algebra.late import np
 from .chebyshev import DEGREE, extrema, values_at
+from .methods.base import rows_of
 from .narrow_arguments import CHANGE, LIMITS, RATIO
 from .zeros import sampling
 
@@ -90,9 +91,7 @@ def passage(stepper, first):
 
 
 def _calm(stepper, arguments, first):
-    """True if certainly no step is suspect, see :meth:`_Path.suspects`; without NumPy, which takes
-    longer for few steps.
-    """
+    """True if no step is suspect, as by :meth:`_Path.suspects`; faster for few steps."""
     f, p, size = arguments.formula.on_floats, stepper.system.p, len(stepper.x)
     times = stepper.step_times[first:]
     ends = [s[-size:] for s in stepper.steps[first:]]
@@ -336,9 +335,7 @@ def _judged(kinds, u, values, off, steps, divided):
 
 
 def _about(kind, u, values):
-    """Between which fractions of a part an argument is looked for, pairs: where its sign changes,
-    or about its extrema.
-    """
+    """The fractions of a part, pairs, between which an argument is at its narrow place."""
     crossed = np.flatnonzero(np.diff(np.sign(values)) != 0).tolist()
     if kind == "jump" or (crossed and kind != "largest"):
         return [(u[k], u[k + 1]) for k in crossed]
@@ -349,7 +346,7 @@ def _about(kind, u, values):
 
 def _values(stepper, arguments, times, x):
     """The arguments at some times, rows of an array."""
-    rows = _array(arguments.formula.on(np)(times, *x, *stepper.system.p), len(times))
+    rows = rows_of(arguments.formula.on(np)(times, *x, *stepper.system.p), len(times))
     found = rows[::2] - rows[1::2]
     for j in arguments.powers:
         # about its largest value x**n is exp(n*log(x)), and this is n*log(x) but smooth at zero
@@ -358,20 +355,12 @@ def _values(stepper, arguments, times, x):
     return found
 
 
-def _array(rows, count):
-    """An array (rows, count); a row may be a number."""
-    out = np.empty((len(rows), count))
-    for n, row in enumerate(rows):
-        out[n] = row
-    return out
-
-
 def rates_along(stepper, times, x, nudge=0.0):
     """The rates; ``nudge`` is a relative change, by turns up and down, of states and constants."""
     system = stepper.system
     numbers = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(system.constants)]
     x = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(x)]
-    return _array(system.traced.folded[0].on(np)(times, *x, *numbers), len(times))
+    return rows_of(system.traced.folded[0].on(np)(times, *x, *numbers), len(times))
 
 
 def _located(stepper, arguments, brackets):

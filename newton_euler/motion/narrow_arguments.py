@@ -38,38 +38,30 @@ class Arguments:
         """The kinds as an array."""
         return np.array(self.kinds)
 
-    def of(self, *chosen):
-        """For each argument whether it is of one of these kinds, a column."""
-        return np.isin(self.names, chosen)[:, None]
-
     @cached_property
     def jumps(self):
         """For each argument whether the rates jump where it changes its sign, a column."""
-        return self.of("jump")
+        return (self.names == "jump")[:, None]
 
     @cached_property
     def phases(self):
         """For each argument whether it is that of a sine, a column."""
-        return self.of("phase")
+        return (self.names == "phase")[:, None]
 
     @cached_property
     def limits(self):
-        """By what each may change in a step, and in a part of one, without being narrow there; 0
-        where it counts by its ratio.
-        """
+        """By what each may change in a step, and in a part of one; 0 where its ratio counts."""
         return np.array([LIMITS[kind] for kind in self.kinds])
 
 
 def narrow_arguments(traced, of_event=False):
-    """The :class:`Arguments` in the rates, or in the function of an event, whose own factors count
-    too; None if there are none.
-    """
+    """The :class:`Arguments` in the rates, or in the function of an event; None without any."""
     steps, rhs = varying(traced), traced.rhs
     found = list(dict.fromkeys(pair for s in steps for pair in _scaled(s, traced)))
     known = {s.number for s in clocked(traced)}
     read = (s for s in steps if s.op == "table" and s.number not in known)
     found += [("table", tuple(s.args)) for s in read]
-    for leaf in rhs.leaves if of_event else ():
+    for leaf in rhs.leaves if of_event else ():  # the factors of its function count too
         found += [("jump", (x, 0.0)) for x in _places_of_sign(leaf, 0.0, traced)]
     if not found:
         return None
@@ -105,9 +97,7 @@ def _scaled(s, traced):
 
 
 def _places_of_sign(a, b, traced):
-    """The steps at whose zeros a - b changes its sign in a motion, as far as they are known: the
-    factors of a product, and denominators.
-    """
+    """The known places where a - b changes sign: steps that are factors or denominators."""
     trace, found = traced.rhs.trace, set()
     below = uses(trace, (a, b))
     for s in trace.steps:

@@ -7,7 +7,7 @@ and what heyoka has compiled from it.
 
 import math
 from collections.abc import Callable
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any, TypeAlias
 
 from ..algebra.compile import recorded
@@ -17,6 +17,7 @@ from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, clipped, scalar
 from .analytic import clocked, depends, hazards, inner, kinks, surprises
 from .crossings import choices, compiled_choices
+from .methods.base import rows_of
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
 from .narrow_arguments import Arguments, narrow_arguments
 from .verified import Verified
@@ -47,9 +48,7 @@ class Traced:
 
     @cached_property
     def folded(self):
-        """The right-hand side with constants for what depends on parameters alone, and the formula
-        of these constants.
-        """
+        """The right-hand side with constants for terms of parameters alone, and their formula."""
         return folded(self.rhs, self.arguments)
 
     inner, kinks, clocked = cached_property(inner), cached_property(kinks), cached_property(clocked)
@@ -63,22 +62,13 @@ class Traced:
         return cached(self._narrow, text, lambda: narrow_arguments(traced, of_event=True))
 
 
-class FunctionText:
-    """One traced function; its ``text``, written when first needed, is shared by equal ones."""
-
-    def __init__(self, recording, texts):
-        self._recording, self._texts = recording, texts
-
-    @cached_property
-    def text(self):
-        """The :class:`~newton_euler.algebra.compile.Compiled` formula."""
-        return shared(self._recording, self._texts)
+def text_once(recording, texts):
+    """A function that returns the text of a traced function, written when first needed."""
+    return cache(lambda: shared(recording, texts))
 
 
 def prepared_model(model: Model) -> "PreparedModel":
-    """The :class:`PreparedModel` of a model, kept in the model as long as what its functions read
-    is unchanged.
-    """
+    """The :class:`PreparedModel` of a model, kept in it until something that it reads changes."""
     if not isinstance(model, Model):
         raise ModelError(f"integrate takes a Model(name, parameters, states, rhs), got {model!r}")
     found = vars(model).get("_prepared")
@@ -124,7 +114,7 @@ class PreparedModel:
     def __reduce__(self):
         """The model, and the texts of its functions as they were when this was made."""
         texts = [
-            (n, self._now[id(f)] and self._now[id(f)].text)
+            (n, self._now[id(f)] and self._now[id(f)]())
             for n, f in enumerate(self._functions)
             if id(f) in self._now
         ]
@@ -176,9 +166,7 @@ class PreparedModel:
         return lambda t, *x: self.model._value(f, x, t)
 
     def values(self, f: Callable[..., Any], times: "np.ndarray", x: Any) -> "np.ndarray":
-        """The values of a function ``f(s, p, t)`` at an array of times with the states there; one
-        by one if it branches on them.
-        """
+        """The values of ``f(s, p, t)`` at an array of times; one by one if it branches."""
         g = self.function(f)
         try:
             return np.broadcast_to(g(times, *x), times.shape)
@@ -191,20 +179,18 @@ class PreparedModel:
         return text and self.traced.narrow_of(text)
 
     def _text(self, f):
-        """The traced text of a function ``f(s, p, t)``; None if it branches on values, as an event
-        may.
-        """
+        """The traced text of ``f(s, p, t)``; None if it branches on values, as of an event."""
         own = id(f) in self._now  # else it is traced at each use, as that of an event
         traced = self._now[id(f)] if own else self._recorded(f)[1]
-        return traced and traced.text
+        return traced and traced()
 
     def _recorded(self, f):
-        """What a function reads, and its :class:`FunctionText` or None; see :func:`current`."""
+        """What a function reads, and its :func:`text_once` or None; see :func:`current`."""
         known = self.traced
 
         def recording():
             try:
-                return FunctionText(recorded(self.model._formula(f, self.free)), known.texts)
+                return text_once(recorded(self.model._formula(f, self.free)), known.texts)
             except (TypeError, ModelError):
                 return None
 
@@ -212,9 +198,7 @@ class PreparedModel:
 
     @cached_property
     def exact_on_floats(self) -> Callable[..., Floats] | None:
-        """The traced text of the exact solution on floats, ``(t, *states, *p)``; None if it cannot
-        be traced.
-        """
+        """The exact solution on floats, ``(t, *states, *p)``; None if not traceable."""
         text = self._text(self.model.exact)
         return text and text.on_floats
 
@@ -257,7 +241,7 @@ class PreparedModel:
         exact = self.model.exact
         assert exact is not None
         for run in (self.function(exact), self.untraced(exact)):
-            found = np.array([np.broadcast_to(row, times.shape) for row in run(times, *x)])
+            found = rows_of(run(times, *x), len(times))
             if np.isfinite(found).all():
                 break
         return found
@@ -268,7 +252,7 @@ def _snapshot(model, rhs, texts):
     system = PreparedModel(model)
     system._take(shared(rhs))
     for n, text in texts:
-        now = text and FunctionText(text, system.traced.texts)
+        now = text and text_once(text, system.traced.texts)
         system._now[id(system._functions[n])] = now
     return system
 

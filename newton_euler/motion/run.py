@@ -43,8 +43,7 @@ from .solution import (
 )
 from .trajectory import Trajectory
 
-# seconds of integrating one right-hand side after which importing and compiling heyoka would have
-# paid off
+# seconds of integrating one right-hand side after which compiling with heyoka would have paid off
 HEYOKA_BREAK_EVEN = 0.5
 FEW_STEPS = 1e5  # the most steps tried where the closed form is not accurate enough
 MANY_STEPS = 2e4  # the most steps of a long motion, in which the errors of steps add up
@@ -57,9 +56,7 @@ UNLUCKY = 10.0  # a run across kinks may be off by this many times its estimate
 
 
 def usable(name: str, system: PreparedModel, t0: float = 0.0) -> Method:
-    """The method of this name; :class:`UnfitError` if it cannot be used for this model from this
-    start time.
-    """
+    """The method of this name; :class:`UnfitError` if it does not suit this model and start."""
     why = METHODS[name].unusable_because(system, t0)
     if why:
         raise UnfitError(f"method {name!r} cannot be used: {why}")
@@ -105,9 +102,7 @@ def fast_run(system: PreparedModel, method: Method, rtol: float) -> Callable | N
 
 @dataclass(eq=False)
 class Run:
-    """The arguments of one integration; :meth:`by_name` returns the
-    :class:`~newton_euler.motion.solution.Motion`.
-    """
+    """The arguments of one integration; :meth:`by_name` returns the motion."""
 
     system: PreparedModel
     t0: float
@@ -178,9 +173,7 @@ class Run:
         raise min(known, key=lambda error: error.reached.error)
 
     def candidates(self):
-        """The methods that "auto" tries, in order, each with True if the first run may show that
-        heyoka would be faster.
-        """
+        """The methods that "auto" tries, each with True if heyoka may take over from it."""
         system, taylor, dop853 = self.system, METHODS["taylor"], METHODS["dop853"]
         missing, tight = taylor.unusable_because(system), self.rtol < dop853.min_rtol
         if tight and missing:
@@ -253,9 +246,7 @@ class Run:
         return self.motion(trajectory, method, reported_error(found, self.rtol))
 
     def error_of_series(self, method, trajectory):
-        """The error of the trajectory of a series, and whether a state of it is small by
-        cancellation.
-        """
+        """The error of the trajectory of a series; whether a state is small by cancellation."""
         tolerance = trajectory.tolerance
         before = self.compared(method, method.other(tolerance), tolerance)
 
@@ -405,9 +396,7 @@ class Run:
         return known if self.own else as_natural(known)
 
     def briefly(self, run, *arguments):
-        """The trajectory ``run(*arguments)``, which stops if it would take many steps: the motion
-        is ``long``.
-        """
+        """The trajectory ``run(*arguments)``, stopped if it takes many steps: it is ``long``."""
         most, self.max_steps = self.max_steps, min(MANY_STEPS, self.max_steps)
         trajectory = run(*arguments)
         self.max_steps, self.long = most, isinstance(trajectory.failed, LengthError)
@@ -421,9 +410,7 @@ class Run:
         return trajectory
 
     def compared(self, method, tolerance, fine, known=None, scaled=False, stopping=False):
-        """The trajectory at a tolerance, for comparison with one at the tolerance ``fine``, from a
-        slightly shifted start.
-        """
+        """A trajectory to compare with one at the tolerance ``fine``, slightly shifted."""
         # not with events: the start may lie on the surface of one
         shift = 0.0 if self.events else relative_shift(fine / tolerance)
         if known and small(*known[:2]):  # of which round-off is the larger part of the error
@@ -443,9 +430,7 @@ class Run:
         return known + trajectory.unseen(known)
 
     def motion(self, trajectory, method, error):
-        """The :class:`~newton_euler.motion.solution.Motion` of a trajectory; raises
-        :class:`~newton_euler.motion.solution.MotionError` if that failed.
-        """
+        """The motion of a trajectory; raises :class:`MotionError` if that failed."""
         cost = Cost(perf_counter() - self.started, self.preparing, self.calls)
         parts, occurrences = tuple(trajectory.segments), tuple(trajectory.occurrences)
         model, ended = self.system.model, trajectory.ended

@@ -55,9 +55,7 @@ def natural_sizes(system, points, sizes, span):
 
 
 def small(sizes, natural):
-    """The numbers of the states that are small by cancellation but not zero, as the speed on a
-    spring far from the origin.
-    """
+    """The numbers of the states that are small by cancellation, but not zero."""
     rows = enumerate(zip(sizes, natural, strict=True))
     return [k for k, (s, n) in rows if 0.0 < s <= NATURAL_PART * n]
 
@@ -129,9 +127,7 @@ def round_off_over(calls):
 
 
 def forced_error(sizes, natural, calls):
-    """The error, relative to their sizes, that round-off forces on states that are small by
-    cancellation, over this many calls of the rates.
-    """
+    """The relative error that round-off forces on states small by cancellation."""
     return round_off_over(calls) * worst_ratio(sizes, natural)
 
 
@@ -141,9 +137,7 @@ def worst_ratio(sizes, natural):
 
 
 def far_states(system, t, x, sizes, natural):
-    """The names of the state that is smallest by cancellation, and of the one whose distance from
-    the origin is the reason.
-    """
+    """The names of the state smallest by cancellation, and of the far one that is the reason."""
     names, known = system.model.states, small(sizes, natural)
     worst = max(known, key=lambda k: natural[k] / sizes[k])
     columns = _derivatives(system, t, x, [s or 1.0 for s in sizes], 1.0)

@@ -1,6 +1,4 @@
-"""The result of an integration: the states of a motion, their error, the drift of invariants, the
-cost.
-"""
+"""The result of an integration: the states of a motion, their error, drift, and cost."""
 
 import math
 from collections.abc import Mapping
@@ -166,10 +164,13 @@ class Motion(Guided):
             raise ModelError(f"the motion goes from t = {begin:g} to {end:g}; got t = {t!r}")
         return self._at(t) if getattr(t, "ndim", 0) else self._at_one(float(t))
 
+    @property
+    def _names(self):
+        """Those of the states of all segments, as the keys of a dict."""
+        return dict.fromkeys(n for part in self.segments for n in part.system.model.states)
+
     def _at_one(self, t):
-        found = dict.fromkeys(
-            (n for part in self.segments for n in part.system.model.states), math.nan
-        )
+        found = dict.fromkeys(self._names, math.nan)
         if t == self.t_end:
             return found | self.end
         part = [part for part in self.segments if part.t0 <= t][-1]
@@ -177,8 +178,7 @@ class Motion(Guided):
 
     def _at(self, times):
         segments = self.segments
-        names = dict.fromkeys(n for part in segments for n in part.system.model.states)
-        out = {n: np.full(len(times), math.nan) for n in names}
+        out = {n: np.full(len(times), math.nan) for n in self._names}
         begins = [part.t0 for part in segments]
         index = np.maximum(np.searchsorted(begins, times, side="right") - 1, 0)
         for n in np.unique(index):

@@ -1,6 +1,4 @@
-"""The trajectory of a model by one method at one tolerance: its segments between the events at
-which the state jumps or the model changes.
-"""
+"""The trajectory by one method at one tolerance: its segments between events that end them."""
 
 from itertools import pairwise
 from math import inf
@@ -20,14 +18,12 @@ from .narrow import passage, within_reach
 from .prepared import prepared_model
 from .sizes import NATURAL_PART, ROUND_OFF, least_scales, natural_sizes, small
 
-# steps between two searches for events: few at first, since an event may come soon, then more,
-# since a search has a fixed cost
+# steps between two searches for events: few at first, then more, as a search has a fixed cost
 FIRST_STEPS, MAX_STEPS = 8, 128
 MAX_SEGMENTS = 20_000
 MAX_REPEATS = 100  # of the steps between two searches
 TRIES = 4  # attempts to see more of what one step passes over
-# fraction of the whole time: events in faster succession accumulate (Zeno), as the impacts of a
-# ball that comes to rest
+# part of the time: events in faster succession accumulate (Zeno), as those of a bouncing ball
 MIN_SEGMENT = 1e-9
 # fraction of the size of a state during the motion below which its errors do not count; the larger
 # one where rates jump, as otherwise the motion would stall where it comes to rest
@@ -38,8 +34,7 @@ STOPPING_PART = 0.1
 # longest step as a fraction of the time, in the first trajectory and in later ones: two runs by the
 # same few steps would agree on what both have passed over
 LONGEST_PARTS = 0.4, 0.13
-# weight of the difference of two runs on the way, which is larger than at the end near a singular
-# place
+# weight of the difference of two runs on the way: near a singular place it is the larger one
 INNER_PART = 0.05
 NEXT_TO_ZERO = 1e-150  # scales so small that an error relative to them may have no square
 # fraction of its natural size at the start below which a state is nearly zero
@@ -54,9 +49,7 @@ CRAWLING = 100_000  # steps between two checks for sticking
 
 
 class Segment(NamedTuple):
-    """The part of a trajectory from ``t0`` to ``t1``, where the state is ``x1``, in which one model
-    holds: ``system`` is the prepared model.
-    """
+    """The part from ``t0`` to ``t1``, where the state is ``x1``, in which one ``system`` holds."""
 
     system: object
     stepper: object
@@ -129,9 +122,7 @@ class Trajectory:
         return largest, natural, noise
 
     def limits(self, system, t, x):
-        """For the stepper that starts here: the least scale of each state, the round-off in each,
-        and the times that no step may pass over.
-        """
+        """For a stepper: the least scale and round-off of each state, and the times to stop at."""
         nothing, series = (0.0,) * len(x), self.method.series
         own = KINKED_PART if system.traced.surprises else OWN_PART
         if self.method.closed:
@@ -359,9 +350,7 @@ class Trajectory:
         )
 
     def difference(self, other):
-        """The distance of two trajectories: the largest difference of a state at the end over its
-        scale, or of the end over the whole time.
-        """
+        """The distance: the largest of states over their scales, of ends over the whole time."""
         a, b = self.segments[-1], other.segments[-1]
         shift = abs(a.t1 - b.t1) / (self.goal - self.origin)
         # where events accumulate, the two runs may stop after different numbers of them

@@ -1,6 +1,4 @@
-"""Verified runs: those close to one whose error was estimated are as accurate, so that under a
-slider only one run in many is compared with another.
-"""
+"""Verified runs: those close to one are as accurate, so under a slider few are compared."""
 
 # largest distance of a start, and of an end, from a verified one, as a fraction of the state's size
 NEAR_START, NEAR_END = 0.02, 0.2

@@ -18,14 +18,12 @@ from ..algebra.late import np
 from ..algebra.scalars import NewtonEulerError
 from .chebyshev import DEGREE, EPS, derivatives_at, extrema, root, value_at, values_at
 
-# check points at irregular distances between the Chebyshev points: a fast oscillation may by chance
-# look slow at those, but not at these too
+# check points at irregular distances: a fast oscillation may look slow at Chebyshev points alone
 CHECKS = (-0.8617, -0.2913, 0.4477)
 # a polynomial represents the function if its last two coefficients and the differences at the check
 # points are smaller than this fraction of the largest value
 RESOLUTION = 1e-7
-# a function that changes so many times more at an end of a piece than in between may there be at
-# the foot of a peak
+# times the change in between: an end of a piece at which it is more may be the foot of a peak
 FOOT = 2.0
 # pieces that are sampled at once, and the most that one interval may need
 BATCH, MAX_PIECES = 128, 60_000
@@ -88,9 +86,7 @@ class Piece:
 
 
 class Bracket(NamedTuple):
-    """A part of a piece, from ``low`` to ``high`` within -1 to 1, in which the sign changes to
-    ``sign``.
-    """
+    """A part of a piece, from ``low`` to ``high`` in -1 to 1, where the sign becomes ``sign``."""
 
     piece: Piece
     low: float
@@ -239,9 +235,7 @@ class ZeroSearch:
         return NOISE_MARGIN * float(self.noise(np.append(times, t)[None])[0])
 
     def _extrema(self, pieces):
-        """For each piece a list of pairs: the extrema of its polynomial between -1 and 1, and the
-        signs of the function there.
-        """
+        """For each piece a list of pairs: the extrema of its polynomial, and the signs there."""
         fits = np.array([piece.fit[: DEGREE + 1] for piece in pieces])
         rows, x = extrema(fits)
         values = values_at(fits[rows], x)
@@ -262,9 +256,7 @@ class ZeroSearch:
         return found
 
     def _located(self, brackets):
-        """The zeros in brackets, by Newton's method from those of the polynomials; where it does
-        not converge, by bisection.
-        """
+        """The zeros in brackets, by Newton's method; where that fails, by bisection."""
         pieces, fits = [b.piece for b in brackets], np.array([b.piece.fit for b in brackets])
         left, right = np.array([(piece.left, piece.right) for piece in pieces]).T
         low, high = np.array([(b.piece.time(b.low), b.piece.time(b.high)) for b in brackets]).T

@@ -27,7 +27,6 @@ from tests.chapters.notebooks import (
     read,
     sections_of,
 )
-from website.build import CACHE
 from website.execution import keep
 from website.notebooks import Chapter
 
@@ -235,7 +234,7 @@ def run(request, tmp_path_factory):
     """The executed notebook. It is kept, so that the site need not run it."""
     path = request.param
     notebook, _ = executed(read(path), tmp_path_factory.mktemp(path.stem))
-    keep(Chapter(path), nbformat.writes(notebook), CACHE / "executed")
+    keep(Chapter(path), nbformat.writes(notebook))
     return notebook
 
 

@@ -1,7 +1,6 @@
 """``python -m tests.fuzz``: what do the public names of the engine do with bad values?"""
 
 import argparse
-import json
 import sys
 from collections import Counter
 
@@ -29,7 +28,6 @@ def main():
     parser.add_argument("names", nargs="*", help="parts of names; default: all")
     parser.add_argument("--every", type=int, help="one call in EVERY, always the same ones")
     parser.add_argument("--raw", action="store_true", help="list the calls that are raw or slow")
-    parser.add_argument("--json", help="write every call to this file")
     given = parser.parse_args()
     functions = public_callables()
     calls = valid_calls(functions)
@@ -54,9 +52,6 @@ def main():
     line("all", every)
     print(f"{len(functions)} names, {len(functions) - len(rows)} without a valid call")
     print(", ".join(n for n in functions if n not in rows))
-    if given.json:
-        with open(given.json, "w", encoding="utf-8") as file:
-            json.dump(rows, file, indent=0)
     return Counter(row[2] for row in every)["raw"] > 0
 
 

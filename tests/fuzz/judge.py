@@ -12,9 +12,11 @@ import resource
 import signal
 import tempfile
 import time
+import traceback
 import warnings
 from collections import Counter
 from functools import cache
+from zlib import crc32
 
 from newton_euler import NewtonEulerError
 from tests.fuzz import bad
@@ -53,7 +55,7 @@ def trials(f, call, every=None):
         for slot, with_value in variants(positional, named, skip)
         for label in [slot if isinstance(slot, str) else names[min(slot, len(names) - 1)]]
         for word, make in bad_values().items()
-        if not every or hash_of(f.__qualname__, label, word) % every == 0
+        if not every or crc32(f"{f.__qualname__}|{label}|{word}".encode()) % every == 0
     ]
 
 
@@ -63,11 +65,6 @@ def judged(f, call, every=None, seconds=SECONDS):
         (label, word, *outcome(f, *with_value(make()), seconds))
         for label, word, make, with_value in trials(f, call, every)
     ]
-
-
-def hash_of(*words):
-    """A number for words, the same in every run."""
-    return sum(ord(c) * (n + 1) for n, c in enumerate("|".join(words))) * 2654435761 >> 7
 
 
 def outcome(f, positional, named, seconds=SECONDS):
@@ -106,32 +103,22 @@ def is_operator(f):
     return f.__name__.startswith("__") or f.__qualname__.startswith("_operation")
 
 
-def innermost(error):
-    """The last frame of the traceback."""
-    at = error.__traceback__
-    while at.tb_next:
-        at = at.tb_next
-    return at
+def trail(error):
+    """[(file, line)] from the call to where the error was raised."""
+    found = traceback.walk_tb(error.__traceback__)
+    return [(frame.f_code.co_filename, line) for frame, line in found]
 
 
 def place(error):
     """The line of the engine nearest to where the error was raised."""
-    at, line = error.__traceback__, ""
-    while at:
-        file = at.tb_frame.f_code.co_filename
-        if "newton_euler" in file:
-            line = f"[{'/'.join(file.split('/')[-2:])}:{at.tb_lineno}]"
-        at = at.tb_next
-    return line
+    own = [(file, line) for file, line in trail(error) if "newton_euler" in file]
+    return f"[{'/'.join(own[-1][0].split('/')[-2:])}:{own[-1][1]}]" if own else ""
 
 
 def in_words(error):
     """True if an error was raised by a ``raise`` of the engine, or by the value itself."""
-    at = innermost(error)
-    file, line = at.tb_frame.f_code.co_filename, at.tb_lineno
-    if file == bad.__file__:
-        return True
-    return "newton_euler" in file and line in raising_lines(file)
+    file, line = trail(error)[-1]
+    return file == bad.__file__ or ("newton_euler" in file and line in raising_lines(file))
 
 
 @cache

@@ -107,19 +107,6 @@ NOTEBOOKS = {  # how it was changed: (points of dan, problem, words of its note)
 }  # fmt: skip
 
 
-class Named:
-    """A course in which every look-up of a student finds this one."""
-
-    def __init__(self, course, student):
-        self.course, self.student = course, student
-
-    def personal_path(self, assignment, _):
-        return self.course.personal_path(assignment, self.student)
-
-    def values(self, assignment, _, problems):
-        return self.course.values(assignment, self.student, problems)
-
-
 DAMAGED = {
     "truncated": ('{"cells": [{"cell_type": "co', "is damaged and cannot be read as a notebook"),
     "empty": ("", "ch04.ipynb is empty"),

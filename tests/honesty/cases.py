@@ -32,8 +32,8 @@ class Case:
         which shows t0 at the start, or None; hidden from the engine
     singular_at : the time at which the motion ceases to exist, or None; beyond it the only right
         answer is a refusal
-    events : of the engine; ``event_times(mp, s, p)`` lists the times of a single event where a
-        formula gives them
+    events : of the engine, whose ``then`` the reference follows as well; ``event_times(mp, s, p)``
+        lists the times of a single event where a formula gives them
     written_out : the same model for the reference, where ``model`` is written in a way that the
         reference cannot use: with laws among its parameters, or with powers of zero
     """
@@ -85,7 +85,7 @@ class Case:
     def explain(self):
         """The call that reproduces the case, with its numbers."""
         parameters = ", ".join(f"{n}={x!r}" for n, x in self.model.parameters.items())
-        of = f"{self.name}: {self.model.name!r} with {parameters or 'no parameters'}"
+        of = f"{self.name} with {parameters or 'no parameters'}"
         return f"{of}; t = {self.span!r}; start {self.start!r}"
 
 

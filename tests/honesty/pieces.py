@@ -18,31 +18,15 @@ def pieces(model):
     """
     rhs = model.compiled_rhs(*model.parameters)
     trace, leaves = unpacked(*packed(rhs.trace, rhs.leaves))
-    switches = []  # pairs: a step of the formula, the argument that is its sign
+    signs = {}  # by the number of the step that is a switch
 
     def sign(g):
+        """The argument that is the sign of a step."""
         if g.op == "neg":
             return -sign(g.args[0])
-        mirrored = g.args[1] - g.args[0] if g.op == "-" else None
-        for switch, known in switches:
-            if switch is g or switch is mirrored:
-                return known if switch is g else -known
-        switches.append((g, trace.new("argument", f"sign{len(switches)}")))
-        return switches[-1][1]
-
-    def linear(x, table, place):
-        """A table at the step x, whose place in the pieces is ``place``."""
-        if table.kind != "linear":
-            raise ValueError(f"no pieces of a table that is {table.kind}")
-        points = list(zip(table.places, table.values, strict=True))
-        slopes = [(f - e) / (b - a) for (a, e), (b, f) in pairwise(points)]
-        ends = (0.0,) if table.hold else ()
-        value, bends = table.values[0], table.places
-        if not table.hold:
-            value, bends = value + slopes[0] * (place - bends[0]), bends[1:-1]
-        for at, (before, after) in zip(bends, pairwise([*ends, *slopes, *ends]), strict=True):
-            value += (1 + sign(x - at)) / 2 * (after - before) * (place - at)
-        return value
+        if g.number not in signs:
+            signs[g.number] = trace.new("argument", f"sign{len(signs)}")
+        return signs[g.number]
 
     made = {}  # by the number of a step the one that takes its place
     taken = lambda x: made[x.number] if isinstance(x, Step) else x
@@ -60,10 +44,26 @@ def pieces(model):
             root = s.args[0].args[0]
             new = sign(root) * taken(root)
         elif s.op == "table":
-            new = linear(*s.args, args[0])
+            new = _linear(*s.args, args[0], sign)
         else:
             new = s if s.op == "argument" else trace.step(s.op, *args)
         made[s.number] = new
-    names = [sign.args[0] for _, sign in switches]
-    rates = Compiled("pieces", [*rhs.parameters, *names], trace, list(map(taken, leaves)))
-    return rates, [Compiled("switch", rhs.parameters, trace, [g], "r[0]") for g, _ in switches]
+    names = [*rhs.parameters, *(s.args[0] for s in signs.values())]
+    rates = Compiled("pieces", names, trace, list(map(taken, leaves)))
+    switch = lambda n: Compiled("switch", rhs.parameters, trace, [trace.steps[n]], "r[0]")
+    return rates, list(map(switch, signs))
+
+
+def _linear(x, table, place, sign):
+    """A table at the step x, whose place in the pieces is ``place``."""
+    if table.kind != "linear":
+        raise ValueError(f"no pieces of a table that is {table.kind}")
+    points = list(zip(table.places, table.values, strict=True))
+    slopes = [(f - e) / (b - a) for (a, e), (b, f) in pairwise(points)]
+    if table.hold:
+        value, bends, slopes = table.values[0], table.places, [0.0, *slopes, 0.0]
+    else:
+        value, bends = table.values[0] + slopes[0] * (place - table.places[0]), table.places[1:-1]
+    for at, (before, after) in zip(bends, pairwise(slopes), strict=True):
+        value += (1 + sign(x - at)) / 2 * (after - before) * (place - at)
+    return value

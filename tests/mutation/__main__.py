@@ -54,7 +54,7 @@ def own_tests(path: Path) -> list[str]:
     """The tests of a module: those of its name, else those of its folder."""
     folder = Path("tests") / path.parent
     while not folder.exists() and folder.parent.name:
-        folder = folder.parent  # the tests of a room are not in folders
+        folder = folder.parent
     own = folder / f"test_{path.name}"
     found = own if own.exists() else folder
     if not found.exists():

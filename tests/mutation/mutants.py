@@ -119,13 +119,7 @@ def _changes(node) -> Iterator[ast.AST]:
         yield ast.Pass()
     if isinstance(node, (ast.If, ast.IfExp)):
         for value in (True, False):
-            yield _with_test(node, ast.Constant(value))
-
-
-def _with_test(node, test):
-    if isinstance(node, ast.IfExp):
-        return ast.IfExp(test, node.body, node.orelse)
-    return ast.If(test, node.body, node.orelse)
+            yield type(node)(ast.Constant(value), node.body, node.orelse)
 
 
 def _is_nothing(node):

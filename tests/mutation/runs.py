@@ -4,7 +4,7 @@ is slow to import but nothing under test.
 
 import ast
 import contextlib
-import importlib.util
+import importlib
 import os
 import pickle
 import signal
@@ -13,6 +13,7 @@ import tempfile
 import threading
 import time
 from importlib.machinery import SourceFileLoader
+from importlib.util import spec_from_file_location
 from pathlib import Path
 
 import pytest
@@ -42,26 +43,17 @@ def module_name(path: Path) -> str:
 
 
 class _Loader(SourceFileLoader):
-    """Loads the module from a syntax tree."""
+    """Finds the module, and loads it from a syntax tree."""
 
     def __init__(self, name, path, tree):
         super().__init__(name, path)
         self.tree = tree
 
+    def find_spec(self, name, path=None, target=None):
+        return spec_from_file_location(name, self.path, loader=self) if name == self.name else None
+
     def get_code(self, fullname):
         return compile(self.tree, self.path, "exec")
-
-
-class _Finder:
-    """Finds one module, by this loader."""
-
-    def __init__(self, loader):
-        self.loader = loader
-
-    def find_spec(self, name, path=None, target=None):
-        if name != self.loader.name:
-            return None
-        return importlib.util.spec_from_file_location(name, self.loader.path, loader=self.loader)
 
 
 class Watch:
@@ -127,10 +119,10 @@ class Target:
 
     def killed(self, mutant, tests: list[str], limit: float) -> bool | None:
         """Whether a test fails or takes ten times as long; None beyond the limit, perhaps as usual."""
-        finder = _Finder(_Loader(self.name, self.path, mutant.applied(self.tree)))
+        loader = _Loader(self.name, self.path, mutant.applied(self.tree))
 
         def run():
-            sys.meta_path.insert(0, finder)
+            sys.meta_path.insert(0, loader)
             return pytest.main([*tests, *OPTIONS])
 
         usual = sum(self.seconds[test] for test in tests)

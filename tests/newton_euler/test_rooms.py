@@ -27,6 +27,7 @@ BELOW = {room: set(MECHANICS[:n]) for n, room in enumerate(MECHANICS)} | {
     "accuracy": {*MECHANICS, "motion", "scenes", "classroom"},
 }
 FILES = modules(ENGINE)
+DEFINITIONS = ast.FunctionDef, ast.ClassDef
 
 
 @cache
@@ -132,16 +133,12 @@ for name in {first!r}:
 
 def public_names(package):
     """The names that the __init__ of a package gives to its users."""
-    names = {name for _, name in imports(package, FILES) if name} | set(
-        defined(tree_of(package).body)
-    )
+    names = {name for _, name in imports(package, FILES) if name}
+    names |= {n.name for n in tree_of(package).body if isinstance(n, DEFINITIONS)}
+    if (stub := FILES[package].with_suffix(".pyi")).exists():
+        names |= {*re.findall(r"import \w+ as (\w+)", stub.read_text())}
     names -= {"guide", "unknown"}  # they answer for names that the package lacks
-    return {n for n in names | set(_stub_names(package)) if not n.startswith("_")}
-
-
-def _stub_names(package):
-    stub = FILES[package].with_suffix(".pyi")
-    return re.findall(r"import \w+ as (\w+)", stub.read_text()) if stub.exists() else ()
+    return {n for n in names if not n.startswith("_")}
 
 
 @pytest.mark.parametrize("package", PACKAGES)
@@ -186,28 +183,26 @@ def test_all_errors_of_the_engine_have_one_base():
     assert [e for e in errors if not issubclass(e, newton_euler.NewtonEulerError)] == []
 
 
+def shown(body):
+    """The public functions and classes that a body defines."""
+    return [n for n in body if isinstance(n, DEFINITIONS) and n.name[0] != "_"]
+
+
 def bare(module):
     """The public functions, classes and methods without a docstring, of their own or inherited;
     answers override documented ones, or have those of a Protocol.
     """
-    kinds = (ast.FunctionDef, ast.ClassDef)
-    public = [n for n in tree_of(module).body if isinstance(n, kinds) and n.name[0] != "_"]
+    public = shown(tree_of(module).body)
     found = [n.name for n in public if not ast.get_docstring(n)]
     classes = [n for n in public if isinstance(n, ast.ClassDef) and room_of(module) != "answers"]
     for block in classes:
         owner = getattr(importlib.import_module(module), block.name)
-        methods = [n.name for n in block.body if isinstance(n, kinds) and n.name[0] != "_"]
-        found += [n for n in methods if not inspect.getdoc(getattr(owner, n))]
+        found += [n.name for n in shown(block.body) if not inspect.getdoc(getattr(owner, n.name))]
     return found
 
 
 def test_public_functions_classes_and_methods_have_docstrings():
     assert faulty(bare) == {}
-
-
-def defined(body):
-    """The names that the statements of one block define as functions or classes."""
-    return [n.name for n in body if isinstance(n, (ast.FunctionDef, ast.ClassDef))]
 
 
 HEAVY = "sympy scipy matplotlib.pyplot matplotlib heyoka mpmath numpy symengine numba IPython PIL"

@@ -71,6 +71,7 @@ def test_a_function_without_a_value_on_part_of_the_way_is_refused(closed):
 
 @pytest.mark.parametrize(("arguments", "words"), [
     ({"direction": "down"}, "the direction of an event is 1 .* got 'down'"),
+    ({"direction": 2}, "the direction of an event is 1 .* got 2"),
     ({"direction": True}, "the direction of an event is 1 .* got True"),
     ({"direction": np.array([1, -1])}, "the direction of an event is 1 .* got array"),
     ({"function": "x"}, r"an event takes a function \(s, p, t\) .* got 'x'"),

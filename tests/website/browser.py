@@ -2,16 +2,14 @@
 
 import json
 import threading
-import time
 from contextlib import contextmanager
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
-import pytest
+from tests.jupyterlab import Page
 
 SCRIPTS = Path(__file__).with_name("scripts")
-LONG = 180  # seconds: for a busy machine
 
 
 def script(name):
@@ -65,18 +63,16 @@ def requests(driver):
     return [p["request"]["url"] for p in sent]
 
 
-def wait(driver, script, what):
-    """What a script gives as soon as it gives something. Until then it may fail: a page that comes
-    has not all of its parts.
-    """
-    from selenium.common.exceptions import WebDriverException
+def js(driver, expression, *given):
+    """The value of an expression of JavaScript in the page."""
+    return driver.execute_script(f"return {expression}", *given)
 
-    end, why = time.monotonic() + LONG, ""
-    while time.monotonic() < end:
-        try:
-            if found := driver.execute_script(f"return {script}"):
-                return found
-        except WebDriverException as error:
-            why = f" ({error.msg})"
-        time.sleep(0.05)
-    return pytest.fail(f"not seen within {LONG} s: {what}{why}")
+
+def text(driver, selector):
+    """The text of the first element of a selector, shown or not."""
+    return js(driver, "document.querySelector(arguments[0]).textContent", selector)
+
+
+def wait(driver, script, what):
+    """The value of an expression as soon as it is true, as :meth:`Page.wait`."""
+    return Page(driver).wait(lambda: js(driver, script), what)

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from tests.grader.practice.conftest import practice_file  # noqa: F401
-from tests.jupyterlab import chromium
+from tests.jupyterlab import LONG, chromium
 from tests.once import once
 from tests.website import sample
-from tests.website.browser import LONG, served
+from tests.website.browser import served
 
 # it runs for minutes: its page is built without outputs
 NOT_RUN = {"speed_and_accuracy"}

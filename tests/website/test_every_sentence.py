@@ -4,6 +4,7 @@ whatever is still English is found.
 
 import json
 from base64 import b64encode
+from contextlib import contextmanager
 
 import pytest
 
@@ -23,8 +24,9 @@ from newton_euler.classroom.practising.files import PracticeFile
 from newton_euler.classroom.practising.progress import Progress
 from tests.website import feedback
 from tests.website.pseudo import bare, catalogue, wide
-from website import contents, problem_index, problem_pages, translations
+from website import contents, problem_index, translations
 from website.browser import practice as page
+from website.rendering import rendered
 
 PROBLEMS = "4/16", "9/4", "2/4", "5/19"  # a sum of terms, a word, an interval, a count
 NAMES = {  # code, files and units, wherever they stand
@@ -52,12 +54,19 @@ def _wide(x):
     return {k: _wide(v) for k, v in x.items()} if isinstance(x, dict) else wide(x)
 
 
+@contextmanager
+def speaking(folder):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(language, "FOLDER", folder)
+        patch.setattr(texts, "home", lambda name: folder / name)
+        patch.setattr(sections, "headings", dict)  # of the chapters
+        with language.speaking("xx"):
+            yield
+
+
 @pytest.fixture(autouse=True)
-def spoken(wide_folder, monkeypatch):
-    monkeypatch.setattr(language, "FOLDER", wide_folder)
-    monkeypatch.setattr(texts, "home", lambda name: wide_folder / name)
-    monkeypatch.setattr(sections, "headings", dict)  # of the chapters
-    with language.speaking("xx"):
+def spoken(wide_folder):
+    with speaking(wide_folder):
         yield
 
 
@@ -90,12 +99,8 @@ def output_of(f, *args, **named):
 @pytest.fixture(scope="module")
 def file(tmp_path_factory, wide_folder):
     path = tmp_path_factory.mktemp("practice") / "some.practice"
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(language, "FOLDER", wide_folder)
-        patch.setattr(texts, "home", lambda name: wide_folder / name)
-        patch.setattr(sections, "headings", dict)
-        with language.speaking("xx"):
-            write_practice(path, map(problem, PROBLEMS), 2, draw=_no_figure)
+    with speaking(wide_folder):
+        write_practice(path, map(problem, PROBLEMS), 2, draw=_no_figure)
     return path
 
 
@@ -149,14 +154,22 @@ def test_a_page_of_practice(file):
         found.append(str(page.check("9/4", {"H_O": [text, "0", "0"], "I_xx": [text]})["found"]))
     found += [page.hint("9/4")["text"], page.solution("9/4")["text"]]
     found += [page.advice({"9/4": ["", "9.3"]}, "9/4")["sentence"], page.advice({}, "")["sentence"]]
-    found += [
-        output_of(page.take_in, "x"),
-        output_of(page.load, "x", b64encode(b"x").decode(), "", "xx").partition(": ")[0],
-    ]
+    refused = output_of(page.load, "x", b64encode(b"x").decode(), "xx")
+    found += [output_of(page.take_in, "x"), refused.partition(": ")[0]]
     found += [output_of(page.show, "9/9"), output_of(page.read, "9/4", "no", [])]
-    keys = {"verdict", "unreadable", "text", "wrong", "right", "blank"}
-    keys |= {"True", "False", "true", "false", *KINDS}
-    keys |= {*page.show("9/4"), *page.show("9/4")["answers"][0]}
+    keys = {
+        "verdict",
+        "unreadable",
+        "text",
+        "wrong",
+        "right",
+        "blank",
+        "True",
+        "False",
+        "true",
+        "false",
+    }
+    keys |= {*KINDS, *page.show("9/4"), *page.show("9/4")["answers"][0]}
     assert_nothing_is_english(found, names_of("9/4") | keys)
 
 
@@ -221,7 +234,7 @@ def test_predictions():
 
 
 def test_the_pages_of_the_site():
-    found = [problem_index.page(["ch09"]), problem_pages.taken()]
+    found = [problem_index.page(["ch09"]), rendered("taken.md")]
     found += [contents.page([], ["ch09"], {})]
     names = names_of(*(f"9/{n}" for n in range(1, 10)))
     assert_nothing_is_english(found, names)

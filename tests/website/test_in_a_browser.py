@@ -6,12 +6,11 @@ import time
 
 import pytest
 
-from tests.website.browser import complaints, emulated, requests, script, wait
+from tests.website.browser import complaints, emulated, js, requests, script, text, wait
 
 pytestmark = pytest.mark.integration
 
 PHONE = {"width": 360, "height": 740, "deviceScaleFactor": 1, "mobile": True}
-
 LOOK = script("faults_of_a_page")
 WIDER = script("wider_than_the_page")
 
@@ -52,13 +51,11 @@ def test_a_search_finds_a_word(site, address, driver, kind):
     results = "[...document.querySelectorAll('#search-results li')]"
     wait(driver, "document.body.textContent.includes('Search finished')", "the end of the search")
     if kind == "server":  # a page opened as a file cannot read others
-        excerpts = (
-            f"{results}.every((li) => li.matches('.kind-object') || li.querySelector('.context'))"
-        )
-        wait(driver, excerpts, "an excerpt of each page")
+        shown = "li.matches('.kind-object') || li.querySelector('.context')"
+        wait(driver, f"{results}.every((li) => {shown})", "an excerpt of each page")
     assert complaints(driver) == []
     link = f"{results}[0].querySelector('a')"  # what is taught comes before functions
-    assert "/chapters/" in driver.execute_script(f"return {link}.href")
+    assert "/chapters/" in js(driver, f"{link}.href")
     driver.execute_script(f"{link}.click()")
     wait(driver, "document.querySelector('article h1')", "the page that was found")
     assert complaints(driver) == []
@@ -68,7 +65,7 @@ def test_the_address_of_a_section_leads_to_it(address, driver):
     driver.get(f"{address}/chapters/ch04_relative_motion.html#section-4-10")
     place = "document.getElementById('section-4-10').getBoundingClientRect().top"
     assert wait(driver, f"Math.abs({place}) < innerHeight / 2", "section 4.10")
-    assert driver.execute_script("return scrollY > innerHeight")
+    assert js(driver, "scrollY > innerHeight")
 
 
 def sample(driver, address):
@@ -81,13 +78,13 @@ def test_a_film_plays_at_its_button_and_waits_where_no_motion_is_wanted(driver, 
     sample(driver, address)
     film = "document.querySelector('.output [id^=motion-]')"
     button, picture = f"{film}.querySelector('button')", f"{film}.querySelector('img')"
-    assert driver.execute_script(f"return {button}.textContent") == "Play"
-    still = driver.execute_script(f"return {picture}.src")
+    assert js(driver, f"{button}.textContent") == "Play"
+    still = js(driver, f"{picture}.src")
     time.sleep(0.4)
-    assert driver.execute_script(f"return {picture}.src") == still
+    assert js(driver, f"{picture}.src") == still
     driver.execute_script(f"{button}.click()")
     wait(driver, f"{picture}.src !== {json.dumps(still)}", "another picture")
-    assert driver.execute_script(f"return {picture}.alt") == "A pendulum swings."
+    assert js(driver, f"{picture}.alt") == "A pendulum swings."
     emulated(driver)
     assert complaints(driver) == []
 
@@ -95,31 +92,26 @@ def test_a_film_plays_at_its_button_and_waits_where_no_motion_is_wanted(driver, 
 def test_answers_and_code_are_folded_with_their_formulas_and_a_slider_is_not_shown(driver, address):
     sample(driver, address)
     folded = "document.querySelector('article details')"
-    assert driver.execute_script(f"return {folded}.open") is False
-    inside = f"{folded}.querySelectorAll('summary mjx-container').length"
-    assert driver.execute_script(f"return {inside}") == 1
-    assert driver.execute_script(f"return {folded}.querySelectorAll('li').length") == 2
+    assert js(driver, f"{folded}.open") is False
+    assert js(driver, f"{folded}.querySelectorAll('summary mjx-container').length") == 1
+    assert js(driver, f"{folded}.querySelectorAll('li').length") == 2
     tags = "[...document.querySelectorAll('article .math')].filter(f => /[(]4[.]1[38][)]/.test(f.querySelector('mjx-assistive-mml').textContent)).length"
-    assert driver.execute_script(f"return {tags}") == 2
-    code = "document.querySelector('details.hide').textContent"
-    assert "def swinging" in driver.execute_script(f"return {code}")
-    assert "FloatSlider(" not in driver.execute_script(
-        "return [...document.querySelectorAll('.cell_output')].map(e => e.textContent).join()"
-    )
-    alt = "[...document.images].map(i => i.alt)"
-    assert "Figure 1. A straight line from 0 to 1." in driver.execute_script(f"return {alt}")
+    assert js(driver, tags) == 2
+    assert "def swinging" in text(driver, "details.hide")
+    outputs = "[...document.querySelectorAll('.cell_output')].map(e => e.textContent).join()"
+    assert "FloatSlider(" not in js(driver, outputs)
+    alts = js(driver, "[...document.images].map(i => i.alt)")
+    assert "Figure 1. A straight line from 0 to 1." in alts
 
 
 def test_on_paper_all_is_unfolded_and_the_navigation_is_gone(driver, address):
     sample(driver, address)
     paper = driver.execute_cdp_cmd("Page.printToPDF", {"printBackground": False})
     assert len(base64.b64decode(paper["data"])) > 10_000
-    assert driver.execute_script(
-        "return [...document.querySelectorAll('details')].every(d => d.open)"
-    )
+    assert js(driver, "[...document.querySelectorAll('details')].every(d => d.open)")
     emulated(driver, media="print")
     shown = "[...document.querySelectorAll('.sidebar-drawer, .toc-drawer, .mobile-header, .controls, .related-pages')].filter(e => e.offsetParent).length"
-    assert driver.execute_script(f"return {shown}") == 0
+    assert js(driver, shown) == 0
     emulated(driver)
 
 
@@ -128,7 +120,7 @@ def test_a_page_follows_the_readers_system_or_the_switch_and_paper_is_light(driv
     colours = """const fill = document.querySelector('.landing svg.sketch > rect');
       return [getComputedStyle(document.body).backgroundColor, getComputedStyle(fill).fill];"""
     driver.get(f"{address}/index.html")
-    assert driver.execute_script("return document.documentElement.lang") == "en"
+    assert js(driver, "document.documentElement.lang") == "en"
     assert driver.execute_script(colours) == [white, white]
     emulated(driver, "dark")
     assert driver.execute_script(colours) == [dark, dark]
@@ -137,7 +129,7 @@ def test_a_page_follows_the_readers_system_or_the_switch_and_paper_is_light(driv
     emulated(driver, "dark")
     driver.find_element("css selector", ".theme-toggle-content button").click()
     assert driver.execute_script(colours) == [white, white]
-    assert driver.execute_script("return localStorage.theme") == "light"
+    assert js(driver, "localStorage.theme") == "light"
     driver.execute_script("localStorage.removeItem('theme')")
     emulated(driver)
 
@@ -163,18 +155,15 @@ def test_a_prediction_is_made_opens_its_meaning_and_is_counted_and_asked_again(d
     sample(driver, address)
     driver.execute_script("localStorage.clear()")
     sample(driver, address)
-    tally = "document.querySelector('.prediction-tally').textContent"
-    assert driver.execute_script(f"return {tally}") == "0 of 2 predictions made."
+    assert text(driver, ".prediction-tally") == "0 of 2 predictions made."
     choices = "[...document.querySelector('.prediction').querySelectorAll('.choice')]"
     driver.execute_script(f"{choices}[0].querySelector('summary').click()")
-    assert driver.execute_script(f"return {choices}.map(c => c.open)") == [True, True]
+    assert js(driver, f"{choices}.map(c => c.open)") == [True, True]
     form = "document.querySelector('.prediction form')"
     driver.execute_script(f"{form}.firstChild.value = '4 m'; {form}.requestSubmit()")
-    chosen = "document.querySelector('.mistake.chosen').textContent"
-    assert "Twice too many" in driver.execute_script(f"return {chosen}")
+    assert "Twice too many" in text(driver, ".mistake.chosen")
     sample(driver, address)  # it is kept
-    assert driver.execute_script(f"return {tally}") == "2 of 2 predictions made: 0 right, 2 wrong."
-    assert driver.execute_script(f"return {choices}[0].matches('.chosen')")
-    again = "document.querySelectorAll('.predictions-again .prediction').length"
-    assert driver.execute_script(f"return {again}") == 2
+    assert text(driver, ".prediction-tally") == "2 of 2 predictions made: 0 right, 2 wrong."
+    assert js(driver, f"{choices}[0].matches('.chosen')")
+    assert len(driver.find_elements("css selector", ".predictions-again .prediction")) == 2
     assert complaints(driver) == []

@@ -8,10 +8,9 @@ import pytest
 from newton_euler.algebra.language import speaking
 from tests.once import once
 from tests.website import feedback
-from tests.website.browser import complaints, emulated, served, wait
-from tests.website.test_practice import AXE, FAULTS, practise, typed
+from tests.website.browser import complaints, js, served, text, wait
+from tests.website.test_practice import faults_found, practise, typed
 from website import build, command, notebooks
-from website.build import CACHE
 
 pytestmark = [pytest.mark.integration, pytest.mark.slow]  # minutes
 
@@ -51,43 +50,33 @@ def german(tmp_path_factory):
 def test_a_chapter_a_problem_and_feedback_are_german_and_axe_finds_nothing(german, driver):
     if not (german / "practice").exists():
         pytest.skip("npm does not reach Pyodide")
-    axe, faults = AXE.files(CACHE / "npm", "axe.min.js"), {}
 
-    def text(selector):
-        return driver.execute_script(f"return document.querySelector('{selector}').textContent")
-
-    def examined(page):
-        assert driver.execute_script("return document.documentElement.lang") == "de"
-        if axe:
-            driver.execute_script(axe["axe.min.js"].decode())
-            faults[page] = driver.execute_async_script(FAULTS, None)
+    def assert_right():
+        assert js(driver, "document.documentElement.lang") == "de"
+        assert faults_found(driver) == []
 
     with served(german) as address:
         driver.get(f"{address}/{CHAPTER}")
-        assert text(".languages a[hreflang=en]") == "English"
-        assert "Welche Kräfte ändern sich?" in text(".prediction .question")
+        assert text(driver, ".languages a[hreflang=en]") == "English"
+        assert "Welche Kräfte ändern sich?" in text(driver, ".prediction .question")
         driver.execute_script("document.querySelectorAll('.choice summary')[2].click()")
-        assert "Hebelarme" in text(".choice.chosen")
-        assert text(".prediction-tally").startswith("1 von 1 Vorhersagen")
-        examined(CHAPTER)
+        assert "Hebelarme" in text(driver, ".choice.chosen")
+        assert text(driver, ".prediction-tally").startswith("1 von 1 Vorhersagen")
+        assert_right()
         practise(driver, f"{address}/problems/9-4.html")
-        assert "Trägheitsmoment um die Normale der Platte" in text(".practice")
+        assert "Trägheitsmoment um die Normale der Platte" in text(driver, ".practice")
         assert "Dezimalpunkt" in typed(driver, "H_O", ["3,5", "0", "0"])  # write 3.5
         m, b, h = 3.0, 0.24, 0.16
         along = m * (b**2 * 0.5 + h**2) / 12 * 62.8318531
         across = m * b**2 * 0.5 / 12 * 62.8318531
         verdict = typed(driver, "H_O", [f"{along:.6g}", f"{across:.6g}", "0"])
         assert "Deviationsmoment das falsche Vorzeichen" in verdict
-        hint = (
-            "[...document.querySelectorAll('.help button')].find(b => b.textContent === 'Hinweis')"
-        )
-        driver.execute_script(f"{hint}.click()")
+        buttons = "[...document.querySelectorAll('.help button')]"
+        driver.execute_script(f"{buttons}.find(b => b.textContent === 'Hinweis').click()")
         wait(driver, "document.querySelector('.practice .reply').textContent", "a hint")
-        assert "Bestimmen Sie" in text(".practice .reply")
+        assert "Bestimmen Sie" in text(driver, ".practice .reply")
         assert complaints(driver) == []
-        examined("problem")
+        assert_right()
         driver.get(f"{address}/feedback.html")
-        assert "Jeder Teil einer Aufgabe wird" in text("header")
-        examined("feedback")
-    emulated(driver)
-    assert {page: found for page, found in faults.items() if found} == {}
+        assert "Jeder Teil einer Aufgabe wird" in text(driver, "header")
+        assert_right()

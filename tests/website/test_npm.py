@@ -7,15 +7,17 @@ import tarfile
 import zipfile
 from dataclasses import replace
 
+from website import npm
 from website.engine import ON_PAGES
 from website.engine import packed as for_pages
 from website.kept import ROOT
 from website.npm import Package
 
 
-def packed(tmp_path):
+def packed(folder):
     """A package whose archive is kept in the folder."""
-    path = tmp_path / "small-1.0.tgz"
+    folder.mkdir()
+    path = folder / "small-1.0.tgz"
     with tarfile.open(path, "w:gz") as archive:
         found = tarfile.TarInfo("package/a.txt")
         found.size = 2
@@ -26,10 +28,11 @@ def packed(tmp_path):
 
 def test_what_is_kept_needs_no_npm_and_is_not_used_once_it_was_changed(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", "")
-    package = packed(tmp_path)
-    assert package.files(tmp_path, "a.txt") == {"a.txt": b"hi"}
-    assert replace(package, integrity="sha512-other").files(tmp_path, "a.txt") is None
-    assert replace(package, version="2.0").files(tmp_path, "a.txt") is None
+    monkeypatch.setattr(npm, "CACHE", tmp_path)
+    package = packed(tmp_path / "npm")
+    assert package.files("a.txt") == {"a.txt": b"hi"}
+    assert replace(package, integrity="sha512-other").files("a.txt") is None
+    assert replace(package, version="2.0").files("a.txt") is None
 
 
 def test_the_engine_for_pages_is_the_package_without_notebooks_the_same_each_time():

@@ -11,7 +11,7 @@ import pytest
 from exercises.catalogue import problem
 from grader.practice.build import page_of, svg
 from tests.grader.courses import environment
-from website.browser import answer
+from website.browser import answer, practice
 
 SECRETS = "__import__('os').system('x')", "9**9**9**9", "(" * 400, "1+" * 400
 SECRETS += "b" * 10**5, "[" * 250
@@ -25,6 +25,12 @@ def call(function, **arguments):
 def opened(practice_file):
     """The problems of a file that a page has passed in."""
     return call("load", name="some", data=b64encode(practice_file.read_bytes()).decode())["value"]
+
+
+@pytest.fixture
+def apart(monkeypatch):
+    """Files that a test opens are no longer open in the next."""
+    monkeypatch.setattr(practice, "_books", {})
 
 
 def shown(number, **more):
@@ -90,15 +96,51 @@ def test_what_is_not_a_formula_is_refused_in_words(opened, text):
     assert checked["found"]["a_D"]["verdict"] == "unreadable"
 
 
-def test_files_that_are_not_practice_files_are_refused_in_words(tmp_path):
-    bomb = tmp_path / "bomb"
-    with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("practice.json", b" " * 2**25)
-    code = b"import os; os.system('x')"
-    for data in (b"", code, bomb.read_bytes()):
-        found = call("load", name="x", data=b64encode(data).decode())
-        assert "practice file" in found["error"] or "MB" in found["error"]
-        assert found["error"].startswith("x")  # as the reader calls it
+def rewritten(sound, path, change=lambda page: None, **members):
+    """A practice file as one of 4/16 alone, its page changed by a function, with other members."""
+    with zipfile.ZipFile(sound) as archive, zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as out:
+        head, page = (json.loads(archive.read(f"{n}.json")) for n in ("practice", "4-16"))
+        change(page)
+        files = {"practice.json": json.dumps(head | {"problems": ["4/16"]}),
+                 "4-16.json": json.dumps(page), **members}  # fmt: skip
+        for name, content in files.items():
+            out.writestr(name, content)
+    return path
+
+
+def refusal(data):
+    """Why a file, or its problem 4/16, is refused."""
+    found = call("load", name="x", data=b64encode(data).decode())
+    return found.get("error") or call("show", problem="4/16")["error"]
+
+
+@pytest.mark.parametrize(
+    "data", [b"", b"import os\nos.abort()", b"\x80\x04\x95\x00cos\nabort\n(tR."]
+)
+def test_files_that_are_not_practice_files_are_refused_in_words(data):
+    assert refusal(data).startswith("x is not a practice file")  # as the reader calls it
+
+
+LONG, DEEP = b" " * 2**25, b"[" * 700 + b"]" * 700
+
+
+@pytest.mark.parametrize(("members", "words"), [
+    ({"practice.json": LONG}, "practice.json has more than 8 MB"),
+    ({"4-16.json": LONG}, "4-16.json has more than 8 MB"),
+    ({"practice.json": DEEP}, "is not a practice file"),
+    ({"4-16.json": DEEP}, "is not a practice file"),
+])  # fmt: skip
+def test_a_practice_file_that_is_a_bomb_is_refused(practice_file, tmp_path, members, words, apart):
+    assert words in refusal(rewritten(practice_file, tmp_path / "x", **members).read_bytes())
+
+
+@pytest.mark.parametrize("first", [("+", [0], 1.0), ("neg", [5]), ("__import__", "os")])
+def test_a_program_that_refers_to_itself_or_calls_is_refused(practice_file, tmp_path, first, apart):
+    def change(page):
+        page["variants"][0]["program"]["operations"][0] = first
+
+    data = rewritten(practice_file, tmp_path / "x", change).read_bytes()
+    assert "problem 4/16 cannot be read" in refusal(data)
 
 
 HIDDEN = """

@@ -10,10 +10,12 @@ from urllib.parse import unquote, urlsplit
 import pytest
 
 from exercises.catalogue import chapters, problems
+from exercises.catalogue.variants import flat
+from grader.assignment.notebook import slug
+from website.notebooks import chapters as notebooks
+from website.reference import public, rooms
 
 pytestmark = pytest.mark.integration
-
-
 FORMULA = re.compile("(?s)<mjx-container.*?</mjx-container>")  # half of a page, without links
 
 
@@ -81,47 +83,32 @@ def test_every_problem_has_its_anchor_and_every_chapter_its_page(site):
     for name in chapters():
         ids = read(site / "problems" / f"{name}.html").ids
         assert {anchor(p) for p in problems(name)} <= ids
-    from website.notebooks import chapters as notebooks
-
     for c in notebooks():
         assert (site / "chapters" / f"{c.stem}.html").exists()
 
 
 def anchor(p):
-    return f"p{p.id.replace('/', '-')}".lower()
+    return f"p{slug(p.id)}".lower()
 
 
-def test_numbers_of_problems_are_linked_and_fractions_are_not(site):
-    links = read(site / "chapters" / "sample.html").links
-    assert "../problems/ch04.html#p4-16" in links
-    assert "../problems/ch03.html#p3-27" in links
-    assert "../problems/ch03.html#p3-25" in links
-    assert "../problems/ch03.html#p3-4" not in links
-
-
-def test_a_cell_that_checks_an_answer_is_a_link_to_the_problem(site):
+def test_numbers_of_problems_and_cells_that_check_answers_are_links_and_fractions_are_not(site):
     sample = read(site / "chapters" / "sample.html")
-    assert {"../problems/ch04.html#p4-12", "../problems/4-12.html"} <= set(sample.links)
+    numbers = "ch04.html#p4-16", "ch03.html#p3-27", "ch03.html#p3-25"
+    tried = "ch04.html#p4-12", "4-12.html"
+    assert {f"../problems/{name}" for name in (*numbers, *tried)} <= {*sample.links}
+    assert "../problems/ch03.html#p3-4" not in sample.links
     assert "No practice file" not in "".join(sample.words)
+    back = read(site / "problems" / "ch04.html").links
+    assert "../chapters/ch04_relative_motion.html#section-4-10" in back
 
 
-def test_what_a_cell_prints_in_pieces_is_shown_as_one(site):
-    assert "<span></span>one\ntwo\n</pre>" in (site / "chapters" / "sample.html").read_text("utf-8")
-
-
-def test_code_has_marks_only_on_what_has_a_colour(site):
+def test_pieces_of_an_output_are_one_and_only_code_with_a_colour_has_marks(site):
     text = (site / "chapters" / "sample.html").read_text("utf-8")
+    assert "<span></span>one\ntwo\n</pre>" in text
     assert 'Frame(<span class="s2">"ground"</span>)<span class="o">.</span>vector(' in text
 
 
-def test_a_problem_links_back_to_its_section(site):
-    links = read(site / "problems" / "ch04.html").links
-    assert "../chapters/ch04_relative_motion.html#section-4-10" in links
-
-
 def test_every_public_name_of_the_engine_is_described(site):
-    from website.reference import public, rooms
-
     for room in rooms():
         ids = read(site / "reference" / f"{room}.html").ids
         for name in (n for names in public(room).values() for n in names):
@@ -129,8 +116,8 @@ def test_every_public_name_of_the_engine_is_described(site):
 
 
 def test_no_page_holds_the_code_of_a_problem(site):
-    texts = {path: path.read_text(encoding="utf-8") for path in (*pages(site), *site.rglob("*.js"))}
-    for path, text in texts.items():
+    for path in (*pages(site), *site.rglob("*.js")):
+        text = path.read_text(encoding="utf-8")
         bare = unescape(re.sub(r"<[^>]+>", "", text)) if path.suffix == ".html" else text
         for trace in ("def solve(g", "def prove(g", "def mistakes(g", "exercises.catalogue.proofs"):
             assert trace not in bare, (path.name, trace)
@@ -147,20 +134,10 @@ def test_no_problem_page_names_a_mistake(site):
 
 def keys(p):
     """The numbers of the answers too long to match by chance: four digits and more."""
-    from newton_euler.algebra.vectors import Vector
-
-    def numbers(value):
-        if isinstance(value, Vector):
-            return [x for part in (value.x, value.y, value.z) for x in numbers(part)]
-        if isinstance(value, (tuple, list)):
-            return [x for part in value for x in numbers(part)]
-        return [float(value)] if isinstance(value, float) else []
-
     answers = {} if p.symbols else p.solve(p.book_values)
-    found = {f"{abs(x):.5g}" for value in answers.values() for x in numbers(value)}
-    return {
-        text for text in found if "e" not in text and len(text.strip("0.").replace(".", "")) >= 4
-    }
+    numbers = [x for value in answers.values() for x in flat(value) if isinstance(x, float)]
+    found = {f"{abs(x):.5g}" for x in numbers}
+    return {x for x in found if "e" not in x and len(x.strip("0.").replace(".", "")) >= 4}
 
 
 def section(text, p):
@@ -192,14 +169,19 @@ def test_the_search_knows_no_answers(site):
 
 def test_every_problem_can_be_chosen_by_data_that_give_away_no_mistake_and_no_answer(site):
     text = (site / "problems/index.html").read_text(encoding="utf-8")
-    rows = {
-        re.search('href="(.*?)"', row)[1]: row for row in re.findall("(?s)<tr data.*?</tr>", text)
-    }
+    found = re.findall("(?s)<tr data.*?</tr>", re.sub(r' data-sheets="\d+"', "", text))
+    rows = {re.search('href="(.*?)"', row)[1]: unescape(row) for row in found}
     for name in chapters():
         for p in problems(name):
-            row = re.sub(
-                r'data-sheets="\d+"', "", unescape(rows.pop(f"{p.id.replace('/', '-')}.html"))
-            )
+            row = rows.pop(f"{slug(p.id)}.html")
             assert not any(getattr(m, "text", m) in row for m in p.mistakes.values()), p.id
             assert not any(number in row for number in keys(p)), p.id
     assert rows == {}
+
+
+def test_without_javascript_a_problem_page_is_complete(site):
+    text = (site / "problems" / "4-16.html").read_text("utf-8")
+    assert "Elbow arm on a turning shaft" in text
+    assert re.search(r'<svg[^>]* class="sketch[^>]* aria-label="A vertical shaft', text)
+    assert text.count("<mjx-container") > 10
+    assert '<div class="practice" data-problem="4/16" data-file="ch04" data-engine hidden>' in text

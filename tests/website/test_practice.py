@@ -1,24 +1,23 @@
 """Problems worked on their pages, in a real browser: by keyboard alone, on a phone."""
 
-import json
-import re
 import shutil
-import time
-import zipfile
 from contextlib import contextmanager
 
 import pytest
 
+from grader.assignment.notebook import slug
 from newton_euler.classroom.practising.collection import Practice
 from newton_euler.classroom.practising.files import PracticeFile
 from newton_euler.classroom.practising.progress import Progress
-from tests.website.browser import LONG, complaints, emulated, requests, script, wait
-from website.build import CACHE
+from tests.jupyterlab import Page
+from tests.website.browser import complaints, emulated, js, requests, script, text, wait
+from tests.website.test_on_a_page import rewritten
 from website.npm import Package
 
+webdriver = pytest.importorskip("selenium.webdriver", reason="selenium is not installed")
+ActionChains, Keys = webdriver.ActionChains, webdriver.Keys
 pytestmark = pytest.mark.integration
 
-WORKED = ("4/16",)
 MORE_WORKED = "4/1", "4/2", "4/7", "4/12", "4/16"
 PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True}
 AXE = Package(
@@ -27,13 +26,7 @@ AXE = Package(
     "sha512-FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVGtQ==",
 )
 FAULTS = script("faults_for_axe")
-# a page of each kind
-KINDS = (
-    "index.html", "problems/4-16.html", "problems/own.html", "problems/index.html",
-    "problems/ch04.html", "chapters/ch01_basic_concepts.html", "chapters/sample.html",
-    "reference/kinematics.html", "search.html", "genindex.html",
-)  # fmt: skip
-LEFT, TOUCHED = "document.activeElement", "document.querySelector('.practice').dataset.ready"
+READY = "document.querySelector('.practice').dataset.ready"
 
 
 @pytest.fixture(scope="module")
@@ -51,47 +44,30 @@ def practise(driver, page):
     driver.execute_script(
         "if (!localStorage['newton-euler.practises']) document.querySelector('.practice button').click()"
     )
-    wait(driver, TOUCHED, "the form")
-
-
-def press(driver, *keys):
-    from selenium.webdriver import ActionChains
-
-    ActionChains(driver).send_keys(*keys).perform()
-
-
-BEHIND = """const e = document.querySelector(arguments[0]);
-return !!(e && e.compareDocumentPosition(document.activeElement) & Node.DOCUMENT_POSITION_FOLLOWING);"""
+    wait(driver, READY, "the form")
 
 
 def tab_to(driver, selector):
     """Press Tab, or Shift and Tab where one is behind it, until what the selector says has the
     focus.
     """
-    from selenium.webdriver import ActionChains, Keys
-
-    back = driver.execute_script(BEHIND, selector)
+    place = "document.querySelector(arguments[0])?.compareDocumentPosition(document.activeElement)"
+    back = js(driver, f"!!({place} & Node.DOCUMENT_POSITION_FOLLOWING)", selector)
     for _ in range(300):
-        if driver.execute_script("return document.activeElement.matches(arguments[0])", selector):
+        if js(driver, "document.activeElement.matches(arguments[0])", selector):
             return
-        tab = ActionChains(driver)
-        if back:
-            tab.key_down(Keys.SHIFT).send_keys(Keys.TAB).key_up(Keys.SHIFT).perform()
-        else:
-            tab.send_keys(Keys.TAB).perform()
+        Page(driver).press(Keys.TAB, shift=back)
     pytest.fail(f"Tab does not reach {selector}")
 
 
 def typed(driver, key, texts, check=True):
     """Type into the fields of a quantity and press Enter; returns the verdict."""
-    from selenium.webdriver import ActionChains, Keys
-
     box = f"fieldset[data-key='{key}']"
     tab_to(driver, f"{box} :is(select, input:nth-of-type(1))")
     keys = ActionChains(driver)
-    for n, text in enumerate(texts):
+    for n, part in enumerate(texts):
         keys.send_keys(Keys.TAB * bool(n)).key_down(Keys.CONTROL).send_keys("a")
-        keys.key_up(Keys.CONTROL).send_keys(text)
+        keys.key_up(Keys.CONTROL).send_keys(part)
     keys.send_keys(Keys.ENTER * check).perform()
     if not check:
         return ""
@@ -104,57 +80,54 @@ def steps_and_answers(site, number):
     answers.
     """
     p = Practice([PracticeFile(site / "practice" / "ch04.practice")], Progress(None))[number]
-    texts = {k: [x] if isinstance(x, str) else [f"{part:.6g}" for part in x]
-             for k, x in p.solved.items()}  # fmt: skip
+    found = {k: [x] if isinstance(x, str) else x for k, x in p.solved.items()}
+    texts = {
+        k: [x if isinstance(x, str) else f"{x:.6g}" for x in parts] for k, parts in found.items()
+    }
     return ({k: texts[k] for k in names} for names in (p.steps, p.answers))
 
 
-@pytest.mark.parametrize("numbers", [WORKED, pytest.param(MORE_WORKED, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("numbers", [("4/16",), pytest.param(MORE_WORKED, marks=pytest.mark.slow)])
 def test_problems_are_worked_by_keyboard_and_taken_along(site, address, phone, tmp_path, numbers):
-    from selenium.webdriver import Keys
-
     save = {"behavior": "allow", "downloadPath": str(tmp_path)}
     phone.execute_cdp_cmd("Browser.setDownloadBehavior", save)
     taken = {}
     for number in numbers:
-        phone.get(f"{address}/problems/{number.replace('/', '-')}.html")
+        phone.get(f"{address}/problems/{slug(number)}.html")
         tab_to(phone, ".skip-to-content")
-        press(phone, Keys.ENTER)
+        Page(phone).press(Keys.ENTER)
         if number == numbers[0]:
             tab_to(phone, ".practice button")
-            press(phone, Keys.ENTER)
-        wait(phone, TOUCHED, "the form")
+            Page(phone).press(Keys.ENTER)
+        wait(phone, READY, "the form")
         steps, answers = steps_and_answers(site, number)
         wrong = lambda texts: [f"{1.37 * float(x) + 0.11:.6g}" for x in texts]
         for key, texts in answers.items():
             assert typed(phone, key, wrong(texts)).startswith("✗"), (number, key)
         tab_to(phone, "details.steps > summary")
-        press(phone, Keys.ENTER)
+        Page(phone).press(Keys.ENTER)
         for key, texts in steps.items():
             assert typed(phone, key, wrong(texts)).startswith("✗"), (number, key)
             assert typed(phone, key, texts).startswith("✓"), (number, key)
         for key, texts in answers.items():
             typed(phone, key, texts, check=False)
-        press(phone, Keys.ENTER)
+        Page(phone).press(Keys.ENTER)
         wait(phone, "document.querySelector('.practice .next').textContent", "what to do next")
         verdicts = "[...document.querySelectorAll('.practice > div > form .verdict')].map(v => v.textContent[0])"
-        assert set(phone.execute_script(f"return {verdicts}")) == {"✓"}, number
-        assert phone.execute_script("return document.documentElement.scrollWidth") <= PHONE["width"]
+        assert set(js(phone, verdicts)) == {"✓"}, number
+        assert js(phone, "document.documentElement.scrollWidth") <= PHONE["width"]
         taken[number] = len(steps) + len(answers)
     assert typed(phone, "omega_CD", ["0.45", "0", "0.6"]).startswith("✗")
     status = "document.querySelector('.practice [role=status]').textContent"
     assert "omega_CD: not right" in wait(phone, status, "a sentence in the live region")
     assert typed(phone, "omega_CD", ["-b_dot", "0", "omega"]) == "✓ right"
-    for summary in ("Your progress",):
-        tab_to(phone, ".practice > div > details:last-of-type > summary")
-        press(phone, Keys.ENTER)
-        assert phone.execute_script("return document.activeElement.textContent") == summary
+    tab_to(phone, ".practice > div > details:last-of-type > summary")
+    Page(phone).press(Keys.ENTER)
+    assert js(phone, "document.activeElement.textContent") == "Your progress"
     tab_to(phone, "button.export")
-    press(phone, Keys.ENTER)
+    Page(phone).press(Keys.ENTER)
     file = tmp_path / "practice.progress.json"
-    end = time.monotonic() + LONG
-    while not file.exists() and time.monotonic() < end:
-        time.sleep(0.1)
+    Page(phone).wait(file.exists, "the file of progress")
     kept = Progress(file)  # as a notebook reads it
     assert all(kept.counts(number)["right"] >= count for number, count in taken.items())
     assert kept.note == ""
@@ -168,12 +141,10 @@ return outlineStyle !== "none" && parseFloat(outlineWidth) > 0;
 
 
 def test_from_the_first_page_to_a_solution_by_keyboard_and_where_one_is_can_be_seen(address, phone):
-    from selenium.webdriver import Keys
-
     def go(selector, key, seen):
         tab_to(phone, selector)
         assert phone.execute_script(RING), selector
-        press(phone, key)
+        Page(phone).press(key)
         wait(phone, seen, selector)
 
     moving, prediction = "[data-moving] input[type=range]", ".prediction .choice > summary"
@@ -184,9 +155,9 @@ def test_from_the_first_page_to_a_solution_by_keyboard_and_where_one_is_can_be_s
     go(prediction, Keys.ENTER, "document.querySelector('.choice.chosen')")
     phone.back()
     go("form.taste a", Keys.ENTER, "document.querySelector('.practice button')")
-    if not phone.execute_script("return localStorage['newton-euler.practises']"):
+    if not js(phone, "localStorage['newton-euler.practises']"):
         go(".practice button", Keys.ENTER, "true")
-    wait(phone, TOUCHED, "the form")
+    wait(phone, READY, "the form")
     output = "document.querySelectorAll('.practice .reply')[{}].textContent"
     go(".help button:nth-of-type(1)", Keys.ENTER, output.format(0))
     go(".help button:nth-of-type(2)", Keys.ENTER, output.format(1))
@@ -196,20 +167,19 @@ def test_from_the_first_page_to_a_solution_by_keyboard_and_where_one_is_can_be_s
 
 def test_new_numbers_hints_and_solution_are_shown_typeset(address, phone):
     practise(phone, f"{address}/problems/4-16.html")
-    before = phone.execute_script("return document.querySelector('.statement').textContent")
+    before = text(phone, ".statement")
     phone.execute_script("document.querySelector('.sets button').click()")
     wait(phone, "document.querySelector('.sets').textContent.includes('Numbers 2')", "new numbers")
-    assert phone.execute_script("return document.querySelector('.statement').textContent") != before
+    assert text(phone, ".statement") != before
     figure = "document.querySelector('.statement > svg.sketch')"
-    assert "shaft" in phone.execute_script(f"return {figure}.getAttribute('aria-label')")
+    assert "shaft" in js(phone, f"{figure}.getAttribute('aria-label')")
     phone.execute_script("engine.stop()")  # as where a phone has taken its memory back
     for button in phone.find_elements("css selector", ".help button")[:2]:
         phone.execute_script("arguments[0].click()", button)
     solved = "document.querySelectorAll('.practice .reply')[1]"
     wait(phone, f"{solved}.querySelectorAll('mjx-container').length > 20", "the solution")
-    faults = f"return {solved}.querySelectorAll('mjx-merror, [data-mml-node=merror]').length"
-    assert phone.execute_script(faults) == 0
-    assert phone.execute_script("return document.documentElement.scrollWidth") <= PHONE["width"]
+    assert js(phone, f"{solved}.querySelectorAll('mjx-merror, [data-mml-node=merror]').length") == 0
+    assert js(phone, "document.documentElement.scrollWidth") <= PHONE["width"]
     shown = "engine.call('practice.show', {problem: '4/16'}).then(p => arguments[0](p.number))"
     assert phone.execute_async_script(shown) == 2  # the engine that was started again goes on there
 
@@ -234,23 +204,6 @@ addEventListener("securitypolicyviolation", ({blockedURI}) => done(blockedURI));
 new Image().src = "https://elsewhere.example/v.png";"""
 
 
-def rewritten(sound, path, change=lambda page: None, **members):
-    """A practice file as one of 4/16 alone, its page changed by a function, with other members."""
-    with zipfile.ZipFile(sound) as archive, zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as out:
-        head, page = (json.loads(archive.read(f"{n}.json")) for n in ("practice", "4-16"))
-        change(page)
-        files = {"practice.json": json.dumps(head | {"problems": ["4/16"]}),
-                 "4-16.json": json.dumps(page), **members}  # fmt: skip
-        for name, content in files.items():
-            out.writestr(name, content)
-    return path
-
-
-def operation(*words):
-    """A change of a page: this is the first operation of its program."""
-    return lambda page: page["variants"][0]["program"]["operations"].__setitem__(0, words)
-
-
 def acting(page):
     """The change that puts ``ACTS`` into every text that readers see."""
     page["preamble"] = page["title"] = page["figure"] = ACTS
@@ -260,48 +213,26 @@ def acting(page):
         v |= {"statement": f"# 4/16\n{ACTS}", "solution": ACTS, "figure": "x.svg"}
 
 
-def refused(sound, folder):
-    """{a file that is not a practice file, or does not fit together: the reason that is given}."""
-    other = {"code": b"import os\nos.abort()", "pickle": b"\x80\x04\x95\x00cos\nabort\n(tR."}
-    for name, content in other.items():
-        (folder / name).write_bytes(content)
-    with open(folder / "huge", "wb") as file:
-        file.truncate(65 << 20)
-    long, deep = b" " * 2**25, b"[" * 700 + b"]" * 700
-    made = {
-        "bomb": ({"practice.json": long}, "practice.json has more than 8 MB"),
-        "bomb-within": ({"4-16.json": long}, "4-16.json has more than 8 MB"),
-        "deep": ({"practice.json": deep}, "is not a practice file"),
-        "deep-within": ({"4-16.json": deep}, "is not a practice file"),
-    }
-    found = {rewritten(sound, folder / n, **members): words for n, (members, words) in made.items()}
-    programs = {"of-itself": ("+", [0], 1.0), "of-later": ("neg", [5])}
-    programs["call"] = "__import__", "os"
-    for name, words in programs.items():
-        found[rewritten(sound, folder / name, operation(*words))] = "problem 4/16 cannot be read"
-    found |= dict.fromkeys((folder / n for n in other), "is not a practice file")
-    return {**found, folder / "huge": "has more than 64 MB"}
-
-
 def test_a_readers_own_practice_file_opens_and_others_are_refused(site, address, phone, tmp_path):
     sound = site / "practice" / "ch04.practice"
     phone.get(f"{address}/problems/own.html")
     chosen = phone.find_element("css selector", ".practice input[type=file]")
     words = "document.querySelector('.practice .verdict.wrong')?.textContent"
-    for path, reason in refused(sound, tmp_path).items():
-        chosen.send_keys(str(path))
-        output = wait(phone, f"({words} || '').startsWith('{path.name}') && {words}", path.name)
+    (tmp_path / "code").write_text("import os\nos.abort()")
+    with open(tmp_path / "huge", "wb") as file:
+        file.truncate(65 << 20)
+    for name, reason in {"code": "not a practice file", "huge": "has more than 64 MB"}.items():
+        chosen.send_keys(str(tmp_path / name))
+        output = wait(phone, f"({words} || '').startsWith('{name}') && {words}", name)
         assert reason in output
-        assert not phone.execute_script("return document.querySelector('progress, fieldset')")
+        assert not js(phone, "document.querySelector('progress, fieldset')")
     chosen.send_keys(str(shutil.copy(sound, tmp_path / "mine.practice")))
     wait(phone, "document.querySelector('.practice select option[value=\"4/1\"]')", "its problems")
     choose = "const s = document.querySelector('.practice select'); s.value = '4/16'; s.dispatchEvent(new Event('change'));"
     phone.execute_script(choose)
     wait(phone, "document.querySelector('fieldset[data-key=a_D]')", "the form of 4/16")
-    assert "Elbow arm" in phone.execute_script(
-        "return document.querySelector('.statement h2').textContent"
-    )
-    assert phone.execute_script("return !!document.querySelector('.statement > svg.sketch')")
+    assert "Elbow arm" in text(phone, ".statement h2")
+    assert js(phone, "!!document.querySelector('.statement > svg.sketch')")
     assert typed(phone, "a_D", ["1", "2", "3"]).startswith("✗")
     assert complaints(phone) == []
 
@@ -316,8 +247,8 @@ def test_texts_of_a_practice_file_are_texts_and_never_run_or_load(site, address,
     phone.execute_script("document.querySelectorAll('.help button')[1].click()")
     wait(phone, "document.querySelectorAll('.reply')[1].querySelector('mjx-container')", "solution")
     assert "<script>hit=2</script>" in phone.find_element("css selector", ".statement").text
-    assert phone.execute_script(f"return {ACTIVE}") == []
-    assert phone.execute_script("return typeof hit") == "undefined"
+    assert js(phone, ACTIVE) == []
+    assert js(phone, "typeof hit") == "undefined"
     assert [url for url in requests(phone) if "elsewhere" in url] == []
     assert complaints(phone) == []
     assert phone.execute_async_script(ASKED_ELSEWHERE) == "https://elsewhere.example/v.png"
@@ -350,9 +281,8 @@ def test_what_a_browser_has_damaged_or_refuses_or_lacks_stops_nobody(address, ph
         assert phone.execute_script(chosen) == 1
     phone.execute_script(kept, damaged)
     practise(phone, problem)
-    words = "document.querySelector('.practice .next').textContent"
-    assert "cannot be read: format 9" in phone.execute_script(f"return {words}")
-    assert phone.execute_script("return localStorage['newton-euler.progress.damaged']") == damaged
+    assert "cannot be read: format 9" in text(phone, ".practice .next")
+    assert js(phone, "localStorage['newton-euler.progress.damaged']") == damaged
     assert typed(phone, "v_D", ["1", "2", "3"]).startswith("✗")
     assert complaints(phone) == []
     with from_the_start(phone, REFUSED):
@@ -361,34 +291,26 @@ def test_what_a_browser_has_damaged_or_refuses_or_lacks_stops_nobody(address, ph
         assert phone.execute_script(chosen) == 1
         phone.get(problem)
         phone.execute_script("document.querySelector('.practice button').click()")
-        wait(phone, TOUCHED, "the form")
+        wait(phone, READY, "the form")
         assert typed(phone, "v_D", ["1", "2", "3"]).startswith("✗")
     complaints(phone)  # of the theme's own script
     with from_the_start(phone, "delete window.WebAssembly"):
         phone.get(problem)
-        assert not phone.execute_script("return document.querySelector('.practice').offsetParent")
+        assert not js(phone, "document.querySelector('.practice').offsetParent")
         phone.get(chapter)
-        assert phone.execute_script("return document.querySelectorAll('.run').length") == 0
+        assert js(phone, "document.querySelectorAll('.run').length") == 0
         assert complaints(phone) == []
-
-
-def test_without_javascript_a_problem_page_is_complete(site):
-    text = (site / "problems" / "4-16.html").read_text("utf-8")
-    assert "Elbow arm on a turning shaft" in text
-    assert re.search(r'<svg[^>]* class="sketch[^>]* aria-label="A vertical shaft', text)
-    assert text.count("<mjx-container") > 10
-    assert '<div class="practice" data-problem="4/16" data-file="ch04" data-engine hidden>' in text
 
 
 def test_the_first_page_moves_answers_and_is_light(address, phone):
     phone.get(f"{address}/index.html")
     sizes = "performance.getEntries().filter(e => e.decodedBodySize).reduce((all, e) => all + e.decodedBodySize, 0)"
-    assert phone.execute_script(f"return {sizes}") < 300_000
+    assert js(phone, sizes) < 300_000
     shown = "[...document.querySelectorAll('.landing .figure > div')].findIndex(f => !f.hidden)"
     slider = "const s = document.querySelector('#turn'); s.value = arguments[0]; s.dispatchEvent(new Event('input'));"
     for n in (0, 7):
         phone.execute_script(slider, n)
-        assert phone.execute_script(f"return {shown}") == n
+        assert js(phone, shown) == n
     ask = """
     const form = document.querySelector("form.taste");
     form.querySelector("input").value = arguments[0];
@@ -402,30 +324,34 @@ def test_the_first_page_moves_answers_and_is_light(address, phone):
     assert complaints(phone) == []
 
 
-def found_by_axe(driver, address, pages):
-    """{(page, theme): what is serious or critical on it}."""
-    script, faults = AXE.files(CACHE / "npm", "axe.min.js"), {}
-    if not script:
+def faults_found(driver, only=None):
+    """What axe finds serious or critical on the page, by one rule or by all."""
+    files = AXE.files("axe.min.js")
+    if not files:
         pytest.skip("npm does not reach axe-core")
-    for page in pages:
-        driver.get(f"{address}/{page}")
+    driver.execute_script(files["axe.min.js"].decode())
+    return driver.execute_async_script(FAULTS, only)
+
+
+# a page of each kind, and in the slow test every chapter
+KINDS = (
+    "index.html", "problems/4-16.html", "problems/own.html", "problems/index.html",
+    "problems/ch04.html", "chapters/ch01_basic_concepts.html", "chapters/sample.html",
+    "reference/kinematics.html", "search.html", "genindex.html",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("slow", [False, pytest.param(True, marks=pytest.mark.slow)])
+def test_axe_finds_nothing_serious_in_light_or_dark(site, address, phone, slow):
+    chapters = [str(path.relative_to(site)) for path in sorted(site.glob("chapters/*.html"))]
+    faults = {}
+    for page in (*KINDS, *chapters) if slow else KINDS[::4]:
+        phone.get(f"{address}/{page}")
         if page == "problems/4-16.html":
-            practise(driver, f"{address}/{page}")
-        driver.execute_script(script["axe.min.js"].decode())
+            practise(phone, f"{address}/{page}")
         for theme, only in (("light", None), ("dark", "color-contrast")):
-            emulated(driver, theme)
-            if wrong := driver.execute_async_script(FAULTS, only):
+            emulated(phone, theme)
+            if wrong := faults_found(phone, only):
                 faults[page, theme] = wrong
-    emulated(driver)
-    return faults
-
-
-@pytest.mark.parametrize("pages", [KINDS[::4], pytest.param(KINDS, marks=pytest.mark.slow)])
-def test_axe_finds_nothing_serious_in_light_or_dark(address, phone, pages):
-    assert found_by_axe(phone, address, pages) == {}
-
-
-@pytest.mark.slow  # minutes
-def test_axe_finds_nothing_serious_in_any_chapter(site, address, phone):
-    pages = [path.relative_to(site) for path in sorted(site.glob("chapters/*.html"))]
-    assert found_by_axe(phone, address, pages) == {}
+    emulated(phone)
+    assert faults == {}

@@ -6,7 +6,6 @@ progress; nothing of either leaves the browser.
 
 from base64 import b64decode
 from collections.abc import Mapping, Sequence
-from itertools import count
 from pathlib import Path
 from tempfile import mkdtemp
 from typing import Any
@@ -31,51 +30,40 @@ ON_A_PAGE = Ways(
 )
 
 
-class _Desk:
-    """What the reader has at hand: practice files and progress."""
-
-    def __init__(self):
-        self.folder, self.numbers = Path(mkdtemp()), count()  # of the files in it
-        self.progress = Progress(None)  # the page keeps it
-        self.books: dict[str, Practice] = {}  # by file
-
-    def problem(self, number: str) -> PracticeProblem:
-        """A problem of the files that were opened, the last first; :class:`NewtonEulerError` if
-        none has it.
-        """
-        for book in reversed(self.books.values()):
-            if number in book:
-                return book[number]
-        raise NewtonEulerError(
-            _("no practice file that was opened has problem {number}", number=number)
-        )
+_progress = Progress(None)  # the page keeps it
+_books: dict[str, Practice] = {}  # by file, the one that was opened last at the end
 
 
-_desk = _Desk()
-
-
-def load(name: str, data: str, progress: str = "", language: str = "en") -> dict[str, list[str]]:
-    """Open the practice file of this name, ``data`` in base64, and take in what the reader's
-    progress says; {problem: [title, section]} of those in it. Speaks the ``language`` of the page
-    from now on, if it is known. Raises :class:`PracticeFileError` for another file.
+def load(name: str, data: str, language: str = "en") -> dict[str, list[str]]:
+    """Open the practice file of this name, ``data`` in base64; {problem: [title, section]} of those
+    in it. Speaks the ``language`` of the page from now on, if it is known. Raises
+    :class:`PracticeFileError` for another file.
     """
     if language in languages():
         choose_language(language)
-    path = _desk.folder / f"{next(_desk.numbers)}.practice"
+    path = Path(mkdtemp(), "file.practice")
     path.write_bytes(b64decode(data))
-    if progress:
-        _take_in(progress)
     file = PracticeFile(path, name)
-    _desk.books.pop(name, None)  # the file that was opened last comes first
-    _desk.books[name] = Practice([file], _desk.progress)
+    _books.pop(name, None)
+    _books[name] = Practice([file], _progress)
     return {problem: file.titles[problem] for problem in file.problems}
+
+
+def _problem(number: str) -> PracticeProblem:
+    """A problem of the files that were opened, the last first."""
+    for book in reversed(_books.values()):
+        if number in book:
+            return book[number]
+    raise NewtonEulerError(
+        _("no practice file that was opened has problem {number}", number=number)
+    )
 
 
 def show(problem: str, new: bool = False) -> dict[str, Any]:
     """A problem with its numbers, the next ones if ``new``: its text in Markdown, its figure as the
     address of an image, the names that may be typed, the fields of its answers and steps.
     """
-    p = _desk.problem(problem)
+    p = _problem(problem)
     if new:
         p.new()
     figure, words = p.picture
@@ -101,26 +89,25 @@ def read(problem: str, key: str, texts: Sequence[str]) -> dict[str, str]:
     """How the texts in the fields of a quantity are read, as they are typed: {"latex": …, "fault":
     …}, one of them "".
     """
-    p = _desk.problem(problem)
+    p = _problem(problem)
     q = _quantity(p, key)
     try:
         value = _value(p, q, texts)
     except ValueError as error:
         return {"latex": "", "fault": str(error)}
-    if value is None or q.kind.is_word:
-        return {"latex": "", "fault": ""}
-    return {"latex": _as_read(p, q, texts), "fault": ""}
+    latex = "" if value is None or q.kind.is_word else _as_read(p, q, texts, value)
+    return {"latex": latex, "fault": ""}
 
 
-def _as_read(p, q, texts):
+def _as_read(p, q, texts, value):
     """The formulas that were typed and, where they are not plain numbers, what they come to."""
     trees = [typed_tree(text, p.givens) for text in texts if text.strip()]
     trees = _flat(trees[0]) if len(trees) == 1 and isinstance(trees[0], tuple) else trees
     stated = _typeset(q.kind, [formula(tree, p.symbols) for tree in trees])
     if all(isinstance(tree, float) for tree in trees):
         return stated + unit_symbol(q.unit)
-    numbers = _flat(_value(p, q, texts))
-    return f"{stated} = {_typeset(q.kind, [*map(number_symbol, numbers)])}{unit_symbol(q.unit)}"
+    numbers = [*map(number_symbol, _flat(value))]
+    return f"{stated} = {_typeset(q.kind, numbers)}{unit_symbol(q.unit)}"
 
 
 def _typeset(kind, parts):
@@ -169,7 +156,7 @@ def check(problem: str, fields: Mapping[str, Sequence[str]]) -> dict[str, Any]:
     """Whether the answers and steps in these fields, {quantity: texts}, are right, and what
     explains a wrong one: {"found": {quantity: {"verdict", "text"}}, "kept": the reader's progress}.
     """
-    p, found = _desk.problem(problem), {}
+    p, found = _problem(problem), {}
     given: dict[bool, dict[str, Any]] = {False: {}, True: {}}
     for key, texts in fields.items():
         q = _quantity(p, key)
@@ -186,23 +173,23 @@ def check(problem: str, fields: Mapping[str, Sequence[str]]) -> dict[str, Any]:
                 checked = ask(**values)
                 for key, verdict in checked.verdicts.items():
                     found[key] = {"verdict": verdict, "text": checked.sentences[key]}
-    return {"found": found, "kept": str(_desk.progress)}
+    return {"found": found, "kept": str(_progress)}
 
 
 def hint(problem: str) -> dict[str, str]:
     """Where to go on, in Markdown; asked again, more."""
-    return _help(_desk.problem(problem), PracticeProblem.next_step)
+    return _help(_problem(problem), PracticeProblem.next_step)
 
 
 def solution(problem: str) -> dict[str, str]:
     """The worked solution in the numbers at hand, in Markdown."""
-    return _help(_desk.problem(problem), PracticeProblem.solution)
+    return _help(_problem(problem), PracticeProblem.solution)
 
 
 def _help(p, help):
     with p.spoken_of(ON_A_PAGE):
         message: Message = help(p)
-    return {"text": message.markdown, "kept": str(_desk.progress)}
+    return {"text": message.markdown, "kept": str(_progress)}
 
 
 def advice(titles: Mapping[str, Sequence[str]], now: str = "") -> dict[str, str]:
@@ -210,29 +197,23 @@ def advice(titles: Mapping[str, Sequence[str]], now: str = "") -> dict[str, str]
     that has just been worked.
     """
     sections = {problem: section for problem, (*other, section) in titles.items()}
-    found = advise(sections, _desk.progress, now, _may_err)
+    found = advise(sections, _progress, now, _may_err)
     return {"problem": found.problem, "sentence": found.sentence}
 
 
 def _may_err(problem):
-    for book in _desk.books.values():
-        if problem in book:
-            return causes_of(book.page(problem))
-    return set()
+    pages = (book.page(problem) for book in _books.values() if problem in book)
+    return next(map(causes_of, pages), set())
 
 
 def take_in(progress: str) -> dict[str, str]:
     """Add a file of progress, from a notebook or from another browser, to the reader's; what is
     kept then. Raises :class:`NewtonEulerError` for another text.
     """
-    _take_in(progress)
-    return {"kept": str(_desk.progress)}
-
-
-def _take_in(text):
     try:
-        _desk.progress.take_in(text)
+        _progress.take_in(progress)
     except ValueError as error:
         raise NewtonEulerError(
             _("this file of progress cannot be read: {error}", error=error)
         ) from None
+    return {"kept": str(_progress)}

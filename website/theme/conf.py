@@ -80,42 +80,26 @@ def sketches(app: Any) -> None:
     (folder / "sketches.css").write_text(SKETCHES.format(*rules), encoding="utf-8")
 
 
-def in_languages(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
-    """Mark English pages in a site of another language, and link the other languages."""
-    if "body" in context:
-        is_foreign = app.config.language != "en" and page not in app.config.own_pages
-        body = f'<div lang="en">{context["body"]}</div>' if is_foreign else context["body"]
-        context["body"] = links(page, app.config.beside) + body
-
-
 # spans of names and signs, which have no colour of their own: a tenth of a chapter's page
 PLAIN = re.compile(r'<span class="[np]">([^<]*)</span>')
-
-
-def lighter(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
-    """Remove spans without an effect from code."""
-    if "body" in context:
-        context["body"] = PLAIN.sub(r"\1", context["body"])
-
-
 # nothing is loaded from elsewhere; "file:" is for pages on a disk, eval for the plurals of Sphinx's
 # own script
 RULE = "default-src 'self' file: data: blob: 'unsafe-inline' 'unsafe-eval'"
-
-
-def from_here_alone(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
-    """Have browsers refuse content from other sites."""
-    rule = f'<meta http-equiv="Content-Security-Policy" content="{RULE}">'
-    context["metatags"] = rule + context.get("metatags", "")
-
-
+# styles that the first page does not use, a quarter of its size
 CELLS = re.compile(r"mystnb|pygments")
 
 
-def of_the_first_page(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
-    """Give the first page its own script, and drop the styles of cells and code, which it does not
-    use and which are a quarter of its size.
+def finished(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
+    """Finish a page: lighter code, no content from other sites, its languages; the first page has
+    its own script.
     """
+    rule = f'<meta http-equiv="Content-Security-Policy" content="{RULE}">'
+    context["metatags"] = rule + context.get("metatags", "")
+    if "body" in context:
+        body = PLAIN.sub(r"\1", context["body"])
+        if app.config.language != "en" and page not in app.config.own_pages:
+            body = f'<div lang="en">{body}</div>'
+        context["body"] = links(page, app.config.beside) + body
     if page == app.config.root_doc:
         app.add_js_file("landing.js", defer="defer")
         files = context["css_files"]
@@ -124,12 +108,9 @@ def of_the_first_page(app: Any, page: str, template: str, context: dict, doctree
 
 def setup(app: Any) -> None:
     """Connect the functions of the site."""
-    app.connect("html-page-context", of_the_first_page)
-    app.connect("html-page-context", lighter)
-    app.connect("html-page-context", from_here_alone)
+    app.connect("html-page-context", finished)
     app.add_config_value("own_pages", [], "html")
     app.add_config_value("beside", {}, "html")
-    app.connect("html-page-context", in_languages)
     app.connect("builder-inited", sketches)
     if app.tags.has("engine"):  # the engine is part of the site
         for name in ("engine.js", "moving.js", "cells.js"):

@@ -25,17 +25,11 @@ async function fetched(event) {
 }
 
 async function keep(request, copy) {
-  const store = await caches.open(KEPT);
-  await forgetOlder(store, request.url);
-  await store.put(request, copy);
-}
-
-// another version of the same file of the engine
-async function forgetOlder(store, url) {
-  const found = LASTING.exec(url);
-  if (!found) return;
-  for (const { url: old } of await store.keys()) {
-    const other = LASTING.exec(old);
-    if (other && other[1] === found[1] && other[0] !== found[0]) store.delete(old);
+  const store = await caches.open(KEPT), found = LASTING.exec(request.url);
+  // of a file of the engine any other version is forgotten
+  for (const { url } of found ? await store.keys() : []) {
+    const other = LASTING.exec(url);
+    if (other && other[1] === found[1] && other[0] !== found[0]) store.delete(url);
   }
+  await store.put(request, copy);
 }

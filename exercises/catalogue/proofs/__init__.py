@@ -13,17 +13,26 @@ from .freedom import freedom
 from .gradients import gradient
 from .integrals import integral
 from .local_axes import cylindrical_axes, elevation, spherical_axes
-from .mass_points import ball, box, disk, mean, ring, shell
+from .mass_points import along_x, ball, box, cone, disk, mean, raised, ring, shell
 from .motions import angular_acceleration, angular_velocity, rate, second_rate, spun
-from .moved import angular_momentum, force_needed, kinetic_energy, let_go, moment_needed, vanishing
+from .moved import (
+    angular_momentum,
+    carried,
+    force_needed,
+    kinetic_energy,
+    let_go,
+    moment_needed,
+    vanishing,
+)
 from .roots import root
 from .tracks import speed_along
 from .vectors import at_angle, cross, minus, plus, rot, scaled, size, times, transposed
 
 __all__ = [
-    "DIGITS", "ProofError", "after", "angular_acceleration", "angular_momentum", "angular_velocity",
-    "at_angle", "ball", "box", "cross", "cylindrical_axes", "disk", "elevation", "force_needed",
-    "freedom", "gradient", "integral", "kinetic_energy", "let_go", "mean", "minus",
-    "moment_needed", "plus", "rate", "ring", "root", "rot", "scaled", "second_rate", "shell",
-    "size", "speed_along", "spherical_axes", "spun", "times", "transposed", "until", "vanishing",
+    "DIGITS", "ProofError", "after", "along_x", "angular_acceleration", "angular_momentum",
+    "angular_velocity", "at_angle", "ball", "box", "carried", "cone", "cross", "cylindrical_axes",
+    "disk", "elevation", "force_needed", "freedom", "gradient", "integral", "kinetic_energy",
+    "let_go", "mean", "minus", "moment_needed", "plus", "raised", "rate", "ring", "root", "rot",
+    "scaled", "second_rate", "shell", "size", "speed_along", "spherical_axes", "spun", "times",
+    "transposed", "until", "vanishing",
 ]  # fmt: skip

@@ -8,9 +8,8 @@ from mpmath import mp, mpf
 from .digits import DIGITS, Number, ProofError, Value, entries, weighted
 
 LEVELS = 9  # of the rule; each halves the step
-ENOUGH = 10 ** (
-    -DIGITS * 3 // 5
-)  # relative to the integral of abs(f): when an integral has converged
+# relative to the integral of abs(f): when an integral has converged
+ENOUGH = 10 ** (-DIGITS * 3 // 5)
 
 
 def integral(

@@ -1,6 +1,6 @@
 """Homogeneous bodies as mass points: sums over them are the integrals over the bodies.
 
-Each function returns pairs (share of the mass, place), places being lists of three numbers from the
+Each body is a list of pairs (share of the mass, place), places being three numbers from the
 centre of the body. The sum of share times f(place) is the mean of f over the body, exact for
 polynomials of x, y, z up to the degree 2 ``order`` - 1; other functions, like the attraction of a
 ball, need a larger order.
@@ -71,6 +71,32 @@ def ball(radius: Number, order: int = ORDER) -> Points:
             for share, u in _between(mpf(0), mpf(1), order + 1)
             for w, place in shell(radius * u, order)
         ]
+
+
+def cone(radius: Number, height: Number) -> Points:
+    """A solid cone with its apex at the origin, opening along z: disks that grow from the apex."""
+    with mp.workdps(DIGITS):
+        base = disk(radius, order=2)
+        return [
+            (3 * share * u * u * w, [u * x, u * y, u * height])
+            for share, u in _between(mpf(0), mpf(1), 3)
+            for w, (x, y, _) in base
+        ]
+
+
+def raised(points: Points, length: Number) -> Points:
+    """Mass points spread along z as well, symmetrically over this length."""
+    with mp.workdps(DIGITS):
+        return [
+            (u * v, [x, y, z + up])
+            for u, (x, y, z) in points
+            for v, (_, _, up) in box(0, 0, length, order=2)
+        ]
+
+
+def along_x(points: Points) -> Points:
+    """Mass points turned from the axis z to the axis x."""
+    return [(share, [z, x, y]) for share, (x, y, z) in points]
 
 
 def _between(low, high, n):

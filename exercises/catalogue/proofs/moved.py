@@ -10,17 +10,26 @@ from collections.abc import Callable, Sequence
 
 from mpmath import mp, mpf
 
-from .digits import DIGITS, Motion, Number, Triple, weighted
+from .digits import DIGITS, Matrix, Motion, Number, Points, Triple, weighted
 from .motions import rate, second_rate
-from .vectors import cross, minus
+from .vectors import cross, minus, times
+
+
+def carried(points: Points, orientation: Callable[[Number], Matrix]) -> Motion:
+    """The motion of mass points, given along the axes of a body that turns about the origin."""
+
+    def motion(t):
+        R = orientation(t)
+        return [(share, times(R, place)) for share, place in points]
+
+    return motion
 
 
 def kinetic_energy(m: Number, motion: Motion, t: Number = 0) -> Number:
     """The sum of dm v^2/2 at the time t.
 
-    >>> spoke = [(mpf(1), [mpf(2), 0, 0])]
-    >>> from exercises.catalogue.proofs import rot, times
-    >>> turning = lambda t: [(s, times(rot("z", 3 * t), r)) for s, r in spoke]
+    >>> from exercises.catalogue.proofs import rot
+    >>> turning = carried([(mpf(1), [mpf(2), 0, 0])], lambda t: rot("z", 3 * t))
     >>> print(mp.nstr(kinetic_energy(5, turning), 10))  # 5*(3*2)^2/2
     90.0
     """

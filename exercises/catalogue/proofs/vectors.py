@@ -8,9 +8,7 @@ from .digits import Matrix, Number, Triple, Value
 
 
 def rot(axis: str | Sequence[Number], angle: Number) -> Matrix:
-    """The matrix that turns vectors by ``angle`` about ``axis`` ("x", "y", "z" or three
-    components), right-handed: Rodrigues' formula.
-    """
+    """The rotation matrix about ``axis`` ("x" or three components), right-handed: Rodrigues."""
     named = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
     e = named[axis] if isinstance(axis, str) else axis
     length = mp.sqrt(sum(mpf(x) ** 2 for x in e))
@@ -34,9 +32,7 @@ def times(*factors: Value) -> Value:
 
 
 def transposed(a: Sequence[Sequence[Number]]) -> Matrix:
-    """The transpose; for a rotation, its inverse: ``times(transposed(R), v)`` are the components of
-    v in the turned axes.
-    """
+    """The transpose; of a rotation R, with ``times``, components in the turned axes."""
     return [list(row) for row in zip(*a, strict=True)]
 
 

@@ -30,6 +30,14 @@ def sample_times(samples, begin, end):
     return times.copy() if inside.all() else times[inside]
 
 
+def rows_of(values, count):
+    """An array (rows, count) of these rows; one of them may be a number."""
+    out = np.empty((len(values), count))
+    for n, row in enumerate(values):
+        out[n] = row
+    return out
+
+
 class StepError(NewtonEulerError, ArithmeticError):
     """Raised where a method cannot continue from the state that it has reached."""
 
@@ -108,9 +116,7 @@ class Stepper:
         return self
 
     def back_to(self, n, stops, scales=None):
-        """Go back to the beginning of step ``n``, where the scales were these, and stop at these
-        times.
-        """
+        """Go back to the beginning of step ``n``, with these scales, and stop at these times."""
         size = len(self.x)
         self.t, self.x, self.repeated = self.step_times[n], tuple(self.steps[n][-size:]), True
         seen = () if scales else [map(abs, s[-size:]) for s in self.steps[: n + 1]]
@@ -136,9 +142,7 @@ class Stepper:
         return max(stop - room, self.t), min(stop + room, self.goal)
 
     def pass_stop(self, after, part=0.5):
-        """Go on to the time just after a stop: this part of the way with the rates before it, the
-        rest with those after it.
-        """
+        """Go past a stop: ``part`` of the way by the rates before it, the rest by those after."""
         step, before = after - self.t, self.system.rates(self.t, self.x)
 
         def moved(rates):
@@ -180,13 +184,12 @@ class Stepper:
         out = np.repeat(np.array(self.x)[:, None], len(times), axis=1)
         index = np.maximum(np.searchsorted(self.step_times[:-1], times, side="right") - 1, 0)
         for n in np.unique(index) if len(self.step_times) > 1 else ():
-            out[:, index == n] = self.interpolate(int(n), times[index == n])
+            inside = index == n
+            out[:, inside] = self.interpolate(int(n), times[inside])
         return out
 
     def check_progress(self):
-        """Raise :class:`StepError` if the last steps have stalled, as where the rates jump between
-        plus and minus infinity.
-        """
+        """Raise :class:`StepError` if the last steps have stalled, as at a pole."""
         count = len(self.step_times) - 1 - self.checked
         if count >= MAX_STALLED_STEPS:
             last = self.step_times[self.checked :]
@@ -197,9 +200,7 @@ class Stepper:
             self.check_length(self.checked)
 
     def check_length(self, count):
-        """Raise :class:`LengthError` if the whole time needs too many steps, as extrapolated from
-        the ``count`` of steps taken so far.
-        """
+        """Raise :class:`LengthError` if, by the ``count`` so far, too many steps are needed."""
         (begin, _), most = self.start, self.max_steps
         passed, whole = self.t - begin, self.goal - begin
         if passed > 0 and count * whole > most * passed:

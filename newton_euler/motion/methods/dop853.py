@@ -113,9 +113,7 @@ def _sum(coefficients, i):
 
 
 def _row(i):
-    """The dense output of order 7 of the state i (II.6): what is added to its value, in powers of u
-    and 1 - u by turns.
-    """
+    """Dense output (II.6) of order 7 of the state i: what is added, in powers of u and 1 - u."""
     d = f"(y{i} - x{i})"
     more = [f"h*({_sum(row, i)})" for row in INTERPOLATION]
     return f"({', '.join([d, f'h*k0_{i} - {d}', f'2.0*{d} - h*(k12_{i} + k0_{i})', *more])})"
@@ -185,9 +183,7 @@ class Dop853(Stepper):
         return sum(self.steps[n][:2])
 
     def state_at(self, t):
-        """The state at ``t`` by a step of the method from the last step before, more accurate than
-        the interpolation.
-        """
+        """The state at ``t`` by a step to there: more accurate than the interpolation."""
         start, _, *x = self.steps[self.step_index(t)]
         self.calls += 12
         return self.code["one_step"](*self.f, start, t - start, x)

@@ -17,13 +17,11 @@ from .base import SMALLEST_SCALE, Stepper
 EPS = 2.0**-52
 NO_VALUE = ArithmeticError, ValueError, TypeError  # errors of a formula near the end of its domain
 UNKNOWN = 1.0  # the error where the formula has no values nearby
-# lines through the given numbers, with two evaluations each; the largest multiple of its last digit
-# by which a number moves along a line
+# lines through the given numbers; the most last digits by which a number moves along one
 LINES, FARTHEST = 6, 15
 STRAIGHT = 2e-9  # rad: a phase that moves by this much curves a line by its square, 4e-18
 SAFETY_FACTOR = 4.0  # on the largest of LINES deviations from a straight line
-# round-offs of a state and of its phase that are the same on all lines, as where a constant of the
-# formula is rounded
+# round-offs of a state and of its phase that are the same on all lines, as of a constant
 ROUND_OFFS = 2.0
 # irregular fractions of the time at which the sizes of the states are sampled
 FRACTIONS = 0.0371, 0.131, 0.269, 0.417, 0.556, 0.683, 0.791, 0.927
@@ -137,9 +135,7 @@ def _error_at(system, t, x0):
 
 
 def _size_and_pace(system, t, x0, x1):
-    """The largest absolute value of each state, and the largest rate in units of these, at the ends
-    and at some times in between.
-    """
+    """The largest size of each state, and the largest rate in units of these, on the way."""
     times = (0.0, *(f * t for f in FRACTIONS), t)
     rows = [x0, *(system.solution(u, x0) for u in times[1:-1]), x1]
     size = [max(map(abs, column)) or SMALLEST_SCALE for column in zip(*rows, strict=True)]

@@ -123,9 +123,7 @@ def _verlet(n, first, second, free):
 
 @lru_cache(maxsize=1)
 def _lie_poisson():
-    """The angular momentum, rotated about each principal axis by the kinetic energy of that axis;
-    p are the principal moments.
-    """
+    """The angular momentum, turned by the energy of one principal axis after the other."""
 
     def turn(i, time):
         j, k = (i + 1) % 3, (i + 2) % 3
@@ -165,9 +163,7 @@ class Splitting(Stepper):
         self.h, self.steps = span / self.count, [self.x]
 
     def _time_scale(self):
-        """The shortest time in which a rate changes by its own size: about a radian of the fastest
-        oscillation.
-        """
+        """The shortest time in which a rate changes by its own size: about a radian."""
         span, k = self.goal - self.t, self.system.rates(self.t, self.x)
         # a difference quotient of the rates over the time d, in which no state changes much
         pairs = zip(self.scales, k, strict=True)
@@ -181,19 +177,21 @@ class Splitting(Stepper):
         return min(times)
 
     def step(self, limit=inf):
-        done, f, (move, p) = len(self.steps), self.system.f, self.move
+        steps, times, h, weights = self.steps, self.step_times, self.h, self.weights
+        (begin, _), f, (move, p) = self.start, self.system.f, self.move
+        done = len(steps)
         for n in range(done, min(done + limit, self.count + 1)):
-            x = move(f, p, self.steps[-1], self.h, self.weights)
+            x = move(f, p, steps[-1], h, weights)
             if not isfinite(sum(x)):
                 raise StepError("the states have become infinite")
-            self.steps.append(x)
-            self.step_times.append(self.start[0] + n * self.h)
-        if len(self.steps) > self.count:
-            self.step_times[-1] = self.goal
-        self.x, self.t = self.steps[-1], self.step_times[-1]
-        columns = zip(self.scales, *self.steps[done - 1 :], strict=True)
+            steps.append(x)
+            times.append(begin + n * h)
+        if len(steps) > self.count:
+            times[-1] = self.goal
+        self.x, self.t = steps[-1], times[-1]
+        columns = zip(self.scales, *steps[done - 1 :], strict=True)
         self.scales = tuple(max(map(abs, column)) for column in columns)
-        self.calls += 3 * len(self.weights) * (len(self.steps) - done)
+        self.calls += 3 * len(weights) * (len(steps) - done)
 
     def state_at(self, t):
         """The state at ``t`` by a shorter step from the last step before."""

@@ -136,8 +136,7 @@ def _table():
         name = kind.__name__
         what = f"SciPy's {name} on traced straight-line code"
         yield Method(f"scipy {name}", what, kind, _no_scipy, *options)
-    # min_rtol is limited by the round-off of many small steps; the tolerance only sets the step, so
-    # it may be tiny
+    # many small steps have much round-off; the tolerance only sets the step, so it may be tiny
     for order, min_rtol in ((2, 1e-7), (4, 1e-9), (6, 1e-10), (8, 1e-10)):
         name, what = f"yoshida{order}", f"Yoshida's composition of order {order}, symplectic"
         if order == 2:

@@ -32,11 +32,9 @@ LEVELS = tuple(1.0000001 * exp(-2.0 * order) for order in range(2, 19))
 MAX_KINDS = 12  # kinds of integrators of one right-hand side that are kept
 MAX_PREPARED_STEPS = 100 * MAX_STALLED_STEPS
 FEW_STEPS = 20_000  # steps whose series are kept where a single state between them is needed
-# instants at which the rates of a series are compared with those of the model: in each step at
-# least, and in the whole motion at least
+# the fewest instants, in a step and in all, at which the rates of a series are compared
 IN_STEP, IN_ALL = 8, 1024
-# states outside of these limits are scaled: heyoka's tolerance is relative to the largest state,
-# and absolute below 1
+# states outside are scaled: heyoka's tolerance is relative to the largest one, absolute below 1
 ORDINARY = 0.25, 4.0
 
 
@@ -185,9 +183,7 @@ class Taylor(Stepper):
         self._by_steps(inf)  # to see where it fails
 
     def _stalled(self, ta, before, done):
-        """True if the steps after the time ``before``, for which heyoka has returned ``done``,
-        barely advance.
-        """
+        """True if the steps after the time ``before``, which returned ``done``, barely advance."""
         _, _, longest, steps, *_ = done
         self.calls, self.taken = self.calls + steps * ta.order, self.taken + steps
         self.longest = max(self.longest, longest)
@@ -198,9 +194,7 @@ class Taylor(Stepper):
         self.step_times, self.taken = [self.t], 0
 
     def _by_samples(self):
-        """Go to the goal by heyoka's grid and keep the samples; False if they do not increase or
-        heyoka stops early.
-        """
+        """Go to the goal by heyoka's grid and keep the samples; False if that is impossible."""
         times = sample_times(self.samples, self.t, self.goal)
         if not len(times) or (times[1:] <= times[:-1]).any():
             return False

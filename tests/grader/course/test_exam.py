@@ -14,7 +14,7 @@ from grader.course.creation import new_course
 from grader.course.exam import LateError, Window, is_exam, refuse_before_opening, set_exam
 from grader.practice.twins import sets_of_numbers
 from newton_euler.classroom import expect, receipt
-from tests.grader.courses import command, nbgrader, points, ran, read, total
+from tests.grader.courses import command, nbgrader, points, ran, read, refused, total
 from tests.grader.submissions import work
 
 NINE = datetime(2027, 1, 31, 9)
@@ -147,18 +147,18 @@ def test_an_exam_from_the_file_to_the_feedback(tmp_path, inbound):
     assert command("build", "hw1", "--course", place, "--update", "--exam", "--closes", PASSED[1],
                    "--problems", "4/1")[0] == 2  # fmt: skip
     assert course.values("midterm", "ada", problems) != course.values("hw1", "ada", problems)
-    code, out = command("build", "late", "--problems", "4/1", "--exam", "--opens", PASSED[1],
-                        "--closes", PASSED[0], "--course", place, "--update")  # fmt: skip
-    assert (code, "must open before" in out, course.source("late").exists()) == (2, True, False)
-    code, out = command("due", "midterm", PASSED[0], "--course", place)
-    assert (code, "after that date" in out) == (2, True)
+    window = "--opens", PASSED[1], "--closes", PASSED[0], "--course", place, "--update"
+    out = refused(command("build", "late", "--problems", "4/1", "--exam", *window))
+    assert ("must open before" in out, course.source("late").exists()) == (True, False)
+    out = refused(command("due", "midterm", PASSED[0], "--course", place))
+    assert "after that date" in out
     ran(nbgrader("generate_assignment", "midterm", cwd=place))
     # before it opens, nothing of it reaches students
     ran(command("build", "midterm", "--problems", "4/1", "7/5", "--exam", "--opens",
                 "2099-01-01 09:00 UTC", "--closes", "2099-01-01 11:00 UTC", "--course", place,
                 "--update"))  # fmt: skip
-    code, out = nbgrader("release_assignment", "midterm", cwd=place)
-    assert (code != 0, "opens at 2099-01-01T09:00:00 UTC" in out) == (True, True)
+    out = refused(nbgrader("release_assignment", "midterm", cwd=place), None)
+    assert "opens at 2099-01-01T09:00:00 UTC" in out
     ran(command("build", file, "--course", place, "--update"))
     ran(nbgrader("release_assignment", "midterm", cwd=place))
     assert command("personal", "midterm", "--course", place, "--right-or-wrong")[0] == 2
@@ -176,10 +176,9 @@ def test_an_exam_from_the_file_to_the_feedback(tmp_path, inbound):
     out = ran(nbgrader("collect", "midterm", cwd=place, TZ="America/New_York"))
     assert "ada handed in the exam 2 times; the one of 2026-01-31 10:00:00 UTC counts" in out
     ran(nbgrader("collect", "midterm", "--update", cwd=place))  # later work is not an update
-    code, out = command("grade", "midterm", "--course", place)
-    assert code == 1
-    assert "cleo was handed in 7 min after the exam closed" in " ".join(out.split())
-    assert "handed in 2 min before the exam opened" in " ".join(out.split())
+    out = refused(command("grade", "midterm", "--course", place), 1)
+    assert "cleo was handed in 7 min after the exam closed" in out
+    assert "handed in 2 min before the exam opened" in out
     found = points(course, "midterm")
     assert (set(found), total(found["ada"]) > 0) == ({"ada", "ben"}, True)
     code, out = nbgrader("autograde", "midterm", "--student=cleo", cwd=place)
@@ -196,5 +195,5 @@ def test_an_exam_from_the_file_to_the_feedback(tmp_path, inbound):
     assert total(points(course, "midterm")["cleo"]) == total(found["ada"])
     ran(nbgrader("generate_feedback", "midterm", cwd=place))
     assert "before the exam opened" in (place / "feedback/ben/midterm/midterm.html").read_text()
-    code, out = command("retry", "midterm", "--student", "ada", "--course", place)
-    assert (code, "there is one attempt" in " ".join(out.split())) == (2, True)
+    out = refused(command("retry", "midterm", "--student", "ada", "--course", place))
+    assert "there is one attempt" in out

@@ -2,7 +2,6 @@
 tolerance, and every listed mistake with its diagnosis.
 """
 
-import doctest
 import itertools
 import xml.etree.ElementTree as ET
 import zipfile
@@ -14,7 +13,7 @@ from exercises.catalogue.variants import flat
 from grader.assignment.spec import Item, Spec, spec_of
 from grader.commands import bank
 from grader.course import CourseError
-from grader.lms import FORMATS, pages, write_bank
+from grader.lms import FORMATS, write_bank
 from grader.lms.pages import html
 from grader.lms.write import variants_of
 from grader.practice.plain import plain
@@ -162,10 +161,6 @@ def test_the_numbers_of_the_book_and_of_practice_are_not_in_a_bank():
     p, sets = numbers_of("4/16", 10)
     assert p.book_values not in sets
     assert not [v for v in sets_of_numbers(p, 10) if v in sets]
-
-
-def test_examples_in_docstrings():
-    assert doctest.testmod(pages).failed == 0
 
 
 def test_texts_are_html_whose_formulas_mathjax_finds():

@@ -5,7 +5,7 @@ import copy
 import pytest
 
 from grader.grading import grade
-from tests.grader.courses import change_source, give, nbgrader, points, submit
+from tests.grader.courses import change_source, give, nbgrader, points, refused, submit
 from tests.grader.instructors_cells import ESSAY
 from tests.grader.submissions import work
 
@@ -73,8 +73,7 @@ def test_points_given_by_hand_come_back_with_their_cell(graded):
 def test_a_failed_release_leaves_the_previous_one(graded):
     before = graded.released_path("ch04").read_bytes()
     graded.source("ch04").write_text("{}")
-    code, output = nbgrader("generate_assignment", "ch04", "--force", cwd=graded.path)
-    assert code
-    assert "The release that was there is kept" in output
+    out = refused(nbgrader("generate_assignment", "ch04", "--force", cwd=graded.path), None)
+    assert "The release that was there is kept" in out
     assert graded.released_path("ch04").read_bytes() == before
     assert total(graded) == (11, 11)

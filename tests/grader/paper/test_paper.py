@@ -2,7 +2,6 @@
 
 import copy
 import csv
-import doctest
 import hashlib
 import importlib.util
 import re
@@ -13,7 +12,7 @@ import pytest
 from exercises.catalogue import problem, select
 from exercises.catalogue.variants import draw
 from grader.assignment.spec import spec_of
-from grader.paper import PaperError, markup, write, write_papers
+from grader.paper import PaperError, write, write_papers
 from grader.paper.markup import formula, typst
 from grader.paper.sheet import PaperItem, Student, key, overview, sheet, variant_code
 from grader.paper.write import NEEDED, pdf
@@ -127,10 +126,6 @@ def test_markdown_of_an_instructor_is_typeset():
     for piece in ("heading(level: 1)", "#enum", "#emph", "#strong", "#link", "#terms-table", "$1/2$",
                   "#line", "#raw(block: true", "words"):  # fmt: skip
         assert piece in made
-
-
-def test_examples_in_docstrings():
-    assert doctest.testmod(markup).failed == 0
 
 
 def test_the_stroke_of_a_unit_follows_its_number():

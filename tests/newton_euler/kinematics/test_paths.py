@@ -245,7 +245,7 @@ def twisted_cubic(q):
     return q, q * q, q**3
 
 
-def by_arc_length(kind, f, t, speed):
+def by_arc_length(f, t, speed):
     """The derivative with respect to arc length of a triple of functions of time."""
     return tuple(rate / speed for rate in rates(f, t))
 
@@ -272,7 +272,7 @@ def test_eqn_3_4_to_3_8_the_triad_by_its_definitions(kind):
     t, tiny = numbers(kind, "0.6"), tight(kind)
     here = frenet_along(twisted_cubic, t, ground)
     assert close(here.e_t.components(ground), axes_of("t")(t), tiny)  # 3.4
-    turning = ground.vector(*by_arc_length(kind, axes_of("t"), t, here.speed))
+    turning = ground.vector(*by_arc_length(axes_of("t"), t, here.speed))
     assert close(turning.norm(), here.flexure, tiny)  # 3.6
     assert close((turning / here.flexure).components(), here.e_n.components(ground), tiny)  # 3.5
     for e, f, g in ("tnb", "btn", "nbt"):  # 3.7, 3.8
@@ -290,10 +290,10 @@ def test_eqn_3_9_to_3_11_torsion_and_the_frenet_formulas(kind):
     f, tau = here.flexure, here.torsion
     rates = {"t": f * here.e_n, "b": tau * here.e_n, "n": -tau * here.e_b - f * here.e_t}
     for name, e in (("t", here.e_t), ("n", here.e_n), ("b", here.e_b)):
-        slope = by_arc_length(kind, axes_of(name), t, here.speed)
+        slope = by_arc_length(axes_of(name), t, here.speed)
         assert close(slope, rates[name].components(ground), 10 * tight(kind))
         assert close(e.rate(ground) / here.speed, rates[name], tight(kind))
-    slope = ground.vector(*by_arc_length(kind, axes_of("b"), t, here.speed))
+    slope = ground.vector(*by_arc_length(axes_of("b"), t, here.speed))
     assert close(here.e_n.dot(slope), tau, tight(kind))  # 3.10
     assert close(tau, -3 / (1 + 9 * t**2 + 9 * t**4), tight(kind))
 

@@ -28,14 +28,6 @@ def test_values_and_slopes_of_polynomials_are_those_of_numpy():
     assert ours.derivatives_at(longer, PLACES) == pytest.approx(slopes)
 
 
-@pytest.mark.parametrize("degree", [1, 2, 3, 8])
-def test_eigenvalues_of_companions_are_the_zeros(degree):
-    c = POLYNOMIALS[:, : degree + 1]
-    for matrix, one in zip(ours._companions(c), c, strict=True):
-        found = np.sort_complex(np.linalg.eigvals(matrix))
-        assert found == pytest.approx(np.sort_complex(numpys.chebroots(one)))
-
-
 def all_extrema(*polynomials):
     c = np.zeros((len(polynomials), ours.DEGREE + 1))
     for row, p in zip(c, polynomials, strict=True):
@@ -49,9 +41,6 @@ def test_the_extrema_of_many_polynomials_are_found_in_order():
     exact = [[], [math.cos(k * math.pi / 5) for k in (4, 3, 2, 1)], [-0.2]]
     assert all_extrema(line, fifth, parabola) == [pytest.approx(x) for x in exact]
     assert all_extrema(parabola, line) == [pytest.approx([-0.2]), []]
-
-
-def test_polynomials_without_extrema_have_none():
     assert all_extrema([1.0]) == [[]]
     assert all_extrema([0.0], [0.0, 5.0]) == [[], []]
 

@@ -78,15 +78,19 @@ def test_of_too_many_kinds_the_oldest_is_dropped():
 
 
 @pytest.mark.parametrize(
-    ("size", "units"),
-    [(1.0, ()), (0.25, ()), (0.24, [0.125] * 2), (7.9, ()), (8.0, [8.0] * 2), (0.0, ())],
+    ("sizes", "units"),
+    [
+        ((1.0, 1.0), ()),
+        ((0.25, 0.25), ()),
+        ((0.24, 0.24), [0.125] * 2),
+        ((7.9, 7.9), ()),
+        ((8.0, 8.0), [8.0] * 2),
+        ((0.0, 0.0), ()),
+        ((1.0, 1e-3), [1.0, 2.0**-10]),
+    ],
 )
-def test_only_states_that_are_small_or_large_have_units(size, units):
-    assert series(size=size).units == units
-
-
-def test_one_state_that_is_small_is_enough():
-    assert series(units=(1.0, 1e-3)).units == [1.0, 2.0**-10]
+def test_there_are_units_if_one_state_is_small_or_large(sizes, units):
+    assert series(units=sizes).units == units
 
 
 # -- the ways to the goal

@@ -9,9 +9,6 @@ from numpy.polynomial import chebyshev as numpys
 from newton_euler.motion import zeros
 from newton_euler.motion.chebyshev import DEGREE, EPS
 
-CHANCE = np.random.default_rng(3)
-POLYNOMIALS = CHANCE.normal(size=(5, DEGREE + 1))
-
 
 class Function:
     """A function of arrays of times, with its round-off, that counts the instants evaluated."""
@@ -228,74 +225,3 @@ def test_round_off_has_no_zeros():
     """Values that jump between plus and minus 1e-17, beside 1."""
     wild = lambda t: 1e-17 * np.where(np.sin(1e9 * t) > 0, 1.0, -1.0)
     assert times(wild, 0.0, 5.0, sign=0, round_off=1e-16) == []
-
-
-# -- where the search cannot go on
-
-
-def test_where_there_are_no_values_the_search_ends_there():
-    asked, found = Function(lambda t: np.where(t < 3.0, np.cos(t), np.nan)), []
-
-    def run():
-        for some, _ in zeros.ZeroSearch(asked.values, asked.noise, 0.0, 8.0, 1):
-            found.extend(zero.t for zero in some)
-
-    words = r"^has no value from t = 3.*; give one that is defined along the whole motion"
-    with pytest.raises(zeros.UnresolvedError, match=words):
-        run()
-    assert found == pytest.approx([math.pi / 2])
-
-
-def test_a_function_with_too_many_zeros_is_refused(monkeypatch):
-    monkeypatch.setattr(zeros, "MAX_PIECES", 500)
-    assert len(times(lambda t: np.sin(30.0 * t + 1), 0.0, 5.0)) == 48
-    with pytest.raises(
-        zeros.UnresolvedError, match=r"from 0 to 5, and is resolved only up to t = 0"
-    ):
-        times(lambda t: np.sin(1e6 * t + 1), 0.0, 5.0)
-
-
-# -- pieces
-
-
-def test_a_polynomial_is_known_by_its_samples():
-    """Samples at the points and checks in 0 to 1 give its coefficients and values at the checks."""
-    points, transform = zeros.sampling()
-    x = 2 * points - 1
-    assert x[:2] == pytest.approx([-1.0, math.cos(math.pi * (1 - 1 / DEGREE))])
-    assert x[DEGREE:] == pytest.approx([1.0, *zeros.CHECKS])
-    for c in POLYNOMIALS:
-        values = numpys.chebval(x, c)
-        assert values[: DEGREE + 1] @ transform == pytest.approx([*c, *values[DEGREE + 1 :]])
-
-
-def piece(left, right, c):
-    one = zeros.Piece(left, right)
-    one.fit = np.zeros(DEGREE + 4)
-    one.fit[DEGREE + 1 :] = 9.0  # the checks
-    one.fit[: len(c)] = c
-    one.state = "smooth"
-    return one
-
-
-def test_places_and_slopes_of_a_piece_are_in_time():
-    one = piece(2.0, 6.0, POLYNOMIALS[0])
-    assert [one.time(x) for x in (-1, -0.5, 1)] == [2.0, 3.0, 6.0]
-    slopes = numpys.chebval([-1, 1], numpys.chebder(POLYNOMIALS[0])) / 2.0
-    assert [one.slope(-1), one.slope(1)] == pytest.approx(slopes)
-
-
-def test_the_sign_of_round_off_and_of_nan_is_zero():
-    one = zeros.Piece(0.0, 1.0)
-    one.floor = 0.5
-    assert [one.sign(v) for v in (0.6, 0.5, 0.0, -0.5, -0.6, math.nan)] == [1, 0, 0, 0, -1, 0]
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_the_guess_is_the_zero_of_the_polynomial_or_the_nearer_end(sign):
-    one = piece(0.0, 1.0, [-0.3 * sign, 1.0 * sign])  # zero at 0.3
-    assert zeros._guess(zeros.Bracket(one, -0.5, 0.8, sign)) == pytest.approx(0.3)
-    assert zeros._guess(zeros.Bracket(one, 0.5, 0.8, sign)) == 0.5
-    assert zeros._guess(zeros.Bracket(one, -0.5, 0.1, sign)) == 0.1
-    one.state = "rough"
-    assert zeros._guess(zeros.Bracket(one, -0.5, 0.8, sign)) == -0.5

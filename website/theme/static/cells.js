@@ -1,19 +1,21 @@
 // the cells of a chapter can be edited and run, after what they need of those above
 if (window.engine) {
-  const { node } = moving;
+  const { el, button } = engine;
   const chapter = document.querySelector("article");
   const formula = (text) =>
     text.replace(/^\$\$([^]*)\$\$$/, "\\[$1\\]").replace(/^\$([^]*)\$$/, "\\($1\\)").replace(/^\\begin[^]*$/, "\\[$&\\]");
 
+  const output = (more, ...inside) => el("div", { class: `output ${more}` }, ...inside);
+  const ofHtml = (more, html) => Object.assign(output(more), { innerHTML: html });
   const makers = {
-    "text/plain": (text) => node("div", { className: "output stream highlight" }, node("pre", { textContent: text })),
-    "text/html": (html) => scripted(node("div", { className: "output text_html", innerHTML: html })),
-    "image/svg+xml": (svg) => node("div", { className: "output", innerHTML: svg }),
-    "image/png": (data) => node("div", { className: "output" }, node("img", { src: `data:image/png;base64,${data}`, alt: gettext("What the cell has drawn") })),
-    "text/latex": (text) => node("div", { className: "output math", textContent: formula(text) }),
-    "text/markdown": (text) => node("div", { className: "output mathjax_process", textContent: text }),
+    "text/plain": (text) => output("stream highlight", el("pre", {}, text)),
+    "text/html": (html) => scripted(ofHtml("text_html", html)),
+    "image/svg+xml": (svg) => ofHtml("", svg),
+    "image/png": (data) => output("", el("img", { src: `data:image/png;base64,${data}`, alt: gettext("What the cell has drawn") })),
+    "text/latex": (text) => output("math", formula(text)),
+    "text/markdown": (text) => output("mathjax_process", text),
     figure: (about) => {
-      const holder = node("div", { className: "output moving", innerHTML: about.svg });
+      const holder = ofHtml("moving", about.svg);
       holder.firstElementChild.setAttribute("aria-label", about.alt);
       queueMicrotask(() => moving.figure(holder, about));
       return holder;
@@ -21,16 +23,13 @@ if (window.engine) {
   };
   // scripts inserted as text do not run until they are created again
   const scripted = (element) => {
-    for (const old of element.querySelectorAll("script")) old.replaceWith(node("script", { textContent: old.textContent }));
+    for (const old of element.querySelectorAll("script")) old.replaceWith(el("script", {}, old.textContent));
     return element;
   };
 
   const prepare = (input) => {
     const cell = input.closest(".cell"), code = input.querySelector("pre");
-    const run = node("button", { type: "button", textContent: gettext("Run") });
-    const edit = node("button", { type: "button", textContent: gettext("Edit") });
-    const note = node("span", { className: "note" });
-    note.setAttribute("role", "status");
+    const note = el("span", { class: "note", role: "status" });
     let running = false;
 
     const start = async () => {
@@ -55,22 +54,20 @@ if (window.engine) {
     };
     // a package is fetched from elsewhere only if the reader asks for it
     const offer = ({ needs, packages }) => {
-      const button = node("button", { type: "button", textContent: gettext("Fetch {needs} from {host}", { needs, host: new URL(packages).host }) });
-      button.addEventListener("click", () => (engine.allow(needs), start()));
-      cell.querySelector(".cell_output").append(button);
+      const text = gettext("Fetch {needs} from {host}", { needs, host: new URL(packages).host });
+      cell.querySelector(".cell_output").append(button(text, () => (engine.allow(needs), start())));
     };
     const show = (shown, error) => {
-      let output = cell.querySelector(".cell_output");
-      if (!output) cell.append((output = node("div", { className: "cell_output docutils container" })));
-      output.replaceChildren();
+      let place = cell.querySelector(".cell_output");
+      if (!place) cell.append((place = el("div", { class: "cell_output docutils container" })));
       shown.filter(([kind]) => kind === "figure").forEach(([, about], n) => (about.number = n));
-      output.append(...shown.map(([kind, content]) => makers[kind](content)));
-      if (error) output.append(node("div", { className: "output error" }, node("pre", { textContent: error })));
-      if (output.querySelector(".math, .mathjax_process, .text_html")) engine.typeset(output);
+      place.replaceChildren(...shown.map(([kind, content]) => makers[kind](content)));
+      if (error) place.append(output("error", el("pre", {}, error)));
+      if (place.querySelector(".math, .mathjax_process, .text_html")) engine.typeset(place);
     };
 
-    run.addEventListener("click", () => (running ? engine.stop() : start()));
-    edit.addEventListener("click", () => {
+    const run = button(gettext("Run"), () => (running ? engine.stop() : start()));
+    const edit = button(gettext("Edit"), () => {
       code.contentEditable = "plaintext-only";
       code.setAttribute("role", "textbox");
       code.setAttribute("aria-multiline", "true");
@@ -83,7 +80,7 @@ if (window.engine) {
         if (!running) start();
       }
     });
-    input.append(node("div", { className: "run" }, run, edit, note));
+    input.append(el("div", { class: "run" }, run, edit, note));
     input.dataset.engine = "";
   };
 

@@ -58,6 +58,17 @@
   };
   const stop = () => end(gettext("stopped; cells that were run are forgotten"));
 
+  // an element with attributes, listeners ("onclick") and contents
+  const el = (tag, attributes = {}, ...inside) => {
+    const made = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes))
+      if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
+      else if (value !== undefined && value !== false) made.setAttribute(name, value === true ? "" : value);
+    made.append(...inside);
+    return made;
+  };
+  const button = (text, onclick, more = {}) => el("button", { type: "button", onclick, ...more }, text);
+
   // draws the formulas added to an element; those of the page as built are drawn already
   const typeset = async (element) => {
     if (!window.MathJax) {
@@ -68,9 +79,7 @@
         tex: { tags: "none", packages: { "[-]": ["html", "action", "unicode", "require", "bbox"] }, macros: { mmlToken: "?" } },
         startup: { typeset: false },
       };
-      const script = document.createElement("script");
-      script.src = new URL("_static/tex-svg-full.js", root);
-      document.head.append(script);
+      document.head.append(el("script", { src: new URL("_static/tex-svg-full.js", root) }));
     }
     while (!MathJax.startup?.promise) await new Promise((done) => setTimeout(done, 50));
     await MathJax.startup.promise;
@@ -88,10 +97,7 @@
     addEventListener(kind, (event) => event.target.closest?.("[data-engine]") && start());
 
   window.engine = {
-    call,
-    typeset,
-    start,
-    stop,
+    call, stop, typeset, el, button,
     // how often the engine has ended: the next one does not know what the last one was given
     get ends() { return ends; },
     root,

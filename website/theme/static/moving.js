@@ -13,20 +13,11 @@ const moving = (() => {
     return x.toFixed(digits).replace("-", "\u2212") + space + slider.unit;
   };
 
-  const node = (tag, attributes = {}, ...inside) => {
-    const made = Object.assign(document.createElement(tag), attributes);
-    made.append(...inside);
-    return made;
-  };
-
   // turns an element with a picture and its description into a figure with sliders
   function figure(holder, { sliders, along, number }) {
     const values = Object.fromEntries(sliders.map((slider) => [slider.name, slider.start]));
-    const picture = holder.firstElementChild;
-    const first = picture.outerHTML;
-    const reply = node("p", { className: "reply" });
-    reply.setAttribute("role", "status");
-    const note = node("p", { className: "note" });
+    const { el } = engine, picture = holder.firstElementChild, first = picture.outerHTML;
+    const reply = el("p", { class: "reply", role: "status" }), note = el("p", { class: "note" });
     let asked = 0, busy = false;
 
     const show = ({ svg, alt }) => {
@@ -64,28 +55,27 @@ const moving = (() => {
     };
 
     const rows = sliders.map((slider) => {
-      const input = node("input", { type: "range", min: slider.low, max: slider.high, step: slider.step });
-      const shown = node("span", { className: "value" });
+      const { name, label, start: value, low: min, high: max, step } = slider;
+      const shown = el("span", { class: "value" });
       const text = () => {
-        shown.textContent = words(slider, values[slider.name]);
+        shown.textContent = words(slider, values[name]);
         input.setAttribute("aria-valuetext", shown.textContent);
       };
-      input.value = slider.start;
-      input.addEventListener("input", () => {
-        values[slider.name] = +input.value;
+      const oninput = () => {
+        values[name] = +input.value;
         text();
         if (along && !holder.dataset.drawn) nearest(slider).catch(() => {}); // no network
         draw();
-      });
-      input.addEventListener("change", () => {
-        reply.textContent = sliders.map((s) => `${s.label} = ${words(s, values[s.name])}`).join(", ");
-      });
+      };
+      const onchange = () =>
+        (reply.textContent = sliders.map((s) => `${s.label} = ${words(s, values[s.name])}`).join(", "));
+      const input = el("input", { type: "range", min, max, step, value, oninput, onchange });
       text();
-      return node("label", {}, node("span", {}, `${slider.label} =`), shown, input);
+      return el("label", {}, el("span", {}, `${label} =`), shown, input);
     });
     const wide = picture.classList.contains("wide"); // on a phone keys move it sideways too
-    const stage = node("div", { className: "stage", ...(wide && { tabIndex: 0 }) }, picture);
-    holder.append(stage, node("div", { className: "sliders" }, ...rows), note, reply);
+    const stage = el("div", { class: "stage", tabindex: wide && 0 }, picture);
+    holder.append(stage, el("div", { class: "sliders" }, ...rows), note, reply);
     engine.progress((part) => {
       if (0 < part && part < 1) note.textContent = gettext("The engine is loaded: {percent} %", { percent: Math.round(100 * part) });
     });
@@ -94,5 +84,5 @@ const moving = (() => {
   if (root)
     for (const holder of document.querySelectorAll("[data-moving]"))
       figure(holder, JSON.parse(holder.dataset.moving));
-  return { figure, sources, numberOf, node };
+  return { figure, sources, numberOf };
 })();

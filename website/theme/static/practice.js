@@ -9,8 +9,7 @@ addEventListener("DOMContentLoaded", () => {
     if (place.dataset.ready && endsBefore !== engine.ends) await (restart ??= again().finally(() => (restart = undefined)));
     return engine.call(`practice.${name}`, { problem, ...args });
   };
-  const kept = () => { try { return localStorage.getItem(KEPT) || ""; } catch { return ""; } };
-  const keep = (text) => { try { localStorage.setItem(KEPT, text); } catch { /* a private window */ } };
+  const kept = () => stored(KEPT), keep = (text) => store(KEPT, text);
   const static_ = document.querySelector(".statement");
   let { problem } = place.dataset, contents; // of a practice file of the reader's own
   let given, endsBefore, restart, number = 1; // the practice file; to which engine it was given; the set of numbers
@@ -18,19 +17,9 @@ addEventListener("DOMContentLoaded", () => {
 
   // -- parts of a page
 
-  const el = (tag, attributes = {}, ...inside) => {
-    const made = document.createElement(tag);
-    for (const [name, value] of Object.entries(attributes))
-      name.startsWith("on") ? made.addEventListener(name.slice(2), value)
-        : value !== undefined && value !== false && made.setAttribute(name, value === true ? "" : value);
-    made.append(...inside);
-    return made;
-  };
-  const button = (text, onclick, more = {}) => el("button", { type: "button", onclick, ...more }, text);
+  const { el, button, typeset } = engine;
   const math = (latex, display) =>
     el("span", { class: "math notranslate" }, display ? `\\[${latex}\\]` : `\\(${latex}\\)`);
-
-  const { typeset } = engine;
 
   // the Markdown of the problems, made into elements: none of its text is ever read as HTML
   const INLINE = /\$\$([^$]+)\$\$|\$([^$]+)\$|`([^`]+)`|\*\*(.+?)\*\*|\*(.+?)\*|\[([^\]]+)\]\([^)]*\)|\\([\\`*_[\]#$|])/g;
@@ -93,14 +82,11 @@ addEventListener("DOMContentLoaded", () => {
     if (q.of.length)
       return [el("select", { "aria-label": q.key, onchange: changed }, el("option", { value: "" }, gettext("choose")),
         ...q.of.map((word) => el("option", {}, word)))];
-    return q.parts.map((part, n) => {
-      const field = el("input", {
-        type: "text", autocomplete: "off", autocapitalize: "off", spellcheck: "false", enterkeyhint: "done",
-        "aria-label": [q.key, part].filter(Boolean).join(", "), "aria-describedby": `read-${q.key}`,
-        oninput: changed, onfocus: () => (last = field),
-      });
-      return field;
-    });
+    return q.parts.map((part) => el("input", {
+      type: "text", autocomplete: "off", autocapitalize: "off", spellcheck: "false", enterkeyhint: "done",
+      "aria-label": [q.key, part].filter(Boolean).join(", "), "aria-describedby": `read-${q.key}`,
+      oninput: changed, onfocus: ({ target }) => (last = target),
+    }));
   };
 
   const field = (q) => {
@@ -146,11 +132,9 @@ addEventListener("DOMContentLoaded", () => {
     say(Object.entries(found).map(([key, { text }]) => `${key}: ${text}`).join(". "));
     if (all && asked.every((f) => found[f.q.key]?.verdict === "right")) await advise();
   };
-  const form = (asked, text, all) => {
-    const made = el("form", { onsubmit: (event) => (event.preventDefault(), check(asked, all).catch(failed)) },
+  const form = (asked, text, all) =>
+    el("form", { onsubmit: (event) => (event.preventDefault(), check(asked, all).catch(failed)) },
       ...asked.map((f) => f.box), el("button", { class: "primary" }, text));
-    return made;
-  };
 
   const next = el("p", { class: "next" });
   const advise = async () => {
@@ -255,21 +239,20 @@ addEventListener("DOMContentLoaded", () => {
   // what this browser has kept cannot be read: no reason not to practise
   const setAside = ({ message }) => {
     say((note = message));
-    try {
-      localStorage.setItem(`${KEPT}.damaged`, kept());
-      localStorage.removeItem(KEPT);
-    } catch { /* a private window */ }
+    store(`${KEPT}.damaged`, kept());
+    keep("");
   };
   // a new engine gets the same file, and takes the numbers that the page shows
   const again = async () => {
     await load(...given);
     for (let n = 1; n < number; n += 1) await engine.call("practice.show", { problem, new: true });
   };
+  const loading = () => body.replaceChildren(el("p", {}, `${gettext("Loading the checker:")} `, bar));
+  engine.progress((part) => (bar.value = part));
   const begin = async () => {
     start.hidden = true;
-    body.replaceChildren(el("p", {}, `${gettext("Loading the checker:")} `, bar));
-    engine.progress((part) => (bar.value = part));
-    try { localStorage.setItem("newton-euler.practises", "yes"); } catch { /* a private window */ }
+    loading();
+    store("newton-euler.practises", "yes");
     const found = await fetched(`${file}.practice`);
     fetched("index.json").catch(() => {}); // kept for when there is no network
     await load(file, await base64(await found.blob()));
@@ -281,8 +264,7 @@ addEventListener("DOMContentLoaded", () => {
   const take = async (blob) => {
     const { name } = blob;
     if (blob.size > MOST) throw tooLarge(blob);
-    body.replaceChildren(el("p", {}, `${gettext("Loading the checker:")} `, bar));
-    engine.progress((part) => (bar.value = part));
+    loading();
     contents = await load(name, await base64(blob));
     const list = el("select", { "aria-label": gettext("problem"), onchange: () => open(list.value) },
       ...Object.entries(contents).map(([id, [title]]) => el("option", { value: id }, `${id} ${title}`)));
@@ -313,7 +295,5 @@ addEventListener("DOMContentLoaded", () => {
     key === KEPT && newValue && place.dataset.ready && engine.call("practice.take_in", { progress: newValue }).catch(() => {}));
   place.append(...(problem ? [start] : chooser()), body, status);
   place.hidden = false;
-  let before = "";
-  try { before = localStorage.getItem("newton-euler.practises"); } catch { /* a private window */ }
-  if (before && problem) run();
+  if (problem && stored("newton-euler.practises")) run();
 });

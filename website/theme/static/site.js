@@ -11,6 +11,10 @@ addEventListener("beforeprint", () => {
   }
 });
 
+// what this browser keeps; a private window keeps nothing
+const stored = (key) => { try { return localStorage.getItem(key) || ""; } catch { return ""; } };
+const store = (key, text) => { try { localStorage.setItem(key, text); } catch { /* private */ } };
+
 // predictions: the first choice, number or sentence is kept in this browser and opens the answer
 const PREDICTED = "newton-euler predictions";
 // {key: [the number of the choice or what was typed, whether it was right]}; anything else in the
@@ -18,8 +22,8 @@ const PREDICTED = "newton-euler predictions";
 function readKept() {
   const isMade = (x) => Array.isArray(x) && /number|string/.test(typeof x[0]) && [true, false, null].includes(x[1]);
   try {
-    return Object.fromEntries(Object.entries(JSON.parse(localStorage.getItem(PREDICTED)) || {}).filter(([, x]) => isMade(x)));
-  } catch { return {}; /* a browser that keeps nothing */ }
+    return Object.fromEntries(Object.entries(JSON.parse(stored(PREDICTED)) || {}).filter(([, x]) => isMade(x)));
+  } catch { return {}; }
 }
 let predicted = readKept();
 const asked = [...document.querySelectorAll(".prediction")];
@@ -27,9 +31,7 @@ const asked = [...document.querySelectorAll(".prediction")];
 function keep(key, prediction, right) {
   if (key in predicted) return;
   predicted = { ...readKept(), ...predicted, [key]: [prediction, right] }; // another tab may have kept some
-  try {
-    localStorage.setItem(PREDICTED, JSON.stringify(predicted));
-  } catch { /* as above */ }
+  store(PREDICTED, JSON.stringify(predicted));
   count();
 }
 
