@@ -174,12 +174,18 @@ def page_of(
         "chapter": chapter(p.chapter).title,
         "preamble": plain(chapter(p.chapter).preamble, ()), "figure": plain(p.figure, p.units),
         "quantities": _described(p, computed, help), "variants": variants,
-        "labels": [(key, *map(kept, astuple(c))) for key, c in labels],
-        "slips": [(key, rank, *map(kept, astuple(c)[1:])) for key, rank, c in slips],
+        "labels": [(key, *map(kept, _texts(c))) for key, c in labels],
+        "slips": [(key, rank, *map(kept, _texts(c)[1:])) for key, rank, c in slips],
         "book": sets[0] == problem(name).book_values, "help": help,
         "symbols": {n: p.notation[n] for n in p.givens},
     }  # fmt: skip
     return page, figures
+
+
+def _texts(cause):
+    """What a file keeps of a cause: its texts, with its answers in place of what it is of."""
+    *texts, of, answers = astuple(cause)
+    return *texts, " ".join(answers) or of
 
 
 def _numbered(variants, name):

@@ -12,7 +12,7 @@ from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.near import RARER, SIMPLE
 
 from ..assignment.cells import Values
-from ..scoring.computation import perturbed, perturbed_steps
+from ..scoring.computation import perturbed
 
 
 def slip_numbers(
@@ -22,7 +22,7 @@ def slip_numbers(
     simplest in steps; the first of those with the same words and numbers. Formulas are not
     included: they would give the answers for other numbers.
     """
-    answers, steps = perturbed(p, values), perturbed_steps(p, values)
+    answers, steps = perturbed(p, values), perturbed(p, values, of_steps=True)
     found: dict[Any, tuple] = {}
     for q in described:
         key, slips, rarest = q["key"], *((steps, SIMPLE) if q["step"] else (answers, RARER))

@@ -27,16 +27,11 @@ from newton_euler.algebra.vectors import Vector
 FEW, MORE = 7, 11  # words that say what a given is, and what a step is, which has no other name
 
 
-def perturbed(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
-    """The slips in the computation of ``problem`` for a student's numbers, in the units of the
-    text.
+def perturbed(problem: Problem, sample: Mapping[str, Any], of_steps: bool = False) -> Perturbed:
+    """The slips in the computation of the answers to ``problem``, or of the steps on the way to
+    them, for a student's numbers in the units of the text.
     """
-    return Perturbed(_computation(problem.id), sample)
-
-
-def perturbed_steps(problem: Problem, sample: Mapping[str, Any]) -> Perturbed:
-    """The same for the steps on the way to the answers."""
-    return Perturbed(_computation_of_steps(problem.id), sample)
+    return Perturbed(_computation(problem.id, of_steps), sample)
 
 
 def perturbed_sequel(
@@ -147,13 +142,8 @@ def names(p: Problem, key: str) -> list[str]:
 
 
 @cached_by_language
-def _computation(problem_id):
-    return Computation(formulas(find_problem(problem_id)))
-
-
-@cached_by_language
-def _computation_of_steps(problem_id):
-    return Computation(formulas(find_problem(problem_id), of_steps=True))
+def _computation(problem_id, of_steps):
+    return Computation(formulas(find_problem(problem_id), of_steps))
 
 
 def formulas(p: Problem, of_steps: bool = False) -> Formulas:

@@ -24,15 +24,7 @@ from newton_euler.answers.tolerance import Points
 from newton_euler.answers.verdicts import Way
 from newton_euler.dynamics.constraints import Freedom
 
-from .computation import (
-    columns,
-    computed_from,
-    earlier_of,
-    perturbed,
-    perturbed_sequel,
-    section,
-    sequel_of,
-)
+from . import computation
 from .miscounts import miscounts, misjudged
 from .sheet import ScoreError
 from .wrong_models import wrong_models
@@ -62,7 +54,7 @@ class Numbers:
     @property
     def earlier(self) -> Mapping[str, Sequence[str]]:
         """{later answer: names of the earlier ones from which it follows}."""
-        return earlier_of(self.problem)
+        return computation.earlier_of(self.problem)
 
     @property
     def symbols(self) -> Mapping[str, Any]:
@@ -94,9 +86,7 @@ class Numbers:
         return self._wrong[key]
 
     def _wrong_words(self, answer):
-        """Every listed mistake in a word or count, as for :meth:`wrong`, and what else is wrong in
-        counting degrees of freedom.
-        """
+        """As :meth:`wrong`, of a word or count: also degrees of freedom counted wrongly."""
         given = {m: x[answer.key] for m, x in self._wrong_answers.items() if answer.key in x}
         found = [
             (listed(m, self.problem.mistakes[m]), ((_one_word(answer, (x,)),),))
@@ -133,12 +123,12 @@ class Numbers:
     @property
     def where(self) -> str:
         """The section that the problem practises."""
-        return section(self.problem.section)
+        return computation.section(self.problem.section)
 
     @cached_property
     def slips(self) -> Slips:
         """The slips in the computation of the answers."""
-        return perturbed(self.problem, self.sample)
+        return computation.perturbed(self.problem, self.sample)
 
     def sequel(self, key: str, earlier: Mapping[str, Points]) -> Slips:
         """The slips in computing ``key`` from a student's ``earlier`` answers, {answer: points}."""
@@ -147,7 +137,7 @@ class Numbers:
         written = key in earlier_answers(self.problem)
         if not written and all(self._is_right(*x) for x in earlier.items()):
             return NO_SLIPS  # the same as from the givens
-        return perturbed_sequel(self.problem, key, self.sample, earlier)
+        return computation.perturbed_sequel(self.problem, key, self.sample, earlier)
 
     def _is_right(self, key, points):
         a = self.problem.answer(key)
@@ -162,7 +152,7 @@ class Numbers:
 
     def other_ways(self, key: str) -> Sequence[Way]:
         """The way that the computation takes, where ``follows`` is written and takes another."""
-        names = computed_from(self.problem).get(key)
+        names = computation.computed_from(self.problem).get(key)
         if names is None or key not in earlier_answers(self.problem):
             return ()
         return ((names, lambda earlier: self._points(key, self._as_computed, earlier)),)
@@ -175,8 +165,8 @@ class Numbers:
             return None
 
     def _as_computed(self, key, earlier):
-        run = sequel_of(self.problem.id, key)
-        return run({**self.sample, **columns(self.problem, earlier)})
+        run = computation.sequel_of(self.problem.id, key)
+        return run({**self.sample, **computation.columns(self.problem, earlier)})
 
     def _as_written(self, key, earlier):
         numbers = [x for name in self.earlier[key] for x in _columns(earlier[name])]
@@ -212,9 +202,7 @@ def _of_book(problem_id):
 
 
 def _sample(problem, values):
-    """Values of all givens and symbols; symbols as arrays of seeded points, the same for all
-    students.
-    """
+    """The values of givens, and of symbols the seeded points, the same for all students."""
     missing = [n for n in problem.givens if n not in values]
     if missing:
         raise ScoreError(
@@ -273,7 +261,8 @@ def _traced_wrong(problem_id):
 
 
 def _run_wrong(problem, sample):
-    for values in (sample, _as_arrays(sample)):
+    # arrays have nan where floats raise, as at the root of a negative number
+    for values in (sample, {n: np.atleast_1d(x) for n, x in sample.items()}):
         with contextlib.suppress(ArithmeticError, ValueError), np.errstate(all="ignore"):
             return _wrong_at(problem, values)
     return [], []  # a wrong model has no value, not even nan, so none is compared
@@ -285,13 +274,6 @@ def _wrong_at(problem, values):
         return labels, run(**values)
     models = wrong_models(problem, values)
     return [model[:2] for model in models], [numbers for *_, numbers in models]
-
-
-def _as_arrays(sample):
-    """The same numbers in arrays, which have nan where floats raise: a wrong model may lead to the
-    root of a negative number.
-    """
-    return {n: np.atleast_1d(x) for n, x in sample.items()}
 
 
 @cache

@@ -129,14 +129,7 @@ def score_receipt(
     answers = receipt.get("answers") if isinstance(receipt.get("answers"), dict) else {}
     faults = receipt.get("faults") if isinstance(receipt.get("faults"), dict) else {}
     error = receipt.get("error")
-    notes = [
-        n
-        for n in (
-            note,
-            _("the cell stopped with {error}", error=relayed(one_line(error))) if error else "",
-        )
-        if n
-    ]
+    stopped = _("the cell stopped with {error}", error=relayed(one_line(error))) if error else ""
     sheet = asked_parts(problem, points, weights, asked, follow_through)
     numbers, budget = numbers_of(problem, values, earlier_sheets), [NODES]
     found = {}
@@ -144,30 +137,28 @@ def score_receipt(
         key = part.answer.key
         tree, fault = answers.get(key), faults.get(key)
         found[key] = judge(part.answer, part.form, tree, fault, numbers, budget, part.factor)
-    parts = tuple(_part(part, found, numbers, answers) for part in sheet)
-    latex = [_typeset(a, answers, p.read, problem) for a, p in zip(sheet, parts, strict=True)]
-    parts = tuple(replace(p, latex=x) if x else p for p, x in zip(parts, latex, strict=True))
-    return Score(problem.id, parts, "; ".join(notes))
+    parts = tuple(_part(part, found, numbers, answers, problem.notation) for part in sheet)
+    return Score(problem.id, parts, "; ".join(filter(None, (note, stopped))))
 
 
-def _typeset(part, answers, shown, problem):
+def _typeset(form, tree, shown, notation):
     """A formula that was read, in LaTeX with its unit; "" for numbers and for a very long one."""
-    if not shown or not part.form.kind.is_formula or len(shown) >= 200:
-        return ""
-    tree = answers[part.answer.key]
-    return formula(tree, problem.notation) + unit_symbol(part.form.unit)
+    is_short = form.kind.is_formula and 0 < len(shown) < 200
+    return formula(tree, notation) + unit_symbol(form.unit) if is_short else ""
 
 
-def _part(part, found, numbers, answers):
+def _part(part, found, numbers, answers, notation):
     """The score of one answer; ``found`` has what each answer of the problem is."""
-    key, out_of, own = part.answer.key, part.out_of, found[part.answer.key]
-    value = value_line(part.form, answers.get(key), own.verdict)
+    key, out_of = part.answer.key, part.out_of
+    own, tree = found[key], answers.get(key)
+    value = value_line(part.form, tree, own.verdict)
+    latex = _typeset(part.form, tree, value, notation)
     if own.verdict != "wrong" or own.given is None:
         earned = out_of if own.verdict == "right" else 0
-        return Part(key, earned, out_of, own.verdict, own.message, read=value)
+        return Part(key, earned, out_of, own.verdict, own.message, read=value, latex=latex)
     why = explain(part.answer, found, numbers)
     earned = part.following if why.earlier else 0
     share = {"earned": f"{earned:.3g}", "all": f"{out_of:.3g}"}
     earns = _(", which earns {earned} of {all}", **share) if earned else ""
     message = why.message + earns + why.also
-    return Part(key, earned, out_of, "wrong", message, why.diagnosis, value, causes=why.causes)
+    return Part(key, earned, out_of, "wrong", message, why.diagnosis, value, latex, why.causes)

@@ -33,21 +33,21 @@ def wrong_models(problem: Problem, values: Mapping[str, Any]) -> list[tuple[str,
         for key, x in problem.in_units(answers).items():
             found.append((key, causes.listed(name, problem.mistakes[name]), flat(x)))
     found += general_models(problem, g, right, lambda g: problem.in_units(problem.code.solve(g)))
-    return _told_apart([model for model in found if not problem.answer(model[0]).kind.is_word])
+    return _matched([model for model in found if not problem.answer(model[0]).kind.is_word])
 
 
-def _told_apart(models):
+def _matched(models):
     """The models. A general one that is traced to the very steps of a listed mistake is this
-    mistake in other words: it has its name as subject, and tells it where to read on.
+    mistake in other words: it gets its name as subject, and gives it its place in the book.
     """
-    found = {(key, cause.group == "listed", _steps(x)): cause for key, cause, x in models}
-    told = []
+    by_steps = {(key, cause.group == "listed", _steps(x)): cause for key, cause, x in models}
+    found = []
     for key, cause, x in models:
         is_listed, steps = cause.group == "listed", _steps(x)
-        if steps and (twin := found.get((key, not is_listed, steps))):
+        if steps and (twin := by_steps.get((key, not is_listed, steps))):
             cause = _placed(cause, twin) if is_listed else replace(cause, subject=twin.name)
-        told.append((key, cause, x))
-    return told
+        found.append((key, cause, x))
+    return found
 
 
 def _placed(cause, twin):
@@ -95,9 +95,7 @@ def general_models(
 
 
 def _terms(right, problem):
-    """Mistakes in the named terms of the key: a term left out, a term with the opposite sign, the
-    Coriolis term without its factor 2.
-    """
+    """A named term of the key left out or reversed; the Coriolis term without its factor 2."""
     where = _where(right, problem)
     for name in right.terms or ():
         term = term_text(name, right.equation, problem)

@@ -39,7 +39,8 @@ class Cause:
     subject : shared by slips that are one and the same in other words: the last of them is named;
         the name of a listed mistake that a general one repeats
     does : what it does, one of :data:`DOES`, or ""
-    of : to what, in words; "" of a term without a name; of answers their names, as "a_A a_B"
+    of : to what, in words; "" of a term without a name
+    answers : in place of which it takes something else
     """
 
     group: str
@@ -49,6 +50,7 @@ class Cause:
     subject: str = field(default="", compare=False)
     does: str = field(default="", compare=False)
     of: str = field(default="", compare=False)
+    answers: tuple[str, ...] = field(default=(), compare=False)
 
     @property
     def what(self) -> str:
@@ -237,9 +239,7 @@ def right_but(places: Sequence[int], key: Sequence[float]) -> Cause | None:
 
 
 def _entries(places, key):
-    """The names of entries of a matrix, each once: as I_xy of an inertia matrix, which is
-    symmetric.
-    """
+    """The names of entries of a matrix, of a symmetric one each once, as I_xy."""
     if all(abs(key[3 * n + m] - key[3 * m + n]) <= NOISE for n, m in ((0, 1), (0, 2), (1, 2))):
         return [*dict.fromkeys(_entry(*sorted(divmod(n, 3))) for n in places)]
     places = [(row + 1, column + 1) for row, column in (divmod(n, 3) for n in places)]

@@ -88,9 +88,7 @@ def _digest(salt: str, x: Any) -> str:
 
 
 def _read():
-    """The counts of this kernel, joined with those that another has written meanwhile; damaged
-    entries count nothing.
-    """
+    """The counts of this kernel joined with those in the file; damaged entries count nothing."""
     with contextlib.suppress(*_DAMAGED):
         found = json.loads(FILE.read_bytes()) if in_notebook() else {}
         for salt, entry in found.items():

@@ -8,20 +8,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
+from . import causes
 from .by_component import of_each_component
-from .causes import (
-    CORIOLIS_HALVED,
-    FACTOR_2,
-    GIVES_ZERO,
-    INSTEAD,
-    LEFT_OUT,
-    NO_COMPONENT,
-    RESCALED,
-    ROUNDED,
-    ZERO,
-    Cause,
-    in_this_part,
-)
+from .causes import CORIOLIS_HALVED, LEFT_OUT, RESCALED, ZERO, Cause, in_this_part
 from .fit import CLOSE, EXACT, LOOSE, Fit
 from .kinds import KINDS, Kind
 from .near import NO_SINGLES, Singles
@@ -76,18 +65,17 @@ class Elsewhere:
         """True if this listed mistake would show in other parts, and explains none of them, or if
         a slip takes something else for another answer, which is right.
         """
-        if cause.does == INSTEAD:
-            right = {part.name for part in self._parts if part.right}
-            return right.issuperset(cause.of.split())
+        if cause.answers:
+            return {part.name for part in self._parts if part.right}.issuperset(cause.answers)
         shown = cause.group == "listed" and any(
             is_apart(x, part.key) for part in self._parts for x in part.models(cause)
         )
         return shown and not self.explains(cause)
 
-    def has_more(self, causes: Iterable[Cause]) -> bool:
+    def has_more(self, found: Iterable[Cause]) -> bool:
         """True if other parts are wrong that these mistakes would show in, but do not explain."""
         wrong = sum(not part.right for part in self._parts)
-        return wrong > 0 and all(c.shows_everywhere and self.explains(c) < wrong for c in causes)
+        return wrong > 0 and all(c.shows_everywhere and self.explains(c) < wrong for c in found)
 
     def explains(self, cause: Cause) -> int:
         """The number of other wrong parts that this mistake explains."""
@@ -166,7 +154,7 @@ def diagnose(
     found = found or (_first(of_powers(fit), fit, least) if slips else ())
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
     if not found and not any(map(any, given)) and any(map(any, key)):
-        return (GIVES_ZERO,)
+        return (causes.GIVES_ZERO,)
     found = found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
     found = found or (of_each_component(fit, kind, wrong, slips) if slips else ())
     return found or tuple(cause for cause, x in of_none(fit) if fit(x))
@@ -179,7 +167,7 @@ def _level_of(hits):
 def _says_little(cause, kind):
     """True of a cause that a slip may explain better: a factor, a zero, a formula of the book."""
     of_book = cause.group == "book" and kind.is_formula
-    return of_book or cause.group in ("factor", "usual") or cause.does == NO_COMPONENT
+    return of_book or cause.group in ("factor", "usual") or cause.does == causes.NO_COMPONENT
 
 
 def _is_of_a_number(cause):
@@ -198,7 +186,7 @@ def _is_bare(hit, fit):
                 ratios.setdefault(n, set()).add(round(a / k, 9))
     changed = [r for r in ratios.values() if r != {1.0}]
     is_whole_or_one = len(changed) in (1, len(ratios)) and changed[1:] == changed[:-1]
-    return hit.cause.does == FACTOR_2 and is_whole_or_one and changed[0] in ({2.0}, {0.5})
+    return hit.cause.does == causes.FACTOR_2 and is_whole_or_one and changed[0] in ({2.0}, {0.5})
 
 
 class Hit(NamedTuple):
@@ -269,9 +257,7 @@ def _simplest(fit, near, elsewhere):
 
 
 def _level(fit, x):
-    """How well a slip fits; a number that it gives in the digits written may be as near to the key
-    as one that was rounded early.
-    """
+    """How well a slip fits; one that is met in the digits written may be near the key."""
     level = fit(x, apart=len(fit.key[0]) > 1)
     return level if level >= CLOSE else fit(x)
 
@@ -286,25 +272,23 @@ def _closest(stages):
 
 
 def _chosen(best, twins, elsewhere):
-    """One cause, or several that fit alike, the listed ones first: those that explain most of the
-    other parts.
-    """
-    causes = _most_explaining(dict.fromkeys([*best, *twins]), elsewhere)
-    kept = sorted(causes, key=lambda c: c.group != "listed")[:MOST]
-    few = sum(c in best for c in causes) <= MOST
-    return tuple(c for c in causes if c in kept) if few else ()
+    """The causes that explain most of the other parts, the listed ones first."""
+    found = _most_explaining(dict.fromkeys([*best, *twins]), elsewhere)
+    kept = sorted(found, key=lambda c: c.group != "listed")[:MOST]
+    few = sum(c in best for c in found) <= MOST
+    return tuple(c for c in found if c in kept) if few else ()
 
 
-def _most_explaining(causes, elsewhere):
+def _most_explaining(found, elsewhere):
     """Those causes that explain the most other wrong parts; a mere factor always stays, and so does
     the factor 2 of the Coriolis term, which shows in vectors only.
     """
-    if len(causes) < 2:
-        return tuple(causes)
-    counts = {c: elsewhere.explains(c) for c in causes}
+    if len(found) < 2:
+        return tuple(found)
+    counts = {c: elsewhere.explains(c) for c in found}
     most = max(counts.values())
     return tuple(
-        c for c in causes if counts[c] == most or c == CORIOLIS_HALVED or c.group == "factor"
+        c for c in found if counts[c] == most or c == CORIOLIS_HALVED or c.group == "factor"
     )
 
 
@@ -325,7 +309,7 @@ def _stages(
 
     # a single number, read as 2.5, may have lost a zero that was written in 2.50
     surely_rounded = is_rounded(fit.given, fit.key) and sum(map(bool, fit.given[0])) > 1
-    rounded = [Hit(EXACT, ROUNDED, fit.given)] if surely_rounded else []
+    rounded = [Hit(EXACT, causes.ROUNDED, fit.given)] if surely_rounded else []
     single = NUMBER_RTOL if kind.is_met_by_chance else None
     yield [*of(group("listed"), single), *of(group("book"), single, apart=False), *rounded]
     yield of([*group("omitted"), *group("term")], single)

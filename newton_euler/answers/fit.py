@@ -72,7 +72,7 @@ class Fit:
 
     def times(self, factor: float) -> Points:
         """The key times a factor."""
-        return tuple(tuple(factor * x for x in point) for point in self.key)
+        return times(factor, self.key)
 
     @property
     def first(self) -> tuple[Point, Point, float]:
@@ -115,6 +115,11 @@ class Fit:
         if gap <= max(ROUND_OFF * own, NOISE * size):
             return EXACT
         return CLOSE if gap <= self.nearest else LOOSE if gap <= rtol * own else 0
+
+
+def times(factor: float, points: Points) -> Points:
+    """The points times a factor."""
+    return tuple(tuple(factor * x for x in point) for point in points)
 
 
 def mixed(points: Points, key: Points, places: Sequence[int]) -> Points:

@@ -39,9 +39,7 @@ seals: dict[str, dict[str, Any]] = {}
 
 @dataclass(frozen=True)
 class _Snapshot:
-    """A given name at the start of a cell: its value, the problem that gave it last, and
-    the cell that changed it since, if one did.
-    """
+    """A given name at the start of a cell: its value, its problem, what cell changed it."""
 
     value: Any
     giver: str

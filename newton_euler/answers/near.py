@@ -9,7 +9,6 @@ over all places, random numbers are named in a quarter of a percent.
 
 import math
 from collections.abc import Callable, Sequence
-from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..algebra.late import np
@@ -37,16 +36,11 @@ class Ranked:
     """Slips, each with its rank: the lower, the simpler; two of one level are equally simple."""
 
     def __init__(self, slips: Sequence[tuple[int, Cause]]):
-        self.slips = slips
+        self.slips, self.ranks = slips, [rank for rank, _ in slips]
         self._simple: dict[int, tuple[Any, list[tuple[int, Cause]]]] = {}
         self.places: dict[Cause, list[int]] = {}
         for n, (_, cause) in enumerate(slips):
             self.places.setdefault(cause, []).append(n)
-
-    @cached_property
-    def ranks(self) -> list[int]:
-        """Their ranks."""
-        return [rank for rank, _ in self.slips]
 
     def simple(self, most: int) -> tuple[Any, list[tuple[int, Cause]]]:
         """The places of those whose rank is no higher, an array, and (level, cause) of each."""
@@ -193,9 +187,7 @@ def _right(fit):
 
 
 def _formulas_near(rows, fit, ranked, allowed):
-    """For formulas: the places of the slips near the answer at the first point where the key has a
-    value, if so few are by chance with the digits that were written.
-    """
+    """The places of the slips that a formula is nearer to than by chance."""
     if fit.is_plain:
         return []
     given, key = fit.given[fit.index], fit.key[fit.index]

@@ -15,18 +15,8 @@ from itertools import chain
 from typing import Any
 
 from ..algebra.late import is_here, np
-from .causes import (
-    INVERTED,
-    LEFT_OUT,
-    OPPOSITE_NUMBER,
-    REVERSED,
-    UNNAMED,
-    ZERO,
-    Cause,
-    both,
-    multiple_of,
-    multiplied,
-)
+from . import causes
+from .causes import OPPOSITE_NUMBER, Cause, both
 from .fit import Fit
 from .kinds import Kind
 from .near import AROUND, FIRST, Singles
@@ -62,14 +52,14 @@ def of_two(
             found.setdefault(level, {})[pair] = None
     simplest = [*found[min(found)]] if found else []
     is_one = len(simplest) == 1 or kind.is_formula
-    causes = (both(*pair) if len(pair) > 1 else pair[0] for pair in simplest if is_one)
-    named = next(filter(None, causes), None)
-    return (named,) if named else pairs.multiple()
+    named = (both(*pair) if len(pair) > 1 else pair[0] for pair in simplest if is_one)
+    first = next(filter(None, named), None)
+    return (first,) if first else pairs.multiple()
 
 
 def _turns(cause):
     """True of a mistake after which a size may be that of a component of the other sign."""
-    return cause.group == "unit" or cause.does in (REVERSED, LEFT_OUT, ZERO)
+    return cause.group == "unit" or cause.does in (causes.REVERSED, causes.LEFT_OUT, causes.ZERO)
 
 
 class _Pairs:
@@ -89,7 +79,7 @@ class _Pairs:
         """
         opposite = self.fit.times(-1.0)
         own = [(4 if x == opposite else 2 * (c.group != "listed"), c) for c, x in self.models]
-        own += [(2, multiplied(TWO, 2.0, large)) for large in (True, False)]
+        own += [(2, causes.multiplied(TWO, 2.0, large)) for large in (True, False)]
         return [*own, *((n + 2, c) for n, c in self.slips.causes), (1, OPPOSITE_NUMBER)]
 
     def at(self, point: int) -> tuple[Any, Any]:
@@ -108,7 +98,7 @@ class _Pairs:
                 is_one = second == OPPOSITE_NUMBER and self.slips.is_size and _turns(first)
                 yield n + m, (first,) if is_one else (first, second)
             for i in self._upside_down():
-                yield 1, (self.causes[i][1], INVERTED)
+                yield 1, (self.causes[i][1], causes.INVERTED)
 
     def _near(self):
         size = math.hypot(*self.fit.first[0])
@@ -231,7 +221,7 @@ class _Pairs:
         first, *ratios = [x / k for x, k in pairs if k] or [0.0]
         if all(abs(x - first) <= 0.01 * abs(first) for x in ratios):
             return ()  # a single number, or the whole is multiplied
-        terms = [(k, c.of) for k, (_, c) in enumerate(self.causes) if c.does == LEFT_OUT]
+        terms = [(k, c.of) for k, (_, c) in enumerate(self.causes) if c.does == causes.LEFT_OUT]
         if not terms or not NOISE * self.fit.first[2] < size < math.inf:
             return ()
         places, near = [k for k, _ in terms], max(self.exactly * size, self.fit.rounding)
@@ -256,7 +246,8 @@ class _Pairs:
         factor = 1 - float((change * off).sum() / (change**2).sum())
         simple = Fraction(factor).limit_denominator(SIMPLE if self.kind.is_formula else FEW)
         is_simple = abs(factor - simple) <= near / abs(change).max()
-        return (multiple_of(terms[largest][1] or UNNAMED, str(simple) if is_simple else ""),)
+        term = terms[largest][1] or causes.UNNAMED
+        return (causes.multiple_of(term, str(simple) if is_simple else ""),)
 
     def _upside_down(self):
         if self.of_symbols and self.kind.length == 1:
@@ -268,9 +259,7 @@ class _Pairs:
 
 
 def _is_any(numbers, places, gap):
-    """True if one of the sorted ``numbers`` is within ``gap`` of one of these places; where these
-    have no value, perhaps.
-    """
+    """True if one of the sorted ``numbers`` is within ``gap`` of a place; perhaps at nan."""
     first = numbers.searchsorted(places - gap)
     return bool((first < numbers.searchsorted(places + gap, "right")).any())
 

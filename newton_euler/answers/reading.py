@@ -46,9 +46,7 @@ def formulas(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -
 
 
 def _values(tree, symbols, count):
-    """The values of a formula. Where it is not real, it is computed with complex numbers: the
-    logarithm of a negative number may stand inside a square.
-    """
+    """The values of a formula, by complex numbers where it is not real, as in log(-x)^2."""
     found = _real(evaluate(tree, symbols), count)
     if not any(map(math.isnan, found)):
         return found

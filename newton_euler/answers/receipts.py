@@ -78,9 +78,7 @@ def receipt(problem: str, names: Mapping | None = None, /, **answers: object) ->
 
 
 def _asked(problem, answers):
-    """The forms, symbols, notation and conditions of a problem; refuses answers that it does not
-    ask for.
-    """
+    """What was announced of a problem; refuses answers that it does not ask for."""
     if problem not in _expected:
         raise AnswerError(
             "problem {problem} has not been announced; run the cells of the notebook from the top",

@@ -7,7 +7,7 @@ import random
 from collections.abc import Mapping
 from typing import Any
 
-from ..algebra.language import _
+from ..algebra.language import Words, _
 from ..algebra.units import UnitError, unit
 from .forms import Form
 from .tolerance import ROOM, RTOL
@@ -58,8 +58,12 @@ def _points(form, tree, symbols):
     if form.kind.is_word or tree is None:
         return []
     trees = form.kind.parts(next(iter(tree.values())) if isinstance(tree, dict) else tree)
+    rng = random.Random(1)
+    at = [{n: rng.uniform(0.3, 1.5) for n in symbols} for _ in range(POINTS)]
     try:
-        return _values(form, trees, symbols)
+        if not form.kind.is_formula:
+            return [[float(x) for x in trees]]
+        return [[float(evaluate(t, values)) for t in trees] for values in at]
     except (TreeError, ArithmeticError, ValueError, TypeError):
         return []
 
@@ -80,35 +84,19 @@ def _magnitude(points, form, name, other, symbols):
             return
 
 
-def _values(form, trees, symbols):
-    """The components at some points of the symbols."""
-    if not form.kind.is_formula:
-        return [[float(x) for x in trees]]
-    rng = random.Random(1)
-    at = [{n: rng.uniform(0.3, 1.5) for n in symbols} for _ in range(POINTS)]
-    return [[float(evaluate(t, values)) for t in trees] for values in at]
-
-
 def _size(parts, form, low, high):
     size = math.hypot(*parts)
     if size and not low * (1 - ROOM) <= size <= high * (1 + ROOM):
-        what = {
-            "size": f"{size:.3g} {form.unit}".removesuffix(" 1"), "low": f"{low:g}",
-            "high": f"{high:g}",
-        }  # fmt: skip
-        yield (
-            _(
-                "its size is {size}, but with any numbers it is between {low} and {high}: check "
-                "the units",
-                **what,
-            )
-            if len(parts) > 1
-            else _(
-                "it is {size}, but with any numbers it is between {low} and {high}: check the "
-                "units",
-                **what,
-            )
+        text = Words(
+            "it is {size}, but with any numbers it is between {low} and {high}: check the units"
         )
+        if len(parts) > 1:
+            text = Words(
+                "its size is {size}, but with any numbers it is between {low} and {high}: check "
+                "the units"
+            )
+        shown = f"{size:.3g} {form.unit}".removesuffix(" 1")
+        yield _(text, size=shown, low=f"{low:g}", high=f"{high:g}")
 
 
 def _is_inertia(text):
@@ -135,11 +123,9 @@ def _inertia(points, whole):
     if not _is_positive(point, ROOM * scales[0], 1):
         yield _("the moment of inertia about some axis would be negative: check the signs")
     elif not _is_positive(point, spread, -1):
-        yield (
-            _(
-                "no body has these moments of inertia: the largest principal one is at most"
-                " the sum of the others"
-            )
+        yield _(
+            "no body has these moments of inertia: the largest principal one is at most"
+            " the sum of the others"
         )
 
 

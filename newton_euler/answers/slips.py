@@ -52,7 +52,7 @@ def factors(stated_in: str) -> Mapping[str, float]:
         found |= {words: factor**power for words, factor in LENGTHS.items()}
         less = Words("{units}, in one factor too few")
         found |= {
-            Words(less.template, units=words): factor ** (power - 1)
+            Words(less, units=words): factor ** (power - 1)
             for words, factor in LENGTHS.items()
             if power > 1
         }
@@ -173,9 +173,7 @@ def _with_moments(point, own, others):
 
 
 def _of_one_entry(fit):
-    """A matrix with a product of inertia, and its mirror image, left out or of the other sign; two
-    moments or two products exchanged.
-    """
+    """An entry left out or reversed, with its mirror image; two moments or products exchanged."""
     if fit.index is None:
         return
     for n in range(3):

@@ -169,9 +169,7 @@ def _ratios(fit, n):
 
 
 def _monomial(column, symbols, logarithms):
-    """The :class:`_Monomial` with these values, to the digits in which numbers are typed; None of
-    another formula.
-    """
+    """The :class:`_Monomial` with these values, as closely as numbers are typed, or None."""
     with np.errstate(all="ignore"):  # a student may write 0
         wanted = np.log(np.abs(column))
     logs, inverse = logarithms
@@ -195,9 +193,7 @@ def _logarithms_at(count, symbols):
 
 @lru_cache(maxsize=64)  # of one problem for several answers
 def _logarithms(rows, count):
-    """The logarithms of the symbols at the points, beside ones, and the pseudo-inverse; None if
-    these are too few to tell.
-    """
+    """Logarithms of the symbols beside ones, and the pseudo-inverse; None of too few points."""
     with np.errstate(all="ignore"):
         logs = np.log(np.abs(np.array([[math.e] * count, *rows]))).T
     if logs.shape[1] >= count or not np.isfinite(logs).all():

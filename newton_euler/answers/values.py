@@ -140,9 +140,7 @@ def _real(x, form):
 
 
 def _complex(x):
-    """The value of ``x``, if need be after carrying out an integral or a sum of SymPy; None if it
-    has none.
-    """
+    """The value of ``x``, of SymPy also once it is evaluated; None if it has none."""
     for make in (complex, lambda x: complex(x.doit().evalf())):
         try:
             return make(x)

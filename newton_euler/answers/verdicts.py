@@ -13,7 +13,7 @@ from ..algebra.language import Words, _, joined, spoken
 from ..algebra.units import unit as unit_of
 from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
 from .diagnosis import Answered, Elsewhere, Model, diagnose
-from .fit import Fit
+from .fit import Fit, times
 from .forms import Form
 from .frames import Toleranced, counted
 from .messages import one_line
@@ -127,7 +127,7 @@ def judge(
     except TreeError as error:
         return Judged("unreadable", _("cannot be read: {fault}", fault=one_line(str(error))))
     if factor != 1:
-        readings = [tuple(tuple(factor * x for x in point) for point in r) for r in readings]
+        readings = [times(factor, r) for r in readings]
     key = numbers.key[asked.key]
     right = counted(readings, key, asked, partial(numbers.wrong, asked.key))
     if right is not None:
@@ -201,9 +201,7 @@ def _causes(asked, given, found, numbers, *slips):
 
 
 def _slips(asked, found, numbers):
-    """Finds the slips in the computation from the givens, or else from the student's earlier
-    answers.
-    """
+    """Finds slips in computing from the givens, or else from the student's earlier answers."""
     wrong, earlier = _earlier(numbers.earlier.get(asked.key, ()), found, numbers)
     given = found[asked.key].given
     sequel = cache(lambda: numbers.sequel(asked.key, earlier))
@@ -248,9 +246,7 @@ def _like(given, asked, numbers):
 
 
 def _exchanged(asked, given, found, numbers):
-    """The models that are the right answers to other parts of the same kind, and of the same unit
-    or each in the other's place.
-    """
+    """The right answers to other parts of the kind, which may stand in each other's place."""
 
     def is_answered_by_it(other):
         there = found[other.key].given
@@ -308,12 +304,8 @@ def _doubled(earlier, wrong, follow):
     """
     if any(isinstance(earlier[n][0][0], str) for n in wrong):
         return None
-    found = follow({n: _times(2.0, x) if n in wrong else x for n, x in earlier.items()})
-    return None if found is None or isinstance(found[0][0], str) else _times(0.5, found)
-
-
-def _times(factor, points):
-    return tuple(tuple(factor * x for x in point) for point in points)
+    found = follow({n: times(2.0, x) if n in wrong else x for n, x in earlier.items()})
+    return None if found is None or isinstance(found[0][0], str) else times(0.5, found)
 
 
 def _gap(given, points):

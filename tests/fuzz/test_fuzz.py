@@ -72,7 +72,7 @@ def room_of(name):
 def test_a_sample_of_bad_values_is_refused_in_words(public, room):
     functions, calls = public
     chosen = {n: f for n, f in functions.items() if room_of(n) == room}
-    found = table(chosen, calls, every=150, seconds=PATIENCE)
+    found = table(chosen, calls, every=250, seconds=PATIENCE)
     assert sum(map(len, found.values())) > 10
     assert not unworded(found)
 

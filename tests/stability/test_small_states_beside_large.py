@@ -24,6 +24,7 @@ def spring_at(place):
 METHODS = ("auto", "taylor", "dop853", "scipy DOP853", "scipy RK45")
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
 @pytest.mark.parametrize("place", [6.4e6, 1.5e11])
 @pytest.mark.parametrize("method", METHODS)
@@ -102,6 +103,7 @@ def far_spring(place, k=4.0):
     return second_order("far spring", {"k": k, "place": place}, ("x",), acceleration)
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize("amplitude", [1e-3, 1e-2, 1.0])
 @pytest.mark.parametrize("place", [1e3, -6.4e6, 1e9])
 @pytest.mark.parametrize("method", METHODS)
@@ -123,7 +125,7 @@ def test_the_speed_on_a_far_spring_is_right_by_its_own_size_or_refused(method, p
 KICKED, DRIVEN, BY_A_CLOCK, BY_A_CLOCK_OF_STATES = range(4)
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize("how", [None, KICKED, DRIVEN, BY_A_CLOCK, BY_A_CLOCK_OF_STATES])
 @pytest.mark.parametrize("place", [1e3, 6.371e6, 1e9])
 def test_a_swing_of_a_few_last_digits_of_its_place_is_right_or_refused_in_words(place, how):
@@ -183,6 +185,7 @@ def test_two_series_that_make_about_the_same_of_a_small_state_do_not_confirm_it(
         assert (abs(alone - exact[::7]) <= rtol * a[::7] * n).all()
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6])
 @pytest.mark.parametrize("digits", [0.0, 4.0])
 @pytest.mark.parametrize("by_states", [False, True])
@@ -278,6 +281,7 @@ def test_a_far_spring_that_bounces_is_right_after_each_impact(method):
     assert found.end["dx"] == pytest.approx(a / 8 * 2 * math.cos(8.0 - 2.5 * math.pi), rel=1e-2)
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize("method", ["auto", "dop853", "taylor"])
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
 def test_a_state_that_is_nothing_but_error_is_not_refused(method, rtol):

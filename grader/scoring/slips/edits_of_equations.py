@@ -3,22 +3,19 @@ sign, or left out, in one of them, or in finding one unknown from the others.
 """
 
 import re
-from collections.abc import Callable, Iterator, Sequence
-from functools import lru_cache, reduce
+from collections.abc import Iterator
+from functools import lru_cache
 from itertools import permutations
 from typing import Any
 
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.late import np
-from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.trace import Step
-from newton_euler.algebra.units import Dimension
-from newton_euler.answers.causes import computed
 from newton_euler.answers.near import LEAST, LESS, SIMPLE
 
-from .edits_of_givens import LENGTH
 from .edits_of_operations import COFUNCTIONS
-from .formulas import Edit, needed
+from .facts import LENGTH, Facts, entries, to_float
+from .formulas import Edit, edit, total
 from .typed import Product, described, is_given, typed
 
 SLIPS = {
@@ -26,13 +23,9 @@ SLIPS = {
     0.0: Words("leaves out {term} in one equation: it acts there, too"),
 }
 ARMS = {
-    1.0: Words("leaves out {arm} beside {term} in one equation: a moment needs an arm").template,
-    2.0: Words(
-        "takes twice {arm} beside {term} in one equation: look for it in the figure"
-    ).template,
-    0.5: Words(
-        "takes half of {arm} beside {term} in one equation: look for it in the figure"
-    ).template,
+    1.0: Words("leaves out {arm} beside {term} in one equation: a moment needs an arm"),
+    2.0: Words("takes twice {arm} beside {term} in one equation: look for it in the figure"),
+    0.5: Words("takes half of {arm} beside {term} in one equation: look for it in the figure"),
 }
 LATER = {
     -1.0: Words("has {term} reversed in finding {unknown}: check which way it points"),
@@ -40,109 +33,65 @@ LATER = {
     2.0: Words("doubles what stands beside {term} in finding {unknown}: look for its arm"),
     0.5: Words("halves what stands beside {term} in finding {unknown}: look for its arm"),
 }
-TURNED = Words(
-    "takes {twin} for {own} beside {term} in finding {unknown}: look where the angle is"
-).template
-ALONE = Words("has {unknown} in one equation only: it acts in the others, too").template
-EQUAL = Words("takes {unknown} and {other} as equal: they are two unknowns").template
+TURNED = Words("takes {twin} for {own} beside {term} in finding {unknown}: look where the angle is")
+ALONE = Words("has {unknown} in one equation only: it acts in the others, too")
+EQUAL = Words("takes {unknown} and {other} as equal: they are two unknowns")
 FEW = 3  # unknowns: of more, none is found from the others
 NAMELESS = re.compile(r"u_\d+")  # unknowns without a name of their own
 
 
-def square(systems: Sequence[Solved]) -> list[Solved]:
-    """The systems with two unknowns or more and as many equations, each once."""
-    found: dict[tuple[Any, ...], Solved] = {}
-    for s in systems:
-        numbers = tuple(x.number for x in s.values.values() if isinstance(x, Step))
-        if numbers and 1 < len(s.equations) == len(s.names) == len(s.values):
-            found.setdefault(numbers, s)
-    return list(found.values())
-
-
-def of_elimination(systems: Sequence[Solved]) -> set[Step]:
-    """The steps between the entries of equations and their unknowns: nobody writes them as they are
-    computed.
-    """
-    found = set[Step]()
-    for system in square(systems):
-        known = {s.number for s in needed(entries(system))}
-        unknowns = {s.number for s in system.values.values() if isinstance(s, Step)}
-        inside = needed(system.values.values())
-        found |= {s for s in inside if s.number not in known | unknowns and s.op != "argument"}
-    return found
-
-
-def entries(system: Solved) -> list[Any]:
-    """The coefficients and the right side of each equation, row by row."""
-    return [to_float(x) for row, right in system.equations for x in (*row, right)]
-
-
-def to_float(x: Any) -> Any:
-    """A number; a traced one as it is."""
-    return x if isinstance(x, Step) else float(x)
-
-
-def of_equations(
-    systems: Sequence[Solved], number: Callable[[Step], Any], of: Callable[[Step], Dimension | None]
-) -> Iterator[Edit]:
+def of_equations(f: Facts) -> Iterator[Edit]:
     """The slips in the entries of each system."""
-    for system in square(systems):
+    for system in f.systems:
         width, inside = len(system.names) + 1, entries(system)
-        unknowns = [(k, system.values[n]) for k, n in enumerate(system.names)]
         for place, x in enumerate(inside):
             name = _name(place % width, x, system.names)
             if not name or (not isinstance(x, Step) and x == 0):
                 continue
             slips: list[tuple[int, Any, Words]] = [
-                (SIMPLE, factor, Words(words.template, term=name))
-                for factor, words in SLIPS.items()
+                (SIMPLE, factor, Words(words, term=name)) for factor, words in SLIPS.items()
             ]
-            arms = [a for a, n in Product(x).powers.items() if n == 1 and of(a) == LENGTH]
+            arms = [a for a, n in Product(x).powers.items() if n == 1 and f.of(a) == LENGTH]
             for arm, named in ((a, described(a)) for a in arms):
                 for factor, text in ARMS.items() if named else ():
-                    times = ("/", 1.0, number(arm)) if factor == 1 else factor
+                    times = ("/", 1.0, f.number(arm)) if factor == 1 else factor
                     slips.append((LESS, times, Words(text, arm=named, term=name)))
             for n, (rank, factor, words) in enumerate(slips):
-                instead = {
-                    s.number: ("equations", float(width), float(k), float(place), factor, *inside)
-                    for k, s in unknowns
-                    if isinstance(s, Step)
-                }
-                cause = computed(f"equations {[*instead]} {place} {n}", words)
-                yield Edit(rank, cause, instead)
+                instead = _solutions(system, float(place), factor, inside)
+                yield edit(rank, f"equations {[*instead]} {place} {n}", words, instead)
         yield from _of_one_equation(system)
-        yield from _of_one_unknown(system, of)
+        yield from _of_one_unknown(system, f.of)
+
+
+def _solutions(system, place, factor, inside):
+    """{unknown: its expression} where the entry at this place is ``factor`` times its own."""
+    width, unknowns = float(len(system.names) + 1), [system.values[n] for n in system.names]
+    return {
+        s.number: ("equations", width, float(k), place, factor, *inside)
+        for k, s in enumerate(unknowns)
+        if isinstance(s, Step)
+    }
 
 
 def _of_one_equation(system):
-    """One unknown left out of all equations but one of three or more that it is in: an acceleration
-    that turns a body, and does not move it.
-    """
+    """An unknown left out of all equations but one, of three or more that it is in."""
     width, rows = len(system.names) + 1, range(len(system.names))
-    own = [*map(to_float, system.values.values())]
-    for k, (name, x) in enumerate(zip(system.names, own, strict=True)):
-        inside = entries(system)
+    for k, name in enumerate(system.names):
+        x, inside = system.values[name], entries(system)
         there = [n for n in rows if isinstance(c := inside[n * width + k], Step) or c != 0]
         is_named = isinstance(x, Step) and not NAMELESS.fullmatch(name)
         for kept in there if is_named and len(there) > 2 else ():
             alone = [*inside]
             for n in {*there} - {kept}:
                 alone[n * width + k] = 0.0
-            instead = {
-                y.number: ("equations", float(width), float(m), 0.0, 1.0, *alone)
-                for m, y in enumerate(own)
-                if isinstance(y, Step)
-            }
-            words = Words(ALONE, unknown=name)
-            cause = computed(f"{x.number} in {kept} alone", words)
-            yield Edit(LEAST, cause, instead)
+            instead = _solutions(system, 0.0, 1.0, alone)
+            yield edit(LEAST, f"{x.number} in {kept} alone", Words(ALONE, unknown=name), instead)
 
 
 def _of_one_unknown(system, of):
-    """One unknown from one equation, the others known, with a slip in a term of it, or with another
-    unknown taken as equal.
-    """
+    """An unknown found from the others, with a slip in a term, or taken as equal to one."""
     names, values = system.names, [to_float(system.values[n]) for n in system.names]
+    known = {y.number: y for y in values if isinstance(y, Step)}
     for n, (row, right) in enumerate(system.equations if len(names) <= FEW else ()):
         a, terms = [*map(to_float, row)], [to_float(right)]
         terms += [("*", ("neg", c), x) for c, x in zip(a, values, strict=True)]
@@ -151,29 +100,26 @@ def _of_one_unknown(system, of):
             x, name = values[k - 1], names[k - 1]
             if k == 0 or not isinstance(x, Step) or NAMELESS.fullmatch(name):
                 continue
-            rest = [m for m in there if m not in (k, other)]
-            known = {y.number: y for y in values if isinstance(y, Step)}
+            rest = [terms[m] for m in there if m not in (k, other)]
             term = _name((other - 1) % (len(names) + 1), right, names)
             beside = a[other - 1] if other else right
             for words, times in _of_term(beside, term, name, bool(rest)) if term else ():
-                total = _sum([*(terms[m] for m in rest), ("*", terms[other], times)])
-                cause = computed(f"{x.number} of {n} {other} {times}", words)
-                yield Edit(LEAST, cause, {**known, x.number: ("/", total, a[k - 1])})
+                whole = ("/", total([*rest, ("*", terms[other], times)]), a[k - 1])
+                instead = {**known, x.number: whole}
+                yield edit(LEAST, f"{x.number} of {n} {other} {times}", words, instead)
             y = values[other - 1]
             if other and isinstance(y, Step) and of(x) is not None and of(x) == of(y) and rest:
-                both = ("/", _sum([terms[m] for m in rest]), ("+", a[k - 1], a[other - 1]))
+                both = ("/", total(rest), ("+", a[k - 1], a[other - 1]))
                 words = Words(EQUAL, unknown=name, other=names[other - 1])
-                cause = computed(f"equal {n} {x.number} {y.number}", words)
-                yield Edit(LESS, cause, {**known, x.number: both, y.number: both})
+                instead = {**known, x.number: both, y.number: both}
+                yield edit(LESS, f"equal {n} {x.number} {y.number}", words, instead)
 
 
 def _of_term(beside, term, unknown, has_rest):
-    """(words, factor of the term) of the slips in a term of an equation for one unknown; where
-    ``has_rest``, of several.
-    """
+    """(words, factor) of the slips in a term; ``has_rest``: it is one of several."""
     for times, words in LATER.items():
         if times < 0 or has_rest or (isinstance(beside, Step) and times):
-            yield Words(words.template, term=term, unknown=unknown), times
+            yield Words(words, term=term, unknown=unknown), times
     for x, power in Product(beside).powers.items():
         if abs(power) == 1 and x.op in COFUNCTIONS and is_given(x):
             twin = (COFUNCTIONS[x.op], *x.args)
@@ -181,10 +127,6 @@ def _of_term(beside, term, unknown, has_rest):
             if own:
                 words = Words(TURNED, own=own, twin=other, term=term, unknown=unknown)
                 yield words, ("/", twin, x) if power > 0 else ("/", x, twin)
-
-
-def _sum(terms):
-    return reduce(lambda a, b: ("+", a, b), terms)
 
 
 def _name(column, x, names):

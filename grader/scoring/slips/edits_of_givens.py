@@ -1,6 +1,6 @@
 """Slips in the givens: one for another, twice or half of one, sign, unit, weight for mass."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from itertools import combinations, permutations, product
 from math import pi
 from typing import Any
@@ -11,128 +11,116 @@ from newton_euler.algebra.units import SI, US, Dimension, System, Unit, unit
 from newton_euler.answers.causes import FACTOR_2, LEFT_OUT, ZERO, Cause, computed, unconverted
 from newton_euler.answers.near import LEAST, LESS, RARER, SIMPLE
 
-from .formulas import Edit
+from .facts import FORCE, G_OF_FEET, GRAVITY, LENGTH, MASS, NUMBER, TIME, Facts, G
+from .formulas import SUM, Edit, edit
 from .typed import is_nothing, terms_of
 
-MASS, LENGTH = Dimension(1), Dimension(0, 1)
-TIME = Dimension(0, 0, 1)
-FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
 RATES = Dimension(0, 0, -1), Dimension(0, 0, -2)
 TWICE, HALF, ONE, FOREIGN = "doubled", "halved", "one", "foreign unit"
-G, G_OF_FEET = 9.81, 32.2  # of g, where the text gives none
 OTHERS = {  # units from which a number is converted that is already in this one
     "rad/s": ("rev/min", "rev/s"), "rad": ("deg",), "m": ("mm", "cm"), "ft": ("in",),
     "m/s": ("km/h",), "ft/s": ("mi/h",), "s": ("min",), "kg": ("g",),
 }  # fmt: skip
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
-
 OF_TURNS = {"s": "min"}  # what a rate of turning is divided by
 
 MANY = 9  # lengths: of more, not even whole ones are added
 SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
 
-TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians").template
-INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inverted").template
-FROM = Words("converts {name} from {other}: it is given in {unit}").template
+TWO_PI = Words("leaves out 2*pi in {name}: a revolution is 2*pi radians")
+INVERTED = Words("converts {name} from {unit} the wrong way: its factor is inverted")
+FROM = Words("converts {name} from {other}: it is given in {unit}")
 SLANT = Words(
     "takes the slant length sqrt({name}^2 + {other}^2) for {name}: another distance counts"
-).template
-LEG = Words(
-    "takes the leg sqrt({name}^2 - {other}^2) for {name}: look where the right angle is"
-).template
-HALVES = Words("takes half of {name} and of {other}: a radius is not a diameter").template
-TWICE_BOTH = Words("takes twice {name} and {other}: a diameter is not a radius").template
-AS_EQUAL = Words("takes {name} and {other} as equal: the text gives two lengths").template
-PLACE = Words("takes {name} {op} {part} for {name}: it leads to another point").template
-LOAD = Words("takes {name} {op} {part} for {name}: look which bodies count there").template
-MEAN = Words("takes the mean of {a} and {b} for {key}: look up what {key} stands for").template
-PAIRS = Words(
-    "multiplies {a} by {b}, each by each, for {key}: look up what {key} stands for"
-).template
+)
+LEG = Words("takes the leg sqrt({name}^2 - {other}^2) for {name}: look where the right angle is")
+HALVES = Words("takes half of {name} and of {other}: a radius is not a diameter")
+TWICE_BOTH = Words("takes twice {name} and {other}: a diameter is not a radius")
+AS_EQUAL = Words("takes {name} and {other} as equal: the text gives two lengths")
+PLACE = Words("takes {name} {op} {part} for {name}: it leads to another point")
+LOAD = Words("takes {name} {op} {part} for {name}: look which bodies count there")
+MEAN = Words("takes the mean of {a} and {b} for {key}: look up what {key} stands for")
+PAIRS = Words("multiplies {a} by {b}, each by each, for {key}: look up what {key} stands for")
+OF_GIVEN = Words("takes {other} for {name}: {why}")
+LESS_OTHER = Words("takes {name} - {other} for {name}: {why}")
+NOT_HERE = Words("leaves out {name}: it is not zero here")
 NOT_ONE, NO_FIT = Words("it is not 1 here"), Words("then the units do not fit")
-
-DimensionOf = Callable[[Step], Dimension | None]
+TIMES_OF_GIVEN = (
+    (2.0, TWICE, Words("takes twice {name}, or has a 2 too many beside it: {why}")),
+    (0.5, HALF, Words("takes half of {name}, or lacks a factor 2 beside it: {why}")),
+)
+OF_WEIGHT = {  # times g, and over it
+    FORCE: (
+        Words("takes {name} for a mass: it is a weight"),
+        Words("divides {name} by g: it is a force already"),
+    ),
+    MASS: (
+        Words("multiplies {name} by g: it is a mass already"),
+        Words("divides {name} by g: it is a mass, not a weight"),
+    ),
+}
 # rank, kind, words or cause, its replacement; of some what they do, and to what
 Slip = tuple[int, str, Any, Any] | tuple[int, str, Words, Any, str, str]
 
 
-def of_given(
-    s: Step,
-    given: Mapping[str, Step],
-    read: Mapping[str, Unit],
-    number: Callable[[Step], Any],
-    means: str,
-    one: float,
-) -> Iterator[Slip]:
-    """One given for another, twice or half of it, its sign, weight for mass; ``means`` is its
-    meaning in the text, ``one`` its unit in base units.
-    """
-    name, own = s.args[0], read[s.args[0]]
+def of_given(s: Step, f: Facts) -> Iterator[Slip]:
+    """One given for another, twice or half of it, its sign, weight for mass."""
+    name, own = s.args[0], f.read[s.args[0]]
     is_it = Words("the formula has {name} there", name=name)
-    if means:
+    if means := f.formulas.means.get(name):
         is_it = Words("{name} is the {means}", name=name, means=means)
-    not_one = NOT_ONE if own.dimension == Dimension() else NO_FIT
-    for other, step in given.items():
-        if read[other].dimension != own.dimension:
-            if not _are_confused(read[other].dimension, own.dimension):
-                continue  # few would, and many would be met by chance
-            words = Words("takes {other} for {name}: {why}", other=other, name=name, why=NO_FIT)
-            yield LEAST, f"given {other}", words, step
-        elif other != name:
-            rank = RARER if read[other].text == own.text else LESS
-            words = Words("takes {other} for {name}: {why}", other=other, name=name, why=is_it)
-            yield rank, f"given {other}", words, step
-            if own.is_of_angle:
-                words = Words("takes {name} - {other} for {name}: {why}",
-                              name=name, other=other, why=is_it)  # fmt: skip
-                yield LEAST, f"less {other}", words, ("-", s, step)
-    if own.dimension == Dimension() and not own.is_of_angle:
-        words = Words("inverts {name}: {why}", name=name, why=is_it)
-        yield LEAST, "inverse", words, ("/", 1.0, s)
+    not_one, others = NOT_ONE if own.dimension == NUMBER else NO_FIT, _others(s, f)
+    yield from _of_another_given(s, others, f.read, is_it)
+    if own.dimension == NUMBER and not own.is_of_angle:
+        yield LEAST, "inverse", Words("inverts {name}: {why}", name=name, why=is_it), ("/", 1.0, s)
     yield from _of_sign(s, own.dimension)
-    rank = RARER if own.dimension == LENGTH else LESS
-    twice = Words("takes twice {name}, or has a 2 too many beside it: {why}", name=name, why=is_it)
-    yield rank, TWICE, twice, ("*", s, 2.0), FACTOR_2, name
-    half = Words("takes half of {name}, or lacks a factor 2 beside it: {why}", name=name, why=is_it)
-    yield rank, HALF, half, ("*", s, 0.5), FACTOR_2, name
-    words = Words("leaves out {name}: it is not zero here", name=name)
-    yield LESS, "zero", words, ("*", s, 0.0), ZERO, name
-    yield (
-        LESS,
-        ONE,
-        computed(
-            f"{ONE} {s.number}",
-            Words("leaves out the factor {name}: {why}", name=name, why=not_one),
-            f"without {s.number}",
-        ),
-        ("/", s, number(s)),
-    )
+    for times, kind, text in TIMES_OF_GIVEN:
+        rank = RARER if own.dimension == LENGTH else LESS
+        yield rank, kind, Words(text, name=name, why=is_it), ("*", s, times), FACTOR_2, name
+    yield LESS, "zero", Words(NOT_HERE, name=name), ("*", s, 0.0), ZERO, name
+    words = Words("leaves out the factor {name}: {why}", name=name, why=not_one)
+    cause = computed(f"{ONE} {s.number}", words, f"without {s.number}")
+    yield LESS, ONE, cause, ("/", s, f.number(s))
     if name == "g" and own.dimension == GRAVITY:
-        words = Words("takes 10 for {name}: the text gives more digits", name=name)
         if own.text == "m/s^2":
+            words = Words("takes 10 for {name}: the text gives more digits", name=name)
             yield LESS, "ten", words, 10.0
         elsewhere, of = (G, "m/s^2") if own.is_of_feet else (G_OF_FEET, "ft/s^2")
         words = Words(
             "takes {other} for {name}: that is in {unit}", other=elsewhere, name=name, unit=of
         )
-        yield LESS, "g of others", words, elsewhere * one
-    if own.dimension in (MASS, FORCE):
-        otherwise = G_OF_FEET if own.is_of_feet else G
-        g = number(given["g"]) if "g" in given else otherwise
-        if own.dimension == FORCE:
-            more = Words("takes {name} for a mass: it is a weight", name=name)
-            less = Words("divides {name} by g: it is a force already", name=name)
-        else:
-            more = Words("multiplies {name} by g: it is a mass already", name=name)
-            less = Words("divides {name} by g: it is a mass, not a weight", name=name)
-        yield LESS, "g", more, ("*", s, g)
-        yield LESS, "g", less, ("/", s, g)
+        yield LESS, "g of others", words, elsewhere * own.to_base(1.0, f.system)
+    if own.dimension in OF_WEIGHT:
+        g = f.number(others["g"]) if "g" in others else G_OF_FEET if own.is_of_feet else G
+        for op, text in zip("*/", OF_WEIGHT[own.dimension], strict=True):
+            yield LESS, "g", Words(text, name=name), (op, s, g)
+
+
+def _others(s, f):
+    """The givens that may be taken for one: symbols for symbols, no two of earlier answers."""
+    name, symbols, components = s.args[0], f.formulas.symbols, f.formulas.components
+    found = {n: x for n, x in f.anything.items() if (n in symbols) == (name in symbols)}
+    return {n: x for n, x in found.items() if name not in components or n not in components}
+
+
+def _of_another_given(s, others, read, is_it):
+    name, own = s.args[0], read[s.args[0]]
+    for other, step in others.items():
+        if read[other].dimension != own.dimension:
+            if not _are_confused(read[other].dimension, own.dimension):
+                continue  # few would, and many would be met by chance
+            words = Words(OF_GIVEN, other=other, name=name, why=NO_FIT)
+            yield LEAST, f"given {other}", words, step
+        elif other != name:
+            rank = RARER if read[other].text == own.text else LESS
+            yield rank, f"given {other}", Words(OF_GIVEN, other=other, name=name, why=is_it), step
+            if own.is_of_angle:
+                words = Words(LESS_OTHER, name=name, other=other, why=is_it)
+                yield LEAST, f"less {other}", words, ("-", s, step)
 
 
 def _are_confused(a, b):
-    """True of the dimensions of a quantity and its rate, of a length and an area, a mass and a
-    weight.
-    """
+    """True of a quantity and its rate, of a length and an area, a mass and a weight."""
     mass, length, time = (a / b).powers
     return {a, b} == {MASS, FORCE} or (not mass and not (length and time))
 
@@ -148,47 +136,53 @@ def _of_sign(s, dimension):
         yield rank, "sign", words, ("neg", s)
 
 
-def of_rates(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+def of_rates(f: Facts) -> Iterator[Edit]:
     """Angular velocities about different axes added as numbers, alone or with their rates."""
     spins, growths = (
-        [*permutations([n for n in given if read[n].dimension == of], 2)] for of in RATES
+        [*permutations([n for n in f.anything if f.read[n].dimension == of], 2)] for of in RATES
     )
     for pairs in product(spins, [None, *growths]) if len(spins) <= SEVERAL else ():
         instead: dict[int, Any] = {}
         for a, b in filter(None, pairs):
-            instead |= {given[a].number: ("+", given[a], given[b]), given[b].number: 0.0}
+            one, other = f.anything[a], f.anything[b]
+            instead |= {one.number: ("+", one, other), other.number: 0.0}
         a, b = pairs[0]
         words = Words("adds {a} and {b} as numbers: they turn about different axes", a=a, b=b)
-        yield Edit(LEAST, computed(f"added {[*instead]}", words), instead)
+        yield edit(LEAST, f"added {[*instead]}", words, instead)
 
 
-def of_lengths(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+def of_lengths(f: Facts) -> Iterator[Edit]:
     """A length to another point: another length, or half of it, added or subtracted, or another
     side of a right angle; two lengths taken as equal.
     """
-    lengths = [n for n in given if read[n].dimension == LENGTH]
-    for name, other in permutations(lengths, 2) if len(lengths) <= SEVERAL else ():
+    given, few = f.given, [n for n in f.given if f.read[n].dimension == LENGTH]
+    yield from _of_few_lengths(few, given) if len(few) <= SEVERAL else ()
+    yield from _of_sums(few, given, PLACE, len(few) <= SEVERAL)
+
+
+def _of_few_lengths(lengths, given):
+    for name, other in permutations(lengths, 2):
         squares = [("*", given[n], given[n]) for n in (name, other)]
         for op, text in ("+", SLANT), ("-", LEG):
-            words = Words(text, name=name, other=other)
             side = ("sqrt", ("abs", (op, *squares)))
-            cause = computed(f"slant {name} {op} {other}", words)
-            yield Edit(LEAST, cause, {given[name].number: side})
-    for name, other in combinations(lengths, 2) if len(lengths) <= SEVERAL else ():
-        both = ("*", ("+", given[name], given[other]), 0.5)
-        cause = computed(f"equal {name} {other}", Words(AS_EQUAL, name=name, other=other))
-        yield Edit(LEAST, cause, {given[n].number: both for n in (name, other)})
-        for factor, text in (0.5, HALVES), (2.0, TWICE_BOTH):
-            instead = {given[n].number: ("*", given[n], factor) for n in (name, other)}
             words = Words(text, name=name, other=other)
-            yield Edit(LEAST + 2, computed(f"{factor} of {name} {other}", words), instead)
-    yield from _of_sums(lengths, given, PLACE, len(lengths) <= SEVERAL)
+            yield edit(LEAST, f"slant {name} {op} {other}", words, {given[name].number: side})
+    for pair in combinations(lengths, 2):
+        name, other = pair
+        both = ("*", ("+", given[name], given[other]), 0.5)
+        words = Words(AS_EQUAL, name=name, other=other)
+        yield edit(LEAST, f"equal {name} {other}", words, {given[n].number: both for n in pair})
+        for factor, text in (0.5, HALVES), (2.0, TWICE_BOTH):
+            instead = {given[n].number: ("*", given[n], factor) for n in pair}
+            words = Words(text, name=name, other=other)
+            yield edit(LEAST + 2, f"{factor} of {name} {other}", words, instead)
 
 
-def of_loads(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+def of_loads(f: Facts) -> Iterator[Edit]:
     """The mass, or the weight, of another body added or taken off."""
     for kind in MASS, FORCE:
-        yield from _of_sums([n for n in given if read[n].dimension == kind], given, LOAD, False)
+        names = [n for n in f.anything if f.read[n].dimension == kind]
+        yield from _of_sums(names, f.anything, LOAD, False)
 
 
 def _of_sums(names, given, text, with_halves):
@@ -196,54 +190,49 @@ def _of_sums(names, given, text, with_halves):
     for name, other in permutations(names, 2) if len(names) <= MANY else ():
         parts: list[tuple[str, Any]] = [(other, given[other])]
         parts += [(f"{other}/2", ("*", given[other], 0.5))] if with_halves else []
-        for part, x in parts:
-            for op in ("+", "-"):
-                words = Words(text, name=name, op=op, part=part)
-                cause = computed(f"{name} {op} {part}", words)
-                yield Edit(LEAST, cause, {given[name].number: (op, given[name], x)})
+        for (part, x), op in product(parts, "+-"):
+            words = Words(text, name=name, op=op, part=part)
+            instead = {given[name].number: (op, given[name], x)}
+            yield edit(LEAST, f"{name} {op} {part}", words, instead)
 
 
-def of_projections(
-    answers: Mapping[str, Sequence[Any]], given: Mapping[str, Step], read: Mapping[str, Unit]
-) -> Iterator[Edit]:
+def of_projections(f: Facts) -> Iterator[Edit]:
     """The component of a given, or of an answer, by a given angle, in its place."""
-    angles = [n for n in given if read[n].is_of_angle]
-    for (key, parts), angle, f in product(answers.items(), angles, ("cos", "sin")):
-        if len(parts) == 1 and isinstance(parts[0], Step):
-            part = f"{key}*{f}({angle})"
+    angles = [n for n in f.given if f.read[n].is_of_angle]
+    for (key, answer), angle, function in product(f.answers.items(), angles, ("cos", "sin")):
+        x, *others = answer.parts
+        if not others and isinstance(x, Step):
+            part = f"{key}*{function}({angle})"
             words = Words("gives {part}, a component: the whole is asked for", part=part)
-            x = ("*", parts[0], (f, given[angle]))
-            yield Edit(LESS, computed(f"component {key} {f} {angle}", words), {parts[0].number: x})
-    for name, angle in product(given, angles):
-        own = read[name].dimension
-        for f in ("cos", "sin") if own not in (MASS, TIME, Dimension(), *RATES) else ():
-            part = f"{name}*{f}({angle})"
-            words = Words("takes {part} for {name}: all of it counts", part=part, name=name)
-            x = ("*", given[name], (f, given[angle]))
-            yield Edit(LEAST, computed(f"{name} {f} {angle}", words), {given[name].number: x})
+            instead = {x.number: ("*", x, (function, f.given[angle]))}
+            yield edit(LESS, f"component {key} {function} {angle}", words, instead)
+    whole = [n for n in f.given if f.read[n].dimension not in (MASS, TIME, NUMBER, *RATES)]
+    for name, angle, function in product(whole, angles, ("cos", "sin")):
+        part = f"{name}*{function}({angle})"
+        words = Words("takes {part} for {name}: all of it counts", part=part, name=name)
+        s = f.given[name]
+        instead = {s.number: ("*", s, (function, f.given[angle]))}
+        yield edit(LEAST, f"{name} {function} {angle}", words, instead)
 
 
-def of_weights(
-    answers: Mapping[str, Sequence[Any]], masses: Mapping[str, Step], g: Any, of: DimensionOf
-) -> Iterator[Edit]:
+def of_weights(f: Facts) -> Iterator[Edit]:
     """The weight of a given mass put into a component of a force, upward or downward, and g into
     one of an acceleration by forces.
     """
-    found = {x: key for key, parts in answers.items() for x in parts if isinstance(x, Step)}
+    found = {x: key for key, a in f.answers.items() for x in a.parts if isinstance(x, Step)}
+    masses = {n: s for n, s in f.numbers.items() if f.read[n].dimension == MASS}
     for (x, key), op in product(found.items() if masses else (), "+-"):
-        if of(x) == GRAVITY:
+        if f.of(x) == GRAVITY:
             words = Words("puts g into {key}: look up what {key} consists of", key=key)
-            cause = computed(f"{op} g {x.number}", words)
-            yield Edit(LEAST, cause, {x.number: (op, x, g)})
-    for (x, key), (name, m) in product(found.items(), masses.items()):
-        if of(x) == FORCE:
+            yield edit(LEAST, f"{op} g {x.number}", words, {x.number: (op, x, f.g)})
+    for (x, key), (name, m), op in product(found.items(), masses.items(), "+-"):
+        if f.of(x) == FORCE:
             words = Words(
                 "puts the weight {name}*g into {key}: look up what {key} consists of",
                 name=name, key=key,
             )  # fmt: skip
-            for op in ("+", "-"):
-                cause = computed(f"{op} weight of {name} {x.number}", words)
-                yield Edit(LEAST, cause, {x.number: (op, x, ("*", m, g))})
+            instead = {x.number: (op, x, ("*", m, f.g))}
+            yield edit(LEAST, f"{op} weight of {name} {x.number}", words, instead)
 
 
 def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
@@ -271,13 +260,14 @@ def of_unit(s: Step, own: Unit, system: System) -> Iterator[Slip]:
             )  # fmt: skip
             ratio = unit(other).to_base(1.0, SI) / unit(part).to_base(1.0, SI)
             yield LESS, f"confused {part}", words, ("/" if over else "*", s, ratio)
-        if part != own.text and unit(part).to_base(1.0, system) != 1:
+        ratio = unit(part).to_base(1.0, system)
+        if part != own.text and ratio != 1:
             words = Words(
                 "does not convert the {part} in {name}: the rest is in other units",
                 part=part, name=name,
             )  # fmt: skip
-            yield LESS, f"part {part}", words, ("*", s, 1 / unit(part).to_base(1.0, system))
-            yield LESS, f"part {part}", words, ("*", s, unit(part).to_base(1.0, system))
+            for times in (1 / ratio, ratio):
+                yield LESS, f"part {part}", words, ("*", s, times)
 
 
 def _is_of_turns(own):
@@ -286,9 +276,7 @@ def _is_of_turns(own):
 
 
 def _ratios(own, system):
-    """The factors by which a quantity is wrong if its number is used as if in SI, or in feet and
-    pounds.
-    """
+    """The factors of a quantity whose number is used as if in SI, or in feet and pounds."""
     found = set()
     for other in (SI, US):
         there = own.to_base(1.0, other)
@@ -299,92 +287,99 @@ def _ratios(own, system):
     return sorted(found)
 
 
-def of_planes(sums: Iterable[Step]) -> Iterator[Edit]:
+def of_planes(f: Facts) -> Iterator[Edit]:
     """Of a sum of products of two givens, as a scalar product, both givens of one left out."""
-    for s in sums:
+    for s in (s for s in f.steps if s.op in SUM):
         products = [x.args for _, x in terms_of(s) if isinstance(x, Step) and x.op == "*"]
         pairs = [p for p in products if p[0] is not p[1] and all(map(_is_argument, p))]
-        for a, b in pairs if len(pairs) > 1 else ():
-            names = joined(x.args[0] for x in (a, b))
+        for pair in pairs if len(pairs) > 1 else ():
+            names = _names(pair)
             words = Words("leaves out {names}: they are not zero here", names=names)
-            cause = computed(f"no {a.number} {b.number}", words, "", LEFT_OUT, names)
-            yield Edit(LESS, cause, {a.number: 0.0, b.number: 0.0})
+            name = " ".join(["no", *(str(x.number) for x in pair)])
+            yield edit(LESS, name, words, {x.number: 0.0 for x in pair}, LEFT_OUT, names)
+
+
+def _names(steps):
+    return joined(s.args[0] for s in steps)
 
 
 def _is_argument(x):
     return isinstance(x, Step) and x.op == "argument"
 
 
-def of_earlier(given: Mapping[str, Step], components: Mapping[str, str]) -> Iterator[Edit]:
+def of_earlier(f: Facts) -> Iterator[Edit]:
     """An earlier vector of the student's left out, all of its ``components``."""
+    components = f.formulas.components
     for name in dict.fromkeys(components.values()):
-        own = [s.number for n, s in given.items() if components.get(n) == name]
-        words = Words("leaves out {name}: it is not zero here", name=name)
-        cause = computed(f"without {name}", words, name, ZERO, name)
+        own = [s.number for n, s in f.given.items() if components.get(n) == name]
+        cause = computed(f"without {name}", Words(NOT_HERE, name=name), name, ZERO, name)
         yield Edit(RARER, cause, dict.fromkeys(own, 0.0))
 
 
-def of_exchanged(given: Mapping[str, Step], read: Mapping[str, Unit]) -> Iterator[Edit]:
+def of_exchanged(f: Facts) -> Iterator[Edit]:
     """Two givens, each in the place of the other."""
-    for (a, s), (b, t) in combinations(given.items(), 2):
-        words = Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
-        if not _are_confused(read[a].dimension, read[b].dimension):
-            continue
-        rank = LESS if read[a].text == read[b].text else LEAST + 2
-        yield Edit(rank, computed(f"exchanged {a} {b}", words), {s.number: t, t.number: s})
+    for (a, s), (b, t) in combinations(f.given.items(), 2):
+        if _are_confused(f.read[a].dimension, f.read[b].dimension):
+            words = Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
+            rank = LESS if f.read[a].text == f.read[b].text else LEAST + 2
+            yield edit(rank, f"exchanged {a} {b}", words, {s.number: t, t.number: s})
 
 
-def of_vectors(answers: Mapping[str, Sequence[Any]]) -> Iterator[Edit]:
+def of_vectors(f: Facts) -> Iterator[Edit]:
     """The givens that are the components of one vector, those in the same place in all components
     of an answer: reversed or left out, taken for the answer, or added to it.
     """
     found = dict[frozenset[Step], tuple[Step, ...]]()
-    for key, components in answers.items():
-        parts = [x for x in components if not is_nothing(x)]
+    for key, answer in f.answers.items():
+        is_vector, parts = len(answer.parts) == 3, [x for x in answer.parts if not is_nothing(x)]
         if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
             own = dict.fromkeys(_alike(parts))
             for steps in own:
                 found.setdefault(frozenset(steps), steps)
-            yield from _of_whole_vectors(key, parts, own) if len(components) == 3 else ()
+            yield from _of_whole_vectors(key, parts, own) if is_vector else ()
             yield from _of_factors(parts)
-            for one, other in combinations(own, 2) if len(components) == 3 else ():
+            for one, other in combinations(own, 2) if is_vector else ():
                 yield from _of_both(key, parts, one, other)
     for one, other in permutations(found.values(), 2):
         if len(one) == len(other):
             yield from _of_another_vector(one, other)
-            a, b = (joined(s.args[0] for s in steps) for steps in (one, other))
+            a, b = _names(one), _names(other)
             words = Words("exchanges {a} with {b}: each is a vector of its own", a=a, b=b)
-            instead = dict(zip((s.number for s in (*one, *other)), (*other, *one), strict=True))
-            yield Edit(LESS, computed(f"exchanged {a} with {b}", words), instead)
+            instead = _instead((*one, *other), (*other, *one))
+            yield edit(LESS, f"exchanged {a} with {b}", words, instead)
     for steps in found.values():
-        names = joined(s.args[0] for s in steps)
-        turned = Words("takes {names} with the opposite sign: they are one vector", names=names)
-        zero = Words("leaves out {names}: they are one vector, and not zero here", names=names)
-        yield Edit(
-            SIMPLE, computed(f"turned {names}", turned), {s.number: ("neg", s) for s in steps}
-        )
-        cause = computed(f"no {names}", zero, "", LEFT_OUT, names)
-        yield Edit(SIMPLE, cause, {s.number: 0.0 for s in steps})
+        names = _names(steps)
+        words = Words("takes {names} with the opposite sign: they are one vector", names=names)
+        yield edit(SIMPLE, f"turned {names}", words, {s.number: ("neg", s) for s in steps})
+        words = Words("leaves out {names}: they are one vector, and not zero here", names=names)
+        yield edit(SIMPLE, f"no {names}", words, {s.number: 0.0 for s in steps}, LEFT_OUT, names)
+
+
+def _instead(steps, expressions):
+    return {s.number: x for s, x in zip(steps, expressions, strict=True)}
 
 
 def _of_another_vector(one, other):
     """The vector from one place to another, for one of them."""
-    a, b = (joined(s.args[0] for s in steps) for steps in (one, other))
+    a, b = _names(one), _names(other)
     words = Words("takes the difference of {a} and {b} for {a}: each is a vector", a=a, b=b)
-    for sign, pair in (("-", lambda s, t: ("-", s, t)), ("+", lambda s, t: ("-", t, s))):
-        instead = {s.number: pair(s, t) for s, t in zip(one, other, strict=True)}
-        yield Edit(LESS, computed(f"{a} {sign} {b}", words), instead)
+    pairs = [*zip(one, other, strict=True)]
+    for sign, differences in (
+        ("-", [("-", s, t) for s, t in pairs]),
+        ("+", [("-", t, s) for s, t in pairs]),
+    ):
+        yield edit(LESS, f"{a} {sign} {b}", words, _instead(one, differences))
 
 
 def _of_both(key, parts, one, other):
     """The mean of two vectors, or their products in pairs, for the answer."""
-    a, b = (joined(s.args[0] for s in steps) for steps in (one, other))
-    for kind, text, op in ("mean", MEAN, "+"), ("pairs", PAIRS, "*"):
+    a, b, pairs = _names(one), _names(other), [*zip(one, other, strict=True)]
+    for kind, text, both in (
+        ("mean", MEAN, [("*", ("+", s, t), 0.5) for s, t in pairs]),
+        ("pairs", PAIRS, [("*", s, t) for s, t in pairs]),
+    ):
         words = Words(text, a=a, b=b, key=key)
-        both = [(op, s, t) for s, t in zip(one, other, strict=True)]
-        both = [("*", x, 0.5) for x in both] if op == "+" else both
-        instead = {x.number: y for x, y in zip(parts, both, strict=True)}
-        yield Edit(LEAST, computed(f"{kind} {a} {b} for {key}", words), instead)
+        yield edit(LEAST, f"{kind} {a} {b} for {key}", words, _instead(parts, both))
 
 
 def _of_factors(steps):
@@ -394,24 +389,23 @@ def _of_factors(steps):
         if not all(isinstance(x, Step) for x in own):
             continue
         if ops == {"*"} and len(set(own)) == len(own) and {x.op for x in own} == {"argument"}:
-            names = joined(x.args[0] for x in own)
+            names = _names(own)
             words = Words("leaves out the factors {names}: they are one vector", names=names)
             instead = {s.number: s.args[1 - k] for s in steps}
-            yield Edit(LESS, computed(f"without {names} {[*instead]}", words), instead)
+            yield edit(LESS, f"without {names} {[*instead]}", words, instead)
         yield from _of_factors(own)
 
 
 def _of_whole_vectors(key, parts, vectors):
     for steps in vectors:
-        names = joined(s.args[0] for s in steps)
-        alone = Words(
+        names = _names(steps)
+        words = Words(
             "takes {names} for {key}: look up what {key} stands for", names=names, key=key
         )
-        more = Words("adds {names} to {key}: {key} alone is asked for", names=names, key=key)
-        pairs = [*zip(parts, steps, strict=True)]
-        yield Edit(LESS, computed(f"{names} for {key}", alone), {x.number: s for x, s in pairs})
-        added = {x.number: ("+", x, s) for x, s in pairs}
-        yield Edit(LESS, computed(f"{names} and {key}", more), added)
+        yield edit(LESS, f"{names} for {key}", words, _instead(parts, steps))
+        words = Words("adds {names} to {key}: {key} alone is asked for", names=names, key=key)
+        added = [("+", x, s) for x, s in zip(parts, steps, strict=True)]
+        yield edit(LESS, f"{names} and {key}", words, _instead(parts, added))
 
 
 def _alike(steps):
@@ -426,18 +420,18 @@ def _alike(steps):
                 yield from _alike(args)
 
 
-def of_one_unit(
-    given: Mapping[str, Step], read: Mapping[str, Unit], system: System
-) -> Iterator[Edit]:
+def of_one_unit(f: Facts) -> Iterator[Edit]:
     """All givens in one unit used unconverted."""
-    for stated in dict.fromkeys(u.text for u in read.values()):
-        steps = [s for n, s in given.items() if read[n].text == stated]
-        for ratio in _ratios(unit(stated), system) if len(steps) > 1 else ():
-            cause = unconverted(Words("what is given"), stated)
-            yield Edit(SIMPLE, cause, {s.number: ("*", s, ratio) for s in steps})
-            words = Words(INVERTED, name=Words("what is given"), unit=stated)
-            cause = Cause("unit", f"{stated} back", words)
+    what = Words("what is given")
+    for stated in dict.fromkeys(u.text for u in f.read.values()):
+        steps = [s for n, s in f.given.items() if f.read[n].text == stated]
+        if len(steps) < 2:
+            continue
+        for ratio in _ratios(unit(stated), f.system):
+            instead: dict[int, Any] = {s.number: ("*", s, ratio) for s in steps}
+            yield Edit(SIMPLE, unconverted(what, stated), instead)
+            cause = Cause("unit", f"{stated} back", Words(INVERTED, name=what, unit=stated))
             yield Edit(LESS + 1, cause, {s.number: ("*", s, ratio * ratio) for s in steps})
-        if len(steps) > 1 and _is_of_turns(unit(stated)):
-            cause = computed(f"2 pi of all in {stated}", Words(TWO_PI, name=stated))
-            yield Edit(SIMPLE, cause, {s.number: ("*", s, 0.5 / pi) for s in steps})
+        if _is_of_turns(unit(stated)):
+            instead = {s.number: ("*", s, 0.5 / pi) for s in steps}
+            yield edit(SIMPLE, f"2 pi of all in {stated}", Words(TWO_PI, name=stated), instead)

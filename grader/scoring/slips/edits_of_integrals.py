@@ -7,10 +7,10 @@ from typing import Any
 
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.trace import Inner, Step, Trace
-from newton_euler.answers.causes import computed
 from newton_euler.answers.near import LEAST, LESS
 
-from .formulas import Edit, needed
+from .facts import Facts
+from .formulas import SUM, Edit, edit, needed
 from .typed import described, is_given
 
 TWINS = {"sin": "cos", "cos": "sin"}
@@ -27,12 +27,12 @@ INSIDE = {
 }
 
 
-def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
+def of_integrals(f: Facts) -> Iterator[Edit]:
     """What is integrated taken as constant, or not integrated, and wrong limits; also of the
     difference of two integrals, which is one between other limits.
     """
     wholes: dict[tuple[int, ...], list[tuple[Step, int]]] = {}
-    for s in steps:
+    for s in f.steps:
         if s.op == "item" and s.args[0].op == "integral":
             wholes.setdefault((s.args[0].number,), []).append((s, s.args[1]))
         one, other = s.args if s.op == "-" else (s, s)
@@ -46,7 +46,7 @@ def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
         start = start if len(key) == 1 else s.args[1].args[0].args[2]
         for k, (rank, words, slip) in enumerate(_of_integral(inner, start, end, outer)):
             instead = {s.number: slip(n) for s, n in items}
-            yield Edit(rank, computed(f"integral {key} {k}", words), instead)
+            yield edit(rank, f"integral {key} {k}", words, instead)
         inside = _of_integrand(inner, outer) if few and len(key) == 1 else ()
         for k, (words, other, is_twin) in enumerate(inside):
             ways = [_between(other, start, end, outer)]
@@ -54,7 +54,7 @@ def of_integrals(steps: Sequence[Step]) -> Iterator[Edit]:
                 ways.append(_doubled(other, start, end, outer))
             for m, way in enumerate(ways):
                 instead = {s.number: way(n) for s, n in items}
-                yield Edit(LEAST, computed(f"integrand {key} {k} {m}", words), instead)
+                yield edit(LEAST, f"integrand {key} {k} {m}", words, instead)
 
 
 def _are_of_one_integrand(x, y):
@@ -120,14 +120,12 @@ def _doubled(inner, start, end, outer):
 
 
 def _of_integrand(inner: Inner, outer: Sequence[Any]) -> Iterator[tuple[Words, Inner, bool]]:
-    """(words, other formula, whether one sine is taken for a cosine or the reverse) of the slips in
-    one place of what is integrated.
-    """
+    """(words, other formula, is it a sine for a cosine) of the slips in an integrand."""
     steps = needed(inner.leaves)
     spoken_of = _in_words(inner, outer)
     twins = [s for s in steps if s.op in TWINS and is_given(s)]
     for s in twins:
-        words = Words(INSIDE["twin"].template, own=f"{s.op}(...)", twin=f"{TWINS[s.op]}(...)")
+        words = Words(INSIDE["twin"], own=f"{s.op}(...)", twin=f"{TWINS[s.op]}(...)")
         yield words, _changed(inner, {s.number: (TWINS[s.op], *s.args)}), True
     if len(twins) > 1:
         every = {s.number: (TWINS[s.op], *s.args) for s in twins}
@@ -135,14 +133,14 @@ def _of_integrand(inner: Inner, outer: Sequence[Any]) -> Iterator[tuple[Words, I
     for s in steps:
         for kind, x, expression in _of_operation(s) if s.op in NOUNS else ():
             if what := spoken_of(x, NOUNS[s.op]):
-                words = Words(INSIDE[kind].template, what=what, x=inner.variable)
+                words = Words(INSIDE[kind], what=what, x=inner.variable)
                 yield words, _changed(inner, {s.number: expression}), False
 
 
 def _of_operation(s):
     """(kind of slip, the factor or term that it changes, expression) of the slips in one step."""
     a, b = s.args
-    if s.op in ("+", "-"):
+    if s.op in SUM:
         yield "term", b, a
         yield "term", a, b
         yield "sign", b, ("+-"[s.op == "+"], a, b)

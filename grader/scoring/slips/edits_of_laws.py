@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import Unit, unit
-from newton_euler.answers.causes import computed
 from newton_euler.answers.near import LEAST, LESS
 
-from .formulas import Edit, Traced
+from .facts import Facts
+from .formulas import Edit, edit
 
 MOST = 8  # givens: of more, no laws are tried
 FACTORS = 3  # in a law, beside a pure number
@@ -20,7 +20,7 @@ POWERS = (1, -1, 2, -2)
 LAWS = 12  # for one answer: the simplest
 CONSTANTS = 1.0, 0.5, 2.0
 OF_ROOTS = *CONSTANTS, 0.25, 4.0
-OTHER = Words("takes {law} for {key}: look up the law that gives {key}").template
+OTHER = Words("takes {law} for {key}: look up the law that gives {key}")
 
 Powers = tuple[float, ...]
 Factors = tuple[tuple[str, int], ...]
@@ -57,21 +57,19 @@ class Law(NamedTuple):
         return ("sqrt", ("abs", whole)) if self.is_root else whole
 
 
-def of_laws(
-    answers: Mapping[str, Traced], given: Mapping[str, Step], read: Mapping[str, Unit]
-) -> Iterator[Edit]:
+def of_laws(f: Facts) -> Iterator[Edit]:
     """Each answer that is one number by the simplest other laws, also with the sine or cosine of a
     given angle. Of a formula they would only repeat what the student wrote.
     """
-    angles = [n for n in given if read[n].is_of_angle]
-    plain = {n: _powers(read[n]) for n in given if read[n].text != "deg"}
-    for key, answer in answers.items() if len(plain) <= MOST else ():
+    given = f.anything
+    angles = [n for n in given if f.read[n].is_of_angle]
+    plain = {n: _powers(f.read[n]) for n in given if f.read[n].text != "deg"}
+    for key, answer in f.answers.items() if len(plain) <= MOST else ():
         x, *others = answer.parts
         own = _powers(unit(answer.unit))
         if others or answer.points > 1 or not isinstance(x, Step) or not any(own):
             continue
-        alike = [n for n in plain if plain[n] == own]
-        for a, b in permutations(alike, 2):
+        for a, b in permutations([n for n in plain if plain[n] == own], 2):
             pair = given[a], given[b]
             yield _edit(key, x, f"{a} - {b}", ("-", *pair), LESS)
             if a < b:
@@ -80,14 +78,15 @@ def of_laws(
         for law in _laws(plain, own):
             for c in OF_ROOTS if law.is_root else CONSTANTS:
                 yield _edit(key, x, law.written(c), law.of(given, c), LEAST + 2 + (c != 1))
-            for f, angle in product(("sin", "cos"), angles):
-                turned = ("*", law.of(given), (f, given[angle]))
-                yield _edit(key, x, law.written(1.0, f"{f}({angle})"), turned, LEAST + 3)
+            for function, angle in product(("sin", "cos"), angles):
+                turned = ("*", law.of(given), (function, given[angle]))
+                yield _edit(key, x, law.written(1.0, f"{function}({angle})"), turned, LEAST + 3)
 
 
 def _edit(key, x, law, expression, rank):
-    words = Words(OTHER, law=law, key=key)
-    return Edit(rank, computed(f"law {law} for {key}", words), {x.number: expression})
+    return edit(
+        rank, f"law {law} for {key}", Words(OTHER, law=law, key=key), {x.number: expression}
+    )
 
 
 def _powers(of: Unit) -> Powers:

@@ -2,9 +2,8 @@
 kind, words, replacement), and of terms what it does, and to which.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from fractions import Fraction
-from functools import reduce
 from itertools import product as signs_of
 from math import pi
 from typing import Any
@@ -16,25 +15,35 @@ from newton_euler.answers.causes import LEFT_OUT, RESCALED, REVERSED, UNNAMED, c
 from newton_euler.answers.near import LEAST, LESS, RARER, SIMPLE
 from newton_euler.answers.usual import MOMENTS as BODIES
 
-from .edits_of_givens import LENGTH, NO_FIT, NOT_ONE, Slip
+from .edits_of_givens import NO_FIT, NOT_ONE, Slip
 from .edits_of_groups import neighbours
-from .formulas import Edit, needed
+from .facts import AREA, ENERGY, INERTIA, LENGTH, NUMBER, Facts
+from .formulas import PRODUCT, SUM, Edit, edit, multiplied, needed, total
 from .typed import Product, described, is_given, is_nothing, settled, typed
 
-AREA, INERTIA, ENERGY = Dimension(0, 2), Dimension(1, 2), Dimension(1, 2, -2)
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
 SINES = {"asin": Words("sine"), "acos": Words("cosine"), "atan": Words("tangent")}
-PRODUCT = ("*", "/")
-FACTOR = Words("takes the factor {other} for {own}{of}: the formula has {own}").template
-LEAVES_OUT = Words("leaves out {factor}{of}: {why}").template
-CANCELS = Words("has {name} left in one place: it cancels from every term").template
-DIVIDED = Words("divides by {name} once too often: put your units into the whole formula").template
+FACTOR = Words("takes the factor {other} for {own}{of}: the formula has {own}")
+LEAVES_OUT = Words("leaves out {factor}{of}: {why}")
+CANCELS = Words("has {name} left in one place: it cancels from every term")
+DIVIDED = Words("divides by {name} once too often: put your units into the whole formula")
 RATIOS = {
-    -1: Words("inverts {ratio}{of}: it is the other way round").template,
-    1: Words("does not square {ratio}{of}: the formula does").template,
-    3: Words("takes the third power of {ratio}{of}: the formula has the square").template,
+    -1: Words("inverts {ratio}{of}: it is the other way round"),
+    1: Words("does not square {ratio}{of}: the formula does"),
+    3: Words("takes the third power of {ratio}{of}: the formula has the square"),
 }
+ALL_AXES = Words("measures all angles from the other axis: sines and cosines are exchanged")
+OTHER_AXIS = Words("measures {angle} from the other axis: sine and cosine are exchanged")
+SMALL_ANGLE = Words("uses the small-angle approximation for {angle}: it is not small")
+SUBTRACTED = Words("one of the two terms there is subtracted")
+ADDED = Words("both terms there are added")
+TURNED_TERM = Words("has {term} with the opposite sign: {why}")
+OTHER_NUMBER = Words("takes {other} for {term}: look up the number")
+SCALED = (
+    (2.0, "doubles", Words("doubles {term}: it counts once")),
+    (0.5, "halves", Words("halves {term}: it counts in full")),
+)
 RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
 CONE = Fraction(3, 10)  # others are taken for it, but it is not taken for them
 
@@ -47,11 +56,8 @@ def of_operation(s: Step, number: Callable[[Step], Any]) -> Iterator[Slip]:
         inside = typed(s.args[0]) or Words("a sum")
         words = Words("leaves out the square root of {sum}: this is still the square", sum=inside)
         yield SIMPLE, "root", words, ("*", s, number(s))
-    yield from _OF.get(s.op, _of_nothing)(s)
-
-
-def _of_nothing(s):
-    return ()
+    if s.op in _OF:
+        yield from _OF[s.op](s)
 
 
 def _of_sum(s):
@@ -59,42 +65,28 @@ def _of_sum(s):
     minus = s.op == "-"
     if settled(s) is not s or is_nothing(s):
         return  # a term, or the whole, is zero for every student
-    signs = (
-        Words("one of the two terms there is subtracted")
-        if minus
-        else Words("both terms there are added")
-    )
-    turned_first = ("neg", ("+", a, b)) if minus else ("-", b, a)
     for term, left, turned in (
-        (a, ("neg", b) if minus else b, turned_first),
+        (a, ("neg", b) if minus else b, ("neg", ("+", a, b)) if minus else ("-", b, a)),
         (b, a, ("+" if minus else "-", a, b)),
     ):
-        several = isinstance(term, Step) and term.op in ("+", "-")
+        several = isinstance(term, Step) and term.op in SUM
         rank, name = LESS if several else SIMPLE, _term(term, s)
-        what = name or UNNAMED
-        varies = is_given(term)
-        turning = rank if varies else LESS
-        words = Words("has {term} with the opposite sign: {why}", term=what, why=signs)
+        what, varies = name or UNNAMED, is_given(term)
         if a is not b:  # of two equal terms nothing is left if one is reversed
-            yield turning, "sign", words, turned, REVERSED, name
+            words = Words(TURNED_TERM, term=what, why=SUBTRACTED if minus else ADDED)
+            yield rank if varies else LESS, "sign", words, turned, REVERSED, name
         words = Words("leaves out {term}: it is not zero here", term=what)
         yield rank, "term", words, left, LEFT_OUT, name
-        doubles = Words("doubles {term}: it counts once", term=what)
-        halves = Words("halves {term}: it counts in full", term=what)
-        kinds = (2.0, "doubles", doubles), (0.5, "halves", halves)
-        for factor, kind, words in kinds if varies and not several else ():
-            scaled = (("*", x, factor) if x is term else x for x in (a, b))
-            yield LESS, kind, words, (s.op, *scaled), RESCALED, name
-        for factor in (
-            (4, 2, 0.5, 0.25) if not isinstance(term, Step) and abs(term) not in (0, 1) else ()
-        ):
-            words = Words(
-                "takes {other} for {term}: look up the number",
-                other=f"{factor * term:g}",
-                term=what,
-            )
-            scaled = (("*", x, factor) if x is term else x for x in (a, b))
-            yield LEAST, f"{factor} times", words, (s.op, *scaled)
+
+        def scaled(factor, term=term):
+            return s.op, *(("*", x, factor) if x is term else x for x in (a, b))
+
+        for factor, kind, text in SCALED if varies and not several else ():
+            yield LESS, kind, Words(text, term=what), scaled(factor), RESCALED, name
+        is_number = not isinstance(term, Step) and abs(term) not in (0, 1)
+        for factor in (4, 2, 0.5, 0.25) if is_number else ():
+            words = Words(OTHER_NUMBER, other=f"{factor * term:g}", term=what)
+            yield LEAST, f"{factor} times", words, scaled(factor)
 
 
 def _term(term, whole):
@@ -112,14 +104,15 @@ def of_product(
     """The slips in a product with all its factors; ``number`` of a factor, in a student's units."""
 
     def why(factor):
-        return NO_FIT if dimension(factor) not in (None, Dimension()) else NOT_ONE
+        return NO_FIT if dimension(factor) not in (None, NUMBER) else NOT_ONE
 
     product, whole, of = Product(s), typed(s), _of_whole(s)
     for factor, power in product.powers.items():
         if described(factor):
             yield from of_factor(s, factor, power, number(factor), why(factor))
-    for x in product.cancelled.keys() - product.powers.keys():
-        for op, words in zip("*/", (CANCELS, DIVIDED), strict=True) if x.op == "argument" else ():
+    for x in product.cancelled:
+        is_left = x.op == "argument" and x not in product.powers
+        for op, words in zip("*/", (CANCELS, DIVIDED), strict=True) if is_left else ():
             yield LEAST, f"left {x.number} {op}", Words(words, name=x.args[0]), (op, s, number(x))
     parts = [(part, op, 1) for part, op in parts_of(s, "/")]
     if s.args[0] is s.args[1]:
@@ -128,7 +121,7 @@ def of_product(
     if len(squared) > 1 and all(map(described, squared)):
         names = joined(map(described, squared))
         words = Words("does not square {factor}{of}: {why}", factor=names, of=of, why=why(s))
-        lost = reduce(lambda a, b: ("*", a, b), map(number, squared))
+        lost = multiplied(map(number, squared))
         yield LESS, "squares", words, ("/", s, lost)
     for part, op, times in parts:
         inner = Product(part)
@@ -173,9 +166,7 @@ def of_coefficient(s: Step) -> Iterator[Slip]:
 
 
 def _of_ratios(s, product, dimension, of):
-    """A ratio of two quantities of one dimension upside down, or not squared: of two factors, or
-    the two sides of a quotient inside.
-    """
+    """A ratio of two quantities of one dimension inverted, not squared or to the third power."""
     powers = product.powers.items()
     ratios = [(x, y, n) for x, n in powers for y, m in powers if m == -n < 0]
     inside = [a for a, _ in parts_of(s, "/") if a.op == "/" and any(map(_is_whole, a.args))]
@@ -195,7 +186,7 @@ def _of_ratios(s, product, dimension, of):
 
 def _is_whole(x):
     """True of a product or a sum, False of a single factor."""
-    return isinstance(x, Step) and (x.op in PRODUCT or x.op in ("+", "-"))
+    return isinstance(x, Step) and (x.op in PRODUCT or x.op in SUM)
 
 
 def parts_of(s: Step, op: str) -> Iterator[tuple[Step, str]]:
@@ -262,13 +253,13 @@ def _of_root(s):
     if roots:
         words = Words("does not square the numbers in {sum}: the whole term is squared", sum=inside)
         sums = [roots.get(getattr(y, "number", -1), y) for y in squares]
-        yield SIMPLE, "numbers", words, ("sqrt", reduce(lambda a, b: ("+", a, b), sums))
+        yield SIMPLE, "numbers", words, ("sqrt", total(sums))
     sides = [*map(_side, squares)]
     if len(sides) > 1 and all(side is not None for side in sides):
         yield from _of_components(sides, [next(iter(Product(a).powers)) for a in squares])
         return
-    sums = [y for y, n in Product(x).powers.items() if n == 1 and y.op in ("+", "-")]
-    for y in [x] if x.op in ("+", "-") else sums:
+    sums = [y for y, n in Product(x).powers.items() if n == 1 and y.op in SUM]
+    for y in [x] if x.op in SUM else sums:
         roots: Any = (y.op, *(("sqrt", ("abs", a)) for a in y.args))
         words = Words("takes the root of each term of a sum: it is the root of the whole")
         yield LESS, "roots", words, ("*", s, ("/", roots, ("sqrt", y)))
@@ -282,28 +273,22 @@ def _side(x):
     if any(p % 2 for p in product.powers.values()):
         return None
     factors = [("**", y, p / 2) for y, p in product.powers.items()]
-    return reduce(lambda a, b: ("*", a, b), factors, float(product.coefficient) ** 0.5)
+    return multiplied([float(product.coefficient) ** 0.5, *factors])
 
 
 def _of_components(sides, sums):
-    """The size of a vector with its components added as numbers, not squared, or, where they are
-    ``sums``, squared term by term.
-    """
-
-    def total(parts):
-        return reduce(lambda a, b: ("+", a, b), parts)
-
+    """The size of a vector with its components added as numbers, or squared term by term."""
     words = Words("adds components as numbers: they are at right angles")
-    yield SIMPLE, "components", words, total([("abs", side) for side in sides])
+    yield SIMPLE, "components", words, total(("abs", side) for side in sides)
     yield LESS, "signed components", words, ("abs", total(sides))
     for signs in signs_of(("", "neg"), repeat=len(sides)):  # a formula may be of either sign
         signed = [(s, side) if s else side for s, side in zip(signs, sides, strict=True)]
         yield LESS, f"components {signs}", words, total(signed)
     words = Words("does not square the components: the squares are added, and then the root taken")
     yield LESS, "no squares", words, ("sqrt", ("abs", total(sides)))
-    if all(x.op in ("+", "-") for x in sums):
+    if all(x.op in SUM for x in sums):
         words = Words("squares each term of a sum separately: twice their product is missing")
-        for op in ("+", "-"):
+        for op in SUM:
             each = [(op, *(("*", a, a) for a in x.args)) for x in sums]
             yield LESS, f"each squared {op}", words, ("sqrt", ("abs", total(each)))
 
@@ -366,32 +351,24 @@ _OF = {
 }  # fmt: skip
 
 
-def of_angles(steps: Sequence[Step]) -> Iterator[Edit]:
+def of_angles(f: Facts) -> Iterator[Edit]:
     """Angles from the other axis."""
-    sines = {s.args[0]: s for s in steps if s.op == "sin"}
-    cosines = {s.args[0]: s for s in steps if s.op == "cos"}
+    sines = {s.args[0]: s for s in f.steps if s.op == "sin"}
+    cosines = {s.args[0]: s for s in f.steps if s.op == "cos"}
     turned = [s for s in (*sines.values(), *cosines.values()) if is_given(s)]
     if len({s.args[0] for s in turned}) > 1:
-        words = Words("measures all angles from the other axis: sines and cosines are exchanged")
-        instead = {s.number: (COFUNCTIONS[s.op], *s.args) for s in turned}
-        yield Edit(LESS, computed("all axes", words), instead)
+        instead: dict[int, Any] = {s.number: (COFUNCTIONS[s.op], *s.args) for s in turned}
+        yield edit(LESS, "all axes", ALL_AXES, instead)
     for x, s in sines.items():
         if not any(inner.op == "argument" for inner in needed([x])):
             continue  # a constant
         named = typed(x) or Words("an angle")
-        if x in cosines:
-            words = Words(
-                "measures {angle} from the other axis: sine and cosine are exchanged", angle=named
-            )
-            c = cosines[x]
+        small, c = {s.number: x}, cosines.get(x)
+        if c is not None:
+            small[c.number] = 1.0
             exchanged = {s.number: ("cos", x), c.number: ("sin", x)}
-            yield Edit(SIMPLE, computed(f"axis {s.number}", words), exchanged)
-        words = Words(
-            "uses the small-angle approximation for {angle}: it is not small",
-            angle=named,
-        )
-        small = {s.number: x} | ({cosines[x].number: 1.0} if x in cosines else {})
-        yield Edit(LESS, computed(f"small {s.number}", words), small)
+            yield edit(SIMPLE, f"axis {s.number}", Words(OTHER_AXIS, angle=named), exchanged)
+        yield edit(LESS, f"small {s.number}", Words(SMALL_ANGLE, angle=named), small)
 
 
 def of_moment(s: Step, dimension: Callable[[Step], Dimension | None]) -> Iterator[Slip]:

@@ -3,25 +3,26 @@ small angle; another root of the same equation.
 """
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from newton_euler.algebra.compile import Compiled
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.trace import Inner, Step, Trace
-from newton_euler.answers.causes import Cause, computed
+from newton_euler.answers.causes import Cause
 from newton_euler.answers.near import LESS
 
 from .edits_of_givens import NOT_ONE, Slip
-from .edits_of_operations import PRODUCT, of_coefficient, of_factor, of_operation
-from .formulas import Edit, needed, steps_in, users_of
+from .edits_of_operations import of_coefficient, of_factor, of_operation
+from .facts import Facts
+from .formulas import PRODUCT, Edit, edit, needed, steps_in, users_of
 from .typed import Product, described
 
 STEPS, ROUND_OFF, NEXT = 100, 1e-12, 1e-9
 PLACES = 40  # at which the sign of an equation is looked at, where it may have another root
 REACH = 2  # how far these go, in lengths of the interval that has the root
-IN_EQUATION = Words("in the equation for {unknown} {cause}").template
-SMALL = Words("takes the angle {unknown} as small in its equation: it is not").template
+IN_EQUATION = Words("in the equation for {unknown} {cause}")
+SMALL = Words("takes the angle {unknown} as small in its equation: it is not")
 OTHERS = {
     -1: Words("takes a smaller root of the equation for {unknown}: look which one is asked for"),
     1: Words("takes a larger root of the equation for {unknown}: look which one is asked for"),
@@ -31,13 +32,12 @@ SMALL_ANGLE: dict[str, Callable[[Step], Any]] = {
 }  # fmt: skip
 
 
-def of_roots(steps: Sequence[Step]) -> Iterator[Edit]:
+def of_roots(f: Facts) -> Iterator[Edit]:
     """The slips in the equation of each root."""
-    for s in steps:
+    for s in f.steps:
         if s.op == "item" and s.args[0].op == "root":
             for n, (rank, words, *does, found) in enumerate(_of_root(_Equation(s))):
-                cause = computed(f"root {s.number} {n}", words, "", *does)
-                yield Edit(rank, cause, {s.number: found})
+                yield edit(rank, f"root {s.number} {n}", words, {s.number: found}, *does)
 
 
 class _Equation:
@@ -125,10 +125,8 @@ def _of_root(equation):
     """(rank, words, what it does and to what, the root) of the slips in one equation."""
     unknown = equation.unknown
     for s in equation.solved:
-        slips = [
-            *of_operation(s, _in_base_units),
-            *(equation.of_product(s) if s in equation.products else ()),
-        ]
+        slips = [*of_operation(s, lambda s: s)]  # in base units
+        slips += equation.of_product(s) if s in equation.products else ()
         for rank, _, words, expression, *does in (x for x in slips if x[0] <= LESS):
             text = words.text if isinstance(words, Cause) else words
             named = Words(IN_EQUATION, unknown=unknown, cause=text) if unknown else text
@@ -139,12 +137,7 @@ def _of_root(equation):
         yield LESS, Words(SMALL, unknown=unknown), equation.changed(small)
     for side, words in OTHERS.items() if unknown else ():
         where = ("beside", float(side), equation.inner, equation.low, equation.high)
-        yield LESS, Words(words.template, unknown=unknown), (*where, *equation.outer)
-
-
-def _in_base_units(s):
-    """A step as the number by which an equation has it."""
-    return s
+        yield LESS, Words(words, unknown=unknown), (*where, *equation.outer)
 
 
 def rooted(formula: Compiled, low: float, high: float, *outer: float) -> float:
@@ -166,16 +159,12 @@ def beside(side: float, formula: Compiled, low: float, high: float, *outer: floa
 
 
 def _end(f, x, other):
-    """An end of an interval, or a place beside it where the function has no value there, as where
-    both sides of an equation are divided by the unknown.
-    """
+    """An end of an interval, or a place beside it where the function has no value there."""
     return x + NEXT * (other - x) if math.isnan(f(x)) else x
 
 
 def _next(f, start, way):
-    """The next root from a place on, which is none itself, up to some ways from it; nan if there is
-    none. It is looked for in steps that are small at first.
-    """
+    """The next root from a place on, within :data:`REACH`; nan if there is none."""
     places = [start + REACH * way * (n / PLACES) ** 2 for n in range(1, PLACES + 1)]
     a, fa = places[0], f(places[0])
     for b in places[1:]:
@@ -200,9 +189,7 @@ def _on_floats(formula, outer):
 
 
 def _root(f, low, high):
-    """The root between two places, by false position, in which the value at an end that stays is
-    halved (Illinois); nan at a pole.
-    """
+    """The root between two places, by false position (Illinois); nan at a pole."""
     a, b, fa, fb = low, high, f(low), f(high)
     first = abs(fa) + abs(fb)
     for _ in range(STEPS):

@@ -1,5 +1,5 @@
-"""Slips in setting up a system: a point or a vector along another axis, a turn about another one,
-parallel-axis terms left out. A trace has no zeros, so each is traced by itself.
+"""Slips in setting up a system: a point or a vector along another axis, a rotation about another
+one, parallel-axis terms left out. A trace holds no zeros, so each slip is traced anew.
 """
 
 from collections import Counter
@@ -26,36 +26,36 @@ Answers = Mapping[str, Sequence[Any]]
 Parts = tuple[Any, ...]
 Way = tuple[int, str, Parts]  # rank, words, the parts instead
 
-MOVED = Words("puts {what} along another axis: look where it points in the figure").template
-EXCHANGED = Words("exchanges two components of the vector with {what}: each has its axis").template
-SIDE = Words("has {what} on the other side: look where it points in the figure").template
-AT_REST = Words("leaves out the motion with {what}: that point is not at rest").template
-NOT_LESS = Words("does not subtract {what}: the difference of two vectors is needed").template
-NOTHING = Words("leaves out the vector of {what}: it is not zero here").template
-NO_TURN = Words("leaves out the rotation with {what}: it goes on at this instant").template
+MOVED = Words("puts {what} along another axis: look where it points in the figure")
+EXCHANGED = Words("exchanges two components of the vector with {what}: each has its axis")
+SIDE = Words("has {what} on the other side: look where it points in the figure")
+AT_REST = Words("leaves out the motion with {what}: that point is not at rest")
+NOT_LESS = Words("does not subtract {what}: the difference of two vectors is needed")
+NOTHING = Words("leaves out the vector of {what}: it is not zero here")
+NO_TURN = Words("leaves out the rotation with {what}: it goes on at this instant")
 ONE_TURN = Words(
     "leaves out one of the rotations of a body: all of them add to its angular velocity"
 )
-OTHER_WAY = Words("turns {what} the other way: look for its sense in the figure").template
-ABOUT = Words("has {what} about another axis: look for its axis in the figure").template
+OTHER_WAY = Words("turns {what} the other way: look for its sense in the figure")
+ABOUT = Words("has {what} about another axis: look for its axis in the figure")
 NO_TRANSFER = Words(
     "leaves out the parallel-axis terms of the body with its centre at {what}: "
     "the axes do not pass through it"
-).template
-NO_PARTICLE = Words("leaves out the particle at {what}: it has a moment of inertia, too").template
+)
+NO_PARTICLE = Words("leaves out the particle at {what}: it has a moment of inertia, too")
 NO_TRANSFERS = Words(
     "leaves out all parallel-axis terms: the axes do not pass through the centres of the bodies"
 )
-LINEAR = Words("keeps {name} to first order only: it is not small").template
+LINEAR = Words("keeps {name} to first order only: it is not small")
 TRANSFERRED = Words("the parallel-axis terms")
 BRIEF = 16  # letters of a component that is named
 AT_G = Words("takes the moments of inertia about the centre of mass: another point is asked for")
-OF_MASS = Words("the body of mass {m}").template
-NO_BODY = Words("leaves out {body}: it contributes, too").template
-AS_PARTICLE = Words("takes {body} as a particle: it has moments of inertia of its own").template
-TURNS_ONLY = Words("leaves out the translation of {body}: its centre of mass moves").template
+OF_MASS = Words("the body of mass {m}")
+NO_BODY = Words("leaves out {body}: it contributes, too")
+AS_PARTICLE = Words("takes {body} as a particle: it has moments of inertia of its own")
+TURNS_ONLY = Words("leaves out the translation of {body}: its centre of mass moves")
 PARTICLES = Words("takes all bodies as particles: they have moments of inertia of their own")
-NOT_CUT = Words("adds {body}, which is cut out: it is subtracted").template
+NOT_CUT = Words("adds {body}, which is cut out: it is subtracted")
 ITSELF = Words("does not differentiate the vector: its rate is asked for")
 NO_COSINE = Words(
     "multiplies the magnitudes of two vectors: only the component along the other counts"
@@ -69,23 +69,23 @@ IN_GROUND = Words(
 TO_ORIGIN = Words(
     "takes omega^2 r as the centripetal acceleration: it points to the axis, not to the origin"
 )
-CONSTANT = Words("takes {what} as constant: it changes with time").template
-INNER = Words("leaves out the inner derivative {what}: the chain rule brings it in").template
+CONSTANT = Words("takes {what} as constant: it changes with time")
+INNER = Words("leaves out the inner derivative {what}: the chain rule brings it in")
 SLOPE = Words(
     "has the wrong sign in differentiating a function of {what}: the derivative of a cosine is "
     "minus the sine"
-).template
+)
 SIMPLE = ("+", "-", "*", "neg", "argument", "item")
-MANY = 12  # things of a kind that a problem is built of, beyond which none is put otherwise
+MANY = 12  # parts of a kind in a problem, beyond which none is set up otherwise
 
 
 def of_setups(
     compute: Callable[[Mapping[str, Any]], Answers], given: Mapping[str, Step]
 ) -> Iterator[Edit]:
-    """The answers that are computed with one thing put otherwise, or as if a given were small.
-    ``compute`` computes them with other values of some givens.
+    """The answers with one part of the system set up otherwise, or with a given taken as small;
+    ``compute`` returns them for other values of some givens.
     """
-    things: dict[Any, tuple[str, Parts, Parts]] = {}
+    built: dict[Any, tuple[str, Parts, Parts]] = {}
     trace = next(iter(given.values())).trace if given else None
 
     def note(kind, parts, of):
@@ -94,7 +94,7 @@ def of_setups(
         usual = all(x is ZERO or isinstance(x, (Step, float, int, str)) for x in inside)
         steps = [x for x in inside if isinstance(x, Step)]
         if steps and usual and all(x.trace is trace for x in steps):
-            things.setdefault(_key(kind, parts, of), (kind, parts, tuple(of)))
+            built.setdefault(_key(kind, parts, of), (kind, parts, tuple(of)))
         return parts
 
     with built_otherwise(note):
@@ -104,7 +104,7 @@ def of_setups(
     # one component of a turn about another axis is met by other mistakes
     in_space = [key for key, x in right.items() if len(x) == 3 and sum(map(is_there, x)) > 1]
     for kind, name, rank, words, find in (
-        *_otherwise(compute, things, in_space),
+        *_otherwise(compute, built, in_space),
         *_small(compute, {n: s for n, s in given.items() if s in curved}),
     ):
         try:
@@ -116,24 +116,24 @@ def of_setups(
             seen.add(same)
             if kind == "axis":
                 answers = {key: answers[key] for key in in_space}
-            does, of = (LEFT_OUT, TRANSFERRED) if kind == "transfer" else ("", "")
-            yield Edit(rank, computed(name, words, "", does, of), {}, answers)
+            does = (LEFT_OUT, TRANSFERRED) if kind == "transfer" else ()
+            yield Edit(rank, computed(name, words, "", *does), {}, answers)
 
 
-def _otherwise(compute, things, in_space):
-    """(kind, name, rank, words, how to compute the answers) of one thing put otherwise, or of all
-    parallel-axis terms left out.
+def _otherwise(compute, built, in_space):
+    """(kind, name, rank, words, function that returns the answers) of one part set up otherwise, of
+    all parallel-axis terms left out, of all bodies as particles.
     """
-    kinds = Counter(kind for kind, _, _ in things.values())
-    own = {key for key, (kind, _, of) in things.items() if kind == "transfer" and _is_body(of)}
-    bodies = {k for k, (kind, parts, _) in things.items() if kind == "body" and _is_body(parts)}
+    kinds = Counter(kind for kind, _, _ in built.values())
+    own = {key for key, (kind, _, of) in built.items() if kind == "transfer" and _is_body(of)}
+    bodies = {k for k, (kind, parts, _) in built.items() if kind == "body" and _is_body(parts)}
     for kind, keys, words, instead in (
         ("transfer", own, NO_TRANSFERS, lambda parts: (0,)),
         ("body", bodies, PARTICLES, lambda parts: (parts[0], *[0] * len(parts[1:]))),
     ):
         if len(keys) > 1:
             yield kind, f"every {kind}", RARER, words, partial(_answers, compute, keys, instead)
-    for n, (key, (kind, parts, of)) in enumerate(things.items()):
+    for n, (key, (kind, parts, of)) in enumerate(built.items()):
         ways = [kind, *["axis"] * (kind == "turn" and bool(in_space))]
         for what in ways if kinds[kind] <= MANY else ():
             for m, (rank, words, instead) in enumerate(_WAYS[what](parts, of)):
@@ -150,7 +150,7 @@ def _answers(compute, keys, instead):
 
 
 def _small(compute, given):
-    """The same of the givens, each as if it were small: in its first power alone."""
+    """The same with each given as if it were small: linearised in it."""
     for name, step in given.items():
         words = Words(LINEAR, name=name)
         yield "linear", f"linear {name}", LEAST, words, partial(_linear, compute, name, step)
@@ -164,7 +164,7 @@ def _linear(compute, name, step):
 
 
 def _curved(answers):
-    """The steps on which answers do not depend as a polynomial."""
+    """The steps in which the answers are not polynomials."""
     inside = []
     for s in needed(x for parts in answers.values() for x in parts):
         inside += s.args[1:] if s.op == "/" else () if s.op in SIMPLE else s.args
@@ -172,7 +172,7 @@ def _curved(answers):
 
 
 def _within(answers):
-    """The integrals and roots in answers: those of others may have no value."""
+    """The integrals and roots in answers: other ones may have no value."""
     leaves = [x for parts in answers.values() for x in parts]
     return {s.number for s in needed(leaves) if s.op in WITHIN}
 
@@ -182,7 +182,7 @@ def _key(kind, parts, of):
 
 
 def _plain(x):
-    """What is the same for two of the same value; for other kinds of number never."""
+    """A key by which scalars of the same value are equal; of other kinds of number none are."""
     if isinstance(x, Step):
         return Step, x.number
     return (type(x), x) if x is ZERO or isinstance(x, (float, int, str)) else object()
@@ -193,14 +193,14 @@ def _same(answers):
 
 
 def _named(parts):
-    """The components that are not zero, in words: as they are typed, or by their rates."""
+    """Components in words, as they are typed; "" if one has none, or long ones."""
     steps = [[s for s in scalars_in([x]) if isinstance(s, Step)] for x in parts]
     words = [described(s.args[0] if s.op == "neg" else s) for s, *_ in filter(None, steps)]
     return joined(words) if words and all(0 < len(x) <= BRIEF for x in words) else ""
 
 
 def _of_vector(parts, of):
-    """The same of a vector, and it left out."""
+    """A vector with other components, not subtracted, or left out."""
     yield from _of_components(parts, of)
     there = [x for x in parts if is_there(x)]
     differ = all(isinstance(x, Step) and x.op == "-" for x in there)
@@ -212,7 +212,9 @@ def _of_vector(parts, of):
 
 
 def _of_components(parts, of):
-    """A point, or a vector, of which one component is along another axis, or two are exchanged."""
+    """A point or a vector with a component reversed or along another axis, two exchanged, or at
+    rest.
+    """
     there = [n for n, x in enumerate(parts) if is_there(x)]
     for n in there:
         if what := _named([parts[n]]):
@@ -262,7 +264,7 @@ def _of_transfer(parts, of):
 
 
 def _is_body(parts):
-    """False of a particle, whose own moments of inertia, the last of the parts, are zero."""
+    """False of a particle: its own moments of inertia, the last of the parts, are zero."""
     return any(map(is_there, parts[-3:]))
 
 
@@ -299,7 +301,7 @@ def _of_motion(parts, of):
 
 
 def _of_dot(parts, of):
-    """The product of the magnitudes, and that of the cross product, for a scalar product."""
+    """The product of the magnitudes, or the size of the cross product, for a scalar product."""
     if is_there(parts[0]):
         a, b = of[:3], of[3:]
         yield LEAST, NO_COSINE, (sqrt(dot3(a, a)) * sqrt(dot3(b, b)),)

@@ -18,17 +18,13 @@ from newton_euler.answers.near import LEAST, LESS
 
 from .formulas import Edit
 
-DIRECTION = Words("has {term} in another direction: check the axes of what it is made of").template
-WHOLE = Words("has all of {term} along one axis: it has components along several").template
-ONE_AXIS = Words("puts all of {key} along one axis: it has components along several").template
-SIZE = Words(
-    "takes the magnitude of {key} for its {one} component: the {other} one is in it"
-).template
-REST = Words(
-    "takes the {one} component for the magnitude of {key}: the magnitude has both"
-).template
-WITHOUT = Words("leaves out {terms}: they are not zero here").template
-ALONE = Words("gives {terms} alone: the sum has more terms").template
+DIRECTION = Words("has {term} in another direction: check the axes of what it is made of")
+WHOLE = Words("has all of {term} along one axis: it has components along several")
+ONE_AXIS = Words("puts all of {key} along one axis: it has components along several")
+SIZE = Words("takes the magnitude of {key} for its {one} component: the {other} one is in it")
+REST = Words("takes the {one} component for the magnitude of {key}: the magnitude has both")
+WITHOUT = Words("leaves out {terms}: they are not zero here")
+ALONE = Words("gives {terms} alone: the sum has more terms")
 SIZES = Words("adds the magnitudes of the terms: they are vectors in different directions")
 SEVERAL = 6  # terms: of more, no two are left out
 NAMED = 2  # terms at most that are named together

@@ -1,48 +1,44 @@
 """Whole answers with one factor too many or too few, or on the wrong side of a fraction."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterator
 from itertools import permutations, product
 from typing import Any
 
 from newton_euler.algebra.language import Words
 from newton_euler.algebra.trace import Step
-from newton_euler.answers.causes import RESCALED, computed
+from newton_euler.answers.causes import RESCALED
 from newton_euler.answers.near import LEAST, LESS
 
-from .edits_of_givens import FORCE, GRAVITY, MASS, DimensionOf
 from .edits_of_operations import CANCELS
-from .edits_of_quantities import Named
-from .formulas import Edit, Traced, needed
+from .facts import FORCE, GRAVITY, MASS, Facts
+from .formulas import SUM, Edit, edit, needed
 from .typed import Product, described, is_given, terms_of
 
 IN_TERMS = {"+", "-", "sqrt", "asin", "acos", "atan"}
 MANY = 24  # places: in more, no given is left
 SIDE = Words("has {name} on the wrong side of the fraction: put your units into the whole formula")
 SUMS = {
-    "+": Words("adds {name} to {key}: {key} alone is asked for").template,
-    "-": Words("subtracts {name} from {key}: the whole is asked for").template,
+    "+": Words("adds {name} to {key}: {key} alone is asked for"),
+    "-": Words("subtracts {name} from {key}: the whole is asked for"),
 }
 TIMES = {
-    "*": Words("multiplies {key} by {quantity}: look up what {key} stands for").template,
-    "/": Words("divides {key} by {quantity}: look up what {key} stands for").template,
+    "*": Words("multiplies {key} by {quantity}: look up what {key} stands for"),
+    "/": Words("divides {key} by {quantity}: look up what {key} stands for"),
 }
 
 
-def of_wholes(
-    answers: Mapping[str, Traced], given: Mapping[str, Step], number: Callable[[Step], Any]
-) -> Iterator[Edit]:
+def of_wholes(f: Facts) -> Iterator[Edit]:
     """Whole answers with one factor of a given too many or too few."""
-    components = [x for a in answers.values() for x in _steps(a)]
-    for name, step in given.items():
+    components = [x for a in f.answers.values() for x in _steps(a)]
+    for name, step in f.given.items():
         powers = {Product(x).powers.get(step, 0) for x in components}
         for op, change in (("/", -1), ("*", 1)):
             if -change in powers:
                 continue  # would cancel the factor itself: a slip in the product
-            text = _of_power(name, max(powers, key=abs), change)
+            words = _of_power(name, max(powers, key=abs), change)
+            instead = {x.number: (op, x, f.number(step)) for x in components if x is not step}
             # without a name in a pair: one that mends the units of another is not a mistake
-            cause = computed(f"whole {op} {name}", text, does=RESCALED)
-            instead = {x.number: (op, x, number(step)) for x in components if x is not step}
-            yield Edit(LESS, cause, instead)
+            yield edit(LESS, f"whole {op} {name}", words, instead, RESCALED)
 
 
 def _of_power(name, power, change):
@@ -56,83 +52,69 @@ def _of_power(name, power, change):
     return few if change < 0 else many
 
 
-def of_sides(
-    answers: Mapping[str, Traced], given: Mapping[str, Step], number: Callable[[Step], Any]
-) -> Iterator[Edit]:
-    """Answers in all whose components a given has one power, with the opposite one."""
-    for key, a in answers.items():
+def of_sides(f: Facts) -> Iterator[Edit]:
+    """Answers with a given on the other side: it has one power in all components."""
+    for (key, a), (name, step) in product(f.answers.items(), f.given.items()):
         parts = _steps(a)
-        for name, step in given.items():
-            powers = {Product(x).powers.get(step, 0) for x in parts}
-            p = powers.pop() if len(powers) == 1 else 0
-            if p and (len(parts) > 1 or abs(p) > 1):
-                factor = ("**", number(step), float(2 * p))
-                cause = computed(f"side {name} {key}", Words(SIDE.template, name=name))
-                yield Edit(LEAST, cause, {x.number: ("/", x, factor) for x in parts})
+        powers = {Product(x).powers.get(step, 0) for x in parts}
+        p = powers.pop() if len(powers) == 1 else 0
+        if p and (len(parts) > 1 or abs(p) > 1):
+            factor = ("**", f.number(step), float(2 * p))
+            instead = {x.number: ("/", x, factor) for x in parts}
+            yield edit(LEAST, f"side {name} {key}", Words(SIDE, name=name), instead)
 
 
-def of_unneeded(
-    given: Mapping[str, Step],
-    answers: Mapping[str, Traced],
-    number: Callable[[Step], Any],
-    of: DimensionOf,
-) -> Iterator[Edit]:
+def of_unneeded(f: Facts) -> Iterator[Edit]:
     """Masses, weights and g that an answer does not need, left in one term of a sum, in a root or
     an angle, or in the whole: they cancel.
     """
-    kinds = {n: of(s) for n, s in given.items()}
-    heavy = {n for n, kind in kinds.items() if kind in (MASS, FORCE) or (n, kind) == ("g", GRAVITY)}
-    for a in answers.values():
+    kinds = {n: f.of(s) for n, s in f.anything.items()}
+    heavy = [n for n, kind in kinds.items() if kind in (MASS, FORCE) or (n, kind) == ("g", GRAVITY)]
+    for a in f.answers.values():
         steps = needed(a.parts)
         places = {x.number: x for s in steps if s.op in IN_TERMS for x in s.args if is_given(x)}
         places |= {x.number: x for x in _steps(a)}
-        idle = {n: given[n] for n in heavy if all(given[n] is not x for x in steps)}
+        idle = {n: f.anything[n] for n in heavy if all(f.anything[n] is not x for x in steps)}
         for name, step in idle.items() if len(places) <= MANY else ():
-            words = Words(CANCELS, name=name)
             for (n, x), op in product(places.items(), "*/"):
-                yield Edit(LEAST, computed(f"{n} {op} {name}", words), {n: (op, x, number(step))})
+                instead = {n: (op, x, f.number(step))}
+                yield edit(LEAST, f"{n} {op} {name}", Words(CANCELS, name=name), instead)
 
 
-def of_quantities_in_wholes(
-    answers: Mapping[str, Traced],
-    named: Iterable[Named],
-    number: Callable[[Step], Any],
-    of: DimensionOf,
-) -> Iterator[Edit]:
+def of_quantities_in_wholes(f: Facts) -> Iterator[Edit]:
     """Whole answers times a quantity from which they are computed, or over it."""
-    scalars = [(words, x) for words, (x, *others) in named if not others and isinstance(x, Step)]
-    for key, a in answers.items():
+    scalars = [(words, x) for words, (x, *others) in f.named if not others and isinstance(x, Step)]
+    for key, a in f.answers.items():
         parts = _steps(a)
         inside = {s.number for s in needed(parts)} - {x.number for x in parts}
         for words, q in scalars:
-            if q.number not in inside or q.op == "argument" or of(q) is None:
+            if q.number not in inside or q.op == "argument" or f.of(q) is None:
                 continue
             for op, text in TIMES.items():
-                cause = computed(f"{key} {op} {q.number}", Words(text, key=key, quantity=words))
-                yield Edit(LEAST, cause, {x.number: (op, x, number(q)) for x in parts})
+                instead = {x.number: (op, x, f.number(q)) for x in parts}
+                why = Words(text, key=key, quantity=words)
+                yield edit(LEAST, f"{key} {op} {q.number}", why, instead)
 
 
-def of_single_terms(answers: Mapping[str, Traced]) -> Iterator[Edit]:
+def of_single_terms(f: Facts) -> Iterator[Edit]:
     """One term of three or more for an answer that is a sum."""
-    for key, a in answers.items():
+    for key, a in f.answers.items():
         x, *others = a.parts
         terms = [] if others else _expanded(x)
         for n, (term, whole) in enumerate(terms if len(terms) > 2 else ()):
             if named := described(term, "the term"):
                 words = Words("gives {terms} alone: the sum has more terms", terms=named)
-                yield Edit(LESS, computed(f"{n} alone for {key}", words), {x.number: whole})
+                yield edit(LESS, f"{n} alone for {key}", words, {x.number: whole})
 
 
 def _expanded(x):
-    """[(term, the term with its factor and sign)] of a sum; those of a sum with a number in front
-    are terms of its own.
-    """
+    """[(term, the term with its factor and sign)] of a sum, of a multiple of a sum."""
     found = list[tuple[Any, Any]]()
     for sign, term in terms_of(x):
         product = Product(term)
         inside = next(iter(product.powers), None)
         is_scaled = [*product.powers.values()] == [1]
-        if is_scaled and isinstance(inside, Step) and inside.op in ("+", "-"):
+        if is_scaled and isinstance(inside, Step) and inside.op in SUM:
             factor = sign * float(product.coefficient)
             found += [(t, ("*", own * factor, t)) for own, t in terms_of(inside)]
         else:
@@ -140,15 +122,17 @@ def _expanded(x):
     return found
 
 
-def of_sums(answers: Mapping[str, Traced]) -> Iterator[Edit]:
+def of_sums(f: Facts) -> Iterator[Edit]:
     """The sum, or the difference, of two answers of one unit in place of one of them."""
-    for (key, a), (other, b) in permutations(answers.items(), 2):
+    for (key, a), (other, b) in permutations(f.answers.items(), 2):
         pairs = [(x, y) for x, y in zip(a.parts, b.parts, strict=False) if isinstance(x, Step)]
         alike = a.unit == b.unit and a.points == b.points and len(a.parts) == len(b.parts)
         for op, text in SUMS.items() if alike and pairs else ():
-            words = Words(text, key=key, name=other)
-            instead = {x.number: (op, x, y) for x, y in pairs}
-            yield Edit(LEAST, computed(f"{key} {op} {other}", words), instead)
+            words, instead = (
+                Words(text, key=key, name=other),
+                {x.number: (op, x, y) for x, y in pairs},
+            )
+            yield edit(LEAST, f"{key} {op} {other}", words, instead)
 
 
 def _steps(answer):

@@ -1,6 +1,7 @@
 """The traced computation of a problem, and the edits of it that slips make."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from functools import reduce
 from typing import Any, NamedTuple
 
 from newton_euler.algebra import scalars
@@ -9,7 +10,9 @@ from newton_euler.algebra.scalars import NewtonEulerError
 from newton_euler.algebra.source import operations
 from newton_euler.algebra.trace import Step, Trace
 from newton_euler.algebra.units import Dimension, System, Unit
-from newton_euler.answers.causes import Cause
+from newton_euler.answers.causes import Cause, computed
+
+PRODUCT, SUM = ("*", "/"), ("+", "-")
 
 
 class Traced(NamedTuple):
@@ -70,6 +73,23 @@ class Edit(NamedTuple):
     cause: Cause
     instead: dict[int, Any]
     answers: Mapping[str, Sequence[Any]] = {}
+
+
+def edit(
+    rank: int, name: str, words: str, instead: dict[int, Any], does: str = "", of: str = ""
+) -> Edit:
+    """The :class:`Edit` of a slip in the computation."""
+    return Edit(rank, computed(name, words, "", does, of), instead)
+
+
+def total(terms: Iterable[Any]) -> Any:
+    """The expression of a sum."""
+    return reduce(lambda a, b: ("+", a, b), terms)
+
+
+def multiplied(factors: Iterable[Any]) -> Any:
+    """The expression of a product."""
+    return reduce(lambda a, b: ("*", a, b), factors)
 
 
 def steps_in(s: Step) -> list[Step]:

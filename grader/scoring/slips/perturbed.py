@@ -16,8 +16,9 @@ from newton_euler.algebra.units import unit
 from newton_euler.answers.near import Ranked, Slips
 
 from .edits import edits_of
-from .edits_of_equations import entries, solution, square
+from .edits_of_equations import solution
 from .edits_of_roots import beside, rooted
+from .facts import entries, square
 from .formulas import Edit, Formulas, needed, steps_in
 
 INFIX = {"+", "-", "*", "/", "**"}
@@ -36,23 +37,16 @@ class Computation:
         inside = [x for s in systems for x in (*entries(s), *s.values.values())]
         anew = [x for edit in self.edits for parts in edit.answers.values() for x in parts]
         self.every = needed([*self.steps, *stages, *inside, *anew, *formulas.given.values()])
-        self.arguments = [s.args[0] for s in self.every if s.op == "argument"]
-        self._arguments: dict[str, list[str]] = {}
+        self.arguments_of = {k: _arguments(a.parts) for k, a in self.answers.items()}
         system = formulas.system
         self.factors = {k: unit(a.unit).from_base(1.0, system) for k, a in self.answers.items()}
-        self.to_base = {n: unit(formulas.units[n]).to_base(1.0, system) for n in self.arguments}
+        units = {n: unit(formulas.units[n]) for n in _arguments(self.every)}
+        self.to_base = {n: u.to_base(1.0, system) for n, u in units.items()}
         self.names: dict[str, Any] = operations(np)
         self.names |= {"answer": self._answer, "within": self._within, "equations": solution}
         self.names |= {"inside": _inside, "between": _between, "rooted": rooted, "beside": beside}
         exec(compile(_Text(self).text, "the slips", "exec"), self.names)
         self._run = self.names["slips"]
-
-    def arguments_of(self, key: str) -> list[str]:
-        """The names of the arguments that an answer needs."""
-        if key not in self._arguments:
-            steps = needed(self.answers[key].parts)
-            self._arguments[key] = [s.args[0] for s in steps if s.op == "argument"]
-        return self._arguments[key]
 
     def rows(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """{answer: array (slips, components)} for one value of each argument, in the unit of the
@@ -71,9 +65,7 @@ class Computation:
         return (self.factors[key] * found).T
 
     def _within(self, op, base, before, args):
-        """The values of integrals and roots, computed where an edit reaches them, as the arguments
-        ``before`` it show; nan where there are none.
-        """
+        """Integrals or roots, anew where an edit changes their arguments; nan without a value."""
         count = len(self.edits)
         moved = np.zeros(count, bool)
         for a, b in zip(args, before, strict=True):
@@ -105,6 +97,11 @@ def _has_value(op, formula, low, high, *outer):
     if op == "root":
         return formula(low, *outer)[0] * formula(high, *outer)[0] <= 0
     return np.isfinite(sum(formula((low + high) / 2, *outer)))
+
+
+def _arguments(leaves):
+    """The names of the arguments that these leaves need."""
+    return [s.args[0] for s in needed(leaves) if s.op == "argument"]
 
 
 class _Text:
@@ -225,7 +222,7 @@ class Perturbed(Slips):
         return self.computation.answers[key].points
 
     def is_of_symbols(self, key: str) -> bool:
-        return all(getattr(self.values[n], "shape", ()) for n in self.computation.arguments_of(key))
+        return all(getattr(self.values[n], "shape", ()) for n in self.computation.arguments_of[key])
 
     def is_size(self, key: str) -> bool:
         return _is_size(self.computation.answers[key].parts[0])

@@ -73,20 +73,17 @@ class Product:
         return self.is_exact and self.coefficient == 1 and even
 
 
-def typed(x: Any, most: int = SHORT) -> str:
+def typed(x: Any) -> str:
     """An expression as it is typed; "" for one that is too long to be named, or a mere number."""
     written = _sum(x) if isinstance(x, Step) else ""
-    return written if len(written) <= most else ""
+    return written if len(written) <= SHORT else ""
 
 
 NOUNS = {  # {noun: (with a formula, with the givens that are in it)}
-    "": ("{formula}", Words("an expression in {names}").template),
-    "the term": (Words("the term {formula}").template, Words("the term in {names}").template),
-    "the factor": (Words("the factor {formula}").template, Words("the factor in {names}").template),
-    "of the product": (
-        Words(" of the product {formula}").template,
-        Words(" of the product in {names}").template,
-    ),
+    "": ("{formula}", Words("an expression in {names}")),
+    "the term": (Words("the term {formula}"), Words("the term in {names}")),
+    "the factor": (Words("the factor {formula}"), Words("the factor in {names}")),
+    "of the product": (Words(" of the product {formula}"), Words(" of the product in {names}")),
 }
 
 

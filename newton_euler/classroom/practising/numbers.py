@@ -1,12 +1,12 @@
 """The right numbers and wrong models of one set of numbers, out of a practice file."""
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 from ...algebra.language import Words, _, words
-from ...answers.causes import Cause
+from ...answers.causes import INSTEAD, Cause
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
 from ...answers.near import NO_SLIPS, Ranked, Slips
@@ -129,8 +129,10 @@ class KeptSlips(Slips):
         self._found: dict[str, list] = {}
         for n, numbers in kept:
             key, rank, *texts = labels[n]
-            slip = rank, Cause("computed", *map(words, texts))
-            self._found.setdefault(key, []).append((slip, numbers))
+            cause = Cause("computed", *map(words, texts))
+            if cause.does == INSTEAD:
+                cause = replace(cause, of="", answers=tuple(cause.of.split()))
+            self._found.setdefault(key, []).append(((rank, cause), numbers))
 
     def ranked(self, key: str) -> Ranked | None:
         """As for :class:`~newton_euler.answers.near.Slips`."""

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from exercises.catalogue import problem, select, variants
+from exercises.catalogue.reading import chapters
 from exercises.catalogue.variants import as_points, draw, evaluate
 from grader.practice import LeftOut, PracticeError, graded_numbers, write_practice
 from grader.practice.build import page_of
@@ -24,6 +25,15 @@ from tests.making import made as made
 def members(path):
     with zipfile.ZipFile(path) as archive:
         return {n: archive.read(n) for n in archive.namelist()}
+
+
+@pytest.mark.parametrize("chapter", chapters())
+def test_every_problem_can_be_practised(chapter):
+    for p in select([chapter]):
+        page, _ = page_of(p.id, 1, "hints", draw=lambda p, v: None)
+        (one,) = page["variants"]
+        assert [q["key"] for q in page["quantities"] if not q["step"]] == [a.key for a in p.answers]
+        assert json.dumps(one, allow_nan=False)
 
 
 def test_every_set_of_numbers_is_different_and_has_its_own_keys():

@@ -13,7 +13,7 @@ from exercises.catalogue.variants import flat
 from grader.practice.build import page_of
 from grader.practice.slips import without_formulas
 from grader.scoring import score_receipt
-from grader.scoring.computation import perturbed, perturbed_steps
+from grader.scoring.computation import perturbed
 from newton_euler.algebra.language import Words
 from newton_euler.answers.near import SIMPLE
 from newton_euler.classroom import practice
@@ -49,7 +49,7 @@ def test_a_simple_slip_is_named_as_in_grading(practice_file, name):
 @pytest.mark.parametrize("name", ["2/18", "4/16"])
 def test_a_simple_slip_in_a_step_is_named(practice_file, name):
     p = practice(practice_file, progress=None)[name].new()
-    slips, named, made = perturbed_steps(problem(name), p.givens), 0, 0
+    slips, named, made = perturbed(problem(name), p.givens, of_steps=True), 0, 0
     keys = {s.key: s.value for s in steps(problem(name), p.givens)}
     for key in p.steps:
         if (ranked := slips.ranked(key)) is None:

@@ -140,7 +140,7 @@ def ran_hidden(*programs, **values):
 def test_rooms_examples_practice_and_figures_need_no_library(practice_file):
     programs = DOCTESTS, NUMBERS, PRACTICE, CHAPTERS, FIGURES
     output = ran_hidden(*programs, path=str(practice_file), step=18, arrays=ARRAYS)
-    assert int(output.split()[0]) > 30
+    assert int(output.split()[0]) > 5  # of every 18th module
     assert "{'alpha_CD': 'right', 'v_D': 'wrong', 'a_D': 'wrong'}" in output
     assert "v_D: right" in output
     assert output.endswith("drawn set()\n")

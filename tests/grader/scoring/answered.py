@@ -22,9 +22,9 @@ def right_trees(p, values):
     return trees(p, p.solve({**p.sympy_symbols(), **values}))
 
 
-def from_points(a, points):
-    """An answer from the first of the points at which it is compared."""
-    return [float(x) for x in points[0]] if a.kind.name == "vector" else float(points[0][0])
+def plain(components):
+    """An answer as it is handed in: a number, or a list of them."""
+    return list(map(float, components)) if len(components) > 1 else float(components[0])
 
 
 def key(p):

@@ -102,8 +102,9 @@ def vectors(kind="vector"):
 
 
 def diagnosed(p, a, given, value):
-    """The diagnosis of a Vector or numbers handed in for answer ``a``."""
-    return part_of(p, given, a.key, trees(p, {a.key: list(flat(value))})[a.key])
+    """The part of a Vector or numbers handed in for answer ``a``."""
+    value = list(flat(value)) if a.kind.name == "vector" else value
+    return part_of(p, given, a.key, trees(p, {a.key: value})[a.key])
 
 
 @pytest.mark.parametrize(("p", "a"), vectors(), ids=[f"{p.id} {a.key}" for p, a in vectors()])
@@ -131,23 +132,19 @@ def test_a_term_left_out_or_turned_is_named_from_the_ledger_or_a_listed_mistake(
         assert part.diagnosis or len(alike) > 1, (name, factor)
 
 
-@pytest.mark.parametrize("number", ["4/3", "4/4", "4/6", "4/9", "4/15", "4/16", "4/20"])
-def test_angles_and_rates_used_in_degrees_are_reported(number):
-    p = problem(number)
+def in_degrees(p):
+    return [name for name, q in p.givens.items() if q.unit.startswith(("deg", "rev"))]
+
+
+@pytest.mark.parametrize("p", [*filter(in_degrees, CH04)], ids=lambda p: p.id)
+def test_angles_and_rates_used_in_degrees_are_reported(p):
     given = values(p, "variant")
-    found = 0
-    for name, quantity in p.givens.items():
-        if quantity.unit.startswith(("deg", "rev")):
-            g = p.base(given)
-            wrong = p.in_units(p.code.solve(g.but(**{name: g.stated(name)})))
-            for a in p.answers:
-                x = wrong[a.key]
-                made = trees(p, {a.key: list(flat(x)) if a.kind.name == "vector" else x})
-                part = part_of(p, given, a.key, made[a.key])
-                if not part.points:
-                    found += part.diagnosis is not None
-    if any(q.unit.startswith(("deg", "rev")) for q in p.givens.values()):
-        assert found
+    found, g = 0, p.base(given)
+    for name in in_degrees(p):
+        wrong = p.in_units(p.code.solve(g.but(**{name: g.stated(name)})))
+        parts = [diagnosed(p, a, given, wrong[a.key]) for a in p.answers]
+        found += sum(part.diagnosis is not None for part in parts if not part.points)
+    assert found
 
 
 def test_the_components_in_another_frame_and_a_transposed_rotation_are_reported():

@@ -7,14 +7,10 @@ import random
 
 import pytest
 
-from grader.scoring.slips.formulas import Formulas, Stage, Traced
-from grader.scoring.slips.perturbed import Computation, Perturbed
 from grader.scoring.slips.typed import Product, typed
 from newton_euler import asin, sqrt
 from newton_euler.algebra.scalars import ZERO
-from newton_euler.algebra.trace import Trace
-from newton_euler.algebra.units import SI
-from tests.grader.scoring.traced import named_causes
+from tests.grader.scoring.traced import arguments, named_causes, perturbed, texts
 
 UNITS = {
     "m": "kg", "m1": "kg", "m2": "kg", "m3": "kg", "rho": "kg/m", "L": "m", "d": "m",
@@ -66,11 +62,7 @@ CASES = {  # the right formula, its unit, and intermediate quantities, {words: f
 
 def slips_of(key):
     formula, unit, ways = CASES[key]
-    trace = Trace()
-    given = {name: trace.new("argument", name) for name in UNITS}
-    stages = [Stage(words, "", [way(**given)], words) for words, way in ways.items()]
-    answers = {"x": Traced([formula(**given)], unit)}
-    return Perturbed(Computation(Formulas(answers, UNITS, SI, stages, given=given)), GIVEN)
+    return perturbed(UNITS, {"x": (unit, formula)}, GIVEN, ways)
 
 
 def named(key, wrong, slips=None):
@@ -117,11 +109,9 @@ def test_random_numbers_are_rarely_named():
 
 
 def test_kinetic_energy_is_not_taken_for_a_moment_of_inertia_nor_an_acceleration_for_g():
-    trace = Trace()
-    mass, v, a = (trace.new("argument", name) for name in ("m", "v", "a"))
-    answers = {"x": Traced([mass * v * v / 2 + mass * a * (v * v / a)], "J")}
     units = {"m": "kg", "v": "m/s", "a": "m/s^2"}
-    found = [e.cause.what for e in Computation(Formulas(answers, units, SI)).edits]
+    energy = lambda m, v, a: m * v * v / 2 + m * a * (v * v / a)
+    found = texts(perturbed(units, {"x": ("J", energy)}))
     assert not [words for words in found if "moment of inertia" in words or "10 for a" in words]
 
 
@@ -129,23 +119,19 @@ P, Q, K = 1.35172, 2.91346, 0.71238
 VECTOR = {"p": "m", "q": "m", "k": "1/s"}
 
 
-def of_vector(given, parts, unit="m", stages=(), kind="vector"):
+def of_vector(given, parts, unit="m", ways=None, kind="vector"):
     """The diagnosis of a vector of these parts."""
-    trace = Trace()
-    arguments = {name: trace.new("argument", name) for name in VECTOR}
     values = dict(zip(VECTOR, (P, Q, K), strict=True))
-    computed = [Stage(words, "", f(**arguments), words) for words, f in stages]
-    answers = {"x": Traced(parts(**arguments), unit)}
-    slips = Perturbed(Computation(Formulas(answers, VECTOR, SI, computed)), values)
+    slips = perturbed(VECTOR, {"x": (unit, parts)}, values, ways)
     return named_causes(slips, given, parts(**values), kind)
 
 
 def test_components_from_another_origin_are_named_and_no_given_as_the_whole_answer():
     parts = lambda p, q, **_: [p + 2 * q, q * q / p, 0 * p]
-    middle = [("the middle", lambda p, q, **_: (p / 2, q / 2, 0))]
+    middle = {"the middle": lambda p, q, **_: (p / 2, q / 2, 0)}
     right = [float(x) for x in parts(P, Q)]
     less = (right[0] - P / 2, right[1] - Q / 2, 0.0)
-    assert "subtracts the middle from x" in of_vector(less, parts, stages=middle)
+    assert "subtracts the middle from x" in of_vector(less, parts, ways=middle)
     # each length equals some component by chance
     assert "alone" not in of_vector((right[0], Q / 2, 0.0), parts)
 
@@ -160,7 +146,7 @@ def test_a_multiple_of_a_vector_is_met_by_chance_as_one_number_is():
 
 
 def test_a_quantity_is_turned_doubled_and_left_out_even_where_the_trace_moved_its_sign():
-    rate = [("the second rate", lambda p, q, k: [-(k * p / q)])]
+    rate = {"the second rate": lambda p, q, k: -(k * p / q)}
     parts = lambda p, q, k: [k * p - (k * p / q) * p, k * q - (k * p / q) * q, k * p]
     p, q, k = P, Q, K
     for factor, words in ((-1, "the opposite sign"), (2, "doubles"), (0, "leaves out")):
@@ -171,10 +157,9 @@ def test_a_quantity_is_turned_doubled_and_left_out_even_where_the_trace_moved_it
 
 
 def test_terms_that_are_zero_for_everyone_and_roots_of_squares_are_written_as_a_student_does():
-    trace = Trace()
-    a, b = (trace.new("argument", name) for name in "ab")
-    nothing = trace.new("-", a, a)
-    length = trace.new("sqrt", trace.new("+", a * a, nothing * nothing))
+    a, b = arguments("ab").values()
+    nothing = a.trace.new("-", a, a)
+    length = a.trace.new("sqrt", a.trace.new("+", a * a, nothing * nothing))
     assert typed(length * b) == "a*b"
     assert typed(abs_of(-2 * a - b) - b) == "2*a"
     assert typed(abs_of(-2 * a - b) * a) == "(2*a + b)*a"
@@ -182,13 +167,9 @@ def test_terms_that_are_zero_for_everyone_and_roots_of_squares_are_written_as_a_
 
 
 def test_the_square_of_a_sum_is_written_once_and_a_1_is_not_looked_up():
-    trace = Trace()
-    a, b, k = (trace.new("argument", name) for name in "abk")
-    x = trace.new("-", a, b)
-    answers = {"x": Traced([k * x * x + (1 - k) * a * a], "m^2")}
-    units = {"a": "m", "b": "m", "k": "1"}
-    found = [e.cause.what for e in Computation(Formulas(answers, units, SI)).edits]
-    assert "has the term b with the opposite sign" in found
+    area = lambda a, b, k: k * (a - b) * (a - b) + (1 - k) * a * a
+    found = texts(perturbed({"a": "m", "b": "m", "k": "1"}, {"x": ("m^2", area)}))
+    assert any(words.startswith("has the term b with the opposite sign:") for words in found)
     assert not [words for words in found if "b with the opposite sign, in one" in words]
     assert not [words for words in found if "for the 1 of" in words]
 

@@ -6,12 +6,8 @@ import math
 
 import pytest
 
-from grader.scoring.slips.formulas import Formulas, Traced
-from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler import cos, root, sin
-from newton_euler.algebra.trace import Trace
-from newton_euler.algebra.units import SI
-from tests.grader.scoring.traced import named_causes
+from tests.grader.scoring.traced import named_causes, perturbed
 
 UNITS = {"m": "kg", "g": "m/s^2", "k": "N/m", "h": "m", "mu": "1"}
 GIVEN = m, g, k, h, mu = 2.3, 9.81, 410.0, 0.83, 0.47
@@ -24,14 +20,14 @@ def positive(a, b, c):
 
 @pytest.fixture(scope="module")
 def slips():
-    trace = Trace()
-    m, g, k, h, mu = (trace.new("argument", n) for n in UNITS)
-    x = root(lambda x: k * x**2 / 2 - m * g * (h + x), 0 * h, 9 * h)
-    angle = root(lambda angle: m * g * sin(angle) - m * g * mu * cos(angle), 0 * mu, 1 + 0 * mu)
-    answers = {"x": Traced([x], "m"), "angle": Traced([angle], "rad")}
-    return Perturbed(
-        Computation(Formulas(answers, UNITS, SI)), dict(zip(UNITS, GIVEN, strict=True))
-    )
+    def dropped(m, g, k, h, mu):
+        return root(lambda x: k * x**2 / 2 - m * g * (h + x), 0 * h, 9 * h)
+
+    def sliding(m, g, k, h, mu):
+        return root(lambda x: m * g * sin(x) - m * g * mu * cos(x), 0 * mu, 1 + 0 * mu)
+
+    answers = {"x": ("m", dropped), "angle": ("rad", sliding)}
+    return perturbed(UNITS, answers, dict(zip(UNITS, GIVEN, strict=True)))
 
 
 RIGHT = {"x": positive(k / 2, m * g, m * g * h), "angle": math.atan(mu)}

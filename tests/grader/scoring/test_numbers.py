@@ -37,10 +37,21 @@ def test_the_traced_numbers_are_those_of_the_problems_code(p):
         assert any(np.allclose(rows(y), parts, rtol=1e-9, atol=1e-9 * size) for y in same)
 
 
-def test_a_problems_code_runs_once_for_a_whole_class(monkeypatch):
+@pytest.fixture
+def forget():
+    """Forgets all traced formulas; so it does before and after the test."""
+
+    def clear():
+        for kept in (numbers._traced_key, numbers._traced_wrong, numbers._traced_following):
+            kept.cache_clear()
+
+    clear()
+    yield clear
+    clear()
+
+
+def test_a_problems_code_runs_once_for_a_whole_class(forget, monkeypatch):
     p = problem("4/16")
-    for kept in (numbers._traced_key, numbers._traced_wrong, numbers._traced_following):
-        kept.cache_clear()
     calls, solve = [], p.code.solve
     monkeypatch.setattr(p.code, "solve", lambda g: calls.append(g) or solve(g))
     wrong = {"answers": {"alpha_CD": [1, 2, 3], "v_D": [1, 2, 3], "a_D": [1, 2, 3]}}
@@ -49,9 +60,6 @@ def test_a_problems_code_runs_once_for_a_whole_class(monkeypatch):
     for student in range(20):
         score_receipt(p, draw(p, str(student).encode()), wrong)
     assert 0 < first == len(calls)
-    monkeypatch.undo()
-    for kept in (numbers._traced_key, numbers._traced_wrong, numbers._traced_following):
-        kept.cache_clear()
 
 
 def test_a_problem_without_givens_has_the_same_numbers_for_all():
@@ -75,23 +83,19 @@ def test_the_books_numbers_are_not_a_mistake_on_a_sheet_that_has_them():
     assert Numbers(p, draw(p, b"any")).book == Numbers(p, p.book_values).key
 
 
-def test_a_wrong_model_without_a_value_does_not_stop_grading(monkeypatch):
+def test_a_wrong_model_without_a_value_does_not_stop_grading(forget, monkeypatch):
     """Such as one that leads to the root of a negative number."""
     p = problem("2/4")  # speeds d/T, with the time T = sqrt(2 h/g)
     fall = p.code.mistakes
     negative = lambda g: {**fall(g), "no_2": {"v_0": (sqrt(-g.h / g.g), g.d)}}
     monkeypatch.setattr(p.code, "mistakes", negative)
-    numbers._traced_wrong.cache_clear()
-    try:
-        parts = score_receipt(p, p.book_values, {"answers": {"v_0": [1.0, 2.0]}}).parts
-        assert parts[0].verdict == "wrong"
-        wrong = {c.text: x for c, x in numbers_of(p, p.book_values).wrong("v_0")}
-        assert math.isnan(wrong[p.mistakes["no_2"]][0][0])
-        monkeypatch.setattr(numbers, "wrong_models", lambda *_: sqrt(-1.0))
-        numbers._traced_wrong.cache_clear()
-        assert numbers_of(p, p.book_values).wrong("v_0") == []
-    finally:
-        numbers._traced_wrong.cache_clear()
+    parts = score_receipt(p, p.book_values, {"answers": {"v_0": [1.0, 2.0]}}).parts
+    assert parts[0].verdict == "wrong"
+    wrong = {c.text: x for c, x in numbers_of(p, p.book_values).wrong("v_0")}
+    assert math.isnan(wrong[p.mistakes["no_2"]][0][0])
+    monkeypatch.setattr(numbers, "wrong_models", lambda *_: sqrt(-1.0))
+    forget()
+    assert numbers_of(p, p.book_values).wrong("v_0") == []
 
 
 def test_a_wrong_formula_without_symbols_has_all_points(monkeypatch):

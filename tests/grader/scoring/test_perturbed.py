@@ -7,14 +7,11 @@ import random
 import pytest
 
 from grader.scoring.slips.edits_of_equations import SLIPS, solution
-from grader.scoring.slips.formulas import Formulas, Stage, Traced
-from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler import cos, sin, sqrt
 from newton_euler.algebra.linear import Solved, solve_rates, solved_equations
-from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI, unit
 from newton_euler.answers.near import NO_SLIPS
-from tests.grader.scoring.traced import named_causes
+from tests.grader.scoring.traced import named_causes, perturbed, texts
 
 UNITS = {"m": "kg", "g": "m/s^2", "s": "mm", "d": "mm", "alpha": "deg", "v": "km/h", "b": "m"}
 GIVEN = {"m": 2.3, "g": 9.81, "s": 0.71, "d": 0.26, "alpha": 0.61, "v": 3.1, "b": 1.7}
@@ -37,16 +34,13 @@ FORMULAS = {"E": energy, "I": moment, "u": speed}
 
 
 @pytest.fixture(scope="module")
-def perturbed():
-    trace = Trace()
-    given = {n: trace.new("argument", n) for n in UNITS}
-    answers = {key: Traced([f(**given)], UNIT[key]) for key, f in FORMULAS.items()}
+def slips():
     stated = {n: unit(UNITS[n]).from_base(x, SI) for n, x in GIVEN.items()}
-    return Perturbed(Computation(Formulas(answers, UNITS, SI)), stated)
+    return perturbed(UNITS, {key: (UNIT[key], f) for key, f in FORMULAS.items()}, stated)
 
 
-def named(perturbed, key, given):
-    return named_causes(perturbed, [given], [FORMULAS[key](**GIVEN)], key=key)
+def named(slips, key, given):
+    return named_causes(slips, [given], [FORMULAS[key](**GIVEN)], key=key)
 
 
 m, g, s, d, alpha, v, b = GIVEN.values()
@@ -73,46 +67,36 @@ m, g, s, d, alpha, v, b = GIVEN.values()
         ("I", m * b**2 / 12 + m * (d / 2) ** 2, "takes half of d"),
     ],
 )
-def test_a_slip_is_named(perturbed, key, given, words):
-    assert words in named(perturbed, key, float(f"{float(given):.6g}"))
+def test_a_slip_is_named(slips, key, given, words):
+    assert words in named(slips, key, float(f"{float(given):.6g}"))
 
 
-def computation(answers, units, **more):
-    """The numbers 1.3, 2.3 ... of the arguments, and their slips."""
-    given = {n: 1.3 + k for k, n in enumerate(units)}
-    return Perturbed(Computation(Formulas(answers, units, SI, **more)), given)
-
-
-def texts(slips, key="x"):
-    return " | ".join(cause.text for _, cause in slips.ranked(key).slips)
+def said(units, unit, formula, **more):
+    """The words of the slips in one answer."""
+    return " | ".join(texts(perturbed(units, {"x": (unit, formula)}, **more)))
 
 
 def test_a_step_that_is_the_same_for_everyone_has_no_slips():
     """Such as the quarter turn of the axes in which the code writes an angle."""
-    trace = Trace()
-    a, c = trace.new("argument", "a"), trace.new("argument", "c")
-    quarter = trace.step("pi") / 2
-    found = texts(computation({"x": Traced([a * sin(quarter) + c], "m")}, {"a": "m", "c": "m"}))
+    turned = lambda a, c: a * sin(a.trace.step("pi") / 2) + c
+    found = said({"a": "m", "c": "m"}, "m", turned)
     assert "takes c for a" in found
     assert "pi" not in found
 
 
 def test_terms_have_the_names_of_quantities_that_the_text_knows():
-    trace = Trace()
-    a, c, e = (trace.new("argument", n) for n in "ace")
-    root = sqrt(a * a + c * c)  # a separate answer
-    work = (a * c + c * e + a * e) * (a + c + e)
-    answers = {"r": Traced([root], "m"), "x": Traced([work - e * e * e * root], "m^4")}
-    stages = [Stage("U", "", [work], "the work of the spring")]
-    found = texts(computation(answers, dict.fromkeys("ace", "m"), stages=stages))
+    root = lambda a, c, e: sqrt(a * a + c * c)  # a separate answer
+    work = lambda a, c, e: (a * c + c * e + a * e) * (a + c + e)
+    left = lambda a, c, e: work(a, c, e) - e * e * e * root(a, c, e)
+    answers, ways = {"r": ("m", root), "x": ("m^4", left)}, {"the work of the spring": work}
+    found = " | ".join(texts(perturbed(dict.fromkeys("ace", "m"), answers, ways=ways)))
     assert "leaves out the work of the spring" in found
     assert "leaves out the term e^3*r" in found
 
 
 def test_a_slip_in_one_of_several_uses_is_less_simple_than_one_in_all():
-    trace = Trace()
-    v, k = trace.new("argument", "v"), trace.new("argument", "k")
-    slips = computation({"x": Traced([k * v + v * v], "m^2/s^2")}, {"v": "km/h", "k": "m/s"})
+    answers = {"x": ("m^2/s^2", lambda v, k: k * v + v * v)}
+    slips = perturbed({"v": "km/h", "k": "m/s"}, answers)
     ranks = {cause.text: rank for rank, cause in slips.ranked("x").slips}
     everywhere = next(r for x, r in ranks.items() if x.startswith("converts v"))
     in_one = next(r for x, r in ranks.items() if "without converting" in x and "in one" in x)
@@ -120,10 +104,8 @@ def test_a_slip_in_one_of_several_uses_is_less_simple_than_one_in_all():
 
 
 def test_a_given_left_out_of_one_product_leaves_out_the_product():
-    trace = Trace()
-    rho, a, c = (trace.new("argument", n) for n in ("rho", "a", "c"))
-    whole = Traced([rho * a * a + rho * c * c * c / a], "kg")
-    found = texts(computation({"x": whole}, {"rho": "kg/m^2", "a": "m", "c": "m"}))
+    whole = lambda rho, a, c: rho * a * a + rho * c * c * c / a
+    found = said({"rho": "kg/m^2", "a": "m", "c": "m"}, "kg", whole)
     assert "leaves out rho, in one place" not in found
     assert "leaves out the term" in found
 
@@ -134,11 +116,8 @@ A, C, K = 1.3, 2.3, 3.3
 
 def of_three(given):
     """The diagnosis of a vector, some of whose components are wrong."""
-    trace = Trace()
-    a, c, _ = (trace.new("argument", n) for n in LENGTHS)
-    parts = [a / 3 + c / 2, a * c / (a + c), sqrt(a * a + c * c)]
-    slips = computation({"x": Traced(parts, "m")}, LENGTHS)
-    key = (A / 3 + C / 2, A * C / (A + C), math.hypot(A, C))
+    parts = lambda a, c, k: [a / 3 + c / 2, a * c / (a + c), sqrt(a * a + c * c)]
+    slips, key = perturbed(LENGTHS, {"x": ("m", parts)}), parts(A, C, K)
     points = [k if x is None else f"{x:.5g}" for x, k in zip(given, key, strict=True)]
     return named_causes(slips, points, key, "vector")
 
@@ -172,29 +151,27 @@ def test_random_numbers_in_one_component_are_rarely_named():
     ],
 )
 def test_ratios_roots_and_differences(parts, wrong, words):
-    trace = Trace()
-    given = [trace.new("argument", n) for n in LENGTHS]
-    slips = computation({"x": Traced([parts(*given)], "m")}, dict.fromkeys(LENGTHS, "m"))
+    slips = perturbed(dict.fromkeys(LENGTHS, "m"), {"x": ("m", parts)})
     assert words in named_causes(slips, [f"{wrong:.6g}"], [parts(A, C, K)])
 
 
-def test_random_numbers_are_rarely_named(perturbed):
+def test_random_numbers_are_rarely_named(slips):
     rng = random.Random(1)
     right = {key: float(f(**GIVEN)) for key, f in FORMULAS.items()}
     tries = [(key, right[key] * 3 ** rng.uniform(-1, 1)) for key in FORMULAS for _ in range(1000)]
     # in four digits; in problems, whose slips are more, a quarter of a percent
-    assert sum(bool(named(perturbed, k, float(f"{x:.4g}"))) for k, x in tries) <= 20
+    assert sum(bool(named(slips, k, float(f"{x:.4g}"))) for k, x in tries) <= 20
 
 
-def test_in_few_digits_a_number_meets_a_slip_by_chance_and_is_not_named(perturbed):
+def test_in_few_digits_a_number_meets_a_slip_by_chance_and_is_not_named(slips):
     wrong = math.sqrt(g * s * math.cos(alpha))
-    assert "factor 2" in named(perturbed, "u", round(wrong, 4))
-    assert not named(perturbed, "u", round(wrong, 1))
+    assert "factor 2" in named(slips, "u", round(wrong, 4))
+    assert not named(slips, "u", round(wrong, 1))
 
 
-def test_a_right_answer_has_no_slip(perturbed):
+def test_a_right_answer_has_no_slip(slips):
     for key, f in FORMULAS.items():
-        assert not named(perturbed, key, float(f(**GIVEN)))
+        assert not named(slips, key, float(f(**GIVEN)))
 
 
 def test_each_entry_of_equations_that_are_solved_together_is_turned_left_out_doubled_and_halved():
@@ -214,68 +191,52 @@ def test_without_a_computation_nothing_is_named():
     assert not named(NO_SLIPS, "E", 1.0)
 
 
-def _causes(answer, parts, units, unit="m"):
-    trace = Trace()
-    args = {name: trace.new("argument", name) for name in units}
-    computed = {answer: Traced(parts(**args), unit)}
-    return [e.cause.what for e in Computation(Formulas(computed, units, SI)).edits]
-
-
 def test_no_slip_is_named_in_a_sum_that_nobody_writes():
-    found = _causes("I", lambda m, a: [m * a * (2 * a - a)], {"m": "kg", "a": "m"}, "kg*m^2")
-    assert not [words for words in found if "2*a" in words]
+    found = said({"m": "kg", "a": "m"}, "kg*m^2", lambda m, a: m * a * (2 * a - a))
+    assert "2*a" not in found
     assert "does not square a of m*a^2" in found
 
 
 def test_a_given_may_be_handed_back_and_a_vector_turned():
     lengths = dict.fromkeys(["p", "q", "x", "y"], "m") | {"s": "1"}
-    (first, *_) = _causes("d", lambda p, q, **_: [p - 2 * q], lengths)
-    assert first.startswith("takes p alone for d")
-    found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y, p + s * y], lengths)
+    assert said(lengths, "m", lambda p, q, **_: p - 2 * q).startswith("takes p alone for x")
+    found = said(lengths, "m", lambda p, q, x, y, s: [p + s * x, q + s * y, p + s * y])
     assert "takes x, y and y with the opposite sign" not in found
-    found = _causes("r", lambda p, q, x, y, s: [p + s * x, q + s * y], lengths)
+    found = said(lengths, "m", lambda p, q, x, y, s: [p + s * x, q + s * y])
     assert "takes p and q with the opposite sign" in found
 
 
 def test_a_given_or_symbol_stands_for_another_of_its_kind_or_for_its_rate():
     units = {"r": "m", "e": "m", "v": "m/s", "k": "kg"}
-    trace = Trace()
-    given = {n: trace.new("argument", n) for n in units}
-    answers = {"x": Traced([given["r"] * given["r"]], "m^2")}  # the others are needed by no answer
     for symbols in (units, ()):
-        slips = Computation(Formulas(answers, units, SI, symbols=symbols, given=given))
-        found = [e.cause.what for e in slips.edits]
+        # the others are needed by no answer
+        slips = perturbed(units, {"x": ("m^2", lambda r, **_: r * r)}, symbols=symbols)
+        found = [words.partition(":")[0] for words in texts(slips)]
         assert {"takes e for r", "takes v for r"} < {*found}
         assert "takes k for r" not in found
-    values = {"r": 1.3, "e": 2.3, "v": 3.3, "k": 4.3}
-    assert len(Perturbed(slips, values).at("x", 0)) == len(found)
+    assert len(slips.at("x", 0)) == len(found)
 
 
 def test_rates_about_different_axes_are_added_as_numbers_and_so_are_their_own_rates():
     units = {"p": "rad/s", "q": "rad/s", "p_dot": "rad/s^2", "q_dot": "rad/s^2"}
-    trace = Trace()
-    p, q, p_dot, q_dot = (trace.new("argument", n) for n in units)
-    answers = {"a": Traced([p_dot, 2 * p * q, p * p + q * q], "rad/s^2")}
-    given = dict(zip(units, (p, q, p_dot, q_dot), strict=True))
-    slips = Computation(Formulas(answers, units, SI, given=given))
-    rows = Perturbed(slips, {"p": 2.0, "q": 3.0, "p_dot": 5.0, "q_dot": 7.0}).at("a", 0)
-    added = [
-        row
-        for row, e in zip(rows, slips.edits, strict=True)
-        if e.cause.what.startswith("adds p and q")
-    ]
-    assert [12.0, 0.0, 25.0] in [[*map(float, row)] for row in added]
+    parts = lambda p, q, p_dot, q_dot: [p_dot, 2 * p * q, p * p + q * q]
+    values = {"p": 2.0, "q": 3.0, "p_dot": 5.0, "q_dot": 7.0}
+    slips = perturbed(units, {"a": ("rad/s^2", parts)}, values)
+    pairs = zip(slips.at("a", 0), texts(slips), strict=True)
+    added = [[*map(float, row)] for row, words in pairs if words.startswith("adds p and q")]
+    assert [12.0, 0.0, 25.0] in added
 
 
 def test_an_unknown_is_found_from_the_others_with_a_sign_or_taken_as_equal_to_another():
     """2*v - w = a and b*v + 2*w = c."""
     unknowns = lambda a, b, c: ((c + 2 * a) / (b + 4), (2 * c - b * a) / (b + 4))
-    units, trace = {"a": "N", "b": "1", "c": "N"}, Trace()
-    a, b, c = (trace.new("argument", n) for n in "abc")
-    v, w = unknowns(a, b, c)
-    system = Solved([((2, -1), a), ((b, 2), c)], ["v", "w"], {"v": v, "w": w})
-    slips = computation({"v": Traced([v], "N")}, units, systems=[system])
-    a, b, c = 1.3, 2.3, 3.3  # of computation()
+    rows = lambda a, b, c: [((2, -1), a), ((b, 2), c)]
+    systems = lambda **g: [
+        Solved(rows(**g), ["v", "w"], dict(zip("vw", unknowns(**g), strict=True)))
+    ]
+    v_of = lambda **g: unknowns(**g)[0]
+    slips = perturbed({"a": "N", "b": "1", "c": "N"}, {"v": ("N", v_of)}, systems=systems)
+    a, b, c = 1.3, 2.3, 3.3  # of perturbed()
     right, w = unknowns(a, b, c)
     for given, words in (
         (c / (b + 2), "takes v and w as equal"),
@@ -291,35 +252,35 @@ def test_an_acceleration_may_be_left_out_of_all_equations_but_one():
     """b*u = 3*c - 2*v - w, u = a*v and 2*u = w of a body that moves as it turns: as if u alone
     were.
     """
-    unknowns = lambda a, b, c: 3 * c / (b + 2 / a + 2)
-    units, trace = {"a": "1", "b": "1", "c": "N"}, Trace()
-    a, b, c = (trace.new("argument", n) for n in "abc")
-    u = unknowns(a, b, c)
-    values = {"u": u, "v": u / a, "w": 2 * u}
-    rows = [((b, 2, 1), 3 * c), ((-1, a, 0), 0), ((-2, 0, 1), 0)]
-    slips = computation({"u": Traced([u], "N")}, units, systems=[Solved(rows, [*values], values)])
-    a, b, c = 1.3, 2.3, 3.3  # of computation()
-    given, right = float(f"{3 * c / b:.6g}"), unknowns(a, b, c)
+    u_of = lambda a, b, c: 3 * c / (b + 2 / a + 2)
+
+    def systems(a, b, c):
+        u = u_of(a, b, c)
+        values = {"u": u, "v": u / a, "w": 2 * u}
+        rows = [((b, 2, 1), 3 * c), ((-1, a, 0), 0), ((-2, 0, 1), 0)]
+        return [Solved(rows, [*values], values)]
+
+    slips = perturbed({"a": "1", "b": "1", "c": "N"}, {"u": ("N", u_of)}, systems=systems)
+    a, b, c = 1.3, 2.3, 3.3  # of perturbed()
+    given, right = float(f"{3 * c / b:.6g}"), u_of(a, b, c)
     assert "has u in one equation only" in named_causes(slips, [given], [right], key="u")
 
 
 @pytest.mark.parametrize("name", ["v", "u_1"])
 def test_of_equations_that_are_solved_the_entries_are_perturbed_and_not_the_elimination(name):
     """Nothing can be named about an unknown without a name of its own."""
-    trace = Trace()
-    a, b, c = (trace.new("argument", n) for n in "abc")
-    with solved_equations() as found:
-        x = solve_rates(lambda v, w: [a * v + b * w - c, b * v - a * w - c], 2)
-    (solved,) = found
-    other = solved.names[1]
-    names = [name, other]
-    values = dict(zip(names, solved.values.values(), strict=True))
-    system = Solved(solved.equations, names, values)
-    answers = {"x": Traced([x[0]], "1")}
-    units = dict.fromkeys("abc", "1")
-    causes = [
-        e.cause.what for e in Computation(Formulas(answers, units, SI, systems=[system])).edits
-    ]
-    assert (f"leaves out {name} in one equation" in causes) == (name == "v")
-    assert not [words for words in causes if words.startswith("doubles the term a^2")]
-    assert "takes b for a" in causes
+    equations = lambda a, b, c: lambda v, w: [a * v + b * w - c, b * v - a * w - c]
+
+    def systems(**given):
+        with solved_equations() as found:
+            solve_rates(equations(**given), 2)
+        names = [name, found[0].names[1]]
+        values = dict(zip(names, found[0].values.values(), strict=True))
+        return [Solved(found[0].equations, names, values)]
+
+    first = lambda **given: solve_rates(equations(**given), 2)[0]
+    slips = perturbed(dict.fromkeys("abc", "1"), {"x": ("1", first)}, systems=systems)
+    found = [words.partition(":")[0] for words in texts(slips)]
+    assert (f"leaves out {name} in one equation" in found) == (name == "v")
+    assert not [words for words in found if words.startswith("doubles the term a^2")]
+    assert "takes b for a" in found

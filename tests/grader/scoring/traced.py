@@ -1,7 +1,40 @@
-"""What a student is told about a wrong answer whose computation is traced."""
+"""Slips in traced computations, and the diagnosis of wrong answers by them."""
 
+from grader.scoring.slips.formulas import Formulas, Stage, Traced
+from grader.scoring.slips.perturbed import Computation, Perturbed
+from newton_euler.algebra.trace import Trace
+from newton_euler.algebra.units import SI
 from newton_euler.answers.diagnosis import diagnose
 from newton_euler.answers.kinds import KINDS
+
+
+def arguments(names):
+    """{name: its step} in one trace."""
+    trace = Trace()
+    return {n: trace.new("argument", n) for n in names}
+
+
+def perturbed(units, answers, values=None, ways=None, systems=lambda **_: (), symbols=()):
+    """The slips in ``answers``, {key: (unit, formula of the arguments)}, in what is computed on the
+    ``ways``, {words: formula}, and in the equations that ``systems`` returns; the ``values`` of the
+    arguments are 1.3, 2.3 … if there are no others.
+    """
+    given = arguments(units)
+
+    def parts(formula):
+        found = formula(**given)
+        return [*found] if isinstance(found, list | tuple) else [found]
+
+    traced = {key: Traced(parts(f), unit) for key, (unit, f) in answers.items()}
+    stages = [Stage(words, "", parts(f), words) for words, f in (ways or {}).items()]
+    more = {"systems": systems(**given), "symbols": symbols, "given": given}
+    formulas = Formulas(traced, units, SI, stages, **more)
+    return Perturbed(Computation(formulas), values or {n: 1.3 + k for k, n in enumerate(units)})
+
+
+def texts(slips):
+    """The words of all slips."""
+    return [e.cause.text for e in slips.computation.edits]
 
 
 def named_causes(slips, given, right, kind="number", key="x"):

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -216,7 +217,7 @@ def test_a_cause_that_would_not_show_in_the_right_part_is_not_contradicted():
 def test_nothing_is_taken_for_another_answer_that_is_right(name, is_named):
     """Unlike other slips, this cannot be made in one part only."""
     wrong = ((6.5123, 9.0, 0.0),)
-    slip = causes.computed("law", "takes a for u", does=causes.INSTEAD, of=name)
+    slip = replace(causes.computed("law", "takes a for u"), answers=tuple(name.split()))
     other = Elsewhere(lambda: [part(True, KEY, [(slip, wrong)])._replace(name="u")])
     found = diagnose(wrong, KEY, [], elsewhere=other, slips=lambda fit, kind: [(2, slip, wrong)])
     assert (slip in found) == is_named
@@ -301,10 +302,16 @@ def test_a_remark_on_two_components_is_in_the_plural():
     assert remark.text == "its second and third components are not right; the rest is"
 
 
-def test_a_formula_with_the_number_of_another_body_hears_which_body_that_is():
+m, h = np.array([1.0, 2.0, 3.0, 5.0]), np.array([0.3, 1.5, 0.7, 2.0])
+
+
+def rows(*columns):
+    """The points of a formula with these components."""
+    return tuple(zip(*(x.tolist() for x in columns), strict=True))
+
+
+def test_of_a_formula_with_the_number_of_another_body_that_body_is_named():
     """A moment of inertia m h^2/18, and the centre of half a disk; what is no such formula."""
-    m, h = np.array([1.0, 2.0, 3.0, 5.0]), np.array([0.3, 1.5, 0.7, 2.0])
-    rows = lambda *columns: tuple(zip(*(x.tolist() for x in columns), strict=True))
 
     def found(given, key, of, place=False, points=4):
         fit = Fit(given[:points], key[:points], FORMULA_RTOL)
@@ -381,9 +388,7 @@ def test_a_slip_in_each_entry_is_named_once_and_the_third_moment_of_a_plate_foll
     assert [cause.name for cause in found] == ["turns + mirrors"] * named
 
 
-def test_a_formula_with_other_powers_of_its_symbols_hears_of_which():
-    m, h = np.array([1.0, 2.0, 3.0, 5.0]), np.array([0.3, 1.5, 0.7, 2.0])
-    rows = lambda *columns: tuple(zip(*(x.tolist() for x in columns), strict=True))
+def test_the_symbols_that_have_other_powers_are_named():
     found = lambda given, key: [
         cause.text for cause in of_other_powers(Fit(given, key, FORMULA_RTOL), {"m": m, "h": h})
     ]
@@ -394,8 +399,7 @@ def test_a_formula_with_other_powers_of_its_symbols_hears_of_which():
 
 
 def test_a_formula_is_off_by_a_number_or_by_a_term_where_the_rest_of_it_is_right():
-    m, h = np.array([1.0, 2.0, 3.0, 5.0]), np.array([0.3, 1.5, 0.7, 2.0])
-    fit = lambda given, key: Fit(*(tuple((x,) for x in y.tolist()) for y in (given, key)), 1e-6)
+    fit = lambda given, key: Fit(rows(given), rows(key), 1e-6)
     numbers = lambda *pair: [c.what for c in of_a_number(fit(*pair))]
     terms = lambda *pair: [c.what for c in of_one_term(fit(*pair), {"m": m, "h": h})]
     assert numbers(0.8 * (m + h), m + h) == ["has 4/5 times the right number"]

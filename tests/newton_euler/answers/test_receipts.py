@@ -99,13 +99,6 @@ def test_a_notebook_shows_the_sentence_of_an_error_without_the_librarys_code(pro
     assert all(len(line) <= 70 for x in shown for line in x.splitlines())
 
 
-def test_a_form_that_does_not_exist_is_reported():
-    with pytest.raises(
-        AnswerError, match=r"no such kind of answer: 'tensor'; there are number, vector"
-    ):
-        expect("0/8", x="tensor, m")
-
-
 def test_plain_nbgrader_cannot_give_points_for_a_receipt(problem, monkeypatch):
     monkeypatch.setenv("NBGRADER_EXECUTION", "autograde")
     with pytest.raises(AnswerError, match=r"not graded here.*python -m grader grade"):

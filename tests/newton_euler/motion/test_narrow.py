@@ -41,6 +41,7 @@ def error_at(kind, width, method, rtol, speed=1.0):
     return abs(motion.end["dx"] - after) / speed, motion.error
 
 
+@pytest.mark.one_in(2)
 @pytest.mark.parametrize("width", [1e-6, 1e-3, 0.05])
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6])
 @pytest.mark.parametrize("kind", BRAKES)
@@ -56,6 +57,7 @@ def test_every_runge_kutta_method_sees_it(kind, method):
     assert error <= estimate <= 1e-4
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("kind", ["gauss", "quotient", "edges"])
 def test_it_is_seen_wherever_in_a_step_it_lies(kind):
     speeds = np.linspace(1.0, 1.1, 20).tolist()
@@ -71,7 +73,7 @@ SPOTS = {  # and what each gives, passed at a distance whose square, over its wi
 }
 
 
-@pytest.mark.one_in(4)
+@pytest.mark.one_in(8)
 @pytest.mark.parametrize("beside", [0.0, 0.5])
 @pytest.mark.parametrize("width", [1e-7, 1e-5, 1e-3])
 @pytest.mark.parametrize("kind", SPOTS)
@@ -98,6 +100,7 @@ def test_a_spot_narrower_than_the_error_of_the_way_is_seen_or_refused(kind, widt
     assert found or (kind == "disk" and width < 1e-6)
 
 
+@pytest.mark.one_in(3)
 @needs_heyoka
 @pytest.mark.parametrize("kind", ["gauss", "quotient", "slope of tanh"])
 def test_a_series_sees_it_or_is_refused(kind):

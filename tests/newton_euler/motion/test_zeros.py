@@ -225,3 +225,15 @@ def test_round_off_has_no_zeros():
     """Values that jump between plus and minus 1e-17, beside 1."""
     wild = lambda t: 1e-17 * np.where(np.sin(1e9 * t) > 0, 1.0, -1.0)
     assert times(wild, 0.0, 5.0, sign=0, round_off=1e-16) == []
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_guess_is_the_zero_of_the_polynomial_or_the_nearer_end(sign):
+    one = zeros.Piece(0.0, 1.0)
+    one.fit, one.state = np.zeros(DEGREE + 4), "smooth"
+    one.fit[:2] = -0.3 * sign, 1.0 * sign  # zero at 0.3
+    assert zeros._guess(zeros.Bracket(one, -0.5, 0.8, sign)) == pytest.approx(0.3)
+    assert zeros._guess(zeros.Bracket(one, 0.5, 0.8, sign)) == 0.5
+    assert zeros._guess(zeros.Bracket(one, -0.5, 0.1, sign)) == 0.1
+    one.state = "rough"
+    assert zeros._guess(zeros.Bracket(one, -0.5, 0.8, sign)) == -0.5

@@ -96,6 +96,7 @@ def test_without_heyoka_the_exact_solution_takes_its_place(monkeypatch):
     assert found == [maps.DOP853]
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("flight", [2.0, 10.0, 40.0])
 def test_a_flat_earth_at_rest_holds_until_the_centrifugal_acceleration_is_seen(flight):
     """And a uniform field until the weight is seen to be less above."""
@@ -106,6 +107,7 @@ def test_a_flat_earth_at_rest_holds_until_the_centrifugal_acceleration_is_seen(f
     assert uniform == pytest.approx(maps._uniform_field_error(flight), rel=0.1)
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("omega_z", [150.0, 400.0, 900.0])
 def test_a_top_let_go_nods_and_below_its_nutation_only_a_model_that_nods_holds(omega_z):
     chart = MAPS["top"]
@@ -119,6 +121,7 @@ def test_a_top_that_is_too_slow_has_no_rung_of_steady_precession():
     assert 17.0 < next(curve.x for curve in MAPS["top"].curves if curve.x) < 19.0
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("ratio", [0.8, 0.95, 0.99])
 def test_a_top_below_the_critical_rate_falls_when_its_growth_rate_predicts(ratio):
     predicted = float(maps._theoretical_falling_time(np.array(ratio)))
@@ -139,6 +142,7 @@ def test_steady_precession_ends_at_the_double_root(omega_z):
     assert list(chart.column(omega_z, [edge - 0.01, edge + 0.01])) == [maps.NONE, maps.BOTH]
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("name", ["steady precession", "projectile", "sleeping top"])
 def test_a_map_is_drawn_with_a_legend_of_what_it_holds_and_the_curves_of_theory(name, ax):
     chart = MAPS[name]

@@ -5,7 +5,8 @@ import itertools
 import pytest
 
 from newton_euler.answers import KINDS, Cause
-from newton_euler.classroom.practising.numbers import KeptNumbers, Quantity
+from newton_euler.answers.causes import DOES, FACTOR_2, INSTEAD
+from newton_euler.classroom.practising.numbers import KeptNumbers, KeptSlips, Quantity
 from newton_euler.classroom.practising.programs import operate
 
 WORDS = dict.fromkeys(("means", "plain", "section", "equation", "latex", "sum"), "")
@@ -40,6 +41,13 @@ def test_right_numbers_are_points_and_wrong_ones_have_their_causes():
     assert (cause, points) == (Cause("listed", "half", ""), ((1.5,),))
     assert (cause.does, cause.of) == ("rescaled", "m")
     assert found.wrong("n") == []
+
+
+def test_a_slip_knows_the_answers_that_something_else_is_taken_for():
+    labels = [["a", 6, "law", "takes m for v and w", "", "", does, "v w"] for does in DOES[-2:]]
+    kept = KeptSlips(labels, [[0, [1.5]], [1, [2.5]]])
+    found = [(c.does, c.of, c.answers) for _, c in kept.ranked("a").slips]
+    assert found == [(FACTOR_2, "v w", ()), (INSTEAD, "", ("v", "w"))]
 
 
 def test_what_follows_is_computed_by_the_kept_program():
