@@ -28,7 +28,7 @@ from newton_euler.algebra.errors import NewtonEulerError
 from newton_euler.algebra.language import choose_language
 
 from .files import write_json
-from .identity import CourseError, check_id, same_student
+from .identity import ONLY_BY, CourseError, check_id, same_student
 
 SECRET_BYTES = 32
 UNFINISHED = ".unfinished_build"  # marks a folder in which a course is being made
@@ -237,8 +237,8 @@ class Course:
         for i in ids:  # those added by nbgrader have not been compared
             if (other := known.setdefault(same_student(i), i)) != i:
                 raise CourseError(
-                    f"the students {other!r} and {i!r} on the roster differ by upper and lower "
-                    f"case only; remove one with: nbgrader db student remove {i}"
+                    f"the students {other!r} and {i!r} on the roster differ {ONLY_BY}; "
+                    f"remove one with: nbgrader db student remove {i}"
                 )
         return ids
 
@@ -263,8 +263,8 @@ class Course:
                 present = enrolled.setdefault(same_student(student_id), student_id)
                 if present != student_id:
                     raise CourseError(
-                        f"{student_id!r} differs from {present!r}, who is on the roster, by upper "
-                        "and lower case only: on some machines they would share one folder. Write "
+                        f"{student_id!r} differs from {present!r}, who is on the roster, "
+                        f"{ONLY_BY}: on some machines they would share one folder. Write "
                         f"{present!r} if it is the same student, else give one another id"
                     )
                 new += student_id not in before

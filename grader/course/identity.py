@@ -24,11 +24,16 @@ def check_id(student_id: str) -> str:
     return student_id
 
 
+# by which two ids of same_student may differ
+ONLY_BY = "only by upper and lower case or by how a letter is encoded"
+
+
 def same_student(student_id: str) -> str:
     """A key that is equal for ids that name the same folder on some machine: without distinction of
     case or of the encodings of an accent.
     """
-    return unicodedata.normalize("NFKC", student_id).casefold()
+    folded = unicodedata.normalize("NFKC", student_id).casefold()
+    return unicodedata.normalize("NFKC", folded)  # casefold takes some accents off their letters
 
 
 def course_id(name: str) -> str:

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 from . import scalars
 from .errors import checked
 from .jets import Moving
-from .places import callers_line, package_of
+from .places import GENERATED, callers_line, package_of
 from .scalars import (
     FUNCTIONS,
     DivisionError,
@@ -186,6 +186,7 @@ class Compiled:
         if name not in self._functions:
             names = (*FUNCTIONS, "atan2", "pi")
             space = {n: getattr(library, n) for n in names if hasattr(library, n)}
+            space["__name__"] = GENERATED
             space.update(runtime_names(library))
             rounded = name in ("math", "numpy", "heyoka")
             space.update({n: _running(c, rounded) for n, c in self._constants.items()})

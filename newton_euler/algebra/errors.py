@@ -325,6 +325,8 @@ def words(kind: Any) -> str:
         return f"one of {', '.join(map(repr, parts))}"
     if container in (Sequence, Iterable, tuple):
         inner = {Scalar: " of numbers", Vector: " of Vectors"}
+        if parts and parts[0] not in inner and _converter(parts[0]):
+            return f"a sequence, each {words(parts[0])}"
         return "a sequence" + (inner.get(parts[0], "") if parts else "")
     name = getattr(container, "__name__", str(container))
     return _EXAMPLES.get(name, f"a {name}")

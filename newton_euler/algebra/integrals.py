@@ -63,7 +63,7 @@ def integral(
     4.0
     """
     places = [start, *map(scalar, breaks), end]
-    return reduce(_sum, (_piece(f, a, b) for a, b in pairwise(places)))
+    return reduce(_sum, [_piece(f, a, b) for a, b in pairwise(places)])
 
 
 def _sum(a, b):
@@ -81,6 +81,12 @@ def _flat(value, like):
     if isinstance(like, Vector):
         return (value if value.frame is like.frame else value.expressed_in(like.frame)).c
     if isinstance(like, (tuple, list)):
+        count = len(value) if isinstance(value, (tuple, list)) else "no tuple"
+        if count != len(like):
+            raise ScalarError(
+                f"the integrand returns a tuple of {len(like)} at one place, and {count} at "
+                "another; return as many values everywhere"
+            )
         return tuple(x for v, part in zip(value, like, strict=True) for x in _flat(v, part))
     return (real_scalar(value),)
 

@@ -135,6 +135,10 @@ class Terms(Guided, dict[str, T], Generic[T]):
         more = other if isinstance(other, Terms) else Terms(other)
         return Terms([*self.named(), *more.named()])
 
+    def __ior__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override,misc]
+        """As ``|``: a dict would replace a term of the same name."""
+        return self | other
+
     def __ror__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
         return Terms(other) | self
 
@@ -444,7 +448,8 @@ class Amount(NamedTerms):
         >>> Amount(7.0, {"translation": 5.0, "rotation": 2.0}).reweighted(rotation=0)
         5.0
         """
-        return to_plain(sum((factor * x for factor, x in self.terms.weighted(factors)), ZERO))
+        terms = self.terms.weighted(factors)
+        return to_plain(sum((factor * x for factor, x in terms), ZERO) if terms else self.value)
 
 
 def value_of(x: "Amount | Scalar") -> Any:

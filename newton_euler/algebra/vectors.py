@@ -452,6 +452,8 @@ class Vector(Scaled, NamedTerms):
         """
         f = self.frame
         terms = self.terms.weighted(factors)
+        if not terms:  # not a sum
+            return self
         return Vector(sum3(scale3(s, v.expressed_in(f).c) for s, v in terms), f)
 
 

@@ -268,6 +268,8 @@ class Inertia(Scaled, NamedTerms):
     def reweighted(self, /, **factors: Scalar) -> "Inertia":
         """The sum of its terms times their ``factors`` (default: 1), as by a wrong model."""
         weighted = self.terms.weighted(factors)
+        if not weighted:  # not a sum
+            return self
         moments = sum3(scale3(factor, term.moments) for factor, term in weighted)
         return self._like(moments, sum3(scale3(factor, term.products) for factor, term in weighted))
 

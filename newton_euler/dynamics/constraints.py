@@ -127,7 +127,8 @@ class _System:
         return {name: tuple(float(x) for x in q[place]) for name, place in self.places.items()}
 
     def equations(self, q):
-        """(name, value) of every scalar equation."""
+        """[(name, value)] of every scalar equation."""
+        found = []  # not a generator, which would turn a StopIteration into another error
         for name, names, f in self.constraints:
             try:
                 value = f(*(tuple(q[self.places[n]]) for n in names))
@@ -138,8 +139,9 @@ class _System:
             except (ZeroDivisionError, OverflowError) as problem:
                 at_a_place(problem, ConstraintError, f"the constraint {name!r} fails")
                 raise
-            for x in value if isinstance(value, (tuple, list, Vector)) else (value,):
-                yield name, scalar(x)
+            parts = value if isinstance(value, (tuple, list, Vector)) else (value,)
+            found += [(name, scalar(x)) for x in parts]
+        return found
 
     def values(self, q):
         """[(name, float)] of every scalar equation."""

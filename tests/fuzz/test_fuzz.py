@@ -155,6 +155,7 @@ def of_label(f, call, label, value):
 OF_THE_CALLER = (
     IndexError("tuple index out of range"), TypeError("'int' object is not iterable"),
     ValueError("not enough values to unpack"), ArithmeticError("of a library"),
+    StopIteration("no more"),
 )  # fmt: skip
 
 

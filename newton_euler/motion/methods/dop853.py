@@ -13,6 +13,7 @@ from math import inf, isfinite, sqrt
 from textwrap import indent
 
 from ...algebra.late import np
+from ...algebra.places import GENERATED
 from .base import MAX_STALLED_STEPS, StepError, Stepper
 from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
@@ -70,7 +71,7 @@ def polynomial(f, p, t, h, x):
 @lru_cache(maxsize=32)
 def generated(n, constants):
     """{"run", "one_step", "polynomial": function} for ``n`` states and so many ``constants``."""
-    space = {"sqrt": sqrt, "isfinite": isfinite, "inf": inf}
+    space = {"sqrt": sqrt, "isfinite": isfinite, "inf": inf, "__name__": GENERATED}
     exec(compile(_text(n, constants), f"<DOP853 for {n} states>", "exec"), space)
     return space
 

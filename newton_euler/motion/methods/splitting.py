@@ -16,6 +16,7 @@ from functools import cached_property, lru_cache
 from math import ceil, cos, inf, isclose, isfinite, sin, sqrt
 
 from ...algebra.late import np
+from ...algebra.places import GENERATED
 from ...algebra.vectors import cross3, dot3
 from .base import LengthError, StepError, Stepper
 
@@ -103,7 +104,7 @@ def _generated(setup, flows, result):
     """A function ``move(f, p, x, h, weights)`` that returns the state after a step h."""
     loop = ["for w in weights:", "    e = w*h; d = 0.5*e", *("    " + flow for flow in flows)]
     lines = ["def move(f, p, x, h, weights):", *setup, *loop, f"return {result},"]
-    space = {"cos": cos, "sin": sin}
+    space = {"cos": cos, "sin": sin, "__name__": GENERATED}
     exec("\n    ".join(lines), space)
     return space["move"]
 

@@ -7,6 +7,7 @@ import pytest
 from grader.course import Course
 from grader.course.due import due_dates
 from grader.grading import grade
+from grader.nbgrader_hooks.late import LatePolicy
 from tests.grader.courses import append_config, command, nbgrader, ran, refused
 
 BEN = 6  # the points of his work, handed in on time
@@ -44,6 +45,14 @@ def test_late_work_loses_what_the_policy_says_by_both_routes_until_it_is_off(two
         assert found == pytest.approx(2.2)
     ran(command("late", "none", "--course", course.path))
     assert graded(course, "ada") == {"ada": (11, 0)}
+
+
+@pytest.mark.parametrize(("seconds", "lost"), [
+    (1, 1.0), (86_400, 1.0), (86_401, 2.0), (864_000, 10.0), (950_400, 10.0),
+])  # fmt: skip
+def test_each_day_begun_costs_its_share_and_all_days_no_more_than_all(seconds, lost):
+    policy = LatePolicy(share_per_day=0.1)
+    assert policy.late_submission_penalty("ada", 10.0, seconds) == pytest.approx(lost)
 
 
 def test_a_policy_of_the_instructors_own_comes_first(two_days_late):

@@ -3,7 +3,7 @@
 import pytest
 
 from grader.course import CourseError, check_id
-from grader.course.identity import course_id
+from grader.course.identity import course_id, same_student
 
 
 @pytest.mark.parametrize(("name", "expected"), [
@@ -31,3 +31,11 @@ def test_ids_that_folders_can_have_are_taken(student):
 def test_ids_that_would_lead_elsewhere_are_refused(student):
     with pytest.raises(CourseError, match="cannot be a student id"):
         check_id(student)
+
+
+@pytest.mark.parametrize(("one", "other"), [
+    ("Ada", "ada"), ("m\u00fcller", "mu\u0308ller"), ("stra\u00dfe", "STRASSE"),
+    ("\u0390", "\u03aa\u0301"), ("\u01f0", "J\u030c"), ("\uff41da", "ada"),
+])  # fmt: skip
+def test_ids_that_some_machine_would_put_into_one_folder_are_of_one_student(one, other):
+    assert same_student(one) == same_student(other)

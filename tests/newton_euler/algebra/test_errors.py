@@ -7,11 +7,20 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from newton_euler import Event, Model, integral, integrate, root, solve_linear, solve_rates
+from newton_euler import (
+    Event,
+    Model,
+    composite,
+    integral,
+    integrate,
+    root,
+    solve_linear,
+    solve_rates,
+)
 from newton_euler.algebra import NewtonEulerError, compiled
 from newton_euler.algebra.errors import ArgumentError, checked, checked_words
 from newton_euler.algebra.scalars import DivisionError, RangeError, Scalar, ScalarError
-from newton_euler.dynamics import audit, work_along, work_integral
+from newton_euler.dynamics import audit, degrees_of_freedom, work_along, work_integral
 
 # errors of Python and NumPy for unsuitable arguments
 ERRORS = [
@@ -23,6 +32,7 @@ ERRORS = [
     KeyError("Step"),  # a class of the engine
     TypeError("loop of ufunc does not support argument 0 of type 'Step'"),
     ValueError("could not convert string to float: '<traced x>'"),
+    StopIteration("no more places"),
 ]
 
 # public functions that call a function of the user
@@ -40,6 +50,7 @@ FALL = Model("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
 OTHERS = {
     "event": lambda f: integrate(FALL, 1.0, (1.0, 0.0), events=Event(lambda s, p, t: f(s.h))),
     "progress": lambda f: integrate(FALL, 1.0, (1.0, 0.0), progress=f),
+    "constraint": lambda f: degrees_of_freedom({"P": 1}, {"wall": lambda P: f(P[0])}),
     "numpy": lambda f: compiled(lambda x: np.apply_along_axis(f, 0, np.array([x, x]))),
 }
 
@@ -54,6 +65,14 @@ def test_an_error_of_the_users_function_arrives_as_raised_with_its_place(name, e
         {**CALLS, **OTHERS}[name](own)
     assert caught.value is error
     assert "own" in [entry.name for entry in caught.traceback]
+
+
+@pytest.mark.parametrize("module", ["wave", None], ids=["wave.py", "no module"])
+def test_a_function_is_the_users_whatever_its_module_is_called(module):
+    space = {"__name__": module} if module else {}
+    exec(compile("def own(x):\n    return (1, 2, 3)[5]", "/home/ada/wave.py", "exec"), space)
+    with pytest.raises(IndexError, match=r"^tuple index out of range$"):
+        integral(space["own"], 0.0, 1.0)
 
 
 @pytest.mark.parametrize("name", CALLS)
@@ -91,6 +110,16 @@ def test_arguments_are_checked_wherever_they_stand():
     ):
         with pytest.raises(TypeError, match=r"ratio: \w+ is a number .* got '\d' of type str"):
             ratio(*given, **named)
+
+
+@pytest.mark.parametrize(("call", "words"), [
+    (lambda: composite("shaft", ["disk"]), r"parts is a sequence, each a Body.* got \['disk'\]"),
+    (lambda: integral(lambda x: (x,) * (1 + (x > 0.5)), 0.0, 1.0), "a tuple of 1 at one place, and 2"),
+    (lambda: integral(lambda x: x if x > 0.5 else (x,), 0.0, 1.0), "a tuple of 1 at .* and no tuple"),
+])  # fmt: skip
+def test_what_does_not_fit_is_named_with_what_would(call, words):
+    with pytest.raises(NewtonEulerError, match=words):
+        call()
 
 
 @checked_words

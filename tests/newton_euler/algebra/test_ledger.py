@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import Frame
+from newton_euler import Frame, Inertia
 from newton_euler.algebra.ledger import Amount, TermError, Terms, distinct, summed
 from newton_euler.algebra.vectors import named_sum
 from tests.kinds import close, numbers
@@ -84,6 +84,16 @@ def test_terms_beside_those_of_a_plain_dict_are_kept_on_both_sides():
     terms = Terms([("arm", 1.0), ("arm", 2.0)])
     for both in (terms | {"arm": 4.0}, {"arm": 4.0} | terms):
         assert sorted(both.values()) == [1.0, 2.0, 4.0]
+    terms |= {"arm 1": 4.0}
+    terms |= {"arm 1": 8.0}
+    assert sum(terms.values()) == 15.0
+    assert summed(Terms([("arm", 1.0), ("arm", 2.0)]) | {"rod": 4.0}).without("arm") == 4.0
+
+
+def test_what_is_no_sum_stays_as_it_is_without_no_term():
+    v, U = ground.vector(1.0, 2.0, 3.0), Amount(3.0)
+    I = Inertia(ground, (2.0, 3.0, 4.0))
+    assert (v.without().c, U.without(), I.without().moments) == (v.c, 3.0, I.moments)
 
 
 def test_an_amount_is_explained_in_units_of_its_own():

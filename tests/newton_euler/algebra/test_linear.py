@@ -364,3 +364,14 @@ def test_solve_rates_says_so_if_one_instant_of_many_is_singular():
     lever = np.array([1.0, 0.0, 2.0])
     with pytest.raises(FrameError, match="do not determine"):
         solve_rates(lambda w: lever * w - 1.0, 1)
+
+
+def test_unknowns_with_large_coefficients_are_undetermined_as_others_are():
+    for size in (1e-12, 1.0, 1e12):
+        found = solve_linear(lambda A, B, s=size: {"force": s * A + s * B - 1.0})
+        assert found.undetermined == ("A", "B")
+
+
+def test_a_condition_that_contains_the_rates_by_round_off_only_is_none():
+    with pytest.raises(LinearError, match="1 conditions contain the rates, but 2"):
+        solve_rates(lambda a, b: (a - 1.0, 1e-17 * b), 2)

@@ -188,6 +188,7 @@ def test_explain_prints_the_equation_its_number_and_every_term():
     assert "coriolis 2 omega x v_r [0, 12, 0] m/s^2" in (" ".join(x.split()) for x in lines)
     assert lines[-1].split() == ["sum", "[-4.1,", "11.7,", "0]", "m/s^2"]
     assert isinstance(a.explain(), Explanation)
+    assert "N" in str((2 * a).expressed_in(ground).explain("N"))  # of 2 kg
     assert repr(a.explain()) == str(a.explain())
 
 

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from newton_euler.answers import seals
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.seals import opens, seal
 from newton_euler.classroom import expect, given, receipt
@@ -23,6 +24,7 @@ VECTOR = [-7.482459, -7.38, 2e-17]
         ("number", [0.0], 0.0, True),
         ("number", [1e-17], 0, True),
         ("number", [0.0], 0.1, False),
+        ("number", [0.0], 1e-5, False),
         ("vector", VECTOR, [-7.48, -7.38, 0], True),
         ("vector", VECTOR, {"a": [1, 2, 3], "ground": [-7.482459, -7.38, 0]}, True),
         ("vector", VECTOR, [-7.48, 7.38, 0], False),
@@ -36,6 +38,15 @@ VECTOR = [-7.482459, -7.38, 2e-17]
 )
 def test_a_seal_opens_for_the_right_answer_only(kind, right, tree, is_right):
     assert opens(json.loads(json.dumps(seal(KINDS[kind], right))), KINDS[kind], tree) is is_right
+
+
+def test_a_seal_opens_up_to_the_tolerance_wherever_in_its_cell_the_answer_lies(monkeypatch):
+    monkeypatch.setattr(seals, "COST", 2)
+    number = KINDS["number"]
+    for x in (1.0 + 0.037 * n for n in range(60)):
+        sealed = seal(number, [x])
+        assert opens(sealed, number, x * 1.00499)
+        assert opens(sealed, number, x * 0.9952)
 
 
 def test_a_formula_is_compared_at_a_point_of_its_symbols():

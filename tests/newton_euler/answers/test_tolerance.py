@@ -7,6 +7,7 @@ import pytest
 from newton_euler.answers.fit import CLOSE, Fit
 from newton_euler.answers.forms import Form
 from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.tolerance import formula_is_near
 from newton_euler.answers.trees import TreeError
 
 NINE = tuple(map(float, range(1, 10)))
@@ -132,3 +133,13 @@ def test_a_right_component_of_few_digits_does_not_make_the_others_coarse():
     fit = Fit(((4.0825, 3.3, 1.3519),), ((4.08251, 3.3, 1.9),), 0.01)
     assert fit(((4.08251, 3.3, 1.35188),)) == CLOSE
     assert fit(((4.08251, 3.3, 1.3819),)) == 0
+
+
+def test_a_formula_near_a_zero_of_its_own_is_measured_by_its_mean():
+    key = (1.0,), (0.001,)
+    assert formula_is_near(((1.0,), (0.00101,)), key, 0.0)
+    assert not formula_is_near(((1.0,), (0.00102,)), key, 0.0)
+
+
+def test_the_absolute_tolerance_is_not_that_of_a_zero_component():
+    assert not formula_is_near(((5.0, 0.0005),), ((5.0, 0.0),), 0.001)
