@@ -10,7 +10,7 @@ from tests.grader.practice.conftest import practice_file  # noqa: F401
 from tests.jupyterlab import LONG, chromium
 from tests.once import once
 from tests.website import sample
-from tests.website.browser import served
+from tests.website.browser import served, wait
 
 # it runs for minutes: its page is built without outputs
 NOT_RUN = {"speed_and_accuracy"}
@@ -50,7 +50,17 @@ def address(site):
 
 @pytest.fixture(scope="module")
 def driver(tmp_path_factory):
-    """A headless browser."""
+    """A headless browser whose ``get`` returns once the new page is there with its scripts: that of
+    chromedriver may return while the page before, or a part of the new one, is shown.
+    """
     with chromium(tmp_path_factory.mktemp("browser"), "1300,900") as found:
         found.set_script_timeout(LONG)
+        get = found.get
+
+        def get_whole(url):
+            found.execute_script("window.left = true")
+            get(url)
+            wait(found, "!window.left && document.readyState === 'complete'", url)
+
+        found.get = get_whole
         yield found

@@ -58,11 +58,8 @@ def run_cell(driver, source):
 
 
 def figures(driver, url):
-    """The number of moving figures of a page, once it is there: a busy browser says sooner that it
-    has loaded it.
-    """
+    """The number of moving figures of a page."""
     driver.get(url)
-    wait(driver, "document.readyState === 'complete' && document.querySelector('article')", url)
     return js(driver, "document.querySelectorAll('[data-moving]').length")
 
 
