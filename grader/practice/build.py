@@ -7,7 +7,7 @@ import math
 import os
 import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
 from typing import Any
@@ -184,8 +184,8 @@ def page_of(
 
 def _texts(cause):
     """What a file keeps of a cause: its texts, with its answers in place of what it is of."""
-    *texts, of, answers = astuple(cause)
-    return *texts, " ".join(answers) or of
+    of = " ".join(cause.answers) or cause.of
+    return cause.group, cause.name, cause.text, cause.where, cause.subject, cause.does, of
 
 
 def _numbered(variants, name):

@@ -24,7 +24,7 @@ def addresses(site, address, part):
     return [f"{address}/{path.relative_to(site)}" for path in others[::part] + own[:: 30 * part]]
 
 
-@pytest.mark.parametrize("part", [8, pytest.param(1, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("part", [16, pytest.param(1, marks=pytest.mark.slow)])
 def test_each_page_is_right_loads_nothing_from_elsewhere_and_fits_a_phone(
     site, address, driver, part
 ):

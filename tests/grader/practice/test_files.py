@@ -174,6 +174,7 @@ except PracticeFileError as error:
 """
 
 
+@pytest.mark.one_in(2)
 @pytest.mark.parametrize(("part", "times", "method", "words"), [
     (" " * 10**6, 1100, zipfile.ZIP_DEFLATED, "4-16.json has more than 8 MB"),
     ("[]," * 1000, 2000, zipfile.ZIP_DEFLATED, "is damaged"),

@@ -62,7 +62,7 @@ def try_receipts(seed, count):
 
 
 def test_random_receipts_earn_nothing_unless_right_and_raise_nothing():
-    for seed in range(4):
+    for seed in range(2):
         try_receipts(seed, 500)
 
 
