@@ -1,15 +1,13 @@
 """The workflow that puts the site on GitHub Pages."""
 
 import pytest
-from click.testing import CliRunner
 
-from grader.commands.ci import ci
+from tests.grader.courses import command, ran
 
 
 def test_the_workflow_builds_the_site_and_deploys_what_was_built(tmp_path):
     yaml = pytest.importorskip("yaml")
-    done = CliRunner().invoke(ci, ["pages", "--to", str(tmp_path)])
-    assert done.exit_code == 0, done.output
+    ran(command("ci", "pages", "--to", tmp_path))
     text = (tmp_path / ".github/workflows/pages.yml").read_text("utf-8")
     job = yaml.safe_load(text)["jobs"]["pages"]
     assert job["environment"]["url"] == "${{ steps.deployed.outputs.page_url }}"
