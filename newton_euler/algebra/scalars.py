@@ -539,12 +539,12 @@ def hypot(*values: Scalar) -> Scalar:
     (5e-200, 0)
     """
     some = [x for x in values if x is not ZERO]
-    if not some:
-        return ZERO
-    kinds = {*map(type, some)}
-    if kinds == {float}:
-        return math.hypot(*some)
-    if kinds <= {float, int, Fraction}:
+    for x in some:
+        if type(x) is not float:
+            break
+    else:
+        return math.hypot(*some) if some else ZERO
+    if all(type(x) in (float, int, Fraction) for x in some):
         with suppress(OverflowError):  # of a whole number beyond floats: the root says so in words
             return math.hypot(*some)
     if all(type(x) is float or getattr(getattr(x, "dtype", None), "kind", "") == "f" for x in some):
