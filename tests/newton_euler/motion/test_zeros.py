@@ -227,11 +227,23 @@ def test_round_off_has_no_zeros():
     assert times(wild, 0.0, 5.0, sign=0, round_off=1e-16) == []
 
 
+def piece(left, right, c):
+    one = zeros.Piece(left, right)
+    one.fit, one.state = np.zeros(DEGREE + 4), "smooth"
+    one.fit[: len(c)] = c
+    return one
+
+
+def test_places_and_slopes_of_a_piece_are_in_time():
+    one = piece(2.0, 6.0, [0.3, -1.0, 2.0])
+    assert [one.time(x) for x in (-1, -0.5, 1)] == [2.0, 3.0, 6.0]
+    slopes = numpys.chebval([-1, 1], numpys.chebder([0.3, -1.0, 2.0])) / 2.0
+    assert [one.slope(-1), one.slope(1)] == pytest.approx(slopes)
+
+
 @pytest.mark.parametrize("sign", [1, -1])
 def test_the_guess_is_the_zero_of_the_polynomial_or_the_nearer_end(sign):
-    one = zeros.Piece(0.0, 1.0)
-    one.fit, one.state = np.zeros(DEGREE + 4), "smooth"
-    one.fit[:2] = -0.3 * sign, 1.0 * sign  # zero at 0.3
+    one = piece(0.0, 1.0, [-0.3 * sign, 1.0 * sign])  # zero at 0.3
     assert zeros._guess(zeros.Bracket(one, -0.5, 0.8, sign)) == pytest.approx(0.3)
     assert zeros._guess(zeros.Bracket(one, 0.5, 0.8, sign)) == 0.5
     assert zeros._guess(zeros.Bracket(one, -0.5, 0.1, sign)) == 0.1
