@@ -26,7 +26,9 @@ SENSITIVITY = 50  # rounding a given to 0.1 % may change an answer by 5 % at mos
 
 
 def seed(secret: bytes, assignment: str, student: str, problem_id: str) -> bytes:
-    """The seed of one student's numbers: HMAC-SHA256, keyed by the course's secret."""
+    """The seed of one student's numbers: HMAC-SHA256 of assignment, student and problem, keyed by
+    the course's secret.
+    """
     text = "\0".join((assignment, student, problem_id))
     return hmac.new(secret, text.encode(), hashlib.sha256).digest()
 
@@ -133,7 +135,9 @@ def _ill_conditioned(p, values, right):
 
 
 def apart(wrong: Points, right: Points) -> bool:
-    """True if a wrong answer is far from the key at half of the points where both are real."""
+    """True if a wrong answer is far from the key at half or more of the points where both are real,
+    or if there are no such points. Answers are tuples of points.
+    """
     far = [
         distance(x, key) >= SEPARATION
         for x, key in zip(wrong, right, strict=True)

@@ -7,9 +7,18 @@ arguments, which may branch: they are called with numbers.
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from operator import index
-from typing import Any
+from typing import Any, Protocol
 
 from newton_euler.algebra.scalars import Scalar, is_numeric
+
+
+class HasSymbols(Protocol):
+    """The part of a problem used here: the ranges of its symbols, and givens for its code."""
+
+    symbols: Mapping[str, Any]
+
+    def base(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> Any:
+        """The givens for the code of the problem."""
 
 
 def word(value: Any) -> Any:
@@ -26,7 +35,7 @@ def word(value: Any) -> Any:
 
 
 def words_at(
-    p: Any, compute: Callable[[Any], Mapping], values: Mapping[str, Scalar], one: Scalar
+    p: HasSymbols, compute: Callable[[Any], Mapping], values: Mapping[str, Scalar], one: Scalar
 ) -> dict:
     """The words and counts of problem ``p`` by ``compute(g)``, {key: answer}, for ``values`` in the
     units of the text, computed on scalars, so that the code may branch.
