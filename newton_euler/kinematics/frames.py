@@ -419,7 +419,9 @@ def _sent_frame(kind, token, parent):
 
 
 class Point:
-    """A point, by ``frame.point(...)``; ``origin_of`` names the first frame whose origin it is."""
+    """A point, made by ``frame.point(...)``, fixed in the frame unless its coordinates are moving;
+    ``origin_of`` is the name of the first frame whose origin it is, or None.
+    """
 
     __slots__ = ("_c", "frame", "name", "origin_of", "x")
 
