@@ -62,7 +62,7 @@ def problem_state(problem_id: str) -> str:
 
 
 def _hash_of(*folders, but=None):
-    """A hash of the files in these folders of the checkout, without names that match ``but``."""
+    """A hash of the files in these folders of the checkout, except names that match ``but``."""
     files = [
         f
         for folder in folders

@@ -19,7 +19,7 @@ class Pulley:
 
 def route(stops, turns=None):
     """The spans, a pair of places for each two neighbouring stops, and the arcs, a list of places
-    for each stop (empty unless it is a pulley); stops and turns as of :meth:`.Machines.cable`.
+    for each stop (empty unless it is a pulley); stops and turns as in :meth:`.Machines.cable`.
     """
     turned = [n for n, stop in enumerate(stops) if isinstance(stop, Pulley)]
     closed = len(stops) > 2 and stops[0] is stops[-1] and 0 in turned
