@@ -35,7 +35,7 @@ from .variants import drawn_value, flat, symbol_values
 from .wording import term_text
 from .words import word
 
-SETS = 3  # of numbers, to find repeated terms
+SETS = 3  # sets of numbers, to find repeated terms
 SAME = 1e-9  # relative
 
 

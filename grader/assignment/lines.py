@@ -100,7 +100,7 @@ class _Writer:
             axes = _axes(s.value)
             for n, (x, key) in enumerate(zip(parts, _names_of(s), strict=True)):
                 index = f"{n // 3 + 1}{n % 3 + 1}" if len(parts) == 9 and s.unit == "1" else ""
-                index = axes[n] if axes else index  # of turned components, by row and column
+                index = axes[n] if axes else index  # index of a turned component
                 named = symbol(f"{s.key}_{index}" if index else key)
                 self._know(key, p.notation.get(key) or named, x, s.unit)
         self.names = {n: self.names[n] for n in in_reading_order(self.units)}

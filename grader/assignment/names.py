@@ -198,7 +198,7 @@ class Names:
         def in_row(key, at):
             return self.sizes[key] == 9 and any(n // 3 == self.place for n in at)
 
-        if self.size == 3:  # of a matrix, the entry in this row, as -T_zx and not T_xz
+        if self.size == 3:  # from a matrix take the entry in this row, -T_zx and not T_xz
             own = {key for key, at in found.items() if in_row(key, at)}
             found = found | {k: at for k, at in other.items() if in_row(k, at) and k not in own}
         return {key: x for key, x in (found or other).items() if key not in self.apart}

@@ -33,7 +33,7 @@ from .identity import ONLY_BY, CourseError, check_id, same_student
 SECRET_BYTES = 32
 UNFINISHED = ".unfinished_build"  # marks a folder in which a course is being made
 
-_ADVICE = {  # by SQLite's primary error code
+_ADVICE = {  # advice by SQLite's primary error code
     "SQLITE_BUSY": "another program is writing to it; wait until it has ended, then run this "
     "again. Nothing was lost",
     "SQLITE_READONLY": "it cannot be written; give yourself write permission for it and for its "
@@ -217,7 +217,7 @@ class Course:
         from nbgrader import api
         from sqlalchemy.exc import DatabaseError
 
-        api.get_alembic_version = newest_schema  # its own starts a process, for three seconds
+        api.get_alembic_version = newest_schema  # nbgrader's starts a process: 3 s
         try:
             with api.Gradebook(f"sqlite:///{self.path / 'gradebook.db'}", self.name) as book:
                 yield book
@@ -234,7 +234,7 @@ class Course:
         with self.gradebook() as book:
             ids = sorted(s.id for s in book.students)
         known: dict[str, str] = {}
-        for i in ids:  # those added by nbgrader have not been compared
+        for i in ids:  # ids added by nbgrader have not been compared
             if (other := known.setdefault(same_student(i), i)) != i:
                 raise CourseError(
                     f"the students {other!r} and {i!r} on the roster differ {ONLY_BY}; "

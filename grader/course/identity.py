@@ -24,7 +24,7 @@ def check_id(student_id: str) -> str:
     return student_id
 
 
-# by which two ids of same_student may differ
+# how two ids of same_student may differ
 ONLY_BY = "only by upper and lower case or by how a letter is encoded"
 
 

@@ -23,7 +23,7 @@ from .setups_made import of_setups
 
 OPERATIONS = operations(scalars) | {"pi": scalars.pi}
 TWINS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
-SETUPS = 4  # of a problem
+SETUPS = 4  # slips in the set-up of each problem
 OF_INERTIA = Dimension(1, 2, 0)
 OF_GRAVITY = Dimension(0, 1, -2)
 

@@ -19,7 +19,7 @@ from ..scoring.numbers import numbers_of, points_of
 from .slips_made import LISTED, made
 
 SLIP_OUTCOMES = ("named", "followed", "silent", "misnamed")
-DIGITS = (4, 6, 17)  # of an answer
+DIGITS = (4, 6, 17)  # digits of an answer
 RANDOM = "random numbers"
 TRIES = 5  # random numbers for each answer
 

@@ -34,7 +34,7 @@ _SET = {
 }
 _PAUSE = 0.05  # seconds between two reads of the receipts
 GRACE = 5.0  # seconds on top of a limit, to start a process or to end a test
-END_SECONDS = 60.0  # to end a submission that has filled the machine with processes
+END_SECONDS = 60.0  # time to end a submission that has filled the machine with processes
 
 
 Job = dict[str, Any]  # a cell to run, see Harvester.run

@@ -26,7 +26,7 @@ class Sheet:
     released: Released
     values: SheetValues
     sources: Sources
-    earlier: Mapping[str, Sequence[Values]]  # by problem: the numbers of earlier attempts
+    earlier: Mapping[str, Sequence[Values]]  # the numbers of earlier attempts, by problem
 
     @cached_property
     def master(self) -> Notebook:

@@ -283,7 +283,7 @@ _moving.__qualname__ = "moving"
 
 
 def _known(x, what):
-    """The real scalar ``x``; None and nan, as before a computation, are refused."""
+    """The real scalar ``x``; None and nan, as of a value not computed yet, are refused."""
     if x is None or (isinstance(x, float) and x != x):
         raise ScalarError(
             f"the {what} is {x}, which is not a number: look at what it was computed from"

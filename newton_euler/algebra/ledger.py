@@ -36,7 +36,7 @@ from .scalars import (
 class TermError(NewtonEulerError, ValueError, KeyError):
     """A sum does not have the term that is named."""
 
-    __str__ = Exception.__str__  # that of a KeyError adds quotation marks
+    __str__ = Exception.__str__  # KeyError.__str__ would add quotation marks
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ class Equation:
     kind, number, symbol : what the sum is, as "acceleration"; its number in the book; in LaTeX
     unit : of the sum in SI, "" where it has none of its own
     terms : by name, a term as (text, LaTeX), for those whose name is not enough
-    other : (text, LaTeX) of a term that is not listed; its name becomes the index
+    other : (text, LaTeX) of a term that is not listed; its name becomes the subscript
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -71,7 +71,7 @@ def equation(kind: str) -> Equation:
     with Path(__file__).with_name("equations.toml").open("rb") as file:
         found = tomllib.load(file)[kind]
     terms = {name: tuple(texts) for name, texts in found.get("terms", {}).items()}
-    other = found.get("other", ("", f"{{{found['symbol']}}}"))  # braces: it may have an index
+    other = found.get("other", ("", f"{{{found['symbol']}}}"))  # braces: it may have a subscript
     return Equation(
         kind, found["number"], found["symbol"], terms, tuple(other), found.get("unit", "")
     )
@@ -323,7 +323,7 @@ class Explanation:
     def latex(self) -> str:
         """The formula and the value of each term, as an align* environment."""
         symbol, known, other = self.equation.symbol, self.equation.terms, self.equation.other[1]
-        # braces, since a symbol as M_B has an index already
+        # braces, since a symbol such as M_B already has a subscript
         total = f"{{{symbol}}}" + f"_{{{latex_text(self.ledger.subject)}}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
         formulas = [known[n][1] if n in known else _product(n, other) for n in self.terms]
@@ -345,7 +345,7 @@ def in_columns(heading: str, rows: Sequence[tuple[str, str]]) -> str:
 
 
 def _product(name, symbol):
-    """LaTeX of a term named after frames: "arm" is an index, two names make a cross product."""
+    """LaTeX of a term named after frames: "arm" is a subscript, two names make a cross product."""
     if not isinstance(name, Crossed):
         return rf"{symbol}_{{{latex_text(name)}}}"
     return r"\times".join(rf"\boldsymbol{{\omega}}_{{{latex_text(n)}}}" for n in name.factors)

@@ -148,7 +148,7 @@ class LinearForm(Unordered, _Own):
         self._refuse("the absolute value is taken of an unknown")
 
 
-# -- what is solved, for those who show it
+# -- the equations that were solved, for worked solutions
 
 
 @dataclass(frozen=True)
@@ -506,9 +506,9 @@ def _of_expressions(equations, found):
 
 def solve_regular(rows: list[tuple[Mapping[int, Scalar], Scalar]]) -> dict[int, Scalar]:
     """The unknowns by number, from as many independent equations, pairs (coefficients by unknown,
-    right side). One after the other is taken from the place that touches the fewest other places:
-    best one that is known at once, or that occurs nowhere else and follows when the others are
-    known; without such a place, the last few by Cramer's rule.
+    right side). Pivots are chosen by Markowitz's rule, the place that changes the fewest others:
+    best an unknown alone in its equation, or one that occurs nowhere else and follows from the
+    others. Without such a place, Cramer's rule solves the last few.
     """
     if not rows:
         return {}

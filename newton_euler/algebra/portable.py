@@ -88,7 +88,7 @@ class Steps:
 
 
 class _Asked:
-    """Stands for states or parameters, and notes which of them a function asks for."""
+    """Placeholder for states or parameters, which notes which of them a function asks for."""
 
     def __init__(self, of, asked, trace):
         self._of, self._asked, self._trace = of, asked, trace

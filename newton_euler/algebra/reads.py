@@ -30,7 +30,7 @@ FIXED = {*ENGINE, *PYTHONS, *LIBRARIES, "scipy"}
 # kinds of values that never change: a name can only be given another one
 CONSTANTS = (bool, int, float, complex, str, bytes, type(None), range, Fraction, _Own)
 RANDOM = "numpy.random"
-# by these a function reaches what its byte code does not name
+# functions by which code reaches what its byte code does not name
 HIDDEN = {"eval", "exec", "globals", "locals", "open", "input", "__import__", "compile"}
 BY_NAME = {"getattr", "vars", "dir"}
 

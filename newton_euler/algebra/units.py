@@ -77,7 +77,7 @@ class Dimension(_Own):
         return hash(self.powers)
 
     def __add__(self, other: Scalar) -> "Dimension":
-        if _is_nothing(other):  # with which sum() begins
+        if _is_nothing(other):  # sum() begins with 0
             return self
         if outranks(other, self):
             return NotImplemented

@@ -107,4 +107,4 @@ def _write():
         beside.write_text(json.dumps(_kept), "utf-8")
         os.replace(beside, FILE)
     except OSError:
-        pass  # in a folder that cannot be written, this kernel alone counts
+        pass  # the folder cannot be written: this kernel alone counts

@@ -25,7 +25,7 @@ from .trees import TreeError
 from .values import components, read_number
 
 MOST = 10**15  # the largest count; JSON has no place for thousands of digits
-FRAMES = 4  # in which a vector is read: its own, the ground, and two between
+FRAMES = 4  # the most frames in which a vector is read: its own, the ground, and two between
 
 
 class Kind:
@@ -35,18 +35,18 @@ class Kind:
     """
 
     name: ClassVar[str]
-    title: ClassVar[str]  # its name for a reader
-    words: ClassVar[str]  # for a reader
-    shape: ClassVar[tuple[int, ...]] = ()  # of its components; (3, 3) has rows of three
+    title: ClassVar[str]  # name for a reader
+    words: ClassVar[str]  # what to write, for a reader
+    shape: ClassVar[tuple[int, ...]] = ()  # shape of its components; (3, 3) has rows of three
     rtol: ClassVar[float] = tolerance.RTOL
-    is_word: ClassVar[bool] = False  # without unit, size and components
-    is_formula: ClassVar[bool] = False  # in the symbols of the problem
-    is_vector: ClassVar[bool] = False  # has components along axes
-    has_size: ClassVar[bool] = True  # which the givens of the problem determine
-    has_options: ClassVar[bool] = False  # its form lists the words to choose from
-    is_met_by_chance: ClassVar[bool] = False  # by wrong models that do not explain it
-    many: ClassVar[str] = ""  # why no numbers of its own are the right ones, if so
-    with_numbers: ClassVar[str] = ""  # name of the kind where numbers stand for the symbols
+    is_word: ClassVar[bool] = False  # True: no unit, no size, no components
+    is_formula: ClassVar[bool] = False  # True: written in the symbols of the problem
+    is_vector: ClassVar[bool] = False  # True: its components are along axes
+    has_size: ClassVar[bool] = True  # True: the givens of the problem determine it
+    has_options: ClassVar[bool] = False  # True: its form lists the words to choose from
+    is_met_by_chance: ClassVar[bool] = False  # True: wrong models often give it
+    many: ClassVar[str] = ""  # why several sets of numbers are right, if so
+    with_numbers: ClassVar[str] = ""  # name of the kind with numbers in place of symbols
 
     def __str__(self) -> str:
         return self.name
@@ -321,7 +321,7 @@ class Direction(VectorKind):
         points = super()._points(trees, form, symbols, budget)
         if not any(points[0]):
             raise TreeError("a vector of length zero has no direction")
-        if not 1e-99 < (longest := max(map(abs, points[0]))) < 1e99:  # its square may have no float
+        if not 1e-99 < (longest := max(map(abs, points[0]))) < 1e99:  # a square beyond floats
             points = (tuple(x / longest for x in points[0]),)
         return points
 
@@ -341,7 +341,7 @@ class Direction(VectorKind):
         return [unit, tuple(-x for x in unit)]
 
     def factors(self, unit: str) -> Mapping[str, float]:
-        return {}  # its length says nothing
+        return {}  # its length means nothing
 
     def slips(self, fit: Fit) -> slips.Models:
         yield from slips.of_vector(fit)

@@ -25,7 +25,7 @@ from .tolerance import NOISE, ROUND_OFF, Points
 
 (TWO, *_) = PURE
 SIMPLE, FEW = 12, 4  # the largest denominator of a simple number in a formula, in a number
-CHANCE = 0.005  # by which a random answer may meet a pair that is named
+CHANCE = 0.005  # that a random answer meets a pair that is named
 
 
 def of_two(
@@ -43,7 +43,7 @@ def of_two(
     """
     if fit.index is None or fit.is_plain or not (kind.has_size or kind.is_formula):
         return ()
-    if not is_here("numpy"):  # on a page of the site
+    if not is_here("numpy"):  # as on a page of the site
         return ()
     found: dict[int, dict[tuple[Cause, ...], None]] = {}
     pairs = _Pairs(fit, kind, own, slips())
@@ -268,7 +268,7 @@ def _are_powers(x, y):
     """True of changes of which one is a power of the other: a third power is met by them."""
     with np.errstate(all="ignore"):
         power = (np.log(abs(x)) / np.log(abs(y))).ravel()
-    whole = 12 * power  # of halves, thirds and fourths
+    whole = 12 * power  # whole for halves, thirds and fourths
     return bool(whole[0]) and bool((abs(whole - np.round(whole[0])) < NOISE).all())
 
 

@@ -51,7 +51,7 @@ def _plain(value, form):
             raise form.error(
                 "the quantity {value} cannot be converted: {error}", value=value, error=error
             ) from None
-    for method in ("to_numpy", "toarray"):  # of pandas and polars, of sparse matrices
+    for method in ("to_numpy", "toarray"):  # methods of pandas and polars, and of sparse matrices
         if hasattr(value, method) and not isinstance(value, type):
             return getattr(value, method)()
     root, shape = _library(value), getattr(value, "shape", ())

@@ -57,7 +57,7 @@ class Event(Portable):
 
     def __post_init__(self):
         for name in ("direction", "terminal"):
-            if getattr(getattr(self, name), "shape", None) == ():  # of NumPy
+            if getattr(getattr(self, name), "shape", None) == ():  # an array of NumPy without axes
                 object.__setattr__(self, name, getattr(self, name).item())
         direction, then = self.direction, self.then
         what = "an event takes a function (s, p, t) whose zeros are looked for"

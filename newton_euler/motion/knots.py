@@ -47,7 +47,7 @@ def _joints(system, t0, t1):
             part = (x - first) / ((last - first) or math.inf)
             if 0.0 < part <= 1.0:
                 t, slope = t0 + part * (t1 - t0), (last - first) / (t1 - t0)
-                for _ in range(POLISHED):  # to the last digit: a jump may be large
+                for _ in range(POLISHED):  # exact to the last digit, since a jump may be large
                     one, other = read(t, *states, *system.p)[2 * n : 2 * n + 2]
                     t = min(max(t - (one - other - x) / slope, t0), t1)
                 yield t

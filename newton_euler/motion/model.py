@@ -553,7 +553,7 @@ def real_numbers(x, what):
         return np.asarray(given, dtype=float)
     except (TypeError, ValueError, OverflowError, RuntimeError) as error:
         if isinstance(error, ModelError):
-            raise  # of an entry
+            raise  # the error of an entry
         raise ModelError(f"{what}; got {clipped(x)}{unit_advice(x)}") from error
 
 

@@ -60,7 +60,7 @@ def passage(stepper, first):
     are the times, with the numbers of the arguments, at which one turns back.
     """
     stepper.near = [pair for pair in stepper.near if pair[0] < stepper.step_times[first]]
-    # the same steps again, as of the same call
+    # asked again for the same steps
     clear = vars(stepper.system).setdefault("_clear", {})
     key, steps = stepper.tolerance, (first, stepper.start, stepper.t, stepper.x)
     if key in clear and clear[key][0] == steps:
@@ -250,7 +250,7 @@ def _brackets(path, suspects):
     points, transform = sampling()
     n = np.flatnonzero(suspects.any(axis=0))
     if len(n) > max(FOLLOWED, len(path.lengths) / 2):
-        return [], []  # it sticks, and turns to and fro in each step
+        return [], []  # it sticks, and chatters in each step
     n = np.sort(n[np.argsort(path.lengths[n])[-FOLLOWED:]])
     suspects, low, width, found = suspects[:, n], np.zeros(len(n)), 1.0, []
     noise = NOISE * np.nan_to_num(abs(path.rows)).max(axis=1)
@@ -455,7 +455,7 @@ def within_reach(stepper, error):
         values = _values(stepper, arguments, beside, dense.states(beside))
         values = np.sign(values.reshape(len(values), 2, -1, len(j))[j, :, :, np.arange(len(j))])
         kinds = arguments.names[j]
-        # with other signs on the left than on the right it only seems to turn, by round-off
+        # if the signs differ on both sides, it only seems to turn, by round-off
         turns = np.isin(kinds, ("largest", "ratio"))
         turns |= (values[:, 0] != values[:, 1]).sum(axis=1) <= UNEQUAL
         inside = (np.ptp(values, axis=(1, 2)) > 0) & (kinds == "jump")

@@ -13,7 +13,7 @@ from ..algebra.scalars import Scalar
 from .methods.base import sample_times
 from .model import Model, ModelError, real_numbers
 
-DEFAULT_SAMPLES = 101  # times of a motion without steps
+DEFAULT_SAMPLES = 101  # number of times for a motion without steps
 
 
 class UnfitError(ModelError):

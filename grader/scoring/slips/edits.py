@@ -120,7 +120,7 @@ def _everywhere_and_once(s, place, slip, users):
     cause = words if isinstance(words, Cause) else computed(named, words, "", *does)
     yield Edit(rank, cause, {s.number: expression})
     if kind in (givens.TWICE, givens.HALF, givens.FOREIGN):
-        return  # of one quantity, or a factor of one term; a unit is read once
+        return  # twice and half have edits of single uses elsewhere; a unit is read once
     users = [user for user in users if user.op not in WITHIN] if len(users) > 1 else []
     if s.op in SUM:  # the square of a sum is written once
         products = {user for user in users if user.op in PRODUCT}
@@ -233,19 +233,19 @@ def _instead(parts, length):
 
 
 Edits = tuple[Callable[[Facts], Iterator[Edit]], ...]
-# of givens, and of whole answers by them
+# edits of givens, and of whole answers by them
 OF_GIVENS: Edits = (
     operations.of_angles, groups.of_constants, givens.of_one_unit, givens.of_exchanged,
     givens.of_planes, givens.of_rates, wholes.of_wholes, wholes.of_sides, wholes.of_unneeded,
     givens.of_lengths, givens.of_loads, givens.of_vectors, givens.of_earlier,
     givens.of_projections, of_integrals, of_roots, givens.of_weights,
 )  # fmt: skip
-# that put something else in place of a whole answer
+# edits that put something else in place of a whole answer
 OF_ANSWERS: Edits = (
     wholes.of_quantities_in_wholes, wholes.of_sums, wholes.of_single_terms, _of_unchanged,
     _of_differences, _of_stages, quantities.of_ratios, of_laws,
 )  # fmt: skip
-# of quantities on the way, of equations, and of several places at once
+# edits of quantities on the way, of equations, and of several places at once
 OF_QUANTITIES: Edits = (
     _of_angles, of_equations, quantities.of_quantities, quantities.of_rods,
     quantities.of_cross_products, quantities.of_distances, quantities.of_givens_in_products,

@@ -49,7 +49,7 @@ TIMES_OF_GIVEN = (
     (2.0, TWICE, Words("takes twice {name}, or has a 2 too many beside it: {why}")),
     (0.5, HALF, Words("takes half of {name}, or lacks a factor 2 beside it: {why}")),
 )
-OF_WEIGHT = {  # times g, and over it
+OF_WEIGHT = {  # words for a product with g, and for a quotient by it
     FORCE: (
         Words("takes {name} for a mass: it is a weight"),
         Words("divides {name} by g: it is a force already"),
@@ -59,7 +59,7 @@ OF_WEIGHT = {  # times g, and over it
         Words("divides {name} by g: it is a mass, not a weight"),
     ),
 }
-# rank, kind, words or cause, its replacement; of some what they do, and to what
+# rank, kind, words or cause, replacement; for some also what they do, and to what
 Slip = tuple[int, str, Any, Any] | tuple[int, str, Words, Any, str, str]
 
 

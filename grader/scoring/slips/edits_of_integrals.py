@@ -15,7 +15,7 @@ from .typed import described, is_given
 
 TWINS = {"sin": "cos", "cos": "sin"}
 NOUNS = {"+": "the term", "-": "the term", "*": "the factor", "/": "the factor"}
-STEP = 1e-3  # of a place, in a derivative
+STEP = 1e-3  # relative step of a difference quotient
 FEW = 4  # integrals: of more, no slip inside is tried
 INSIDE = {
     "twin": Words("takes {twin} for {own} in the integrand: check what it stands for"),

@@ -72,7 +72,7 @@ def _of_sum(s):
         several = isinstance(term, Step) and term.op in SUM
         rank, name = LESS if several else SIMPLE, _term(term, s)
         what, varies = name or UNNAMED, is_given(term)
-        if a is not b:  # of two equal terms nothing is left if one is reversed
+        if a is not b:  # if one of two equal terms is reversed, nothing is left
             words = Words(TURNED_TERM, term=what, why=SUBTRACTED if minus else ADDED)
             yield rank if varies else LESS, "sign", words, turned, REVERSED, name
         words = Words("leaves out {term}: it is not zero here", term=what)

@@ -356,7 +356,7 @@ def of_transfers(f: Facts) -> Iterator[Edit]:
     moments = dict.fromkeys(s for s in f.steps if f.of(s) == INERTIA)
     first = [s for s in moments if moments.keys().isdisjoint(steps_in(s))]
     lengths = [(n, s) for n, s in f.given.items() if f.of(s) == LENGTH]
-    some = first if len(first) <= FEW else ()  # of many bodies, a setup shows the place of each
+    some = first if len(first) <= FEW else ()  # with many bodies, the setup shows the place of each
     for I, (mass, m), (name, d) in product(some, masses, lengths):
         for text, factor in (f"{mass}*{name}^2", 1.0), (f"{mass}*({name}/2)^2", 0.25):
             term = ("*", ("*", ("*", m, d), d), factor)

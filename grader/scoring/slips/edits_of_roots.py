@@ -125,7 +125,7 @@ def _of_root(equation):
     """(rank, words, what it does and to what, the root) of the slips in one equation."""
     unknown = equation.unknown
     for s in equation.solved:
-        slips = [*of_operation(s, lambda s: s)]  # in base units
+        slips = [*of_operation(s, lambda s: s)]  # slips in base units
         slips += equation.of_product(s) if s in equation.products else ()
         for rank, _, words, expression, *does in (x for x in slips if x[0] <= LESS):
             text = words.text if isinstance(words, Cause) else words

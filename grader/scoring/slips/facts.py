@@ -14,7 +14,7 @@ from .typed import Product, repeats
 NUMBER, MASS, LENGTH, TIME = Dimension(), Dimension(1), Dimension(0, 1), Dimension(0, 0, 1)
 FORCE, GRAVITY = Dimension(1, 1, -2), Dimension(0, 1, -2)
 AREA, INERTIA, ENERGY = Dimension(0, 2), Dimension(1, 2), Dimension(1, 2, -2)
-G, G_OF_FEET = 9.81, 32.2  # of g, where the text gives none
+G, G_OF_FEET = 9.81, 32.2  # values of g, where the text gives none
 
 
 class Facts:

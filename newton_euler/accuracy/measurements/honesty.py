@@ -26,7 +26,7 @@ from .measure import Measured
 from .work_precision import NAMES, TOLERANCES, Reference, timed_run
 
 EPS = 2.0**-53  # relative errors below half a unit of the last place are not known
-GROSS = 10.0  # times tolerance and estimate: a larger error is silently wrong
+GROSS = 10.0  # an error above this many times tolerance and estimate is silently wrong
 # seconds that a run may take; with less, runs that break their promise were left out while the
 # machine was busy, and the counts depended on it
 PATIENCE = 1.0

@@ -17,7 +17,7 @@ COUNTS = Words("tried"), Words("right"), Words("at first go"), Words("with help"
 
 
 SETS = Path(__file__).with_name("sets")  # made with the wheel, of all chapters
-KEPT = "practice.progress.json"  # in the folder at hand, of the problems that come with the engine
+KEPT = "practice.progress.json"  # progress in the engine's problems, in the current folder
 
 
 @checked

@@ -10,7 +10,7 @@ from . import kept
 from .page import STATIC, opened, plain
 from .question import LETTERS, Judged, Question, question
 
-_asked: dict[str, "Prediction"] = {}  # by their keys, in the order of asking
+_asked: dict[str, "Prediction"] = {}  # predictions by key, in the order of asking
 
 
 @checked

@@ -20,9 +20,9 @@ _WIDTHS = {
     100: "@…",
 }  # fmt: skip
 WIDTH = {letter: width / 100 for width, letters in _WIDTHS.items() for letter in letters}
-BOLD = 1.12  # its width, of the usual
-SMALL, LOWER, HIGHER = 0.7, 0.2, 0.38  # size, and shifts, of an index and of a power, by the size
-# heights above the base line, of l and with an accent; depth of p
+BOLD = 1.12  # width of bold letters, relative to the usual
+SMALL, LOWER, HIGHER = 0.7, 0.2, 0.38  # relative size of index and power, and their shifts
+# heights above the base line, of l and of accented letters; depth of p
 ABOVE, ACCENTED, BELOW = 0.76, 0.95, 0.21
 _DEEP = set("gjpqyQ,;()/|βγζημξρφχψ")
 

@@ -21,7 +21,7 @@ class Panel(Plots):
         self.figure, self.row, self.column = page, row, column
         self.sketches: list[Any] = []
         self.plotted = Plot()
-        self.titles: dict[str, tuple[str, float]] = {}  # by place: text, size
+        self.titles: dict[str, tuple[str, float]] = {}  # {place: (text, size)}
 
     def set_title(self, text: str, fontsize: float = TITLE, loc: str = "center", **_: Any) -> None:
         """Set the title in the middle, or the one at the left; its size is in points, its lines are

@@ -29,7 +29,7 @@ DASHES = {
     "centre": (0, (9, 2.5, 2, 2.5)),
 }
 FONT = 11  # points
-SQUARE = (1, 1), (-1, 1), (-1, -1), (1, -1)  # its corners
+SQUARE = (1, 1), (-1, 1), (-1, -1), (1, -1)  # corners of a square
 
 # layers: bodies hide each other by depth; marks and then arrows lie over them
 BODY, MARK, ARROW = range(3)
@@ -101,7 +101,7 @@ class Stroke:
     depth: float
     normal: tuple | None = None  # normal of a flat face
     cut: bool = False  # a piece of a line that a face cuts
-    holes: tuple = ()  # in its filling, each a list of places
+    holes: tuple = ()  # holes in its filling, each a list of places
 
 
 class Canvas(View):

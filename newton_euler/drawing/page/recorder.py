@@ -68,7 +68,7 @@ class Recorder:
         self._longest: dict = {}  # the longest arrow of each kind
         self._shortest = 0.25  # least length, relative to the longest
         self._pending = False
-        self._window: Window | None = None  # that of an animation, if it is part of one
+        self._window: Window | None = None  # window of the animation, if it is part of one
         self.drawn: Canvas | None = None  # what was rendered last
 
     def _place(self, P: Place) -> Triple:
