@@ -67,7 +67,7 @@ def _steps(components):
 
 def _of_sizes(problem, g, right):
     """The mistakes in the terms of a vector, of which the size is asked for."""
-    sizes = {key: step for key, step in sizes_of(problem.id).items() if key in right}
+    sizes = {key: step for key, step in sizes_of(problem).items() if key in right}
     steps = {s.key: s.value for s in listed_steps(problem, g)} if sizes else {}
     for key, step in sizes.items():
         for cause, wrong in _terms(steps[step], problem):

@@ -7,6 +7,7 @@ before each use: no value is computed, and nothing is called.
 import builtins
 import dis
 import sys
+from collections.abc import Set
 from dataclasses import fields
 from fractions import Fraction
 from functools import lru_cache, partial
@@ -156,7 +157,7 @@ def _is_fixed_function(f, packages=FIXED):
 
 
 @lru_cache(maxsize=256)
-def names_in(code):
+def names_in(code: CodeType) -> tuple[Set[str] | None, Set[str]]:
     """The names of globals that some byte code loads, a set, and all names and texts in it; None
     and the names if it also sets some, or imports a module that is not fixed.
     """

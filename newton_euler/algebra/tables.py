@@ -118,7 +118,7 @@ class Table:
     def _content(self):
         return self.places, self.values, self.kind, self.hold, self.order
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return self is other or (isinstance(other, Table) and self._content() == other._content())
 
     def __hash__(self):

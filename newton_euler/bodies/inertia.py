@@ -233,7 +233,7 @@ class Inertia(Scaled, NamedTerms):
 
     # -- sums
 
-    def __add__(self, other):
+    def __add__(self, other: "Inertia") -> "Inertia":
         if not isinstance(other, Inertia):
             raise MassError(f"an inertia matrix can only be added to one, got {other!r}")
         other = other.about(self.point).expressed_in(self.frame)
@@ -243,16 +243,16 @@ class Inertia(Scaled, NamedTerms):
         products = add3(self.products, other.products)
         return self._like(moments, products, mass=mass, centre=centre)
 
-    def __radd__(self, other):
+    def __radd__(self, other: Scalar) -> "Inertia":
         return self if type(other) is int and other == 0 else self + other  # where sum() begins
 
     def __neg__(self):
         return -1 * self
 
-    def __sub__(self, other):
+    def __sub__(self, other: "Inertia") -> "Inertia":
         return self + (-other if isinstance(other, Inertia) else other)
 
-    def __mul__(self, s):
+    def __mul__(self, s: Scalar) -> "Inertia":
         s = real_scalar(s)
         mass = None if self.mass is None else s * self.mass
         return self._like(scale3(s, self.moments), scale3(s, self.products), mass=mass)

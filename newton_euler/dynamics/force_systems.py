@@ -103,7 +103,7 @@ class ForceSystem:
         parts = (replace(p, name=name) for p, name in zip(self.parts, names, strict=True))
         return "\n".join(map(str, parts)) or "no forces"
 
-    def __add__(self, other):
+    def __add__(self, other: "ForceSystem") -> "ForceSystem":
         return ForceSystem([self, other], self.frame)
 
     @property

@@ -42,7 +42,13 @@ from .work import Field, magnitude, work_along
 class NoPotential(WorkError):
     """A field without potential: ``curl`` at ``place``, or ``circulation`` round a loop, not 0."""
 
-    def __init__(self, message, place=None, curl=None, circulation=None):
+    def __init__(
+        self,
+        message: str,
+        place: Point | None = None,
+        curl: Vector | None = None,
+        circulation: Scalar | None = None,
+    ):
         super().__init__(message)
         self.place, self.curl, self.circulation = place, curl, circulation
 

@@ -26,7 +26,7 @@ class MotionError(ModelError):
     singular there, so take others.
     """
 
-    def __init__(self, message, reached):
+    def __init__(self, message: str, reached: "Motion"):
         super().__init__(message)
         self.reached = reached
 

@@ -2,13 +2,22 @@
 
 import math
 
+from ...algebra.scalars import Triple
 from ...algebra.vectors import cross3, dot3, scale3
+from ..page.primitives import Canvas
 from ..page.projection import moved, norm3, normal_of
 
 SMOOTH = math.cos(math.radians(25))  # cosine of the angle below which two faces of a wall are one
 
 
-def extrude(canvas, outline, holes, along, normal, style="body"):
+def extrude(
+    canvas: Canvas,
+    outline: list[Triple],
+    holes: list[list[Triple]],
+    along: Triple,
+    normal: Triple,
+    style: str = "body",
+) -> None:
     """Add the body between an outline and its copy moved by ``along``; if zero, the one face."""
     if not norm3(along):
         canvas.face(outline, style, normal, holes=holes)

@@ -66,7 +66,7 @@ class Run(NamedTuple):
     level: int = 0
     over: bool = False
 
-    def width(self):
+    def width(self) -> float:
         """Its width at size 1."""
         letters = unicodedata.normalize("NFD", self.text)
         width = sum(WIDTH.get(c, WIDTH["x"]) for c in letters if not unicodedata.combining(c))

@@ -5,11 +5,11 @@ from dataclasses import replace
 from itertools import pairwise
 
 from ...algebra.vectors import dot3, scale3, sub3
-from .primitives import BODY
+from .primitives import BODY, Canvas, Stroke
 from .projection import between, mean, norm3
 
 
-def painters_order(canvas):
+def painters_order(canvas: Canvas) -> list[Stroke]:
     """The strokes in the order of drawing: a later one hides an earlier one. Bodies go from far to
     near, by the depths of their middles; but what lies behind the plane of a face is drawn before
     it, what lies on the eye's side after it, and a line through a face is cut in two (Newell,

@@ -2,7 +2,7 @@
 Matplotlib.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked
@@ -47,7 +47,7 @@ class Panel(Plots):
         """Width and height in points."""
         return self.box()[2:]
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Callable[..., None]:
         if name.startswith("__"):
             raise AttributeError(name)
         if name[:4] == "set_" and name[4:] in SETTINGS:
@@ -141,7 +141,7 @@ class Panels(list):
         for item in self:
             yield from item.flat if isinstance(item, Panels) else (item,)
 
-    def __getitem__(self, place):
+    def __getitem__(self, place: Any) -> Any:
         if isinstance(place, tuple):
             row, place = place
             return list.__getitem__(self, row)[place]
