@@ -22,7 +22,7 @@ from ..algebra.compile import compiled, content, recorded, text_of
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
 from ..algebra.late import np
 from ..algebra.names import guided, misfit
-from ..algebra.places import at_a_place, raised_by_the_engine
+from ..algebra.places import at_a_place, note_place, raised_by_the_engine
 from ..algebra.portable import Portable
 from ..algebra.reads import Reads
 from ..algebra.scalars import (
@@ -65,6 +65,9 @@ class Named:
 
     def __init__(self, what: str, values: Mapping[str, Scalar]):
         vars(self).update({**values, "": what})  # a name that no state and no parameter has
+
+    def __repr__(self):
+        return f"({', '.join(f'{n} = {clipped(x)}' for n, x in vars(self).items() if n)})"
 
     def __getattr__(self, name):
         if name.startswith("__"):
@@ -325,8 +328,12 @@ class Model(Portable):
         tables = {n: x for n, x in laws.items() if isinstance(x, Table)}
         # evaluated before any is added: a law sees numbers and tables only, not other laws
         vars(p).update(tables)
-        vars(p).update({n: scalar(x(s, p, t)) for n, x in laws.items() if n not in tables})
-        return f(s, p, t)
+        try:
+            vars(p).update({n: scalar(x(s, p, t)) for n, x in laws.items() if n not in tables})
+            return f(s, p, t)
+        except Exception as error:
+            note_place(error)
+            raise
 
     def _value(self, f, state, t):
         """``f(s, p, t)`` at a state, a tuple for several scalars."""
