@@ -178,6 +178,9 @@ class Model(Portable):
             what = f"{self.name} has no rates at {clipped(self._state(state))}"
             at_a_place(error, ModelError, what, advice)
             raise
+        except Exception as error:
+            note_place(error)
+            raise
 
     def compiled_rhs(self, *free: str) -> Callable:
         """The right-hand side as fast straight-line code, see :func:`newton_euler.compiled`: a
@@ -259,13 +262,21 @@ class Model(Portable):
             place = f"at t = {clipped(t)}, {clipped(state)}"
             at_a_place(error, kind, f"the {what} of {self.name!r} has no value {place}")
             raise
+        except Exception as error:
+            note_place(error)
+            raise
 
     def neglected(self, t: Scalar, start: State) -> dict:
         """A dict: for each :class:`Neglected` the bound on its error until ``t`` after ``start``,
         inf where none is known.
         """
         start, t = self._state(start), self._time(t)  # checked even if no bound needs them
-        return {n: self._value(n.bound, start, t) if n.bound else math.inf for n in self.neglects}
+        return {
+            n: self._value_of("bound on what it neglects", n.bound, start, t)
+            if n.bound
+            else math.inf
+            for n in self.neglects
+        }
 
     def changed(self, /, **parameters: Scalar) -> "Model":
         """The same model with some parameters changed; ``self`` stays as it is."""
@@ -328,12 +339,8 @@ class Model(Portable):
         tables = {n: x for n, x in laws.items() if isinstance(x, Table)}
         # evaluated before any is added: a law sees numbers and tables only, not other laws
         vars(p).update(tables)
-        try:
-            vars(p).update({n: scalar(x(s, p, t)) for n, x in laws.items() if n not in tables})
-            return f(s, p, t)
-        except Exception as error:
-            note_place(error)
-            raise
+        vars(p).update({n: scalar(x(s, p, t)) for n, x in laws.items() if n not in tables})
+        return f(s, p, t)
 
     def _value(self, f, state, t):
         """``f(s, p, t)`` at a state, a tuple for several scalars."""
