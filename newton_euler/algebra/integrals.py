@@ -101,7 +101,9 @@ def _like(like, scalars):
     return to_plain(next(scalars))
 
 
-def integrals(f, start, end):
+def integrals(
+    f: Callable[[Scalar], Sequence[Scalar]], start: Scalar, end: Scalar
+) -> tuple[Scalar, ...]:
     """The integrals of a function that returns a tuple of scalars, as :func:`integral`."""
     start, end = scalar(start), scalar(end)
     sample = f((start + end) / 2)
@@ -181,7 +183,9 @@ def _settled(values, before, allowed):
     return all(max_abs(x - y) <= a for x, y, a in zip(values, before, allowed, strict=True))
 
 
-def by_formula(f, start, end):
+def by_formula(
+    f: Callable[[Scalar], Sequence[Scalar]], start: Scalar, end: Scalar
+) -> tuple[Scalar, ...]:
     """The integrals by SymPy, where a limit or the function is an expression."""
     # SymEngine would lose a Dummy, and the assumptions of a symbol
     name = sympy.Symbol(f"_q{next(_NUMBERS)}")
@@ -279,7 +283,7 @@ def _one_by_one(f, n, order, sample):
 
 
 @cache
-def gauss(order, small):
+def gauss(order: int, small: float) -> list[tuple[Scalar, Scalar]]:
     """Gauss nodes and weights on (0, 1), to this round-off, by Newton's method."""
     one = scalar(1.0)
     if small < 2.0**-53:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from types import MappingProxyType
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, NoReturn, TypeVar
 
 from .names import Guided, did_you_mean, guided
 from .pickles import Computed
@@ -122,7 +122,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         super().__init__(zip(names, (term for _, term in pairs), strict=True))
         self.shared = {new: old for new, old in zip(names, given, strict=True) if new != old}
 
-    def __missing__(self, name):
+    def __missing__(self, name: str) -> NoReturn:
         alike = [new for new, old in self.shared.items() if old == name]
         if alike:
             raise TermError(f"{len(alike)} terms are named {name!r}; ask for one of {alike}")
@@ -143,7 +143,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         return Terms(other) | self
 
     def get(self, name: str, default: Any = None) -> Any:
-        """The term, or the ``default`` where there is none of this name."""
+        """The term of this name, or the ``default``."""
         return self[name] if name in self or name in self.shared.values() else default
 
     def named(self) -> Iterator[tuple[str, T]]:
@@ -161,7 +161,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         """Pairs (factor, term): the factor by the distinct name, else by the shared one, else 1."""
         for name in factors:
             if name not in self.shared.values():
-                self[name]  # raises a TermError if there is none
+                self[name]  # raises a TermError for an unknown name
         usual = {new: factors.get(old, 1) for new, old in self.shared.items()}
         return [(real_scalar(factors.get(n, usual.get(n, 1))), term) for n, term in self.items()]
 
@@ -293,7 +293,7 @@ class Explanation:
       sum                  [0, 2, 0]
     """
 
-    def __init__(self, vector, ledger, unit=""):
+    def __init__(self, vector: Any, ledger: Ledger, unit: str = ""):
         _check_unit(unit, f"{ledger.equation.kind} {ledger.subject}", ledger.unit)
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
@@ -351,7 +351,7 @@ def _product(name, symbol):
     return r"\times".join(rf"\boldsymbol{{\omega}}_{{{latex_text(n)}}}" for n in name.factors)
 
 
-def latex_text(words):
+def latex_text(words: str) -> str:
     """Words within a formula; MathJax takes a bare _ there for an error."""
     return r"\text{" + words.replace("_", r"\_") + "}"
 

@@ -125,13 +125,13 @@ class Unordered:
     __mod__ = __rmod__ = __floordiv__ = __rfloordiv__ = __divmod__ = __rdivmod__ = _no_value
     __trunc__ = __floor__ = __ceil__ = _no_value
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return self is other or self._no_value()
 
     __hash__ = object.__hash__
 
 
-def outranks(x, kind):
+def outranks(x: object, kind: _Own | type[_Own]) -> bool:
     """True if ``x``, a number of the engine, carries out an operation with one of this ``kind``."""
     return isinstance(x, _Own) and x.rank > kind.rank
 

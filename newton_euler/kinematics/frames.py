@@ -133,7 +133,7 @@ class Frame:
         state = {n: x for n, x in vars(self).items() if n not in _LOCAL}
         return _sent_frame, (type(self), token, self.parent), state
 
-    def __setstate__(self, state):
+    def __setstate__(self, state: dict[str, Any]) -> None:
         if "name" not in vars(self):  # a frame of this process keeps its own state
             vars(self).update(state)
 

@@ -26,7 +26,7 @@ class MotionError(ModelError):
     singular there, so take others.
     """
 
-    def __init__(self, message, reached):
+    def __init__(self, message: str, reached: "Motion"):
         super().__init__(message)
         self.reached = reached
 
@@ -36,7 +36,7 @@ class MotionError(ModelError):
 
 class StickingError(MotionError):
     """Raised where the rates on both sides of a place lead back to it, as those of dry friction at
-    rest: write an :class:`~newton_euler.motion.events.Event` there, whose ``then`` goes on with a
+    rest: write an :class:`~newton_euler.motion.events.Event` there, whose ``then`` continues with a
     model of what sticks.
     """
 

@@ -62,7 +62,9 @@ def points_table(points, error="relative", cost="time", unit="s"):
 
 
 def ways_caption(points):
-    """The cheapest and the most accurate of several ways to one result: what each repeat says."""
+    """The cheapest and the most accurate of several ways to one result: as far as all repeats
+    agree.
+    """
     return agreed(map(_of_ways, repeated(points)))
 
 
