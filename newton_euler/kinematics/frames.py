@@ -86,6 +86,7 @@ class Frame:
 
     parent: Any  # a Frame, or None for the root
     number: int  # how many frames were made in its parent before it
+    _made: int  # how many were made in it
     hats: tuple[str, str, str] = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")  # unit vectors
 
     def __init__(
