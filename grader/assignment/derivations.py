@@ -188,7 +188,7 @@ class _Deriver:
             for key, parts in self.components.items()
             if len(parts) == 3
             for x, name in zip(parts, self._names(key), strict=True)
-            if self.given_by.get(getattr(x, "number", None)) in positive
+            if isinstance(x, Step) and self.given_by.get(x.number, "") in positive
         }
         for name, x in traced.givens.items():
             self.names.give(x, self.writer.symbol(name))

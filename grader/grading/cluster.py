@@ -32,7 +32,7 @@ AHEAD = 4  # submissions per thread held by the scheduler at a time
 ANSWER_SECONDS = 10  # limit for a scheduler to answer
 READY_SECONDS = 60  # limit for a worker to import the grader and start its harvester
 WATCH_SECONDS = 1  # between checks of the workers
-SLACK = 2  # times the limits of the runs of a submission, for all else that a worker does for it
+SLACK = 2  # the whole of a worker's time for a submission, relative to the limits of its runs
 
 PLAN = "plan.json"
 KEPT = "grade again: finished runs are kept and not repeated"
@@ -238,7 +238,7 @@ def _graded(spread, roster, students, progress):
 
 
 def _finished(client, futures, patience):
-    """The finished futures, none if there are none for so many seconds; raises
+    """The finished futures, empty after ``seconds`` without any; raises
     :class:`CourseError` if the cluster is gone.
     """
     from distributed import CancelledError, wait

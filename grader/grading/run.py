@@ -100,7 +100,7 @@ def _on_threads(run, harvester, students, progress):
                 student = started.pop(done)
                 found[student] = done.result()
                 progress(found[student][0])
-        except BaseException:  # on an interrupt, do not wait for the others
+        except BaseException:  # such as an interrupt: do not wait for the others
             pool.shutdown(wait=False, cancel_futures=True)
             harvester.abandon()
             raise

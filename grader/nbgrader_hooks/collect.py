@@ -46,7 +46,7 @@ class CollectRegularFiles(ExchangeCollect):
         if self._window is None or not records[0]["username"]:
             return super()._sort_by_timestamp(records)
         student = records[0]["username"]
-        times = {r["timestamp"]: r for r in records}  # in UTC, without a zone
+        times = {r["timestamp"]: r for r in records}  # times in UTC, without a zone
         when = self._window.first(student, times)
         if len(records) > 1:
             self.log.warning(

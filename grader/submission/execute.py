@@ -57,7 +57,7 @@ def _cells_to_run(sheet: Sheet, notebook: Notebook) -> list[Job]:
             cells.append(_givens(sheet.tasks.get(problem), problem, cell["source"]))
             given = problem
         elif what == "answer":
-            if given != problem:  # its own are missing, or another problem's ran since
+            if given != problem:  # its givens are missing, or another problem's ran since
                 lines = nb.definitions(sheet.tasks[problem].exercise, sheet.values[problem])
                 cells.append(_givens(sheet.tasks[problem], problem, "\n".join(lines)))
             cells.append({"role": "answer", "problem": problem, "text": cell["source"]})

@@ -137,7 +137,8 @@ def _plan(f, unchecked):
 
 
 def _check_of(parameter, f, where):
-    """The check of one parameter, from what is passed to what goes on; None if everything does."""
+    """The check of one parameter: from the argument to the value to pass on; None if every value
+    does."""
     kind = f.__annotations__.get(parameter.name)
     if isinstance(kind, str):
         kind = eval(kind, f.__globals__)
@@ -180,7 +181,7 @@ def _members(kind):
     return (kind,)
 
 
-# -- conversions: a function of a value that returns what goes on, or REFUSED
+# -- conversions: functions of a value that return the value to pass on, or REFUSED
 
 REFUSED = object()
 

@@ -221,7 +221,7 @@ def _best(stages, elsewhere, sizes):
         for hits in (*possible, *here)
         for h in hits
         if h.cause.adds_to_others
-        if not (h.cause.does == RESCALED and h.cause.subject in named)  # the same in other words
+        if not (h.cause.does == RESCALED and h.cause.subject in named)  # it says the same
         if any(_same(h.points, o.points, sizes) for o in best)
     ]
     return _chosen([h.cause for h in best], [h.cause for h in twins], elsewhere)

@@ -33,7 +33,7 @@ from .page.recorder import share_window, sketches_on
 from .page.svg import svg
 
 MAX_PICTURES = 600
-MAX_PIXELS = 300e6  # in all pictures together: about ten megabytes of HTML
+MAX_PIXELS = 300e6  # the most in all pictures together: about ten megabytes of HTML
 # palette of a picture; measured: a third of the file with all colours, and no visible difference
 COLOURS = 128
 

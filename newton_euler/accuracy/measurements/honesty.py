@@ -26,7 +26,7 @@ from .measure import Measured
 from .work_precision import NAMES, TOLERANCES, Reference, timed_run
 
 EPS = 2.0**-53  # relative errors below half a unit of the last place are not known
-GROSS = 10.0  # times tolerance and estimate: a larger error is silently wrong
+GROSS = 10.0  # an error above this many times tolerance and estimate is silently wrong
 # seconds that a run may take; with less, runs that break their promise were left out while the
 # machine was busy, and the counts depended on it
 PATIENCE = 1.0
@@ -35,8 +35,8 @@ REFUSED, FAILED = "refused", "failed"
 
 @dataclass(frozen=True)
 class Answer(Measured):
-    """What a method answered on one ``problem`` to one error ``asked`` for; ``cost`` is that of the
-    run and of its estimate.
+    """The result of a method on one ``problem`` for one error ``asked`` for; ``cost`` is that of
+    the run and of its estimate.
 
     estimate : of the error, by the method itself; None if it has none
     absent : "" for an answer; "refused" in ``words`` of the engine, "failed" without them or

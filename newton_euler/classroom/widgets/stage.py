@@ -97,6 +97,6 @@ class Stage:
             )
 
 
-def in_words(values):
+def in_words(values: Mapping[str, float]) -> str:
     """The values in words."""
     return ", ".join(f"{name} = {x:g}" for name, x in values.items())

@@ -20,9 +20,9 @@ _WIDTHS = {
     100: "@…",
 }  # fmt: skip
 WIDTH = {letter: width / 100 for width, letters in _WIDTHS.items() for letter in letters}
-BOLD = 1.12  # its width, of the usual
-SMALL, LOWER, HIGHER = 0.7, 0.2, 0.38  # size, and shifts, of an index and of a power, by the size
-# heights above the base line, of l and with an accent; depth of p
+BOLD = 1.12  # width of bold letters, relative to the usual
+SMALL, LOWER, HIGHER = 0.7, 0.2, 0.38  # relative size of index and power, and their shifts
+# heights above the base line, of l and of accented letters; depth of p
 ABOVE, ACCENTED, BELOW = 0.76, 0.95, 0.21
 _DEEP = set("gjpqyQ,;()/|βγζημξρφχψ")
 
@@ -56,8 +56,8 @@ _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|.", re.DOTALL)
 
 
 class Run(NamedTuple):
-    """Letters of one look; ``level`` 1 for a power, -1 for an index, ``over`` what stands before it
-    where a letter has both.
+    """Letters of one look; ``level`` 1 for a power, -1 for an index, ``over`` the other one where a
+    letter has both.
     """
 
     text: str
@@ -66,8 +66,8 @@ class Run(NamedTuple):
     level: int = 0
     over: bool = False
 
-    def width(self):
-        """Its width where the size is 1."""
+    def width(self) -> float:
+        """Its width at size 1."""
         letters = unicodedata.normalize("NFD", self.text)
         width = sum(WIDTH.get(c, WIDTH["x"]) for c in letters if not unicodedata.combining(c))
         return width * (BOLD if self.bold else 1) * (SMALL if self.level else 1)
@@ -132,7 +132,7 @@ class _Formula:
         self.left = _TOKEN.findall(source)[::-1]
 
     def all(self):
-        """The runs of everything."""
+        """The runs of the whole formula."""
         found = []
         while self.left:
             found += self.group(True, False, first=not found)
