@@ -5,6 +5,7 @@ run them there.
 import argparse
 import shlex
 import shutil
+from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -24,7 +25,7 @@ CHAPTERS = Path(__file__).parent
 NEEDED = ("jupyterlab", "ipywidgets")
 
 
-def main(arguments=None):
+def main(arguments: Sequence[str] | None = None) -> int:
     """The exit code of the command line."""
     parser = argparse.ArgumentParser(
         prog="python -m newton_euler",
@@ -53,7 +54,7 @@ def main(arguments=None):
     return 0
 
 
-def copy_chapters(folder):
+def copy_chapters(folder: Path) -> tuple[list[str], list[str]]:
     """Copy each notebook of the course that is not in ``folder`` yet; returns the names of those
     copied and of those already there.
     """

@@ -1,5 +1,7 @@
 """Imports for a problem's code, besides the engine: steps, figures, proofs, mpmath."""
 
+from typing import Any
+
 from mpmath import mp, mpf
 
 from newton_euler import Frame
@@ -14,7 +16,7 @@ __all__ = ["Sketch", "Step", "acceleration_of", "in_frame", "mp", "mpf", "on_gro
 __all__ += ["proofs", *proofs.__all__]
 
 
-def on_ground(ax, **view):
+def on_ground(ax: Any, **view: Any) -> tuple[Frame, Sketch]:
     """A ground of its own for a figure, and the sketch on it."""
     ground = Frame("ground")
     return ground, Sketch(ax, ground, **view)

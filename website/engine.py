@@ -47,7 +47,7 @@ def write(out: Path, found: dict[str, bytes], packages: str = "") -> None:
         "packages": packages and f"{packages.rstrip('/')}/",
     }
     (folder / "engine.json").write_text(json.dumps(about))
-    (out / OFFLINE.name).write_bytes(OFFLINE.read_bytes())  # its scope is its own folder
+    (out / OFFLINE.name).write_bytes(OFFLINE.read_bytes())  # its folder is its scope
 
 
 def _later():

@@ -39,7 +39,7 @@ UNUSED = re.compile(
 PLACE = re.compile(r"translate\((-?[\d.]+),(-?[\d.]+)\)")
 ALONE = re.compile(r'<g( transform="[^"]*")><use( href="[^"]*")></use></g>')
 MOVED = re.compile(r'(<use\b[^>]*?) transform="translate\((-?\d+),(-?\d+)\)"')
-# in MathML: a row of one sign, a style around a space
+# parts of MathML without effect: a row of one sign, a style around a space
 ONE = re.compile(
     r"<mrow>(<(m\w+)[^>]*>[^<]*</\2>)</mrow>"
     r'|<mstyle scriptlevel="0">(<mspace[^>]*></mspace>)</mstyle>'

@@ -26,7 +26,7 @@ WRONG = 1, -1, 0, 0.5, -0.5, 2, -2
 def moving() -> str:
     """The figure of 4/16 at many angles, one of them visible, with the terms at each."""
     p = problem("4/16")
-    values = draw(p, practice_seed(p, 0))  # of a public set
+    values = draw(p, practice_seed(p, 0))  # numbers of a public set
     at = {angle: {**values, "beta_1": angle} for angle in ANGLES}
     stage = Stage(lambda ax, beta_1: p.code.draw(p.base(at[beta_1]), ax), (5.2, 3.6), (1, 1))
     stage.rehearse([{"beta_1": angle} for angle in ANGLES])

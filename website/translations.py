@@ -90,7 +90,7 @@ def predictions(chapter: Chapter) -> dict[str, tuple[str, ...]]:
 
 def _texts(call):
     """The texts in a call of predict, except the unit."""
-    unit = 3  # its place
+    unit = 3  # index of the unit among the arguments
     given = [*call.args[:unit], *(k.value for k in call.keywords if k.arg != "unit")]
     for part in given:
         parts = [*part.keys, *part.values] if isinstance(part, ast.Dict) else [part]

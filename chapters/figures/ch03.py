@@ -85,7 +85,7 @@ def spring(ax, slope):
     wire = Spring.drawn_out(0.2, math.radians(slope))
     s = Sketch(ax, ground, azimuth=-60, elevation=25)
     turns = 1.5 * 2 * math.pi
-    for half in range(-1, 4):  # of a turn, behind the axis in turns
+    for half in range(-1, 4):  # half turns, every other one behind the axis
         first = math.radians(-60) + math.pi * (half - 0.5)
         low, high = max(0.0, first), min(turns, first + math.pi)
         if low < high:
@@ -112,7 +112,7 @@ def bollard(ax, turns):
     s.cylinder((0, 0, 0), (0, 0, 0.5), radius)
     s.cylinder((0, 0, 0.5), (0, 0, 0.56), 0.25)
     angles = [start + math.pi * n / 40 for n in range(int(80 * turns) + 1)]
-    for strand in (-0.005, 0.0, 0.005):  # of the rope
+    for strand in (-0.005, 0.0, 0.005):  # strands of the rope
         rope = [
             (radius * math.cos(q), radius * math.sin(q), 0.15 + strand + rise * (q - start))
             for q in angles

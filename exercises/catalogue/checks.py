@@ -73,7 +73,7 @@ def alike(p: Problem, seeds: int = 1) -> list[str]:
             (key, one, other)
             for one, other in combinations(wrong, 2)
             for key in wrong[one].keys() & wrong[other].keys()
-            # with few options, mistakes often coincide
+            # mistakes in one of few words often coincide
             if not p.answer(key).kind.has_options and _same(wrong[one][key], wrong[other][key])
         }
         same = pairs if same is None else same & pairs

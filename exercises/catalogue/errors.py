@@ -25,7 +25,7 @@ def explained(problem_id: str, error: Exception) -> str:
     frames = list(traceback.walk_tb(error.__traceback__))
     own = [f for f in frames if Path(f[0].f_code.co_filename).parent == folder]
     if isinstance(error, SyntaxError) and len(error.args) > 1:
-        # its attributes are lost on the way from a process of Dask
+        # the attributes of an error are lost on the way from a process of Dask
         message, (file, line, *_) = error.args
         return f"{_tail(file)}, line {line}: {message}"
     if not own:

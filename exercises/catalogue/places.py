@@ -5,6 +5,7 @@ Such a folder has chapters like this one: ``bridge/chapter.yaml``, with ``bridge
 children, and by packages under the entry point GROUP.
 """
 
+import contextlib
 import os
 import re
 import sys
@@ -80,11 +81,24 @@ def home(chapter: str) -> Path:
 
 def files_of(problem_id: str) -> list[Path]:
     """The two files of a problem, and the code shared by those of a course's own chapter."""
-    chapter, name = place(problem_id)
+    return files_at(*place(problem_id))
+
+
+def files_at(chapter: str, name: str) -> list[Path]:
+    """:func:`files_of` the problem in this place."""
     folder = home(chapter)
     shared = [] if folder.parent == EXERCISES else sorted(folder.rglob("*.py"))
     others = [f for f in shared if not re.fullmatch(r"p\d+", f.stem)]
     return [folder / f"{name}.py", folder / f"{name}.yaml", *others]
+
+
+def changes(files: Iterable[Path]) -> tuple[tuple[str, int], ...]:
+    """The files that exist, with the times of their last change."""
+    found = list[tuple[str, int]]()
+    for f in files:
+        with contextlib.suppress(FileNotFoundError):
+            found.append((str(f), os.stat(f).st_mtime_ns))
+    return tuple(found)
 
 
 def _used():

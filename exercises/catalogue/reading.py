@@ -1,7 +1,9 @@
 """Chapters and problems, read from ``chNN/chapter.yaml`` and ``chNN/pMM.yaml``."""
 
 import contextlib
+import importlib
 import re
+import sys
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
@@ -12,7 +14,7 @@ from .errors import meant
 from .format import read_chapter, read_problem
 from .loading import load, not_yaml
 from .model import CatalogueError, Chapter, Problem, place
-from .places import home, homes
+from .places import EXERCISES, changes, files_at, home, homes
 from .translations import translated, translated_chapter
 
 
@@ -39,11 +41,6 @@ def _chapter(name):
 
 def problems(name: str) -> tuple[Problem, ...]:
     """All problems of the chapter of this name, in the order of the book: ``problems("ch04")``."""
-    return tuple(map(translated, _problems(name)))
-
-
-@cache
-def _problems(name):
     if name not in chapters():
         raise CatalogueError(f"there is no chapter {name!r}; there are {', '.join(chapters())}")
     paths = [path for path in home(name).glob("[!.]*.y*ml") if path.name != "chapter.yaml"]
@@ -53,20 +50,17 @@ def _problems(name):
                 f"{name}/{path.name} is not named like a problem: rename it as in p01.yaml, or "
                 "move it out of the folder"
             )
-    return tuple(_problem_at(path) for path in sorted(paths, key=lambda path: int(path.stem[1:])))
+    stems = sorted((path.stem for path in paths), key=lambda stem: int(stem[1:]))
+    return tuple(translated(_problem_at(name, stem)) for stem in stems)
 
 
 def problem(problem_id: str) -> Problem:
-    """The problem ``problem("4/16")``, in the reader's language; only its own file is read."""
-    return translated(_problem(problem_id))
-
-
-@cache
-def _problem(problem_id):
+    """The problem ``problem("4/16")``, in the reader's language; only its own file is read. It is
+    the same object until one of its files changes, so what is computed of it is kept by the object.
+    """
     name, stem = place(problem_id)
-    path = home(name) / f"{stem}.yaml"
-    if path.exists():
-        return _problem_at(path)
+    if (home(name) / f"{stem}.yaml").exists():
+        return translated(_problem_at(name, stem))
     if name in chapters():
         raise CatalogueError(
             f"there is no problem {problem_id}; {name} has {problems(name)[0].id} to "
@@ -116,16 +110,40 @@ def _selected(name):
 
 def forget() -> None:
     """Clear the caches, so that files are read again."""
-    for kept in (homes, _chapter, _problems, _problem, _problem_at):
+    for kept in (homes, _chapter, _read_problem):
         kept.cache_clear()
 
 
 # -- files
 
 
+_imported: dict[tuple[str, str], tuple] = {}  # {problem: its files when its code was imported}
+
+
+def _problem_at(name, stem):
+    """The problem in this place, read and its code imported again once a file of it changes."""
+    files = changes(files_at(name, stem))
+    if _imported.setdefault((name, stem), files) != files:
+        _forget_code(name, stem)
+        _imported[name, stem] = files
+    return _read_problem(home(name) / f"{stem}.yaml", files)
+
+
 @cache
-def _problem_at(path: Path) -> Problem:
+def _read_problem(path: Path, files: tuple) -> Problem:
     return _read(path, read_problem)
+
+
+def _forget_code(name, stem):
+    """Let the code of a problem be imported again, and what the chapter of a course shares."""
+    chapter = f"exercises.{name}"
+    of_the_book = home(name).parent == EXERCISES
+    importlib.invalidate_caches()
+    for module in list(sys.modules):
+        if module == f"{chapter}.{stem}" or (
+            not of_the_book and f"{module}.".startswith(f"{chapter}.")
+        ):
+            del sys.modules[module]
 
 
 def _read(path, build):

@@ -13,7 +13,7 @@ from .variants import at_points, drawn_value
 
 Sane: TypeAlias = tuple[float, float] | tuple[float, float, str] | str
 DRAWS = 100  # sets of numbers
-ROOM = 3.0  # beyond these, then rounded outward to powers of ten, which give no key away
+ROOM = 3.0  # factor beyond these sizes, rounded outward to powers of ten, which give no key away
 
 
 @cache

@@ -89,7 +89,7 @@ class Wanted:
     kinds: tuple[str, ...] = ()
     equations: tuple[str, ...] = ()
     words: tuple[str, ...] = ()
-    spans: Mapping[str, Span] | None = None  # of the numbers of an entry, by name
+    spans: Mapping[str, Span] | None = None  # ranges of the numbers of an entry, by name
 
     def has(self, e: ProblemEntry) -> bool:
         """True if the entry matches."""

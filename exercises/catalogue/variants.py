@@ -16,7 +16,6 @@ from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.tolerance import MAJORITY, SEPARATION, distance
 
 from .model import CatalogueError, Given, Problem
-from .reading import problem
 
 Points: TypeAlias = tuple[tuple, ...]  # the components of an answer at each point
 Answers: TypeAlias = dict[str, Points]
@@ -192,7 +191,7 @@ def evaluate(p: Problem, values: Mapping[str, Scalar]) -> tuple[dict, dict]:
 
     ``values`` may hold floats, or arrays of shape (N,) for a whole class at once.
     """
-    run = _compiled(p.id)
+    run = _compiled(p)
     with np.errstate(all="ignore"):
         return _evaluated(p, values) if run is None else run(**values)
 
@@ -204,9 +203,9 @@ def _evaluated(p, values):
 
 
 @cache
-def _compiled(problem_id):
+def _compiled(p):
     """The key and the mistakes as straight-line code; None if there are words or counts."""
-    return traced(problem(problem_id), _evaluated)
+    return traced(p, _evaluated)
 
 
 def traced(

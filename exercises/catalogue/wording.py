@@ -8,7 +8,7 @@ from newton_euler.algebra.ledger import Crossed, Equation
 from .book_equations import own_term
 from .model import Problem
 
-# of (4.15) and relative motion, whose v_B, a_B would be read as those of a point B of the problem
+# terms of (4.15) and relative motion: v_B, a_B would be read as those of a point B of the problem
 RELATIVE_MOTION = {
     ("velocity", "origin"): Words("the velocity of the origin of the moving frame"),
     ("velocity", "relative"): Words(
@@ -79,7 +79,7 @@ def term_text(
     if not equation.kind.startswith("angular"):
         return Words("the term {formula}", formula=name)
     if not isinstance(name, Crossed):
-        # of an angular acceleration: the cross products are the change of direction
+        # the cross products of an angular acceleration are the change of direction
         whose = _of_frame(name, problem)
         if equation.kind == "angular acceleration":
             return Words("the rate of the turning {whose}", whose=whose)

@@ -87,7 +87,7 @@ class Names:
                 waiting += () if self.of(a) is not None else a.args
 
     def of(self, x: Step) -> Any:
-        """The name of a traced number, None if it has none."""
+        """The name of a traced number, or None."""
         candidates = self._candidates(x)
         if x.number in self.fixed:
             return self._component(candidates) or self.fixed[x.number]
@@ -125,7 +125,7 @@ class Names:
 
     def of_body(self, x: Any, factor: Any) -> Any:
         """The component at this place of the vector that has the index of a factor, as d_block_x
-        beside V_block, even if it is a given; None if there is none.
+        beside V_block, even if it is a given; or None.
         """
         whole = self.of(unsigned(factor)[0]) if isinstance(factor, Step) else None
         indices = _indices(getattr(whole, "name", ""))
@@ -198,7 +198,7 @@ class Names:
         def in_row(key, at):
             return self.sizes[key] == 9 and any(n // 3 == self.place for n in at)
 
-        if self.size == 3:  # of a matrix, the entry in this row, as -T_zx and not T_xz
+        if self.size == 3:  # from a matrix take the entry in this row, -T_zx and not T_xz
             own = {key for key, at in found.items() if in_row(key, at)}
             found = found | {k: at for k, at in other.items() if in_row(k, at) and k not in own}
         return {key: x for key, x in (found or other).items() if key not in self.apart}

@@ -15,7 +15,7 @@ LARGEST = 0.1  # relative tolerance
 
 
 OPTIONS = ("points", "weights", "follow_through", "tolerance", "help")
-BY_SHEET = ("follow_through", "tolerance", "help")  # those that a sheet may set for all problems
+BY_SHEET = ("follow_through", "tolerance", "help")  # options that a sheet may set for all problems
 
 
 def read_option(name: str, value: Any, p: Problem | None = None) -> Any:

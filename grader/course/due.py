@@ -15,7 +15,7 @@ from .files import write_json
 from .folder import Course
 from .identity import CourseError
 
-EXTENSIONS = "extensions.json"  # in .gitignore, since it names students
+EXTENSIONS = "extensions.json"  # ignored by git, since it names students
 
 
 def due_date(text: str) -> datetime:

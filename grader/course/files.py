@@ -15,7 +15,7 @@ except ImportError:  # the standard library is equivalent, but three times slowe
     orjson = None  # type: ignore[assignment]
 
 PRIVATE = 0o600
-MAX_FILES = 1000  # in one submission
+MAX_FILES = 1000  # the most files in one submission
 MAX_DEPTH = 8  # levels of folders
 
 

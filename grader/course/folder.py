@@ -20,6 +20,7 @@ import json
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache, cached_property
 from pathlib import Path
+from shlex import quote
 from typing import Any
 
 from exercises.catalogue import Problem, variants
@@ -28,12 +29,12 @@ from newton_euler.algebra.errors import NewtonEulerError
 from newton_euler.algebra.language import choose_language
 
 from .files import write_json
-from .identity import ONLY_BY, CourseError, check_id, same_student
+from .identity import ONLY_BY, TAKEN_FOR_ONE, CourseError, check_id, same_student
 
 SECRET_BYTES = 32
 UNFINISHED = ".unfinished_build"  # marks a folder in which a course is being made
 
-_ADVICE = {  # by SQLite's primary error code
+_ADVICE = {  # advice by SQLite's primary error code
     "SQLITE_BUSY": "another program is writing to it; wait until it has ended, then run this "
     "again. Nothing was lost",
     "SQLITE_READONLY": "it cannot be written; give yourself write permission for it and for its "
@@ -217,7 +218,7 @@ class Course:
         from nbgrader import api
         from sqlalchemy.exc import DatabaseError
 
-        api.get_alembic_version = newest_schema  # its own starts a process, for three seconds
+        api.get_alembic_version = newest_schema  # nbgrader's starts a process: 3 s
         try:
             with api.Gradebook(f"sqlite:///{self.path / 'gradebook.db'}", self.name) as book:
                 yield book
@@ -234,16 +235,16 @@ class Course:
         with self.gradebook() as book:
             ids = sorted(s.id for s in book.students)
         known: dict[str, str] = {}
-        for i in ids:  # those added by nbgrader have not been compared
+        for i in ids:  # ids added by nbgrader have not been compared
             if (other := known.setdefault(same_student(i), i)) != i:
                 raise CourseError(
-                    f"the students {other!r} and {i!r} on the roster differ {ONLY_BY}; "
-                    f"remove one with: nbgrader db student remove {i}"
+                    f"the students {other!r} and {i!r} on the roster differ {ONLY_BY}: "
+                    f"{TAKEN_FOR_ONE}. Remove one with: nbgrader db student remove {quote(i)}"
                 )
         return ids
 
     def students(self) -> list[dict[str, str]]:
-        """The roster with names, as of :func:`~grader.course.roster.read_roster`."""
+        """The roster with names, as from :func:`~grader.course.roster.read_roster`."""
         asked, named = self.roster(), ("first_name", "last_name")
         with self.gradebook() as book:
             found = {s.id: {n: getattr(s, n) or "" for n in named} for s in book.students}
@@ -264,8 +265,8 @@ class Course:
                 if present != student_id:
                     raise CourseError(
                         f"{student_id!r} differs from {present!r}, who is on the roster, "
-                        f"{ONLY_BY}: on some machines they would share one folder. Write "
-                        f"{present!r} if it is the same student, else give one another id"
+                        f"{ONLY_BY}: {TAKEN_FOR_ONE}. Write {present!r} if it is the same "
+                        "student, else give one another id"
                     )
                 new += student_id not in before
                 known = {k: v for k, v in details.items() if v}

@@ -10,12 +10,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypedDict
 
-from exercises.catalogue.places import files_of
+from exercises.catalogue.places import changes, files_of
 
 from ..course import write_json
 from ..sandbox import CAGED
 from ..scoring import Part, Score
-from ..submission import Graded
+from ..submission import NotebookGrade
 
 VERSION = 3
 
@@ -55,14 +55,18 @@ def score_state() -> str:
     return _hash_of("exercises", "grader/scoring", but=_OF_A_PROBLEM)
 
 
-@cache
 def problem_state(problem_id: str) -> str:
     """A hash of the files of a problem, which only its scores depend on."""
-    return fingerprint(*(f.read_bytes() for f in files_of(problem_id)))
+    return _hash_of_files(changes(files_of(problem_id)))
+
+
+@cache
+def _hash_of_files(changed: tuple[tuple[str, int], ...]) -> str:
+    return fingerprint(*(Path(f).read_bytes() for f, _ in changed))
 
 
 def _hash_of(*folders, but=None):
-    """A hash of the files in these folders of the checkout, without names that match ``but``."""
+    """A hash of the files in these folders of the checkout, except names that match ``but``."""
     files = [
         f
         for folder in folders
@@ -71,6 +75,12 @@ def _hash_of(*folders, but=None):
         if not (but and but.fullmatch(f.name))
     ]
     return fingerprint(*(part for f in files for part in (f.name, f.read_bytes())))
+
+
+# now, since the code that runs in this process is that of now: a grade by the code of before an
+# edit must not be kept as one of the code after it
+run_state()
+score_state()
 
 
 def read_record(path: Path) -> Record:
@@ -99,7 +109,7 @@ def write_record(path: Path, record: Record) -> None:
     )
 
 
-def graded_as_json(graded: Graded) -> dict[str, Any]:
+def graded_as_json(graded: NotebookGrade) -> dict[str, Any]:
     """A grade as a dict for JSON."""
     return {
         "scores": [s.as_dict() for s in graded.scores.values()],
@@ -110,10 +120,12 @@ def graded_as_json(graded: Graded) -> dict[str, Any]:
     }
 
 
-def graded_from_json(entry: Mapping[str, Any]) -> Graded:
+def graded_from_json(entry: Mapping[str, Any]) -> NotebookGrade:
     """The grade in an entry of a record."""
     scores = {
         s["problem"]: Score(s["problem"], tuple(map(Part.from_dict, s["parts"])), s["note"])
         for s in entry["scores"]
     }
-    return Graded(scores, entry["points"], entry["comments"], entry["note"], entry["sandbox"])
+    return NotebookGrade(
+        scores, entry["points"], entry["comments"], entry["note"], entry["sandbox"]
+    )

@@ -61,7 +61,7 @@ class Sections(NbGraderPreprocessor):
     """Gathers the sections in ``resources["newton_euler"]``, once the grades are in the cells."""
 
     def preprocess(self, notebook: NotebookNode, resources: dict[str, Any]) -> Processed:
-        sections: dict[tuple[str, str], Section] = {}  # in the order of the notebook
+        sections: dict[tuple[str, str], Section] = {}  # sections in the order of the notebook
         for cell in notebook.cells:
             own = own_metadata(cell)
             if number := own.get("problem"):
@@ -102,7 +102,7 @@ def _add_cell(section: Section, role: str | None, cell: NotebookNode) -> None:
         section.answer = cell.source
         _add_grade(section, cell)
     elif role == "receipt":
-        # from our annotation, with everything escaped
+        # HTML of our annotation, with everything escaped
         section.outputs += [
             o.data["text/html"] for o in cell.outputs if "text/html" in o.get("data", {})
         ]

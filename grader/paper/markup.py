@@ -12,7 +12,7 @@ class PaperError(CourseError):
     """A PDF cannot be written; the message says what to do."""
 
 
-BLANK = r"\text{BLANK}"  # in a formula: a blank to fill in
+BLANK = r"\text{BLANK}"  # a blank to fill in, in a formula
 
 
 def typst(markdown: str) -> str:
@@ -116,6 +116,6 @@ _WRITERS = {
     "list": _list,
     "table": _table,
     "link": lambda t: f"#link({string(t['attrs']['url'])})[{_all(t['children'])}]",
-    "image": _around("emph"),  # its alternative text: only figures of problems are printed
+    "image": _around("emph"),  # the alternative text: only figures of problems are printed
     "thematic_break": lambda t: "#line(length: 100%)\n\n",
 }  # fmt: skip

@@ -76,7 +76,7 @@ class GradedAnswers:
     returns whether one of their answers is near one of a sheet's.
     """
 
-    def __init__(self, p, sheets):
+    def __init__(self, p: Problem, sheets: Iterable[Values]):
         self._problem, self._numbers = p, [own for own in sheets if own]
         of_sheets = [self._answers({**p.book_values, **own}) for own in self._numbers]
         self._keys = {
@@ -84,7 +84,7 @@ class GradedAnswers:
             for a in p.answers if of_sheets and not a.kind.is_word
         }  # fmt: skip
 
-    def __call__(self, values):
+    def __call__(self, values: Values) -> bool:
         if any(all(values.get(n) == x for n, x in own.items()) for own in self._numbers):
             return True
         answers = self._answers(values) if self._keys else {}

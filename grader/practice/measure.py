@@ -30,7 +30,7 @@ from .build import LeftOut, page_of
 from .quantities import NOISE
 
 LISTED, SLIPS, RANDOM = "listed mistakes", "slips in steps", "random numbers"
-DIGITS = 6  # of a student's answer
+DIGITS = 6  # digits of a student's answer
 RANDOMS = 5  # answers for each quantity, within a factor of three of the size of the right one
 
 
@@ -63,7 +63,7 @@ def _measured(name, variants):
 
 
 class _Memory:
-    """A stand-in for a practice file, of one page."""
+    """A practice file of one page, in memory."""
 
     help = "solution"
 

@@ -24,7 +24,7 @@ from ..scoring.wrong_models import general_models
 from .plain import plain
 
 KEPT = 10  # digits of numbers of wrong models
-NOISE = 1e-12  # in the unit of the text: below this, model and key are both zero
+NOISE = 1e-12  # below this, in the unit of the text, model and key are both zero
 
 
 def quantities(p: Problem, values: Values) -> tuple[list[dict[str, Any]], dict[str, Any]]:

@@ -13,13 +13,13 @@ from newton_euler.answers.causes import GIVES_ZERO
 from newton_euler.answers.fit import EXACT, Fit
 from newton_euler.answers.slips import multiples, of_components, of_none, of_powers
 from newton_euler.answers.tolerance import is_apart
-from newton_euler.answers.verdicts import Judged, explain
+from newton_euler.answers.verdicts import JudgedAnswer, explain
 
 from ..scoring.numbers import numbers_of, points_of
 from .slips_made import LISTED, made
 
 SLIP_OUTCOMES = ("named", "followed", "silent", "misnamed")
-DIGITS = (4, 6, 17)  # of an answer
+DIGITS = (4, 6, 17)  # digits of an answer
 RANDOM = "random numbers"
 TRIES = 5  # random numbers for each answer
 
@@ -78,7 +78,7 @@ def _written(points, digits):
 
 def _judged(asked, given, numbers):
     right = asked.kind.is_right(given, numbers.key[asked.key], asked.atol, asked.rtol)
-    return Judged("right" if right else "wrong", "", given)
+    return JudgedAnswer("right" if right else "wrong", "", given)
 
 
 def _outcome(asked, judged, numbers, whole, slip):
@@ -100,7 +100,7 @@ def _causes(asked, judged, numbers):
 
 
 def _gives(causes, asked, numbers, whole):
-    """True if one of these causes gives exactly the numbers of an answer, ``whole`` has all their
+    """True if one of these causes gives exactly the numbers of an answer; ``whole`` has all their
     digits.
     """
     key, kind, exact = numbers.key[asked.key], asked.kind, whole[asked.key].given
@@ -118,8 +118,8 @@ def _gives(causes, asked, numbers, whole):
 
 
 def _again(asked, numbers, whole):
-    """The causes that are found where all digits are written too: slips in going on and two
-    mistakes together, almost none by chance; what is true of any such answer.
+    """The causes that are found with all digits written, too: slips in later steps, and two
+    mistakes together, which almost never fit by chance.
     """
     found, _ = _causes(asked, whole, numbers)
     groups = "sequel", "both", "usual", "powers"

@@ -18,9 +18,9 @@ from .worker import END_SECONDS, GRACE, HarvestError, Job, Limits, Worker
 CAGED = "namespaces"  # the "sandbox" of a reply whose code ran in the cage
 CELL_SECONDS = 10.0
 SECONDS = 60.0
-# within which a run ends: cells, tests, leftovers
+# the time within which a run ends: cells, tests, leftovers
 RUN_SECONDS = 2 * (SECONDS + GRACE) + END_SECONDS
-MOST_TESTS = 200  # in one notebook
+MOST_TESTS = 200  # the most in one notebook
 MOST_TEXT = 2**20  # characters of all cells; a chapter worked out in full has 50 000
 PER_CELL = 100  # characters added for each cell, which limits the number of cells too
 

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from exercises.catalogue import Problem
-from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow_in_base
 from exercises.catalogue.steps import listed_steps
 from exercises.catalogue.tracing import traced_quantities
@@ -16,7 +15,13 @@ from exercises.catalogue.variants import POINTS, flat
 from exercises.catalogue.wording import term_text
 from grader.scoring.slips.edits_of_setups import of_setups
 from grader.scoring.slips.edits_of_terms import of_terms
-from grader.scoring.slips.formulas import Formulas, Stage, Traced, needed, with_arguments
+from grader.scoring.slips.formulas import (
+    Formulas,
+    Intermediate,
+    TracedAnswer,
+    needed,
+    with_arguments,
+)
 from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler.algebra.compile import Compiled
 from newton_euler.algebra.language import Words, cached_by_language, spoken
@@ -24,14 +29,14 @@ from newton_euler.algebra.trace import Step, Trace
 from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 
-FEW, MORE = 7, 11  # words that say what a given is, and what a step is, which has no other name
+FEW, MORE = 7, 11  # the most words for a given, and for a step, which has no other name
 
 
 def perturbed(problem: Problem, sample: Mapping[str, Any], of_steps: bool = False) -> Perturbed:
     """The slips in the computation of the answers to ``problem``, or of the steps on the way to
     them, for a student's numbers in the units of the text.
     """
-    return Perturbed(_computation(problem.id, of_steps), sample)
+    return Perturbed(_computation(problem, of_steps), sample)
 
 
 def perturbed_sequel(
@@ -40,7 +45,7 @@ def perturbed_sequel(
     """The slips in computing the answer ``key`` from a student's ``earlier`` answers, {answer:
     points}.
     """
-    return Perturbed(_sequel(problem.id, key), {**sample, **columns(problem, earlier)})
+    return Perturbed(_sequel(problem, key), {**sample, **columns(problem, earlier)})
 
 
 def columns(problem: Problem, earlier: Mapping[str, Any]) -> dict[str, Any]:
@@ -53,14 +58,14 @@ def columns(problem: Problem, earlier: Mapping[str, Any]) -> dict[str, Any]:
 
 
 @cached_by_language
-def _sequel(problem_id, key):
-    return Computation(_following(find_problem(problem_id), key))
+def _sequel(p, key):
+    return Computation(_following(p, key))
 
 
 def _following(p, key):
     """How an answer follows from earlier ones, their components named as givens are."""
     if key not in earlier_answers(p):
-        return followed(p.id)[key]
+        return followed(p)[key]
     trace = Trace()
     stated = {n: p.answer(e).unit for e in earlier_answers(p)[key] for n in names(p, e)}
     base = {n: trace.new("argument", n) for n in (*p.units, *stated)}
@@ -71,18 +76,17 @@ def _following(p, key):
 
 def _of_one(p, key, parts, stated):
     asked = p.answer(key)
-    answers = {key: Traced(parts, asked.unit, POINTS if asked.kind.is_formula else 1)}
+    answers = {key: TracedAnswer(parts, asked.unit, POINTS if asked.kind.is_formula else 1)}
     own = {n: e.key for e in p.answers if e.kind.length > 1 for n in names(p, e.key) if n in stated}
     units, where = {**p.units, **stated}, section(p.section)
     return Formulas(answers, units, p.system, (), where, _means(p), components=own)
 
 
 @cached_by_language
-def followed(problem_id: str) -> Mapping[str, Formulas]:
+def followed(p: Problem) -> Mapping[str, Formulas]:
     """{later answer: how it is computed from earlier ones}, where the computation of the problem
     goes through these.
     """
-    p = find_problem(problem_id)
     found, before = {}, dict[int, str]()
     components = traced_quantities(p).components if len(p.answers) > 1 else {}
     for key in (a.key for a in p.answers if a.key in components):
@@ -103,7 +107,7 @@ def computed_from(p: Problem) -> dict[str, tuple[str, ...]]:
     """{later answer: names of the earlier ones that its computation goes through}."""
     return {
         key: tuple(a.key for a in p.answers if names(p, a.key)[0] in formulas.units)
-        for key, formulas in followed(p.id).items()
+        for key, formulas in followed(p).items()
     }
 
 
@@ -114,9 +118,9 @@ def earlier_of(p: Problem) -> dict[str, tuple[str, ...]]:
 
 
 @cache
-def sequel_of(problem_id: str, key: str) -> Callable[..., list[Any]]:
+def sequel_of(p: Problem, key: str) -> Callable[..., list[Any]]:
     """An answer of :func:`followed` from the values and the components of earlier ones by name."""
-    f = followed(problem_id)[key]
+    f = followed(p)[key]
     (answer,) = f.answers.values()
     to_base = {
         s.args[0]: unit(f.units[s.args[0]]).to_base(1.0, f.system)
@@ -142,8 +146,8 @@ def names(p: Problem, key: str) -> list[str]:
 
 
 @cached_by_language
-def _computation(problem_id, of_steps):
-    return Computation(formulas(find_problem(problem_id), of_steps))
+def _computation(p, of_steps):
+    return Computation(formulas(p, of_steps))
 
 
 def formulas(p: Problem, of_steps: bool = False) -> Formulas:
@@ -154,15 +158,15 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     asked = {a.key for a in p.answers}
     steps = [s for s in found.steps if s.key in found.components and s.key not in asked]
     answers = {
-        a.key: Traced(
+        a.key: TracedAnswer(
             _with_zeros(found.components[a.key]), a.unit, POINTS if a.kind.is_formula else 1
         )
         for a in p.answers
         if a.key in found.components
     }
     if of_steps:
-        answers = {s.key: Traced(found.components[s.key], s.unit) for s in steps}
-    stages = [Stage(s.key, _where(p, s), found.components[s.key], _named(s)) for s in steps]
+        answers = {s.key: TracedAnswer(found.components[s.key], s.unit) for s in steps}
+    stages = [Intermediate(s.key, _where(p, s), found.components[s.key], _named(s)) for s in steps]
     symbols = p.units.keys() - p.givens.keys()
     where, means = section(p.section), _means(p)
     solved, given = found.solved, found.givens
@@ -183,14 +187,14 @@ def _setups(p, keys, given):
     yield from of_setups(compute, given)
     vectors = {k: v for k, v in p.code.solve(g).items() if k in keys and isinstance(v, Vector)}
     steps = {s.key: s.value for s in listed_steps(p, g)}
-    sizes = {key: steps[step] for key, step in sizes_of(p.id).items() if key in keys}
+    sizes = {key: steps[step] for key, step in sizes_of(p).items() if key in keys}
     yield from of_terms(vectors, sizes, lambda name, v: term_text(name, v.equation, p))
 
 
 @cache
-def sizes_of(problem_id: str) -> Mapping[str, str]:
+def sizes_of(p: Problem) -> Mapping[str, str]:
     """{answer: the step of which it is the size}, where this is a vector with named terms."""
-    found = traced_quantities(find_problem(problem_id))
+    found = traced_quantities(p)
     vectors = [(s.key, s.value) for s in found.steps if isinstance(s.value, Vector)]
     terms = [(key, v.norm()) for key, v in vectors if v.terms]
     sizes = {x.number: key for key, x in terms if isinstance(x, Step)}
@@ -208,7 +212,7 @@ def _with_zeros(parts):
 
 
 def _named(step):
-    """What a step is, in a few words: its name does not occur in the text."""
+    """A step in a few words, since its name does not occur in the text."""
     if brief := _brief(spoken(step.means), MORE):
         owner, _, rest = brief.partition(" ")
         if owner in ("its", "their"):  # refers to the step before

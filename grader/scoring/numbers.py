@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from exercises.catalogue import Problem
-from exercises.catalogue import problem as find_problem
 from exercises.catalogue.following import earlier_answers, follow
 from exercises.catalogue.model import Answer
 from exercises.catalogue.variants import POINTS, as_points, flat, symbol_points, traced
@@ -86,7 +85,7 @@ class Numbers:
         return self._wrong[key]
 
     def _wrong_words(self, answer):
-        """As :meth:`wrong`, of a word or count: also degrees of freedom counted wrongly."""
+        """As :meth:`wrong`, for a word or count: also degrees of freedom counted wrongly."""
         given = {m: x[answer.key] for m, x in self._wrong_answers.items() if answer.key in x}
         found = [
             (listed(m, self.problem.mistakes[m]), ((_one_word(answer, (x,)),),))
@@ -113,7 +112,7 @@ class Numbers:
     def book(self) -> Mapping[str, Points]:
         """{answer: points} for the book's numbers; {} if the student has these."""
         same = all(self.sample[n] == value for n, value in self.problem.book_values.items())
-        return {} if same else _of_book(self.problem.id)
+        return {} if same else _of_book(self.problem)
 
     @cached_property
     def sheets(self) -> list[dict[str, Points]]:
@@ -151,7 +150,7 @@ class Numbers:
         return self._points(key, self._as_written if written else self._as_computed, earlier)
 
     def other_ways(self, key: str) -> Sequence[Way]:
-        """The way that the computation takes, where ``follows`` is written and takes another."""
+        """The way of the computation, where the problem's own ``follows`` takes another."""
         names = computation.computed_from(self.problem).get(key)
         if names is None or key not in earlier_answers(self.problem):
             return ()
@@ -161,20 +160,20 @@ class Numbers:
         try:
             with np.errstate(all="ignore"):
                 return points_of(self.problem.answer(key), way(key, earlier))
-        except (ArithmeticError, ValueError):  # nothing may follow from a student's number
+        except (ArithmeticError, ValueError):  # the student's number may give no value
             return None
 
     def _as_computed(self, key, earlier):
-        run = computation.sequel_of(self.problem.id, key)
+        run = computation.sequel_of(self.problem, key)
         return run({**self.sample, **computation.columns(self.problem, earlier)})
 
     def _as_written(self, key, earlier):
         numbers = [x for name in self.earlier[key] for x in _columns(earlier[name])]
-        follow = _traced_following(self.problem.id, key)
-        if self.problem.answer(key).kind.is_word:  # code that branches, called at every point
+        follow = _traced_following(self.problem, key)
+        if self.problem.answer(key).kind.is_word:  # code that branches is called at every point
             rows = np.broadcast_arrays(*self.sample.values(), *numbers)
             at_points = zip(*(np.ravel(x).tolist() for x in rows), strict=True)
-            (word,) = {follow(*point) for point in at_points}  # ValueError of several
+            (word,) = {follow(*point) for point in at_points}  # ValueError if there are several
             return word
         return follow(*self.sample.values(), *numbers)
 
@@ -186,19 +185,18 @@ def numbers_of(
 ) -> Numbers:
     """The :class:`Numbers` of a problem; those of a problem without givens are the same for all."""
     if not problem.givens:
-        return _without_givens(problem.id)
+        return _without_givens(problem)
     return Numbers(problem, values, earlier_sheets)
 
 
 @cached_by_language
-def _without_givens(problem_id):
-    return Numbers(find_problem(problem_id), {})
+def _without_givens(problem):
+    return Numbers(problem, {})
 
 
 @cached_by_language
-def _of_book(problem_id):
-    p = find_problem(problem_id)
-    return Numbers(p, p.book_values).key
+def _of_book(problem):
+    return Numbers(problem, problem.book_values).key
 
 
 def _sample(problem, values):
@@ -237,18 +235,18 @@ def _key_formula(problem, values):
 
 
 @cache
-def _traced_key(problem_id):
-    return traced(find_problem(problem_id), _key_formula)
+def _traced_key(problem):
+    return traced(problem, _key_formula)
 
 
 def _run_key(problem, sample):
-    run = _traced_key(problem.id)
+    run = _traced_key(problem)
     with np.errstate(all="ignore"):
         return run(**sample) if run else _key_formula(problem, sample)
 
 
 @cached_by_language
-def _traced_wrong(problem_id):
+def _traced_wrong(p):
     """(labels, formula) of the wrong models; the labels are filled when the formula is traced."""
     labels = []
 
@@ -257,7 +255,7 @@ def _traced_wrong(problem_id):
         labels[:] = [model[:2] for model in models]
         return tuple(numbers for *_, numbers in models)
 
-    return labels, traced(find_problem(problem_id), formula)
+    return labels, traced(p, formula)
 
 
 def _run_wrong(problem, sample):
@@ -269,7 +267,7 @@ def _run_wrong(problem, sample):
 
 
 def _wrong_at(problem, values):
-    labels, run = _traced_wrong(problem.id)
+    labels, run = _traced_wrong(problem)
     if run:
         return labels, run(**values)
     models = wrong_models(problem, values)
@@ -277,9 +275,8 @@ def _wrong_at(problem, values):
 
 
 @cache
-def _traced_following(problem_id, key):
+def _traced_following(p, key):
     """``follows`` of one answer, called with the values and the components of earlier answers."""
-    p = find_problem(problem_id)
     counts = {name: p.answer(name).kind.length for name in earlier_answers(p)[key]}
     names = [f"{name}_{n}_" for name, count in counts.items() for n in range(count)]
 

@@ -13,7 +13,7 @@ def mathml(latex: str, display: str = "inline") -> str:
     raised = _RAISED.sub(lambda m: f"{m[1]}{_EXPONENTS[int(m[2])]}}}", latex)
     try:
         made = convert(raised, display=display)
-    except Exception:  # its errors have no base class, and an IndexError is among them
+    except Exception:  # the converter's errors have no base class, and an IndexError is among them
         return f"${html.escape(latex)}$"
     # the converter keeps the backslash of \% in a text; HTML needs no XML namespace
     return _NAMESPACE.sub("", made, count=1).replace(r"\%", "%")

@@ -1,4 +1,4 @@
-"""What grading knows of a student's sheet before it looks at the submission."""
+"""A student's sheet, as known before the submission is read."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from functools import cached_property, lru_cache
 from ..assignment.attempts import earlier_attempts
 from ..assignment.cells import Notebook, SheetValues, Sources, Values
 from ..assignment.numbers import numbers_in
-from ..assignment.released import Released, master_notebook, released, sheet_numbers
+from ..assignment.released import ReleasedNotebook, master_notebook, released, sheet_numbers
 from ..assignment.sheet import Task
 from ..course import Course
 from .recognition import Places, places_by_name
@@ -16,17 +16,17 @@ from .recognition import Places, places_by_name
 @dataclass(frozen=True)
 class Sheet:
     """One notebook of a student's assignment, known from the course alone; ``sources`` have the
-    hidden tests that the released notebook lacks.
+    hidden tests, which the released notebook has not.
     """
 
     course: Course
     assignment: str
     student: str
     name: str
-    released: Released
+    released: ReleasedNotebook
     values: SheetValues
     sources: Sources
-    earlier: Mapping[str, Sequence[Values]]  # by problem: the numbers of earlier attempts
+    earlier: Mapping[str, Sequence[Values]]  # the numbers of earlier attempts, by problem
 
     @cached_property
     def master(self) -> Notebook:

@@ -41,7 +41,7 @@ from .scalars import (
     without_rates,
 )
 from .source import WITHOUT_HEYOKA, generate, named_apart, runtime_names
-from .trace import NO_VALUE, Inner, NoValueError, Step, Trace, asked_by, keys_of, packed, unpacked
+from .trace import NO_VALUE, Inner, NoNumberError, Step, Trace, asked_by, keys_of, packed, unpacked
 
 # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
 # measured)
@@ -51,7 +51,7 @@ HEYOKA_BLOCK = 1 << 15
 # instants (heyoka loaded: True, or not) from which on heyoka, with its compilation and import,
 # takes less time in all than NumPy (measured)
 HEYOKA_BREAK_EVEN = {True: 60_000, False: 1_500_000}
-# those whose functions may ask a traced value for its number
+# packages whose functions may ask a traced value for its number
 _LIBRARIES = {"numpy", "scipy", "mpmath", *sys.stdlib_module_names}
 
 
@@ -199,7 +199,7 @@ class Compiled:
         return self._functions[name]
 
     def _no_value(self, args, error):
-        """The error in words for one of arithmetic."""
+        """The error of the engine for an arithmetic error."""
         if isinstance(error, NewtonEulerError):
             return error
         kinds = {ZeroDivisionError: DivisionError, OverflowError: RangeError}
@@ -223,7 +223,7 @@ class Compiled:
         return [given[n] for n in self.parameters]
 
     def _other(self, args):
-        if all(isinstance(a, float) for a in args):  # of NumPy, as the entries of an array
+        if all(isinstance(a, float) for a in args):  # np.float64, as in an array
             with suppress(ArithmeticError, ValueError):  # where NumPy has inf or nan
                 return self._build(self.on_floats(*map(float, args)))
         for a in args:
@@ -322,7 +322,7 @@ def _running(constant, rounded):
     """A constant as a text uses it: a formula compiled, a number as a float if all are."""
     if isinstance(constant, Inner):
         return Compiled("the formula inside", constant.parameters, constant.trace, constant.leaves)
-    with suppress(TypeError):  # of a symbol
+    with suppress(TypeError):  # a symbol has no float
         return float(constant) if rounded else constant
     return constant
 
@@ -331,8 +331,9 @@ def _running(constant, rounded):
 def compiled(f: Callable[..., Any], /, **constants: Scalar) -> Compiled:
     """The formula ``f``, traced once into straight-line text, for many fast evaluations. The result
     takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name,
-    and returns what ``f`` returns, a Vector as a triple of components. Arrays go by NumPy in
-    blocks, and by heyoka, if installed, as soon as that saves more time than its compilation takes.
+    and returns what ``f`` returns, a Vector as a triple of components. Arrays are computed by NumPy
+    in blocks, and by heyoka, if installed, as soon as that saves more time than its compilation
+    takes.
 
     f : a function of scalars that does not branch on their values (it chooses by ``where``); it
         returns a scalar, a Vector, or tuples and dicts of them
@@ -347,15 +348,15 @@ def compiled(f: Callable[..., Any], /, **constants: Scalar) -> Compiled:
 
 
 def _lacked_values(error):
-    """True if this error arose because a traced value has no number: as the value itself says, or
-    what asked for the number, or a function of NumPy, SciPy or mpmath that had the value.
+    """True if this error arose because a traced value has no number, whichever raised it: the value
+    itself, the code that asked for its number, or a function of NumPy, SciPy or mpmath.
     """
     if isinstance(error, NewtonEulerError):
-        return isinstance(error, NoValueError)
+        return isinstance(error, NoNumberError)
     *_, last = _tracebacks(error)
     if asked_by(last.tb_frame, last.tb_lasti):
         return True
-    # of s.real_part, np.sqrt([s, 1]), data[s]
+    # errors of s.real_part, np.sqrt([s, 1]), data[s]
     if any(map(_traced, (getattr(error.__cause__ or error, "obj", None), *error.args))):
         return True
     frames = [at.tb_frame for at in _tracebacks(error)]

@@ -1,9 +1,10 @@
 """Elimination of linear equations of numbers, one equation after the other, in their units."""
 
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from .names import listed
-from .scalars import ZERO, largest_abs, max_abs, min_abs, short, unit_roundoff
+from .scalars import ZERO, Scalar, largest_abs, max_abs, min_abs, short, unit_roundoff
 from .vectors import FrameError
 
 # Thresholds of the elimination, in round-offs of the coarsest number. Measured on 3000 surplus
@@ -25,7 +26,7 @@ CONTRADICTION = 2**22
 class LinearError(FrameError):
     """Linear equations, of these names, contradict each other or leave an unknown undetermined."""
 
-    def __init__(self, message, equations=()):
+    def __init__(self, message: str, equations: Iterable[str] = ()):
         super().__init__(message)
         self.equations = tuple(equations)
 
@@ -35,15 +36,15 @@ class LinearEquation:
     """The sum of coefficient times unknown is ``right``. ``group`` numbers the condition."""
 
     name: str
-    coefficients: tuple
-    right: object
+    coefficients: tuple[Scalar, ...]
+    right: Scalar
     group: int
 
-    def parts(self):
+    def parts(self) -> tuple[Scalar, ...]:
         """All its numbers: the coefficients, then the right side."""
         return (*self.coefficients, self.right)
 
-    def each(self, change):
+    def each(self, change: Callable[[Scalar], Scalar]) -> "LinearEquation":
         """The equation with ``change`` applied to each of its numbers."""
         coefficients = tuple(map(change, self.coefficients))
         return replace(self, coefficients=coefficients, right=change(self.right))
@@ -68,12 +69,15 @@ class Elimination:
     unknown (in ``scale``) and within a condition (``usual``, for each equation), in their units.
     """
 
-    def __init__(self, equations, count, faithful, numbers):
+    def __init__(
+        self, equations: Sequence[LinearEquation], count: int, faithful: bool, numbers: bool
+    ):
         self.equations, self.count, self.numbers = equations, count, numbers
         self.round_off = float(unit_roundoff(x for e in equations for x in e.parts()))
         self.scale = self._scales()
         self.usual = self._by_group([self._relative(e.coefficients) for e in equations])
-        self.rows, self.dependent = {}, {}
+        self.rows: dict[int, list[Scalar]] = {}
+        self.dependent: dict[int, list[Scalar]] = {}
         for n in range(len(equations)):
             self._eliminate(n)
         self.free = {pivot: self._others(pivot, row) for pivot, row in self.rows.items()}
@@ -164,7 +168,7 @@ class Elimination:
         absent = ABSENT * self.round_off * max(weights.values())
         return [n for n, w in weights.items() if w >= absent or n == last]
 
-    def relations(self, names):
+    def relations(self, names: Sequence[str]) -> Iterator[str]:
         """What is known of the unknowns that are not determined, in words."""
         for pivot, free in self.free.items():
             row = self.rows[pivot]
@@ -176,7 +180,7 @@ class Elimination:
                     text += f" {'-' if c > 0 else '+'} {times}{names[k]}"
                 yield text
 
-    def redundant(self):
+    def redundant(self) -> Mapping[str, tuple[str, ...]]:
         """By name, the equations that follow from others."""
         rows = self.dependent.items()
         found = ([self.equations[n].name for n in self._involved(*row)] for row in rows)

@@ -36,9 +36,9 @@ from .scalars import (
 from .vectors import Vector
 
 HALVINGS = 9  # halvings of the step of the tanh-sinh rule
-ORDERS = 8, 16, 32, 48, 64, 96  # places along each dimension of a cube
-MOST = 300_000  # places in a cube
-NEAR_MIDDLE = 0.4375  # a place for a trial; the middle may be one of symmetry, without a direction
+ORDERS = 8, 16, 32, 48, 64, 96  # nodes along each dimension of a cube
+MOST = 300_000  # nodes in a cube
+NEAR_MIDDLE = 0.4375  # a point for a trial; in the middle, by symmetry, f may have no value
 _NUMBERS = count()  # so that the variables of nested integrals have names of their own
 
 
@@ -57,7 +57,8 @@ def integral(
     f : function of one number that returns a scalar, a Vector, or a tuple of them, smooth between
         the limits and ``breaks``. It may be infinite only at ``start`` = 0, as x**-0.5
     breaks : in order, where f has corners or jumps
-    Raises :class:`SingularError` where it does not settle, :class:`WorkError` without a formula.
+    Raises :class:`SingularError` where it does not converge, :class:`WorkError` where SymPy finds
+    no formula.
 
     >>> round(integral(lambda x: x**-0.5, 0.0, 4.0), 12)
     4.0
@@ -100,7 +101,9 @@ def _like(like, scalars):
     return to_plain(next(scalars))
 
 
-def integrals(f, start, end):
+def integrals(
+    f: Callable[[Scalar], Sequence[Scalar]], start: Scalar, end: Scalar
+) -> tuple[Scalar, ...]:
     """The integrals of a function that returns a tuple of scalars, as :func:`integral`."""
     start, end = scalar(start), scalar(end)
     sample = f((start + end) / 2)
@@ -131,7 +134,7 @@ def _by_parts(kind, f, start, end):
 
 
 def _tanh_sinh(f, start, end, sample):
-    """By places at the fraction 1/(1 + exp(pi sinh t)) of the way from either end, for equal steps
+    """By nodes at the fraction 1/(1 + exp(pi sinh t)) of the way from either end, for equal steps
     of t (H. Takahasi and M. Mori, Publ. RIMS 9, 721, 1974); halving these squares the error.
     """
     if not (is_finite(start) and is_finite(end)):
@@ -140,16 +143,16 @@ def _tanh_sinh(f, start, end, sample):
         )
     start, end, *_ = promote(start, end, *sample)
     width, small = end - start, epsilon(end - start)
-    # A place nearer to an end than a round-off of the way is rounded to the end itself, where f may
-    # be infinite. Next to 0 all floats are distinct, and the part of the integral of x**-0.5 up to
-    # the fraction p is sqrt(p): one round-off for p its square.
+    # A node nearer to an end than a round-off of the interval is rounded to the end itself, where f
+    # may be infinite. Next to 0 all floats are distinct, and the integral of x**-0.5 up to the
+    # fraction p is the share sqrt(p): one round-off for p its square.
     nearest = small * small if max_abs(start) == 0 else small
     step = small / small  # 1, with all digits
     sums = [pi(step) / 4 * y for y in f(start + width / 2)]
     sizes = [abs(s) for s in sums]
 
     def add(t, step):
-        """Weight times f over the places at ±t, ±(t + step), …"""
+        """Weight times f over the nodes at ±t, ±(t + step), …"""
         while (near := 1 / (1 + exp(pi(t) * sinh(t)))) >= nearest:
             weight = pi(t) * cosh(t) * near * (1 - near)
             for part in (near, 1 - near) if near > small else (near,):
@@ -176,11 +179,13 @@ def _tanh_sinh(f, start, end, sample):
 
 
 def _settled(values, before, allowed):
-    """Whether no value differs from the one before by more than is allowed."""
+    """True if no value differs from the previous one by more than is allowed."""
     return all(max_abs(x - y) <= a for x, y, a in zip(values, before, allowed, strict=True))
 
 
-def by_formula(f, start, end):
+def by_formula(
+    f: Callable[[Scalar], Sequence[Scalar]], start: Scalar, end: Scalar
+) -> tuple[Scalar, ...]:
     """The integrals by SymPy, where a limit or the function is an expression."""
     # SymEngine would lose a Dummy, and the assumptions of a symbol
     name = sympy.Symbol(f"_q{next(_NUMBERS)}")
@@ -217,8 +222,8 @@ def _exact(x):
 
 def over_cube(f: Callable[..., tuple[Scalar, ...]], n: int) -> tuple[Scalar, ...]:
     """The integrals of the scalars in the tuple ``f(t_1, …, t_n)`` over the unit cube;
-    :class:`SingularError` if they do not settle. f is smooth, also at the faces, and called with
-    arrays of places, or, where it returns numbers of mpmath, with one place at a time.
+    :class:`SingularError` if they do not converge. f is smooth, also at the faces, and called with
+    arrays of points, or, where it returns numbers of mpmath, with one point at a time.
     """
     sample = tuple(map(scalar, f(*(NEAR_MIDDLE,) * n)))
     present = [x for x in sample if x is not ZERO]
@@ -232,8 +237,8 @@ def over_cube(f: Callable[..., tuple[Scalar, ...]], n: int) -> tuple[Scalar, ...
     before, last = None, 1
     for order in (m for m in ORDERS if m**n <= MOST):
         found, sizes = rule(f, n, order, sample)
-        # the error falls geometrically: these have all digits if the last ones had a part of them
-        # that is as large as the last order is of this one
+        # the error falls geometrically: if the last order had correct a share last/order of the
+        # digits, this one has all of them correct
         allowed = [1e-2 * small ** (last / order) * max_abs(size) for size in sizes]
         if before is not None and _settled(found, before, allowed):
             return found
@@ -245,7 +250,7 @@ def over_cube(f: Callable[..., tuple[Scalar, ...]], n: int) -> tuple[Scalar, ...
 
 
 def _by_arrays(f, n, order, sample):
-    """The sums over all places at once; along an axis next to those of arrays that f returns."""
+    """The sums over all nodes at once; along an axis next to those of arrays that f returns."""
     depth = max(len(getattr(x, "shape", ())) for x in sample)
     nodes, weights = np.polynomial.legendre.leggauss(order)
     places = np.array(list(product((nodes + 1) / 2, repeat=n))).T
@@ -265,7 +270,7 @@ def _by_arrays(f, n, order, sample):
 
 
 def _one_by_one(f, n, order, sample):
-    """The sums place by place, with all the digits of mpmath, or of floats."""
+    """The sums node by node, with all the digits of mpmath, or of floats."""
     found, sizes = [ZERO] * len(sample), [ZERO] * len(sample)
     for pairs in product(gauss(order, epsilon(sum(sample))), repeat=n):
         share = 1
@@ -278,8 +283,8 @@ def _one_by_one(f, n, order, sample):
 
 
 @cache
-def gauss(order, small):
-    """Gauss places and weights on (0, 1), to this round-off, by Newton's method."""
+def gauss(order: int, small: float) -> list[tuple[Scalar, Scalar]]:
+    """Gauss nodes and weights on (0, 1), to this round-off, by Newton's method."""
     one = scalar(1.0)
     if small < 2.0**-53:
         from mpmath import mpf

@@ -106,7 +106,7 @@ class Moving(Unordered, _Own):
         acceleration = second * self.rate * self.rate + first * self.acceleration
         return Moving(table(self.value), first * self.rate, acceleration)
 
-    def __add__(self, other):
+    def __add__(self, other: Scalar) -> "Moving":
         o = as_moving(other)
         return Moving(self.value + o.value, self.rate + o.rate, self.acceleration + o.acceleration)
 
@@ -127,7 +127,7 @@ class Moving(Unordered, _Own):
             )
         return self * where(value < 0, -1, 1)
 
-    def __mul__(self, other):
+    def __mul__(self, other: Scalar) -> Scalar:
         if other is ZERO:
             return ZERO
         if isinstance(other, Scaled):
@@ -141,16 +141,16 @@ class Moving(Unordered, _Own):
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other):
+    def __truediv__(self, other: Scalar) -> "Moving":
         o = as_moving(other)
         q = self.value / o.value
         dq = (self.rate - q * o.rate) / o.value
         return Moving(q, dq, (self.acceleration - 2 * (dq * o.rate) - q * o.acceleration) / o.value)
 
-    def __rtruediv__(self, other):
+    def __rtruediv__(self, other: Scalar) -> "Moving":
         return as_moving(other) / self
 
-    def __pow__(self, power):
+    def __pow__(self, power: Scalar) -> Scalar:
         if isinstance(power, Moving):
             raise ScalarError(
                 "a moving number takes a constant power only; otherwise write exp(power*log(x))"
@@ -167,7 +167,7 @@ class Moving(Unordered, _Own):
         """True if it is constant by structure: then a function needs no derivative at the value."""
         return self.rate is ZERO and self.acceleration is ZERO
 
-    def __rpow__(self, base):
+    def __rpow__(self, base: Scalar) -> Scalar:
         # the logarithm in the kind of the value, with all its digits
         return exp(self * log(self.value * 0 + real_scalar(base)))
 
@@ -283,7 +283,7 @@ _moving.__qualname__ = "moving"
 
 
 def _known(x, what):
-    """The real scalar ``x``; None and nan, as before a computation, are refused."""
+    """The real scalar ``x``; None and nan, as of a value not computed yet, are refused."""
     if x is None or (isinstance(x, float) and x != x):
         raise ScalarError(
             f"the {what} is {x}, which is not a number: look at what it was computed from"

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from types import MappingProxyType
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, NoReturn, TypeVar
 
 from .names import Guided, did_you_mean, guided
 from .pickles import Computed
@@ -36,7 +36,7 @@ from .scalars import (
 class TermError(NewtonEulerError, ValueError, KeyError):
     """A sum does not have the term that is named."""
 
-    __str__ = Exception.__str__  # that of a KeyError adds quotation marks
+    __str__ = Exception.__str__  # KeyError.__str__ would add quotation marks
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ class Equation:
     kind, number, symbol : what the sum is, as "acceleration"; its number in the book; in LaTeX
     unit : of the sum in SI, "" where it has none of its own
     terms : by name, a term as (text, LaTeX), for those whose name is not enough
-    other : (text, LaTeX) of a term that is not listed; its name becomes the index
+    other : (text, LaTeX) of a term that is not listed; its name becomes the subscript
 
     >>> from newton_euler import Frame
     >>> ground = Frame("ground"); arm = ground.rotate("arm", "z", rate=2.0)
@@ -71,7 +71,7 @@ def equation(kind: str) -> Equation:
     with Path(__file__).with_name("equations.toml").open("rb") as file:
         found = tomllib.load(file)[kind]
     terms = {name: tuple(texts) for name, texts in found.get("terms", {}).items()}
-    other = found.get("other", ("", f"{{{found['symbol']}}}"))  # braces: it may have an index
+    other = found.get("other", ("", f"{{{found['symbol']}}}"))  # braces: it may have a subscript
     return Equation(
         kind, found["number"], found["symbol"], terms, tuple(other), found.get("unit", "")
     )
@@ -122,7 +122,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         super().__init__(zip(names, (term for _, term in pairs), strict=True))
         self.shared = {new: old for new, old in zip(names, given, strict=True) if new != old}
 
-    def __missing__(self, name):
+    def __missing__(self, name: str) -> NoReturn:
         alike = [new for new, old in self.shared.items() if old == name]
         if alike:
             raise TermError(f"{len(alike)} terms are named {name!r}; ask for one of {alike}")
@@ -143,7 +143,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         return Terms(other) | self
 
     def get(self, name: str, default: Any = None) -> Any:
-        """The term, or the ``default`` where there is none of this name."""
+        """The term of this name, or the ``default``."""
         return self[name] if name in self or name in self.shared.values() else default
 
     def named(self) -> Iterator[tuple[str, T]]:
@@ -161,7 +161,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         """Pairs (factor, term): the factor by the distinct name, else by the shared one, else 1."""
         for name in factors:
             if name not in self.shared.values():
-                self[name]  # raises a TermError if there is none
+                self[name]  # raises a TermError for an unknown name
         usual = {new: factors.get(old, 1) for new, old in self.shared.items()}
         return [(real_scalar(factors.get(n, usual.get(n, 1))), term) for n, term in self.items()]
 
@@ -293,7 +293,7 @@ class Explanation:
       sum                  [0, 2, 0]
     """
 
-    def __init__(self, vector, ledger, unit=""):
+    def __init__(self, vector: Any, ledger: Ledger, unit: str = ""):
         _check_unit(unit, f"{ledger.equation.kind} {ledger.subject}", ledger.unit)
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
@@ -323,7 +323,7 @@ class Explanation:
     def latex(self) -> str:
         """The formula and the value of each term, as an align* environment."""
         symbol, known, other = self.equation.symbol, self.equation.terms, self.equation.other[1]
-        # braces, since a symbol as M_B has an index already
+        # braces, since a symbol such as M_B already has a subscript
         total = f"{{{symbol}}}" + f"_{{{latex_text(self.ledger.subject)}}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
         formulas = [known[n][1] if n in known else _product(n, other) for n in self.terms]
@@ -345,13 +345,13 @@ def in_columns(heading: str, rows: Sequence[tuple[str, str]]) -> str:
 
 
 def _product(name, symbol):
-    """LaTeX of a term named after frames: "arm" is an index, two names make a cross product."""
+    """LaTeX of a term named after frames: "arm" is a subscript, two names make a cross product."""
     if not isinstance(name, Crossed):
         return rf"{symbol}_{{{latex_text(name)}}}"
     return r"\times".join(rf"\boldsymbol{{\omega}}_{{{latex_text(n)}}}" for n in name.factors)
 
 
-def latex_text(words):
+def latex_text(words: str) -> str:
     """Words within a formula; MathJax takes a bare _ there for an error."""
     return r"\text{" + words.replace("_", r"\_") + "}"
 

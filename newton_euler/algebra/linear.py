@@ -7,7 +7,7 @@ contact or a joint; :func:`solve_linear` for equations with names, and a report.
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -16,10 +16,10 @@ from inspect import signature
 from math import prod
 from operator import add, mul
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NoReturn
 
 from .elimination import Elimination, LinearEquation, LinearError, Varies
-from .errors import checked
+from .errors import checked, checked_but
 from .late import np
 from .ledger import distinct
 from .names import listed
@@ -73,8 +73,8 @@ class LinearForm(Unordered, _Own):
     rank = 5
     advice = "the conditions must be linear in the unknowns"
 
-    @checked
-    def __init__(self, value, coefficients):
+    @checked_but("value", "coefficients")  # with which every operation makes one
+    def __init__(self, value: Scalar, coefficients: Iterable[Scalar]):
         self.value, self.coefficients = value, tuple(coefficients)
 
     def __repr__(self):
@@ -96,13 +96,13 @@ class LinearForm(Unordered, _Own):
         return LinearForm(parts[0], parts[1:])
 
     @staticmethod
-    def _refuse(what):
+    def _refuse(what: str) -> NoReturn:
         raise ScalarError(f"{what}; the conditions must be linear in the unknowns")
 
     def _each(self, change):
         return LinearForm(change(self.value), map(change, self.coefficients))
 
-    def __add__(self, other):
+    def __add__(self, other: Scalar) -> "LinearForm":
         if isinstance(other, LinearForm):
             coefficients = map(add, self.coefficients, other.coefficients)
             return LinearForm(self.value + other.value, coefficients)
@@ -115,7 +115,7 @@ class LinearForm(Unordered, _Own):
     def __neg__(self):
         return self._each(lambda x: -x)
 
-    def __mul__(self, other):
+    def __mul__(self, other: Scalar) -> Scalar:
         if other is ZERO:
             return ZERO
         if isinstance(other, Scaled) or outranks(other, self):
@@ -127,13 +127,13 @@ class LinearForm(Unordered, _Own):
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other):
+    def __truediv__(self, other: Scalar) -> "LinearForm":
         if outranks(other, self):
             return NotImplemented
         other = real_scalar(other)
         return self._each(lambda x: x / other)
 
-    def __rtruediv__(self, other):
+    def __rtruediv__(self, other: Scalar) -> NoReturn:
         self._refuse("an unknown occurs in a denominator")
 
     @checked
@@ -141,14 +141,14 @@ class LinearForm(Unordered, _Own):
         """Raises :class:`ScalarError`: a function of an unknown is not linear in it."""
         self._refuse(f"{name} is taken of an unknown")
 
-    def __pow__(self, power):
+    def __pow__(self, power: Scalar) -> NoReturn:
         self._refuse("an unknown is raised to a power")
 
     def __abs__(self):
         self._refuse("the absolute value is taken of an unknown")
 
 
-# -- what is solved, for those who show it
+# -- the equations that were solved, for worked solutions
 
 
 @dataclass(frozen=True)
@@ -190,10 +190,14 @@ def _show(equations, names, values):
 
 
 def _arguments(conditions):
-    """The names of the arguments of a function."""
+    """The names of the arguments of a function; none if it is in C and has no signature."""
+    try:
+        parameters = signature(conditions).parameters.values()
+    except (TypeError, ValueError):
+        return []
     return [
         p.name
-        for p in signature(conditions).parameters.values()
+        for p in parameters
         if p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
     ]
 
@@ -318,14 +322,14 @@ class Solution:
     relations: tuple = ()
     redundant: Mapping = field(default_factory=dict)
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Scalar:
         if isinstance(name, str) and name in self.values:
             return self.values[name]
         if not isinstance(name, str) or name not in self.names:
             raise _NoUnknown(f"there is no unknown {name!r}; there are {', '.join(self.names)}")
         raise LinearError(f"{name} is not determined by the equations. {self.report()}")
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Scalar:
         if name.startswith("__"):
             raise AttributeError(name)
         return self[name]
@@ -506,9 +510,9 @@ def _of_expressions(equations, found):
 
 def solve_regular(rows: list[tuple[Mapping[int, Scalar], Scalar]]) -> dict[int, Scalar]:
     """The unknowns by number, from as many independent equations, pairs (coefficients by unknown,
-    right side). One after the other is taken from the place that touches the fewest other places:
-    best one that is known at once, or that occurs nowhere else and follows when the others are
-    known; without such a place, the last few by Cramer's rule.
+    right side). Pivots are chosen by Markowitz's rule, the place that changes the fewest others:
+    best an unknown alone in its equation, or one that occurs nowhere else and follows from the
+    others. Without such a place, Cramer's rule solves the last few.
     """
     if not rows:
         return {}

@@ -24,7 +24,7 @@ class Computed:
         return self.value
 
 
-def read_only(values):
+def read_only(values: dict) -> MappingProxyType:
     """The read-only mapping of these values, a dict."""
     return MappingProxyType(values)
 

@@ -1,15 +1,28 @@
 """Functions ``(s, p, t)`` in pickles: by their name, or if they have none as their traced steps."""
 
 import sys
+from collections.abc import Callable, Iterable
 from copy import deepcopy
 from dataclasses import fields
 from functools import reduce
 from inspect import Parameter, Signature
 from types import FunctionType, MappingProxyType
+from typing import Any, Protocol, Self, TypeAlias
 
 from .compile import compiled
-from .scalars import NewtonEulerError
-from .trace import Trace
+from .scalars import NewtonEulerError, Scalar
+from .trace import Step, Trace
+
+
+class Values(Protocol):
+    """The states ``s`` or the parameters ``p``, as a formula ``(s, p, t)`` reads them: by name."""
+
+    def __getattr__(self, name: str) -> Scalar: ...
+
+
+# functions (s, p, t): of one number; of one for each state, in their order
+Formula: TypeAlias = Callable[[Values, Values, Scalar], Scalar]
+Formulas: TypeAlias = Callable[[Values, Values, Scalar], Iterable[Scalar]]
 
 
 class Portable:
@@ -21,7 +34,7 @@ class Portable:
     def __copy__(self):
         return self._with(lambda x: x)
 
-    def __deepcopy__(self, memo):
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self._with(lambda x: deepcopy(x, memo))
 
     def _each(self, change):
@@ -33,7 +46,7 @@ class Portable:
         return new
 
 
-def portable(f):
+def portable(f: Any) -> Any:
     """The function ``f``, or its traced :class:`Steps` if no other process finds it by its name:
     what it reads besides its arguments is taken as it is now. One that branches on values stays.
     """
@@ -50,11 +63,12 @@ class Steps:
     each an ``asked`` pair as ("s", "v"), or ("t", "").
     """
 
-    def __init__(self, f):
-        trace, self.asked = Trace(), {}
-        s, p = (_Asked(of, self.asked, trace) for of in "sp")
+    def __init__(self, f: Formula | Formulas):
+        trace = Trace()
+        asked: dict[tuple[str, str], Step] = {}
+        s, p = (_Asked(of, asked, trace) for of in "sp")
         f(s, p, trace.new("argument", "t"))
-        self.asked = [("t", ""), *self.asked]
+        self.asked = [("t", ""), *asked]
         names = [f"{of}_{name}" for of, name in self.asked]
 
         def formula(*values):
@@ -62,18 +76,19 @@ class Steps:
             return f(_Given("s", given), _Given("p", given), given["t", ""])
 
         kind = Parameter.POSITIONAL_ONLY
-        formula.__signature__ = Signature([Parameter(n, kind) for n in names])
+        signature = Signature([Parameter(n, kind) for n in names])
+        vars(formula).update(__signature__=signature)
         formula.__name__ = f.__name__
         self.formula = compiled(formula)
 
-    def __call__(self, s, p, t):
+    def __call__(self, s: Values, p: Values, t: Scalar) -> Any:
         given = {"s": s, "p": p}
         values = [t if of == "t" else getattr(given[of], name) for of, name in self.asked]
         return self.formula(*values)
 
 
 class _Asked:
-    """Stands for states or parameters, and notes which of them a function asks for."""
+    """Placeholder for states or parameters, which notes which of them a function asks for."""
 
     def __init__(self, of, asked, trace):
         self._of, self._asked, self._trace = of, asked, trace

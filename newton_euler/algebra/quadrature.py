@@ -31,7 +31,7 @@ PLACES = 10, 21
 # parts in which each piece begins, so that of their 21 places none is farther from the next than
 # 1.1 % of it; odd, since an integrand has no value in the middle more often than elsewhere
 PARTS = 7
-# errors of a formula where it has no value; others are those of the function that was passed
+# errors of a formula where it has no value; any other is the caller's
 NO_VALUE = ZeroDivisionError, OverflowError, FloatingPointError, SingularError
 
 
@@ -43,7 +43,7 @@ def quadrature(
     exact: bool = False,
     breaks: Sequence[Scalar] = (),
 ) -> tuple[Scalar, Scalar]:
-    """(integral of ``f``, its estimated error); arguments as of :func:`.work.work_integral`."""
+    """(integral of ``f``, its estimated error); arguments as in :func:`.work.work_integral`."""
     pieces = [_piece(f, a, b, rtol, exact) for a, b in pairwise((start, *breaks, end))]
     return sum((value for value, _ in pieces), ZERO), sum(error for _, error in pieces)
 

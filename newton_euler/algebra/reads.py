@@ -7,6 +7,7 @@ before each use: no value is computed, and nothing is called.
 import builtins
 import dis
 import sys
+from collections.abc import Set
 from dataclasses import fields
 from fractions import Fraction
 from functools import lru_cache, partial
@@ -29,7 +30,7 @@ FIXED = {*ENGINE, *PYTHONS, *LIBRARIES, "scipy"}
 # kinds of values that never change: a name can only be given another one
 CONSTANTS = (bool, int, float, complex, str, bytes, type(None), range, Fraction, _Own)
 RANDOM = "numpy.random"
-# by these a function reaches what its byte code does not name
+# functions by which code reaches what its byte code does not name
 HIDDEN = {"eval", "exec", "globals", "locals", "open", "input", "__import__", "compile"}
 BY_NAME = {"getattr", "vars", "dir"}
 
@@ -39,7 +40,7 @@ class Reads:
 
     checks : tuples (get, a, b, value) that find it again: get(a, b) is the value
     known : False if some of it can change unseen, as an attribute of an object
-    prints : True if it is known that print is among it
+    prints : True if they are known to call ``print``
 
     >>> g = 9.81
     >>> read = Reads(lambda s, p, t: -g)
@@ -156,7 +157,7 @@ def _is_fixed_function(f, packages=FIXED):
 
 
 @lru_cache(maxsize=256)
-def names_in(code):
+def names_in(code: CodeType) -> tuple[Set[str] | None, Set[str]]:
     """The names of globals that some byte code loads, a set, and all names and texts in it; None
     and the names if it also sets some, or imports a module that is not fixed.
     """

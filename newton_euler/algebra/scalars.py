@@ -125,13 +125,13 @@ class Unordered:
     __mod__ = __rmod__ = __floordiv__ = __rfloordiv__ = __divmod__ = __rdivmod__ = _no_value
     __trunc__ = __floor__ = __ceil__ = _no_value
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return self is other or self._no_value()
 
     __hash__ = object.__hash__
 
 
-def outranks(x, kind):
+def outranks(x: object, kind: _Own | type[_Own]) -> bool:
     """True if ``x``, a number of the engine, carries out an operation with one of this ``kind``."""
     return isinstance(x, _Own) and x.rank > kind.rank
 
@@ -413,7 +413,7 @@ def allowed(tolerance: object) -> float:
     y = real(tolerance, "a tolerance")
     try:
         y = float(y)
-    except OverflowError:  # of an integer
+    except OverflowError:  # an integer beyond floats
         y = math.inf if y > 0 else -math.inf
     if not y >= 0:
         raise ScalarError(f"a tolerance is not negative; got {clipped(tolerance)}")
@@ -545,7 +545,7 @@ def hypot(*values: Scalar) -> Scalar:
     else:
         return math.hypot(*some) if some else ZERO
     if all(type(x) in (float, int, Fraction) for x in some):
-        with suppress(OverflowError):  # of a whole number beyond floats: the root says so in words
+        with suppress(OverflowError):  # a whole number beyond floats: the root below says so
             return math.hypot(*some)
     if all(type(x) is float or getattr(getattr(x, "dtype", None), "kind", "") == "f" for x in some):
         return _hypot_of_arrays(import_module("numpy"), some)
@@ -715,7 +715,7 @@ def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:
     if getattr(condition, "shape", ()):
         # words may be chosen too
         a, b = (x if isinstance(x, str) else to_plain(scalar(x)) for x in (a, b))
-        return sys.modules["numpy"].where(condition, a, b)  # from which the condition is
+        return sys.modules["numpy"].where(condition, a, b)  # the condition is of NumPy
     try:
         return a if condition else b
     except (TypeError, ValueError) as error:

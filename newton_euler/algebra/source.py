@@ -4,7 +4,7 @@ its user. On floats, what only one side of a choice needs is computed under an `
 
 import math
 import operator
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from itertools import takewhile
 from types import ModuleType
 from typing import Any
@@ -21,14 +21,19 @@ WITHOUT_HEYOKA = {*WITHIN, "table"}
 RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where", *WITHIN}
 
 
-def generate(trace, names, outputs, lazy):
+def generate(
+    trace: Trace, names: Mapping[str, str], outputs: Sequence[Scalar], lazy: bool
+) -> tuple[str, dict[str, Scalar], int]:
     """The text of a function ``formula`` of the arguments ``names`` that returns the outputs, lazy
     or not; its constants that have no literal, by name; and the number of its operations.
     """
     used = uses(trace, outputs)
     steps = [s for s in trace.steps if s.number in used]
     branches = _branches(steps, outputs) if lazy else {}
-    text, lines, constants, operations = {}, [], {}, 0
+    text: dict[int, str] = {}
+    lines: list[tuple[tuple, str]] = []
+    constants: dict[str, Scalar] = {}
+    operations = 0
     line_letter, constant_letter = unused("s", names.values()), unused("c", names.values())
 
     def spelled(a):
@@ -99,7 +104,7 @@ def _indented(lines, text):
         before = branch
 
 
-def named_apart(names):
+def named_apart(names: Iterable[str]) -> dict[str, str]:
     """{name: the same, or with underscores behind it where it means something else in the text}."""
     behind = "_"
     while any(f"{name}{behind}" in names for name in RESERVED.intersection(names)):
@@ -107,7 +112,7 @@ def named_apart(names):
     return {name: name + behind * (name in RESERVED) for name in names}
 
 
-def unused(letter, names):
+def unused(letter: str, names: Collection[str]) -> str:
     """The letter, with as many underscores before it as make no name equal to it with digits."""
     while any(n.startswith(letter) and n[len(letter) :].isdigit() for n in names):
         letter = "_" + letter

@@ -6,6 +6,7 @@ import sys
 import threading
 from collections.abc import Hashable, Iterator, Sequence
 from inspect import unwrap
+from types import FrameType
 from typing import Any
 
 from .scalars import ZERO, Scalar, ScalarError, Scaled, _Own, function, outranks, scalar, to_plain
@@ -19,7 +20,7 @@ NO_VALUE = (
 )
 
 
-class NoValueError(ScalarError):
+class NoNumberError(ScalarError):
     """A traced value was asked for its number."""
 
     def __init__(self):
@@ -32,7 +33,7 @@ class _Text(str):
     __slots__ = ()
 
     def __float__(self):
-        raise NoValueError
+        raise NoNumberError
 
     __int__ = __float__
 
@@ -44,7 +45,7 @@ def _note(frame):
     _asked.place = frame.f_code, frame.f_lasti
 
 
-def asked_by(frame, instruction):
+def asked_by(frame: FrameType, instruction: int) -> bool:
     """True if a traced value was last asked for what it does not have by this instruction."""
     return getattr(_asked, "place", None) == (frame.f_code, instruction)
 
@@ -66,7 +67,7 @@ class Step(_Own):
     __slots__ = ("args", "number", "op", "trace")
     rank = 3
 
-    def __init__(self, trace, op, args, number):
+    def __init__(self, trace: "Trace", op: str, args: tuple, number: int):
         self.trace, self.op, self.args, self.number = trace, op, args, number
 
     def __repr__(self):
@@ -75,29 +76,29 @@ class Step(_Own):
     # A minus sign moves outward until it becomes a subtraction or cancels; rounding is symmetric,
     # so none of these moves changes a bit.
 
-    def __add__(self, other):
+    def __add__(self, other: Scalar) -> Scalar:
         if _is(other, 0):
             return self
         if self.op == "neg":
             return other - self.args[0]
         return self - other.args[0] if _negated(other) else self.trace.step("+", self, other)
 
-    def __radd__(self, other):
+    def __radd__(self, other: Scalar) -> Scalar:
         if _is(other, 0):
             return self
         return other - self.args[0] if self.op == "neg" else self.trace.step("+", other, self)
 
-    def __sub__(self, other):
+    def __sub__(self, other: Scalar) -> Scalar:
         if _is(other, 0):
             return self
         return self + other.args[0] if _negated(other) else self.trace.step("-", self, other)
 
-    def __rsub__(self, other):
+    def __rsub__(self, other: Scalar) -> Scalar:
         if _is(other, 0):
             return -self
         return other + self.args[0] if self.op == "neg" else self.trace.step("-", other, self)
 
-    def __mul__(self, other):
+    def __mul__(self, other: Scalar) -> Scalar:
         if other is ZERO:
             return ZERO
         if _is(other, 1) or _is(other, -1):
@@ -108,7 +109,7 @@ class Step(_Own):
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other):
+    def __truediv__(self, other: Scalar) -> Scalar:
         if other is ZERO:
             return NotImplemented  # ZERO raises the error
         if self.op == "neg":
@@ -117,23 +118,23 @@ class Step(_Own):
             return -(self / other.args[0])
         return self if _is(other, 1) else self.trace.step("/", self, other)
 
-    def __rtruediv__(self, other):
+    def __rtruediv__(self, other: Scalar) -> Scalar:
         return -(other / self.args[0]) if self.op == "neg" else self.trace.step("/", other, self)
 
-    def __pow__(self, power):
+    def __pow__(self, power: Scalar) -> Scalar:
         if power is ZERO:
             return 1
         if _is(power, 2):
             return self * self
         return self if _is(power, 1) else self.trace.step("**", self, power)
 
-    def __rpow__(self, base):
+    def __rpow__(self, base: Scalar) -> "Step":
         return self.trace.step("pow", base, self)
 
     def __neg__(self):
         return self.args[0] if self.op == "neg" else self.trace.step("neg", self)
 
-    def function(self, name, *args):
+    def function(self, name: str, *args: Scalar) -> Scalar:
         """The step of this function, of this step or of the arguments."""
         if self.op == "neg":
             if name in ("cos", "cosh"):
@@ -142,7 +143,7 @@ class Step(_Own):
                 return -function(name, self.args[0])
         return self.trace.step(name, *(args or (self,)))
 
-    def pi(self):
+    def pi(self) -> "Step":
         """The step that is pi in the kind of number on which the text will run."""
         return self.trace.step("pi")
 
@@ -153,7 +154,7 @@ class Step(_Own):
 
     __lt__, __le__, __gt__, __ge__ = map(_comparison, COMPARISONS)
 
-    def where(self, a, b):
+    def where(self, a: Scalar, b: Scalar) -> Scalar:
         """The step of :func:`newton_euler.algebra.scalars.where` with this comparison."""
         return a if a is b else self.trace.step("where", self, to_plain(a), to_plain(b))
 
@@ -177,7 +178,7 @@ class Step(_Own):
 
     def _no_value(self, *_):
         _note(sys._getframe(1))  # NumPy raises an error of its own for this one
-        raise NoValueError
+        raise NoNumberError
 
     __bool__ = __float__ = __complex__ = __int__ = __index__ = __round__ = _no_value
     __trunc__ = __floor__ = __ceil__ = __divmod__ = __rdivmod__ = __invert__ = _no_value
@@ -185,10 +186,10 @@ class Step(_Own):
     __matmul__ = __rmatmul__ = __getitem__ = _no_value
     __and__ = __rand__ = __or__ = __ror__ = __xor__ = __rxor__ = _no_value
 
-    def __format__(self, spec):
+    def __format__(self, spec: str) -> str:
         return self._no_value() if spec else repr(self)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return self is other or self._no_value()
 
     __hash__ = object.__hash__
@@ -320,7 +321,7 @@ def _inner(op, f, limits, sample, names=("x",)):
     return tuple(outer.step("item", whole, n) for n in range(len(leaves)))
 
 
-def keys_of(trace):
+def keys_of(trace: Trace) -> tuple[Hashable, ...]:
     """The steps of a trace for a dictionary, equal for equal formulas."""
     return tuple(
         (s.op, *s.args) if s.op == "argument" else (s.op, *map(trace.key, s.args))
@@ -328,7 +329,7 @@ def keys_of(trace):
     )
 
 
-def packed(trace, leaves):
+def packed(trace: Trace, leaves: Sequence[Scalar]) -> tuple[list[tuple], list]:
     """The steps and leaves of a formula for a pickle, steps by their numbers."""
 
     def by_number(x):
@@ -337,7 +338,7 @@ def packed(trace, leaves):
     return [(s.op, *map(by_number, s.args)) for s in trace.steps], list(map(by_number, leaves))
 
 
-def unpacked(steps, leaves):
+def unpacked(steps: Sequence[tuple], leaves: Sequence[Scalar]) -> tuple[Trace, list[Scalar]]:
     """The trace and the leaves that were :func:`packed`."""
     trace = Trace()
 

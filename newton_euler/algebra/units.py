@@ -70,14 +70,14 @@ class Dimension(_Own):
     def _units(self):
         return zip(("kg", "m", "s"), self.powers, strict=True)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return isinstance(other, Dimension) and self.powers == other.powers
 
     def __hash__(self):
         return hash(self.powers)
 
-    def __add__(self, other):
-        if _is_nothing(other):  # with which sum() begins
+    def __add__(self, other: Scalar) -> "Dimension":
+        if _is_nothing(other):  # sum() begins with 0
             return self
         if outranks(other, self):
             return NotImplemented
@@ -92,7 +92,7 @@ class Dimension(_Own):
 
     __abs__ = __neg__
 
-    def __mul__(self, other):
+    def __mul__(self, other: Scalar) -> Scalar:
         if _is_nothing(other):
             return ZERO
         if isinstance(other, Scaled) or outranks(other, self):
@@ -101,15 +101,15 @@ class Dimension(_Own):
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other):
+    def __truediv__(self, other: Scalar) -> "Dimension":
         if other is ZERO or outranks(other, self):
             return NotImplemented
         return Dimension(*map(sub, self.powers, _as_dimension(other).powers))
 
-    def __rtruediv__(self, other):
+    def __rtruediv__(self, other: Scalar) -> Scalar:
         return ZERO if _is_nothing(other) else _as_dimension(other) / self
 
-    def __lt__(self, other):
+    def __lt__(self, other: Scalar) -> "Compared":
         """A comparison for :func:`~newton_euler.where`; of unlike quantities it raises."""
         if outranks(other, self):
             return NotImplemented
@@ -119,7 +119,7 @@ class Dimension(_Own):
 
     __le__ = __gt__ = __ge__ = __lt__
 
-    def __pow__(self, power):
+    def __pow__(self, power: Scalar) -> "Dimension":
         if isinstance(power, Dimension) or outranks(power, self):
             if any(self.powers):
                 raise DimensionError(
@@ -170,7 +170,7 @@ class Compared(_Own):
     def __bool__(self):
         raise DimensionError("dimensions have no values to compare: choose by where(x < y, a, b)")
 
-    def where(self, a, b):
+    def where(self, a: Scalar, b: Scalar) -> Scalar:
         """The dimension of ``a`` and ``b``; of words the first."""
         if isinstance(a, str) or isinstance(b, str):
             return a

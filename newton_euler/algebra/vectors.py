@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from functools import reduce
-from typing import Any, TypeAlias
+from typing import Any, NoReturn, Protocol, Self
 
 from .jets import Moving, moving
 from .late import np
@@ -56,7 +56,22 @@ from .scalars import (
     where,
 )
 
-Frame: TypeAlias = Any  # a kinematics.frames.Frame, which is in a room above this one
+
+class Frame(Protocol):
+    """What a vector asks of a :class:`~newton_euler.kinematics.frames.Frame`, in a room above."""
+
+    name: str
+    hats: tuple[str, str, str]
+
+    def common(self, other: Self) -> object:
+        """The nearest frame that both descend from; an error without one."""
+
+    def transform(self, c: Triple, frame: Self) -> Triple:
+        """The components in ``frame`` of what has these components here."""
+
+    def angular_velocity(self, observer: Self) -> "Vector":
+        """That of this frame seen from ``observer``."""
+
 
 NO_THIRD_RATE = (
     "the third time derivative of a moving quantity is not known; give coordinates with two "
@@ -82,7 +97,7 @@ def cross3(a: Sequence[Scalar], b: Sequence[Scalar]) -> Triple:
     return (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
 
 
-def dot3(a, b):
+def dot3(a: Sequence[Scalar], b: Sequence[Scalar]) -> Scalar:
     """a . b."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
@@ -99,7 +114,7 @@ def sum3(triples: Iterable[Triple]) -> Triple:
     return reduce(add3, triples, ZERO3)
 
 
-def sub3(a, b):
+def sub3(a: Triple, b: Triple) -> Triple:
     """a - b."""
     return a if b is ZERO3 else (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
@@ -118,7 +133,7 @@ def three(values: Any, what: str, error: type[Exception]) -> Triple:
     raise error(f"{what}: three numbers are expected, as (0, 0.6, 0.8); got {clipped(values)}")
 
 
-def scale3(s, a):
+def scale3(s: Scalar, a: Triple) -> Triple:
     """s a."""
     return ZERO3 if a is ZERO3 else (s * a[0], s * a[1], s * a[2])
 
@@ -136,7 +151,15 @@ class Vector(Scaled, NamedTerms):
 
     __slots__ = ("_ledger", "_own_rate", "c", "frame")
 
-    def __init__(self, c, frame, own_rate=None, ledger=None):
+    frame: Any  # with all that a Frame of the room above has, and not only what is asked here
+
+    def __init__(
+        self,
+        c: Triple,
+        frame: Frame,
+        own_rate: "Callable[[], Vector] | None" = None,
+        ledger: Ledger | None = None,
+    ):
         self.frame, self.c, self._own_rate, self._ledger = frame, c, own_rate, ledger
 
     def __reduce__(self):
@@ -171,7 +194,7 @@ class Vector(Scaled, NamedTerms):
     def __len__(self):
         return 3
 
-    def __getitem__(self, n):
+    def __getitem__(self, n: int) -> Scalar:
         try:
             return self.components()[n]
         except (IndexError, TypeError) as error:
@@ -180,7 +203,7 @@ class Vector(Scaled, NamedTerms):
             ) from None
 
     # without __hash__: vectors that are equal up to round-off would need one hash for all
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         """True if equal up to round-off (:func:`same`), in any frame; False if unknown."""
         if not isinstance(other, Vector):
             return NotImplemented
@@ -198,7 +221,7 @@ class Vector(Scaled, NamedTerms):
     def __abs__(self):
         return self.norm()
 
-    def components(self, frame: Frame = None) -> Triple:
+    def components(self, frame: Frame | None = None) -> Triple:
         """The three components along the axes of ``frame`` (default: that it is expressed in)."""
         return tuple(map(to_plain, self.c if frame is None else self.expressed_in(frame).c))
 
@@ -266,18 +289,18 @@ class Vector(Scaled, NamedTerms):
             )
         return other.c if other.frame is self.frame else other.expressed_in(self.frame).c
 
-    def __add__(self, other):
+    def __add__(self, other: "Vector") -> "Vector":
         f, c = self.frame, add3(self.c, self._other(other, "add"))
         if self._ledger is not None and other._ledger is not None:
             _of_one_kind(self._ledger, other._ledger)
         return Vector(c, f, lambda: self.rate(f) + other.rate(f))
 
-    def __radd__(self, other):
+    def __radd__(self, other: Scalar) -> "Vector":
         if type(other) is int and other == 0:  # where sum() begins
             return self
         return self._other(other, "add")
 
-    def __sub__(self, other):
+    def __sub__(self, other: "Vector") -> "Vector":
         f, c = self.frame, sub3(self.c, self._other(other, "subtract"))
         if self._ledger is not None and other._ledger is not None:
             _of_one_kind(self._ledger, other._ledger)
@@ -291,7 +314,7 @@ class Vector(Scaled, NamedTerms):
             turned._ledger = self._ledger
         return turned
 
-    def __mul__(self, s):
+    def __mul__(self, s: Scalar) -> "Vector":
         if isinstance(s, Vector):
             raise FrameError("two vectors have two products: write a.dot(b) or a.cross(b)")
         s = real_scalar(s)
@@ -302,7 +325,7 @@ class Vector(Scaled, NamedTerms):
 
     __rmul__ = __mul__
 
-    def __truediv__(self, s):
+    def __truediv__(self, s: Scalar) -> "Vector":
         if isinstance(s, Vector):
             raise FrameError("a vector cannot be divided by a vector")
         s = real_scalar(s)
@@ -331,7 +354,7 @@ class Vector(Scaled, NamedTerms):
         changed = self.rate(self.frame)
         return changed / s.value if s.rests() else (changed - self / s * _rate_of(s)) / s
 
-    def __rtruediv__(self, other):
+    def __rtruediv__(self, other: object) -> NoReturn:
         raise FrameError(f"nothing can be divided by a vector: {other!r} / {self}")
 
     def dot(self, other: "Vector") -> Scalar:
@@ -386,7 +409,7 @@ class Vector(Scaled, NamedTerms):
         """True if it was made from moving quantities, so that :meth:`rate` can be asked for."""
         return self._own_rate is not None
 
-    def rate(self, observer: Frame = None) -> "Vector":
+    def rate(self, observer: Frame | None = None) -> "Vector":
         """Its time derivative seen from the frame ``observer``: the basic kinematic equation
         (4.15), (4.27); terms ``relative``, the rate seen in its own frame, and ``rotation``, omega
         x Q. :class:`FrameError` without an observer, or if the vector is known at the instant only.
@@ -438,6 +461,7 @@ class Vector(Scaled, NamedTerms):
         terms : a function that returns them, a dict or pairs (name, Vector); default: those it has
         """
         if subject is None:
+            assert self._ledger is not None
             subject = self._ledger.subject
         ledger = Ledger(kind, subject, (lambda: self.terms) if terms is None else terms)
         return Vector(self.c, self.frame, self._own_rate, ledger)
@@ -483,7 +507,7 @@ def _of_one_kind(a, b):
 class Resting:
     """The rate of a vector that is zero and stays so, in its own frame."""
 
-    def __init__(self, frame):
+    def __init__(self, frame: Frame):
         self.frame = frame
 
     def __call__(self):

@@ -9,7 +9,7 @@ from .fit import CLOSE, Fit, mixed
 from .kinds import Kind
 from .tolerance import NOISE, Points
 
-PRECISE = 1e-3  # of a component: a number in fewer digits meets a mistake by chance
+PRECISE = 1e-3  # relative error of a component: in fewer digits it meets a mistake by chance
 MOST = 3  # components, or entries of a symmetric matrix, that are wrong
 Slip = tuple[int, Cause, Points]
 

@@ -9,9 +9,9 @@ from functools import cache
 from ..algebra.language import Words, _, joined, spoken
 from .tolerance import NEARLY, NOISE
 
-WORDS = 30  # in a diagnosis, at most
-BRIEF = 22  # in two mistakes that are both named, at most
-ENTRIES = 3  # of a matrix that are listed as wrong, at most
+WORDS = 30  # the most words in a diagnosis
+BRIEF = 22  # the most words in two mistakes that are both named
+ENTRIES = 3  # the most entries of a matrix that are listed as wrong
 UNNAMED = Words("one term of a sum")
 ORDINALS = Words("first"), Words("second"), Words("third")
 # what a mistake does, where more than its words depends on it: leaves out a term or a quantity,
@@ -428,7 +428,7 @@ def in_components(cause: Cause, places: Sequence[int], key: Sequence[float]) -> 
     return replace(cause, name=f"{cause.name} in {places}", text=text)
 
 
-@cache  # of every pair of answers
+@cache  # asked for every pair of answers
 def answer_to(key: str) -> Cause:
     """Answers exchanged: this is the right one to another part."""
     text = Words("answers {key} here: the two parts may be exchanged", key=key)

@@ -27,7 +27,7 @@ LONGEST = 600.0  # s, the longest wait
 FOUND = {
     True: Words("is right"), False: Words("is not right"), None: Words("is not checked yet"),
 }  # fmt: skip
-FILE = Path(".answers_checked.json")  # beside the notebook, so that a restarted kernel goes on
+FILE = Path(".answers_checked.json")  # beside the notebook, so that a restarted kernel continues
 
 _DAMAGED = (
     ArithmeticError, AttributeError, LookupError, OSError, RecursionError, TypeError, ValueError,
@@ -107,4 +107,4 @@ def _write():
         beside.write_text(json.dumps(_kept), "utf-8")
         os.replace(beside, FILE)
     except OSError:
-        pass  # in a folder that cannot be written, this kernel alone counts
+        pass  # the folder cannot be written: this kernel alone counts

@@ -10,9 +10,9 @@ from typing import Any
 from .tolerance import DIGITS, NOISE, ROUND_OFF, Point, Points, is_apart
 
 LOOSE, CLOSE, EXACT = 1, 2, 3
-LEAST = 1e-3  # of the whole: any component may be off by so much
+LEAST = 1e-3  # fraction of the whole by which any component may be off
 SIMPLE = 12  # the largest denominator of a simple number
-EFFECT = 0.05  # of the change by a mistake: a model must be nearer than this to fit
+EFFECT = 0.05  # fraction of a mistake's effect: a model that fits is nearer than this
 
 
 class Fit:
@@ -50,8 +50,8 @@ class Fit:
 
     @cached_property
     def nearest(self) -> float:
-        """The same; a single number counts as written in three digits at least: as a float, 2.50
-        has lost its zero.
+        """As :meth:`rounding`; a single number counts as written in three digits at least: as a
+        float, 2.50 has lost its zero.
         """
         x, *others = self.given[0]
         asked = 0.5 * 10.0 ** (math.floor(math.log10(abs(x))) + 1 - DIGITS) if x else 0.0
@@ -146,7 +146,7 @@ def written(x: float) -> tuple[int, int]:
     if not math.isfinite(x):
         return 0, 0
     _, digits, exponent = Decimal(repr(float(x))).as_tuple()
-    assert isinstance(exponent, int)  # of a finite number
+    assert isinstance(exponent, int)  # for mypy: the number is finite
     while len(digits) > 1 and digits[-1] == 0:  # repr writes 24.0 for 24
         digits, exponent = digits[:-1], exponent + 1
     return len(digits), exponent

@@ -13,7 +13,7 @@ from .causes import Cause
 from .kinds import Kind
 from .tolerance import Points
 
-GROUND = 1  # its place among the readings of a vector: in its own frame, in the ground, between
+GROUND = 1  # index among the readings of a vector: in its own frame, in the ground, between
 
 
 class Toleranced(Protocol):

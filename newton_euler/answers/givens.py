@@ -62,7 +62,7 @@ class Watch:
     failed: set = field(default_factory=set)
     read: dict = field(default_factory=dict)
 
-    def start(self, info=None):
+    def start(self, info: object = None) -> None:
         """Before a cell: keep the values of all names."""
         names = self.shell.user_ns
         self.before = dict(names)
@@ -72,7 +72,7 @@ class Watch:
             if name in names
         }
 
-    def end(self, result):
+    def end(self, result: Any) -> None:
         """After a cell: the names that it set were computed with the values at its start."""
         cell, text = _cell_of(result), getattr(result.info, "raw_cell", "")
         # a cell that sets a name to an equal small number leaves the same object
@@ -119,7 +119,7 @@ def watching() -> Watch:
 
 
 def _shell():
-    """IPython's shell; None where there is none, or one that does not announce its cells."""
+    """IPython's shell; None outside IPython, or if it does not announce its cells."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython else None
     return shell if hasattr(shell, "events") and hasattr(shell, "user_ns") else None

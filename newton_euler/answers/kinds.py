@@ -16,7 +16,7 @@ from ..algebra.vectors import Vector
 from . import slips, tolerance
 from .causes import DIRECTION, FIRST_DIGITS, NEAR, NEAR_IN_FEW_DIGITS, NUMBERS, Cause, right_but
 from .fit import Fit, most_digits
-from .messages import Stated
+from .messages import StatedForm
 from .notation import list_symbol, matrix_symbol
 from .reading import Budget, are_one_vector, formulas, numbers
 from .sympy_formulas import read_formula
@@ -25,7 +25,7 @@ from .trees import TreeError
 from .values import components, read_number
 
 MOST = 10**15  # the largest count; JSON has no place for thousands of digits
-FRAMES = 4  # in which a vector is read: its own, the ground, and two between
+FRAMES = 4  # the most frames in which a vector is read: its own, the ground, and two between
 
 
 class Kind:
@@ -35,18 +35,18 @@ class Kind:
     """
 
     name: ClassVar[str]
-    title: ClassVar[str]  # its name for a reader
-    words: ClassVar[str]  # for a reader
-    shape: ClassVar[tuple[int, ...]] = ()  # of its components; (3, 3) has rows of three
+    title: ClassVar[str]  # name for a reader
+    words: ClassVar[str]  # what to write, for a reader
+    shape: ClassVar[tuple[int, ...]] = ()  # shape of its components; (3, 3) has rows of three
     rtol: ClassVar[float] = tolerance.RTOL
-    is_word: ClassVar[bool] = False  # without unit, size and components
-    is_formula: ClassVar[bool] = False  # in the symbols of the problem
-    is_vector: ClassVar[bool] = False  # has components along axes
-    has_size: ClassVar[bool] = True  # which the givens of the problem determine
-    has_options: ClassVar[bool] = False  # its form lists the words to choose from
-    is_met_by_chance: ClassVar[bool] = False  # by wrong models that do not explain it
-    many: ClassVar[str] = ""  # why no numbers of its own are the right ones, if so
-    with_numbers: ClassVar[str] = ""  # name of the kind where numbers stand for the symbols
+    is_word: ClassVar[bool] = False  # True: no unit, no size, no components
+    is_formula: ClassVar[bool] = False  # True: written in the symbols of the problem
+    is_vector: ClassVar[bool] = False  # True: its components are along axes
+    has_size: ClassVar[bool] = True  # True: the givens of the problem determine it
+    has_options: ClassVar[bool] = False  # True: its form lists the words to choose from
+    is_met_by_chance: ClassVar[bool] = False  # True: wrong models often give it
+    many: ClassVar[str] = ""  # why several sets of numbers are right, if so
+    with_numbers: ClassVar[str] = ""  # name of the kind with numbers in place of symbols
 
     def __str__(self) -> str:
         return self.name
@@ -69,7 +69,7 @@ class Kind:
 
     # -- reading
 
-    def read(self, value: Any, form: Stated, symbols: Mapping[str, str], budget: Budget) -> Any:
+    def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> Any:
         """The JSON of an answer that a student computed by any library: a number, a formula tree,
         or a list of them. Raises :class:`~.messages.AnswerError`. ``symbols``: {name: unit} of
         formulas; ``budget``: the operations that may still be read.
@@ -93,7 +93,7 @@ class Kind:
         return tree if self.length > 1 else [tree]
 
     def readings(
-        self, tree: Any, form: Stated, symbols: Mapping[str, Any], budget: Budget
+        self, tree: Any, form: StatedForm, symbols: Mapping[str, Any], budget: Budget
     ) -> list[Points]:
         """The readings of an answer in JSON: for a vector that is given in several frames, its
         components in each, of which :func:`~.frames.counted` finds those that count; [] for
@@ -228,10 +228,10 @@ class VectorKind(Kind):
     shape = (3,)
     is_vector = True
 
-    def places(self):
+    def places(self) -> list[str]:
         return [_("first component"), _("second component"), _("third component")]
 
-    def read(self, value, form, symbols, budget):
+    def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> Any:
         """As for a kind; a vector that lies in a frame is read in several, {frame: tree}."""
         if isinstance(value, Vector) and value.frame.parent is not None:
             return self._in_frames(value, form, symbols, budget)
@@ -257,7 +257,9 @@ class VectorKind(Kind):
         first, *others = found.values()
         return found if any(tree != first for tree in others) else first
 
-    def readings(self, tree, form, symbols, budget):
+    def readings(
+        self, tree: Any, form: StatedForm, symbols: Mapping[str, Any], budget: Budget
+    ) -> list[Points]:
         """As for a kind: of {frame: tree} the components in each, if they are one vector."""
         if not isinstance(tree, dict) or not 0 < len(tree) <= FRAMES:
             return super().readings(tree, form, symbols, budget)
@@ -270,10 +272,10 @@ class VectorKind(Kind):
             raise TreeError("its components in two frames are those of two vectors")
         return found
 
-    def slips(self, fit):
+    def slips(self, fit: Fit) -> slips.Models:
         return slips.of_vector(fit)
 
-    def observed(self, given, key):
+    def observed(self, given: Points, key: Points) -> Cause | None:
         """As for a kind; or the remark that only the size, or some components, are right."""
         if seen := super().observed(given, key):
             return seen
@@ -319,32 +321,34 @@ class Direction(VectorKind):
         points = super()._points(trees, form, symbols, budget)
         if not any(points[0]):
             raise TreeError("a vector of length zero has no direction")
-        if not 1e-99 < (longest := max(map(abs, points[0]))) < 1e99:  # its square may have no float
+        if not 1e-99 < (longest := max(map(abs, points[0]))) < 1e99:  # a square beyond floats
             points = (tuple(x / longest for x in points[0]),)
         return points
 
-    def is_right(self, given, key, atol, rtol=tolerance.RTOL):
+    def is_right(
+        self, given: Points, key: Points, atol: float, rtol: float = tolerance.RTOL
+    ) -> bool:
         """True up to the length and the sense."""
         return is_near(self.like(given, key)[0], key[0], 0.0, rtol)
 
-    def like(self, points, others):
+    def like(self, points: Points, others: Points) -> Points:
         """The same line, with the length and on the side of the other."""
         return tuple(map(_along, points, others))
 
-    def sealed(self, point):
+    def sealed(self, point: Point) -> list[Point]:
         """The unit vector along it, and its opposite."""
         unit = _along(point, (1.0, 0.0, 0.0))
         return [unit, tuple(-x for x in unit)]
 
-    def factors(self, unit):
-        return {}  # its length says nothing
+    def factors(self, unit: str) -> Mapping[str, float]:
+        return {}  # its length means nothing
 
-    def slips(self, fit):
+    def slips(self, fit: Fit) -> slips.Models:
         yield from slips.of_vector(fit)
         other_sense = tuple(tuple(-x for x in point) for point in fit.key)
         yield from slips.exchanged(Fit(fit.given, other_sense, fit.rtol))
 
-    def observed(self, given, key):
+    def observed(self, given: Points, key: Points) -> Cause | None:
         return Kind.observed(self, given, key)
 
 
@@ -365,10 +369,10 @@ class Matrix(Kind):
     words = Words("a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]")
     shape = (3, 3)
 
-    def slips(self, fit):
+    def slips(self, fit: Fit) -> slips.Models:
         return slips.of_matrix(fit)
 
-    def observed(self, given, key):
+    def observed(self, given: Points, key: Points) -> Cause | None:
         return super().observed(given, key) or self._in_part(given, key)
 
 
@@ -382,13 +386,15 @@ class Interval(Kind):
     words = Words("an interval, two numbers as in [low, high]")
     shape = (2,)
 
-    def is_right(self, given, key, atol, rtol=tolerance.RTOL):
+    def is_right(
+        self, given: Points, key: Points, atol: float, rtol: float = tolerance.RTOL
+    ) -> bool:
         return all(is_near((x,), (k,), atol, rtol) for x, k in zip(given[0], key[0], strict=True))
 
-    def slips(self, fit):
+    def slips(self, fit: Fit) -> slips.Models:
         return slips.of_interval(fit)
 
-    def places(self):
+    def places(self) -> list[str]:
         return [_("lower bound"), _("upper bound")]
 
 
@@ -492,7 +498,7 @@ class Count(_Word):
     words = Words("a whole number")
     python_type = int
 
-    def read(self, value, form, symbols, budget):
+    def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> int:
         """A whole number, also as 3.0; raises :class:`~.messages.AnswerError` of another one."""
         with contextlib.suppress(ArithmeticError, TypeError, ValueError):
             if not isinstance(value, (bool, str)) and int(value) == value and abs(value) < MOST:
@@ -509,7 +515,7 @@ class Choice(_Word):
     python_type = str
     has_options = True
 
-    def read(self, value, form, symbols, budget):
+    def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> str:
         """The word of the list that is meant: capitals and blanks say nothing."""
         found = {_plain(word): word for word in form.of} | {word: word for word in form.of}
         given = str(value) if isinstance(value, str) else ""

@@ -21,15 +21,15 @@ from .tolerance import NOISE, ROUND_OFF, Points
 FIRST, SIMPLE, RARER, LESS, LEAST = 1, 2, 3, 4, 6
 
 FEW = 3  # slips that are named together, which give zero
-AROUND = 0.25  # of the size of an answer: where slips are counted
-ROUNDED = 1e-5  # of a number in a formula that was written in five digits
-CHANCE = 0.01  # by which a random answer may meet a slip that is named, where slips are many
-CHANCE_ROUNDED = 0.0005  # the same where it differs by more than the digits written
-CHANCE_MET = 0.05  # the same where the slip's own number has few digits
-CHANCE_ZEROS = 0.0004  # the same where it is met in more digits than were written: 2.81 is 2.8100
-CHANCE_IN_ONE = 0.1  # the share of it for a slip in the wrong components alone
+AROUND = 0.25  # fraction of the size of an answer, within which slips are counted
+ROUNDED = 1e-5  # relative error of a number in a formula that was written in five digits
+CHANCE = 0.01  # that a random answer meets a slip that is named, where slips are many
+CHANCE_ROUNDED = 0.0005  # CHANCE where it differs by more than the digits written
+CHANCE_MET = 0.05  # CHANCE where the slip's own number has few digits
+CHANCE_ZEROS = 0.0004  # CHANCE where it agrees in more digits than were written: 2.81 is 2.8100
+CHANCE_IN_ONE = 0.1  # share of CHANCE for a slip in the wrong components alone
 ALIKE = 0.01  # relative: components have one ratio to their right values if they differ by less
-CHANCE_BESIDE = 0.015  # the same where some of its components are right
+CHANCE_BESIDE = 0.015  # CHANCE where some of its components are right
 
 
 class Ranked:
@@ -242,7 +242,7 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
         rows = [kind.like((tuple(row),), fit.given)[0] for row in rows]
     size = math.hypot(*given)
     close, gaps = _within(fit.rtol * size, rows, given)
-    if not close:  # of most answers
+    if not close:  # as for most answers
         return []
     around = {
         n: tuple(round(x / size, 9) for x in map(float, rows[n]))
@@ -281,8 +281,8 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
 
 
 def _typed(point):
-    """How far rounding may have moved this point, if each component has as many digits as the one
-    that has most: 2.0 beside 3.775 has lost its zeros.
+    """How far rounding may have moved this point, if all components have as many digits as the one
+    with most: 2.0 beside 3.775 has lost its zeros.
     """
     digits = most_digits(point)
     places = (math.floor(math.log10(abs(x))) + 1 - digits for x in point if x)

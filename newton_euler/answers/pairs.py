@@ -4,7 +4,7 @@ as of factors, or stands under one root.
 
 A number meets some pair by chance. Of formulas in symbols alone a pair must give all digits at all
 points; of numbers, all pairs that are as simple and near count as tried. Two slips in the
-computation are never named: these explain guesses as well.
+computation are never named: they would explain guesses, too.
 """
 
 import math
@@ -25,7 +25,7 @@ from .tolerance import NOISE, ROUND_OFF, Points
 
 (TWO, *_) = PURE
 SIMPLE, FEW = 12, 4  # the largest denominator of a simple number in a formula, in a number
-CHANCE = 0.005  # by which a random answer may meet a pair that is named
+CHANCE = 0.005  # that a random answer meets a pair that is named
 
 
 def of_two(
@@ -36,14 +36,14 @@ def of_two(
     is_contradicted: Callable[[Cause], bool],
 ) -> tuple[Cause, ...]:
     """The two mistakes that give an answer together, as one cause: the simplest two, of numbers
-    only if there are no others as simple; () if there are none whose words have room.
+    only if there are no others as simple; () if no pair can be named in few words.
 
     own : the models of the problem's own mistakes
     slips : finds those that may be made beside one of them
     """
     if fit.index is None or fit.is_plain or not (kind.has_size or kind.is_formula):
         return ()
-    if not is_here("numpy"):  # on a page of the site
+    if not is_here("numpy"):  # as on a page of the site
         return ()
     found: dict[int, dict[tuple[Cause, ...], None]] = {}
     pairs = _Pairs(fit, kind, own, slips())
@@ -153,7 +153,7 @@ class _Pairs:
 
     def _of_one_term(self, one, two, changes):
         """The first of two mistakes; of one that leaves out the term of which the other is a half,
-        the one that reverses it; None if there is none.
+        the one that reverses it; or None.
         """
         near = NOISE * abs(changes[one]).max()
         if (abs(changes[one] - 2 * changes[two]) > near).any():
@@ -265,10 +265,10 @@ def _is_any(numbers, places, gap):
 
 
 def _are_powers(x, y):
-    """True of changes of which one is a power of the other: a third power is met by them."""
+    """True of changes of which one is a power of the other: together they give a third power."""
     with np.errstate(all="ignore"):
         power = (np.log(abs(x)) / np.log(abs(y))).ravel()
-    whole = 12 * power  # of halves, thirds and fourths
+    whole = 12 * power  # whole for halves, thirds and fourths
     return bool(whole[0]) and bool((abs(whole - np.round(whole[0])) < NOISE).all())
 
 

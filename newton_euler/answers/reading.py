@@ -12,7 +12,7 @@ from .tolerance import ONE_VECTOR, Points
 from .trees import TreeError, check_size, evaluate
 
 _NOISE = 1e-9  # relative: an imaginary part so small is round-off
-Budget = list[int]  # of one number: the operations that may still be read
+Budget = list[int]  # a list of one number: the operations that may still be read
 
 
 def numbers(trees: Sequence[Any]) -> Points:

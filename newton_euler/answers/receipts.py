@@ -153,7 +153,7 @@ class Receipt:
         return {key: found.right for key, found in self.checks.items()}
 
     @property
-    def json(self):
+    def json(self) -> str:
         """The record that is handed in, as JSON text."""
         return json.dumps({"problem": self.problem, "answers": self.answers})
 
@@ -179,7 +179,7 @@ class Receipt:
         return f"{self.problem}: {read}. {self._remarks()}{hints}"
 
     @property
-    def markdown(self):
+    def markdown(self) -> str:
         """The same as Markdown, with the answers as formulas."""
         if not self._given:
             return _escaped(repr(self))

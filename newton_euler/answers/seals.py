@@ -20,11 +20,11 @@ from .trees import evaluate
 
 VERSION = 2
 OF_OWN_TOLERANCE = 3  # the version of a seal that states its tolerance
-COST = 2**15  # of scrypt: some 0.1 s
+COST = 2**15  # cost of scrypt: some 0.1 s
 MEMORY = 2**26  # bytes, twice what it takes
-SHIFTS = 8  # to which the place of the right answer within its cell is published
+SHIFTS = 8  # positions within a cell; that of the right answer is published
 ZERO = NOISE  # a smaller answer counts as zero
-FORMULA = 1e-3  # the factor by which cells are finer for formulas, which have all their digits
+FORMULA = 1e-3  # cells for formulas, which have all their digits, are finer by this factor
 
 
 def seal(
@@ -100,7 +100,9 @@ def _width(kind, exponent, rtol):
 
 
 def _cells(x: float, shift: float, near: float, width: float) -> Iterator[int]:
-    """The numbers of the cells in which the right component may lie, so far from ``x``."""
+    """The numbers of the cells in which the right component may lie, at this distance from
+    ``x``.
+    """
     low, high = math.ceil((x - near) / width - shift), math.floor((x + near) / width - shift)
     yield from sorted(range(low, high + 1), key=lambda n: abs((n + shift) * width - x))
 

@@ -7,10 +7,10 @@ from typing import Any
 Point = tuple[Any, ...]
 Points = tuple[Point, ...]
 
-RTOL = 0.005  # of the size of the key: accepts three significant figures, rounded up or down
+RTOL = 0.005  # relative: accepts three significant figures of the key, rounded up or down
 DIGITS = 3  # significant figures that are asked for
 FORMULA_RTOL = 3e-5  # formulas are exact; this accepts 3.1416 for pi, 6.283 for 2 pi, 0.33333
-FORMULA_FIT = 6e-5  # of a wrong formula and a model: its numbers may have been typed in five digits
+FORMULA_FIT = 6e-5  # between a wrong formula and a model: numbers may be typed in five digits
 NOISE = 1e-9  # a component smaller than this, relative to the whole, is round-off for zero
 # a mistake differs from the key by this much of its size, or it might be rounding
 SEPARATION = 0.02
@@ -19,11 +19,11 @@ MAJORITY = 0.5  # share of the points of comparison at which a difference must s
 COMPONENT = 0.01
 ROUND_OFF = 1e-6  # an answer with all its digits is nearer than this to its own model
 NUMBER_RTOL = 6e-4  # a single number meets a wrong model by chance much sooner than a vector does
-NEARLY = 0.03  # of the size of the key: a wrong answer so near was rounded too early
-TWO_DIGITS = 0.05  # the same where it is the key in its first digits: 30 for 26.6 may be computed
+NEARLY = 0.03  # relative: a wrong answer so near the key was rounded too early
+TWO_DIGITS = 0.05  # NEARLY for the first digits of the key: 30 for 26.6 may be computed
 SAME_SIZE = 1e-4  # relative: the size of a vector is right although its direction is not
 ONE_VECTOR = 1e-6  # relative: components in two frames have one size, or are of two vectors
-EARLY = 1e-3  # of the size of the key: a right answer farther off was rounded too early
+EARLY = 1e-3  # relative: a right answer farther from the key was rounded too early
 ROOM = 1e-3  # relative, for rounding, where an answer is checked without the key
 
 

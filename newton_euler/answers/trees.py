@@ -175,7 +175,7 @@ def dimension_hints(tree: Tree, form: Any, symbols: Mapping[str, str]) -> list[s
         except DimensionError as error:
             hints.append(_("{where} adds unlike quantities ({error})", where=where, error=error))
             continue
-        except ScalarError:  # its numbers have no real value, and so no dimension
+        except ScalarError:  # no real value, and so no dimension
             continue
         got = got if isinstance(got, Dimension) else Dimension()
         if got != asked and part != 0:  # 0 has every dimension

@@ -191,7 +191,7 @@ def _logarithms_at(count, symbols):
     return _logarithms(rows, count)
 
 
-@lru_cache(maxsize=64)  # of one problem for several answers
+@lru_cache(maxsize=64)  # shared by the answers of a problem
 def _logarithms(rows, count):
     """Logarithms of the symbols beside ones, and the pseudo-inverse; None of too few points."""
     with np.errstate(all="ignore"):

@@ -37,7 +37,7 @@ def _gather(value, form, found):
         found.append(value)
         return
     for part in inner:
-        if part is value:  # as the only character of a text
+        if part is value:  # such as the only character of a text
             raise form.error("got {value}", value=clipped(value))
         _gather(part, form, found)
 
@@ -51,12 +51,12 @@ def _plain(value, form):
             raise form.error(
                 "the quantity {value} cannot be converted: {error}", value=value, error=error
             ) from None
-    for method in ("to_numpy", "toarray"):  # of pandas and polars, of sparse matrices
+    for method in ("to_numpy", "toarray"):  # methods of pandas and polars, and of sparse matrices
         if hasattr(value, method) and not isinstance(value, type):
             return getattr(value, method)()
     root, shape = _library(value), getattr(value, "shape", ())
     if root == "sympy" and (shape or getattr(getattr(value, "expr", None), "shape", ())):
-        value = value.doit()  # a product or derivative of matrices that was left as it is
+        value = value.doit()  # an unevaluated product or derivative of matrices
         return value.as_explicit() if hasattr(value, "as_explicit") else value
     if root == "numpy" and shape and not hasattr(value, "mask"):
         # a row of a numpy.matrix would be a matrix again, without end

@@ -151,7 +151,7 @@ def _third_root(e, spin, cross, rest, mgr):
     P = sqrt(where(square > 0, square, 0 * square))
     cube, turned = P * P * P, a > 0
     cosine = (abs(a) * (a * a / 27 - b / 6) + where(turned, c, -c) / 2) / where(cube > 0, cube, 1)
-    cosine = where(cosine > 1, 1, where(cosine < -1, -1, cosine))  # beyond 1 by round-off
+    cosine = where(cosine > 1, 1, where(cosine < -1, -1, cosine))  # it may exceed 1 by round-off
     largest = abs(a) / 3 + 2 * P * cos(acos(cosine + 0 * P) / 3)
     under = where(largest > 0, largest, 1)
     product = -c / under

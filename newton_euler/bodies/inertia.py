@@ -48,7 +48,7 @@ class Inertia(Scaled, NamedTerms):
 
     point : the Point B that it is about, or a Frame: about its origin, along its axes
     moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals
-    mass, centre : of the body, the centre a Point; only needed to go to another point
+    mass, centre : of the body, the centre a Point; only needed to transfer to another point
     frame : the axes; default: those of the frame in which ``point`` is given
     tolerance : of the check that some body can have this inertia, see :meth:`check`;
         :class:`MassError` otherwise; None: no check
@@ -217,7 +217,7 @@ class Inertia(Scaled, NamedTerms):
         """The same inertia along the axes of ``frame`` at this instant, R I R^T."""
         if frame is self.frame:
             return self
-        # the unit matrix times a moment that occurs twice stays as it is; the rest is turned
+        # a moment that occurs twice, times the unit matrix, stays as it is; the rest is rotated
         xx, yy, zz = self.moments
         common = xx if _equal(xx, yy) or _equal(xx, zz) else yy if _equal(yy, zz) else ZERO
         rows = [list(row) for row in self._rows()]
@@ -233,7 +233,7 @@ class Inertia(Scaled, NamedTerms):
 
     # -- sums
 
-    def __add__(self, other):
+    def __add__(self, other: "Inertia") -> "Inertia":
         if not isinstance(other, Inertia):
             raise MassError(f"an inertia matrix can only be added to one, got {other!r}")
         other = other.about(self.point).expressed_in(self.frame)
@@ -243,16 +243,16 @@ class Inertia(Scaled, NamedTerms):
         products = add3(self.products, other.products)
         return self._like(moments, products, mass=mass, centre=centre)
 
-    def __radd__(self, other):
+    def __radd__(self, other: Scalar) -> "Inertia":
         return self if type(other) is int and other == 0 else self + other  # where sum() begins
 
     def __neg__(self):
         return -1 * self
 
-    def __sub__(self, other):
+    def __sub__(self, other: "Inertia") -> "Inertia":
         return self + (-other if isinstance(other, Inertia) else other)
 
-    def __mul__(self, s):
+    def __mul__(self, s: Scalar) -> "Inertia":
         s = real_scalar(s)
         mass = None if self.mass is None else s * self.mass
         return self._like(scale3(s, self.moments), scale3(s, self.products), mass=mass)

@@ -41,7 +41,7 @@ from .admissibility import AXES, PRODUCTS, MassError
 
 PAIRS = ((0, 1), (1, 2), (2, 0))  # the axes u, v of the products xy, yz, zx
 ROUND_OFF = 256  # round-offs of the largest moment within which moments count as equal
-SWEEPS = 8  # over all pairs of axes: the products fall quadratically
+SWEEPS = 8  # sweeps over all pairs of axes: the products fall quadratically
 UNIT_AXES = ((1, ZERO, ZERO), (ZERO, 1, ZERO), (ZERO, ZERO, 1))
 
 

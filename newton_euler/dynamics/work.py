@@ -27,7 +27,7 @@ from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point
 from ..kinematics.paths import Path, along
 
-Field: TypeAlias = Callable[..., Triple]  # of x, y, z
+Field: TypeAlias = Callable[..., Triple]  # a force as a function of x, y, z
 
 
 @checked

@@ -9,7 +9,7 @@ spherical : (e_R, e_theta, e_phi), turned about z by theta, then up by the **ele
     the x, y plane (not the polar angle from z); the point is at (R, 0, 0)
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from ..algebra.errors import checked
@@ -22,6 +22,7 @@ from ..algebra.scalars import (
     Rows,
     Scalar,
     SingularError,
+    Triple,
     atan2,
     cos,
     epsilon,
@@ -86,7 +87,18 @@ class CoordinatePoint(Point):
 
     __slots__ = ("_system", "_terms", "coordinates", "ground", "local", "scale_factors")
 
-    def __init__(self, name, frame, x, ground, local, coordinates, scale_factors, system, terms):
+    def __init__(
+        self,
+        name: str,
+        frame: Frame,
+        x: Sequence[Scalar],
+        ground: Frame,
+        local: Frame,
+        coordinates: Triple,
+        scale_factors: Triple,
+        system: str,
+        terms: Mapping[str, Callable],
+    ):
         super().__init__(name, frame, tuple(map(moving, x)))
         self.ground, self.local, self.coordinates = ground, local, coordinates
         self.scale_factors, self._system, self._terms = scale_factors, system, terms

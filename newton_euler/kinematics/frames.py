@@ -85,6 +85,8 @@ class Frame:
     """
 
     parent: Any  # a Frame, or None for the root
+    number: int  # how many frames were made in its parent before it
+    _made: int  # how many were made in it
     hats: tuple[str, str, str] = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")  # unit vectors
 
     def __init__(
@@ -120,6 +122,9 @@ class Frame:
         # weak references: a frame keeps those above it alive, not those below
         self._relatives: dict = parent._relatives if parent else {}
         self._relatives[ref(self, self._relatives.pop)] = None
+        self.number, self._made = parent._made if parent else 0, 0
+        if parent:
+            parent._made += 1
         self._memo: dict = {}
 
     def __reduce__(self):
@@ -129,7 +134,7 @@ class Frame:
         state = {n: x for n, x in vars(self).items() if n not in _LOCAL}
         return _sent_frame, (type(self), token, self.parent), state
 
-    def __setstate__(self, state):
+    def __setstate__(self, state: dict[str, Any]) -> None:
         if "name" not in vars(self):  # a frame of this process keeps its own state
             vars(self).update(state)
 

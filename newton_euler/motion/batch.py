@@ -1,8 +1,8 @@
 """Many motions of one model at once: arrays of starts, of parameters, or of both, of one length.
 
 The exact solution, or batches of heyoka, give all of them in one sweep, of which a few are checked
-and vouch for those close to them. Each motion that is then not known to be accurate is integrated
-by itself, as by :class:`~newton_euler.motion.run.Run`.
+and vouch for those close to them. Each motion that is not known to be accurate after this is a
+:class:`~newton_euler.motion.run.Run` of its own.
 """
 
 from dataclasses import dataclass, replace
@@ -125,7 +125,7 @@ class _Many:
 
     @classmethod
     def of(cls, run):
-        """Those of a run; :class:`ModelError` where the arrays do not fit together."""
+        """The motions of a run; :class:`ModelError` where the arrays do not fit together."""
         model, state, samples = run.system.model, run.state, run.samples
         values = {
             n: real_numbers(x, f"the parameter {n} of {model.name!r} is one real number a motion")
@@ -155,7 +155,7 @@ class _Many:
         return cls(model, starts, parameters, times)
 
     def alone(self, n):
-        """The prepared model of the motion of this number, and its start."""
+        """The prepared model and the start of motion ``n``."""
         values = {k: float(x[n]) for k, x in self.parameters.items()}
         changed = self.model.changed(**values) if values else self.model
         return prepared_model(changed), tuple(self.starts[:, n].tolist())
@@ -163,7 +163,7 @@ class _Many:
 
 def _sweep(many, run, name):
     """The :class:`Sweep` by the method of this name, and the method; one in which nothing is known,
-    and the method or None, where each motion is integrated by itself.
+    and the method or None, if each motion is integrated separately.
     """
     exact, count, system = METHODS["exact"], many.starts.shape[1], run.system
     if not run.step:
@@ -193,7 +193,7 @@ def _exact(many, run):
     for place, n in enumerate(chosen.tolist()):
         one, x0 = many.alone(n)
         end = tuple(ends[:, n].tolist())
-        # those close to it are about as accurate
+        # motions close to it are about as accurate
         if known_accurate(one, METHODS["exact"], run.rtol / SPARE, run.t0, run.t1, x0, end):
             errors[group == place] = run.rtol
     return Sweep(states, errors, len(many.times))

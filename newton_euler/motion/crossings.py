@@ -15,15 +15,15 @@ from .methods.base import StepError
 
 TRIES = 60  # the most by which the steps for crossings may outnumber the others
 AROUND = 2  # units in the last place of the time about a crossing, which is found to one
-WAYS = 1, 4, 16  # multiples of the room, by which a crossing is passed
+WAYS = 1, 4, 16  # multiples of the room about a crossing, by which it is passed
 SLIDING = 3  # steps in which a motion that slides passes over a place again
 SHORTEST = 1e3  # units in the last place of the time: no step could be much shorter
 LIMIT = 10.0  # tolerances by which a step may differ from its halves
 EPS = 2.0**-53  # the part by which each side of a comparison may be off
-JUMP = 1e-6  # of the rates, between neighbouring states
+JUMP = 1e-6  # relative change of the rates between neighbouring states that is a jump
 FROM_ZERO = 1e-100  # part of its rate by which a state that is zero is moved off a border
 SHORT, DIGITS = 1e-6, 16  # part of the time by which to look ahead; last digits about a border
-NEAR = 4  # multiples of the room: a crossing so close to the end of a step needs no stop
+NEAR = 4  # multiples of that room: a crossing so near the end of a step needs no stop
 
 
 def choices(traced):
@@ -75,7 +75,8 @@ def unsettled(stepper, end):
     """The summed differences, relative to the scales, of the steps up to the time ``end`` that pass
     over such a place from two halves of each: a step that was shortened until its error estimate
     was small may have got there by chance. Steps of a motion that slides, one of which soon leads
-    back, do not count. And what the last digit of each place makes: see :func:`_last_digit`.
+    back, do not count. To this is added the effect of the last digit of each coordinate: see
+    :func:`_last_digit`.
     """
     system, count = stepper.system, bisect_right(stepper.step_times, end) - 1
     run, p, ends = system.traced.compiled_choices, system.p, stepper.steps[: count + 1]
@@ -106,7 +107,7 @@ def _last_digit(system, before, after, first, last):
     first, last : the values of :func:`choices` at the points
     """
     run, p = system.traced.compiled_choices, system.p
-    moved, late = run(before[0], *after[1:], *p), 0.0  # by the states alone
+    moved, late = run(before[0], *after[1:], *p), 0.0  # the change by the states alone
     columns = [w[k::2] for w in (first, last, moved) for k in (0, 1)]
     for a, b, c, d, u, v in zip(*columns, strict=True):
         if (a > b) != (c > d) and (u, v) != (a, b):
@@ -130,7 +131,7 @@ class Crossings:
 
     def step(self, limit):
         """At most ``limit`` steps; raises :class:`StepError` where the motion slides along such a
-        place, or turns to and fro at it.
+        place, or chatters at it.
         """
         stepper = self.stepper
         for _ in range(int(min(limit, stepper.max_steps))):
@@ -156,7 +157,7 @@ class Crossings:
 
     def _check_digits(self):
         """Raise :class:`StepError` after a step so short that it does not change the last digit of
-        what is compared: such steps would go on without end.
+        what is compared: such steps would never end.
         """
         stepper = self.stepper
         length = stepper.t - stepper.steps[-1][0]

@@ -11,16 +11,16 @@ from .narrow import narrow_times
 # a rate, or a state, is genuine above this multiple of what the last digits of states and
 # parameters contribute to it; 10 000 steady motions of tops, pendulums and orbits stayed below it
 GENUINE, LAST_DIGIT = 1.5, 2.0**-52
-SWINGING = 10.0  # the same of the change of a rate with time
+SWINGING = 10.0  # GENUINE for the change of a rate with time
 # fractions of the time at which the rates are examined: early ones, at which the phase of a
 # clock is still accurate, irregular ones, and the ends of this many steps
 EARLY, MANY, IRREGULAR, STEPS = (5e-4, 5e-3, 5e-2), 40, 0.618033988749895, 2000
-ERROR = 10.0  # of a state: this many tolerances times its departure from a uniform change
+ERROR = 10.0  # error of a state in tolerances, relative to its departure from a uniform change
 DRIVEN = 1e-3  # fraction of its rate above which a state is driven by others
 
 
 def driven(trajectory, start, natural, doubted):
-    """The genuine ones among the ``doubted`` states, given by their numbers: their initial values,
+    """The genuine states among the ``doubted`` ones, given by their numbers: their initial values,
     or their rates in the first segment of the trajectory, exceed what the last digits of states and
     parameters contribute.
 
@@ -53,7 +53,7 @@ def driven(trajectory, start, natural, doubted):
             p = *system.p[:k], number * (1 + LAST_DIGIT), *system.p[k + 1 :]
             apart.append(rates(x, p) - found_rates)
         genuine = (abs(found_rates) > GENUINE * sum(map(abs, apart))).any(axis=1)
-        # an error that is the same at all times hides no push to and fro, which may be in resonance
+        # a constant error hides no oscillating force, which may be in resonance
         hidden = sum(np.ptp(error, axis=1) for error in apart)
         genuine |= np.ptp(found_rates, axis=1) > SWINGING * hidden
         found |= doubted & set(np.flatnonzero(genuine).tolist())

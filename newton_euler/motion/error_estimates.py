@@ -12,14 +12,15 @@ from .sizes import small, time_round_off
 # 115 models, at 1e-3 to 1e-12: these cover 98 % of the true errors, and are 15 times too large in
 # the median.
 SAFETY, REGULAR, IRREGULAR = 7.0, 0.9, 0.4
-REPORTED_SAFETY = 3.0  # on the error that is reported: with it 99 % are covered
-# on the difference of a series from one of higher order, and on the integral of its residual
+REPORTED_SAFETY = 3.0  # factor on the reported error: with it 99 % are covered
+# factors on the difference of a series from one of higher order, and on the integral of its
+# residual
 SERIES_SAFETY = RESIDUAL_SAFETY = 3.0
 # limits of the regime: the fewest steps, and the factor by which the number of steps of the fine
 # run may differ from what its order predicts
 MIN_STEPS, STEPS_OFF = 8, 1.25
-# the error that the difference of two runs does not show; this is that of a short run, and over n
-# steps it grows as sqrt(n), like a random walk
+# the error, for a short run, that the difference of two runs does not show; over n steps it grows
+# as sqrt(n), like a random walk
 ROUND_OFF, SERIES_ROUND_OFF = 5e-14, 9e-15
 # The run for comparison starts from slightly shifted states, so that the predicted error contains
 # the effect of round-off in the rates, 25 times a float's epsilon, in the start and in parameters,
@@ -54,11 +55,11 @@ def error_by_comparison(before, trajectory, method):
     # steps that end at kinks are as regular as others
     if traced.hazards or (traced.surprises and not trajectory.stopping):
         regular = False
-    # far from the origin the error of a place, which is large, does not set the steps
+    # far from the origin the error of a coordinate, which is large there, does not set the steps
     if method.adaptive and trajectory.known and small(*trajectory.known[:2]):
         regular = False
     system, stepper, t0, t1, x1 = trajectory.segments[-1]
-    more = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)  # by the clock
+    more = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)  # round-off of the time
     if method.series and traced.hazards:
         more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
     if tolerance <= TIGHT and (method.series or method.adaptive) and is_here("numpy"):

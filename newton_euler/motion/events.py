@@ -9,7 +9,8 @@ from numbers import Real
 from ..algebra.late import np
 from ..algebra.names import guided
 from ..algebra.places import at_a_place, raised_by_the_engine
-from ..algebra.portable import Portable
+from ..algebra.portable import Formula, Portable, Values
+from ..algebra.scalars import Scalar
 from .chebyshev import EPS, root
 from .methods.base import Stepper
 from .model import ModelError, expect
@@ -48,15 +49,15 @@ class Event(Portable):
     >>> landing = Event(lambda s, p, t: s.h, direction=-1, terminal=True, name="landing")
     """
 
-    function: Callable
+    function: Formula
     direction: int = 0
     terminal: bool = False
-    then: Callable | None = None
+    then: Callable[[Values, Values, Scalar], tuple | None] | None = None
     name: str = ""
 
     def __post_init__(self):
         for name in ("direction", "terminal"):
-            if getattr(getattr(self, name), "shape", None) == ():  # of NumPy
+            if getattr(getattr(self, name), "shape", None) == ():  # an array of NumPy without axes
                 object.__setattr__(self, name, getattr(self, name).item())
         direction, then = self.direction, self.then
         what = "an event takes a function (s, p, t) whose zeros are looked for"

@@ -47,7 +47,7 @@ def _joints(system, t0, t1):
             part = (x - first) / ((last - first) or math.inf)
             if 0.0 < part <= 1.0:
                 t, slope = t0 + part * (t1 - t0), (last - first) / (t1 - t0)
-                for _ in range(POLISHED):  # to the last digit: a jump may be large
+                for _ in range(POLISHED):  # exact to the last digit, since a jump may be large
                     one, other = read(t, *states, *system.p)[2 * n : 2 * n + 2]
                     t = min(max(t - (one - other - x) / slope, t0), t1)
                 yield t
@@ -87,7 +87,7 @@ def _edges(busy):
 
 
 def _functions_of_time(traced):
-    """The functions of time alone in the rates, as one formula; None if there are none."""
+    """The functions of time alone in the rates, as one formula; or None."""
     rhs, found = traced.rhs, list(traced.rhs.leaves)
     for step in rhs.trace.steps:
         if traced.depends[step.number] - {"t"}:

@@ -14,16 +14,16 @@ from inspect import Parameter, Signature
 from itertools import islice
 from keyword import iskeyword
 from types import FunctionType, MappingProxyType
-from typing import Any
+from typing import Any, NoReturn
 from unicodedata import normalize
 from warnings import warn
 
-from ..algebra.compile import compiled, content, recorded, text_of
+from ..algebra.compile import Compiled, compiled, content, recorded, text_of
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
 from ..algebra.late import np
 from ..algebra.names import guided, misfit
-from ..algebra.places import at_a_place, raised_by_the_engine
-from ..algebra.portable import Portable
+from ..algebra.places import at_a_place, note_place, raised_by_the_engine
+from ..algebra.portable import Formula, Formulas, Portable, Values
 from ..algebra.reads import Reads
 from ..algebra.scalars import (
     DivisionError,
@@ -43,6 +43,7 @@ from ..algebra.tables import Table
 
 # a state: its values in the order of the states, or by name
 State = Iterable[Scalar] | Mapping[str, Scalar]
+
 KEPT = 64  # entries of a cache: functions that are made at each call, like lambdas, would pile up
 MOST_VALUES = 1000  # values of a state of wrong length that are counted for the message
 # texts of right-hand sides: by function, and by content, since equal texts share one compilation
@@ -54,7 +55,7 @@ class ModelError(NewtonEulerError, ValueError):
     """Raised for a model whose parts do not fit together, and for requests that it cannot meet."""
 
 
-def expect(fits, what, got):
+def expect(fits: object, what: str, got: object) -> None:
     """Raise :class:`ModelError` with what was expected unless it ``fits``."""
     if not fits:
         raise ModelError(f"{what}, got {clipped(got)}")
@@ -66,22 +67,25 @@ class Named:
     def __init__(self, what: str, values: Mapping[str, Scalar]):
         vars(self).update({**values, "": what})  # a name that no state and no parameter has
 
-    def __getattr__(self, name):
+    def __repr__(self):
+        return f"({', '.join(f'{n} = {clipped(x)}' for n, x in vars(self).items() if n)})"
+
+    def __getattr__(self, name: str) -> Scalar:
         if name.startswith("__"):
             raise AttributeError(name)
         known = ", ".join(filter(None, vars(self))) or "none"
         raise AttributeError(f"there is no {vars(self)['']} {name!r}; there are {known}")
 
-    def __setattr__(self, name, value):
+    def __setattr__(self, name: str, value: object) -> NoReturn:
         raise AttributeError(f"the {vars(self)['']}s are only read, but {name!r} was set")
 
-    def __iter__(self):
+    def __iter__(self) -> NoReturn:
         what = vars(self)[""]
         known = [f"{what[0]}.{n}" for n in vars(self) if n]
         raise TypeError(f"the {what}s are read by name, as {', '.join(known) or 'none'}")
 
-    def __getitem__(self, *_, **__):
-        return iter(self)
+    def __getitem__(self, *_: object, **__: object) -> NoReturn:
+        self.__iter__()
 
     __array__ = __getitem__
 
@@ -102,7 +106,7 @@ class Neglected(Portable):
     """
 
     what: str
-    bound: Callable | None
+    bound: Formula | None
     of: str
 
 
@@ -143,12 +147,12 @@ class Model(Portable):
     """
 
     name: str
-    parameters: Mapping
-    states: tuple
-    rhs: Callable
-    invariants: Mapping = field(default_factory=dict)
-    exact: Callable | None = None
-    neglects: tuple = ()
+    parameters: Mapping[str, Scalar | Formula]
+    states: tuple[str, ...]
+    rhs: Formulas
+    invariants: Mapping[str, Formula] = field(default_factory=dict)
+    exact: Formulas | None = None
+    neglects: tuple[Neglected, ...] = ()
 
     def __post_init__(self):
         for what in ("parameters", "invariants"):
@@ -162,7 +166,7 @@ class Model(Portable):
     def __repr__(self):
         return f"Model({self.name!r}: {', '.join(self.states)}; {', '.join(self.parameters)})"
 
-    def derivative(self, state: State, t: Scalar = 0) -> tuple:
+    def derivative(self, state: State, t: Scalar = 0) -> tuple[Scalar, ...]:
         """The rates of the states, a tuple in their order.
 
         state : a sequence in that order or a mapping by name, of scalars of any kind
@@ -175,8 +179,11 @@ class Model(Portable):
             what = f"{self.name} has no rates at {clipped(self._state(state))}"
             at_a_place(error, ModelError, what, advice)
             raise
+        except Exception as error:
+            note_place(error)
+            raise
 
-    def compiled_rhs(self, *free: str) -> Callable:
+    def compiled_rhs(self, *free: str) -> Compiled:
         """The right-hand side as fast straight-line code, see :func:`newton_euler.compiled`: a
         function ``(t, *states, *free)`` of scalars.
 
@@ -226,7 +233,7 @@ class Model(Portable):
 
         return current(_BY_FUNCTION, (self.rhs, self.states, free, fixed), (self.rhs, *laws), text)
 
-    def solution(self, t: Scalar, start: State) -> tuple:
+    def solution(self, t: Scalar, start: State) -> tuple[Scalar, ...]:
         """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple.
 
         Raises :class:`ModelError` where no exact solution is known.
@@ -248,7 +255,7 @@ class Model(Portable):
         return found
 
     def _value_of(self, what, f, state, t):
-        """:meth:`_value`; if there is none, the error names ``what``."""
+        """:meth:`_value`; an error names ``what``."""
         try:
             return self._value(f, state, t)
         except (ZeroDivisionError, OverflowError) as error:
@@ -256,13 +263,21 @@ class Model(Portable):
             place = f"at t = {clipped(t)}, {clipped(state)}"
             at_a_place(error, kind, f"the {what} of {self.name!r} has no value {place}")
             raise
+        except Exception as error:
+            note_place(error)
+            raise
 
-    def neglected(self, t: Scalar, start: State) -> dict:
+    def neglected(self, t: Scalar, start: State) -> dict[Neglected, Scalar]:
         """A dict: for each :class:`Neglected` the bound on its error until ``t`` after ``start``,
         inf where none is known.
         """
         start, t = self._state(start), self._time(t)  # checked even if no bound needs them
-        return {n: self._value(n.bound, start, t) if n.bound else math.inf for n in self.neglects}
+        return {
+            n: self._value_of("bound on what it neglects", n.bound, start, t)
+            if n.bound
+            else math.inf
+            for n in self.neglects
+        }
 
     def changed(self, /, **parameters: Scalar) -> "Model":
         """The same model with some parameters changed; ``self`` stays as it is."""
@@ -552,13 +567,17 @@ def real_numbers(x, what):
         return np.asarray(given, dtype=float)
     except (TypeError, ValueError, OverflowError, RuntimeError) as error:
         if isinstance(error, ModelError):
-            raise  # of an entry
+            raise  # the error of an entry
         raise ModelError(f"{what}; got {clipped(x)}{unit_advice(x)}") from error
 
 
 @guided
 def second_order(
-    name: str, parameters: Mapping, coordinates: Sequence[str], accelerations: Callable, **more: Any
+    name: str,
+    parameters: Mapping[str, Scalar | Formula],
+    coordinates: Sequence[str],
+    accelerations: Formulas,
+    **more: Any,
 ) -> Model:
     """The :class:`Model` whose states are the coordinates and their rates: second-order equations
     of motion in state-variable form.
@@ -584,8 +603,8 @@ def second_order(
 class StateVariables(Portable):
     """The right-hand side of :func:`second_order`: the rates, and the accelerations."""
 
-    rates: tuple
-    accelerations: Callable
+    rates: tuple[str, ...]
+    accelerations: Formulas
 
-    def __call__(self, s, p, t):
+    def __call__(self, s: Values, p: Values, t: Scalar) -> tuple[Scalar, ...]:
         return *(getattr(s, rate) for rate in self.rates), *self.accelerations(s, p, t)

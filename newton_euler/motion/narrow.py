@@ -60,7 +60,7 @@ def passage(stepper, first):
     are the times, with the numbers of the arguments, at which one turns back.
     """
     stepper.near = [pair for pair in stepper.near if pair[0] < stepper.step_times[first]]
-    # the same steps again, as of the same call
+    # asked again for the same steps
     clear = vars(stepper.system).setdefault("_clear", {})
     key, steps = stepper.tolerance, (first, stepper.start, stepper.t, stepper.x)
     if key in clear and clear[key][0] == steps:
@@ -176,7 +176,7 @@ def _inside(path):
         first, last = edges[:-1] + 1, edges[1:] + 1
         close = ends[last - 1] - ends[first] < SHORT * path.lengths.max()
         rows = (~close).cumsum()
-        # many in a row: it slides along a jump, to and fro
+        # many in a row: it slides along a jump, or chatters
         close &= np.bincount(rows[close], minlength=rows.max(initial=0) + 1)[rows] <= MANY
         for a, b in zip(first[close].tolist(), last[close].tolist(), strict=True):
             near.append((float(ends[a + abs(path.rows[j, a:b]).argmax()]), j))
@@ -250,7 +250,7 @@ def _brackets(path, suspects):
     points, transform = sampling()
     n = np.flatnonzero(suspects.any(axis=0))
     if len(n) > max(FOLLOWED, len(path.lengths) / 2):
-        return [], []  # it sticks, and turns to and fro in each step
+        return [], []  # it sticks, and chatters in each step
     n = np.sort(n[np.argsort(path.lengths[n])[-FOLLOWED:]])
     suspects, low, width, found = suspects[:, n], np.zeros(len(n)), 1.0, []
     noise = NOISE * np.nan_to_num(abs(path.rows)).max(axis=1)
@@ -311,7 +311,7 @@ def _judged(kinds, u, values, off, steps, divided):
     """For each of these arguments: whether it changes fast in its part, whether its polynomial
     cannot tell, and whether it turns back inside.
 
-    u, values : where it turns, as of :func:`_turns`
+    u, values : where it turns, from :func:`_turns`
     divided : True for parts of steps, whose ends no stage of the method has seen: less counts
     """
     change, ratio = CHANGE[divided], RATIO[divided]
@@ -455,7 +455,7 @@ def within_reach(stepper, error):
         values = _values(stepper, arguments, beside, dense.states(beside))
         values = np.sign(values.reshape(len(values), 2, -1, len(j))[j, :, :, np.arange(len(j))])
         kinds = arguments.names[j]
-        # with other signs on the left than on the right it only seems to turn, by round-off
+        # if the signs differ on both sides, it only seems to turn, by round-off
         turns = np.isin(kinds, ("largest", "ratio"))
         turns |= (values[:, 0] != values[:, 1]).sum(axis=1) <= UNEQUAL
         inside = (np.ptp(values, axis=(1, 2)) > 0) & (kinds == "jump")

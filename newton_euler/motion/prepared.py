@@ -36,8 +36,8 @@ class Traced:
         content
     integrators : those of heyoka
     seconds : time spent on integrating it, which decides whether heyoka's compilation pays off
-    depends, inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what
-        the functions of these names in :mod:`.analytic`, :mod:`.crossings` and
+    depends, inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the
+        functions of the same names in :mod:`.analytic`, :mod:`.crossings` and
         :mod:`.narrow_arguments` find
     """
 
@@ -99,7 +99,7 @@ class PreparedModel:
         self._laws = tuple([x for x in fixed.values() if callable(x)])
         reads, rhs = model._rhs_text(self.free, self._fixed, self._laws)
         self._take(rhs)
-        # by identity, which is faster than looking for an equal function
+        # key by identity: faster than looking for an equal function
         self._now, self._reads = {}, (reads,) if reads.checks or not reads.known else ()
         for f in self._functions:
             if self._laws or not reads_nothing(f):

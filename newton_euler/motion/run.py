@@ -50,7 +50,7 @@ MANY_STEPS = 2e4  # the most steps of a long motion, in which the errors of step
 # instants at which a series samples the sizes of the states: by a prime number of intervals, since
 # at the 32nd parts of 10 000 periods a speed may be zero each time
 SIZE_SAMPLES = 38
-FAR_LARGER = 1e6  # times its size in a first run: that run passed over what made a state large
+FAR_LARGER = 1e6  # a state this many times its first size: the first run missed something
 MAX_REFINEMENTS = 5  # the most tolerances tried
 UNLUCKY = 10.0  # a run across kinks may be off by this many times its estimate
 
@@ -241,7 +241,7 @@ class Run:
         # a state that is small by cancellation may be all error, of which two runs may be alike
         if not found <= self.rtol or cancels:
             return self.calibrated(method)
-        if not (self.events or self.long):  # ended early, with jumps, or by a finer series
+        if not (self.events or self.long):  # other runs end early, or by a finer series
             self.system.verified.add(self.rtol, *ends, found)
         return self.motion(trajectory, method, reported_error(found, self.rtol))
 
@@ -285,7 +285,7 @@ class Run:
         if isinstance(before.failed, LengthError):
             return self.motion(before, method, math.nan)
         first, (before, known) = before, self.resolved(before, method, coarse, tolerance, scaled)
-        # of order 8: the number of steps grows as tolerance**(-1/8)
+        # the method has order 8: the number of steps grows as tolerance**(-1/8)
         if heyoka and (perf_counter() - begun) * (coarse / tolerance) ** 0.125 > HEYOKA_BREAK_EVEN:
             with suppress(MotionError):
                 return self.by(METHODS["taylor"])
@@ -339,7 +339,7 @@ class Run:
         if self.ended(last) or not (method.adaptive and other):
             return last, error
         comparison = method, 10 * tolerance, tolerance
-        # they are those of the first trajectory, which may have missed what made a state large
+        # the sizes of the first trajectory, which may have missed what made a state large
         known = known if last.failed else self.sizes(last)
         before = self.compared(*comparison, known, stopping=True)
         if known is None and not before.failed:
@@ -413,7 +413,7 @@ class Run:
         """A trajectory to compare with one at the tolerance ``fine``, slightly shifted."""
         # not with events: the start may lie on the surface of one
         shift = 0.0 if self.events else relative_shift(fine / tolerance)
-        if known and small(*known[:2]):  # of which round-off is the larger part of the error
+        if known and small(*known[:2]):  # their error is mostly round-off
             shift *= min(round_off_over(self.last) / ROUND_OFF_OF_RATES, 1.0)
         state = [x * (1 + (-shift if n % 2 else shift)) for n, x in enumerate(self.state)]
         shifted = replace(self, state=tuple(state))

@@ -1,18 +1,18 @@
 """The natural size of a state that happens to be nearly zero. Errors are relative to the size of
-each state, but the rate of nutation of a steady precession is zero, and has an error all the same.
+each state, but the rate of nutation of a steady precession is zero, and still has an error.
 """
 
 import math
 
 # fraction of its natural size above which the scale of a state is not below this fraction either
 NATURAL_PART = 1e-3
-ROUND_OFF = 2e-16  # that its rate brings into a state, as a fraction of its natural size
-# multiples of it: a state below the first that nothing drives is mere round-off, as the rate of
+ROUND_OFF = 2e-16  # round-off that its rate brings into a state, as a fraction of its natural size
+# multiples of this: a state below the first that nothing drives is mere round-off, as the rate of
 # nutation of a steady precession; the second is the error by one step, which grows like a random
 # walk, and the third what all steps have in common (measured on 60 springs of 10 to 9000 steps)
 NOTHING, FORCED, COMMON = 300.0, 2.0, 0.05
-STEP_CALLS = 12  # of the rates, about
-TIME_SAFETY = 3.0  # on the error by round-off of the time; measured
+STEP_CALLS = 12  # evaluations of the rates in a step, about
+TIME_SAFETY = 3.0  # factor on the error by round-off of the time; measured
 
 
 def natural_sizes(system, points, sizes, span):
@@ -170,7 +170,7 @@ def _spectral_radius(columns, scale):
     """An estimate of the spectral radius of the matrix of absolute values, by power iteration."""
     states = range(len(scale))
     rows = [[abs(c[i]) * s / scale[i] for c, s in zip(columns, scale, strict=True)] for i in states]
-    # of its square: the matrix of an oscillator swaps the states
+    # iteration with the square: the matrix of an oscillator swaps the states
     vector, norm = [1.0] * len(scale), 0.0
     for _ in range(2):
         once = [sum([a * v for a, v in zip(row, vector, strict=True)]) for row in rows]

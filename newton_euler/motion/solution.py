@@ -13,7 +13,7 @@ from ..algebra.scalars import Scalar
 from .methods.base import sample_times
 from .model import Model, ModelError, real_numbers
 
-DEFAULT_SAMPLES = 101  # times of a motion without steps
+DEFAULT_SAMPLES = 101  # number of times for a motion without steps
 
 
 class UnfitError(ModelError):
@@ -26,7 +26,7 @@ class MotionError(ModelError):
     singular there, so take others.
     """
 
-    def __init__(self, message, reached):
+    def __init__(self, message: str, reached: "Motion"):
         super().__init__(message)
         self.reached = reached
 
@@ -36,7 +36,7 @@ class MotionError(ModelError):
 
 class StickingError(MotionError):
     """Raised where the rates on both sides of a place lead back to it, as those of dry friction at
-    rest: write an :class:`~newton_euler.motion.events.Event` there, whose ``then`` goes on with a
+    rest: write an :class:`~newton_euler.motion.events.Event` there, whose ``then`` continues with a
     model of what sticks.
     """
 

@@ -21,14 +21,14 @@ from .sizes import NATURAL_PART, ROUND_OFF, least_scales, natural_sizes, small
 # steps between two searches for events: few at first, then more, as a search has a fixed cost
 FIRST_STEPS, MAX_STEPS = 8, 128
 MAX_SEGMENTS = 20_000
-MAX_REPEATS = 100  # of the steps between two searches
+MAX_REPEATS = 100  # the most repeats of the steps between two searches
 TRIES = 4  # attempts to see more of what one step passes over
 # part of the time: events in faster succession accumulate (Zeno), as those of a bouncing ball
 MIN_SEGMENT = 1e-9
 # fraction of the size of a state during the motion below which its errors do not count; the larger
 # one where rates jump, as otherwise the motion would stall where it comes to rest
 OWN_PART, KINKED_PART = 1e-6, 1e-3
-# the same where steps end at changes of formula: behind one of them a state may begin from zero, by
+# OWN_PART where steps end at changes of formula: behind one of them a state may begin from zero, by
 # rates of which a small step sees the round-off alone
 STOPPING_PART = 0.1
 # longest step as a fraction of the time, in the first trajectory and in later ones: two runs by the
@@ -41,10 +41,10 @@ NEXT_TO_ZERO = 1e-150  # scales so small that an error relative to them may have
 SMALL_PART = 1e-2
 # steps that a motion which sticks makes in this fraction of the whole time
 STICKING, STICKING_PART = 100, 1e-2
-# times the round-off so far, and part of what a step may be off, from which on more round-off
-# explains why no step is possible
+# more round-off explains why no step is possible if it is this many times that so far, and this
+# part of a step's tolerance
 ROUGHER, HINDERING = 2.0, 1e-2
-CRAWL, FEWEST = 100.0, 100  # times the shortest of so many steps: those that are repeated then
+CRAWL, FEWEST = 100.0, 100  # the steps within this many times the shortest of so many are repeated
 CRAWLING = 100_000  # steps between two checks for sticking
 
 
@@ -108,7 +108,7 @@ class Trajectory:
         return tuple([s if s > f else v for s, f, v in rows])
 
     def sizes(self):
-        """Of the first segment three tuples: the largest absolute value of each state, its natural
+        """Three tuples for the first segment: the largest absolute value of each state, its natural
         size, and its natural size with the round-off of the time.
         """
         system, stepper, t0, t1, x1 = self.segments[0]
@@ -122,7 +122,9 @@ class Trajectory:
         return largest, natural, noise
 
     def limits(self, system, t, x):
-        """For a stepper: the least scale and round-off of each state, and the times to stop at."""
+        """What a stepper needs: the least scale and round-off of each state, and the times to stop
+        at.
+        """
         nothing, series = (0.0,) * len(x), self.method.series
         own = KINKED_PART if system.traced.surprises else OWN_PART
         if self.method.closed:
@@ -165,7 +167,7 @@ class Trajectory:
             raise
         except (ArithmeticError, ValueError) as error:
             if callers_line(error) and not isinstance(error, NewtonEulerError):
-                raise  # of an event or of progress
+                raise  # the error of an event's function or of progress
             stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)
         t1, ending, x1 = stopped or (stepper.t, (), stepper.x)
@@ -218,9 +220,9 @@ class Trajectory:
         return None
 
     def _rougher(self, stepper, first):
-        """Go on, from one of the steps from number ``first`` on, where no step was possible since
-        the rates are rougher by round-off than at the start, as those of a stiff floor far from the
-        origin; False where that is not the reason.
+        """Continue from one of the steps, number ``first`` or later, where no step was possible
+        since the rates are rougher by round-off than at the start, as those of a stiff floor far
+        from the origin; False where that is not the reason.
         """
         if not stepper.resumable:
             return False
@@ -248,7 +250,7 @@ class Trajectory:
     def _see(self, stepper, step, first, limit):
         """Repeat the steps from number ``first`` on that passed over something narrow."""
         if self._sticks(stepper, first):
-            return  # it turns to and fro in each step
+            return  # it chatters in each step
         last, tries = 0.0, TRIES
         for _ in range(MAX_REPEATS):
             passed = passage(stepper, first)
@@ -359,7 +361,7 @@ class Trajectory:
         count, states = len(self.segments), a.system.model.states
         if count != len(other.segments) or states != b.system.model.states:
             return 1.0
-        # of values the smaller one: one of the two runs may have gone astray
+        # the smaller of the two scales: one of the runs may have gone astray
         a_b, floors = (a.stepper, b.stepper), (a.stepper.floors, b.stepper.floors)
         values = map(min, *(stepper.scales for stepper in a_b))
         scales = [max(v) or 1.0 for v in zip(values, *floors, strict=True)]

@@ -23,7 +23,8 @@ CHECKS = (-0.8617, -0.2913, 0.4477)
 # a polynomial represents the function if its last two coefficients and the differences at the check
 # points are smaller than this fraction of the largest value
 RESOLUTION = 1e-7
-# times the change in between: an end of a piece at which it is more may be the foot of a peak
+# ratio of the change at an end of a piece to that in between, above which it may be the foot of a
+# peak
 FOOT = 2.0
 # pieces that are sampled at once, and the most that one interval may need
 BATCH, MAX_PIECES = 128, 60_000

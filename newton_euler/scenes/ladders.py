@@ -22,7 +22,7 @@ from ..motion.model import Model, ModelError
 if TYPE_CHECKING:
     from numpy import ndarray
 
-INSTANTS = 257  # at which rungs are compared: steps of t/256, exact in binary
+INSTANTS = 257  # instants at which rungs are compared: steps of t/256, exact in binary
 FINER = 1e-3  # share of the tolerance that integration may contribute to a measured error
 # relative errors of the states: the second is tried where the first is not enough
 ROUGH, FINEST = 1e-9, 1e-11
@@ -165,7 +165,7 @@ class Ladder:
 
     def _kept(self, accuracy, rungs, compute):
         """The value computed with this accuracy or better, while what its functions read holds."""
-        key = tuple(rungs)  # by identity: a rung of another ladder may have the same name
+        key = tuple(rungs)  # rungs by identity: one of another ladder may have the same name
         known = self._found.get(key)
         if known is None or known[1] > accuracy or not known[2].hold():
             reads = Reads(*(f for rung in rungs for f in (rung.model, rung.observed)))

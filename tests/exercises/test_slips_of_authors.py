@@ -6,14 +6,13 @@ import contextlib
 import os
 import re
 import shutil
-import sys
 from pathlib import Path
 
 import pytest
 import yaml
 
 import exercises
-from exercises.catalogue import CatalogueError, places, problem, reading, variants
+from exercises.catalogue import CatalogueError, places, problem, reading
 from exercises.catalogue.checks import alike, check
 from exercises.catalogue.overlooked import missing_in_figure
 
@@ -31,9 +30,6 @@ def place(folder):
         os.environ.pop(places.VARIABLE)
         exercises.__path__[:] = path
         reading.forget()
-        variants._compiled.cache_clear()
-        for module in [m for m in sys.modules if m.split(".")[1:2] and m.split(".")[1] in names]:
-            del sys.modules[module]
 
 
 def found(folder, seeds=3):

@@ -7,6 +7,7 @@ import sys
 from importlib import import_module, invalidate_caches
 from importlib.util import find_spec
 from types import ModuleType
+from typing import Any
 
 TITLES = {
     "numpy": "NumPy", "scipy": "SciPy", "sympy": "SymPy", "mpmath": "mpmath",
@@ -29,7 +30,7 @@ def words(package: str) -> str:
 class Late(ModuleType):
     """A package that is imported when it is used."""
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         top = self.__name__.partition(".")[0]
         if name.startswith("__"):
             raise AttributeError(name)

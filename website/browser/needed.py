@@ -88,7 +88,7 @@ def needed(above: Sequence[str], source: str) -> list[tuple[int, Statement]]:
     """
     all_of_them = [(n, s) for n, cell in enumerate(above) for s in statements(cell)]
     target = statements(source)
-    kept = {name for s in target for name in s.later}  # by functions, whenever these are called
+    kept = {name for s in target for name in s.later}  # what functions need when called
     while True:
         wanted, found = {name for s in target for name in s.uses}, []
         for n, s in reversed(all_of_them):

@@ -31,7 +31,7 @@ ON_A_PAGE = Ways(
 
 
 _progress = Progress(None)  # the page keeps it
-_books: dict[str, Practice] = {}  # by file, the one that was opened last at the end
+_books: dict[str, Practice] = {}  # by file, the one opened last at the end
 
 
 def load(name: str, data: str, language: str = "en") -> dict[str, list[str]]:
@@ -182,7 +182,7 @@ def hint(problem: str) -> dict[str, str]:
 
 
 def solution(problem: str) -> dict[str, str]:
-    """The worked solution in the numbers at hand, in Markdown."""
+    """The worked solution with the present numbers, in Markdown."""
     return _help(_problem(problem), PracticeProblem.solution)
 
 

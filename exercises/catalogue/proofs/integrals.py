@@ -7,8 +7,8 @@ from mpmath import mp, mpf
 
 from .digits import DIGITS, Number, ProofError, Value, entries, weighted
 
-LEVELS = 9  # of the rule; each halves the step
-# relative to the integral of abs(f): when an integral has converged
+LEVELS = 9  # levels of the rule; each halves the step
+# change, relative to the integral of abs(f), at which an integral has converged
 ENOUGH = 10 ** (-DIGITS * 3 // 5)
 
 

@@ -8,7 +8,7 @@ from .digits import DIGITS, Number, ProofError
 from .integrals import integral
 from .motions import rate
 
-PIECES = 32  # of the track, at whose ends the particle must still move
+PIECES = 32  # pieces of the track, at whose ends the particle must still move
 
 
 def speed_along(
@@ -36,7 +36,7 @@ def speed_along(
     with mp.workdps(DIGITS):
         start, end, square = mpf(start), mpf(end), mpf(speed) ** 2
 
-        def gain(q):  # of the square of the speed
+        def gain(q):  # gain of the square of the speed
             F, along = force(path(q)), rate(path, q)
             return 2 * sum(f * x for f, x in zip(F, along, strict=True)) / m
 

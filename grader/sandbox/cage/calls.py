@@ -64,7 +64,7 @@ def program() -> bytes:
         _add(context, name, errno.EPERM)
     user = NEW_USER_NAMESPACE
     _add(context, "clone", errno.EPERM, _Comparison(0, _MASKED_EQUAL, user, user))
-    # its flags are in memory, which a filter cannot read; the C library falls back to clone
+    # clone3 has its flags in memory, which a filter cannot read; the C library falls back to clone
     _add(context, "clone3", errno.ENOSYS)
     _add(context, "socket", errno.EPERM, _Comparison(0, _GREATER, LAST_FAMILY, 0))
     with tempfile.TemporaryFile() as f:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 PRELOAD = (
     "numpy", "sympy", "mpmath", "numpy.testing", "newton_euler", "newton_euler.answers.receipts",
-    # from which the first cell of every notebook imports names
+    # modules from which the first cell of every notebook imports names
     "newton_euler.kinematics", "newton_euler.classroom",
 )  # fmt: skip
 # needed by few notebooks: forking a process that holds them takes twice as long

@@ -14,7 +14,7 @@ from . import watch
 
 TOTAL = 3 * 2**30  # bytes, of all processes of a submission
 PER_TEST = 2**25  # bytes more for each test, whose process shares the rest with the student's
-PROCESSES = 400  # in a group; far above the limit for each user
+PROCESSES = 400  # the most in a group; far above the limit for each user
 LARGE_PAGE, MADV_COLLAPSE = 2**21, 25
 FIRST_LOOK, PAUSE = 0.1, 0.05  # seconds; most notebooks have ended before the first look
 

@@ -23,7 +23,17 @@ from .edits_of_integrals import of_integrals
 from .edits_of_laws import of_laws
 from .edits_of_roots import of_roots
 from .facts import NUMBER, Facts
-from .formulas import PRODUCT, SUM, Edit, Formulas, Stage, edit, needed, steps_in, total
+from .formulas import (
+    PRODUCT,
+    SUM,
+    Edit,
+    Formulas,
+    Intermediate,
+    edit,
+    needed,
+    steps_in,
+    total,
+)
 from .typed import described, is_nothing
 
 MANY = 8  # uses of a step, beyond which single uses are not tried
@@ -52,7 +62,7 @@ def edits_of(formulas: Formulas) -> list[Edit]:
 
 
 def _call(formulas):
-    """Name the steps that are answers, and give those that are quantities their words."""
+    """Name the steps that are answers, and describe those that are quantities."""
     for key, answer in formulas.answers.items():
         for x in answer.parts if len(answer.parts) == 1 else ():
             if isinstance(x, Step):
@@ -106,7 +116,7 @@ def _of_step(f, s, users):
         # a given alone in its term, as H in D^2 + H^2, is not a factor
         is_factor = s in f.factors or any(user.op in WITHIN for user in users)
         yield from (x for x in givens.of_given(s, f) if x[1] != givens.ONE or is_factor)
-        if s.args[0] in f.numbers:  # nobody converts the symbols of a formula
+        if s.args[0] in f.numbers:  # symbols of a formula need no conversion
             yield from givens.of_unit(s, f.read[s.args[0]], f.system)
     if s in f.products:
         yield from operations.of_product(s, f.number, f.of)
@@ -120,7 +130,7 @@ def _everywhere_and_once(s, place, slip, users):
     cause = words if isinstance(words, Cause) else computed(named, words, "", *does)
     yield Edit(rank, cause, {s.number: expression})
     if kind in (givens.TWICE, givens.HALF, givens.FOREIGN):
-        return  # of one quantity, or a factor of one term; a unit is read once
+        return  # twice and half have edits of single uses elsewhere; a unit is read once
     users = [user for user in users if user.op not in WITHIN] if len(users) > 1 else []
     if s.op in SUM:  # the square of a sum is written once
         products = {user for user in users if user.op in PRODUCT}
@@ -203,7 +213,9 @@ def _of_angles(f):
 
 def _of_stages(f):
     """Answers that stop half way: a quantity of the same dimension, its size, a component."""
-    vectors = [Stage(key, "", a.parts, key) for key, a in f.answers.items() if len(a.parts) == 3]
+    vectors = [
+        Intermediate(key, "", a.parts, key) for key, a in f.answers.items() if len(a.parts) == 3
+    ]
     known = {s.number for s, of in f.dimensions.items() if of is not None or s.op not in PRODUCT}
     for key, answer in f.answers.items():
         named = [s for s in f.stages if s.means]  # the others have no words
@@ -211,7 +223,7 @@ def _of_stages(f):
             for what, rank, parts in _instead(stage.parts, len(answer.parts)):
                 instead = [*zip(answer.parts, parts, strict=True)]
                 alike = all(f.alike(a, x) for a, x in instead)
-                # no other quantity meets a vector of formulas by chance
+                # no other quantity agrees with a vector of formulas by chance
                 if not alike and not (answer.points > 1 and len(parts) == 3):
                     continue
                 moved = {a.number: x for a, x in instead if isinstance(a, Step) and a is not x}
@@ -223,7 +235,7 @@ def _of_stages(f):
 
 
 def _instead(parts, length):
-    """(words, rank, expressions) by which a quantity stands for an answer of this length."""
+    """(words, rank, expressions) of a quantity in place of an answer of this length."""
     if len(parts) == length:
         yield "", RARER, parts
     elif length == 1 and len(parts) == 3:
@@ -233,19 +245,19 @@ def _instead(parts, length):
 
 
 Edits = tuple[Callable[[Facts], Iterator[Edit]], ...]
-# of givens, and of whole answers by them
+# edits of givens, and of whole answers by them
 OF_GIVENS: Edits = (
     operations.of_angles, groups.of_constants, givens.of_one_unit, givens.of_exchanged,
     givens.of_planes, givens.of_rates, wholes.of_wholes, wholes.of_sides, wholes.of_unneeded,
     givens.of_lengths, givens.of_loads, givens.of_vectors, givens.of_earlier,
     givens.of_projections, of_integrals, of_roots, givens.of_weights,
 )  # fmt: skip
-# that put something else in place of a whole answer
+# edits that put something else in place of a whole answer
 OF_ANSWERS: Edits = (
     wholes.of_quantities_in_wholes, wholes.of_sums, wholes.of_single_terms, _of_unchanged,
     _of_differences, _of_stages, quantities.of_ratios, of_laws,
 )  # fmt: skip
-# of quantities on the way, of equations, and of several places at once
+# edits of quantities on the way, of equations, and of several places at once
 OF_QUANTITIES: Edits = (
     _of_angles, of_equations, quantities.of_quantities, quantities.of_rods,
     quantities.of_cross_products, quantities.of_distances, quantities.of_givens_in_products,

@@ -17,7 +17,7 @@ from .typed import Product, described, typed
 
 LIKE_IT = Words("the other terms like it")
 ALIKE = 8  # terms of one shape: more are not a single slip
-LARGE = 7  # from which on a number is not taken for the next one
+LARGE = 7  # a number from here on is not taken for the next one
 FRACTIONS = {Fraction(1, n) for n in (2, 3, 4, 12)}  # one is taken for another
 INNER = Words("leaves out the inner derivative {name}: each chain rule brings it in")
 EXCHANGED = Words("exchanges the factors 1/2 and 1/4: each belongs to its own axis")

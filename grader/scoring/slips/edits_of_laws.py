@@ -15,9 +15,9 @@ from .facts import Facts
 from .formulas import Edit, edit
 
 MOST = 8  # givens: of more, no laws are tried
-FACTORS = 3  # in a law, beside a pure number
+FACTORS = 3  # the most in a law, besides a pure number
 POWERS = (1, -1, 2, -2)
-LAWS = 12  # for one answer: the simplest
+LAWS = 12  # the most for one answer, the simplest ones
 CONSTANTS = 1.0, 0.5, 2.0
 OF_ROOTS = *CONSTANTS, 0.25, 4.0
 OTHER = Words("takes {law} for {key}: look up the law that gives {key}")

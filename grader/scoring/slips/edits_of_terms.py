@@ -62,7 +62,7 @@ def _of_size(key, v):
             square = v.c[n] * v.c[n] + (v.c[m] * v.c[m] if op == "size" else -v.c[m] * v.c[m])
             for sign in (1, -1):
                 c = [*v.c]
-                c[n] = sign * sqrt(sqrt(square * square))  # of either sign
+                c[n] = sign * sqrt(sqrt(square * square))  # the component may have either sign
                 words = Words(text, key=key, one=ORDINALS[n], other=ORDINALS[m])
                 yield Edit(LEAST, computed(f"{op} {key} {n} {sign}", words), {}, {key: c})
 

@@ -39,7 +39,7 @@ def _draw(question, points, left, right):
     log_log(left, question.across[1], "relative error")
     for n, own in enumerate(by_method):
         style = {"marker": MARKERS[n], "color": COLOURS[n], "lw": 1}
-        # those drawn first are larger, to be seen behind others
+        # marks drawn first are larger, to be seen behind others
         left.plot([p.x for p in own], [p.error for p in own], ms=9 - 1.3 * n, **style)
     worst = [_worst(own) for own in by_method]
     best = chart(worst if question.worst_only else points, right)
@@ -62,7 +62,9 @@ def points_table(points, error="relative", cost="time", unit="s"):
 
 
 def ways_caption(points):
-    """The cheapest and the most accurate of several ways to one result: what each repeat says."""
+    """The cheapest and the most accurate of several ways to one result: as far as all repeats
+    agree.
+    """
     return agreed(map(_of_ways, repeated(points)))
 
 

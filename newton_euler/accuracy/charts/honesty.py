@@ -9,7 +9,7 @@ from ..measurements.honesty import REFUSED, comparable, cost_text, percent, tall
 
 # limits of true over asked, and of estimate over true; what lies beyond is drawn at the edge
 PROMISE, ESTIMATE = (1e-6, 1e3), (1e-4, 1e5)
-CAUTIOUS = 100.0  # times the true error: such an estimate says little
+CAUTIOUS = 100.0  # an estimate of this many times the true error says little
 WRONG, VAGUE = "#D55E00", "#777777"
 HALF = 0.34  # share of a row's height that is used on each side of its middle
 

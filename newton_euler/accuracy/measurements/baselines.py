@@ -178,7 +178,7 @@ def _passing(start, rate, matrix):
     """The function of the least angle to the vertical that integrates to the final matrix."""
 
     def final(least):
-        omega = math.cos(least), 0.0, math.sin(least)  # in the body
+        omega = math.cos(least), 0.0, math.sin(least)  # components in the body's axes
         about_x = rotations.rotation_matrix((1, 0, 0), BEFORE)
         s = start(rotations.product(about_x, rotations.rotation_matrix((0, 1, 0), least)))
         return matrix(runge_kutta(lambda s: rate(s, omega), s, (AFTER - BEFORE) / STEPS, STEPS))

@@ -262,7 +262,7 @@ def _theoretical_falling_time(ratio):
     """That time by the growth of I0 z'' - i I omega_z z' - mgr z = 0 from rest: |z| tends to TILT
     sqrt(mgr/I0)/growth exp(growth t)/2.
     """
-    growth = np.sqrt(np.where(ratio < 1, 1 - ratio**2, np.nan))  # over sqrt(mgr/I0)
+    growth = np.sqrt(np.where(ratio < 1, 1 - ratio**2, np.nan))  # growth rate over sqrt(mgr/I0)
     return np.log(2 * FALLEN / TILT * growth) / growth / math.sqrt(MGR / I0)
 
 

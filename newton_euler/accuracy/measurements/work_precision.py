@@ -28,7 +28,7 @@ QUICK = TOLERANCES[::2]
 LONGEST = 0.2  # seconds; a method whose run takes longer is not asked for more digits
 LONG = 0.03  # seconds; a longer run is timed once, a shorter one in many runs
 NAMES = (*METHODS, "auto")
-_PREPARATIONS: dict = {}  # by scene and method, as the first run of this process had them
+_PREPARATIONS: dict = {}  # seconds by scene and method, of the first run of this process
 STEPPING, CLOSED = "stepping methods", "closed forms"  # the families
 
 

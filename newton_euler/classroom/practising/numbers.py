@@ -1,6 +1,6 @@
-"""The right numbers and wrong models of one set of numbers, out of a practice file."""
+"""The right numbers and wrong models of one set of numbers, from a practice file."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -34,7 +34,7 @@ class Quantity:
 
     @classmethod
     def read(cls, data: Mapping[str, Any]) -> "Quantity":
-        """A quantity out of a practice file."""
+        """A quantity from a practice file."""
         return cls(**{**data, "kind": kind_named(data["kind"]), "of": tuple(data["of"])})
 
     @property
@@ -50,14 +50,23 @@ class KeptNumbers:
 
     sheets = ()
 
-    def __init__(self, quantities, labels, variant, book=None, slips=(), where="", own=True):
+    def __init__(
+        self,
+        quantities: Sequence[Quantity],
+        labels: Sequence[Sequence[Any]],
+        variant: Mapping[str, Any],
+        book: Mapping[str, Any] | None = None,
+        slips: Sequence[Sequence[Any]] = (),
+        where: str = "",
+        own: bool = True,
+    ):
         self.answers = [q for q in quantities if q.key in variant["right"]]
         self._labels, self._variant, self._book = labels, variant, book
         self.program = Program(variant["program"])
         self.where, self._own = words(where), own
         self.tried: Collection[str] = ()
         self.slips = KeptSlips(slips, variant.get("slips", ()))
-        self.symbols: dict[str, Any] = {}  # all is numbers in practice
+        self.symbols: dict[str, Any] = {}  # practice is numeric
 
     @cached_property
     def key(self) -> dict[str, Points]:
@@ -93,7 +102,7 @@ class KeptNumbers:
 
     @property
     def earlier(self) -> dict[str, list[str]]:
-        """{quantity: those through which it is computed and that were tried}."""
+        """{quantity: the earlier ones from which it is computed and that were tried}."""
         return {q.key: sorted(self._tried_before(q.key)) for q in self.answers}
 
     def _tried_before(self, key):
@@ -125,11 +134,12 @@ class KeptSlips(Slips):
     subject, does, of], and the numbers that these make, [place among the labels, numbers].
     """
 
-    def __init__(self, labels, kept):
+    def __init__(self, labels: Sequence[Sequence[Any]], kept: Sequence[tuple[int, Any]]):
         self._found: dict[str, list] = {}
         for n, numbers in kept:
             key, rank, *texts = labels[n]
-            cause = Cause("computed", *map(words, texts))
+            name, text, where, subject, does, of = map(words, texts)
+            cause = Cause("computed", name, text, where, subject, does, of)
             if cause.does == INSTEAD:
                 cause = replace(cause, of="", answers=tuple(cause.of.split()))
             self._found.setdefault(key, []).append(((rank, cause), numbers))

@@ -2,6 +2,7 @@
 
 import math
 import operator
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -31,22 +32,22 @@ def operate(name: str, *numbers: Any) -> float:
 class Program:
     """The operations of one set of numbers, as a practice file has them."""
 
-    def __init__(self, data):
+    def __init__(self, data: Mapping[str, Any] | None):
         data = data or {"operations": [], "quantities": {}, "earlier": {}}
         self._operations, self._where = data["operations"], data["quantities"]
         self.earlier = data["earlier"]
 
-    def following(self, key, own):
+    def following(self, key: str, own: Mapping[str, Sequence[float]]) -> tuple[float, ...] | None:
         """The numbers of ``key`` by a student's ``own``, {key: numbers}; None if none."""
         places = self._where.get(key)
         if not places or None in places:
             return None
-        replaced = {}
+        replaced: dict[int, float] = {}
         for name, numbers in own.items():
             for place, x in zip(self._where.get(name, ()), numbers, strict=False):
                 if isinstance(place, list):
                     replaced.setdefault(place[0], x / place[1])
-        results = []
+        results: list[float] = []
         try:
             for n, (name, *arguments) in enumerate(self._operations):
                 taken = (results[a[0]] if isinstance(a, list) else a for a in arguments)

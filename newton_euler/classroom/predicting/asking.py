@@ -8,9 +8,9 @@ from ...algebra.language import Words, _, spoken
 from ...answers.givens import in_notebook
 from . import kept
 from .page import STATIC, opened, plain
-from .question import LETTERS, Judged, Question, question
+from .question import LETTERS, Judgement, Question, question
 
-_asked: dict[str, "Prediction"] = {}  # by their keys, in the order of asking
+_asked: dict[str, "Prediction"] = {}  # predictions by key, in the order of asking
 
 
 @checked
@@ -82,7 +82,7 @@ class Prediction:
         return None if self.given is None else self.question.judge(self.given).right
 
     @checked
-    def judge(self, prediction: str) -> Judged:
+    def judge(self, prediction: str) -> Judgement:
         """What a prediction would mean: the letter or text of a choice, a number, a sentence."""
         return self.question.judge(self._choice(prediction))
 
@@ -148,7 +148,7 @@ class Again:
 
     @property
     def predictions(self) -> list[Prediction]:
-        """Those that are asked, without what was predicted before."""
+        """The questions to ask, without the earlier predictions."""
         chosen = self._named or [p for p in _asked.values() if p.right is False]
         return [Prediction(p.question, again=True) for p in chosen]
 

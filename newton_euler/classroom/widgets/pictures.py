@@ -3,10 +3,12 @@
 import html
 import io
 from base64 import b64encode
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, TypeAlias
 
 from ...algebra.errors import ArgumentError, checked
 
+Bundle: TypeAlias = tuple[dict[str, str], dict[str, Any]]  # data and metadata, for display
 SHORTEST_ALT = 8  # words
 CSS_PIXELS = 100  # per inch of a figure
 SHARP = 2  # pixels of the picture for one CSS pixel, so that it is sharp on high-dpi screens
@@ -27,7 +29,7 @@ def show_figure(figure: Any, alt: str) -> None:
         return
     if not hasattr(figure, "savefig"):
         raise ArgumentError(f"show_figure shows a matplotlib figure or a Page; got {figure!r}")
-    png = png_of(figure, tight=True)
+    png = _saved(figure, tight=True)
     close(figure)
     show(bundle(png, alt, [side / SHARP for side in png_size(png)], png))
 
@@ -41,6 +43,10 @@ def png_of(figure: Any, tight: bool) -> bytes | None:
         figure = figure_of(figure) if isinstance(figure, Page) else figure
     except ImportError:
         return None
+    return _saved(figure, tight)
+
+
+def _saved(figure: Any, tight: bool) -> bytes:
     out = io.BytesIO()
     edges = {"bbox_inches": "tight", "pad_inches": 0.05} if tight else {}
     figure.savefig(out, format="png", dpi=SHARP * CSS_PIXELS, **edges)
@@ -54,7 +60,7 @@ def alt_text(alt: Any) -> str:
     return " ".join(alt.split())
 
 
-def bundle(image, alt, size, png=None):
+def bundle(image: bytes, alt: str, size: Sequence[float], png: bytes | None = None) -> Bundle:
     """(data, metadata) for display: the picture, PNG or SVG, as HTML, in words, and a PNG."""
     width, height = (round(side) for side in size)
     kind = "svg+xml" if image[:4] == b"<svg" or image[:5] == b"<?xml" else "png"
@@ -70,7 +76,7 @@ def bundle(image, alt, size, png=None):
     return {**data, "image/png": b64encode(png).decode()}, {"image/png": about}
 
 
-def show(picture, **options):
+def show(picture: Bundle, **options: Any) -> Any:
     """Display a :func:`bundle`; returns the handle if ``display_id`` asks for one."""
     from IPython.display import display
 
@@ -78,12 +84,12 @@ def show(picture, **options):
     return display(data, metadata=metadata, raw=True, **options)
 
 
-def png_size(png):
+def png_size(png: bytes) -> tuple[int, int]:
     """Width and height of a PNG in pixels, from its header."""
     return int.from_bytes(png[16:20], "big"), int.from_bytes(png[20:24], "big")
 
 
-def close(figure):
+def close(figure: Any) -> None:
     """Close a figure of pyplot, so that the notebook does not show it a second time."""
     import matplotlib.pyplot as plt
 

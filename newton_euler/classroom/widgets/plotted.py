@@ -20,9 +20,10 @@ class Plotted:
 
         return [sketch for ax in self.figure.axes for sketch in sketches_on(ax)]
 
-    def clear(self, title):
+    def clear(self, title: str) -> None:
         """Empty the axes, under this title; until they are laid out, of their artists only."""
         self.figure.suptitle(title, fontsize=11)
+        ax: Any  # for the types of Matplotlib do not say that a locator may be None
         for ax in self.figure.axes:
             ax.set_axes_locator(None)
             if self._laid_out:

@@ -1,9 +1,11 @@
 """The route of a cable: straight spans tangent to the pulleys, and arcs on the pulleys."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
 
+from ...algebra.scalars import Triple
 from ...algebra.vectors import FrameError, cross3, dot3, scale3, sub3
 from ..page.projection import moved, norm3, on_circle
 
@@ -17,9 +19,11 @@ class Pulley:
     radius: float
 
 
-def route(stops, turns=None):
+def route(
+    stops: Sequence[Pulley | Triple], turns: Sequence[int] | None = None
+) -> tuple[list[tuple[Triple, Triple]], list[list[Triple]]]:
     """The spans, a pair of places for each two neighbouring stops, and the arcs, a list of places
-    for each stop (empty unless it is a pulley); stops and turns as of :meth:`.Machines.cable`.
+    for each stop (empty unless it is a pulley); stops and turns as in :meth:`.Machines.cable`.
     """
     turned = [n for n, stop in enumerate(stops) if isinstance(stop, Pulley)]
     closed = len(stops) > 2 and stops[0] is stops[-1] and 0 in turned
@@ -33,7 +37,7 @@ def route(stops, turns=None):
         raise FrameError(
             f"say how the cable goes round each of {len(free)} pulleys, as in turns=[1, -1, ...]"
         )
-    routes, failure = [], None
+    routes, failures = [], []
     for signs in product((1, -1), repeat=len(free)) if turns is None else [turns]:
         ways = dict(zip(free, signs, strict=True))
         if closed:
@@ -41,9 +45,9 @@ def route(stops, turns=None):
         try:
             routes.append(_route_with_turns(stops, ways, closed))
         except FrameError as error:
-            failure = error
+            failures.append(error)
     if not routes:
-        raise failure
+        raise failures[-1]
     shortest = min(length for length, *_ in routes)
     # among equally long ones the first, whatever the round-off
     return next(lines for length, *lines in routes if length <= shortest * (1 + 1e-9))

@@ -2,20 +2,29 @@
 
 import math
 
+from ...algebra.scalars import Triple
 from ...algebra.vectors import cross3, dot3, scale3
+from ..page.primitives import Canvas
 from ..page.projection import moved, norm3, normal_of
 
 SMOOTH = math.cos(math.radians(25))  # cosine of the angle below which two faces of a wall are one
 
 
-def extrude(canvas, outline, holes, along, normal, style="body"):
+def extrude(
+    canvas: Canvas,
+    outline: list[Triple],
+    holes: list[list[Triple]],
+    along: Triple,
+    normal: Triple,
+    style: str = "body",
+) -> None:
     """Add the body between an outline and its copy moved by ``along``; if zero, the one face."""
     if not norm3(along):
         canvas.face(outline, style, normal, holes=holes)
         return
     loops = [outline, *holes]
     for loop, sense in zip(loops, (1, *[-1] * len(holes)), strict=True):
-        # with the material on the left as one goes round, seen against ``along``
+        # outlines with the material on their left, seen against ``along``
         if dot3(normal_of(loop), along) * sense < 0:
             loop = loop[::-1]
         for wall in _seen_walls(canvas, loop, along):

@@ -56,7 +56,7 @@ class Lines(Recorder):
             self._record(lambda canvas: [canvas.line(run, look, MARK) for run in runs])
         elif look == "path":
             self._record(lambda canvas: canvas.curve(places, look))
-        else:  # in pieces, the dashes would restart with each
+        else:  # one stroke: in pieces, the dashes would restart with each
             self._record(lambda canvas: canvas.line(places, look))
 
     def _near_side(self, places, on):

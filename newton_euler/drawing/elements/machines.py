@@ -75,12 +75,12 @@ class Machines(Recorder):
         >>> wheel = s.pulley((0, 0, 2), ground.i, 0.2)
         >>> s.cable((0, -0.2, 0), wheel, (0, 0.2, 1))  # two weights hang on it
         """
-        stops = tuple(P if isinstance(P, Pulley) else self._place(P) for P in stops)
-        if len(stops) < 2:
+        ends = [P if isinstance(P, Pulley) else self._place(P) for P in stops]
+        if len(ends) < 2:
             raise FrameError(
-                f"a cable runs between two places or pulleys at least; got {len(stops)}"
+                f"a cable runs between two places or pulleys at least; got {len(ends)}"
             )
-        spans, arcs = route(stops, turns)
+        spans, arcs = route(ends, turns)
         for line in [*spans, *arcs]:
             self._extend(line)
 
@@ -91,7 +91,7 @@ class Machines(Recorder):
                 # groove or behind it, like that point
                 lead, tail = (
                     min(1 / 3, stop.radius / norm3(sub3(B, A))) if isinstance(stop, Pulley) else 0
-                    for stop in stops[n : n + 2]
+                    for stop in ends[n : n + 2]
                 )
                 first, last = between(A, B, lead), between(A, B, 1 - tail)
                 if lead:

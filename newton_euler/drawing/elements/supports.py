@@ -33,7 +33,7 @@ class Supports(Recorder):
         @self._record
         def command(canvas):
             canvas.line(points, "support")
-            ahead = 3 * canvas.pt  # to the next hatching line
+            ahead = 3 * canvas.pt  # distance to the next hatching line
             for A, B in pairwise(points):
                 seen = canvas.offset((0, 0, 0), *canvas.project(sub3(B, A)))
                 length = norm3(seen)

@@ -14,7 +14,7 @@ STEP = 3  # points between marks along a line
 FILLED = {name for name, style in STYLES.items() if style["facecolor"] != "none"}
 _MOST = 4000  # cells in a row or a column
 
-Place: TypeAlias = tuple[float, float]  # on the page, in points
+Place: TypeAlias = tuple[float, float]  # coordinates on the page, in points
 
 
 class Covered:

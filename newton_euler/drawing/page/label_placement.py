@@ -1,10 +1,10 @@
 """Label placement: each label goes where it covers the fewest lines and no other label."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from .covered import Covered
-from .primitives import Note
+from .covered import Covered, Place
+from .primitives import Canvas, Note
 
 # the places of a label beside its own: 4 distances in points, 16 turns; and what they cost
 _PLACES = [
@@ -15,7 +15,13 @@ _PLACES = [
 _CHEAP_FIRST = sorted(range(len(_PLACES)), key=lambda n: _PLACES[n][2])
 
 
-def label_shifts(canvas, shapes, half_of, edges, before):
+def label_shifts(
+    canvas: Canvas,
+    shapes: Iterable[Iterable[Iterable[Place]]],
+    half_of: Callable[[Note], Sequence[float]],
+    edges: Sequence[Place],
+    before: dict,
+) -> Iterator[tuple[Note, Place]]:
     """Each label with the way from its place to its middle, in points.
 
     shapes : the outlines of each stroke on the page, in points
@@ -29,7 +35,8 @@ def label_shifts(canvas, shapes, half_of, edges, before):
     """
     if not canvas.notes:
         return
-    covered, taken = Covered(canvas, shapes), []
+    covered = Covered(canvas, shapes)
+    taken: list[tuple[Place, Place]] = []
     for note in placing_order(canvas.notes):
         half, place = half_of(note), tuple(x / canvas.pt for x in note.place)
         if note.fixed:

@@ -1,10 +1,11 @@
 """A sketch on the axes of Matplotlib, which draws it when the figure is shown or saved."""
 
 import os
+from collections.abc import Iterator
 from typing import Any
 
 from .label_placement import label_shifts
-from .primitives import FONT, STYLES
+from .primitives import FONT, STYLES, Canvas
 from .projection import normal_of
 
 
@@ -94,7 +95,7 @@ def _holes(view, stroke):
         yield Path(xy + xy[:1], closed=True)
 
 
-def place_labels(ax, canvas, renderer, before):
+def place_labels(ax: Any, canvas: Canvas, renderer: Any, before: dict) -> Iterator[Any]:
     """The labels as texts on ``ax``; ``before``, their last places in an animation, is updated."""
     _share_parser(renderer)
     corners = ax.transData.inverted().transform(ax.figure.bbox.get_points()) / canvas.pt

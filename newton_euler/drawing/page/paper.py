@@ -2,7 +2,7 @@
 Matplotlib.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked
@@ -21,11 +21,11 @@ class Panel(Plots):
         self.figure, self.row, self.column = page, row, column
         self.sketches: list[Any] = []
         self.plotted = Plot()
-        self.titles: dict[str, tuple[str, float]] = {}  # by place: text, size
+        self.titles: dict[str, tuple[str, float]] = {}  # {place: (text, size)}
 
     def set_title(self, text: str, fontsize: float = TITLE, loc: str = "center", **_: Any) -> None:
         """Set the title in the middle, or the one at the left; its size is in points, its lines are
-        parted by ``\\n``.
+        separated by ``\\n``.
         """
         self.titles[loc] = str(text), float(fontsize)
 
@@ -37,7 +37,7 @@ class Panel(Plots):
         """Left, bottom, width and height on the page, in points."""
         return self.figure.box(self.row, self.column)
 
-    # what a sketch asks of the surface on which it is
+    # -- the interface to sketches on it
 
     def attach(self, sketch: Any) -> None:
         """Take a sketch, which is written with the page."""
@@ -47,7 +47,7 @@ class Panel(Plots):
         """Width and height in points."""
         return self.box()[2:]
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Callable[..., None]:
         if name.startswith("__"):
             raise AttributeError(name)
         if name[:4] == "set_" and name[4:] in SETTINGS:
@@ -141,7 +141,7 @@ class Panels(list):
         for item in self:
             yield from item.flat if isinstance(item, Panels) else (item,)
 
-    def __getitem__(self, place):
+    def __getitem__(self, place: Any) -> Any:
         if isinstance(place, tuple):
             row, place = place
             return list.__getitem__(self, row)[place]

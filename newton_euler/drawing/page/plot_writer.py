@@ -1,9 +1,11 @@
 """A plot as SVG: its frame, ticks, marks and legend."""
 
 import math
+from collections.abc import Iterator
 from html import escape
 
 from .letters import letters
+from .paper import Panel
 from .plots import GREY, Mark, Plot, Scale
 from .primitives import BLACK, WHITE
 from .texts import text_at
@@ -20,7 +22,7 @@ class Drawing:
     height.
     """
 
-    def __init__(self, panel):
+    def __init__(self, panel: Panel):
         self.plot: Plot = panel.plotted
         settings = self.plot.settings
         self.x, self.y = (
@@ -60,14 +62,14 @@ class Drawing:
         ticks = zip(places, map(str, texts), strict=False)
         return [(x, text) for x, text in ticks if -1e-9 <= scale(x) <= 1 + 1e-9]
 
-    def at(self, x, y):
+    def at(self, x: float | None, y: float | None) -> tuple[float, float]:
         """A place on the page; None stands for an edge."""
         return (
             self.left + self.w * (self.x(x) if x is not None else 0),
             self.top + self.h * (1 - (self.y(y) if y is not None else 0)),
         )
 
-    def parts(self):
+    def parts(self) -> Iterator[str]:
         """The elements of the plot as SVG, those in front last."""
         frame = f'x="{self.left:.1f}" y="{self.top:.1f}" width="{self.w:.1f}" height="{self.h:.1f}"'
         yield f'<svg {frame} viewBox="{self.left:.1f} {self.top:.1f} {self.w:.1f} {self.h:.1f}">'

@@ -41,8 +41,9 @@ class Mark(NamedTuple):
     size: float = 6
     opacity: float = 1
     filled: bool = True
-    shift: tuple = (0, 0)  # of a text, in points to the right and up; of an arrow without a
-    # second place, from its tail to its tip by the width of the axes
+    # shift of a text, in points to the right and up; of an arrow without a second place, from tail
+    # to tip, relative to the width of the axes
+    shift: tuple = (0, 0)
 
 
 @dataclass
@@ -288,7 +289,7 @@ class Scale:
 
     def __init__(self, values: list[float], limits: Any, log: bool):
         self.log = log
-        if limits is None:  # those of the values, with a twentieth of air on both sides
+        if limits is None:  # the range of the values, with a margin of a twentieth on both sides
             raw = [self._raw(v) for v in values if math.isfinite(v) and (v > 0 or not log)]
             first, last = min(raw, default=self._raw(0.1)), max(raw, default=self._raw(1.0))
             air = 0.05 * (last - first) or (not log and 0.05 * abs(first)) or 0.5

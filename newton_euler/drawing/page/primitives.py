@@ -1,9 +1,11 @@
 """The parts of a figure: strokes, the symbols made of them, labels, and their styles."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, TypeAlias
 
+from ...algebra.scalars import Triple
 from ...algebra.vectors import add3, cross3, scale3, sub3
 from .projection import View, circle, convex_hull, mean, moved, on_plane, perpendiculars, unit3
 
@@ -27,14 +29,14 @@ DASHES = {
     "centre": (0, (9, 2.5, 2, 2.5)),
 }
 FONT = 11  # points
-SQUARE = (1, 1), (-1, 1), (-1, -1), (1, -1)  # its corners
+SQUARE = (1, 1), (-1, 1), (-1, -1), (1, -1)  # corners of a square
 
 # layers: bodies hide each other by depth; marks and then arrows lie over them
 BODY, MARK, ARROW = range(3)
 
 
 def _style(edge, width, face="none", dashes="solid", ends="round"):
-    """The keyword arguments of a matplotlib patch, in long names: it is slower with short ones."""
+    """The keyword arguments of a matplotlib patch, with long names: short ones are slower."""
     return {
         "edgecolor": edge,
         "facecolor": face,
@@ -85,7 +87,7 @@ class Note(NamedTuple):
     gap: float
     colour: str
     weight: str
-    fixed: tuple | None  # points to the right and up, if it is not to be moved
+    fixed: tuple | None  # points to the right and up, if it must not be moved
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,19 +101,30 @@ class Stroke:
     depth: float
     normal: tuple | None = None  # normal of a flat face
     cut: bool = False  # a piece of a line that a face cuts
-    holes: tuple = ()  # in its filling, each a list of places
+    holes: tuple = ()  # holes in its filling, each a list of places
 
 
 class Canvas(View):
     """A view with strokes and labels of one picture; ``pt``: the length of a point in metres."""
 
-    def __init__(self, view, pt, extent, centre):
+    def __init__(self, view: View, pt: float, extent: Sequence[Triple], centre: Triple):
         super().__init__(view.right, view.up)
-        self.pt, self.centre, self.strokes, self.notes = pt, centre, [], []
-        self.triads = []  # (origin, pairs (tip, label)) of each system of axes
+        self.pt, self.centre = pt, centre
+        self.strokes: list[Stroke] = []
+        self.notes: list[Note] = []
+        self.triads: list = []  # (origin, pairs (tip, label)) of each system of axes
         self.spots = [self.project(p) for p in extent] or [(0.0, 0.0)]
 
-    def line(self, points, styles, layer=BODY, closed=False, depth=None, normal=None, holes=()):
+    def line(
+        self,
+        points: Sequence[Triple],
+        styles: str | tuple[str, ...],
+        layer: int = BODY,
+        closed: bool = False,
+        depth: float | None = None,
+        normal: Triple | None = None,
+        holes: Sequence[Sequence[Triple]] = (),
+    ) -> None:
         """Add a stroke of this ``depth``, by default that of its middle, or of a flat face."""
         styles = (styles,) if isinstance(styles, str) else styles
         depth = self.depth(mean(points)) if depth is None else depth
@@ -119,26 +132,42 @@ class Canvas(View):
         stroke = Stroke(list(points), styles, layer, closed, depth, normal, holes=tuple(holes))
         self.strokes.append(stroke)
 
-    def curve(self, points, style):
+    def curve(self, points: Sequence[Triple], style: str) -> None:
         """Add a curve through the points, in pieces, so that each has a depth of its own."""
         for n in range(0, len(points) - 1, 4):
             self.line(points[n : n + 5], style)
 
-    def face(self, corners, style, normal, layer=BODY, holes=()):
+    def face(
+        self,
+        corners: Sequence[Triple],
+        style: str | tuple[str, ...],
+        normal: Triple,
+        layer: int = BODY,
+        holes: Sequence[Sequence[Triple]] = (),
+    ) -> None:
         """Add a plane face."""
         self.line(corners, style, layer, True, None, normal, holes)
 
-    def solid(self, points, style, layer=BODY, depth=None):
+    def solid(
+        self, points: Sequence[Triple], style: str, layer: int = BODY, depth: float | None = None
+    ) -> None:
         """Add the outline of a convex body."""
         if depth is None:
             depth = (self.depth(mean(points)) + max(map(self.depth, points))) / 2
         self.line(convex_hull(self, points), style, layer, True, depth)
 
-    def end(self, rim, outwards, style, layer=BODY, holes=()):
+    def end(
+        self,
+        rim: Sequence[Triple],
+        outwards: Triple,
+        style: str,
+        layer: int = BODY,
+        holes: Sequence[Sequence[Triple]] = (),
+    ) -> None:
         """Add the flat end of a body; one that faces away still separates inside and outside."""
         self.face(rim, style if self.depth(outwards) > 0 else (), outwards, layer, holes)
 
-    def shell(self, points, rim, outwards):
+    def shell(self, points: Sequence[Triple], rim: Sequence[Triple], outwards: Triple) -> None:
         """Add a convex vessel open at its rim, through which one looks in from ``outwards``."""
         depths = [self.depth(p) for p in points]
         if self.depth(outwards) <= 0:
@@ -148,17 +177,25 @@ class Canvas(View):
         wall = convex_hull(self, points)
         self.line(wall, "side", closed=True, depth=max(depths), holes=[rim])
 
-    def cylinder(self, first, last, axis, side, top, layer=BODY):
+    def cylinder(
+        self,
+        first: list[Triple],
+        last: list[Triple],
+        axis: Triple,
+        side: str,
+        top: str,
+        layer: int = BODY,
+    ) -> None:
         """Add a cylinder between two rims."""
         self.solid(first + last, side, layer)
         self.end(first, scale3(-1, axis), top, layer)
         self.end(last, axis, top, layer)
 
-    def disc(self, P, radius, style, layer=MARK):
+    def disc(self, P: Triple, radius: float, style: str, layer: int = MARK) -> None:
         """Add a circle on the page, radius in points."""
         self.line(circle(P, self.eye, radius * self.pt, 24), style, layer, closed=True)
 
-    def head(self, tail, tip, style, layer, size=8):
+    def head(self, tail: Triple, tip: Triple, style: str, layer: int, size: float = 8) -> None:
         """Add an arrowhead at ``tip``, ``size`` points long."""
         x, y = self.project(sub3(tip, tail))
         length = math.hypot(x, y) or 1.0
@@ -166,7 +203,7 @@ class Canvas(View):
         wings = (self.offset(tip, -x - w * y, -y + w * x) for w in (0.32, -0.32))
         self.line([tip, *wings], ("tip", style), layer, True)
 
-    def arrow(self, tail, tip, style, layer):
+    def arrow(self, tail: Triple, tip: Triple, style: str, layer: int) -> None:
         """Add an arrow; if it points at the eye or away from it, a circle with a dot or a cross."""
         v = sub3(tip, tail)
         if self.is_seen(v):
@@ -181,7 +218,7 @@ class Canvas(View):
                 for y in (-x, x):
                     self.line((self.offset(tail, -x, -y), self.offset(tail, x, y)), style, layer)
 
-    def support(self, P, normal, half):
+    def support(self, P: Triple, normal: Triple, half: float) -> None:
         """Add ground seen edge-on: a line, hatched on the side opposite to the normal."""
         n = unit3(self.offset((0, 0, 0), *self.project(normal)))
         along = cross3(n, self.eye)
@@ -189,12 +226,12 @@ class Canvas(View):
         for k in range(-4, 6):
             self.hatch(moved(P, half * k / 5, along), along)
 
-    def hatch(self, P, along):
+    def hatch(self, P: Triple, along: Triple) -> None:
         """Add a short hatching line at P, on the right of a unit vector in the page."""
         n = cross3(self.eye, along)
         self.line((P, moved(P, -5 * self.pt, moved(n, 0.8, along))), "thin")
 
-    def floor(self, P, normal, half):
+    def floor(self, P: Triple, normal: Triple, half: float) -> None:
         """Add ground seen from above or below: a hatched patch."""
         e1, e2 = (scale3(half, e) for e in perpendiculars(normal))
         e2 = max((e2, scale3(-1, e2)), key=lambda e: self.slant(add3(e1, e)))
@@ -209,7 +246,16 @@ class Canvas(View):
             first = corner(max(-1, s - 1), max(-1, -1 - s))
             self.line((first, corner(min(1, s + 1), min(1, 1 - s))), "seam", depth=back)
 
-    def note(self, place, text, away_from=None, gap=3, colour=BLACK, weight="normal", fixed=None):
+    def note(
+        self,
+        place: Triple,
+        text: str,
+        away_from: Triple | None = None,
+        gap: float = 3,
+        colour: str = BLACK,
+        weight: str = "normal",
+        fixed: tuple[float, float] | None = None,
+    ) -> None:
         """Add the label of a place, best away from another; one letter is italic unless bold."""
         if text:
             if len(text) == 1 and text.isalpha() and weight != "bold":
@@ -218,7 +264,7 @@ class Canvas(View):
             towards = math.atan2(y, x)
             self.notes.append(Note(self.project(place), text, towards, gap, colour, weight, fixed))
 
-    def shapes(self):
+    def shapes(self) -> list[list[list[tuple[float, float]]]]:
         """The outlines of each stroke and of its holes on the page, in points."""
         pt, project = self.pt, self.project
         return [
@@ -226,7 +272,7 @@ class Canvas(View):
             for s in self.strokes
         ]
 
-    def box(self):
+    def box(self) -> tuple[float, float, float, float]:
         """Left, right, bottom and top of all that was added, in metres on the page."""
         xs, ys = zip(*self.spots, strict=True)
         return min(xs), max(xs), min(ys), max(ys)

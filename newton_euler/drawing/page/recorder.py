@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
 from ...algebra.errors import checked_but
-from ...algebra.scalars import real_scalar, to_plain
+from ...algebra.scalars import Triple, real_scalar, to_plain
 from ...algebra.vectors import FrameError, Vector, cross3, dot3, sub3
 from ...kinematics.frames import Frame, Point
 from .occlusion import painters_order
@@ -68,21 +68,21 @@ class Recorder:
         self._longest: dict = {}  # the longest arrow of each kind
         self._shortest = 0.25  # least length, relative to the longest
         self._pending = False
-        self._window: Window | None = None  # that of an animation, if it is part of one
+        self._window: Window | None = None  # window of the animation, if it is part of one
         self.drawn: Canvas | None = None  # what was rendered last
 
-    def _place(self, P):
+    def _place(self, P: Place) -> Triple:
         """A place as a triple of floats in the ground; it is added to the extent of the figure."""
         return self._extend([self._triple_of(P)])[0]
 
-    def _triple_of(self, P):
+    def _triple_of(self, P: Place) -> Triple:
         """A place as a triple of floats in the ground."""
         return self._triple(P.position(self.frame) if isinstance(P, Point) else P, "place")
 
-    def _places(self, *places):
+    def _places(self, *places: Place) -> list[Triple]:
         return [self._place(P) for P in places]
 
-    def _triple(self, v, what):
+    def _triple(self, v: Any, what: str) -> Triple:
         if isinstance(v, Point):
             raise FrameError(
                 f"a {what} is a Vector or a triple, got the point {v.name}; write B - A"
@@ -105,7 +105,7 @@ class Recorder:
             raise FrameError(f"the {what} {v!r} is not finite and cannot be drawn")
         return v
 
-    def _unit(self, v):
+    def _unit(self, v: Direction) -> Triple:
         v = self._triple(v, "direction")
         if not norm3(v):
             raise FrameError("a direction of length zero points nowhere; give another vector")
@@ -139,7 +139,7 @@ class Recorder:
         """A length in metres; None and 0 stand for the default and are returned as they are."""
         return x if x is None or (isinstance(x, (int, float)) and not x) else self._length(x)
 
-    def _several(self, places, what):
+    def _several(self, places: Sequence[Place], what: str) -> list[Triple]:
         """A sequence of places."""
         try:
             if len(places) > MAX_PLACES:

@@ -20,7 +20,7 @@ UNKNOWN = 1.0  # the error where the formula has no values nearby
 # lines through the given numbers; the most last digits by which a number moves along one
 LINES, FARTHEST = 6, 15
 STRAIGHT = 2e-9  # rad: a phase that moves by this much curves a line by its square, 4e-18
-SAFETY_FACTOR = 4.0  # on the largest of LINES deviations from a straight line
+SAFETY_FACTOR = 4.0  # factor on the largest of LINES deviations from a straight line
 # round-offs of a state and of its phase that are the same on all lines, as of a constant
 ROUND_OFFS = 2.0
 # irregular fractions of the time at which the sizes of the states are sampled
@@ -28,7 +28,7 @@ FRACTIONS = 0.0371, 0.131, 0.269, 0.417, 0.556, 0.683, 0.791, 0.927
 # steps of the two difference quotients in time, in units of the time in which a state changes by
 # its size, and the least step as a part of the time
 STEPS, LEAST_STEP = (2.0**-9, 2.0**-11), 2.0**-36
-AGREEMENT = 64.0  # times closer to each other than to the right-hand side two such quotients are
+AGREEMENT = 64.0  # how many times closer two such quotients are to each other than to the rhs
 # residuals, relative to the largest rates, below which a formula is a solution: the accuracy of the
 # difference quotients after short times, and what the phase leaves of it after long ones
 LEAST_RESIDUAL, LEAST_LATE_RESIDUAL = 1e-10, 1e-3
@@ -95,7 +95,7 @@ def within(system, t, x0, rtol):
         these numbers themselves. So the result does not depend on earlier calls.
     """
     known = vars(system)
-    if known.get("exact_last") == (rtol, t, x0):  # the same run again
+    if known.get("exact_last") == (rtol, t, x0):  # asked again for the same run
         return True
     errors = known.setdefault("exact_errors", {})
     region = frexp(t)[1], *[copysign(frexp(v)[1] + SHIFT, v) if v else 0.0 for v in x0]

@@ -144,7 +144,7 @@ class Taylor(Stepper):
                     pars[:] = p[: len(pars)]
                 ta.time = 0.0
                 ta.state[:] = start
-                # in parts, since steps become ever shorter near a singular place
+                # a part at a time, since steps become ever shorter near a singular place
                 taken, part = 0, MAX_PREPARED_STEPS
                 while ta.propagate_until(t, max_steps=part)[3] == part:
                     taken += part
@@ -180,7 +180,7 @@ class Taylor(Stepper):
                 self.step_times.append(self.t)
                 return
         self._begin_again()
-        self._by_steps(inf)  # to see where it fails
+        self._by_steps(inf)  # shows where it fails
 
     def _stalled(self, ta, before, done):
         """True if the steps after the time ``before``, which returned ``done``, barely advance."""

@@ -1,6 +1,6 @@
 """Motion under a constant acceleration, or one proportional to a distance; Stumpff's series."""
 
-from ...algebra.scalars import ZERO, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
+from ...algebra.scalars import ZERO, Scalar, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
 from ...motion.model import Model
 
 
@@ -46,7 +46,7 @@ def plane_oscillation(s, square, t, damping=ZERO):
     return x, y, dx, dy
 
 
-def turned(x, y, angle):
+def turned(x: Scalar, y: Scalar, angle: Scalar) -> tuple[Scalar, Scalar]:
     """The components x, y of a vector that is turned by the angle, counterclockwise."""
     c, s = cos(angle), sin(angle)
     return c * x - s * y, c * y + s * x

@@ -8,7 +8,8 @@ Symbols as in :mod:`newton_euler.applications.gyroscopes`; the parameter ``omega
 from dataclasses import replace
 from operator import attrgetter
 
-from ...algebra.scalars import Scalar, cos, sin, sqrt, tan
+from ...algebra.portable import Values
+from ...algebra.scalars import Scalar, Triple, cos, sin, sqrt, tan
 from ...algebra.vectors import dot3
 from ...kinematics.rotations import (
     apply,
@@ -29,7 +30,7 @@ SPIN = 8.0  # rad/s
 TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
 
 
-def tilted(theta):
+def tilted(theta: Scalar) -> Triple:
     """The start of :func:`nonspinning_frame` at rest at the angle ``theta`` (rad)."""
     return cos(theta / 2), sin(theta / 2), 0.0, 0.0, 0.0, 0.0
 
@@ -74,13 +75,13 @@ def nutation(
     return Model("top, nutation alone", given, states, nutation_rates, invariants, nutation_exact)
 
 
-def half_tangent_sides(s, p):
+def half_tangent_sides(s: Values, p: Values) -> Triple:
     """tan(theta/2), q, p and q/tan(theta/2), of which the quotient of :func:`nutation` consists."""
     t, q = tan(s.theta / 2), p.momentum_difference
     return t, q, 2 * (p.I * p.omega_z) + q, q / t
 
 
-def nutation_rates(s, p, t):
+def nutation_rates(s: Values, p: Values, t: Scalar) -> Triple:
     """The right-hand side of :func:`nutation`, (10.24)."""
     t, q, whole, rest = half_tangent_sides(s, p)
     slope = (whole * t + rest) * (whole * (1 + t * t) - (q + rest / t)) / (8 * p.I0)

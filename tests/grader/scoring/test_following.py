@@ -188,7 +188,7 @@ def test_the_way_of_the_solution_is_accepted_where_follows_is_another(name, key,
     values = draw(p, b"two ways")
     numbers = numbers_of(p, values)
     wrong = {earlier: [1.3 * x for x in numbers.key[earlier][0]]}
-    found = sequel_of(name, key)({**values, **columns(p, {earlier: (wrong[earlier],)})})
+    found = sequel_of(p, key)({**values, **columns(p, {earlier: (wrong[earlier],)})})
     part = judged(p, values, {**wrong, key: plain(found)})[key]
     assert part.message.startswith(f"not right; it follows from your {earlier}")
 

@@ -7,6 +7,7 @@ import pytest
 
 from exercises.catalogue import problem, problems
 from exercises.catalogue.variants import POINTS, draw, flat
+from grader.assignment.sheet import with_tolerance
 from grader.scoring import ScoreError, numbers, score_receipt
 from grader.scoring.numbers import Numbers, numbers_of
 from grader.scoring.wrong_models import wrong_models
@@ -64,6 +65,11 @@ def test_a_problems_code_runs_once_for_a_whole_class(forget, monkeypatch):
 
 def test_a_problem_without_givens_has_the_same_numbers_for_all():
     assert numbers_of(problem("4/2"), {}) is numbers_of(problem("4/2"), {})
+
+
+def test_the_numbers_of_a_problem_without_givens_have_the_tolerance_of_the_sheet():
+    p = with_tolerance(problem("4/2"), 0.1)
+    assert {a.rtol for a in numbers_of(p, {}).answers} == {0.1}
 
 
 def test_numbers_that_the_sheet_does_not_have_are_named():

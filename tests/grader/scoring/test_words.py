@@ -2,25 +2,13 @@
 
 import pytest
 
-from exercises.catalogue import variants
+from exercises.catalogue import problem
 from grader.reports.diagnoses import diagnosis_shares, handed_in
-from grader.scoring import numbers, score_receipt
+from grader.scoring import score_receipt
 from tests.exercises.kinds.thrown import DOF, SLIPS, ball
 from tests.making import made as made
 
 PLACE = " (see section 4.10)"  # of the problem made here
-
-
-@pytest.fixture(autouse=True)
-def scored_problem(made, monkeypatch):
-    """Scoring finds the problem made here, too."""
-    kept = (numbers._without_givens, numbers._of_book, numbers._traced_key, numbers._traced_wrong)
-    monkeypatch.setattr(numbers, "find_problem", lambda problem_id: variants.problem(problem_id))
-    for of_problems in kept:
-        of_problems.cache_clear()
-    yield
-    for of_problems in kept:
-        of_problems.cache_clear()
 
 
 def scored(p, **answers):
@@ -64,7 +52,7 @@ MISCOUNTS = [
 
 @pytest.mark.parametrize(("name", "given", "says"), MISCOUNTS)
 def test_degrees_of_freedom_counted_wrongly_are_named_in_any_problem(name, given, says):
-    p = variants.problem(name)
+    p = problem(name)
     (key, *_) = (a.key for a in p.answers)
     found = score_receipt(p, {}, {"answers": {key: given}}).parts[0].diagnosis
     assert found is None if says is None else says in found
@@ -72,7 +60,7 @@ def test_degrees_of_freedom_counted_wrongly_are_named_in_any_problem(name, given
 
 def test_a_mistake_in_a_word_is_not_named_where_the_other_parts_show_none_of_it():
     """Taking the result for a dropped stone gives "east", and an x of its own."""
-    p = variants.problem("6/22")
+    p = problem("6/22")
     symbols = p.sympy_symbols()
     dropped = p.wrong(symbols)["dropped_from_the_top"]
     reversed_only = dropped | {"x": -p.solve(symbols)["x"]}
