@@ -5,7 +5,7 @@ from math import inf
 from typing import NamedTuple
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.places import callers_line
+from ..algebra.places import callers_line, raised_by_the_engine
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
@@ -170,6 +170,11 @@ class Trajectory:
                 raise  # the error of an event's function or of progress
             stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)
+        except RuntimeError as error:
+            # what a generator of the engine makes of a StopIteration of an event's function
+            if isinstance(error.__cause__, StopIteration) and raised_by_the_engine(error):
+                raise error.__cause__ from None
+            raise
         t1, ending, x1 = stopped or (stepper.t, (), stepper.x)
         self.segments.append(Segment(system, stepper, t, t1, x1))
         if ending:
