@@ -9,6 +9,7 @@ from inspect import getargvalues, getframeinfo, ismodule
 from opcode import opname
 from traceback import walk_tb
 from types import FrameType, SimpleNamespace
+from typing import Any
 
 from .scalars import LIBRARIES, NewtonEulerError, clipped
 
@@ -30,7 +31,7 @@ def _is_callers(frame):
     package = package_of(frame)
     if package in sys.stdlib_module_names:  # or a file of the caller with such a name, as wave.py
         file = frame.f_globals.get("__file__") or frame.f_code.co_filename
-        return not file.startswith(_PYTHONS_OWN)
+        return not str(file).startswith(_PYTHONS_OWN)
     return package not in _NOT_A_CALLERS
 
 
@@ -69,9 +70,11 @@ def note_place(error: Exception) -> bool:
     """True of an error that arose in a function of the caller; it then has a note of the place."""
     frame, _ = next(callers_places(error), (None, 0))
     function = None if frame else _without_a_frame(error)
-    if "_place" not in vars(error) and (frame or function):
+    if frame is None and function is None:
+        return False
+    if "_place" not in vars(error):
         add_place(error, f"This came up in {_described(frame) if frame else _text(function)}.")
-    return frame is not None or function is not None
+    return True
 
 
 def _described(frame):
@@ -111,17 +114,20 @@ def _without_a_frame(error):
         return None
     line = linecache.getline(code.co_filename, at.lineno, last.tb_frame.f_globals)
     name = line.encode()[at.col_offset :].decode(errors="replace").partition("(")[0]
-    owner, called = None, SimpleNamespace(**last.tb_frame.f_locals)
+    called: Any = SimpleNamespace(**last.tb_frame.f_locals)
     try:
         for part in name.split("."):
             owner, called = called, getattr(called, part)
-    except Exception:  # no local name; or a property that fails
+        bound, kind = getattr(called, "__self__", None), type(called)
+        # what is written in Python, also in a partial, would have a frame: its arguments do not fit
+        written = called, kind.__call__, getattr(called, "func", None)
+        python = any(hasattr(f, "__code__") for f in written)
+    except Exception:  # no local name; or an attribute that fails
         return None
     # the engine's own calls: methods of a value, functions of modules, as math.sqrt, and classes
-    bound = getattr(called, "__self__", None)
-    if bound is owner or ismodule(bound) or isinstance(called, type) or hasattr(called, "__code__"):
-        return None
-    return called if callable(called) else None
+    engines = bound is owner or ismodule(bound) or isinstance(called, type)
+    library = kind.__module__.partition(".")[0] in _NOT_A_CALLERS
+    return None if python or engines or library or not callable(called) else called
 
 
 def at_a_place(error: Exception, kind: type[Exception], place: str, advice: str = "") -> None:

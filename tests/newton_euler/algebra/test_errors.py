@@ -4,6 +4,7 @@ argument causes inside the engine is raised in words.
 
 import operator
 from dataclasses import replace
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -183,11 +184,22 @@ def test_an_error_that_takes_no_note_arrives_as_raised():
         integral(fixed, 0.0, 1.0)
 
 
-@pytest.mark.parametrize("name", CALLS)
+def four(a, b, c, d):
+    return 0.0
+
+
+class Four:
+    __call__ = four
+
+
+WRONG = {"an object": Four(), "a method": Four().__call__, "partial": partial(four, d=1.0)}
+
+
+@pytest.mark.parametrize("name", [*CALLS, *WRONG])
 def test_a_function_with_other_parameters_than_are_passed_is_refused_in_words(name):
-    wrong = lambda a, b, c, d: 0.0
+    call, wrong = CALLS.get(name, CALLS["root"]), WRONG.get(name, four)
     with pytest.raises(ScalarError if name == "compiled" else NewtonEulerError, match="missing"):
-        CALLS[name](wrong)
+        call(wrong)
 
 
 @checked
@@ -212,6 +224,7 @@ def test_an_error_in_the_engine_names_the_function_and_its_arguments():
 ENGINES = {
     "method of an argument": (lambda x: x.index(5.0), r"5.0 is not in list"),
     "NumPy's own code": (lambda x: np.max(x[:0]), r"zero-size array"),
+    "a function of NumPy": (lambda x, f=np.add: f(x[0]), r"add\(\) takes from 2 to 3"),
     "result of a function in C": (lambda x, get={}.get: get(x[0]) + 1.0, r"unsupported operand"),
 }
 
