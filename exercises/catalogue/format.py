@@ -206,7 +206,7 @@ def _check_keys(entry, what, needed, optional):
         close = meant(unknown[0], (*needed, *optional))
         raise CatalogueError(f"{what} has the unknown key {unknown[0]!r}; {keys}{close}")
     for key in needed:
-        _require(key in entry, f"{what} lacks the key {key!r}; {keys}")
+        _require(key in entry, f"{what} needs the key {key!r}; {keys}")
 
 
 def _text(entry, key):

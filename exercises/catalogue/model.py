@@ -269,7 +269,7 @@ class Problem:
         unknown = [n for n in values if n not in units]
         if missing or unknown:
             what = (
-                f"lacks {', '.join(missing)}"
+                f"needs {', '.join(missing)}"
                 if missing
                 else f"has no {', '.join(unknown)}; it has {', '.join(units) or 'no numbers'}"
             )

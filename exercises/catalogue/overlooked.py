@@ -51,8 +51,8 @@ def _in_texts(p: Problem) -> Iterator[str]:
             yield f"section {number} is not in the chapters{known}"
     if not p.figure and callable(getattr(p.code, "draw", None)):
         yield (
-            f"{p.name}.py has draw, but {p.name}.yaml lacks figure:, the text for those who cannot "
-            "see it"
+            f"{p.name}.py has draw, but {p.name}.yaml has no figure:, the text for those who "
+            "cannot see it"
         )
 
 

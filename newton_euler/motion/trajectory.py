@@ -277,7 +277,7 @@ class Trajectory:
         """Raise :class:`StepError` where a motion that sticks takes steps without end."""
         if self._sticks(stepper, len(stepper.step_times) - 1 - STICKING):
             steps = len(stepper.step_times) - 1
-            raise StepError(f"{steps} steps led there, and the next ones turn to and fro")
+            raise StepError(f"{steps} steps led there, and the next ones go back and forth")
 
     def _sticks(self, stepper, first):
         """True if the steps from number ``first`` on are many in little time, at a border to which
