@@ -107,7 +107,7 @@ def reproduced(known, again, apart, rtol, there):
     return tuple(found)
 
 
-def settled(before, after):
+def are_settled(before, after):
     """True if no size has become less than half."""
     return before is not None and all(2 * b >= a for a, b in zip(before, after, strict=True))
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from statistics import median
 
 from ...algebra.late import EngFormatter, Line2D
-from ..measurements.honesty import REFUSED, comparable, cost_text, percent, tallies, times
+from ..measurements.honesty import REFUSED, comparable, cost_text, percent, ratio_text, tallies
 
 # limits of true over asked, and of estimate over true; what lies beyond is drawn at the edge
 PROMISE, ESTIMATE = (1e-6, 1e3), (1e-4, 1e5)
@@ -155,7 +155,7 @@ def _draw_counts(ax, found, relative):
         "runs": [t.runs for t in found],
         "met %": [percent(t.met) for t in found],
         "covers %": [percent(t.covers) for t in found],
-        "est/true": [times(t.ratio) for t in found],
+        "est/true": [ratio_text(t.ratio) for t in found],
         "silent": [t.silent or "" for t in found],
         "cost": [cost_text(t.cost, relative) for t in found],
     }

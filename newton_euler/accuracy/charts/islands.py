@@ -36,7 +36,7 @@ def islands(found):
     return [Island(name, cells) for name in names for cells in parts(found, name)[1:]]
 
 
-def settled(chart, found):
+def without_noise(chart, found):
     """The choices without islands that are noise of the times, and how many cells changed. The
     columns of islands are measured again; small islands that stay go to their neighbours.
     """
@@ -67,7 +67,7 @@ def _give_to_neighbours(found, island):
         found[cell] = most[0][0]
 
 
-def explained(chart, found, most=2):
+def island_sentences(chart, found, most=2):
     """A sentence for each of the first islands, from a closer look at the column of its middle."""
     every = islands(found)
     yield from (_explained(chart, found, island) for island in every[:most])

@@ -74,7 +74,7 @@ class Prediction:
     @property
     def given(self) -> str | None:
         """What was predicted, None if nothing was yet."""
-        return kept.given(self._key)
+        return kept.kept_prediction(self._key)
 
     @property
     def right(self) -> bool | None:

@@ -12,7 +12,7 @@ from ...algebra.language import _
 FILE = "predictions.json"
 
 
-def given(question: str) -> str | None:
+def kept_prediction(question: str) -> str | None:
     """What was predicted, None if nothing was yet."""
     return _read().get(question)
 

@@ -103,7 +103,7 @@ def coupled(k, start, gap, t):
     )
 
 
-def counted(angle, start, now, phase):
+def unwrapped(angle, start, now, phase):
     """The ``angle`` (rad) after the point at its cosine and sine ``start`` has moved to ``now``,
     through as many turns as bring it within pi of ``angle + phase``.
 

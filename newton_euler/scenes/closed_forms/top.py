@@ -7,7 +7,7 @@ others. A top that is pulled up is one that is pulled down, seen from below.
 
 from ...algebra.scalars import cos, integer_like, sin, sqrt, where
 from ...motion.model import comparable
-from .elliptic import counted, coupled
+from .elliptic import coupled, unwrapped
 
 
 def nutation_exact(s, p, t):
@@ -22,7 +22,7 @@ def nutation_exact(s, p, t):
     S1, C1, rate1, phase = _nutation(S, C, where(below, -rate, rate), I0, abs(mgr), *sides, t)
     sine, cosine = exchanged(below, S1, C1)
     phase = where(rate < 0, -phase, phase)
-    return 2 * counted(theta / 2, start, (cosine, sine), phase), where(below, -rate1, rate1)
+    return 2 * unwrapped(theta / 2, start, (cosine, sine), phase), where(below, -rate1, rate1)
 
 
 def _nutation(S, C, rate, I0, mgr, q, whole, t):
