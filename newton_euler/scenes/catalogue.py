@@ -3,9 +3,11 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any, TypeVar
 
-from ..motion.model import ModelError
+from ..motion.model import ModelError, State
 
+F = TypeVar("F", bound=Callable)
 # scenes of the modules imported so far, all in newton_euler.scenes
 SCENES: "dict[str, Scene]" = {}
 LADDERS: "dict[str, Scene]" = {}
@@ -28,7 +30,15 @@ class Scene:
         return self.make()
 
 
-def scene(section, name, description, t=None, start=None, ladder=False, **values):
+def scene(
+    section: str,
+    name: str,
+    description: str,
+    t: float | None = None,
+    start: State | None = None,
+    ladder: bool = False,
+    **values: Any,
+) -> Callable[[F], F]:
     """A decorator that registers the model which a function returns for these ``values``, until
     ``t`` from ``start``; with ``ladder=True`` a ladder, whose function needs no arguments.
     """
