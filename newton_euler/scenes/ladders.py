@@ -6,7 +6,7 @@ error of a rung is its largest distance from the fullest, measured where no boun
 
 import math
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
