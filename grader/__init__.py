@@ -5,7 +5,7 @@ grader``; it holds the keys.
     sandbox         runs student code in a process that reaches no key, no file and no network
     scoring         compares answers with the key: points, and the known mistake behind a wrong one
     assignment      builds the notebook of an assignment, and each student's copy with own numbers
-    practice        writes files to practise from, with numbers that nobody is graded on
+    practice        writes practice files, with numbers that no one is graded on
     paper           writes sheets with own numbers, and their keys, as PDF
     lms             writes banks of questions for learning platforms
     submission      reads a submitted notebook, runs its answers, scores them

@@ -11,7 +11,7 @@ from newton_euler.algebra.language import cached_by_language, language
 
 ROOT = Path(__file__).parents[1]
 CACHE = ROOT / ".site_cache"
-# takes the number of things to do; what it returns is called with the number done, by default 1
+# takes the number of things to do and returns a function that is called with the number done (1)
 Start = Callable[[int], Callable[..., object]]
 
 
@@ -46,7 +46,7 @@ def store(path: Path, data: bytes) -> None:
 
 
 def complete(files: Mapping[Any, Path], make: Callable[[Any], bytes], start: Start) -> None:
-    """Of {key: file} make those that are missing, ``make(key)``, in several processes."""
+    """Make the missing files of {key: file} by ``make(key)``, in several processes."""
     missing = [key for key, path in files.items() if not path.exists()]
     done = start(len(files))
     done(len(files) - len(missing))

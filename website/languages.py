@@ -14,7 +14,7 @@ from .contents import TITLE
 from .notebooks import FOLDER, Chapter
 from .translations import catalogue, sentences
 
-NAMES = {"en": "English", "de": "Deutsch"}  # each language in itself
+NAMES = {"en": "English", "de": "Deutsch"}  # names of the languages, each in its own
 
 
 def settings(

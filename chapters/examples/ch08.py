@@ -45,7 +45,7 @@ def bars_about_principal_axis(
     m: Scalar, length: Scalar, rate: Scalar, acceleration: Scalar
 ) -> Turning:
     """The three rods turning about (2, 1, -1) (8.4, example 2), a :class:`Turning`: a principal
-    axis, with H and M along it, and the moment 5/12 m L^2. Arguments as of :func:`bars_about_x`.
+    axis, with H and M along it, and the moment 5/12 m L^2. Arguments as in :func:`bars_about_x`.
 
     >>> e = bars_about_principal_axis(12.0, 1.0, 2.0, 3.0)
     >>> round(e.H.norm(), 12), round(e.M.norm(), 12), round(e.M.cross(e.H).norm(), 12)
@@ -61,7 +61,7 @@ def bars_about_mass_centre(
 ) -> Turning:
     """The three rods turning about the axis through G parallel to z (8.4, example 3), a
     :class:`Turning`: M = (3 alpha - omega^2, alpha + 3 omega^2, 10 alpha) m L^2/12 about G, with
-    the whole mass 3 m; the book takes that of one rod. Arguments as of :func:`bars_about_x`.
+    the whole mass 3 m; the book takes that of one rod. Arguments as in :func:`bars_about_x`.
 
     >>> print(bars_about_mass_centre(12.0, 1.0, 2.0, 1.0).M)
     [-1, 13, 10] in bars

@@ -46,7 +46,9 @@ class Given:
 
 @dataclass(frozen=True)
 class Symbol:
-    """A quantity without a number; formulas are compared within ``vary``; ``latex`` as of Given."""
+    """A quantity without a number; formulas are compared within ``vary``; ``latex`` as in
+    :class:`Given`.
+    """
 
     name: str
     unit: str

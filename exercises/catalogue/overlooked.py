@@ -198,7 +198,7 @@ def _is_same(one, other):
 
 
 def missing_in_figure(p: Problem) -> list[str]:
-    """Labels that the figure of ``p`` lacks: symbols with ``figure: true``, points of its text."""
+    """Labels missing in the figure of ``p``: symbols with ``figure: true``, points of its text."""
     try:
         labels = _labels(p) if p.figure else []
     except Exception as error:  # the code of a problem may raise anything

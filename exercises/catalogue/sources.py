@@ -34,7 +34,7 @@ def source_of(problem_id: str) -> str:
 
 
 def is_current(problem_id: str, name: str) -> bool | None:
-    """True if the texts in this language are complete and up to date; None if there are none."""
+    """True if the texts in this language are complete and up to date; None without any."""
     path = file_of(problem_id, name)
     if not path.exists():
         return None

@@ -144,7 +144,9 @@ def listed_steps(p: Problem, g: Givens) -> list[Step]:
 
 @cache
 def repeated(p: Problem) -> frozenset[str]:
-    """Steps not asked for in practice: they always equal an answer or, as terms, another step."""
+    """Steps not asked for in practice: those that always equal an answer or, as terms, another
+    step.
+    """
     rng, always = random.Random(f"steps of {p.id}"), None
     for _ in range(SETS):
         numbers = {n: drawn_value(q, rng) for n, q in p.givens.items()} | symbol_values(p, rng)

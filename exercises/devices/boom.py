@@ -11,6 +11,6 @@ def turning_boom(omega, beta):
 
 
 def acceleration_without_cross_product(P, ground):
-    """a_P via the boom, if alpha lacks omega_house x omega_boom."""
+    """a_P via the boom, if alpha is without omega_house x omega_boom."""
     alpha = P.frame.angular_acceleration(ground).without("house x boom")
     return P.acceleration(ground).without("euler") + alpha.cross(P.position(P.frame))

@@ -156,7 +156,7 @@ def _names_in(x):
 
 
 def _turned(x, is_term):
-    """A product or power with its sums as :func:`laid_out` says."""
+    """A product or power with its sums in the form of :func:`laid_out`."""
     number, factors, changed = sympy.Integer(1), [], False
     negative = x.as_coeff_Mul()[0].could_extract_minus_sign()
     for a in sympy.Mul.make_args(x):
@@ -188,7 +188,7 @@ def _without_fractions(x, power):
 
 
 def _is_other_way_round(whole, has_minus):
-    """True if a sum is written with the other signs, and the minus sign before it goes or comes."""
+    """True if a sum reads better with opposite signs and a minus sign before it, or without one."""
     minus = sum(term.could_extract_minus_sign() for term in whole.args)
     return minus == len(whole.args) or (has_minus and 2 * minus >= len(whole.args))
 

@@ -11,7 +11,7 @@ from newton_euler.drawing.page.recorder import sketches_on
 
 ALIKE = 10  # degrees between two axes, as seen, below which they are hard to tell apart
 CROSSED = 3  # points on lines, 3 points of the page apart, that a label may cover
-STRAY = 22  # points of the page by which a label may stand off
+STRAY = 22  # the most points of the page from a label to its place
 
 
 def faults(ax: Any) -> list[str]:

@@ -118,7 +118,7 @@ class _Writer:
         return {*found, *(x for other in found for x in self.after(other))}
 
     def _count(self, s):
-        """A counted answer as a difference of the counts in the steps, or ""."""
+        """A count as the difference of the counts in the steps, or ""."""
         counts = [x.value for x in self.steps if isinstance(x.value, int)]
         for n in range(2, len(counts) + 1):
             if isinstance(s.value, int) and counts[0] - sum(counts[1:n]) == s.value:
@@ -147,7 +147,7 @@ class _Writer:
         return Line(s, rows, with_numbers, above, name, (*chain, value), too_long)
 
     def _is_same(self, formulas, s):
-        """True if the formulas of a result are the result in a form that says no more."""
+        """True if the formulas of a result only repeat it in another form."""
         pairs = [*zip(formulas, map(to_plain, flat(s.value)), strict=False)] if formulas else []
         return any(not is_numeric(x) and x.free_symbols for _, x in pairs) and all(
             f is not None

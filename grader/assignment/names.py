@@ -87,7 +87,7 @@ class Names:
                 waiting += () if self.of(a) is not None else a.args
 
     def of(self, x: Step) -> Any:
-        """The name of a traced number, None if it has none."""
+        """The name of a traced number, or None."""
         candidates = self._candidates(x)
         if x.number in self.fixed:
             return self._component(candidates) or self.fixed[x.number]
@@ -125,7 +125,7 @@ class Names:
 
     def of_body(self, x: Any, factor: Any) -> Any:
         """The component at this place of the vector that has the index of a factor, as d_block_x
-        beside V_block, even if it is a given; None if there is none.
+        beside V_block, even if it is a given; or None.
         """
         whole = self.of(unsigned(factor)[0]) if isinstance(factor, Step) else None
         indices = _indices(getattr(whole, "name", ""))

@@ -56,7 +56,7 @@ def _hash(content: bytes) -> str:
 
 
 def released(course: Course, assignment: str) -> dict[str, Released]:
-    """The notebooks of an assignment by name; raises :class:`CourseError` if there are none."""
+    """The notebooks of an assignment by name; raises :class:`CourseError` if it has none."""
     folder = course.released_path(assignment).parent
     found = {f.stem: _released(f, f.stat().st_mtime_ns) for f in sorted(folder.glob("*.ipynb"))}
     if not found:

@@ -1,5 +1,5 @@
-"""Equal components told apart by their places in a formula: v_x^2 + v_y^2 where v_x is the given v
-too, and omega_z v_x along y where v_y = -v_x.
+"""Equal components, distinguished by their places in a formula: v_x^2 + v_y^2 where v_x is the
+given v too, and omega_z v_x along y where v_y = -v_x.
 """
 
 from collections.abc import Collection, Sequence
@@ -33,7 +33,9 @@ class Roles:
     def add(
         self, key: str, parts: Sequence[Any], symbols: Sequence[Any], formulas: Sequence[Any]
     ) -> None:
-        """Add a vector by its traced components, their names and formulas; others pass."""
+        """Add a vector by its traced components, their names and formulas; ignore other
+        quantities.
+        """
         if len(parts) != 3 or None in formulas:
             return
         self.vectors[key] = symbols

@@ -11,7 +11,7 @@ from ..course import CourseError
 from .cells import Notebook, nbgrader_metadata, own_metadata
 from .options import read_option
 
-LATER = ("tolerance", "help")  # options that sheets of earlier versions lack
+LATER = ("tolerance", "help")  # options unknown to sheets of earlier versions
 
 
 @dataclass(frozen=True)
@@ -54,8 +54,8 @@ class Task:
 
     @property
     def exercise(self) -> Problem:
-        """Today's exercise, with the tolerance of the sheet; raises :class:`CourseError` if there
-        is none.
+        """Today's exercise, with the tolerance of the sheet; raises :class:`CourseError` if it no
+        longer exists.
         """
         try:
             return with_tolerance(find_problem(self.problem), self.tolerance)

@@ -10,7 +10,7 @@ from newton_euler.algebra.late import sympy
 
 LONGEST = 30  # operations of a formula that a reader can follow
 ROUND_OFF = 1e-15  # smaller constants are zero
-HOPELESS = 150  # operations above which simplifying is not worth while
+HOPELESS = 150  # operations above which simplifying is not worth it
 
 
 def readable(formula: Any) -> Any:
@@ -33,7 +33,7 @@ def readable(formula: Any) -> Any:
 
 
 def _doubles_angles(formula, other):
-    """True if a formula has an angle twice, as sin(2 x), that another has not."""
+    """True if a formula has twice an angle, as in sin(2 x), and the other has not."""
     angles = [{y.args[0] for y in x.atoms(sympy.sin, sympy.cos)} for x in (formula, other)]
     return any(x / 2 in angles[1] for x in angles[0] - angles[1])
 
@@ -115,7 +115,7 @@ def two_sides(row: tuple[Any, Any], unknowns: Collection[str] = ()) -> tuple[Any
     terms = sympy.Add.make_args(expanded if shorter else difference)
     shared = set.intersection(*({x for x in t.args if x.is_Pow and x.base.is_Add} for t in terms))
     terms = [_signed(t / sympy.Mul(*shared)) for t in terms]
-    if shared:  # what is left of the sides of a triangle
+    if shared:  # such as the sides of a triangle
         terms = [t / sympy.gcd_list(terms) for t in terms]
     left = sympy.Add(*(x for x in terms if not x.could_extract_minus_sign()))
     right = sympy.Add(*(-x for x in terms if x.could_extract_minus_sign()))
@@ -191,7 +191,7 @@ def is_long(formula: Any) -> bool:
 
 
 def constant(x: Any) -> Any:
-    """A number as one writes it: 1/3 for 0.333..., pi/2 for 1.5707..."""
+    """A number as it is usually written: 1/3 for 0.333..., pi/2 for 1.5707..."""
     x = float(x) if abs(float(x)) > ROUND_OFF else 0.0
     if x.is_integer():
         return sympy.Integer(int(x))

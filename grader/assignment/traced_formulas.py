@@ -128,7 +128,7 @@ class Writer:
         ])  # fmt: skip
 
     def _holds(self, condition):
-        """The case that holds on this sheet."""
+        """The case that applies to this sheet."""
         case = self.cases.get(getattr(condition, "number", None))
         if case is None:
             raise Unwritten
@@ -201,7 +201,7 @@ class Writer:
         return [row for row in rows if row[0] != row[1]]
 
     def _free(self, name):
-        """An unused name for something that is not a quantity of the problem."""
+        """An unused name for a number that is not a quantity of the problem."""
         return name if name not in self.taken else next(x for x in "uwqXYZ" if x not in self.taken)
 
     def _rows(self, equations: Solved) -> Sequence[tuple[Any, Any]]:

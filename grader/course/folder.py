@@ -243,7 +243,7 @@ class Course:
         return ids
 
     def students(self) -> list[dict[str, str]]:
-        """The roster with names, as of :func:`~grader.course.roster.read_roster`."""
+        """The roster with names, as from :func:`~grader.course.roster.read_roster`."""
         asked, named = self.roster(), ("first_name", "last_name")
         with self.gradebook() as book:
             found = {s.id: {n: getattr(s, n) or "" for n in named} for s in book.students}

@@ -1,5 +1,5 @@
 """The owners of the files in an archive, by names that a learning platform or a teacher gave. A
-file is a student's only if every significant word in the name is theirs: "Ada Smith" matches nobody
+file is a student's only if every significant word in the name is theirs: "Ada Smith" matches no one
 if the roster has only an Ada Lovelace, even with the id "ada".
 """
 
@@ -74,7 +74,7 @@ class Person:
 
 
 def _is_silent(word, silent, digits=4):
-    """True for a word that names nobody, or a short number, as of a copy or in a date."""
+    """True for a word that identifies no one, or a short number, as in a date or after a copy."""
     return word in silent or (word.isdigit() and len(word) <= digits)
 
 
@@ -99,7 +99,7 @@ class Candidates:
 
     @property
     def silent(self) -> frozenset[str]:
-        """The words that identify nobody."""
+        """The words that identify no one."""
         return SILENT | self.title
 
     def tells(self, part: str) -> bool:
@@ -131,7 +131,7 @@ class Candidates:
         first, *inner = telling
         found = self.named_in(first) or self.named_in(first, common)
         if not self.tells(first):
-            # a name that is the assignment's identifies nobody, even if it is also an id
+            # the name of the assignment identifies no one, even if it is also an id
             parts = {w for part in (*folders, own) if not self.title.issuperset(w := words(part))}
             found = [s for s, p in self.people.items() if not parts.isdisjoint(p.ids)]
         others = [s for part in inner if found for s in self.named_in(part)]
@@ -158,7 +158,7 @@ def owners(
     """{name of a file: its possible owners}.
 
     A folder of all files holds the work of a class if its name is not a platform's for one student
-    and identifies nobody, and its content belongs to two or more students.
+    and identifies no one, and its content belongs to two or more students.
     """
     candidates = Candidates(people, frozenset(words(assignment)))
     paths = {n: PurePosixPath(_SUFFIX.sub("", n).replace("\\", "/")).parts for n in names}

@@ -45,7 +45,7 @@ def take_in(
     name and no word that may be someone else's, see :mod:`.owners`. Names chosen by students do not
     count: those inside a folder of theirs, or what follows a platform's numbers.
     replace : also replace earlier work. times : use the times in the archive, as UTC, as times of
-    submission; otherwise there are none, and nobody is late.
+    submission; otherwise the times are unknown, and nobody is late.
     """
     course.require_released(assignment)
     with course.gradebook() as book:
@@ -80,7 +80,7 @@ def _listed(archive, start):
 
 
 def _chosen(entries, assignment, people, result):
-    """{student: their notebook}; files that fit nobody, and several that fit one student, are
+    """{student: their notebook}; files that fit no one, and several that fit one student, are
     refused: a file named after another student must not replace that one's work.
     """
     found = {}

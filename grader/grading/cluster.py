@@ -238,7 +238,7 @@ def _graded(spread, roster, students, progress):
 
 
 def _finished(client, futures, patience):
-    """The finished futures, none if there are none for so many seconds; raises
+    """The finished futures, empty after ``seconds`` without any; raises
     :class:`CourseError` if the cluster is gone.
     """
     from distributed import CancelledError, wait

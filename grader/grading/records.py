@@ -66,7 +66,7 @@ def _hash_of_files(changed: tuple[tuple[str, int], ...]) -> str:
 
 
 def _hash_of(*folders, but=None):
-    """A hash of the files in these folders of the checkout, without names that match ``but``."""
+    """A hash of the files in these folders of the checkout, except names that match ``but``."""
     files = [
         f
         for folder in folders

@@ -29,7 +29,7 @@ def _submission_secret(*folders: Path) -> str | None:
 
 
 def _of_exams(rule, exchange):
-    """The course and assignment of a step, which a rule of exams may end with a sentence."""
+    """The course and assignment of a step, which a rule of exams may refuse with a sentence."""
     course, assignment = Course(exchange.coursedir.root), exchange.coursedir.assignment_id
     try:
         rule(course, assignment)

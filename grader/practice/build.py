@@ -183,7 +183,7 @@ def page_of(
 
 
 def _texts(cause):
-    """What a file keeps of a cause: its texts, with its answers in place of what it is of."""
+    """A cause as a file keeps it: its texts, and the answers that it concerns."""
     of = " ".join(cause.answers) or cause.of
     return cause.group, cause.name, cause.text, cause.where, cause.subject, cause.does, of
 

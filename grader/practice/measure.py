@@ -63,7 +63,7 @@ def _measured(name, variants):
 
 
 class _Memory:
-    """A stand-in for a practice file, of one page."""
+    """A practice file of one page, in memory."""
 
     help = "solution"
 

@@ -34,7 +34,7 @@ def _given(s):
 
 
 class _Middle:
-    """A stand-in for a random generator: the middle of a range."""
+    """Takes the place of a random generator: always the middle of a range."""
 
     def randint(self, first, last):
         return (first + last) // 2

@@ -15,7 +15,7 @@ from ..grading.gradebook import in_gradebook
 @dataclass(frozen=True)
 class PartScore:
     """One student's score of one part; ``key`` is "" for a question of the instructor's own.
-    ``waits``: to be graded by hand, without points until then.
+    ``waits``: it is to be graded by hand, and has no points yet.
     """
 
     student: str

@@ -21,7 +21,7 @@ COORDINATES = {"point": slice(1, 4), "vector": slice(0, 3)}
 RATES = {"acceleration": "velocity", "angular_acceleration": "angular_velocity"}
 AXES = ("x", "y", "z", "-x", "-y", "-z")
 
-Place = tuple[ModuleType, int, int]  # a module, a node of it, which of the node's other forms
+Place = tuple[ModuleType, int, int]  # a module, a node in it, and which of the node's other forms
 
 
 def of_setups(
@@ -36,7 +36,7 @@ def of_setups(
             found = p.in_units(_solve(p, *place)(g))
             yield {k: tuple(0.0 if s is ZERO else s for s in flat(found[k])) for k in asked}
         except (NewtonEulerError, ArithmeticError, ValueError, TypeError, LookupError):
-            continue  # nothing is set up so
+            continue  # this is not set up
 
 
 def _modules(p):
@@ -58,7 +58,7 @@ def _places(p: Problem) -> Iterator[Place]:
 
 
 def _nodes(tree):
-    """The nodes of the functions that answers may need."""
+    """The nodes of functions that the answers may need."""
     for part in tree.body:
         if not (isinstance(part, ast.FunctionDef) and part.name in OF_NO_ANSWER):
             yield from ast.walk(part)

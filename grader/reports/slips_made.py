@@ -241,7 +241,7 @@ def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterato
     for kind, choices in edits(f, base).items():
         for edit in rng.sample(choices, min(2, len(choices))):
             yield from _spread(kind, _changed(f, base, right, edit), right, rng)
-    own = random.Random(f"{p.id} {values}")  # the others stay the same
+    own = random.Random(f"{p.id} {values}")  # so that the others stay the same
     for wrong in of_setups(p, values, own, SETUPS):
         yield from _spread("another set-up", {k: wrong[k] for k in right}, right, own)
     yield from _of_other_numbers(p, f, right, rng)
@@ -296,7 +296,7 @@ def _following(f, base, right, rng):
 
 
 def _going_on(f, base, right, rng):
-    """The same, with a further slip in an answer computed from it."""
+    """The same with a further slip in an answer computed from the wrong one."""
     choices = [e for every in edits(f, base).values() for e in every]
     for key, edit in _wrong_numbers(f, right, rng):
         follows, later = _later(f, base, right, key, edit)

@@ -100,7 +100,7 @@ def _causes(asked, judged, numbers):
 
 
 def _gives(causes, asked, numbers, whole):
-    """True if one of these causes gives exactly the numbers of an answer, ``whole`` has all their
+    """True if one of these causes gives exactly the numbers of an answer; ``whole`` has all their
     digits.
     """
     key, kind, exact = numbers.key[asked.key], asked.kind, whole[asked.key].given
@@ -118,8 +118,8 @@ def _gives(causes, asked, numbers, whole):
 
 
 def _again(asked, numbers, whole):
-    """The causes that are found where all digits are written too: slips in going on and two
-    mistakes together, almost none by chance; what is true of any such answer.
+    """The causes that are found with all digits written, too: slips in later steps, and two
+    mistakes together, which almost never fit by chance.
     """
     found, _ = _causes(asked, whole, numbers)
     groups = "sequel", "both", "usual", "powers"

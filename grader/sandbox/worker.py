@@ -1,7 +1,7 @@
 """One process that runs submissions (``cage/``), and the exchange with it.
 
-The process forks the processes of a job, watches them and ends them. It hands on the descriptors of
-jobs, receipts and tests but never reads them, so a submission finds nothing of another in its
+The process forks the processes of a job, watches them and ends them. It passes on the descriptors
+of jobs, receipts and tests but never reads them, so a submission finds nothing of another in its
 memory.
 """
 
@@ -81,7 +81,7 @@ class Worker:
             self.kill()
 
     def kill(self) -> None:
-        """Kill the process; what it started dies with it."""
+        """Kill the process and all that it started."""
         self._control.close()
         self.process.kill()
         self.process.wait()
@@ -178,7 +178,7 @@ class _Files:
         return ours, theirs
 
     def close_theirs(self):
-        """Close the ends that were handed on: a pipe ends when the last copy of its other end is
+        """Close the ends that were passed on: a pipe ends when the last copy of its other end is
         closed.
         """
         for fd in self._theirs:

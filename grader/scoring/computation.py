@@ -23,7 +23,7 @@ from newton_euler.algebra.trace import Step, Trace
 from newton_euler.algebra.units import unit
 from newton_euler.algebra.vectors import Vector
 
-FEW, MORE = 7, 11  # words that say what a given is, and what a step is, which has no other name
+FEW, MORE = 7, 11  # the most words for a given, and for a step, which has no other name
 
 
 def perturbed(problem: Problem, sample: Mapping[str, Any], of_steps: bool = False) -> Perturbed:
@@ -206,7 +206,7 @@ def _with_zeros(parts):
 
 
 def _named(step):
-    """What a step is, in a few words: its name does not occur in the text."""
+    """A step in a few words, since its name does not occur in the text."""
     if brief := _brief(spoken(step.means), MORE):
         owner, _, rest = brief.partition(" ")
         if owner in ("its", "their"):  # refers to the step before

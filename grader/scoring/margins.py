@@ -1,5 +1,5 @@
-"""The error that each number of an answer may have: the rule for right answers in the form that
-pages and platforms can state.
+"""The error that each number of an answer may have: the rule for right answers in a form that pages
+and platforms can state.
 """
 
 from exercises.catalogue.model import Answer

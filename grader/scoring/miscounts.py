@@ -2,8 +2,8 @@
 coordinates, of bodies of another kind, with constraints too many or too few; one of two conditions
 misjudged, as of static and dynamic balance.
 
-One count is met by several mistakes, of which it proves none: beside what may have been done stands
-what every such count has in common.
+Several mistakes give the same count, which proves none of them: a diagnosis names one, and what all
+such counts have in common.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -71,7 +71,7 @@ def misjudged(key: str, options: Sequence[str], right: str) -> list[tuple[Cause,
 
 
 def _otherwise(right: Freedom) -> Iterator[tuple[int, int, str, str]]:
-    """(rank, count, what is done, why it is wrong) of each, simplest first."""
+    """(rank, count, what was done, why it is wrong) of each, simplest first."""
     every, off = right.unknowns, right.rank
     if off:
         yield 1, off, Words("gives the number of constraints"), TAKEN

@@ -85,7 +85,7 @@ class Numbers:
         return self._wrong[key]
 
     def _wrong_words(self, answer):
-        """As :meth:`wrong`, of a word or count: also degrees of freedom counted wrongly."""
+        """As :meth:`wrong`, for a word or count: also degrees of freedom counted wrongly."""
         given = {m: x[answer.key] for m, x in self._wrong_answers.items() if answer.key in x}
         found = [
             (listed(m, self.problem.mistakes[m]), ((_one_word(answer, (x,)),),))
@@ -150,7 +150,7 @@ class Numbers:
         return self._points(key, self._as_written if written else self._as_computed, earlier)
 
     def other_ways(self, key: str) -> Sequence[Way]:
-        """The way that the computation takes, where ``follows`` is written and takes another."""
+        """The way of the computation, where the problem's own ``follows`` takes another."""
         names = computation.computed_from(self.problem).get(key)
         if names is None or key not in earlier_answers(self.problem):
             return ()
@@ -160,7 +160,7 @@ class Numbers:
         try:
             with np.errstate(all="ignore"):
                 return points_of(self.problem.answer(key), way(key, earlier))
-        except (ArithmeticError, ValueError):  # nothing may follow from a student's number
+        except (ArithmeticError, ValueError):  # the student's number may give no value
             return None
 
     def _as_computed(self, key, earlier):
@@ -170,10 +170,10 @@ class Numbers:
     def _as_written(self, key, earlier):
         numbers = [x for name in self.earlier[key] for x in _columns(earlier[name])]
         follow = _traced_following(self.problem, key)
-        if self.problem.answer(key).kind.is_word:  # code that branches, called at every point
+        if self.problem.answer(key).kind.is_word:  # code that branches is called at every point
             rows = np.broadcast_arrays(*self.sample.values(), *numbers)
             at_points = zip(*(np.ravel(x).tolist() for x in rows), strict=True)
-            (word,) = {follow(*point) for point in at_points}  # ValueError of several
+            (word,) = {follow(*point) for point in at_points}  # ValueError if there are several
             return word
         return follow(*self.sample.values(), *numbers)
 

@@ -77,12 +77,12 @@ class Score:
 
     @property
     def out_of(self) -> float:
-        """What the parts are worth together."""
+        """The points of all parts together."""
         return _sum(p.out_of for p in self.parts)
 
     @property
     def without_reasons(self) -> "Score":
-        """The same, in which a student is not shown why an answer is wrong."""
+        """The same score without the reasons why answers are wrong."""
         parts = (
             replace(p, message=_("not right")) if p.verdict == "wrong" else p for p in self.parts
         )
@@ -148,7 +148,7 @@ def _typeset(form, tree, shown, notation):
 
 
 def _part(part, found, numbers, answers, notation):
-    """The score of one answer; ``found`` has what each answer of the problem is."""
+    """The score of one answer; ``found``: the verdict on each answer of the problem."""
     key, out_of = part.answer.key, part.out_of
     own, tree = found[key], answers.get(key)
     value = value_line(part.form, tree, own.verdict)

@@ -1,4 +1,4 @@
-"""What a released sheet asked for, and what each part of it is worth."""
+"""What a released sheet asked for, and the points of each part."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -51,14 +51,16 @@ def _matched(models):
 
 
 def _placed(cause, twin):
-    """The cause with the place of its twin, where this is not named beside it and leaves room."""
+    """The cause with its twin's place in the book, if the twin is not named beside it and there is
+    room.
+    """
     there = cause.at(twin.where)
     has_room = cause.why in (causes.sentence([there]) or "")
     return there if has_room and twin.does != causes.REVERSED else cause
 
 
 def _steps(components):
-    """What identifies traced numbers; () of others."""
+    """A key for traced numbers; () for others."""
     is_traced = any(isinstance(x, Step) for x in components)
     return tuple(getattr(x, "number", x) for x in components) if is_traced else ()
 
@@ -88,7 +90,7 @@ def general_models(
             found += [(key, cause, flat(wrong)) for cause, wrong in models]
     found += _of_sizes(problem, g, right)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AngleWarning)  # degrees for radians are meant
+        warnings.simplefilter("ignore", AngleWarning)  # degrees for radians are intended here
         for cause, changes in _units(problem, g):
             found += [(key, cause, flat(x)) for key, x in compute(g.but(**changes)).items()]
     return found

@@ -24,7 +24,7 @@ from .checked import checked_notes
 from .recognition import OWN, Places, places_by_name, places_of, text_of
 
 EDITABLE = ("answer", "hand", "solution", "plain")  # kinds of cells whose text is the student's
-# kinds whose text is ours, but in which students also work: they add imports, or numbers
+# kinds whose text is ours, but which students also edit: they add imports, or numbers
 ALSO_WORKED_IN = ("setup", "givens", "locked")
 MOST_CELLS = 500  # cells that a student added
 MOST_COPIES = 20  # copies of one cell
@@ -66,7 +66,7 @@ def rebuild(
             if problem and what == "answer":
                 work.notes[own_metadata(cell)["problem"]] = problem
             grade_id = nbgrader_metadata(cell).get("grade_id")
-            # a person decides whether a missing cell is among those that were added
+            # a person decides whether a missing cell is among the added ones
             lost = what == "hand" and not copies and cell["cell_type"] in types_added
             if grade_id and now and is_untouched(cell, now[0]["source"]) and not lost:
                 work.untouched.append(grade_id)

@@ -1,4 +1,4 @@
-"""What grading knows of a student's sheet before it looks at the submission."""
+"""A student's sheet, as known before the submission is read."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ from .recognition import Places, places_by_name
 @dataclass(frozen=True)
 class Sheet:
     """One notebook of a student's assignment, known from the course alone; ``sources`` have the
-    hidden tests that the released notebook lacks.
+    hidden tests, which the released notebook has not.
     """
 
     course: Course

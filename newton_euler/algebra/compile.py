@@ -331,8 +331,9 @@ def _running(constant, rounded):
 def compiled(f: Callable[..., Any], /, **constants: Scalar) -> Compiled:
     """The formula ``f``, traced once into straight-line text, for many fast evaluations. The result
     takes the same arguments (floats, arrays that broadcast, mpf, expressions), by place or by name,
-    and returns what ``f`` returns, a Vector as a triple of components. Arrays go by NumPy in
-    blocks, and by heyoka, if installed, as soon as that saves more time than its compilation takes.
+    and returns what ``f`` returns, a Vector as a triple of components. Arrays are computed by NumPy
+    in blocks, and by heyoka, if installed, as soon as that saves more time than its compilation
+    takes.
 
     f : a function of scalars that does not branch on their values (it chooses by ``where``); it
         returns a scalar, a Vector, or tuples and dicts of them

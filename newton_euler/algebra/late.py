@@ -27,7 +27,7 @@ class _Late:
         if name.startswith("__"):  # as inspect asks of everything
             raise AttributeError(name)
         found = getattr(self._found(), name)
-        setattr(self, name, found)  # the next time it is there
+        setattr(self, name, found)  # found directly the next time
         return found
 
     def __call__(self, *args, **named):

@@ -143,7 +143,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         return Terms(other) | self
 
     def get(self, name: str, default: Any = None) -> Any:
-        """The term, or the ``default`` where there is none of this name."""
+        """The term of this name, or the ``default``."""
         return self[name] if name in self or name in self.shared.values() else default
 
     def named(self) -> Iterator[tuple[str, T]]:
@@ -161,7 +161,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         """Pairs (factor, term): the factor by the distinct name, else by the shared one, else 1."""
         for name in factors:
             if name not in self.shared.values():
-                self[name]  # raises a TermError if there is none
+                self[name]  # raises a TermError for an unknown name
         usual = {new: factors.get(old, 1) for new, old in self.shared.items()}
         return [(real_scalar(factors.get(n, usual.get(n, 1))), term) for n, term in self.items()]
 

@@ -1,5 +1,5 @@
 """What to write in place of an unknown name of a function, an attribute, an argument or a term, and
-in place of a call that does not fit. Python's own messages do not say it.
+in place of a call that does not fit. Python's own messages do not say this.
 """
 
 import sys
@@ -90,7 +90,7 @@ def guide(package: str) -> None:
 
 def unknown(package: str, name: str) -> None:
     """Raise the error for a name that a module does not have: where it lives, or the nearest."""
-    # what is asked before a module of that name is imported needs no rooms, which take a second
+    # names looked up before a module of that name is imported need no rooms, which take a second
     if name.startswith("_") or find_spec(f"{package}.{name}"):
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
     top = import_module(package.partition(".")[0])

@@ -38,7 +38,7 @@ def callers_places(error: BaseException) -> Iterator[tuple[FrameType, int]]:
 
 
 def callers_line(error: BaseException) -> str:
-    """The line of a function of the caller in which an error arose, "" if there is none."""
+    """The line of a function of the caller in which an error arose, or ""."""
     places = list(callers_places(error))
     if not places:
         return ""

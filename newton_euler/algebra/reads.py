@@ -40,7 +40,7 @@ class Reads:
 
     checks : tuples (get, a, b, value) that find it again: get(a, b) is the value
     known : False if some of it can change unseen, as an attribute of an object
-    prints : True if it is known that print is among it
+    prints : True if they are known to call ``print``
 
     >>> g = 9.81
     >>> read = Reads(lambda s, p, t: -g)

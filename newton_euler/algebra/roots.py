@@ -1,4 +1,4 @@
-"""The root of an equation in one unknown between two places, of every kind of number."""
+"""The root of an equation in one unknown, bracketed by two values, of every kind of number."""
 
 from collections.abc import Callable
 
@@ -100,8 +100,8 @@ def _enclosed(f, a, b):
     small, either = epsilon(a + b), where if getattr(fa + fb, "shape", ()) else _either
     c, fc, first = a, fa, abs(fa) + abs(fb)
     for _ in range(STEPS):
-        # a is the last place, c one before on its side; the sign changes between a and b, or f is
-        # zero at one of them
+        # a is the last point, c an earlier one on its side; the sign changes between a and b, or f
+        # is zero at one of them
         wide = abs(b - a) > small * (abs(a) + abs(b)) / 2
         open_ = (_sign(fa) * _sign(fb) < 0) * wide
         if not anywhere(open_):
@@ -120,7 +120,7 @@ def _enclosed(f, a, b):
 
 
 def _between(places, values, small, either):
-    """The next place: by interpolation where the inverse of f looks monotonic, else the middle."""
+    """The next point: by interpolation where the inverse of f looks monotonic, else the middle."""
 
     def over(x, y):
         """x/y, of which nothing is used where y is zero."""

@@ -250,7 +250,7 @@ def _cubics(kind, xs, ys):
 
 
 def _equations(kind, h, m):
-    """The equations of the slopes at the places: the coefficients of the slope before, of this one
+    """The equations for the slopes at the places: the coefficients of the slope before, of this one
     and of the next in each, and the right-hand sides.
 
     h, m : the distances of the places, and the mean slopes between them

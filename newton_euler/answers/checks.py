@@ -27,7 +27,7 @@ LONGEST = 600.0  # s, the longest wait
 FOUND = {
     True: Words("is right"), False: Words("is not right"), None: Words("is not checked yet"),
 }  # fmt: skip
-FILE = Path(".answers_checked.json")  # beside the notebook, so that a restarted kernel goes on
+FILE = Path(".answers_checked.json")  # beside the notebook, so that a restarted kernel continues
 
 _DAMAGED = (
     ArithmeticError, AttributeError, LookupError, OSError, RecursionError, TypeError, ValueError,

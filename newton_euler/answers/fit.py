@@ -50,8 +50,8 @@ class Fit:
 
     @cached_property
     def nearest(self) -> float:
-        """The same; a single number counts as written in three digits at least: as a float, 2.50
-        has lost its zero.
+        """As :meth:`rounding`; a single number counts as written in three digits at least: as a
+        float, 2.50 has lost its zero.
         """
         x, *others = self.given[0]
         asked = 0.5 * 10.0 ** (math.floor(math.log10(abs(x))) + 1 - DIGITS) if x else 0.0

@@ -73,7 +73,7 @@ class Form:
 
 
 def kind_named(name: str) -> Kind:
-    """The kind of this name. Raises :class:`AnswerError` where there is none."""
+    """The kind of this name. Raises :class:`AnswerError` for an unknown one."""
     if name not in KINDS:
         raise AnswerError(
             "no such kind of answer: {name}; there are {kinds}",

@@ -119,7 +119,7 @@ def watching() -> Watch:
 
 
 def _shell():
-    """IPython's shell; None where there is none, or one that does not announce its cells."""
+    """IPython's shell; None outside IPython, or if it does not announce its cells."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython else None
     return shell if hasattr(shell, "events") and hasattr(shell, "user_ns") else None

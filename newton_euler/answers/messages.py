@@ -25,7 +25,7 @@ class AnswerError(SpokenError):
 
 
 class OpenAnswer(AnswerError):
-    """An answer that is not given yet, which nbgrader's Validate is to show."""
+    """An answer not given yet; the error is for nbgrader's Validate to show."""
 
 
 class Stated(Protocol):

@@ -281,8 +281,8 @@ def _numbers_near(rows, fit, kind, ranked, allowed):
 
 
 def _typed(point):
-    """How far rounding may have moved this point, if each component has as many digits as the one
-    that has most: 2.0 beside 3.775 has lost its zeros.
+    """How far rounding may have moved this point, if all components have as many digits as the one
+    with most: 2.0 beside 3.775 has lost its zeros.
     """
     digits = most_digits(point)
     places = (math.floor(math.log10(abs(x))) + 1 - digits for x in point if x)

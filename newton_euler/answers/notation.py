@@ -177,7 +177,7 @@ def _named(match, symbols):
     )
 
 
-_SUM, _PRODUCT, _POWER = 1, 2, 3  # how tightly what is written holds together
+_SUM, _PRODUCT, _POWER = 1, 2, 3  # precedence of what is written
 
 
 def formula(tree: Any, symbols: Mapping[str, str]) -> str:
@@ -200,7 +200,7 @@ def _plain(text):
 
 
 def _written(tree, symbols):
-    """(LaTeX, how tightly it holds together)."""
+    """(LaTeX, its precedence)."""
     if isinstance(tree, str):
         return symbols.get(tree) or symbol(tree) if tree != "pi" else r"\pi", _POWER
     if not isinstance(tree, list):
@@ -239,7 +239,7 @@ def _function(head, argument, symbols, power=""):
 
 
 def _at_least(tight, tree, symbols):
-    """What is written, in parentheses where it holds together less than ``tight``."""
+    """What is written, in parentheses if its precedence is below ``tight``."""
     text, own = _written(tree, symbols)
     return text if own >= tight else rf"\left({text}\right)"
 

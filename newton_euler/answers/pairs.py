@@ -4,7 +4,7 @@ as of factors, or stands under one root.
 
 A number meets some pair by chance. Of formulas in symbols alone a pair must give all digits at all
 points; of numbers, all pairs that are as simple and near count as tried. Two slips in the
-computation are never named: these explain guesses as well.
+computation are never named: they would explain guesses, too.
 """
 
 import math
@@ -36,7 +36,7 @@ def of_two(
     is_contradicted: Callable[[Cause], bool],
 ) -> tuple[Cause, ...]:
     """The two mistakes that give an answer together, as one cause: the simplest two, of numbers
-    only if there are no others as simple; () if there are none whose words have room.
+    only if there are no others as simple; () if no pair can be named in few words.
 
     own : the models of the problem's own mistakes
     slips : finds those that may be made beside one of them
@@ -153,7 +153,7 @@ class _Pairs:
 
     def _of_one_term(self, one, two, changes):
         """The first of two mistakes; of one that leaves out the term of which the other is a half,
-        the one that reverses it; None if there is none.
+        the one that reverses it; or None.
         """
         near = NOISE * abs(changes[one]).max()
         if (abs(changes[one] - 2 * changes[two]) > near).any():
@@ -265,7 +265,7 @@ def _is_any(numbers, places, gap):
 
 
 def _are_powers(x, y):
-    """True of changes of which one is a power of the other: a third power is met by them."""
+    """True of changes of which one is a power of the other: together they give a third power."""
     with np.errstate(all="ignore"):
         power = (np.log(abs(x)) / np.log(abs(y))).ravel()
     whole = 12 * power  # whole for halves, thirds and fourths

@@ -100,7 +100,9 @@ def _width(kind, exponent, rtol):
 
 
 def _cells(x: float, shift: float, near: float, width: float) -> Iterator[int]:
-    """The numbers of the cells in which the right component may lie, so far from ``x``."""
+    """The numbers of the cells in which the right component may lie, at this distance from
+    ``x``.
+    """
     low, high = math.ceil((x - near) / width - shift), math.floor((x + near) / width - shift)
     yield from sorted(range(low, high + 1), key=lambda n: abs((n + shift) * width - x))
 

@@ -37,7 +37,7 @@ def _gather(value, form, found):
         found.append(value)
         return
     for part in inner:
-        if part is value:  # as the only character of a text
+        if part is value:  # such as the only character of a text
             raise form.error("got {value}", value=clipped(value))
         _gather(part, form, found)
 
@@ -56,7 +56,7 @@ def _plain(value, form):
             return getattr(value, method)()
     root, shape = _library(value), getattr(value, "shape", ())
     if root == "sympy" and (shape or getattr(getattr(value, "expr", None), "shape", ())):
-        value = value.doit()  # a product or derivative of matrices that was left as it is
+        value = value.doit()  # an unevaluated product or derivative of matrices
         return value.as_explicit() if hasattr(value, "as_explicit") else value
     if root == "numpy" and shape and not hasattr(value, "mask"):
         # a row of a numpy.matrix would be a matrix again, without end

@@ -88,7 +88,7 @@ class Numbers(Protocol):
         """The wrong models of an answer."""
 
     def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None:
-        """The answer that follows from {earlier answer: points}; None if there is none."""
+        """The answer that follows from {earlier answer: points}, or None."""
 
     def other_ways(self, key: str) -> Sequence[Way]:
         """Further ways from earlier answers to this one."""
@@ -221,7 +221,7 @@ def _slips(asked, found, numbers):
         simplest = min((level for level, *_ in slips), default=0)
         is_made = any(level <= simplest + ABOUT for level, *_ in fitting)
         slips = fitting if is_made else slips
-        # zero, of anything; and a component by itself does not go on
+        # zero is no evidence, and nothing follows from a single component
         if is_made or not goes_on or not any(map(any, fit.given)) or fit.given is not given:
             return slips
         later = sequel().near(asked.key, fit, kind)
@@ -299,8 +299,8 @@ def _followed(asked, given, found, numbers):
 
 
 def _doubled(earlier, wrong, follow):
-    """Half of what follows if the ``wrong`` answers are doubled: the same as without where nothing
-    else counts. None if nothing follows, or words.
+    """Half of what follows if the ``wrong`` answers are doubled: the same as if nothing else
+    counts. None if nothing follows, or words.
     """
     if any(isinstance(earlier[n][0][0], str) for n in wrong):
         return None

@@ -183,7 +183,7 @@ def composite(
     body = Body(name, mass, centre, frame=frame, parts=parts)
     if not removed:
         return body
-    # what rounding leaves of the difference of large moments
+    # round-off of the difference of large moments
     slack = sum(round_off(part.mass, (part.centre, centre), frame) for part in parts)
     slack += 1e-14 * sum(max_abs(x) for p in parts for x in p.inertia.moments if is_numeric(x))
     try:

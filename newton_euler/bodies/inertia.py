@@ -48,7 +48,7 @@ class Inertia(Scaled, NamedTerms):
 
     point : the Point B that it is about, or a Frame: about its origin, along its axes
     moments : (I_xx, I_yy, I_zz); products : (I_xy, I_yz, I_zx), the plain integrals
-    mass, centre : of the body, the centre a Point; only needed to go to another point
+    mass, centre : of the body, the centre a Point; only needed to transfer to another point
     frame : the axes; default: those of the frame in which ``point`` is given
     tolerance : of the check that some body can have this inertia, see :meth:`check`;
         :class:`MassError` otherwise; None: no check
@@ -217,7 +217,7 @@ class Inertia(Scaled, NamedTerms):
         """The same inertia along the axes of ``frame`` at this instant, R I R^T."""
         if frame is self.frame:
             return self
-        # the unit matrix times a moment that occurs twice stays as it is; the rest is turned
+        # a moment that occurs twice, times the unit matrix, stays as it is; the rest is rotated
         xx, yy, zz = self.moments
         common = xx if _equal(xx, yy) or _equal(xx, zz) else yy if _equal(yy, zz) else ZERO
         rows = [list(row) for row in self._rows()]

@@ -312,7 +312,7 @@ def _content(edges):
     return sqrt(dot3(spanned, spanned)) / len(edges)
 
 
-# -- shared by the bodies of the table
+# -- used by all bodies of the table
 
 
 def _mass(shape, matter, content, **lengths):

@@ -157,7 +157,7 @@ def planar_moment(inertia: Inertia, acceleration: Scalar, axis: str = "z") -> Sc
 
 def _check_principal(inertia, axes, law, instead):
     """Raises :class:`MassError` for products of inertia with one of the axes."""
-    # 1e-12 of the moments: what a rotation to principal axes leaves as round-off
+    # 1e-12 of the moments: the round-off of a rotation to principal axes
     small = 1e-12 * max((max_abs(x) for x in inertia.moments if is_numeric(x)), default=0.0)
     left = [
         f"I_{name} = {x}"

@@ -1,4 +1,4 @@
-"""Force systems (8.1, 8.7): forces at points and couples, their resultant, their moment about any
+"""Force systems (8.1, 8.7): forces at points, and couples, their resultant, their moment about any
 point. Systems that agree in force and moment are equivalent (8.20). Forces may hold
 unknowns of :func:`newton_euler.solve_linear`.
 

@@ -31,7 +31,8 @@ def attraction(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scala
 def gravitation(on: Body, by: Body, K: Scalar = K, frame: Frame | None = None) -> Vector:
     """The force on one body by the attraction of another, toward the other (5.20), (5.22).
 
-    on, by : bodies, taken as particles in their centres of mass: exact for radially symmetric ones
+    on, by : bodies, taken as particles in their centres of mass: exact if they are radially
+        symmetric
     frame : in whose components; default: that of the first body
 
     >>> from newton_euler import Frame, particle

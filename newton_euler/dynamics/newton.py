@@ -136,8 +136,8 @@ def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | S
     }
     kind, parts = "acceleration by forces", _per_mass(m, forces)
     total = named_sum(kind, f"of {P.name}", parts, P.local)
-    # the acceleration is linear in the second rates, with the scale factors h: the acceleration
-    # that P lacks, over h, is what its second rates lack
+    # the acceleration is linear in the second rates, with the scale factors h: the difference in
+    # acceleration, over h, is that in the second rates
     missing = (total - P.acceleration(P.ground)).expressed_in(P.local).c
     if any(map(vanishes, P.scale_factors)):
         raise SingularError(

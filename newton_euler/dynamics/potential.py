@@ -1,8 +1,8 @@
 """Potential energy (11.15)-(11.25), (11.34), (11.35): of given forces, and of a force field.
 
-F(x, y, z) = -grad V if its work round every closed path is zero: its curl must be zero, and, which
-the book does not say, the circulation round each hole of the region, as an axis on which F does not
-exist. Units: any consistent ones; in SI J.
+F(x, y, z) = -grad V if its work around every closed path is zero: its curl must be zero, and, which
+the book does not say, the circulation around each hole of the region, such as an axis on which F
+does not exist. Units: any consistent ones; in SI J.
 """
 
 from collections.abc import Callable, Sequence
@@ -231,7 +231,7 @@ def find_potential(
     force : function of x, y, z that returns (F_x, F_y, F_z); symbols in it count as numbers
     base : where V is zero; straight lines from it must stay where the force exists
     box : the region in which the field is used, three pairs (low, high)
-    loops : closed paths, functions of a parameter from 0 to 1, one round each hole of the region
+    loops : closed paths, functions of a parameter from 0 to 1, one around each hole of the region
     tolerance : of the curl, on a grid of 27 places of the box, relative to the derivatives of F;
         and of the work round a loop, relative to the size of F times the length. A spot
         check: a curl that is zero at these places alone passes.

@@ -175,7 +175,7 @@ def frenet(v: Vector, a: Vector, jerk: Vector | None = None, name: str = "path")
     v, a, jerk : Vectors, all seen from one observer; the frame of ``v`` is the parent of the triad
     jerk : da/dt; only needed for the torsion
     Raises :class:`SingularError` at rest, and where v x a is below round-off (a straight path, an
-    inflection), to which terms of ``v`` and ``a`` that cancel add.
+    inflection), which is larger where terms of ``v`` and ``a`` cancel.
 
     >>> ground = Frame("ground")
     >>> P = frenet(ground.vector(0, 5.0, 0), ground.vector(-2.0, 1.5, 0))

@@ -93,7 +93,7 @@ def roundoff_sensitivity(f: Callable, q: Sequence[Scalar]) -> list:
     middle = f(*q)
     totals = [0.0] * len(middle)
     for n, x in enumerate(q):
-        # small and large, on both sides, and odd: round-off that one change hides another shows
+        # small and large changes, of both signs, by odd numbers: what one hides another shows
         for units in (-29, -3, 7, 41):
             others = f(*q[:n], x * (1 + units * epsilon(x)), *q[n + 1 :])
             for k, (c, d) in enumerate(zip(others, middle, strict=True)):

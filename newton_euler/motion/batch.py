@@ -1,8 +1,8 @@
 """Many motions of one model at once: arrays of starts, of parameters, or of both, of one length.
 
 The exact solution, or batches of heyoka, give all of them in one sweep, of which a few are checked
-and vouch for those close to them. Each motion that is then not known to be accurate is integrated
-by itself, as by :class:`~newton_euler.motion.run.Run`.
+and vouch for those close to them. Each motion that is not known to be accurate after this is a
+:class:`~newton_euler.motion.run.Run` of its own.
 """
 
 from dataclasses import dataclass, replace
@@ -163,7 +163,7 @@ class _Many:
 
 def _sweep(many, run, name):
     """The :class:`Sweep` by the method of this name, and the method; one in which nothing is known,
-    and the method or None, where each motion is integrated by itself.
+    and the method or None, if each motion is integrated separately.
     """
     exact, count, system = METHODS["exact"], many.starts.shape[1], run.system
     if not run.step:

@@ -157,7 +157,7 @@ class Crossings:
 
     def _check_digits(self):
         """Raise :class:`StepError` after a step so short that it does not change the last digit of
-        what is compared: such steps would go on without end.
+        what is compared: such steps would never end.
         """
         stepper = self.stepper
         length = stepper.t - stepper.steps[-1][0]

@@ -20,7 +20,7 @@ DRIVEN = 1e-3  # fraction of its rate above which a state is driven by others
 
 
 def driven(trajectory, start, natural, doubted):
-    """The genuine ones among the ``doubted`` states, given by their numbers: their initial values,
+    """The genuine states among the ``doubted`` ones, given by their numbers: their initial values,
     or their rates in the first segment of the trajectory, exceed what the last digits of states and
     parameters contribute.
 

@@ -41,10 +41,10 @@ def integrate(
     start : the states, in their order or by name; arrays of one length are many starts at once, as
         are arrays among the parameters of the model
     rtol : the requested tolerance: the error that each state may have at the end, relative to its
-        largest absolute value during the motion. A state that is nothing but round-off, being
-        zero by cancellation but for the last digits, may be wrong by that. Where round-off makes a
-        larger error in a state that is not zero, as in the speed on a spring far from the origin,
-        the motion is refused: take the distance from there as the state
+        largest absolute value during the motion. A state that is zero by cancellation, and so holds
+        only round-off, may be wrong by this round-off. Where round-off makes a larger error in a
+        state that is not zero, as in the speed on a spring far from the origin, the motion is
+        refused: take the distance from there as the state
     method : one of :data:`~newton_euler.motion.methods.table.METHODS`; "auto" takes the exact
         solution if there is one, else the straight-line DOP853 until compiling with heyoka pays
         off, if it is installed and a series sees all that the rates do; where one method cannot
@@ -57,7 +57,7 @@ def integrate(
     Every result was compared with the requested tolerance; its error is an estimate, not a bound:
     of random models in a hundred families, more than 99 in 100 are within rtol; the others are off
     by a few times rtol, most of them at 1e-3 where the rates jump on the way, or at 0.1 where a
-    long swing is of some thousand last digits of its place. Raises
+    long oscillation spans only some thousand last digits of its coordinate. Raises
     :class:`ModelError` for what cannot be integrated,
     :class:`~newton_euler.motion.solution.MotionError`, with what was ``reached``, if the motion
     comes to a singular place, and its subclasses

@@ -87,7 +87,7 @@ def _edges(busy):
 
 
 def _functions_of_time(traced):
-    """The functions of time alone in the rates, as one formula; None if there are none."""
+    """The functions of time alone in the rates, as one formula; or None."""
     rhs, found = traced.rhs, list(traced.rhs.leaves)
     for step in rhs.trace.steps:
         if traced.depends[step.number] - {"t"}:

@@ -249,7 +249,7 @@ class Model(Portable):
         return found
 
     def _value_of(self, what, f, state, t):
-        """:meth:`_value`; if there is none, the error names ``what``."""
+        """:meth:`_value`; an error names ``what``."""
         try:
             return self._value(f, state, t)
         except (ZeroDivisionError, OverflowError) as error:

@@ -176,7 +176,7 @@ def _inside(path):
         first, last = edges[:-1] + 1, edges[1:] + 1
         close = ends[last - 1] - ends[first] < SHORT * path.lengths.max()
         rows = (~close).cumsum()
-        # many in a row: it slides along a jump, to and fro
+        # many in a row: it slides along a jump, or chatters
         close &= np.bincount(rows[close], minlength=rows.max(initial=0) + 1)[rows] <= MANY
         for a, b in zip(first[close].tolist(), last[close].tolist(), strict=True):
             near.append((float(ends[a + abs(path.rows[j, a:b]).argmax()]), j))
@@ -311,7 +311,7 @@ def _judged(kinds, u, values, off, steps, divided):
     """For each of these arguments: whether it changes fast in its part, whether its polynomial
     cannot tell, and whether it turns back inside.
 
-    u, values : where it turns, as of :func:`_turns`
+    u, values : where it turns, from :func:`_turns`
     divided : True for parts of steps, whose ends no stage of the method has seen: less counts
     """
     change, ratio = CHANGE[divided], RATIO[divided]

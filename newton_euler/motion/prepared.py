@@ -36,8 +36,8 @@ class Traced:
         content
     integrators : those of heyoka
     seconds : time spent on integrating it, which decides whether heyoka's compilation pays off
-    depends, inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what
-        the functions of these names in :mod:`.analytic`, :mod:`.crossings` and
+    depends, inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the
+        functions of the same names in :mod:`.analytic`, :mod:`.crossings` and
         :mod:`.narrow_arguments` find
     """
 

@@ -1,5 +1,5 @@
 """The natural size of a state that happens to be nearly zero. Errors are relative to the size of
-each state, but the rate of nutation of a steady precession is zero, and has an error all the same.
+each state, but the rate of nutation of a steady precession is zero, and still has an error.
 """
 
 import math

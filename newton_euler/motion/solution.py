@@ -36,7 +36,7 @@ class MotionError(ModelError):
 
 class StickingError(MotionError):
     """Raised where the rates on both sides of a place lead back to it, as those of dry friction at
-    rest: write an :class:`~newton_euler.motion.events.Event` there, whose ``then`` goes on with a
+    rest: write an :class:`~newton_euler.motion.events.Event` there, whose ``then`` continues with a
     model of what sticks.
     """
 

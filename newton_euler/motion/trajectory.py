@@ -108,7 +108,7 @@ class Trajectory:
         return tuple([s if s > f else v for s, f, v in rows])
 
     def sizes(self):
-        """Of the first segment three tuples: the largest absolute value of each state, its natural
+        """Three tuples for the first segment: the largest absolute value of each state, its natural
         size, and its natural size with the round-off of the time.
         """
         system, stepper, t0, t1, x1 = self.segments[0]
@@ -122,7 +122,9 @@ class Trajectory:
         return largest, natural, noise
 
     def limits(self, system, t, x):
-        """For a stepper: the least scale and round-off of each state, and the times to stop at."""
+        """What a stepper needs: the least scale and round-off of each state, and the times to stop
+        at.
+        """
         nothing, series = (0.0,) * len(x), self.method.series
         own = KINKED_PART if system.traced.surprises else OWN_PART
         if self.method.closed:
@@ -218,9 +220,9 @@ class Trajectory:
         return None
 
     def _rougher(self, stepper, first):
-        """Go on, from one of the steps from number ``first`` on, where no step was possible since
-        the rates are rougher by round-off than at the start, as those of a stiff floor far from the
-        origin; False where that is not the reason.
+        """Continue from one of the steps, number ``first`` or later, where no step was possible
+        since the rates are rougher by round-off than at the start, as those of a stiff floor far
+        from the origin; False where that is not the reason.
         """
         if not stepper.resumable:
             return False

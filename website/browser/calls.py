@@ -1,4 +1,4 @@
-"""A call from a page: a name and arguments as JSON, its result or its error as JSON."""
+"""A call from a page: a name and arguments as JSON; its result or error, as JSON, too."""
 
 import json
 from importlib import import_module

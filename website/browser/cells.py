@@ -37,7 +37,7 @@ def run(page: str, cells: list[str], number: int) -> dict[str, Any]:
         _run_cell(_open[page], cells, number, shown)
     except Exception as error:
         if late.missing(error):
-            raise  # the page may get it, and run the cell again
+            raise  # the page may fetch the package and run the cell again
         return {"shown": shown.items, "error": _in_words(error, number)}
     return {"shown": shown.items}
 
@@ -68,7 +68,7 @@ def _run_cell(page, cells, number, shown):
 
 @contextmanager
 def _taking(figures, shown):
-    """Figures with sliders are kept and shown."""
+    """In the block, figures with sliders are kept and shown."""
 
     def take(figure):
         figure.rehearse()

@@ -182,7 +182,7 @@ def hint(problem: str) -> dict[str, str]:
 
 
 def solution(problem: str) -> dict[str, str]:
-    """The worked solution in the numbers at hand, in Markdown."""
+    """The worked solution with the present numbers, in Markdown."""
     return _help(_problem(problem), PracticeProblem.solution)
 
 

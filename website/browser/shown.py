@@ -8,7 +8,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-# the first that there is, is shown
+# the first kind that an object has is shown
 KINDS = {
     "text/html": "_repr_html_", "image/svg+xml": "_repr_svg_", "text/latex": "_repr_latex_",
     "text/markdown": "_repr_markdown_", "image/png": "_repr_png_", "text/plain": "__repr__",
@@ -76,12 +76,12 @@ def showing(shown: Shown) -> Iterator[None]:
 
 
 def _display_module():
-    """IPython's, or an empty one."""
+    """IPython's module, or an empty one."""
     try:
         return import_module(DISPLAY)
     except ModuleNotFoundError:
         top: Any = ModuleType("IPython")
-        top.get_ipython = lambda: None  # as where no notebook is
+        top.get_ipython = lambda: None  # as outside a notebook
         sys.modules["IPython"] = top
         return sys.modules.setdefault(DISPLAY, ModuleType(DISPLAY))
 

@@ -84,8 +84,8 @@ def let_go(energy: Callable[[Callable, Number], Number], size: Number = 1) -> Nu
     energy stays constant to leading order.
 
     energy : the conserved energy of the system, as a function of a path q(t) and a time
-    size : any trial value of a; the gain of energy with it and with its double gives a, because the
-    gain is a multiple of a^2 (kinetic) plus one of a
+    size : any trial value of a; the energy gained with it and with its double gives a, since the
+        gain is a multiple of a^2 (kinetic) plus a multiple of a
 
     >>> def dropped(q, t):  # 4 kg in free fall, q downward, g = 10
     ...     return 4 * rate(q, t) ** 2 / 2 - 4 * 10 * q(t)

@@ -96,7 +96,7 @@ class Submission:
         try:
             pid = os.fork()
         except OSError:
-            pid = -1  # the submission has used up its processes; its test is not reached
+            pid = -1  # the submission has used up its processes; its test is not run
         if pid == 0:
             self._answer_test(socket)
         os.close(socket)

@@ -28,7 +28,7 @@ from .memory import TOTAL, Group, MemoryWatch, use_large_pages
 GRACE = 5.0  # seconds beyond its limits after which a job is ended from outside
 TOO_MUCH = f"stopped at {TOTAL / 2**30:g} GB of memory"
 END = b"end\n"  # sent by the grader at the end of each job
-SOME = 10  # jobs after which large pages are worth their copying
+SOME = 10  # jobs after which moving the memory into large pages pays off
 MOST_TESTS = 200  # the most in one notebook; the kernel passes at most 253 descriptors at a time
 
 

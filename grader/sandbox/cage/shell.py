@@ -141,7 +141,7 @@ def _is_quiet(text):
 
 
 def _display(*values, **_):
-    """Replaces IPython's ``display``: nobody looks."""
+    """Replaces IPython's ``display``: there is nowhere to show anything."""
 
 
 class _IPython:

@@ -52,7 +52,7 @@ def edits_of(formulas: Formulas) -> list[Edit]:
 
 
 def _call(formulas):
-    """Name the steps that are answers, and give those that are quantities their words."""
+    """Name the steps that are answers, and describe those that are quantities."""
     for key, answer in formulas.answers.items():
         for x in answer.parts if len(answer.parts) == 1 else ():
             if isinstance(x, Step):
@@ -106,7 +106,7 @@ def _of_step(f, s, users):
         # a given alone in its term, as H in D^2 + H^2, is not a factor
         is_factor = s in f.factors or any(user.op in WITHIN for user in users)
         yield from (x for x in givens.of_given(s, f) if x[1] != givens.ONE or is_factor)
-        if s.args[0] in f.numbers:  # nobody converts the symbols of a formula
+        if s.args[0] in f.numbers:  # symbols of a formula need no conversion
             yield from givens.of_unit(s, f.read[s.args[0]], f.system)
     if s in f.products:
         yield from operations.of_product(s, f.number, f.of)
@@ -211,7 +211,7 @@ def _of_stages(f):
             for what, rank, parts in _instead(stage.parts, len(answer.parts)):
                 instead = [*zip(answer.parts, parts, strict=True)]
                 alike = all(f.alike(a, x) for a, x in instead)
-                # no other quantity meets a vector of formulas by chance
+                # no other quantity agrees with a vector of formulas by chance
                 if not alike and not (answer.points > 1 and len(parts) == 3):
                     continue
                 moved = {a.number: x for a, x in instead if isinstance(a, Step) and a is not x}
@@ -223,7 +223,7 @@ def _of_stages(f):
 
 
 def _instead(parts, length):
-    """(words, rank, expressions) by which a quantity stands for an answer of this length."""
+    """(words, rank, expressions) of a quantity in place of an answer of this length."""
     if len(parts) == length:
         yield "", RARER, parts
     elif length == 1 and len(parts) == 3:

@@ -17,12 +17,12 @@ from .typed import is_nothing, terms_of
 
 RATES = Dimension(0, 0, -1), Dimension(0, 0, -2)
 TWICE, HALF, ONE, FOREIGN = "doubled", "halved", "one", "foreign unit"
-OTHERS = {  # units from which a number is converted that is already in this one
+OTHERS = {  # units from which a number already in this unit is wrongly converted
     "rad/s": ("rev/min", "rev/s"), "rad": ("deg",), "m": ("mm", "cm"), "ft": ("in",),
     "m/s": ("km/h",), "ft/s": ("mi/h",), "s": ("min",), "kg": ("g",),
 }  # fmt: skip
 CONFUSED = {"km": "mi", "mi": "km", "in": "ft", "ft": "in", "mm": "cm", "cm": "mm"}
-OF_TURNS = {"s": "min"}  # what a rate of turning is divided by
+OF_TURNS = {"s": "min"}  # the unit by which a rotation rate is divided
 
 MANY = 9  # lengths: of more, not even whole ones are added
 SEVERAL = 6  # lengths, or pairs of rates: of more, no sums are tried
@@ -108,7 +108,7 @@ def _of_another_given(s, others, read, is_it):
     for other, step in others.items():
         if read[other].dimension != own.dimension:
             if not _are_confused(read[other].dimension, own.dimension):
-                continue  # few would, and many would be met by chance
+                continue  # an unlikely slip, and many of these agree by chance
             words = Words(OF_GIVEN, other=other, name=name, why=NO_FIT)
             yield LEAST, f"given {other}", words, step
         elif other != name:

@@ -50,7 +50,7 @@ def of_integrals(f: Facts) -> Iterator[Edit]:
         inside = _of_integrand(inner, outer) if few and len(key) == 1 else ()
         for k, (words, other, is_twin) in enumerate(inside):
             ways = [_between(other, start, end, outer)]
-            if is_twin:  # zero over halves that are alike for the other
+            if is_twin:  # the other one gives zero over equal halves
                 ways.append(_doubled(other, start, end, outer))
             for m, way in enumerate(ways):
                 instead = {s.number: way(n) for s, n in items}
@@ -84,7 +84,7 @@ def _of_integral(inner, start, end, outer):
         return ("inside", inner, n, x, *outer)
 
     def slope(x, n):
-        """From two central differences, exact of powers up to the fourth."""
+        """From two central differences, exact for powers up to the fourth."""
         one, two = (
             ("/", ("-", at(("*", x, 1 + h), n), at(("*", x, 1 - h), n)), ("*", 2 * h, x))
             for h in (STEP, 2 * STEP)
@@ -151,8 +151,8 @@ def _of_operation(s):
 
 
 def _in_words(inner, outer):
-    """A function that says what a step of a formula is, by the names of what is passed to it; ""
-    where these say nothing: the variable as a term may have another name in a student's work.
+    """A function that describes a step of a formula by the names of the formula's arguments; "" if
+    they have none: the variable as a term may have another name in a student's work.
     """
     passed = zip(inner.parameters, (None, *outer), strict=True)
     called = {p: x.args[0] for p, x in passed if isinstance(x, Step) and x.op == "argument"}

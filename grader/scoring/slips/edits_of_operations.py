@@ -45,7 +45,7 @@ SCALED = (
     (0.5, "halves", Words("halves {term}: it counts in full")),
 )
 RODS = {Fraction(1, 3), Fraction(1, 12)}  # l^2/12 may stand in a sum, without its mass
-CONE = Fraction(3, 10)  # others are taken for it, but it is not taken for them
+CONE = Fraction(3, 10)  # a wrong number for it is a slip; it is not one for another number
 
 
 def of_operation(s: Step, number: Callable[[Step], Any]) -> Iterator[Slip]:
@@ -266,7 +266,7 @@ def _of_root(s):
 
 
 def _side(x):
-    """The expression of which x is the square; None of another one."""
+    """The expression of which x is the square, or None."""
     product = Product(x)
     if not (product.powers and product.is_exact and product.coefficient > 0):
         return None
@@ -294,7 +294,7 @@ def _of_components(sides, sums):
 
 
 def _number_in(x):
-    """The root of the number in a square, as 3 of 9*c^2; None of another one."""
+    """The root of the number in a square, such as 3 for 9*c^2, or None."""
     product = Product(x)
     root = product.coefficient**0.5
     squared = all(p % 2 == 0 for p in product.powers.values())
@@ -324,7 +324,7 @@ def _of_function(s):
 
 
 def _supplement_of(x):
-    """beta of the step pi - beta; None of another one."""
+    """beta if the step is pi - beta, or None."""
     is_less = isinstance(x, Step) and x.op == "-" and isinstance(x.args[1], Step)
     return x.args[1] if is_less and getattr(x.args[0], "op", "") == "pi" else None
 

@@ -88,7 +88,7 @@ def of_quantities(f: Facts) -> Iterator[Edit]:
         kinds = {f.of(x) for x in own.values()}
         for factor, does, text in TIMES:
             if factor < 0 and kinds <= {MASS, INERTIA}:
-                continue  # has no direction
+                continue  # a scalar without direction
             rank = LESS if factor or words in f.answers else RARER
             why, instead = Words(text, quantity=words), _times_factor(own, factor)
             yield edit(rank, f"{factor} times {[*own]}", why, instead, does, words)
@@ -103,7 +103,7 @@ def of_quantities(f: Facts) -> Iterator[Edit]:
             if len(instead) != len(parts) or not all(_are_alike(x, y, f.of) for x, y in pairs):
                 continue
             if {s.number for s in needed(y for y, _ in instead)} & own.keys():
-                continue  # computed from what it would stand for
+                continue  # it is computed from the other one
             why = Words("takes {other} for {own}: each has its own place", other=other, own=words)
             signed = {x.number: y if s == t else ("neg", y) for (x, s), (y, t) in pairs}
             yield edit(LESS, f"{other} for {[*own]}", why, signed)
@@ -223,7 +223,7 @@ def of_sums_squared(f: Facts) -> Iterator[Edit]:
 
 
 def _sum_in_words(x):
-    """A sum in words; "" for another expression, and for a sum that nobody writes."""
+    """A sum in words; "" for another expression, and for a sum that a student would not write."""
     return described(x) if len(terms_of(x)) > 1 and not repeats(x) else ""
 
 

@@ -19,8 +19,8 @@ from .formulas import PRODUCT, Edit, edit, needed, steps_in, users_of
 from .typed import Product, described
 
 STEPS, ROUND_OFF, NEXT = 100, 1e-12, 1e-9
-PLACES = 40  # at which the sign of an equation is looked at, where it may have another root
-REACH = 2  # how far these go, in lengths of the interval that has the root
+PLACES = 40  # points at which the sign of an equation is tested for another root
+REACH = 2  # range of these points, in lengths of the interval around the root
 IN_EQUATION = Words("in the equation for {unknown} {cause}")
 SMALL = Words("takes the angle {unknown} as small in its equation: it is not")
 OTHERS = {
@@ -76,7 +76,7 @@ class _Equation:
         self.products = {s for s in products if [u.op in PRODUCT for u in users[s]] != [True]}
 
     def _copied(self, x):
-        """What is passed to the equation, in its trace; with its words."""
+        """The arguments of the equation, as steps of its trace, with their words."""
         for s in needed([x]):
             args = (self._places[a.number] if isinstance(a, Step) else a for a in s.args)
             own = self._places[s.number] = self._trace.new(s.op, *args)
@@ -87,8 +87,8 @@ class _Equation:
         return self._places[x.number] if isinstance(x, Step) else x
 
     def of_product(self, s: Step) -> Iterator[Slip]:
-        """The slips in a product, in its number and the factors that depend on the unknown: the
-        others are edited where they are computed.
+        """The slips in a product: in its number and in the factors that depend on the unknown;
+        other factors are edited where they are computed.
         """
         for factor, power in Product(s).powers.items():
             if factor in self.solved and described(factor):
@@ -141,7 +141,7 @@ def _of_root(equation):
 
 
 def rooted(formula: Compiled, low: float, high: float, *outer: float) -> float:
-    """The root between these places, or else the one nearest to them; nan if there is none."""
+    """The root between these places, or else the one nearest to them; or nan."""
     f = _on_floats(formula, outer)
     a, b = _end(f, low, high), _end(f, high, low)
     if f(a) * f(b) <= 0:
@@ -152,19 +152,19 @@ def rooted(formula: Compiled, low: float, high: float, *outer: float) -> float:
 
 
 def beside(side: float, formula: Compiled, low: float, high: float, *outer: float) -> float:
-    """The next root on this side of the one between these places; nan if there is none."""
+    """The next root on this side of the one between these places; or nan."""
     f = _on_floats(formula, outer)
     own = _root(f, low, high) if f(low) * f(high) <= 0 else math.nan
     return _next(f, own, side * (high - low))
 
 
 def _end(f, x, other):
-    """An end of an interval, or a place beside it where the function has no value there."""
+    """An end of an interval, or a point beside it if the function has no value there."""
     return x + NEXT * (other - x) if math.isnan(f(x)) else x
 
 
 def _next(f, start, way):
-    """The next root from a place on, within :data:`REACH`; nan if there is none."""
+    """The next root from a place on, within :data:`REACH`; or nan."""
     places = [start + REACH * way * (n / PLACES) ** 2 for n in range(1, PLACES + 1)]
     a, fa = places[0], f(places[0])
     for b in places[1:]:

@@ -101,7 +101,7 @@ def of_setups(
         right = compute({})
     seen, known = {_same(right)}, _within(right)
     curved = _curved(right)
-    # one component of a turn about another axis is met by other mistakes
+    # a single component of a turn about another axis fits other mistakes, too
     in_space = [key for key, x in right.items() if len(x) == 3 and sum(map(is_there, x)) > 1]
     for kind, name, rank, words, find in (
         *_otherwise(compute, built, in_space),
@@ -164,7 +164,7 @@ def _linear(compute, name, step):
 
 
 def _curved(answers):
-    """The steps in which the answers are not polynomials."""
+    """The steps in which the answers are not polynomial."""
     inside = []
     for s in needed(x for parts in answers.values() for x in parts):
         inside += s.args[1:] if s.op == "/" else () if s.op in SIMPLE else s.args
@@ -172,7 +172,7 @@ def _curved(answers):
 
 
 def _within(answers):
-    """The integrals and roots in answers: other ones may have no value."""
+    """The integrals and roots in the answers: others may have no value."""
     leaves = [x for parts in answers.values() for x in parts]
     return {s.number for s in needed(leaves) if s.op in WITHIN}
 
@@ -252,7 +252,7 @@ def _of_axis(parts, of):
     own = axis.removeprefix("-") if isinstance(axis, str) else ""
     for other in "xyz" if own and what else "":
         for sign in ("", "-") if other != own else ():
-            # rarer than one given for another, whose answers it may have
+            # rarer than taking one given for another, which may give the same answers
             yield LEAST + 2, Words(ABOUT, what=what), (sign + other, angle)
 
 

@@ -1,4 +1,4 @@
-"""What the edits of a computation ask about it."""
+"""Facts about a computation that its edits need."""
 
 from collections.abc import Sequence
 from functools import cached_property
@@ -18,16 +18,16 @@ G, G_OF_FEET = 9.81, 32.2  # values of g, where the text gives none
 
 
 class Facts:
-    """What the edits of a computation ask about it.
+    """Facts about a computation that its edits need.
 
     steps : those that the answers need
     given : the givens among them; ``anything``: all givens, also those that no answer needs;
-        ``numbers``: those that are no symbols
+        ``numbers``: those that are not symbols
     read : {given: its unit}
     dimensions : {step: its dimension, or None}; ``of`` returns that of a step
     own : the system of units in which a student computes
     users : {step: those that use it}
-    written, unwritten : the steps that a student writes down, and that nobody does
+    written, unwritten : the steps that a student writes down, and the others
     products : the products with all their factors, each once
     """
 
@@ -61,11 +61,11 @@ class Facts:
         }  # fmt: skip
 
     def is_known(self, x: Any) -> bool:
-        """True of a step whose dimension is known."""
+        """True for a step whose dimension is known."""
         return isinstance(x, Step) and self.of(x) is not None
 
     def alike(self, a: Any, x: Any) -> bool:
-        """True of an expression of the dimension of a component, or of two equal constants."""
+        """True for an expression with the dimension of a component, or for two equal constants."""
         if not isinstance(a, Step):
             return not isinstance(x, Step) and x == a
         while isinstance(x, tuple):
@@ -73,8 +73,8 @@ class Facts:
         return self.of(a) is not None and self.of(x) == self.of(a)
 
     def number(self, s: Step) -> Any:
-        """The number by which a student multiplies for a step: where the text has feet and pounds,
-        or lengths in one other unit, not that in the ``system`` in which the steps are computed.
+        """The number that a student writes for a step: if the text has feet and pounds, or all
+        lengths in one other unit, not the number in the ``system`` in which the steps are computed.
         """
         dimension = self.of(s)
         if dimension is None:
@@ -83,7 +83,7 @@ class Facts:
         return s if times == 1 else ("*", s, float(times))
 
     def _is_squared_alone(self, users):
-        """True of a step whose only use is its square, as a term, or in a root."""
+        """True for a step that is used only as a square, in a sum or under a root."""
         (square,) = users
         return square.args[0] is square.args[1] and not _is_factor(self.users[square])
 
@@ -127,7 +127,7 @@ def to_float(x: Any) -> Any:
 
 
 def _of_elimination(systems):
-    """The steps between equations and their unknowns, which nobody writes down."""
+    """The steps between equations and their unknowns, which a student does not write down."""
     found = set[Step]()
     for system in systems:
         known = {s.number for s in needed(entries(system))}
@@ -148,7 +148,9 @@ def _students(units):
 
 
 def _unwritten(users_in):
-    """The sums that repeat a given, and the steps used in them alone: nobody writes them."""
+    """The sums that repeat a given, and the steps used only in them: a student does not write
+    them.
+    """
     found = {s for s in users_in if repeats(s)}
     for s, users in reversed(users_in.items()):
         if s.op in (*PRODUCT, "+", "-") and users and found.issuperset(users):
@@ -157,7 +159,9 @@ def _unwritten(users_in):
 
 
 def _varying(steps):
-    """The steps that depend on a given: nobody writes the others down, as cos(pi/2)."""
+    """The steps that depend on a given: a student does not write down the others, such as
+    cos(pi/2).
+    """
     found = set[Step]()
     for s in steps:
         if s.op == "argument" or any(a in found for a in steps_in(s)):
@@ -166,5 +170,5 @@ def _varying(steps):
 
 
 def _is_factor(users):
-    """True of a step whose only use is in a product."""
+    """True for a step that is used only in a product."""
     return len(users) == 1 and users[0].op in PRODUCT

@@ -75,7 +75,7 @@ class Computation:
         for row in found:
             row[moved] = np.nan
         run = self.names[op]
-        # a root evaluates a formula at one array of places many times
+        # a root evaluates a formula at the same array of points many times
         inner = args[0].on(np) if op == "root" else args[0]
 
         def at():
@@ -93,7 +93,7 @@ class Computation:
 
 
 def _has_value(op, formula, low, high, *outer):
-    """True where an integrand has values, or a function opposite signs at both ends."""
+    """True if an integrand has values, or a function has opposite signs at both ends."""
     if op == "root":
         return formula(low, *outer)[0] * formula(high, *outer)[0] <= 0
     return np.isfinite(sum(formula((low + high) / 2, *outer)))
@@ -192,7 +192,7 @@ def _inside(formula, n, *args):
 
 
 def _between(formula, low, high, *outer):
-    """The integrals; nan where there are none."""
+    """The integrals; nan where they do not exist."""
     try:
         return integrals(lambda x: formula(x, *outer), low, high)
     except (ArithmeticError, ValueError):

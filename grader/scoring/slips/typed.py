@@ -94,7 +94,7 @@ def described(x: Any, noun: str = "") -> str:
     whole, parts = NOUNS[noun]
     meant = x.trace.meant.get(x.number) if isinstance(x, Step) else ""
     written = typed(x)
-    if written and not (meant and "(" in written):  # a name is plainer than a sum inside
+    if written and not (meant and "(" in written):  # a name reads better than a sum inside
         return Words(whole, formula=written)
     if meant:
         return Words(" of {product}", product=meant) if noun == "of the product" else meant
@@ -131,7 +131,7 @@ def settled(x: Any) -> Any:
 
 
 def is_nothing(x: Any) -> bool:
-    """True of an expression that is zero for every student, as c - c."""
+    """True for an expression that is zero for every student, such as c - c."""
     if not isinstance(x, Step):
         return x == 0
     if x.op == "*":
@@ -162,8 +162,8 @@ def _under_root(x):
 
 
 def repeats(x: Any) -> bool:
-    """True of a sum of givens in which one stands twice, as in 2*a - a and R - (R + d): nobody
-    writes it so.
+    """True for a sum of givens that contains one twice, such as 2*a - a or R - (R + d): a student
+    would simplify it.
     """
     return 0 < len(_collected(x)) < len(terms_of(x))
 

@@ -6,8 +6,8 @@ from typing import Any
 from ...algebra.errors import ArgumentError, checked
 from ..measurements.measure import Cost, Measured, fronts
 
-# colours that colour-blind readers tell apart (Okabe and Ito, without their yellow), and shapes for
-# those who see no colours
+# colours that colour-blind readers can distinguish (Okabe and Ito, without their yellow), and
+# shapes for those who see no colours
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 MARKERS = ("o", "s", "^", "D", "P", "X", "*", "h", "p")
 GREY, INK = "#999999", "#333333"

@@ -70,7 +70,9 @@ def points_table(
 
 
 def ways_caption(points: Sequence[Measured]) -> str:
-    """The cheapest and the most accurate of several ways to one result: what each repeat says."""
+    """The cheapest and the most accurate of several ways to one result: as far as all repeats
+    agree.
+    """
     return agreed(map(_of_ways, repeated(points)))
 
 

@@ -35,8 +35,8 @@ REFUSED, FAILED = "refused", "failed"
 
 @dataclass(frozen=True)
 class Answer(Measured):
-    """What a method answered on one ``problem`` to one error ``asked`` for; ``cost`` is that of the
-    run and of its estimate.
+    """The result of a method on one ``problem`` for one error ``asked`` for; ``cost`` is that of
+    the run and of its estimate.
 
     estimate : of the error, by the method itself; None if it has none
     absent : "" for an answer; "refused" in ``words`` of the engine, "failed" without them or

@@ -14,7 +14,7 @@ GAPS = 1, 3, 7, 21, 60
 
 @dataclass(frozen=True)
 class Advice:
-    """The problem to do next, "" if there is none, and why, as a sentence."""
+    """The problem to do next, or "", and why, as a sentence."""
 
     problem: str
     sentence: str

@@ -51,8 +51,8 @@ WRITTEN = Words("in a checkout, `python -m grader sets` writes it; a wheel has i
 def try_problem(problem: str, folder: str | Path = ".") -> Any:
     """The problem from the first practice file in ``folder`` that has it, or else from those that
     come with the engine: in a notebook with ipywidgets as a form, otherwise as itself, which shows
-    its text. Where there is none: how to get one. Raises :class:`PracticeFileError` for a practice
-    file that cannot be read.
+    its text. If no file has it, a message says how to get one. Raises :class:`PracticeFileError`
+    for a practice file that cannot be read.
     """
     same_chapter: list[str] = []
     for path in (*sorted(Path(folder).glob("*.practice")), *public()):

@@ -35,7 +35,7 @@ class PracticeFileError(SpokenError):
 class PracticeFile:
     """The problems of a practice file, each read when it is asked for.
 
-    called : how errors call it; by default by its path
+    called : its name in errors; default: its path
     """
 
     def __init__(self, path: str | Path, called: str = ""):

@@ -1,4 +1,4 @@
-"""The right numbers and wrong models of one set of numbers, out of a practice file."""
+"""The right numbers and wrong models of one set of numbers, from a practice file."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -34,7 +34,7 @@ class Quantity:
 
     @classmethod
     def read(cls, data: Mapping[str, Any]) -> "Quantity":
-        """A quantity out of a practice file."""
+        """A quantity from a practice file."""
         return cls(**{**data, "kind": kind_named(data["kind"]), "of": tuple(data["of"])})
 
     @property
@@ -66,7 +66,7 @@ class KeptNumbers:
         self.where, self._own = words(where), own
         self.tried: Collection[str] = ()
         self.slips = KeptSlips(slips, variant.get("slips", ()))
-        self.symbols: dict[str, Any] = {}  # all is numbers in practice
+        self.symbols: dict[str, Any] = {}  # practice is numeric
 
     @cached_property
     def key(self) -> dict[str, Points]:
@@ -102,7 +102,7 @@ class KeptNumbers:
 
     @property
     def earlier(self) -> dict[str, list[str]]:
-        """{quantity: those through which it is computed and that were tried}."""
+        """{quantity: the earlier ones from which it is computed and that were tried}."""
         return {q.key: sorted(self._tried_before(q.key)) for q in self.answers}
 
     def _tried_before(self, key):

@@ -151,14 +151,14 @@ class PracticeProblem(Guided):
 
     @property
     def figure(self) -> bytes | None:
-        """The figure as PNG or SVG, None where there is none."""
+        """The figure as PNG or SVG, or None."""
         name = self._variant.get("figure")
         return self._file.read(name) if name else None
 
     @property
     def picture(self) -> tuple[str, str]:
-        """The figure as an address for <img>, in which nothing of it runs, and its words; "" where
-        there is none.
+        """The figure as an address for <img>, in which nothing of it runs, and its words; ""
+        without a figure.
         """
         kind = "svg+xml" if self._variant.get("figure", "").endswith(".svg") else "png"
         data = b64encode(self.figure or b"").decode()
@@ -380,7 +380,7 @@ class PracticeProblem(Guided):
         return f"${q.latex and q.latex + ' = '}{stated}{unit_symbol(q.unit)}$"
 
     def solution(self) -> Message:
-        """The solution in the numbers at hand: all steps, the terms of sums, the answers."""
+        """The solution with the present numbers: all steps, the terms of sums, the answers."""
         if self.help != HELP[2]:
             return _plain(_("this practice file has no solutions"))
         for q in self._asked.values():

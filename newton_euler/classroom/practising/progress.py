@@ -67,7 +67,7 @@ class Progress:
         return {name: kept.get(name, 0) for name in NOTHING}
 
     def entries(self, problem: str) -> dict[str, dict[str, dict[str, Any]]]:
-        """What is kept of a problem: {set of numbers: {quantity: entry}}."""
+        """The record of a problem: {set of numbers: {quantity: entry}}."""
         return {
             variant: {key: {**NOTHING, **e} for key, e in entries.items()}
             for variant, entries in self._kept.get(problem, {}).items()
@@ -76,8 +76,8 @@ class Progress:
     def tried(
         self, problem: str, variant: int, key: str, right: bool, cause: Cause | None = None
     ) -> None:
-        """Keep one more try, with the ``cause`` of a wrong one; none is counted after the right
-        one.
+        """Record one more try, with the ``cause`` of a wrong one; tries after the right one do not
+        count.
         """
         entry = self.entry(problem, variant, key)
         if not entry["right"]:
@@ -87,7 +87,7 @@ class Progress:
             self._keep(problem, variant, key, {**entry, **why})
 
     def helped(self, problem: str, variant: int, key: str, level: int) -> None:
-        """Keep how much was shown of a quantity that is not right yet."""
+        """Record how much was shown of a quantity that is not right yet."""
         entry = self.entry(problem, variant, key)
         if not entry["right"] and level > entry["help"]:
             self._keep(problem, variant, key, {**entry, "help": level})
@@ -127,7 +127,7 @@ def at_first_go(entry: dict[str, Any]) -> bool:
 
 
 def _problems(text):
-    """What the text of a file says; raises ValueError where it does not fit."""
+    """The progress in the text of a file; raises ValueError for any other text."""
     try:
         found = json.loads(text)
         if found["format"] != FORMAT:

@@ -1,4 +1,4 @@
-"""How a hint tells its reader to go on: by calls, or by the buttons of the form."""
+"""What a hint says to do next: calls, or the buttons of the form."""
 
 from dataclasses import dataclass
 

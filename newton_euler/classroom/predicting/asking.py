@@ -148,7 +148,7 @@ class Again:
 
     @property
     def predictions(self) -> list[Prediction]:
-        """Those that are asked, without what was predicted before."""
+        """The questions to ask, without the earlier predictions."""
         chosen = self._named or [p for p in _asked.values() if p.right is False]
         return [Prediction(p.question, again=True) for p in chosen]
 

@@ -1,5 +1,5 @@
 """The first prediction of each question, in a file beside the notebook: a kernel cannot write into
-the notebook that runs in it, and pictures of widgets are lost when it is closed.
+its own notebook, and the state of widgets is lost when that is closed.
 """
 
 import contextlib

@@ -42,7 +42,7 @@ class Question:
 
     @property
     def key(self) -> str:
-        """What tells it from other questions, also from those of the same words."""
+        """What distinguishes it from other questions, even of the same words."""
         return "\n- ".join((self.text, *(self.choices or ()), *[self.unit] * bool(self.unit)))
 
     @property

@@ -71,12 +71,12 @@ class MovingFigure:
     def picture(self, values: Mapping[str, float]) -> tuple[bytes, str]:
         """The picture for these values, and what it shows, in words."""
         words = alt_text(_for_values(self.alt, values))
-        if not callable(self.alt):  # then what moves it is all that changes
+        if not callable(self.alt):  # then only the values change
             words += f" ({', '.join(s.shown(values[s.name]) for s in self.sliders)})"
         return self.stage.picture(values, _for_values(self.title, values), words), words
 
 
-# who shows figures in place of a notebook, as a page does that has sliders of its own
+# what shows figures in place of a notebook, such as a page with sliders of its own
 taker: Callable[[MovingFigure], object] | None = None
 
 

@@ -23,7 +23,7 @@ def route(
     stops: Sequence[Pulley | Triple], turns: Sequence[int] | None = None
 ) -> tuple[list[tuple[Triple, Triple]], list[list[Triple]]]:
     """The spans, a pair of places for each two neighbouring stops, and the arcs, a list of places
-    for each stop (empty unless it is a pulley); stops and turns as of :meth:`.Machines.cable`.
+    for each stop (empty unless it is a pulley); stops and turns as in :meth:`.Machines.cable`.
     """
     turned = [n for n, stop in enumerate(stops) if isinstance(stop, Pulley)]
     closed = len(stops) > 2 and stops[0] is stops[-1] and 0 in turned

@@ -24,7 +24,7 @@ def extrude(
         return
     loops = [outline, *holes]
     for loop, sense in zip(loops, (1, *[-1] * len(holes)), strict=True):
-        # with the material on the left as one goes round, seen against ``along``
+        # outlines with the material on their left, seen against ``along``
         if dot3(normal_of(loop), along) * sense < 0:
             loop = loop[::-1]
         for wall in _seen_walls(canvas, loop, along):

@@ -55,7 +55,7 @@ class Solids(Recorder):
     ) -> None:
         """Draw a plane plate with these corners, three or more places in order.
 
-        holes : their outlines, each a sequence of places as of :meth:`around`
+        holes : their outlines, each a sequence of places, as from :meth:`around`
         thickness : in metres, half of it on either side of the corners; a plate may so become a
             block with an L-shaped outline and a bore
 

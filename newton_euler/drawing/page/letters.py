@@ -56,8 +56,8 @@ _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|.", re.DOTALL)
 
 
 class Run(NamedTuple):
-    """Letters of one look; ``level`` 1 for a power, -1 for an index, ``over`` what stands before it
-    where a letter has both.
+    """Letters of one look; ``level`` 1 for a power, -1 for an index, ``over`` the other one where a
+    letter has both.
     """
 
     text: str
@@ -67,7 +67,7 @@ class Run(NamedTuple):
     over: bool = False
 
     def width(self) -> float:
-        """Its width where the size is 1."""
+        """Its width at size 1."""
         letters = unicodedata.normalize("NFD", self.text)
         width = sum(WIDTH.get(c, WIDTH["x"]) for c in letters if not unicodedata.combining(c))
         return width * (BOLD if self.bold else 1) * (SMALL if self.level else 1)
@@ -132,7 +132,7 @@ class _Formula:
         self.left = _TOKEN.findall(source)[::-1]
 
     def all(self):
-        """The runs of everything."""
+        """The runs of the whole formula."""
         found = []
         while self.left:
             found += self.group(True, False, first=not found)

@@ -13,7 +13,7 @@ def painters_order(canvas: Canvas) -> list[Stroke]:
     """The strokes in the order of drawing: a later one hides an earlier one. Bodies go from far to
     near, by the depths of their middles; but what lies behind the plane of a face is drawn before
     it, what lies on the eye's side after it, and a line through a face is cut in two (Newell,
-    Newell and Sancha 1972). Of two faces in one plane that recorded later is drawn later.
+    Newell and Sancha 1972). Of two faces in one plane, the one recorded later is drawn later.
     Marks and arrows lie over all bodies.
     """
     bodies = [s for s in canvas.strokes if s.layer == BODY]
@@ -96,7 +96,9 @@ def _box(view, stroke):
 
 
 def _topological(items, before):
-    """The items, each after those in ``before``, else as given; a cycle starts with its first."""
+    """The items, each after those in ``before``, otherwise in the given order; a cycle starts with
+    its first.
+    """
     waiting, out = dict.fromkeys(range(len(items))), []
     while waiting:
         n = next((n for n in waiting if not any(map(waiting.__contains__, before[n]))), None)

@@ -25,7 +25,7 @@ class Panel(Plots):
 
     def set_title(self, text: str, fontsize: float = TITLE, loc: str = "center", **_: Any) -> None:
         """Set the title in the middle, or the one at the left; its size is in points, its lines are
-        parted by ``\\n``.
+        separated by ``\\n``.
         """
         self.titles[loc] = str(text), float(fontsize)
 
@@ -37,7 +37,7 @@ class Panel(Plots):
         """Left, bottom, width and height on the page, in points."""
         return self.figure.box(self.row, self.column)
 
-    # what a sketch asks of the surface on which it is
+    # -- the interface to sketches on it
 
     def attach(self, sketch: Any) -> None:
         """Take a sketch, which is written with the page."""

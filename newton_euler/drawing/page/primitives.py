@@ -36,7 +36,7 @@ BODY, MARK, ARROW = range(3)
 
 
 def _style(edge, width, face="none", dashes="solid", ends="round"):
-    """The keyword arguments of a matplotlib patch, in long names: it is slower with short ones."""
+    """The keyword arguments of a matplotlib patch, with long names: short ones are slower."""
     return {
         "edgecolor": edge,
         "facecolor": face,
@@ -87,7 +87,7 @@ class Note(NamedTuple):
     gap: float
     colour: str
     weight: str
-    fixed: tuple | None  # points to the right and up, if it is not to be moved
+    fixed: tuple | None  # points to the right and up, if it must not be moved
 
 
 @dataclass(frozen=True, slots=True)

@@ -63,7 +63,7 @@ class Stepper:
     around : units in the last place about a stop, whose time is rounded, in which no step is taken
     resumable : True if the method can go back to one of its steps
     repeated : True if it has gone back
-    taken : the number of steps where not all of them are kept
+    taken : the number of steps, for a method that does not keep all of them
     halved : a function of the number of a step that returns how much it differs from two halves of
         it, over the scales; None for a method that cannot tell
     remade : names of attributes that no pickle contains, since they are functions; those that a
@@ -133,7 +133,7 @@ class Stepper:
 
     def around_stop(self):
         """The same as a pair: a time just before it, up to which to go, and one just after it, from
-        which to go on, since the rates may jump there; the goal twice where there is none.
+        which to continue, since the rates may jump there; without a stop, the goal twice.
         """
         n = bisect_right(self.stops, self.t)
         if n == len(self.stops):

@@ -70,7 +70,7 @@ def polynomial(f, p, t, h, x):
 
 @lru_cache(maxsize=32)
 def generated(n, constants):
-    """{"run", "one_step", "polynomial": function} for ``n`` states and so many ``constants``."""
+    """{"run", "one_step", "polynomial": function} for ``n`` states and this many ``constants``."""
     space = {"sqrt": sqrt, "isfinite": isfinite, "inf": inf, "__name__": GENERATED}
     exec(compile(_text(n, constants), f"<DOP853 for {n} states>", "exec"), space)
     return space

@@ -1,4 +1,4 @@
-"""The methods of integration as values in one table.
+"""The methods of integration, in one table.
 
 The rtol is the error of the motion, not that of a step, so a method runs at least twice.
 Runge-Kutta methods run first at a tolerance a thousand times as coarse; the difference is the error

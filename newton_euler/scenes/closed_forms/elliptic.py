@@ -23,7 +23,7 @@ from ...algebra.scalars import (
 )
 
 FEW, WIDE = 6, 1e-4  # levels that are enough for doubles m1 from 1e-4 to 1
-MANY = 12  # and for every double; a traced formula cannot see how many it needs
+MANY = 12  # levels for any double; a traced formula cannot know how many it needs
 FAR = 350.0  # a hyperbolic function of more has a square that a double does not tell from 0
 
 

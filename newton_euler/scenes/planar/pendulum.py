@@ -28,9 +28,9 @@ STATES = ("theta", "omega")
 def physical_pendulum(m: Scalar, I: Scalar, l: Scalar, g: Scalar) -> Model:
     """The Model of the pendulum: states theta and omega; the energy (11.32) is an invariant.
 
-    The exact solution counts theta through all turns. It is that of a start within a few round-offs
-    of the one given, and right to a few round-offs of t times the rate of the motion: where the
-    pendulum only just reaches the upright, small differences of the start grow.
+    The exact solution counts theta through all turns. It is exact for a start within a few
+    round-offs of the given one, and right to a few round-offs of t times the rate of the motion:
+    where the pendulum only just reaches the upright, small differences of the start grow.
 
     >>> swing = physical_pendulum(2.0, 0.5, 0.5, 10.0)
     >>> swing.derivative((1.5707963267948966, 0.0))

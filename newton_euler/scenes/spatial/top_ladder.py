@@ -42,7 +42,7 @@ def top_steady_precession(
     I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar
 ) -> Model:
     """The Model of steady precession (10.33) at the slow one of its two rates;
-    :class:`~newton_euler.applications.gyroscopes.GyroError` where there is none.
+    :class:`~newton_euler.applications.gyroscopes.GyroError` if no rate is real.
 
     >>> round(top_steady_precession(0.02, 0.01, 0.5, 100.0, 0.0).parameters["rate"], 6)
     0.505103
