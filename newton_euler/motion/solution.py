@@ -26,7 +26,9 @@ class MotionError(ModelError):
     singular there, so take others.
     """
 
-    def __init__(self, message: str, reached: "Motion"):
+    reached: Any  # a Motion; of an AccuracyError perhaps Motions, of a file above
+
+    def __init__(self, message: str, reached: Guided):
         super().__init__(message)
         self.reached = reached
 
