@@ -4,7 +4,6 @@ import math
 
 from ..algebra.late import is_here
 from .methods.table import Method
-from .methods.taylor import Taylor
 from .round_off import round_off_far_away, round_off_of_rates
 from .sizes import small, time_round_off
 from .trajectory import Trajectory
@@ -65,9 +64,7 @@ def error_by_comparison(before: Trajectory, trajectory: Trajectory, method: Meth
     system, stepper, t0, t1, x1 = trajectory.segments[-1]
     more = time_round_off(system, t1, x1, stepper.scales, t1 - t0 or 1.0)  # round-off of the time
     if method.series and traced.hazards:
-        steppers = [part.stepper for part in trajectory.segments]
-        residuals = [stepper.residual() for stepper in steppers if isinstance(stepper, Taylor)]
-        more += RESIDUAL_SAFETY * max(residuals, default=0.0)
+        more += RESIDUAL_SAFETY * max([part.stepper.residual() for part in trajectory.segments])
     if tolerance <= TIGHT and (method.series or method.adaptive) and is_here("numpy"):
         found = [round_off_of_rates(part.stepper) for part in trajectory.segments]
         more = math.hypot(more, *found)

@@ -8,7 +8,7 @@ and what heyoka has compiled from it.
 import math
 from collections.abc import Callable
 from functools import cache, cached_property
-from typing import Any, TypeAlias
+from typing import Any
 
 from ..algebra.compile import Compiled, Recording, recorded
 from ..algebra.late import np

@@ -188,7 +188,11 @@ class Stepper:
         fast as possible, without a record and without an error, or None where it does not get
         there; None for a method that has no such run.
         """
-        return None  # noqa: RET501
+        return None
+
+    def residual(self) -> float:
+        """What the rates of a series leave of those of the model; 0 for other methods."""
+        return 0.0
 
     @property
     def dense(self) -> "Stepper":
