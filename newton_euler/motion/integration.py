@@ -32,7 +32,7 @@ def integrate(
     method: str = "auto",
     events: Event | Iterable[Event] = (),
     samples: int | Iterable[float] | None = None,
-    progress: Callable | None = None,
+    progress: Callable[[float], object] | None = None,
     step: float | None = None,
 ) -> Motion | Motions:
     """The motion of a model from its start: a :class:`~newton_euler.motion.solution.Motion`, or
@@ -101,7 +101,7 @@ def integrate(
 
 
 @guided
-def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
+def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> "Prepared":
     """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0 as a
     tuple: one model for many runs, as under a slider.
 

@@ -485,12 +485,12 @@ def is_law(x: object) -> bool:
     return callable(x) and not _is_scalar(x)
 
 
-def is_absent(x: Scalar | Callable) -> bool:
+def is_absent(x: Scalar | Formula) -> bool:
     """True for a number that is 0, as a force that is neglected; False for a law."""
     return not is_law(x) and is_zero(scalar(x))
 
 
-def comparable(what: str, *values: Scalar) -> tuple:
+def comparable(what: str, *values: Scalar) -> tuple[Scalar, ...]:
     """The values, as :func:`~newton_euler.algebra.scalars.promote` returns them, of an exact
     solution that branches on them; ``what`` names the body in the message.
 
