@@ -50,6 +50,8 @@ def in_frame(frame: Frame, answers: Any) -> Any:
     return answers.expressed_in(frame)
 
 
-def lineage(frame: Frame) -> list[str]:
-    """The names from the ground to ``frame``, by which frames of two calls are compared."""
-    return [*(lineage(frame.parent) if frame.parent else []), frame.name]
+def lineage(frame: Frame) -> list[tuple[int, str]]:
+    """The frames from the ground to ``frame``, by which those of two calls are compared: each by
+    how many were made before it in its parent, and by its name.
+    """
+    return [*(lineage(frame.parent) if frame.parent else []), (frame.number, frame.name)]

@@ -18,7 +18,7 @@ from ..course.files import write_text
 from ..sandbox import CELL_SECONDS, SECONDS
 from .cells import own_metadata
 from .figures import figure_png
-from .merge import Merged, merged
+from .merge import MergeResult, merged
 from .notebook import build_notebook
 from .spec import Spec, read_spec, spec_of
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Built:
+class BuildResult:
     """The result of a build: course, source notebook, assignment, number of new students, and how
     the roster was read.
 
@@ -39,7 +39,7 @@ class Built:
     spec: Spec
     enrolled: int = 0
     read_as: str = ""
-    merged: Merged | None = None
+    merged: MergeResult | None = None
     backup: Path | None = None
 
 
@@ -54,7 +54,7 @@ def build_assignment(
     exchange: str | Path | None = None,
     id_column: str | None = None,
     chapters: str | None = None,
-) -> Built:
+) -> BuildResult:
     """Write the source notebook of a chapter, of the problems ``only`` under the name ``what``, or
     of a :class:`~grader.assignment.spec.Spec`, into a new course, or with ``update`` into an
     existing one. An existing notebook is merged with what has changed
@@ -93,7 +93,7 @@ def build_assignment(
         write_pinned(course.path)  # courses of earlier versions have none
     read_as = roster.read_as if roster else ""
     path = course.source(spec.name)
-    return Built(Course(course_path), path, spec, enrolled, read_as, kept, backup)
+    return BuildResult(Course(course_path), path, spec, enrolled, read_as, kept, backup)
 
 
 def _check_name(course, spec):

@@ -20,6 +20,7 @@ import json
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache, cached_property
 from pathlib import Path
+from shlex import quote
 from typing import Any
 
 from exercises.catalogue import Problem, variants
@@ -28,7 +29,7 @@ from newton_euler.algebra.errors import NewtonEulerError
 from newton_euler.algebra.language import choose_language
 
 from .files import write_json
-from .identity import ONLY_BY, CourseError, check_id, same_student
+from .identity import ONLY_BY, TAKEN_FOR_ONE, CourseError, check_id, same_student
 
 SECRET_BYTES = 32
 UNFINISHED = ".unfinished_build"  # marks a folder in which a course is being made
@@ -237,8 +238,8 @@ class Course:
         for i in ids:  # ids added by nbgrader have not been compared
             if (other := known.setdefault(same_student(i), i)) != i:
                 raise CourseError(
-                    f"the students {other!r} and {i!r} on the roster differ {ONLY_BY}; "
-                    f"remove one with: nbgrader db student remove {i}"
+                    f"the students {other!r} and {i!r} on the roster differ {ONLY_BY}: "
+                    f"{TAKEN_FOR_ONE}. Remove one with: nbgrader db student remove {quote(i)}"
                 )
         return ids
 
@@ -264,8 +265,8 @@ class Course:
                 if present != student_id:
                     raise CourseError(
                         f"{student_id!r} differs from {present!r}, who is on the roster, "
-                        f"{ONLY_BY}: on some machines they would share one folder. Write "
-                        f"{present!r} if it is the same student, else give one another id"
+                        f"{ONLY_BY}: {TAKEN_FOR_ONE}. Write {present!r} if it is the same "
+                        "student, else give one another id"
                     )
                 new += student_id not in before
                 known = {k: v for k, v in details.items() if v}

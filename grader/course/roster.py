@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from .identity import ONLY_BY, CourseError, check_id, same_student
+from .identity import ONLY_BY, TAKEN_FOR_ONE, CourseError, check_id, same_student
 
 SEPARATORS = ",;\t|"
 MAX_BYTES = 10 * 2**20
@@ -209,5 +209,5 @@ def _refuse_doubles(path, students):
             raise CourseError(f"{path}, line {line}: the id {student['id']!r} occurs twice")
         raise CourseError(
             f"{path}, line {line}: the id {student['id']!r} differs from {earlier[1]!r} in line "
-            f"{earlier[0]} {ONLY_BY}; on some machines they would share a folder"
+            f"{earlier[0]} {ONLY_BY}: {TAKEN_FOR_ONE}"
         )

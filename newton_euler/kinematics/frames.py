@@ -87,6 +87,8 @@ class Frame:
     """
 
     parent: "Frame | None"  # None for the root
+    number: int  # how many frames were made in its parent before it
+    _made: int  # how many were made in it
     hats: tuple[str, str, str] = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")  # unit vectors
 
     def __init__(
@@ -122,6 +124,9 @@ class Frame:
         # weak references: a frame keeps those above it alive, not those below
         self._relatives: dict = parent._relatives if parent else {}
         self._relatives[ref(self, self._relatives.pop)] = None
+        self.number, self._made = parent._made if parent else 0, 0
+        if parent:
+            parent._made += 1
         self._memo: dict = {}
 
     def __reduce__(self):

@@ -28,7 +28,8 @@ def derivatives_at(fits: "np.ndarray", x: "np.ndarray") -> "np.ndarray":
 
 def extrema(fits: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
     """All extrema of polynomials in (-1, 1): their indices, and the places in order."""
-    c = fits @ _differentiation()
+    with np.errstate(all="ignore"):  # values of a function near its pole
+        c = fits @ _differentiation()
     sizes = np.abs(c)
     largest = sizes.max(axis=1, keepdims=True)
     # the others are monotonic, or constant

@@ -22,7 +22,7 @@ from ..algebra.compile import Compiled, Recording, compiled, content, recorded, 
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
 from ..algebra.late import np
 from ..algebra.names import guided, misfit
-from ..algebra.places import at_a_place, raised_by_the_engine
+from ..algebra.places import at_a_place, note_place, raised_by_the_engine
 from ..algebra.portable import Formula, Formulas, Portable, Values
 from ..algebra.reads import Reads
 from ..algebra.scalars import (
@@ -66,6 +66,9 @@ class Named:
 
     def __init__(self, what: str, values: Mapping[str, Scalar]):
         vars(self).update({**values, "": what})  # a name that no state and no parameter has
+
+    def __repr__(self):
+        return f"({', '.join(f'{n} = {clipped(x)}' for n, x in vars(self).items() if n)})"
 
     def __getattr__(self, name: str) -> Scalar:
         if name.startswith("__"):
@@ -176,6 +179,9 @@ class Model(Portable):
             what = f"{self.name} has no rates at {clipped(self._state(state))}"
             at_a_place(error, ModelError, what, advice)
             raise
+        except Exception as error:
+            note_place(error)
+            raise
 
     def compiled_rhs(self, *free: str) -> Compiled:
         """The right-hand side as fast straight-line code, see :func:`newton_euler.compiled`: a
@@ -257,13 +263,21 @@ class Model(Portable):
             place = f"at t = {clipped(t)}, {clipped(state)}"
             at_a_place(error, kind, f"the {what} of {self.name!r} has no value {place}")
             raise
+        except Exception as error:
+            note_place(error)
+            raise
 
     def neglected(self, t: Scalar, start: State) -> dict[Neglected, Scalar]:
         """A dict: for each :class:`Neglected` the bound on its error until ``t`` after ``start``,
         inf where none is known.
         """
         start, t = self._state(start), self._time(t)  # checked even if no bound needs them
-        return {n: self._value(n.bound, start, t) if n.bound else math.inf for n in self.neglects}
+        return {
+            n: self._value_of("bound on what it neglects", n.bound, start, t)
+            if n.bound
+            else math.inf
+            for n in self.neglects
+        }
 
     def changed(self, /, **parameters: Scalar) -> "Model":
         """The same model with some parameters changed; ``self`` stays as it is."""

@@ -9,7 +9,7 @@ from typing import Any
 from ...algebra.late import EngFormatter, Line2D
 from ..measurements.honesty import (
     REFUSED,
-    Answer,
+    MethodResult,
     Tally,
     comparable,
     cost_text,
@@ -25,7 +25,7 @@ WRONG, VAGUE = "#D55E00", "#777777"
 HALF = 0.34  # share of a row's height that is used on each side of its middle
 
 
-def draw_honesty(answers: Sequence[Answer], figure: Any, title: str = "") -> list[Tally]:
+def draw_honesty(answers: Sequence[MethodResult], figure: Any, title: str = "") -> list[Tally]:
     """The tallies of the methods, the cheapest first, after drawing a row for each: costs, true
     errors over tolerances, estimates over true errors, counts. A row has a mark for each run, the
     coarsest tolerance at its top, and a bar at the median; what is silently wrong has a ring.

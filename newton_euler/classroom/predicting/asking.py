@@ -8,7 +8,7 @@ from ...algebra.language import Words, _, spoken
 from ...answers.givens import in_notebook
 from . import kept
 from .page import STATIC, opened, plain
-from .question import LETTERS, Judged, Question, question
+from .question import LETTERS, Judgement, Question, question
 
 _asked: dict[str, "Prediction"] = {}  # predictions by key, in the order of asking
 
@@ -82,7 +82,7 @@ class Prediction:
         return None if self.given is None else self.question.judge(self.given).right
 
     @checked
-    def judge(self, prediction: str) -> Judged:
+    def judge(self, prediction: str) -> Judgement:
         """What a prediction would mean: the letter or text of a choice, a number, a sentence."""
         return self.question.judge(self._choice(prediction))
 

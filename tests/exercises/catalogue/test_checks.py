@@ -8,6 +8,7 @@ from exercises.catalogue.checks import alike, check
 from exercises.catalogue.following import earlier_answers
 from exercises.catalogue.units import in_frame
 from newton_euler import Frame, pi
+from newton_euler.algebra import FrameError
 
 P = problem("4/16")
 SOLVE, PROVE, MISTAKES = P.code.solve, P.code.prove, P.code.mistakes
@@ -119,6 +120,18 @@ def test_a_mistake_in_other_axes_is_caught_whatever_their_name(tamper, name):
 
     (fault,) = tamper(mistakes=in_turned_axes)
     assert fault == f"a_D is in ground, but the mistake no_coriolis has it in {name}: use in_frame"
+
+
+def test_frames_of_one_name_in_one_parent_are_told_apart_by_their_order():
+    def vectors():
+        ground = Frame("ground")
+        return [ground.rotate("arm", "z", angle=x).vector(1.0, 0, 0) for x in (0.5, 1.0)]
+
+    (first, second), (one, other) = vectors(), vectors()
+    assert in_frame(first.frame, one) is one
+    assert in_frame(second.frame, other) is other
+    with pytest.raises(FrameError):  # they share no frame
+        in_frame(second.frame, one)
 
 
 def test_a_misread_angle_is_caught(tamper):

@@ -36,6 +36,18 @@ def test_ids_that_would_lead_elsewhere_are_refused(student):
 @pytest.mark.parametrize(("one", "other"), [
     ("Ada", "ada"), ("m\u00fcller", "mu\u0308ller"), ("stra\u00dfe", "STRASSE"),
     ("\u0390", "\u03aa\u0301"), ("\u01f0", "J\u030c"), ("\uff41da", "ada"),
+    ("ada", "ada."), ("ada", "ada \uff0e. "), ("ada", "ada\u2026"), ("a b", "a  b"),
+    ("a b", "a\u00a0b"), ("a b", "a\u3000\tb"), ("ada", "ada\u2800"), ("ada", "a\u200bda\ufeff"),
+    ("ada", "ad\u034fa\ufe0f"), ("\u00e9va", "e\u034f\u0301va"), ("ada", "ada\u3164"),
+    ("a-b", "a\u2010b"), ("a-b", "a\u2011b"), ("a-b", "a\u2013b"), ("o'brien", "o\u2019brien"),
 ])  # fmt: skip
-def test_ids_that_some_machine_would_put_into_one_folder_are_of_one_student(one, other):
+def test_ids_that_a_reader_or_a_machine_takes_for_one_are_of_one_student(one, other):
     assert same_student(one) == same_student(other)
+
+
+@pytest.mark.parametrize(("one", "other"), [
+    ("ab", "a b"), ("ada", "ada1"), ("a.b", "ab"), ("a_b", "a-b"), ("muller", "m\u00fcller"),
+    ("1l", "11"), ("O0", "00"), ("a.b.", "ab."),
+])  # fmt: skip
+def test_ids_that_differ_by_what_is_seen_are_of_two_students(one, other):
+    assert same_student(one) != same_student(other)
