@@ -25,7 +25,7 @@ LONGEST_NAME = 500  # characters; the patterns of platforms take quadratic time
 
 
 @dataclass
-class TakenIn:
+class TakeInResult:
     """The outcome for the files of an archive: {student: name} taken, [(student, name)] where
     earlier work was kept, [(name, reason)] refused.
     """
@@ -37,9 +37,9 @@ class TakenIn:
 
 def take_in(
     course: Course, assignment: str, archive: str | Path, replace: bool = False, times: bool = False
-) -> TakenIn:
+) -> TakeInResult:
     """Put each notebook of a zip archive into COURSE/submitted, as its student's work; returns
-    :class:`TakenIn`.
+    :class:`TakeInResult`.
 
     A file is a student's if the name of its folder, or without one its own, has their id or whole
     name and no word that may be someone else's, see :mod:`.owners`. Names chosen by students do not
@@ -52,7 +52,7 @@ def take_in(
         people = {s.id: Person.read(s) for s in book.students}
     if not people:
         raise CourseError("nobody is on the roster to whom a file could belong; enrol first")
-    result = TakenIn()
+    result = TakeInResult()
     with _opened(archive) as z:
         entries = z.infolist()
         if len(entries) > MAX_ENTRIES:

@@ -19,7 +19,7 @@ from inspect import Parameter, signature
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
 from .names import ArgumentError, misfit
-from .places import callers_places
+from .places import note_place
 from .scalars import (
     ZERO,
     DivisionError,
@@ -49,7 +49,8 @@ def checked(f: F, unchecked: tuple[str, ...] = ()) -> F:
 
     Scalars become what :func:`~newton_euler.algebra.scalars.scalar` makes of them. An error that
     Python or a library raises in the engine's own code, as for arrays that do not fit together, is
-    raised with the arguments; what a function of the caller raises is left as it is.
+    raised with the arguments; what a function of the caller raises is left as it is, with a note
+    of the place.
     """
     if isinstance(f, type):
         f.__init__ = checked(f.__init__, unchecked)  # type: ignore[misc]
@@ -74,12 +75,12 @@ def checked(f: F, unchecked: tuple[str, ...] = ()) -> F:
                     named[name] = check(x, name)
         try:
             return f(*given, **named)
-        except (ArithmeticError, ValueError, TypeError, LookupError) as error:
-            if isinstance(error, NewtonEulerError):
-                raise
+        except Exception as error:
             if isinstance(error, TypeError) and (words := misfit(f, args, named)):
                 raise ArgumentError(words) from None
-            if any(callers_places(error)):  # what the caller passed raised it, or called what did
+            if note_place(error) or isinstance(error, NewtonEulerError):
+                raise
+            if not isinstance(error, (ArithmeticError, ValueError, TypeError, LookupError)):
                 raise
             given = [*map(_brief, given), *(f"{n}={_brief(x)}" for n, x in named.items())]
             raise _in_words(f"{f.__name__}({', '.join(given)})", error) from error

@@ -270,12 +270,12 @@ def unlike(kind: str, other: str) -> bool:
 
 
 def _dimension(text):
-    """The dimension of a unit, None if the unit is unknown."""
+    """The dimension of a unit, None if there is none or it is unknown."""
     from .units import UnitError
     from .units import unit as unit_of
 
     try:
-        return unit_of(text).dimension if text else None
+        return unit_of(text).dimension
     except UnitError:
         return None
 

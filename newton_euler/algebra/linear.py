@@ -190,10 +190,14 @@ def _show(equations, names, values):
 
 
 def _arguments(conditions):
-    """The names of the arguments of a function."""
+    """The names of the arguments of a function; none if it is in C and has no signature."""
+    try:
+        parameters = signature(conditions).parameters.values()
+    except (TypeError, ValueError):
+        return []
     return [
         p.name
-        for p in signature(conditions).parameters.values()
+        for p in parameters
         if p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
     ]
 

@@ -11,7 +11,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from .language import _
-from .places import package_of
+from .places import note_place, package_of
 from .scalars import NewtonEulerError, clipped
 
 # names of other programs, and those used here
@@ -130,7 +130,9 @@ F = TypeVar("F", bound=Callable)
 
 
 def guided(f: F) -> F:
-    """The function ``f``, or a class, with calls whose arguments do not fit refused in words."""
+    """The function ``f``, or a class, with calls whose arguments do not fit refused in words; an
+    error of a function of the caller has a note of the place.
+    """
     if isinstance(f, type):
         f.__init__ = guided(f.__init__)  # type: ignore[misc]
         return f
@@ -139,9 +141,10 @@ def guided(f: F) -> F:
     def call(*args, **named):
         try:
             return f(*args, **named)
-        except TypeError:
-            if words := misfit(f, args, named):
+        except Exception as error:
+            if isinstance(error, TypeError) and (words := misfit(f, args, named)):
                 raise ArgumentError(words) from None
+            note_place(error)
             raise
 
     return call  # type: ignore[return-value]

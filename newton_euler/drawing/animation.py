@@ -26,6 +26,7 @@ from string import Template
 
 from ..algebra.errors import NewtonEulerError, checked
 from ..algebra.late import is_here
+from ..algebra.places import add_place
 from ..algebra.scalars import clipped
 from .page.paper import Page
 from .page.recorder import share_window, sketches_on
@@ -177,7 +178,7 @@ def _draw(draw, t, ax):
     try:
         draw(t, ax)
     except Exception as error:
-        error.add_note(f"This came up while the picture at t = {t:g} s was drawn.")
+        add_place(error, f"This came up while the picture at t = {t:g} s was drawn.")
         raise
     if not sketches_on(ax):
         raise AnimationError(f"draw(t, ax) draws with Sketch(ax, ...), and did not at t = {t:g} s")

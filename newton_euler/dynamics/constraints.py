@@ -13,8 +13,8 @@ from typing import Any
 
 from ..algebra.errors import NewtonEulerError, Tolerance, checked
 from ..algebra.jets import Moving
-from ..algebra.places import at_a_place
-from ..algebra.scalars import is_finite, is_numeric, scalar
+from ..algebra.places import add_place, at_a_place
+from ..algebra.scalars import clipped, is_finite, is_numeric, scalar
 from ..algebra.vectors import Vector
 
 # Table 5-1, and the coordinates that are passed to a constraint
@@ -109,11 +109,15 @@ class _System:
             self.places[name] = slice(self.size, self.size + count)
             self.size += count
         for name, f in constraints.items():
-            if not callable(f) or isinstance(f, type):
+            try:
+                parameters = {} if isinstance(f, type) else inspect.signature(f).parameters
+            except (TypeError, ValueError):  # not a function, or one in C without names
+                parameters = {}
+            if not parameters:
                 raise ConstraintError(
-                    f"the constraint {name!r} is a function, as lambda P: P[0]; got {f!r}"
+                    f"the constraint {name!r} is a function of bodies by name, as lambda P: P[0]; "
+                    f"got {f!r}"
                 )
-            parameters = inspect.signature(f).parameters
             # lambda P, L=2: ... has one body
             names = [n for n, p in parameters.items() if n in self.places or p.default is p.empty]
             unknown = [n for n in names if n not in self.places]
@@ -130,14 +134,16 @@ class _System:
         """[(name, value)] of every scalar equation."""
         found = []  # not a generator, which would turn a StopIteration into another error
         for name, names, f in self.constraints:
+            given = {n: tuple(q[self.places[n]]) for n in names}
             try:
-                value = f(*(tuple(q[self.places[n]]) for n in names))
+                value = f(*given.values())
             except IndexError as problem:
                 kinds = (f"{n} {self.places[n].stop - self.places[n].start}" for n in names)
-                problem.add_note(f"the constraint {name!r} gets coordinates: {', '.join(kinds)}")
+                add_place(problem, f"the constraint {name!r} gets coordinates: {', '.join(kinds)}")
                 raise
             except (ZeroDivisionError, OverflowError) as problem:
-                at_a_place(problem, ConstraintError, f"the constraint {name!r} fails")
+                where = ", ".join(f"{n} = {clipped(x)}" for n, x in given.items())
+                at_a_place(problem, ConstraintError, f"the constraint {name!r} fails at {where}")
                 raise
             parts = value if isinstance(value, (tuple, list, Vector)) else (value,)
             found += [(name, scalar(x)) for x in parts]

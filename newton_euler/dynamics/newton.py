@@ -118,7 +118,9 @@ def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple[Scal
 
 
 @checked
-def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | Sequence) -> tuple:
+def coordinate_accelerations(
+    m: Scalar, P: CoordinatePoint, **forces: Vector | Sequence
+) -> tuple[Scalar, ...]:
     """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved
     for r'', theta'', …, a tuple; :class:`SingularError` where the coordinates are singular.
 

@@ -7,7 +7,7 @@ scalars of every kind, so that a formula reads as it is printed: ``s.v*cos(s.gam
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from inspect import Parameter, Signature
@@ -18,11 +18,11 @@ from typing import Any, NoReturn
 from unicodedata import normalize
 from warnings import warn
 
-from ..algebra.compile import Compiled, compiled, content, recorded, text_of
+from ..algebra.compile import Compiled, Recording, compiled, content, recorded, text_of
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
 from ..algebra.late import np
 from ..algebra.names import guided, misfit
-from ..algebra.places import at_a_place, raised_by_the_engine
+from ..algebra.places import at_a_place, note_place, raised_by_the_engine
 from ..algebra.portable import Formula, Formulas, Portable, Values
 from ..algebra.reads import Reads
 from ..algebra.scalars import (
@@ -66,6 +66,9 @@ class Named:
 
     def __init__(self, what: str, values: Mapping[str, Scalar]):
         vars(self).update({**values, "": what})  # a name that no state and no parameter has
+
+    def __repr__(self):
+        return f"({', '.join(f'{n} = {clipped(x)}' for n, x in vars(self).items() if n)})"
 
     def __getattr__(self, name: str) -> Scalar:
         if name.startswith("__"):
@@ -176,6 +179,9 @@ class Model(Portable):
             what = f"{self.name} has no rates at {clipped(self._state(state))}"
             at_a_place(error, ModelError, what, advice)
             raise
+        except Exception as error:
+            note_place(error)
+            raise
 
     def compiled_rhs(self, *free: str) -> Compiled:
         """The right-hand side as fast straight-line code, see :func:`newton_euler.compiled`: a
@@ -257,13 +263,21 @@ class Model(Portable):
             place = f"at t = {clipped(t)}, {clipped(state)}"
             at_a_place(error, kind, f"the {what} of {self.name!r} has no value {place}")
             raise
+        except Exception as error:
+            note_place(error)
+            raise
 
     def neglected(self, t: Scalar, start: State) -> dict[Neglected, Scalar]:
         """A dict: for each :class:`Neglected` the bound on its error until ``t`` after ``start``,
         inf where none is known.
         """
         start, t = self._state(start), self._time(t)  # checked even if no bound needs them
-        return {n: self._value(n.bound, start, t) if n.bound else math.inf for n in self.neglects}
+        return {
+            n: self._value_of("bound on what it neglects", n.bound, start, t)
+            if n.bound
+            else math.inf
+            for n in self.neglects
+        }
 
     def changed(self, /, **parameters: Scalar) -> "Model":
         """The same model with some parameters changed; ``self`` stays as it is."""
@@ -405,7 +419,7 @@ class Model(Portable):
             )
 
 
-def cached(cache, key, make):
+def cached(cache: dict, key: Hashable, make: Callable[[], Any]) -> Any:
     """The value of a key in the cache, made if it is missing; the ``KEPT`` most recently used
     values are kept.
 
@@ -416,12 +430,14 @@ def cached(cache, key, make):
     return _keep(cache, key, make() if found is missing else found)
 
 
-def shared(formula, cache=_BY_CONTENT):
+def shared(formula: Recording | Compiled, cache: dict = _BY_CONTENT) -> Compiled:
     """The compiled text of a formula that is recorded or compiled; equal ones share it."""
     return cached(cache, content(formula), lambda: text_of(formula))
 
 
-def current(cache, key, functions, make):
+def current(
+    cache: dict, key: Hashable, functions: Iterable[Callable], make: Callable[[], Any]
+) -> tuple[Reads, Any]:
     """The :class:`~newton_euler.algebra.reads.Reads` of these functions and the value of a key in
     the cache, a pair; made again where something that the functions read has changed.
     """
@@ -473,22 +489,22 @@ def _several(what, x):
     return tuple(x)
 
 
-def is_iterable(x):
+def is_iterable(x: object) -> bool:
     """True for what has entries, which an array without an axis has not."""
     return hasattr(x, "__iter__") and getattr(x, "shape", None) != ()
 
 
-def is_law(x):
+def is_law(x: object) -> bool:
     """True for a parameter that is a function; a callable symbolic expression is a number."""
     return callable(x) and not _is_scalar(x)
 
 
-def is_absent(x: Scalar | Callable) -> bool:
+def is_absent(x: Scalar | Formula) -> bool:
     """True for a number that is 0, as a force that is neglected; False for a law."""
     return not is_law(x) and is_zero(scalar(x))
 
 
-def comparable(what: str, *values: Scalar) -> tuple:
+def comparable(what: str, *values: Scalar) -> tuple[Scalar, ...]:
     """The values, as :func:`~newton_euler.algebra.scalars.promote` returns them, of an exact
     solution that branches on them; ``what`` names the body in the message.
 
@@ -500,7 +516,7 @@ def comparable(what: str, *values: Scalar) -> tuple:
     return values
 
 
-def has_unit(x):
+def has_unit(x: object) -> bool:
     """True for a quantity of pint or astropy and a time span of NumPy: converted to plain numbers,
     as by NumPy, they would lose their unit.
     """
@@ -510,12 +526,12 @@ def has_unit(x):
     return hasattr(x, "unit") or (hasattr(x, "magnitude") and hasattr(x, "to"))
 
 
-def unit_advice(x):
+def unit_advice(x: object) -> str:
     """What to do with a quantity, as the end of a message; "" for anything else."""
     return advice(x) if has_unit(x) else ""
 
 
-def finite_number(x, what, no_number):
+def finite_number(x: Any, what: str, no_number: str) -> float:
     """``x`` as a finite float; :class:`ModelError` otherwise.
 
     what, no_number : the beginning of the message for inf and nan; that for anything else
@@ -531,7 +547,7 @@ def finite_number(x, what, no_number):
     return x
 
 
-def real_numbers(x, what):
+def real_numbers(x: Any, what: str) -> "np.ndarray":
     """One real number, or an array or sequence of them, as an array of floats.
 
     what : what is expected, for the message
@@ -549,7 +565,8 @@ def real_numbers(x, what):
         if given.dtype.kind not in "iufO":
             raise TypeError
         if given.dtype.kind == "O":
-            given = [real_numbers(entry, what) for entry in given] if given.ndim else float(x)
+            x = [real_numbers(entry, what) for entry in given] if given.ndim else float(x)
+            return np.asarray(x, dtype=float)
         return np.asarray(given, dtype=float)
     except (TypeError, ValueError, OverflowError, RuntimeError) as error:
         if isinstance(error, ModelError):

@@ -15,7 +15,7 @@ from newton_euler.answers.causes import Cause, computed
 PRODUCT, SUM = ("*", "/"), ("+", "-")
 
 
-class Traced(NamedTuple):
+class TracedAnswer(NamedTuple):
     """An answer of a traced computation: its components in base units, its unit, and the number of
     points at which it is compared.
     """
@@ -25,7 +25,7 @@ class Traced(NamedTuple):
     points: int = 1
 
 
-class Stage(NamedTuple):
+class Intermediate(NamedTuple):
     """A quantity on the way to the answers: its name, where the book has it, its components, and
     its meaning, "the speed of B".
     """
@@ -49,10 +49,10 @@ class Formulas(NamedTuple):
     components : of the student's earlier vectors, {argument: name of its vector}
     """
 
-    answers: Mapping[str, Traced]
+    answers: Mapping[str, TracedAnswer]
     units: Mapping[str, str]
     system: System
-    stages: Sequence[Stage] = ()
+    stages: Sequence[Intermediate] = ()
     where: str = ""
     means: Mapping[str, str] = {}
     systems: Sequence[Solved] = ()

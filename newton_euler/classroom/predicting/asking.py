@@ -10,7 +10,7 @@ from ...algebra.language import Words, _, spoken
 from ...answers.givens import in_notebook, running_cell
 from . import kept
 from .page import STATIC, opened, plain
-from .question import LETTERS, Judged, Question, question
+from .question import LETTERS, Judgement, Question, question
 
 ID = re.compile(r"[a-zA-Z0-9_-]{1,64}")  # of a cell, by the format of notebooks
 # {(question, cell, how many equal ones that run of the cell asked before): prediction}, in the
@@ -120,7 +120,7 @@ class Prediction:
         return None if self.given is None else self.question.judge(self.given).right
 
     @checked
-    def judge(self, prediction: str) -> Judged:
+    def judge(self, prediction: str) -> Judgement:
         """What a prediction would mean: the letter or text of a choice, a number, a sentence."""
         return self.question.judge(self._choice(prediction))
 

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from ...algebra.errors import ArgumentError
+from ...algebra.places import add_place
 from .pictures import CSS_PIXELS, png_of
 from .plotted import Plotted
 
@@ -52,7 +53,7 @@ class Stage:
         try:
             return self._drawn(values)
         except Exception as error:
-            error.add_note(f"This came up while the picture for {in_words(values)} was drawn.")
+            add_place(error, f"This came up while the picture for {in_words(values)} was drawn.")
             raise
 
     def picture(self, values: Mapping[str, Any], title: str | None = None, alt: str = "") -> bytes:

@@ -55,7 +55,7 @@ _FONTS = {
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|.", re.DOTALL)
 
 
-class Run(NamedTuple):
+class LetterRun(NamedTuple):
     """Letters of one look; ``level`` 1 for a power, -1 for an index, ``over`` the other one where a
     letter has both.
     """
@@ -76,7 +76,7 @@ class Run(NamedTuple):
 class Letters(NamedTuple):
     """The runs of a text; its width, and its height above and below the base line, by its size."""
 
-    runs: tuple[Run, ...]
+    runs: tuple[LetterRun, ...]
     width: float
     above: float
     below: float
@@ -89,7 +89,7 @@ def letters(text: str, bold: bool = False) -> Letters:
     >>> [run.text for run in letters(r"$\hat{e}_t$ = 2").runs]
     ['ê', 't', ' = 2']
     """
-    found: list[Run] = []
+    found: list[LetterRun] = []
     parts = re.split(r"(?<!\\)\$", text)
     if len(parts) == 2:  # a dollar that opens no formula
         parts = [text]
@@ -97,7 +97,7 @@ def letters(text: str, bold: bool = False) -> Letters:
         if n % 2:
             found += _Formula(part).all()
         elif part:
-            found.append(Run(part.replace(r"\$", "$"), bold=bold))
+            found.append(LetterRun(part.replace(r"\$", "$"), bold=bold))
     runs = tuple(_joined(found))
     width = sum(run.width() for run in runs)
     width -= sum(min(a.width(), b.width()) for a, b in pairwise(runs) if b.over)
@@ -116,7 +116,7 @@ def _above(run):
 
 def _joined(runs):
     """The runs, with those of one look written as one."""
-    out: list[Run] = []
+    out: list[LetterRun] = []
     for run in runs:
         if out and not run.over and out[-1][1:4] == run[1:4] and not (run.level and out[-1].over):
             out[-1] = out[-1]._replace(text=out[-1].text + run.text)
@@ -153,10 +153,10 @@ class _Formula:
         if token in ("_", "^"):
             return self.index(-1 if token == "_" else 1, italic, bold)
         if token == "'":
-            return [Run("′")]
+            return [LetterRun("′")]
         if name in _SIGNS and (token == name) == (len(name) == 1):
             sign = _SIGNS[name]
-            return [Run(sign if first else f"\u2009{sign}\u2009")]
+            return [LetterRun(sign if first else f"\u2009{sign}\u2009")]
         if token[0] != "\\":
             return self.letter(token, italic, bold)
         if name in _ACCENTS:
@@ -166,19 +166,19 @@ class _Formula:
                 self.left = ["\xa0" if c == " " else c for c in self.left]
             return self.argument(*_FONTS[name])
         if name in ("frac", "dfrac", "tfrac"):
-            return [*self.whole(italic, bold), Run("/"), *self.whole(italic, bold)]
+            return [*self.whole(italic, bold), LetterRun("/"), *self.whole(italic, bold)]
         if name == "sqrt":
-            return [Run("√"), *self.whole(italic, bold)]
+            return [LetterRun("√"), *self.whole(italic, bold)]
         if name in _SYMBOLS:
             return self.letter(_SYMBOLS[name], italic, bold)
-        return [Run(f"{name}\u2009", bold=bold)]  # a function, as sin
+        return [LetterRun(f"{name}\u2009", bold=bold)]  # a function, as sin
 
     def letter(self, text, italic, bold):
         """Letters slant, but no capital of the Greek; a formula has no spaces."""
         if text == " ":
             return []
         slants = italic and text.isalpha() and text != "ℓ" and not "Α" <= text <= "Ω"
-        return [Run(text, slants, bold)]
+        return [LetterRun(text, slants, bold)]
 
     def argument(self, italic, bold):
         """The next group, over the space before it."""
@@ -189,13 +189,13 @@ class _Formula:
     def whole(self, italic, bold):
         """An argument, in parentheses if it is long."""
         found = self.argument(italic, bold)
-        return found if len(found) < 2 else [Run("("), *found, Run(")")]
+        return found if len(found) < 2 else [LetterRun("("), *found, LetterRun(")")]
 
     def index(self, level, italic, bold):
         """An index or a power, and the other one over it."""
         found = [run._replace(level=level) for run in self.argument(italic, bold)]
         if [run.text for run in found] == ["°"]:
-            return [Run("°")]
+            return [LetterRun("°")]
         other = "^" if level < 0 else "_"
         if self.left and self.left[-1] == other and len(_joined(found)) == 1:
             self.left.pop()

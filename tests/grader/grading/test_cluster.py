@@ -212,7 +212,9 @@ def raising(grade, _):
     """A worker's ``_grade`` where each submission raises an error that names it."""
 
     def raise_there(shared, n):
-        with mock.patch.object(grading.Run, "grade", lambda run, who, _: open(f"submitted/{who}")):
+        with mock.patch.object(
+            grading.GradingRun, "grade", lambda run, who, _: open(f"submitted/{who}")
+        ):
             return grade(shared, n)
 
     return raise_there
