@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from exercises.catalogue import Problem
 
@@ -21,6 +21,9 @@ from .figures import figure_png
 from .merge import MergeResult, merged
 from .notebook import build_notebook
 from .spec import Spec, read_spec, spec_of
+
+if TYPE_CHECKING:
+    from rich.progress import Progress
 
 
 @dataclass(frozen=True)
@@ -46,7 +49,7 @@ def build_assignment(
     students: str | Path | None = None,
     only: Collection[str] = (),
     update: bool = False,
-    bar: Any = None,
+    bar: "Progress | None" = None,
     name: str | None = None,
     exchange: str | Path | None = None,
     id_column: str | None = None,
@@ -134,11 +137,11 @@ def _built(course_path, name):
     return spec_of(name, numbers) if numbers else None
 
 
-def _figures(selected: list[Problem], bar: Any) -> dict[str, bytes | None]:
+def _figures(selected: list[Problem], bar: "Progress | None") -> dict[str, bytes | None]:
     task = bar.add_task("drawing figures", total=len(selected)) if bar else None
     figures = {}
     for p in selected:
         figures[p.id] = figure_png(p, p.book_values)
-        if bar:
+        if bar and task is not None:
             bar.advance(task)
     return figures

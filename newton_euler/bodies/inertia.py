@@ -25,6 +25,7 @@ from ..algebra.scalars import (
     Rows,
     Scalar,
     Scaled,
+    Triple,
     clipped,
     is_numeric,
     is_positive,
@@ -62,7 +63,7 @@ class Inertia(Scaled, NamedTerms):
     Vector(2.0, -0.5, 0 in body)
     """
 
-    centre: Any  # a Point, or None if unknown
+    centre: Point | None  # None if unknown
 
     __slots__ = ("_terms", "centre", "frame", "mass", "moments", "point", "products")
 
@@ -145,7 +146,7 @@ class Inertia(Scaled, NamedTerms):
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
 
     @checked
-    def times3(self, c: tuple) -> tuple:
+    def times3(self, c: tuple) -> Triple:
         """The matrix times a triple of components along its axes."""
         if c is ZERO3:
             return ZERO3
@@ -204,6 +205,7 @@ class Inertia(Scaled, NamedTerms):
             self._needs(what, f"going from {self.point.name} to {point.name}")
         step = (self.point - point).expressed_in(self.frame).c
         to_G = ZERO3
+        assert self.centre is not None
         if self.centre is not self.point:
             to_G = (self.centre - self.point).expressed_in(self.frame).c
         (factor,) = built("transfer", (1,), (self.mass, *step, *self.moments))

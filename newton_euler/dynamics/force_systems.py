@@ -13,13 +13,14 @@ unknowns of :func:`newton_euler.solve_linear`.
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 from ..algebra.errors import Tolerance, checked, checked_but
 from ..algebra.ledger import distinct
 from ..algebra.names import guided
 from ..algebra.scalars import is_numeric, max_abs, scalar
 from ..algebra.vectors import FrameError, Vector, named_sum
-from ..kinematics.frames import Frame, Point, as_point
+from ..kinematics.frames import Frame, Point, PointLike, as_point
 
 ROUND_OFF = 1e-12  # fraction of the sum of magnitudes below which a resultant counts as zero
 
@@ -152,6 +153,10 @@ class ForceSystem:
         """The point of the first force, else the origin of the frame."""
         points = [f.point for s in (self, *others) for f in s._forces()]
         return points[0] if points else as_point(self.frame, "")
+
+
+Part: TypeAlias = Force | Couple | ForceSystem | tuple[Vector, PointLike]
+Parts: TypeAlias = Mapping[str, Part] | Iterable[Part]
 
 
 def _parts(name, part):

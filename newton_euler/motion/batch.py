@@ -20,7 +20,7 @@ from .methods.table import METHODS, Method
 from .methods.taylor import batches
 from .model import Model, ModelError, expect, real_numbers
 from .prepared import PreparedModel, prepared_model
-from .run import known_accurate, usable
+from .run import Run, known_accurate, usable
 from .sizes import NATURAL_PART, ROUND_OFF, TIME_SAFETY, time_round_off
 from .solution import AccuracyError, Cost, MotionError
 from .verified import NEAR_END, NEAR_START, SPARE
@@ -79,7 +79,7 @@ class Sweep(NamedTuple):
     calls: int
 
 
-def integrate_many(run, name):
+def integrate_many(run: Run, name: str) -> Motions:
     """The :class:`Motions` of a :class:`~newton_euler.motion.run.Run` whose state or parameters are
     arrays, by the method of this name or "auto".
     """

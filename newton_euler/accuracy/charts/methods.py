@@ -1,10 +1,11 @@
 """The chart of the methods of integration on one scene (:mod:`..measurements.work_precision`)."""
 
 from dataclasses import replace
+from typing import Any
 
 from ...algebra.names import listed
-from ..measurements.measure import ALIKE, ROUND_OFF, cheapest, of_equal_cost, repeated
-from ..measurements.work_precision import NAMES, STEPPING
+from ..measurements.measure import ALIKE, ROUND_OFF, Measured, cheapest, of_equal_cost, repeated
+from ..measurements.work_precision import NAMES, STEPPING, WorkPrecision
 from .axes import FLOOR, GREY, chart, log_log, marker_style
 from .words import about, about_times, agreed, seconds, times_as_much, two_digits
 
@@ -13,7 +14,7 @@ SHORT = 2e-3  # seconds; a shorter preparation is not mentioned
 OF_INTEREST = (1e-6, 1e-10)  # relative errors for which the caption names the cheapest method
 
 
-def draw_methods(found, figure):
+def draw_methods(found: WorkPrecision, figure: Any) -> list[Measured]:
     """The fronts by time, after drawing a :class:`.WorkPrecision`; "auto", a choice, is in none."""
     scene = found.scene
     figure.set(layout_engine="constrained", size_inches=(13.0, 4.9))
@@ -58,7 +59,7 @@ def _draw_drift(methods, auto, ax):
     ax.legend([diagonal], ["drift = rtol"], loc="upper left", frameon=False, fontsize=9)
 
 
-def methods_caption(found):
+def methods_caption(found: WorkPrecision) -> str:
     """What the chart of :func:`draw_methods` shows: the sentences that each repeat would write."""
     again = (replace(found, points=tuple(points)) for points in repeated(found.points))
     return agreed(map(_sentences, again))

@@ -27,7 +27,7 @@ QUATERNION = "q0", "q1", "q2", "q3"
 _q = attrgetter(*QUATERNION)
 SPIN = 8.0  # rad/s
 # the top of the scenes, let go at 0.6 rad from the vertical, which nutates
-TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
+TOP: dict[str, Scalar] = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
 
 
 def tilted(theta: Scalar) -> Triple:
