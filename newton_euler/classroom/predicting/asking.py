@@ -51,7 +51,7 @@ def predict(
     - 9.8 m/s²
     - 0 m/s²
     >>> top.judge("b")
-    Judged(right=False, words='Only the velocity is zero there.')
+    Judgement(right=False, words='Only the velocity is zero there.')
     """
     asked = question(text, choices, answer, unit, within, why)
     place = _place(asked.key)
