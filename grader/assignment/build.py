@@ -15,6 +15,7 @@ from ..course.creation import new_course, refuse_existing, write_pinned
 from ..course.due import due_date
 from ..course.exam import refuse_exam, set_exam
 from ..course.files import write_text
+from ..course.identity import ONLY_BY, TAKEN_FOR_ONE, seen_as
 from ..sandbox import CELL_SECONDS, SECONDS
 from .cells import own_metadata
 from .figures import figure_png
@@ -99,10 +100,9 @@ def build_assignment(
 def _check_name(course, spec):
     """Refuse a name too close to another assignment's; record whether it is an exam."""
     for other in (p.name for p in (course.path / "source").glob("*/")):
-        if other != spec.name and other.lower() == spec.name.lower():
+        if other != spec.name and seen_as(other) == seen_as(spec.name):
             raise CourseError(
-                f"the assignments {other} and {spec.name} differ by upper and lower case only: on "
-                "some machines they would share one folder"
+                f"the assignments {other} and {spec.name} differ {ONLY_BY}: {TAKEN_FOR_ONE}"
             )
     if spec.late:
         set_exam(course, spec.name, due_date(spec.opens) if spec.opens else None, spec.late)

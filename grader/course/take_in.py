@@ -13,7 +13,7 @@ from pathlib import Path, PurePosixPath
 
 from .files import write_bytes, write_text
 from .folder import Course
-from .identity import CourseError, same_student
+from .identity import CourseError, seen_as
 from .owners import Person, owners, words
 
 # zipfile bounds what these methods unpack; with others 600 bytes may become a gigabyte
@@ -130,9 +130,9 @@ def _refusal(entry):
 
 def _write(course, assignment, archive, chosen, replace, times, result):
     total = 0
-    present = {same_student(s): s for s in course.submissions(assignment)}
+    present = {seen_as(s): s for s in course.submissions(assignment)}
     for student, entry in sorted(chosen.items()):
-        if same_student(student) in present and not replace:
+        if seen_as(student) in present and not replace:
             result.kept.append((student, entry.filename))
             continue
         try:
