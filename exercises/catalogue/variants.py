@@ -73,7 +73,7 @@ def drawn_value(given: Given, rng: random.Random) -> float:
         return given.value
     first, last, step = _grid(given.vary)
     value = rng.randint(first, last) * step
-    digits = max(0, -math.floor(math.log10(step) + 1e-9))
+    digits = max(0, -math.floor(math.log10(step)))
     return round(value, digits)
 
 

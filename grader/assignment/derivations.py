@@ -14,7 +14,7 @@ from exercises.catalogue.variants import draw, symbol_values
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import unit
 
-from .known import Known
+from .known import KnownFormulas
 from .names import Names, unsigned, value_of
 from .roles import Roles
 from .tidy import constant, factored, readable, simplest
@@ -172,7 +172,7 @@ class _Deriver:
             numbers = numbers_of(self.components[key]) - {*self.given_by}
             if numbers and all(first[n] == key for n in numbers):
                 self.answers_by[key] = numbers
-        self.known = Known({*traced.givens}, units, drawn)
+        self.known = KnownFormulas({*traced.givens}, units, drawn)
         stated = {name: traced.units[key] for key in self.components for name in self._names(key)}
         powers = {name: unit(of).dimension.powers for name, of in (stated | {**units}).items()}
         rates = (0, 0, -1), (0, 1, -1)

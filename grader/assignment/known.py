@@ -15,7 +15,7 @@ SHORT = 1  # operations of a formula as easy to read as the name of a vector's c
 
 
 @dataclass
-class Known:
+class KnownFormulas:
     """Formulas of the quantities shown so far.
 
     givens : their names

@@ -17,7 +17,7 @@ _VOLATILE = ("checksum", "schema_version", "cell_type")  # which nbgrader rewrit
 
 
 @dataclass(frozen=True)
-class Merged:
+class MergeResult:
     """The merged notebook, and the names of cells that differ from the present exercises.
 
     kept : cells changed by the instructor; conflicts : those whose changed part the exercises have
@@ -30,12 +30,12 @@ class Merged:
     removed: list[str] = field(default_factory=list)
 
 
-def merged(base: Notebook, theirs: Notebook, ours: Notebook) -> Merged:
+def merged(base: Notebook, theirs: Notebook, ours: Notebook) -> MergeResult:
     """The instructor's notebook ``theirs`` with the changes from ``base``, the last build, to
     ``ours``, the present one.
     """
     before, now = _by_name(base["cells"]), _by_name(ours["cells"])
-    result = Merged({**theirs, "cells": []})
+    result = MergeResult({**theirs, "cells": []})
     cells = result.notebook["cells"]
     for cell in theirs["cells"]:
         name = _name(cell)

@@ -20,7 +20,7 @@ WORTH = ("points", "weights", "follow_through", "tolerance", "help", "checksum")
 
 
 @dataclass(eq=False)
-class Released:
+class ReleasedNotebook:
     """A notebook as generated for release; shared by all students, not to be modified."""
 
     path: Path
@@ -55,7 +55,7 @@ def _hash(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()[:20]
 
 
-def released(course: Course, assignment: str) -> dict[str, Released]:
+def released(course: Course, assignment: str) -> dict[str, ReleasedNotebook]:
     """The notebooks of an assignment by name; raises :class:`CourseError` if it has none."""
     folder = course.released_path(assignment).parent
     found = {f.stem: _released(f, f.stat().st_mtime_ns) for f in sorted(folder.glob("*.ipynb"))}
@@ -65,8 +65,8 @@ def released(course: Course, assignment: str) -> dict[str, Released]:
 
 
 @lru_cache(maxsize=16)
-def _released(path: Path, changed: int) -> Released:
-    return Released(path)
+def _released(path: Path, changed: int) -> ReleasedNotebook:
+    return ReleasedNotebook(path)
 
 
 def personal_path(course: Course, assignment: str, student: str, name: str) -> Path:

@@ -10,7 +10,7 @@ from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.scalars import FUNCTIONS
 from newton_euler.algebra.trace import Step
 
-from .known import Known
+from .known import KnownFormulas
 from .names import Names, unsigned
 from .tidy import LONGEST, constant, is_long, readable, two_sides, without_unknown
 
@@ -18,7 +18,7 @@ NAMES = {"abs": "Abs", "**": "Pow", "pow": "Pow", **{name: name for name in (*FU
 
 
 @dataclass(eq=False)
-class Unwritten(Exception):
+class NoFormulaError(Exception):
     """The computation has no short formula."""
 
 
@@ -42,7 +42,7 @@ class Writer:
     found: TracedProblem
     cases: Mapping[Any, Any]
     names: Names
-    known: Known
+    known: KnownFormulas
     called: Mapping[int, tuple[str, int]]
     taken: set[str]
     positive: set[str]
@@ -90,7 +90,7 @@ class Writer:
             formula = self.known.shortened(self._written(x, {}), self.met)
             if formula.count_ops() > 2 and self.known.is_of_givens(formula):
                 formula = self.names.of_two(x) or formula
-        except Unwritten:
+        except NoFormulaError:
             return None
         is_itself = formula.is_Symbol and formula.name == name and name not in self.found.givens
         return None if is_itself or is_long(formula) else formula
@@ -110,7 +110,7 @@ class Writer:
             return name
         memo[x.number] = formula = self._operation(x, memo)
         if isinstance(formula, sympy.Basic) and formula.has(sympy.zoo, sympy.nan):
-            raise Unwritten
+            raise NoFormulaError
         return formula
 
     def _operation(self, x, memo):
@@ -131,7 +131,7 @@ class Writer:
         """The case that applies to this sheet."""
         case = self.cases.get(getattr(condition, "number", None))
         if case is None:
-            raise Unwritten
+            raise NoFormulaError
         return case
 
     # -- a root, an integral, and linear equations
@@ -139,7 +139,7 @@ class Writer:
     def _within(self, whole, n, memo, x):
         """A root or an integral inside this formula."""
         if whole.op not in ("root", "integral"):
-            raise Unwritten
+            raise NoFormulaError
         inner, start, end, *outside = whole.args
         root = whole.op == "root"
         name = self._free("u" if root else inner.variable or "u")
@@ -148,7 +148,7 @@ class Writer:
         own = dict(zip(inner.parameters, [variable, *outside], strict=True))
         formula = sympy.sympify(self._inner(inner.leaves[n], own, memo))
         if formula.count_ops() > 2 * LONGEST:
-            raise Unwritten
+            raise NoFormulaError
         if root:
             self._show_together([self._tidy(formula, 0)], {name})
             self.solved.add(x.number)
@@ -216,7 +216,7 @@ class Writer:
                 parts = zip(coefficients, equations.names, strict=True)
                 left = sum(self._written(c, {}) * names[name] for c, name in parts)
                 rows.append(self._tidy(left, self._written(right, {})))
-        except Unwritten:
+        except NoFormulaError:
             return ()
         rows = [row for row in rows if row[0] != row[1]]
         if any(is_long(left - right) for left, right in rows):
@@ -238,7 +238,7 @@ class Writer:
 
     def _show_together(self, rows, unknowns):
         if any(is_long(left - right) for left, right in rows):
-            raise Unwritten
+            raise NoFormulaError
         self.wanted |= {name.removeprefix("-") for name in unknowns}
         rows = [two_sides(row, self.wanted) for row in rows]
         self.together += [row for row in rows if row not in self.together]
@@ -249,7 +249,7 @@ def _applied(op, args):
     if op in _WRITTEN:
         return _WRITTEN[op](*args)
     if op not in NAMES:
-        raise Unwritten
+        raise NoFormulaError
     if op in ("sin", "cos") and isinstance(args[0], sympy.atan):
         y, x = sympy.fraction(args[0].args[0])  # two sides of a right triangle
         return (

@@ -25,7 +25,7 @@ from .shared import (
 )
 
 if TYPE_CHECKING:
-    from ..assignment.build import Built
+    from ..assignment.build import BuildResult
     from ..assignment.spec import Spec
     from ..course import Course
 
@@ -187,7 +187,7 @@ def _asked_for(
     return what, due
 
 
-def _report_built(built: "Built") -> None:
+def _report_built(built: "BuildResult") -> None:
     """Say what was written, and what to do next."""
     course, name = built.course, built.spec.name
     click.echo(f"Wrote {built.path}")

@@ -29,7 +29,7 @@ class LateError(CourseError):
 
 
 @dataclass(frozen=True)
-class Window:
+class ExamWindow:
     """The window of an exam, in UTC without a zone; None: unlimited.
 
     late : one of :data:`LATE`. extensions : {student: extra time}
@@ -81,7 +81,7 @@ def is_exam(course: Course, assignment: str) -> bool:
     return assignment in course.exams
 
 
-def window(course: Course, book: "Gradebook", assignment: str) -> Window | None:
+def window(course: Course, book: "Gradebook", assignment: str) -> ExamWindow | None:
     """The window of an exam, None for other assignments. ``book``: the open gradebook."""
     if not is_exam(course, assignment):
         return None
@@ -90,7 +90,7 @@ def window(course: Course, book: "Gradebook", assignment: str) -> Window | None:
     opens = datetime.fromisoformat(kept["opens"]) if kept["opens"] else None
     granted = {s.student_id: s.extension for s in master.submissions if s.extension}
     own = granted | extensions(course, assignment, master.duedate)
-    return Window(opens, master.duedate, kept["late"], own)
+    return ExamWindow(opens, master.duedate, kept["late"], own)
 
 
 def judged(

@@ -26,7 +26,7 @@ from ..course.files import write_bytes
 from ..sandbox import RUN_SECONDS, Harvester, HarvestError
 from .gradebook import Entry
 from .records import fingerprint, run_state, score_state
-from .student import Result, Run
+from .student import GradingRun, Result
 
 AHEAD = 4  # submissions per thread held by the scheduler at a time
 ANSWER_SECONDS = 10  # limit for a scheduler to answer
@@ -39,7 +39,7 @@ KEPT = "grade again: finished runs are kept and not repeated"
 NEW_WORKERS = "see their messages, and start others"
 OTHERS = "and the others do its work"
 END_IT = "end its process"
-HUNG = "could not be graded: two workers hung at it. An earlier grade stays as it is"
+HUNG = "could not be graded: two workers hung on it. An earlier grade stays as it is"
 
 
 # grades the students: {student: (result, what to write into the gradebook)}
@@ -47,7 +47,7 @@ GradeStudents = Callable[[Callable[[Result], object]], dict[str, tuple[Result, E
 
 
 @dataclass(frozen=True)
-class Shared:
+class SharedData:
     """Where workers find the data common to all submissions, and hashes that must equal their own;
     they write the results into ``folder``, which is in the course folder.
     """
@@ -63,7 +63,7 @@ class Shared:
 def cluster(
     address: str,
     course: Course,
-    run: Run,
+    run: GradingRun,
     students: Sequence[str],
     sandbox: bool,
     report: Callable[[str], object] | None = None,
@@ -78,7 +78,7 @@ def cluster(
     common = {k: v for k, v in vars(run).items() if k not in ("course", "roster")}
     write_json(folder / PLAN, {"students": list(students), "common": common}, indent=None)
     plan = fingerprint(course.secret, (folder / PLAN).read_bytes())
-    shared = Shared(str(course.path), str(folder), _code(), plan, sandbox)
+    shared = SharedData(str(course.path), str(folder), _code(), plan, sandbox)
     try:
         with _connected(address) as client:
             threads, hung = _examined(client, address, shared, report)
@@ -216,7 +216,7 @@ class _Spread:
 
 def _graded(spread, roster, students, progress):
     """{student: (result, entry)}."""
-    found = {s: Run.not_on_roster(s) for s in students if s not in roster}
+    found = {s: GradingRun.not_on_roster(s) for s in students if s not in roster}
     waiting, tried = [n for n, s in enumerate(students) if s in roster][::-1], set()
 
     def note(n, outcome):
@@ -320,7 +320,7 @@ def _run_of(shared):
             "same path"
         )
     plan = json.loads(path.read_bytes())
-    return Run(course, roster=None, **plan["common"]), plan["students"]
+    return GradingRun(course, roster=None, **plan["common"]), plan["students"]
 
 
 def _harvester(shared):

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from ..assignment.cells import Sources
 from ..course import Course, CourseError
 from ..course.due import extensions
-from ..submission import Graded
+from ..submission import NotebookGrade
 
 if TYPE_CHECKING:
     from nbgrader.api import Gradebook
@@ -30,7 +30,7 @@ class Entry:
     """
 
     student: str
-    notebooks: Mapping[str, Graded]
+    notebooks: Mapping[str, NotebookGrade]
     timestamp: datetime | None = None
     changed: bool = True
     again: bool = False

@@ -14,8 +14,8 @@ from ..assignment.released import personal_path
 from ..course import Course, load_json, write_notebook
 from ..sandbox import Harvester
 from ..submission import (
-    Executed,
-    Graded,
+    NotebookGrade,
+    RunResults,
     UnreadableError,
     Work,
     annotate,
@@ -45,7 +45,7 @@ class GradingResult:
     is the first grade of another attempt.
     """
 
-    graded: Graded
+    graded: NotebookGrade
     changed: bool
     reused: bool
     again: bool = False
@@ -91,7 +91,7 @@ def grade_one(
             sheet.master, parse_notebook(submitted.name, content), sheet.places
         )
     if ran:
-        executed = Executed(**entry["executed"])
+        executed = RunResults(**entry["executed"])
     else:
         assert notebook  # rebuilt above, since no run is kept
         executed = execute(harvester, sheet, notebook)

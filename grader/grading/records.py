@@ -15,7 +15,7 @@ from exercises.catalogue.places import changes, files_of
 from ..course import write_json
 from ..sandbox import CAGED
 from ..scoring import Part, Score
-from ..submission import Graded
+from ..submission import NotebookGrade
 
 VERSION = 3
 
@@ -109,7 +109,7 @@ def write_record(path: Path, record: Record) -> None:
     )
 
 
-def graded_as_json(graded: Graded) -> dict[str, Any]:
+def graded_as_json(graded: NotebookGrade) -> dict[str, Any]:
     """A grade as a dict for JSON."""
     return {
         "scores": [s.as_dict() for s in graded.scores.values()],
@@ -120,10 +120,12 @@ def graded_as_json(graded: Graded) -> dict[str, Any]:
     }
 
 
-def graded_from_json(entry: Mapping[str, Any]) -> Graded:
+def graded_from_json(entry: Mapping[str, Any]) -> NotebookGrade:
     """The grade in an entry of a record."""
     scores = {
         s["problem"]: Score(s["problem"], tuple(map(Part.from_dict, s["parts"])), s["note"])
         for s in entry["scores"]
     }
-    return Graded(scores, entry["points"], entry["comments"], entry["note"], entry["sandbox"])
+    return NotebookGrade(
+        scores, entry["points"], entry["comments"], entry["note"], entry["sandbox"]
+    )

@@ -13,7 +13,7 @@ from ..submission import read_timestamp
 from .cluster import cluster
 from .gradebook import Total, instructors_cells, save
 from .lock import alone
-from .student import Result, Run
+from .student import GradingRun, Result
 
 
 def grade(
@@ -58,7 +58,7 @@ def grade(
         timed = wanted if is_exam(course, assignment) else ()
         times = {s: read_timestamp(submitted[s].parent) for s in timed}
         remarks, refused = judged(course, book, assignment, times)
-        run = Run(course, assignment, force, names, sources, roster, remarks)
+        run = GradingRun(course, assignment, force, names, sources, roster, remarks)
         late = {s: (Result(s, problem=why), None) for s, why in refused.items()}
         wanted = [s for s in wanted if s not in late]
         if scheduler:

@@ -34,7 +34,7 @@ class Result(Total):
 
 
 @dataclass(frozen=True)
-class Run:
+class GradingRun:
     """The data common to all submissions of one run; ``roster`` is None if already checked,
     ``remarks`` {student: remark on the time of submission}.
     """

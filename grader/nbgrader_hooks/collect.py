@@ -9,7 +9,7 @@ from nbgrader.exchange.default import ExchangeCollect
 from nbgrader.utils import find_owner
 
 from ..course import Course, check_id
-from ..course.exam import Window, is_exam, window
+from ..course.exam import ExamWindow, is_exam, window
 from ..course.files import copy_regular
 
 KILOBYTE = 1000  # the unit of nbgrader's limits
@@ -32,7 +32,7 @@ class CollectRegularFiles(ExchangeCollect):
         return {"username": "", "filename": "", "timestamp": datetime.min}
 
     src_records: list[dict[str, Any]]  # set by nbgrader
-    _window: Window | None = None
+    _window: ExamWindow | None = None
 
     def init_src(self) -> None:
         course, assignment = Course(self.coursedir.root), self.coursedir.assignment_id

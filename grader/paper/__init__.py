@@ -1,4 +1,4 @@
 """Sheets for printing, each with a student's own numbers and figures, and keys for marking."""
 
 from .markup import PaperError
-from .write import Written, write_papers
+from .write import WrittenPapers, write_papers

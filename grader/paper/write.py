@@ -24,7 +24,7 @@ NEEDED = "typst", "tex2typst"
 
 
 @dataclass(frozen=True)
-class Written:
+class WrittenPapers:
     """The written files."""
 
     sheets: tuple[Path, ...]
@@ -39,7 +39,7 @@ def write_papers(
     key_for: Iterable[str] = (),
     workers: int | None = None,
     done: Callable[[], object] = lambda: None,
-) -> Written:
+) -> WrittenPapers:
     """Write ``folder``/sheets/LOGIN.pdf and ``folder``/keys/LOGIN.pdf for each of the students, and
     keys/overview.pdf; with ``key_for`` the keys of these logins only. All are private to the
     instructor.
@@ -65,7 +65,7 @@ def write_papers(
     if not wanted:
         write_bytes(folder / "keys" / "overview.pdf", pdf(overview(spec.title, entries, class_)))
     logins = sorted(s.login for s in class_)
-    return Written(
+    return WrittenPapers(
         tuple(folder / "sheets" / f"{x}.pdf" for x in logins if not wanted),
         tuple(folder / "keys" / f"{x}.pdf" for x in logins),
     )

@@ -18,7 +18,7 @@ from newton_euler.algebra.trace import Inner, Step
 from newton_euler.algebra.units import SI, US, Dimension, unit
 from newton_euler.algebra.vectors import Vector
 
-from ..scoring.slips.formulas import dimensions_of, needed
+from ..scoring.slips.formulas import dimensions_of, steps_needed
 from .setups_made import of_setups
 
 OPERATIONS = operations(scalars) | {"pi": scalars.pi}
@@ -49,7 +49,7 @@ class ProblemFormulas:
         for a in (a for a in p.answers if not a.kind.is_word):
             factor = unit(a.unit).from_base(1.0, p.system)
             self.answers[a.key] = [(x, factor) for x in found.components[a.key]]
-        self.steps = needed(x for parts in self.answers.values() for x, _ in parts)
+        self.steps = steps_needed(x for parts in self.answers.values() for x, _ in parts)
         self.own = US if any(unit(u).is_of_feet for u in p.units.values()) else SI
         self.metres = 0.3048 if self.own is US else 1.0
         stated = {unit(u) for u in (*p.units.values(), *(found.units[k] for k in self.answers))}
@@ -222,7 +222,7 @@ def _of_given(s, f, values):
 # -- answers with slips
 
 
-class Made(NamedTuple):
+class SlippedAnswers(NamedTuple):
     """Answers with one slip: {key: components} of all, in floats or trees of formulas, and the keys
     of the wrong ones.
     """
@@ -233,7 +233,7 @@ class Made(NamedTuple):
     name: str = ""  # name of a listed mistake
 
 
-def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterator[Made]:
+def made(p: Problem, values: Mapping[str, float], rng: random.Random) -> Iterator[SlippedAnswers]:
     """Slips of every possible kind in a problem, in all answers that they affect or in one."""
     f = ProblemFormulas(p)
     base = f.base({**values, **symbol_points(p)})
@@ -268,7 +268,7 @@ def _spread(kind, wrong, right, rng):
         return
     if rng.random() < 0.5:
         changed = [rng.choice(changed)]
-    yield Made(kind, {**right, **{k: wrong[k] for k in changed}}, tuple(changed))
+    yield SlippedAnswers(kind, {**right, **{k: wrong[k] for k in changed}}, tuple(changed))
 
 
 def _same(a, b):
@@ -292,7 +292,7 @@ def _following(f, base, right, rng):
     for key, edit in _wrong_numbers(f, right, rng):
         wrong, later = _later(f, base, right, key, edit)
         if later:
-            yield Made("follows", {**right, **wrong}, later)
+            yield SlippedAnswers("follows", {**right, **wrong}, later)
 
 
 def _going_on(f, base, right, rng):
@@ -300,13 +300,13 @@ def _going_on(f, base, right, rng):
     choices = [e for every in edits(f, base).values() for e in every]
     for key, edit in _wrong_numbers(f, right, rng):
         follows, later = _later(f, base, right, key, edit)
-        before = {s.number for s in needed(x for x, _ in f.answers[key])}
+        before = {s.number for s in steps_needed(x for x, _ in f.answers[key])}
         after = [e for e in choices if e[0].step.number not in before]
         for slip in rng.sample(after, min(2, len(after))) if later else ():
             wrong, _ = _later(f, base, right, key, (*edit, *slip))
             changed = tuple(k for k in later if k in wrong and not _same(wrong[k], follows[k]))
             if changed:
-                yield Made("slip in going on", {**right, **follows, **wrong}, changed)
+                yield SlippedAnswers("slip in going on", {**right, **follows, **wrong}, changed)
 
 
 def _wrong_numbers(f, right, rng):
@@ -335,7 +335,7 @@ def _listed(p, values, right, rng):
         numbers = {k: x for k, x in numbers.items() if not _same(x, right[k])}
         if numbers and (len(right) > 1):
             key = rng.choice(sorted(numbers))
-            yield Made(LISTED, {**right, key: numbers[key]}, (key,), name)
+            yield SlippedAnswers(LISTED, {**right, key: numbers[key]}, (key,), name)
 
 
 def _in_other_places(p, values, right):
@@ -343,8 +343,8 @@ def _in_other_places(p, values, right):
     for a, b in combinations([p.answer(key) for key in right], 2):
         if (a.kind, a.unit) == (b.kind, b.unit):
             wrong = {a.key: right[b.key], b.key: right[a.key]}
-            yield Made("exchanged", {**right, **wrong}, (a.key, b.key))
+            yield SlippedAnswers("exchanged", {**right, **wrong}, (a.key, b.key))
     for key, x in p.solve({**values, **symbol_points(p)}).items():
         for frame in x.frame.tree if isinstance(x, Vector) else ():
             if not _same(other := flat(x.components(frame)), right[key]):
-                yield Made("other axes", {**right, key: other}, (key,))
+                yield SlippedAnswers("other axes", {**right, key: other}, (key,))

@@ -10,7 +10,7 @@ from rich import box
 from rich.markup import escape
 from rich.table import Table
 
-from ..course.take_in import TakenIn
+from ..course.take_in import TakeInResult
 from ..grading import Result
 from ..sandbox import CAGED
 from ..submission.pipeline import MARK
@@ -112,7 +112,7 @@ def diagnosis_table(results: Iterable[Result], most: int | None = None) -> Table
     return table
 
 
-def taken_in_table(taken: TakenIn) -> Table:
+def taken_in_table(taken: TakeInResult) -> Table:
     """The outcome for the files of an archive."""
     table = plain_table("Work in the archive", "student", "file", "what became of it")
     for student, name in taken.taken.items():

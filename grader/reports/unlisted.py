@@ -13,7 +13,7 @@ from newton_euler.answers.causes import GIVES_ZERO
 from newton_euler.answers.fit import EXACT, Fit
 from newton_euler.answers.slips import multiples, of_components, of_none, of_powers
 from newton_euler.answers.tolerance import is_apart
-from newton_euler.answers.verdicts import Judged, explain
+from newton_euler.answers.verdicts import JudgedAnswer, explain
 
 from ..scoring.numbers import numbers_of, points_of
 from .slips_made import LISTED, made
@@ -78,7 +78,7 @@ def _written(points, digits):
 
 def _judged(asked, given, numbers):
     right = asked.kind.is_right(given, numbers.key[asked.key], asked.atol, asked.rtol)
-    return Judged("right" if right else "wrong", "", given)
+    return JudgedAnswer("right" if right else "wrong", "", given)
 
 
 def _outcome(asked, judged, numbers, whole, slip):

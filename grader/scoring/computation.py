@@ -15,7 +15,13 @@ from exercises.catalogue.variants import POINTS, flat
 from exercises.catalogue.wording import term_text
 from grader.scoring.slips.edits_of_setups import of_setups
 from grader.scoring.slips.edits_of_terms import of_terms
-from grader.scoring.slips.formulas import Formulas, Stage, Traced, needed, with_arguments
+from grader.scoring.slips.formulas import (
+    Formulas,
+    Intermediate,
+    TracedAnswer,
+    steps_needed,
+    with_arguments,
+)
 from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler.algebra.compile import Compiled
 from newton_euler.algebra.language import Words, cached_by_language, spoken
@@ -70,7 +76,7 @@ def _following(p, key):
 
 def _of_one(p, key, parts, stated):
     asked = p.answer(key)
-    answers = {key: Traced(parts, asked.unit, POINTS if asked.kind.is_formula else 1)}
+    answers = {key: TracedAnswer(parts, asked.unit, POINTS if asked.kind.is_formula else 1)}
     own = {n: e.key for e in p.answers if e.kind.length > 1 for n in names(p, e.key) if n in stated}
     units, where = {**p.units, **stated}, section(p.section)
     return Formulas(answers, units, p.system, (), where, _means(p), components=own)
@@ -85,7 +91,7 @@ def followed(p: Problem) -> Mapping[str, Formulas]:
     components = traced_quantities(p).components if len(p.answers) > 1 else {}
     for key in (a.key for a in p.answers if a.key in components):
         leaves = with_arguments(components[key], before)
-        used = {s.args[0] for s in needed(leaves) if s.op == "argument"} - p.units.keys()
+        used = {s.args[0] for s in steps_needed(leaves) if s.op == "argument"} - p.units.keys()
         if used and any(map(_is_computed, leaves)):
             earlier = [a for a in p.answers if used & {*names(p, a.key)}]
             stated = {n: a.unit for a in earlier for n in names(p, a.key)}
@@ -118,7 +124,7 @@ def sequel_of(p: Problem, key: str) -> Callable[..., list[Any]]:
     (answer,) = f.answers.values()
     to_base = {
         s.args[0]: unit(f.units[s.args[0]]).to_base(1.0, f.system)
-        for s in needed(answer.parts)
+        for s in steps_needed(answer.parts)
         if s.op == "argument"
     }
     trace = next(x.trace for x in answer.parts if isinstance(x, Step))
@@ -152,15 +158,15 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     asked = {a.key for a in p.answers}
     steps = [s for s in found.steps if s.key in found.components and s.key not in asked]
     answers = {
-        a.key: Traced(
+        a.key: TracedAnswer(
             _with_zeros(found.components[a.key]), a.unit, POINTS if a.kind.is_formula else 1
         )
         for a in p.answers
         if a.key in found.components
     }
     if of_steps:
-        answers = {s.key: Traced(found.components[s.key], s.unit) for s in steps}
-    stages = [Stage(s.key, _where(p, s), found.components[s.key], _named(s)) for s in steps]
+        answers = {s.key: TracedAnswer(found.components[s.key], s.unit) for s in steps}
+    stages = [Intermediate(s.key, _where(p, s), found.components[s.key], _named(s)) for s in steps]
     symbols = p.units.keys() - p.givens.keys()
     where, means = section(p.section), _means(p)
     solved, given = found.solved, found.givens

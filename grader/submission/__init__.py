@@ -3,9 +3,9 @@ notebook, runs it in the sandbox, scores it, annotates the notebook.
 """
 
 from .annotation import annotate
-from .execute import Executed, execute
+from .execute import RunResults, execute
 from .files import UnreadableError, parse_notebook, read_notebook
-from .pipeline import Graded, feedback_comment, grade_notebook
+from .pipeline import NotebookGrade, feedback_comment, grade_notebook
 from .rebuild import Work, rebuild
 from .sheet import Sheet, student_sheet
 from .timestamps import read_timestamp

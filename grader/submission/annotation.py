@@ -12,12 +12,14 @@ from newton_euler.answers.notation import is_word
 from ..assignment.cells import Cell, Notebook, Sources, nbgrader_metadata, own_metadata
 from ..scoring import Part, Score
 from .mathml import mathml, unit_html
-from .pipeline import MARK, Graded
+from .pipeline import MARK, NotebookGrade
 
 NOTE = "note-of-grading"  # the id of the cell that holds the note where there is no introduction
 
 
-def annotate(notebook: Notebook, graded: Graded, sources: Sources, earlier: str = "") -> Notebook:
+def annotate(
+    notebook: Notebook, graded: NotebookGrade, sources: Sources, earlier: str = ""
+) -> Notebook:
     """The rebuilt notebook, or one annotated before with the note ``earlier``: with the verdicts in
     the receipt cells, a note on top, and the instructor's texts as in the gradebook.
     """

@@ -27,7 +27,7 @@ PROCESS_ENDED = Words(
 
 
 @dataclass
-class Executed:
+class RunResults:
     """The results of a run: receipts by problem, outcomes of the instructor's tests, errors in
     other cells by their id, how the code was isolated, a note if it ended early.
     """
@@ -111,11 +111,11 @@ def _forms(task: Task) -> dict[str, str]:
     return task.forms or {a.key: str(a.form) for a in task.exercise.answers}
 
 
-def execute(harvester: Harvester, sheet: Sheet, notebook: Notebook) -> Executed:
+def execute(harvester: Harvester, sheet: Sheet, notebook: Notebook) -> RunResults:
     """Run the work in a rebuilt notebook in the sandbox."""
     cells = _cells_to_run(sheet, notebook)
     if not cells:
-        return Executed()
+        return RunResults()
     result = harvester.run(cells)
     receipts, note = result["receipts"], ""
     asked = [c["problem"] for c in cells if c["role"] == "harvest"]
@@ -132,4 +132,4 @@ def execute(harvester: Harvester, sheet: Sheet, notebook: Notebook) -> Executed:
         ended = _(PROCESS_ENDED)
         lost: RawReceipt = {"id": unread[0], "answers": None, "faults": None, "error": ended}
         receipts[unread[0]] = lost
-    return Executed(receipts, result["tests"], result["errors"], result["sandbox"], note)
+    return RunResults(receipts, result["tests"], result["errors"], result["sandbox"], note)

@@ -10,7 +10,7 @@ from ..course import CourseError
 from ..sandbox import CAGED
 from ..sandbox.receipts import Outcome
 from ..scoring import NO_ANSWER, Score, ScoreError, score_receipt
-from .execute import Executed
+from .execute import RunResults
 from .rebuild import Work
 from .sheet import Sheet
 
@@ -18,7 +18,7 @@ MARK = {"right": "✓", "wrong": "✗", "unreadable": "?", "blank": "–"}
 
 
 @dataclass
-class Graded:
+class NotebookGrade:
     """The grade of one notebook: the scores by problem, and for each of nbgrader's cells the
     automatic points and comment; None for points that a person gives.
     """
@@ -31,15 +31,15 @@ class Graded:
 
 
 def grade_notebook(
-    sheet: Sheet, work: Work, executed: Executed, kept: Mapping[str, Score]
-) -> Graded:
+    sheet: Sheet, work: Work, executed: RunResults, kept: Mapping[str, Score]
+) -> NotebookGrade:
     """Grade a notebook from the results of its run: no student code runs here. Problems in ``kept``
     need not be scored again.
     """
     notes = [work.note, executed.note]
     if executed.sandbox != CAGED:
         notes.append(executed.sandbox)
-    graded = Graded(note="; ".join(n for n in notes if n), sandbox=executed.sandbox)
+    graded = NotebookGrade(note="; ".join(n for n in notes if n), sandbox=executed.sandbox)
     by_grade_id = {}
     for number, task in sheet.tasks.items():
         score = kept.get(number) or _scored(sheet, task, work, executed)

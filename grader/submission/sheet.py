@@ -7,7 +7,7 @@ from functools import cached_property, lru_cache
 from ..assignment.attempts import earlier_attempts
 from ..assignment.cells import Notebook, SheetValues, Sources, Values
 from ..assignment.numbers import numbers_in
-from ..assignment.released import Released, master_notebook, released, sheet_numbers
+from ..assignment.released import ReleasedNotebook, master_notebook, released, sheet_numbers
 from ..assignment.sheet import Task
 from ..course import Course
 from .recognition import Places, places_by_name
@@ -23,7 +23,7 @@ class Sheet:
     assignment: str
     student: str
     name: str
-    released: Released
+    released: ReleasedNotebook
     values: SheetValues
     sources: Sources
     earlier: Mapping[str, Sequence[Values]]  # the numbers of earlier attempts, by problem

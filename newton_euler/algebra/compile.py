@@ -41,7 +41,7 @@ from .scalars import (
     without_rates,
 )
 from .source import WITHOUT_HEYOKA, generate, named_apart, runtime_names
-from .trace import NO_VALUE, Inner, NoValueError, Step, Trace, asked_by, keys_of, packed, unpacked
+from .trace import NO_VALUE, Inner, NoNumberError, Step, Trace, asked_by, keys_of, packed, unpacked
 
 # instants at a time: the temporaries of a block stay in the processor's cache (1024 to 32768
 # measured)
@@ -353,7 +353,7 @@ def _lacked_values(error):
     itself, the code that asked for its number, or a function of NumPy, SciPy or mpmath.
     """
     if isinstance(error, NewtonEulerError):
-        return isinstance(error, NoValueError)
+        return isinstance(error, NoNumberError)
     *_, last = _tracebacks(error)
     if asked_by(last.tb_frame, last.tb_lasti):
         return True

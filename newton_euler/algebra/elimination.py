@@ -14,8 +14,8 @@ from .vectors import FrameError
 # Relative to the largest coefficient of a condition: what remains of a sum of a few terms that
 # cancel, as in the components of a turned vector.
 CANCELLATION = 16
-# Relative to the largest coefficient subtracted: a thousand times what was measured, for longer
-# chains.
+# Relative to the largest coefficient of the equation, also where unknowns are left open: in 1500
+# such systems what should vanish is at most 2**10, what should not at least 2**22.
 NO_PIVOT = 2**12
 # Relative to the pivot, or to the largest part of a sum: halfway between both measured sizes.
 ABSENT = 2**19
@@ -105,7 +105,7 @@ class Elimination:
     def _relative(self, row, measure=max_abs):
         """The size of the coefficients of a row, each relative to what is usual for its unknown."""
         pairs = zip(row, self.scale, strict=False)
-        return [measure(x) / s if s and x is not ZERO else 0.0 for x, s in pairs]
+        return [measure(x) / s if s else 0.0 for x, s in pairs]
 
     def _others(self, pivot, row):
         """The unknowns of a row other than its pivot."""
@@ -114,17 +114,15 @@ class Elimination:
 
     def _eliminate(self, n):
         own = (int(n == m) or ZERO for m in range(len(self.equations)))
-        row, usual = [*self.equations[n].parts(), *own], self.usual[n]
+        row = [*self.equations[n].parts(), *own]
         for pivot, other in self.rows.items():
-            if (factor := row[pivot]) is not ZERO:
+            if row[pivot] is not ZERO:
                 row = _subtracted(row, other, pivot)
-                usual = max(usual, *self._relative([factor * x for x in other[: self.count]]))
-        pivot = self._pivot(row, NO_PIVOT * self.round_off * usual)
+        pivot = self._pivot(row, NO_PIVOT * self.round_off * self.usual[n])
         if pivot is None:
             self.dependent[n] = row
             return
         row = [x / row[pivot] for x in row]
-        row[pivot] = 1
         for k, r in self.rows.items():
             if r[pivot] is not ZERO:
                 self.rows[k] = _subtracted(r, row, pivot)

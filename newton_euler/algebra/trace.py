@@ -20,7 +20,7 @@ NO_VALUE = (
 )
 
 
-class NoValueError(ScalarError):
+class NoNumberError(ScalarError):
     """A traced value was asked for its number."""
 
     def __init__(self):
@@ -33,7 +33,7 @@ class _Text(str):
     __slots__ = ()
 
     def __float__(self):
-        raise NoValueError
+        raise NoNumberError
 
     __int__ = __float__
 
@@ -178,7 +178,7 @@ class Step(_Own):
 
     def _no_value(self, *_):
         _note(sys._getframe(1))  # NumPy raises an error of its own for this one
-        raise NoValueError
+        raise NoNumberError
 
     __bool__ = __float__ = __complex__ = __int__ = __index__ = __round__ = _no_value
     __trunc__ = __floor__ = __ceil__ = __divmod__ = __rdivmod__ = __invert__ = _no_value

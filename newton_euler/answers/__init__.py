@@ -9,6 +9,6 @@ from .causes import Cause, sentence
 from .forms import AnswerError, Form
 from .kinds import KINDS, Kind
 from .receipts import expect, receipt
-from .verdicts import NO_ANSWER, Explained, Judged, explain, judge
+from .verdicts import NO_ANSWER, Diagnosis, JudgedAnswer, explain, judge
 
 _guide(__name__)

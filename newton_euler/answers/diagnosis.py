@@ -24,7 +24,7 @@ Model = tuple[Cause, Points]  # the answer by a wrong model
 Near = tuple[int, Cause, Points]  # the answer with a slip, and how simple that is: 1 is simplest
 
 
-class Answered(NamedTuple):
+class OtherPart(NamedTuple):
     """Another part of the problem that the student answered, and its wrong models."""
 
     right: bool
@@ -41,13 +41,13 @@ class Answered(NamedTuple):
         yield from (self.kind.like(x, self.given) for x in self.slips(cause))
 
 
-class Elsewhere:
+class OtherParts:
     """The other parts of a student's problem, as evidence for or against a cause.
 
-    find : a function that returns each part as :class:`Answered`; called only when a cause fits
+    find : a function that returns each part as :class:`OtherPart`; called only when a cause fits
     """
 
-    def __init__(self, find: Callable[[], Iterable[Answered]] = tuple):
+    def __init__(self, find: Callable[[], Iterable[OtherPart]] = tuple):
         self._find = find
 
     @cached_property
@@ -96,7 +96,7 @@ def diagnose(
     wrong: Sequence[Model],
     kind: Kind = KINDS["vector"],
     factors: Mapping[str, float] | None = None,
-    elsewhere: Elsewhere | None = None,
+    elsewhere: OtherParts | None = None,
     slips: Callable[[Fit, Kind], Sequence[Near]] | None = None,
     singles: Callable[[], Singles] = lambda: NO_SINGLES,
 ) -> tuple[Cause, ...]:
@@ -110,7 +110,7 @@ def diagnose(
         follows from earlier ones, where nothing more general is tried
     singles : finds the slips that may be made beside another mistake
     """
-    elsewhere = elsewhere or Elsewhere()
+    elsewhere = elsewhere or OtherParts()
     if kind.is_word:  # one of few words is soon met by chance: only mistakes listed, and of counts
         models = [m for m in wrong if m[1] == given and m[0].group in ("listed", "count")]
         hits = [Hit(EXACT, *m) for m in models if not elsewhere.refutes(m[0])]

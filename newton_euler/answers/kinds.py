@@ -16,9 +16,9 @@ from ..algebra.vectors import Vector
 from . import slips, tolerance
 from .causes import DIRECTION, FIRST_DIGITS, NEAR, NEAR_IN_FEW_DIGITS, NUMBERS, Cause, right_but
 from .fit import Fit, most_digits
-from .messages import Stated
+from .messages import StatedForm
 from .notation import list_symbol, matrix_symbol
-from .reading import Budget, are_one_vector, formulas, numbers
+from .reading import Budget, are_one_vector, formula_values, numbers
 from .sympy_formulas import read_formula
 from .tolerance import Point, Points, distance, formula_is_near, is_near
 from .trees import TreeError
@@ -69,7 +69,7 @@ class Kind:
 
     # -- reading
 
-    def read(self, value: Any, form: Stated, symbols: Mapping[str, str], budget: Budget) -> Any:
+    def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> Any:
         """The JSON of an answer that a student computed by any library: a number, a formula tree,
         or a list of them. Raises :class:`~.messages.AnswerError`. ``symbols``: {name: unit} of
         formulas; ``budget``: the operations that may still be read.
@@ -93,7 +93,7 @@ class Kind:
         return tree if self.length > 1 else [tree]
 
     def readings(
-        self, tree: Any, form: Stated, symbols: Mapping[str, Any], budget: Budget
+        self, tree: Any, form: StatedForm, symbols: Mapping[str, Any], budget: Budget
     ) -> list[Points]:
         """The readings of an answer in JSON: for a vector that is given in several frames, its
         components in each, of which :func:`~.frames.counted` finds those that count; [] for
@@ -231,7 +231,7 @@ class VectorKind(Kind):
     def places(self) -> list[str]:
         return [_("first component"), _("second component"), _("third component")]
 
-    def read(self, value: Any, form: Stated, symbols: Mapping[str, str], budget: Budget) -> Any:
+    def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> Any:
         """As for a kind; a vector that lies in a frame is read in several, {frame: tree}."""
         if isinstance(value, Vector) and value.frame.parent is not None:
             return self._in_frames(value, form, symbols, budget)
@@ -258,7 +258,7 @@ class VectorKind(Kind):
         return found if any(tree != first for tree in others) else first
 
     def readings(
-        self, tree: Any, form: Stated, symbols: Mapping[str, Any], budget: Budget
+        self, tree: Any, form: StatedForm, symbols: Mapping[str, Any], budget: Budget
     ) -> list[Points]:
         """As for a kind: of {frame: tree} the components in each, if they are one vector."""
         if not isinstance(tree, dict) or not 0 < len(tree) <= FRAMES:
@@ -409,7 +409,7 @@ class _Formula(Kind):
         return read_formula(x, form, symbols, budget)
 
     def _points(self, trees, form, symbols, budget):
-        return formulas(trees, symbols, budget)
+        return formula_values(trees, symbols, budget)
 
     def is_right(self, given, key, atol, rtol=tolerance.RTOL):
         """True at every point where the key has a value."""
@@ -498,7 +498,7 @@ class Count(_Word):
     words = Words("a whole number")
     python_type = int
 
-    def read(self, value: Any, form: Stated, symbols: Mapping[str, str], budget: Budget) -> int:
+    def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> int:
         """A whole number, also as 3.0; raises :class:`~.messages.AnswerError` of another one."""
         with contextlib.suppress(ArithmeticError, TypeError, ValueError):
             if not isinstance(value, (bool, str)) and int(value) == value and abs(value) < MOST:
@@ -515,7 +515,7 @@ class Choice(_Word):
     python_type = str
     has_options = True
 
-    def read(self, value: Any, form: Stated, symbols: Mapping[str, str], budget: Budget) -> str:
+    def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> str:
         """The word of the list that is meant: capitals and blanks say nothing."""
         found = {_plain(word): word for word in form.of} | {word: word for word in form.of}
         given = str(value) if isinstance(value, str) else ""

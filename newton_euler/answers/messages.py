@@ -28,7 +28,7 @@ class OpenAnswer(AnswerError):
     """An answer not given yet; the error is for nbgrader's Validate to show."""
 
 
-class Stated(Protocol):
+class StatedForm(Protocol):
     """The form in which an answer is asked for, as far as reading needs it: the unit, the words to
     choose from, and the error of an answer that does not have this form.
     """

@@ -69,7 +69,7 @@ def is_apart(numbers: Points, key: Points) -> bool:
     if isinstance(key[0][0], str) or isinstance(numbers[0][0], str):
         return numbers != key
     far = [
-        math.dist(x, k) >= SEPARATION * (math.hypot(*k) or math.hypot(*x))
+        math.dist(x, k) >= SEPARATION * math.hypot(*k)
         for x, k in zip(numbers, key, strict=True)
         if math.isfinite(math.hypot(*x)) and math.isfinite(math.hypot(*k))
     ]

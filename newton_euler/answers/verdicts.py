@@ -12,8 +12,8 @@ from typing import Any, Protocol
 from ..algebra.language import Words, _, joined, spoken
 from ..algebra.units import unit as unit_of
 from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
-from .diagnosis import Answered, Elsewhere, Model, diagnose
-from .fit import Fit, times
+from .diagnosis import Model, OtherPart, OtherParts, diagnose
+from .fit import Fit, scaled_points
 from .forms import Form
 from .frames import Toleranced, counted
 from .messages import one_line
@@ -33,7 +33,7 @@ OTHER_NUMBERS = {
 }
 
 
-class Asked(Toleranced, Protocol):
+class AskedAnswer(Toleranced, Protocol):
     """One answer that is asked for."""
 
     @property
@@ -50,7 +50,7 @@ class Numbers(Protocol):
     """The right numbers and the wrong models of one student's problem."""
 
     @property
-    def answers(self) -> Sequence[Asked]:
+    def answers(self) -> Sequence[AskedAnswer]:
         """The answers that are asked for."""
 
     @property
@@ -95,7 +95,7 @@ class Numbers(Protocol):
 
 
 @dataclass(frozen=True)
-class Judged:
+class JudgedAnswer:
     """An answer judged: its verdict (right, wrong, unreadable or blank), a message, and the points
     that were read, in the unit of the key.
     """
@@ -106,39 +106,39 @@ class Judged:
 
 
 def judge(
-    asked: Asked,
+    asked: AskedAnswer,
     form: Form,
     tree: Any,
     fault: str | None,
     numbers: Numbers,
     budget: Budget,
     factor: float = 1.0,
-) -> Judged:
+) -> JudgedAnswer:
     """The verdict on the answer ``tree``, read in the ``form`` that the student had; ``fault`` says
     why it could not be read, if so. ``budget``: the operations of formulas that may be read;
     ``factor``: from the unit of the form to that of the key.
     """
     if fault is not None:
-        return Judged("unreadable", one_line(fault))
+        return JudgedAnswer("unreadable", one_line(fault))
     if tree is None:
-        return Judged("blank", spoken(NO_ANSWER))
+        return JudgedAnswer("blank", spoken(NO_ANSWER))
     try:
         readings = form.kind.readings(tree, form, numbers.symbols, budget)
     except TreeError as error:
-        return Judged("unreadable", _("cannot be read: {fault}", fault=one_line(str(error))))
+        return JudgedAnswer("unreadable", _("cannot be read: {fault}", fault=one_line(str(error))))
     if factor != 1:
-        readings = [times(factor, r) for r in readings]
+        readings = [scaled_points(factor, r) for r in readings]
     key = numbers.key[asked.key]
     right = counted(readings, key, asked, partial(numbers.wrong, asked.key))
     if right is not None:
-        return Judged("right", _("right"), right)
+        return JudgedAnswer("right", _("right"), right)
     near = asked.atol, asked.rtol
     wrong = [given for given in readings if not asked.kind.is_right(given, key, *near)]
-    return Judged("wrong", _("not right"), wrong[0] if wrong else None)
+    return JudgedAnswer("wrong", _("not right"), wrong[0] if wrong else None)
 
 
 @dataclass(frozen=True)
-class Explained:
+class Diagnosis:
     """Why an answer is wrong: a message for the student, the causes, the earlier answers of the
     student's own from which it follows, and the words about other causes that come after this.
     """
@@ -154,8 +154,8 @@ class Explained:
         return sentence(self.causes)
 
 
-def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Explained:
-    """Why an answer is wrong; ``found`` has the :class:`Judged` of each answer of the problem."""
+def explain(asked: AskedAnswer, found: Mapping[str, JudgedAnswer], numbers: Numbers) -> Diagnosis:
+    """Why an answer is wrong; ``found`` has each answer of the problem, judged."""
     given = found[asked.key].given
     assert given is not None
     earlier = _followed(asked, given, found, numbers)
@@ -165,20 +165,20 @@ def explain(asked: Asked, found: Mapping[str, Judged], numbers: Numbers) -> Expl
     causes = tuple(c if c.where else c.at(numbers.where) for c in causes)
     for cause, words in OTHER_NUMBERS.items():
         if causes == (cause,):
-            return Explained(spoken(words), (cause,))
+            return Diagnosis(spoken(words), (cause,))
     if earlier:
         message = _("not right; it follows from your {names}", names=joined(earlier))
         why = sentence(causes)
         also = _("; it also fits a solution that {cause}", cause=why) if why else ""
-        return Explained(message, (follows(earlier), *causes), earlier, also)
+        return Diagnosis(message, (follows(earlier), *causes), earlier, also)
     key = asked.kind.like(numbers.key[asked.key], given)
     if not causes and (seen := asked.kind.observed(given, key)):
         causes = (seen,)
     if causes and causes[0].is_observation:
-        return Explained(_("not right; {remark}", remark=causes[0].text), causes)
+        return Diagnosis(_("not right; {remark}", remark=causes[0].text), causes)
     why = sentence(causes)
     fits = _("not right; it fits a solution that {cause}", cause=why) if why else _("not right")
-    return Explained(fits, causes)
+    return Diagnosis(fits, causes)
 
 
 def _causes(asked, given, found, numbers, *slips):
@@ -188,7 +188,7 @@ def _causes(asked, given, found, numbers, *slips):
         fit, of = Fit(given, key, asked.kind.rtol), unit_of(asked.unit).dimension
         wrong += of_other_bodies(fit, of, numbers.symbols, asked.kind.is_vector)
     factors = asked.kind.factors(asked.unit)
-    elsewhere = Elsewhere(lambda: _elsewhere(asked, found, numbers))
+    elsewhere = OtherParts(lambda: _elsewhere(asked, found, numbers))
     causes = diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
     if not causes and slips and asked.kind.is_formula:
         others = (
@@ -271,7 +271,7 @@ def _elsewhere(asked, found, numbers):
         if other.key != asked.key and judged and judged.given is not None:
             key, wrong = _like(judged.given, other, numbers)
             slips = partial(numbers.slips.of, other.key)
-            yield Answered(
+            yield OtherPart(
                 judged.verdict == "right", other.kind, judged.given, key, wrong, slips, other.key
             )
 
@@ -304,8 +304,8 @@ def _doubled(earlier, wrong, follow):
     """
     if any(isinstance(earlier[n][0][0], str) for n in wrong):
         return None
-    found = follow({n: times(2.0, x) if n in wrong else x for n, x in earlier.items()})
-    return None if found is None or isinstance(found[0][0], str) else times(0.5, found)
+    found = follow({n: scaled_points(2.0, x) if n in wrong else x for n, x in earlier.items()})
+    return None if found is None or isinstance(found[0][0], str) else scaled_points(0.5, found)
 
 
 def _gap(given, points):

@@ -188,7 +188,7 @@ class Potential:
     coordinates with the rate of V, -F.v (11.19).
     """
 
-    force: Callable
+    force: Field
     base: Sequence[Scalar]
     rtol: Accuracy = 1e-10
 

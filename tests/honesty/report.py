@@ -13,7 +13,7 @@ from statistics import median
 from matplotlib.figure import Figure
 
 from newton_euler.accuracy.charts.honesty import draw_honesty
-from newton_euler.accuracy.measurements.honesty import FAILED, REFUSED, Answer
+from newton_euler.accuracy.measurements.honesty import FAILED, REFUSED, MethodResult
 
 ABSENT = {"refused": REFUSED, "raw": FAILED, "timeout": FAILED}
 GOALS = {"met": 0.995, "covers": 0.99, "ratio": 100.0, "silent": 0}  # of issue 9
@@ -122,7 +122,7 @@ def answers(runs):
     """The runs as answers for the chart of honesty, without methods that a model cannot use."""
     of = lambda r: {"problem": r.case, "absent": ABSENT.get(r.outcome, ""), "words": r.words}
     return [
-        Answer(r.row, r.seconds, r.error, asked=r.rtol, estimate=r.estimate, **of(r))
+        MethodResult(r.row, r.seconds, r.error, asked=r.rtol, estimate=r.estimate, **of(r))
         for r in runs
         if r.outcome != "unfit"
     ]

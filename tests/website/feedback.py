@@ -12,14 +12,14 @@ from grader.nbgrader_hooks import feedback_page
 from grader.nbgrader_hooks.feedback_page import Section
 from grader.nbgrader_hooks.grading_page import html_with_mathml
 from grader.scoring import score_receipt
-from grader.submission import Graded, annotate
+from grader.submission import NotebookGrade, annotate
 from newton_euler.algebra.language import _, language
 
 
 def verdicts(score):
     """What is shown of a score: {kind of output: text}."""
     cell = code_cell("receipt", "", {"role": "receipt", "problem": score.problem})
-    shown = annotate({"cells": [cell]}, Graded({score.problem: score}), {})
+    shown = annotate({"cells": [cell]}, NotebookGrade({score.problem: score}), {})
     return shown["cells"][0]["outputs"][0]["data"]
 
 

@@ -11,7 +11,7 @@ from newton_euler.classroom.widgets.on_pages import described
 
 from . import late
 from .notebook import Notebook, name_of
-from .shown import Shown, showing
+from .output import CellOutput, showing
 
 if sys.platform == "emscripten":
     late.install()
@@ -32,14 +32,14 @@ def run(page: str, cells: list[str], number: int) -> dict[str, Any]:
     """Run a cell of the page ``cells``, after what it needs of those above that were not run:
     {"shown": [(kind, content) …]}, and "error" in words where it fails.
     """
-    shown = Shown()
+    output = CellOutput()
     try:
-        _run_cell(_open[page], cells, number, shown)
+        _run_cell(_open[page], cells, number, output)
     except Exception as error:
         if late.missing(error):
             raise  # the page may fetch the package and run the cell again
-        return {"shown": shown.items, "error": _in_words(error, number)}
-    return {"shown": shown.items}
+        return {"shown": output.items, "error": _in_words(error, number)}
+    return {"shown": output.items}
 
 
 def picture(
@@ -50,31 +50,31 @@ def picture(
     """
     here = _open[page]
     if not here.figures.get(number):
-        _run_cell(here, cells, number, Shown())
+        _run_cell(here, cells, number, CellOutput())
     image, words = here.figures[number][figure].picture(values)
     return {"svg": image.decode(), "alt": words}
 
 
-def _run_cell(page, cells, number, shown):
+def _run_cell(page, cells, number, output):
     """Run a cell; its last value is shown, unless a semicolon follows."""
     page.figures[number] = []
-    with _taking([], Shown()), showing(Shown()):
+    with _taking([], CellOutput()), showing(CellOutput()):
         stand = page.prepare(cells, number)
-    with _taking(page.figures[number], shown), showing(shown):
+    with _taking(page.figures[number], output), showing(output):
         value = page.run(cells[number], number, stand)
         if value is not None and not cells[number].rstrip().endswith(";"):
-            shown.display(value)
+            output.display(value)
 
 
 @contextmanager
-def _taking(figures, shown):
+def _taking(figures, output):
     """In the block, figures with sliders are kept and shown."""
 
     def take(figure):
         figure.rehearse()
         figures.append(figure)
         image, words = figure.picture(figure.start)
-        shown.items.append(["figure", {"svg": image.decode(), "alt": words, **described(figure)}])
+        output.items.append(["figure", {"svg": image.decode(), "alt": words, **described(figure)}])
 
     before, interactive.taker = interactive.taker, take
     try:

@@ -8,11 +8,11 @@ from dataclasses import dataclass, field
 from itertools import count
 from typing import Any
 
-from .needed import Statement, needed, statements
+from .needed import Statement, statements, statements_needed
 
 
 @dataclass
-class Run:
+class StatementRun:
     """A statement that was run, with the numbers of the runs that its names came from."""
 
     number: int
@@ -27,21 +27,21 @@ class Notebook:
     def __init__(self) -> None:
         self.names: dict[str, Any] = {"__name__": "__main__"}
         self.ran: dict[int, str] = {}  # the sources of cells that the reader ran
-        self._runs: dict[Statement, Run] = {}
+        self._runs: dict[Statement, StatementRun] = {}
         self._numbers = count()
 
-    def prepare(self, cells: Sequence[str], number: int) -> dict[str, Run]:
+    def prepare(self, cells: Sequence[str], number: int) -> dict[str, StatementRun]:
         """Run what a cell needs, unless it is up to date; {name: the run that bound it}."""
         above = [self.ran.get(n, cell) for n, cell in enumerate(cells[:number])]
-        stand: dict[str, Run] = {}
-        for n, statement in needed(above, cells[number]):
+        stand: dict[str, StatementRun] = {}
+        for n, statement in statements_needed(above, cells[number]):
             done = self._runs.get(statement)
             if done is None or done.error or done.inputs != _inputs(statement, stand):
                 done = self._run(statement, n, stand)
             stand |= dict.fromkeys(statement.binds, done)
         return stand
 
-    def run(self, source: str, number: int, stand: dict[str, Run]) -> Any:
+    def run(self, source: str, number: int, stand: dict[str, StatementRun]) -> Any:
         """Run a cell with the present names; the value of its last expression, or None."""
         ast.parse(source, name_of(number))  # an error of syntax
         value = None
@@ -56,7 +56,7 @@ class Notebook:
 
     def _run(self, statement, number, stand):
         """Run a statement with the present names."""
-        done = Run(next(self._numbers), _inputs(statement, stand))
+        done = StatementRun(next(self._numbers), _inputs(statement, stand))
         for name, run in stand.items():
             if name in run.values:
                 self.names[name] = run.values[name]

@@ -23,7 +23,17 @@ from .edits_of_integrals import of_integrals
 from .edits_of_laws import of_laws
 from .edits_of_roots import of_roots
 from .facts import NUMBER, Facts
-from .formulas import PRODUCT, SUM, Edit, Formulas, Stage, edit, needed, steps_in, total
+from .formulas import (
+    PRODUCT,
+    SUM,
+    Edit,
+    Formulas,
+    Intermediate,
+    edit,
+    steps_in,
+    steps_needed,
+    total,
+)
 from .typed import described, is_nothing
 
 MANY = 8  # uses of a step, beyond which single uses are not tried
@@ -44,7 +54,7 @@ def edits_of(formulas: Formulas) -> list[Edit]:
     stages = [s for s in formulas.stages if any(isinstance(x, Step) for x in s.parts)]
     _call(formulas)
     cones = sorted(
-        (({s.number for s in needed(stage.parts)}, stage.where) for stage in stages),
+        (({s.number for s in steps_needed(stage.parts)}, stage.where) for stage in stages),
         key=lambda cone: len(cone[0]),
     )
     found = sorted(_edits(Facts(formulas)), key=lambda e: e.rank)
@@ -203,7 +213,9 @@ def _of_angles(f):
 
 def _of_stages(f):
     """Answers that stop half way: a quantity of the same dimension, its size, a component."""
-    vectors = [Stage(key, "", a.parts, key) for key, a in f.answers.items() if len(a.parts) == 3]
+    vectors = [
+        Intermediate(key, "", a.parts, key) for key, a in f.answers.items() if len(a.parts) == 3
+    ]
     known = {s.number for s, of in f.dimensions.items() if of is not None or s.op not in PRODUCT}
     for key, answer in f.answers.items():
         named = [s for s in f.stages if s.means]  # the others have no words

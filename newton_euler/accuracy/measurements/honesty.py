@@ -34,7 +34,7 @@ REFUSED, FAILED = "refused", "failed"
 
 
 @dataclass(frozen=True)
-class Answer(Measured):
+class MethodResult(Measured):
     """The result of a method on one ``problem`` for one error ``asked`` for; ``cost`` is that of
     the run and of its estimate.
 
@@ -87,13 +87,13 @@ def honesty(
     methods: Sequence[str] = NAMES,
     longest: float = PATIENCE,
     progress: Callable[[float, str], object] = lambda fraction, words: None,
-) -> list[Answer]:
-    """The :class:`Answer` of every method at every tolerance, on each of these scenes that it can
-    use; errors as in :func:`.work_precision.work_precision`.
+) -> list[MethodResult]:
+    """The results of every method at every tolerance, on each of these scenes that it can use;
+    errors as in :func:`.work_precision.work_precision`.
 
     longest : a method whose run takes more seconds is not asked for more digits of this scene
     """
-    answers: list[Answer] = []
+    answers: list[MethodResult] = []
     for n, name in enumerate(names):
         reference = Reference(scene_named(name))
         for m, method in enumerate(methods):
@@ -122,12 +122,12 @@ def _answer(name, reference, method, rtol):
         (motion, estimate), repeats, _ = timed_run(run, method)
         cost = median(repeats)
     except ModelError as error:
-        return Answer(method, math.nan, math.nan, absent=REFUSED, words=str(error), **about)
+        return MethodResult(method, math.nan, math.nan, absent=REFUSED, words=str(error), **about)
     estimate = None if math.isnan(estimate) else estimate
-    return Answer(method, cost, reference.error(motion), estimate=estimate, **about)
+    return MethodResult(method, cost, reference.error(motion), estimate=estimate, **about)
 
 
-def relative_costs(answers: Sequence[Answer]) -> list[Answer]:
+def relative_costs(answers: Sequence[MethodResult]) -> list[MethodResult]:
     """The answers with costs over that of the cheapest, one that kept its word if any did."""
     least: dict = {}
     for a in answers:
@@ -138,7 +138,7 @@ def relative_costs(answers: Sequence[Answer]) -> list[Answer]:
     return [replace(a, cost=a.cost / least.get((a.problem, a.asked), absent)[1]) for a in answers]
 
 
-def comparable(answers: Sequence[Answer]) -> tuple[Sequence[Answer], bool]:
+def comparable(answers: Sequence[MethodResult]) -> tuple[Sequence[MethodResult], bool]:
     """The answers, with :func:`relative_costs` if of several problems; and whether they are."""
     several = len({a.problem for a in answers}) > 1
     return (relative_costs(answers) if several else answers), several
@@ -164,9 +164,9 @@ class Tally(NamedTuple):
     cost: float
 
 
-def tallies(answers: Iterable[Answer]) -> list[Tally]:
+def tallies(answers: Iterable[MethodResult]) -> list[Tally]:
     """A :class:`Tally` for each method, the cheapest first, those without an answer last."""
-    by_method: dict[str, list[Answer]] = {}
+    by_method: dict[str, list[MethodResult]] = {}
     for a in answers:
         by_method.setdefault(a.method, []).append(a)
     found = [_tally(method, own) for method, own in by_method.items()]
@@ -202,7 +202,7 @@ def percent(part: float) -> str:
     return "" if math.isnan(part) else "100" if part == 1.0 else f"{math.floor(1e3 * part) / 10}"
 
 
-def times(ratio: float) -> str:
+def ratio_text(ratio: float) -> str:
     """A ratio as text, in two digits and without powers of ten; "" for nan.
 
     >>> times(1.234), times(12.34), times(1234.0), times(0.001234)
@@ -214,10 +214,10 @@ def times(ratio: float) -> str:
 def cost_text(cost: float, relative: bool) -> str:
     """A cost as text, "28.1 µs", or "7.3 x" relative to the cheapest; "" for nan."""
     seconds = EngFormatter(unit="s", places=1)
-    return "" if math.isnan(cost) else f"{times(cost)} x" if relative else seconds(cost)
+    return "" if math.isnan(cost) else f"{ratio_text(cost)} x" if relative else seconds(cost)
 
 
-def table(answers: Sequence[Answer]) -> str:
+def table(answers: Sequence[MethodResult]) -> str:
     """The tallies as text, their costs as :func:`comparable`."""
     answers, relative = comparable(answers)
     heads = "runs", "met %", "covers %", "est/true", "silent", "refused", "failed", "cost"
@@ -225,7 +225,7 @@ def table(answers: Sequence[Answer]) -> str:
     width = max([len("method"), *(len(t.method) for t in found)])
     lines = [f"  {'method':{width}}" + "".join(f"{head:>10}" for head in heads)]
     for t in found:
-        shares = percent(t.met), percent(t.covers), times(t.ratio)
+        shares = percent(t.met), percent(t.covers), ratio_text(t.ratio)
         counts = t.silent, t.refused, t.failed
         cells = t.runs, *shares, *counts, cost_text(t.cost, relative)
         lines.append(f"  {t.method:{width}}" + "".join(f"{cell or '':>10}" for cell in cells))
@@ -235,7 +235,7 @@ def table(answers: Sequence[Answer]) -> str:
 COLUMNS = ("method", "problem", "asked", "cost", "error", "estimate", "absent", "words")
 
 
-def write_csv(answers: Iterable[Answer], path: str | PathLike) -> None:
+def write_csv(answers: Iterable[MethodResult], path: str | PathLike) -> None:
     """Write the answers, one a line, under :data:`COLUMNS`."""
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

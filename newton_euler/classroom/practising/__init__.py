@@ -2,4 +2,4 @@
 
 from .collection import Practice, practice, try_problem
 from .files import PracticeFileError
-from .problems import Checked, Message, PracticeProblem
+from .problems import CheckResult, Message, PracticeProblem

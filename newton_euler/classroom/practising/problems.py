@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from ...algebra.language import ENGLISH, Words, _, joined, language, spoken, words
+from ...algebra.language import ENGLISH, Words, _, from_stored, joined, language, spoken
 from ...algebra.names import Guided, did_you_mean
 from ...answers.causes import Cause, sentence
 from ...answers.fit import rounding
@@ -51,7 +51,7 @@ def _without_tags(markdown):
 
 
 @dataclass(frozen=True, repr=False)
-class Checked(Message):
+class CheckResult(Message):
     """What a check found: ``verdicts`` is {key: right, wrong, unreadable or blank}, ``explained``
     is {key: the causes that explain a wrong one}, ``sentences`` is {key: the sentence}.
     """
@@ -233,11 +233,11 @@ class PracticeProblem(Guided):
 
     # -- checks
 
-    def check(self, *nameless: object, **answers: object) -> Checked:
+    def check(self, *nameless: object, **answers: object) -> CheckResult:
         """Whether answers are right, and what explains a wrong one: ``p.check(v_D=[1, 2, 0])``."""
         return self._check(nameless, answers, self.answers, "answer", self._ways.step)
 
-    def check_step(self, *nameless: object, **steps: object) -> Checked:
+    def check_step(self, *nameless: object, **steps: object) -> CheckResult:
         """The same for any of ``p.steps``. The message says so where one follows rightly from a
         wrong one.
         """
@@ -276,7 +276,7 @@ class PracticeProblem(Guided):
             if verdict in ("right", "wrong"):
                 cause = next(iter(explained[key]), None)
                 self._progress.tried(self.id, self.number, key, verdict == "right", cause)
-        return Checked(
+        return CheckResult(
             "\n".join(f"{key}: {text}" for key, text in sentences.items()),
             "\n".join(f"- {_MARKS.get(verdicts[key], '')} `{key}` {self._read(key)}: {text}"
                       for key, text in sentences.items()),
@@ -362,7 +362,9 @@ class PracticeProblem(Guided):
         if q.equation:
             yield _("It is found by equation ({number}).", number=q.equation)
         if terms := self._variant["terms"].get(q.key) if typeset else None:
-            yield _("It is the sum of {terms}.", terms="; ".join(map(spoken, map(words, terms))))
+            yield _(
+                "It is the sum of {terms}.", terms="; ".join(map(spoken, map(from_stored, terms)))
+            )
         before = self._numbers.program.earlier.get(q.key, ())
         if before:
             names = ", ".join(f"`{n}`" if typeset else n for n in before)

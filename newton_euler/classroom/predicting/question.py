@@ -14,7 +14,7 @@ NEAR = 0.02  # relative distance of a choice from the computed number that it st
 
 
 @dataclass(frozen=True)
-class Judged:
+class Judgement:
     """What a prediction means in words; ``right`` is None where words cannot be judged."""
 
     right: bool | None
@@ -42,7 +42,7 @@ class Question:
 
     @property
     def key(self) -> str:
-        """What distinguishes it from other questions, even of the same words."""
+        """What distinguishes it from questions of other words, choices or units."""
         return "\n- ".join((self.text, *(self.choices or ()), *[self.unit] * bool(self.unit)))
 
     @property
@@ -50,11 +50,11 @@ class Question:
         """The right answer, as it is printed."""
         return self.right or ("" if self.number is None else with_unit(self.number, self.unit))
 
-    def judge(self, given: str) -> Judged:
+    def judge(self, given: str) -> Judgement:
         """What the prediction means."""
         if self.choices:
-            return Judged(given == self.right, self.choices.get(given, ""))
-        return self._typed(given) if self.number is not None else Judged(None, "")
+            return Judgement(given == self.right, self.choices.get(given, ""))
+        return self._typed(given) if self.number is not None else Judgement(None, "")
 
     def _typed(self, given):
         bare = given.strip().removesuffix(self.unit).replace("\N{MINUS SIGN}", "-")
@@ -63,11 +63,11 @@ class Question:
         except AnswerError:
             x = None
         if not isinstance(x, float) or not math.isfinite(x):
-            return Judged(None, "")
+            return Judgement(None, "")
         if abs(x - self.number) <= self.within:
-            return Judged(True, "")
+            return Judgement(True, "")
         near = (words for m, words in self.mistakes.items() if abs(x - m) <= self.within)
-        return Judged(False, next(near, ""))
+        return Judgement(False, next(near, ""))
 
 
 def with_unit(x: float, unit: str) -> str:

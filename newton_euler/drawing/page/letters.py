@@ -1,12 +1,15 @@
 r"""Labels as letters: the runs of Unicode, which a page's own fonts show, of a text with formulas
-between dollars; and the room that they take.
+between dollars; the room that they take; and their texts as SVG.
 """
 
 import re
 import unicodedata
 from functools import cache
+from html import escape
 from itertools import pairwise
 from typing import NamedTuple
+
+from .primitives import BLACK
 
 # the letters of DejaVu Sans by their advance widths in hundredths of its size; others as an x.
 # A test compares them with the font that Matplotlib brings.
@@ -55,7 +58,7 @@ _FONTS = {
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|.", re.DOTALL)
 
 
-class Run(NamedTuple):
+class LetterRun(NamedTuple):
     """Letters of one look; ``level`` 1 for a power, -1 for an index, ``over`` the other one where a
     letter has both.
     """
@@ -76,7 +79,7 @@ class Run(NamedTuple):
 class Letters(NamedTuple):
     """The runs of a text; its width, and its height above and below the base line, by its size."""
 
-    runs: tuple[Run, ...]
+    runs: tuple[LetterRun, ...]
     width: float
     above: float
     below: float
@@ -89,7 +92,7 @@ def letters(text: str, bold: bool = False) -> Letters:
     >>> [run.text for run in letters(r"$\hat{e}_t$ = 2").runs]
     ['ê', 't', ' = 2']
     """
-    found: list[Run] = []
+    found: list[LetterRun] = []
     parts = re.split(r"(?<!\\)\$", text)
     if len(parts) == 2:  # a dollar that opens no formula
         parts = [text]
@@ -97,7 +100,7 @@ def letters(text: str, bold: bool = False) -> Letters:
         if n % 2:
             found += _Formula(part).all()
         elif part:
-            found.append(Run(part.replace(r"\$", "$"), bold=bold))
+            found.append(LetterRun(part.replace(r"\$", "$"), bold=bold))
     runs = tuple(_joined(found))
     width = sum(run.width() for run in runs)
     width -= sum(min(a.width(), b.width()) for a, b in pairwise(runs) if b.over)
@@ -116,7 +119,7 @@ def _above(run):
 
 def _joined(runs):
     """The runs, with those of one look written as one."""
-    out: list[Run] = []
+    out: list[LetterRun] = []
     for run in runs:
         if out and not run.over and out[-1][1:4] == run[1:4] and not (run.level and out[-1].over):
             out[-1] = out[-1]._replace(text=out[-1].text + run.text)
@@ -153,10 +156,10 @@ class _Formula:
         if token in ("_", "^"):
             return self.index(-1 if token == "_" else 1, italic, bold)
         if token == "'":
-            return [Run("′")]
+            return [LetterRun("′")]
         if name in _SIGNS and (token == name) == (len(name) == 1):
             sign = _SIGNS[name]
-            return [Run(sign if first else f"\u2009{sign}\u2009")]
+            return [LetterRun(sign if first else f"\u2009{sign}\u2009")]
         if token[0] != "\\":
             return self.letter(token, italic, bold)
         if name in _ACCENTS:
@@ -166,19 +169,19 @@ class _Formula:
                 self.left = ["\xa0" if c == " " else c for c in self.left]
             return self.argument(*_FONTS[name])
         if name in ("frac", "dfrac", "tfrac"):
-            return [*self.whole(italic, bold), Run("/"), *self.whole(italic, bold)]
+            return [*self.whole(italic, bold), LetterRun("/"), *self.whole(italic, bold)]
         if name == "sqrt":
-            return [Run("√"), *self.whole(italic, bold)]
+            return [LetterRun("√"), *self.whole(italic, bold)]
         if name in _SYMBOLS:
             return self.letter(_SYMBOLS[name], italic, bold)
-        return [Run(f"{name}\u2009", bold=bold)]  # a function, as sin
+        return [LetterRun(f"{name}\u2009", bold=bold)]  # a function, as sin
 
     def letter(self, text, italic, bold):
         """Letters slant, but no capital of the Greek; a formula has no spaces."""
         if text == " ":
             return []
         slants = italic and text.isalpha() and text != "ℓ" and not "Α" <= text <= "Ω"
-        return [Run(text, slants, bold)]
+        return [LetterRun(text, slants, bold)]
 
     def argument(self, italic, bold):
         """The next group, over the space before it."""
@@ -189,13 +192,13 @@ class _Formula:
     def whole(self, italic, bold):
         """An argument, in parentheses if it is long."""
         found = self.argument(italic, bold)
-        return found if len(found) < 2 else [Run("("), *found, Run(")")]
+        return found if len(found) < 2 else [LetterRun("("), *found, LetterRun(")")]
 
     def index(self, level, italic, bold):
         """An index or a power, and the other one over it."""
         found = [run._replace(level=level) for run in self.argument(italic, bold)]
         if [run.text for run in found] == ["°"]:
-            return [Run("°")]
+            return [LetterRun("°")]
         other = "^" if level < 0 else "_"
         if self.left and self.left[-1] == other and len(_joined(found)) == 1:
             self.left.pop()
@@ -212,3 +215,37 @@ def _accented(run, mark):
         return run._replace(text="".join(c + mark for c in run.text))
     dotted = {"ı": "i", "ȷ": "j"} if mark == "\u0302" else {}  # fonts have î and ĵ
     return run._replace(text=dotted.get(run.text, run.text) + mark)
+
+
+def text_at(
+    text: str,
+    x: float,
+    y: float,
+    size: float,
+    colour: str = BLACK,
+    bold: bool = False,
+    more: str = "",
+) -> str:
+    """A text with its middle at (x, y) in points, and ``more`` attributes."""
+    found = letters(text, bold)
+    base = y + size * (found.above - found.below) / 2
+    return (
+        f'<text x="{x:.1f}" y="{base:.1f}" font-size="{size:g}" fill="{colour}"{more}>'
+        f"{''.join(_spans(found.runs, size))}</text>"
+    )
+
+
+def _spans(runs, size):
+    """The runs of a text, each with its look where that is not the usual."""
+    height, last = 0.0, None
+    for run in runs:
+        level = (0, HIGHER, -LOWER)[run.level]
+        look = f' dy="{size * (height - level):.1f}"' if level != height else ""
+        if run.over:
+            look += f' dx="{-size * min(last.width(), run.width()):.1f}"'
+        if run.level:
+            look += f' font-size="{SMALL * size:.1f}"'
+        look += ' font-style="italic"' * run.italic + ' font-weight="bold"' * run.bold
+        words = escape(run.text, quote=False)
+        yield f"<tspan{look}>{words}</tspan>" if look else words
+        height, last = level, run

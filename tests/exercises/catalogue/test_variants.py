@@ -4,12 +4,14 @@ range, round, and fit to grade.
 
 import re
 from functools import cache
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from exercises import problem
 from exercises.catalogue import CatalogueError, select, variants
-from exercises.catalogue.variants import draw, evaluate, objection, seed
+from exercises.catalogue.variants import apart, as_points, draw, evaluate, objection, seed
 
 VARYING = [p for p in select(["all"]) if any(g.vary for g in p.givens.values())]
 by_id = pytest.mark.parametrize("p", VARYING, ids=lambda p: p.id.replace("/", "_"))
@@ -98,6 +100,40 @@ def test_a_range_without_good_numbers_is_reported(monkeypatch):
 
 def test_a_step_of_the_grid_is_the_round_number_below():
     assert [variants._round_step(x) for x in (0.0225, 0.05, 1.9, 7.5)] == [0.02, 0.05, 1, 5]
+
+
+@pytest.mark.parametrize(("vary", "count"), [
+    ((0.85, 0.95), 51), ((-2.3, -0.8), 76), ((0.07, 0.27), 41), ((1, 4.8), 77), ((2, 43), 42),
+])  # fmt: skip
+def test_both_ends_of_a_range_may_be_drawn_as_they_are_written(vary, count):
+    """0.95/0.002 is a little less than 475, and 0.07/0.005 a little more than 14."""
+    given = SimpleNamespace(vary=vary, value=3.14)
+    drawn = [variants.drawn_value(given, SimpleNamespace(randint=end)) for end in (min, max)]
+    assert drawn == list(vary)
+    fixed = SimpleNamespace(vary=None, value=3.14)
+    assert variants.drawn_value(fixed, None) == 3.14
+    one, two, none = (
+        SimpleNamespace(givens=dict(enumerate(g))) for g in ([given], [given] * 2, [fixed])
+    )
+    assert [variants.sheets(p) for p in (one, two, none)] == [count, count**2, 1]
+
+
+@pytest.mark.parametrize(("wrong", "right", "expected"), [
+    (((1.021,),), ((1.0,),), True), (((1.019,),), ((1.0,),), False),
+    (((0.021,),), ((0.0,),), True), (((0.019,),), ((0.0,),), False),  # absolute, where it is zero
+    (((2.0,), (1.0,)), ((1.0,), (1.0,)), True),  # at half of the points
+    (((2.0,), (1.0,), (1.0,)), ((1.0,), (1.0,), (1.0,)), False),
+    (((2.0,), (np.nan,), (1.0,)), ((1.0,), (1.0,), (np.inf,)), True),  # no value: not counted
+    (((np.nan,),), ((1.0,),), True),
+])  # fmt: skip
+def test_a_mistake_is_apart_that_is_far_from_the_key_at_half_of_the_points(wrong, right, expected):
+    assert apart(wrong, right) is expected
+
+
+def test_components_become_points_floats_beside_words():
+    assert as_points((1, "up")) == ((1, "up"),)
+    assert as_points(("up", np.array([1, 2]))) == (("up", 1.0), ("up", 2.0))
+    assert as_points((1.5,), 2) == ((1.5,), (1.5,))
 
 
 def test_evaluate_is_the_solution_and_its_mistakes_as_numbers():

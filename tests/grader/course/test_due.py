@@ -1,11 +1,11 @@
 """Due dates for everyone and for one student, and what late work loses."""
 
-from datetime import datetime
+from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from grader.course import Course
-from grader.course.due import due_dates
+from grader.course import Course, CourseError
+from grader.course.due import due_dates, is_over, set_due, set_own_due
 from grader.grading import grade
 from grader.nbgrader_hooks.late import LatePolicy
 from tests.grader.courses import append_config, command, nbgrader, ran, refused
@@ -88,6 +88,30 @@ def test_an_extension_that_the_formgrader_gave_stays(two_days_late):
     with course.gradebook() as book:
         book.grant_extension("ch04", "ada", days=3)
     assert graded(course, "ada") == {"ada": (11, 0)}
+
+
+def test_an_assignment_is_over_when_the_last_extension_of_either_kind_has_passed(fresh):
+    def over(hours):
+        set_own_due(fresh, "ch04", ["ada"], datetime.now(UTC) + timedelta(hours=hours))
+        return is_over(fresh, "ch04")
+
+    set_due(fresh, "ch04", datetime.now(UTC) + timedelta(hours=1))
+    assert not over(-1)  # nor for the others
+    set_due(fresh, "ch04", datetime.now(UTC) - timedelta(hours=1))
+    assert [over(hours) for hours in (1, -0.5, -2)] == [False, True, True]
+    with fresh.gradebook() as book:
+        book.add_submission("ch04", "ben")
+        book.grant_extension("ch04", "ben", hours=2)
+    assert not is_over(fresh, "ch04")
+
+
+def test_an_exam_closes_after_it_has_opened(fresh):
+    opens = datetime(2027, 1, 31, 9)
+    fresh.set(exams={"ch04": {"opens": opens.isoformat(), "late": "mark"}})
+    with pytest.raises(CourseError, match="opens at 2027-01-31T09:00:00 UTC, after that date"):
+        set_due(fresh, "ch04", opens)
+    set_due(fresh, "ch04", opens + timedelta(seconds=1))
+    set_due(fresh, "ch04", None)
 
 
 @pytest.mark.parametrize(("arguments", "words"), [

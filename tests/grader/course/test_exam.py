@@ -11,14 +11,14 @@ from grader.assignment import numbers
 from grader.assignment.numbers import keep_numbers, kept_numbers
 from grader.course import Course, CourseError
 from grader.course.creation import new_course
-from grader.course.exam import LateError, Window, is_exam, refuse_before_opening, set_exam
+from grader.course.exam import ExamWindow, LateError, is_exam, refuse_before_opening, set_exam
 from grader.practice.twins import sets_of_numbers
 from newton_euler.classroom import expect, receipt
 from tests.grader.courses import command, nbgrader, points, ran, read, refused, total
 from tests.grader.submissions import work
 
 NINE = datetime(2027, 1, 31, 9)
-WINDOW = Window(NINE, NINE + timedelta(hours=2), extensions={"eve": timedelta(minutes=30)})
+WINDOW = ExamWindow(NINE, NINE + timedelta(hours=2), extensions={"eve": timedelta(minutes=30)})
 PASSED = "2026-01-31 09:00 UTC", "2026-01-31 11:00 UTC"  # a window that is over
 
 
@@ -33,7 +33,7 @@ def after(minutes):
     ("eve", 155, "handed in 5 min after the exam closed"),
 ])  # fmt: skip
 def test_work_outside_of_the_window_is_noted_or_refused(student, minutes, words):
-    marking = Window(WINDOW.opens, WINDOW.closes, "mark", WINDOW.extensions)
+    marking = ExamWindow(WINDOW.opens, WINDOW.closes, "mark", WINDOW.extensions)
     assert marking.remark(student, after(minutes)) == words
     if "closed" not in words:
         assert WINDOW.remark(student, after(minutes)) == words

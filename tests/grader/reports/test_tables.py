@@ -4,7 +4,7 @@ import io
 
 from rich.console import Console
 
-from grader.course.take_in import TakenIn
+from grader.course.take_in import TakeInResult
 from grader.reports import diagnosis_table, gradebook_table, taken_in_table
 from tests.grader.reports.results import MISTAKE, result
 
@@ -54,7 +54,7 @@ def test_every_row_without_a_cage_says_so():
 def test_names_cannot_print_terminal_codes_or_markup():
     hostile = "\x1b[2J[/red]\r\nada 100"
     results = [result(hostile, 1), result("ben", 1)]
-    taken = TakenIn({"ada": hostile}, [("ben", hostile)], [(hostile, "no")])
+    taken = TakeInResult({"ada": hostile}, [("ben", hostile)], [(hostile, "no")])
     for table in (gradebook_table(results), diagnosis_table(results), taken_in_table(taken)):
         text = printed(table)
         assert "\x1b" not in text

@@ -1,6 +1,6 @@
 """Slips in traced computations, and the diagnosis of wrong answers by them."""
 
-from grader.scoring.slips.formulas import Formulas, Stage, Traced
+from grader.scoring.slips.formulas import Formulas, Intermediate, TracedAnswer
 from grader.scoring.slips.perturbed import Computation, Perturbed
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.units import SI
@@ -25,8 +25,8 @@ def perturbed(units, answers, values=None, ways=None, systems=lambda **_: (), sy
         found = formula(**given)
         return [*found] if isinstance(found, list | tuple) else [found]
 
-    traced = {key: Traced(parts(f), unit) for key, (unit, f) in answers.items()}
-    stages = [Stage(words, "", parts(f), words) for words, f in (ways or {}).items()]
+    traced = {key: TracedAnswer(parts(f), unit) for key, (unit, f) in answers.items()}
+    stages = [Intermediate(words, "", parts(f), words) for words, f in (ways or {}).items()]
     more = {"systems": systems(**given), "symbols": symbols, "given": given}
     formulas = Formulas(traced, units, SI, stages, **more)
     return Perturbed(Computation(formulas), values or {n: 1.3 + k for k, n in enumerate(units)})

@@ -13,7 +13,7 @@ from newton_euler.accuracy.measurements.honesty import (
     EPS,
     FAILED,
     REFUSED,
-    Answer,
+    MethodResult,
     honesty,
     relative_costs,
     table,
@@ -114,7 +114,7 @@ def test_progress_is_reported_scene_by_scene_and_never_goes_back():
 
 def answer(method="mine", cost=1e-3, error=1e-7, estimate=2e-7, problem="a", absent=""):
     about = {"estimate": estimate, "problem": problem, "absent": absent}
-    return Answer(method, cost, error, asked=1e-6, **about)
+    return MethodResult(method, cost, error, asked=1e-6, **about)
 
 
 def test_errors_below_half_a_unit_of_the_last_place_count_as_that():

@@ -5,11 +5,12 @@ from operator import eq, ge, gt, le, lt, ne
 
 import numpy as np
 import pytest
+import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import Frame, Inertia
-from newton_euler.algebra.ledger import Amount, TermError, Terms, distinct, summed
+from newton_euler.algebra.ledger import Amount, TermError, Terms, distinct, latex_number, summed
 from newton_euler.algebra.vectors import named_sum
 from tests.kinds import close, numbers
 from tests.named_sums import NAMES, check_terms
@@ -101,6 +102,40 @@ def test_an_amount_is_explained_in_units_of_its_own():
     assert Amount(2.0).explain("ft*lb").endswith("2 ft*lb")
     with pytest.raises(TermError, match="this is the work, in J: it cannot be explained in 'W'"):
         Amount(2.0).explain("W")
+
+
+def test_a_vector_is_explained_in_units_of_its_own_unless_it_was_multiplied():
+    arm = ground.rotate("arm", "z", rate=2.0)
+    v = arm.point("P", 1.0, 0, 0).velocity(ground)
+    assert "m/s" in str(v.explain("m/s"))
+    with pytest.raises(TermError, match="in m/s: it cannot be explained in 'N'"):
+        v.explain("N")
+    for p in (2.0 * v, (2.0 * v).expressed_in(ground)):  # of a mass of 2 kg: in kg*m/s
+        assert "N*s" in str(p.explain("N*s"))
+    assert "m/s" in str(arm.i.rate(ground).explain("m/s"))  # a rate of any vector has no unit
+
+
+def test_what_a_sum_takes_away_is_printed_as_minus_below_names_of_one_width():
+    terms = {"inertia": ground.vector(1.0, 0, 0), "weight": ground.vector(0, 2.0, 0)}
+    rows = str(named_sum("reaction", "B", terms, ground).explain()).splitlines()[1:]
+    assert [row.partition("[")[0] for row in rows] == [
+        "  inertia  m a      ", "  minus weight  -F  ", "  sum               "
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("x", "latex"), [
+    (0.5, "0.5"), (-1.25e-7, r"-1.25\times10^{-7}"), (sympy.Symbol("x"), "x"),
+    (sympy.Symbol("alpha"), r"\alpha"), (sympy.Symbol("x") + 1, r"\left(x + 1\right)"),
+])  # fmt: skip
+def test_a_component_in_latex_has_brackets_where_it_is_more_than_a_name(x, latex):
+    assert latex_number(x, 5) == latex
+
+
+def test_amounts_add_and_subtract_as_numbers_do():
+    T, V = Amount(5.0), Amount(2.0)
+    assert (T + V, T + 1, 1 + T, T - V, T - 1, 1 - T, 2 * T, T / V, -T) == (
+        7.0, 6.0, 6.0, 3.0, 4.0, -4.0, 10.0, 2.5, -5.0
+    )  # fmt: skip
 
 
 def test_a_factor_for_the_distinct_name_goes_before_that_of_the_shared_one():

@@ -240,6 +240,38 @@ def test_symbols_contradict_each_other_too_and_no_made_up_number_is_reported():
         solve_linear(lambda A: {"p": A - g, "q": 2 * A - g})
 
 
+@pytest.mark.parametrize(("off", "agree"), [(8e-10, True), (2e-9, False)])
+def test_equations_agree_to_nine_digits_or_contradict_each_other(off, agree):
+    """To nine digits of the largest of them, in any order; that of C has nothing to do with it."""
+    rows = [1, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 1e2], [1, 100, 0, 101 * (1 + off)]
+    for order in itertools.permutations(rows):
+        try:
+            solve_linear(system([row[:3] for row in order], [row[3] for row in order]), "A B C")
+        except LinearError:
+            assert not agree
+        else:
+            assert agree
+
+
+def test_round_off_of_a_large_right_side_that_cancels_is_no_contradiction():
+    rows = [1, 1, 0, 0, 0], [1, 1, 1, 1, 0], [1, 1, 1, 1, 1], [0, 0, 0, 0, 1]
+    s = solve_linear(system(rows, [1e9 + 0.1, 5.03, 7.17, 7.17 - 5.03]), NAMES[:5])
+    assert dict(s.redundant) == {"e3": ("e1", "e2")}
+
+
+def test_an_equation_in_tiny_units_determines_an_unknown_like_another():
+    s = solve_linear(lambda A, B: {"tiny": 1e-15 * (A + B - 3.0), "usual": A - B - 1.0})
+    assert close((s.A, s.B), (2.0, 1.0), 1e-12)
+
+
+@pytest.mark.parametrize(("c", "known"), [
+    (1, ("A = 3 - B",)), (-1, ("A = 3 + B",)), (2, ("A = 3 - 2 B",)), (-0.5, ("A = 3 + 0.5 B",)),
+])  # fmt: skip
+def test_what_is_known_of_open_unknowns_is_a_sentence_where_it_is_one_number(c, known):
+    for right, relations in ((3.0, known), (np.array([3.0, 4.0]), ())):
+        assert solve_linear(lambda A, B, b=right: A + c * B - b).relations == relations
+
+
 def test_rounding_is_neither_a_pivot_nor_a_contradiction():
     noise = 6e-17
     force = lambda F, N: ground.vector(noise * F + noise, F - 2.0, noise * N)
@@ -264,7 +296,7 @@ def test_arrays_without_a_common_pivot_are_solved_instant_by_instant():
     s = solve_linear(mixed(x))
     for n, value in enumerate(map(float, x)):
         assert close((s.a[n], s.b[n]), tuple(solve_linear(mixed(value))), 1e-14)
-    message = "determine a at some instants and not at others; solve these instants apart"
+    message = "determine a at some instants and not at others; solve these instants separately"
     with pytest.raises(LinearError, match=message):
         solve_linear(lambda a, b: {"p": x * a - 1.0 * x, "q": b - 2.0})
 

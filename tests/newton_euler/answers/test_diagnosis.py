@@ -10,7 +10,7 @@ import pytest
 from newton_euler.algebra.units import Dimension
 from newton_euler.answers import causes
 from newton_euler.answers.by_component import of_each_component
-from newton_euler.answers.diagnosis import Answered, Elsewhere, diagnose
+from newton_euler.answers.diagnosis import OtherPart, OtherParts, diagnose
 from newton_euler.answers.fit import EXACT, LOOSE, Fit
 from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.slips import factors
@@ -102,13 +102,13 @@ def test_a_pair_is_named_only_if_no_other_pair_and_no_single_mistake_gives_the_s
 
 def test_what_is_listed_is_named_beside_others_with_the_same_numbers_however_many():
     """This includes a vector with round-off in place of zero."""
-    contradicted = Elsewhere(lambda: [part(True, KEY, [(TURNS, MODEL)])])
+    contradicted = OtherParts(lambda: [part(True, KEY, [(TURNS, MODEL)])])
     general = [(causes.answer_to(name), MODEL) for name in "abc"]
     found = diagnose(MODEL, KEY, [*general, (TURNS, MODEL)], elsewhere=contradicted)
     assert TURNS in found
     assert len(found) == 3
     nothing = [(causes.term_left_out("y", "y"), ((0.0, 0.0, 0.0),)), (TURNS, ((1e-16, 0.0, 0.0),))]
-    elsewhere = Elsewhere(lambda: [part(True, KEY, [(TURNS, MODEL)])])
+    elsewhere = OtherParts(lambda: [part(True, KEY, [(TURNS, MODEL)])])
     assert TURNS in diagnose(((0.0, 0.0, 0.0),), KEY, nothing, elsewhere=elsewhere)
 
 
@@ -187,29 +187,29 @@ def test_factors_are_those_of_the_unit_of_the_answer(unit, there, absent):
 
 
 def part(right, given, wrong):
-    return Answered(right, KINDS["vector"], given, KEY, wrong)
+    return OtherPart(right, KINDS["vector"], given, KEY, wrong)
 
 
 def test_a_cause_that_a_right_part_contradicts_is_named_last_and_in_this_part():
     """The cause would show there too; but a term can be left out of one part alone."""
     reworded = causes.listed("turns", "turns y, as they say here")
-    other = Elsewhere(lambda: [part(True, KEY, [(reworded, MODEL)])])
+    other = OtherParts(lambda: [part(True, KEY, [(reworded, MODEL)])])
     found = diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=other)
     assert found == (MIRRORS, TURNS)
     assert causes.sentence(found) == f"{MIRRORS.text}; or one that in this part {TURNS.text}"
     twice, nearly = ((6.5123, 9.0, 0.0),), ((6.5123, 9.0151, 0.0),)
-    other = Elsewhere(lambda: [part(True, KEY, [(TURNS, twice)])])
+    other = OtherParts(lambda: [part(True, KEY, [(TURNS, twice)])])
     assert diagnose(twice, KEY, [(TURNS, twice)], elsewhere=other) == (TURNS,)
     assert diagnose(nearly, KEY, [(TURNS, twice)]) == (TURNS,)
     assert diagnose(nearly, KEY, [(TURNS, twice)], elsewhere=other) == ()
     term = causes.term_reversed("y", "the term y")
-    other = Elsewhere(lambda: [part(True, KEY, [(term, MODEL)])])
+    other = OtherParts(lambda: [part(True, KEY, [(term, MODEL)])])
     assert diagnose(MODEL, KEY, [(term, MODEL)], elsewhere=other) == (term,)
 
 
 def test_a_cause_that_would_not_show_in_the_right_part_is_not_contradicted():
     near = ((3.0, 4.01, 0.0),)
-    other = Elsewhere(lambda: [part(True, KEY, [(TURNS, near)])])
+    other = OtherParts(lambda: [part(True, KEY, [(TURNS, near)])])
     assert diagnose(MODEL, KEY, [(TURNS, MODEL)], elsewhere=other) == (TURNS,)
 
 
@@ -218,13 +218,15 @@ def test_nothing_is_taken_for_another_answer_that_is_right(name, is_named):
     """Unlike other slips, this cannot be made in one part only."""
     wrong = ((6.5123, 9.0, 0.0),)
     slip = replace(causes.computed("law", "takes a for u"), answers=tuple(name.split()))
-    other = Elsewhere(lambda: [part(True, KEY, [(slip, wrong)])._replace(name="u")])
+    other = OtherParts(lambda: [part(True, KEY, [(slip, wrong)])._replace(name="u")])
     found = diagnose(wrong, KEY, [], elsewhere=other, slips=lambda fit, kind: [(2, slip, wrong)])
     assert (slip in found) == is_named
 
 
 def test_of_equal_causes_the_one_that_explains_another_wrong_part_is_named():
-    other = Elsewhere(lambda: [part(False, MODEL, [(causes.listed("mirrors", "reworded"), MODEL)])])
+    other = OtherParts(
+        lambda: [part(False, MODEL, [(causes.listed("mirrors", "reworded"), MODEL)])]
+    )
     assert diagnose(MODEL, KEY, [(TURNS, MODEL), (MIRRORS, MODEL)], elsewhere=other) == (MIRRORS,)
 
 
@@ -270,10 +272,10 @@ def test_a_formula_fits_as_loosely_as_at_its_worst_point():
 
 
 def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
-    size = Answered(False, KINDS["number"], ((7.0,),), ((5.0,),), [(TURNS, ((7.0,),))])
+    size = OtherPart(False, KINDS["number"], ((7.0,),), ((5.0,),), [(TURNS, ((7.0,),))])
     models = [(TURNS, MODEL), (causes.CORIOLIS_HALVED, MODEL)]
     assert causes.CORIOLIS_HALVED in diagnose(
-        MODEL, KEY, models, elsewhere=Elsewhere(lambda: [size])
+        MODEL, KEY, models, elsewhere=OtherParts(lambda: [size])
     )
 
 

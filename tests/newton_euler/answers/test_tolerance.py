@@ -4,10 +4,10 @@ import math
 
 import pytest
 
-from newton_euler.answers.fit import CLOSE, Fit
+from newton_euler.answers.fit import CLOSE, EXACT, Fit
 from newton_euler.answers.forms import Form
 from newton_euler.answers.kinds import KINDS
-from newton_euler.answers.tolerance import formula_is_near
+from newton_euler.answers.tolerance import distance, formula_is_near, is_apart
 from newton_euler.answers.trees import TreeError
 
 NINE = tuple(map(float, range(1, 10)))
@@ -54,6 +54,8 @@ def test_the_limits_themselves_are_right():
         ("vector", (1000.0, 0.0, 0.0), [1000.0, 4.9, 0], "right"),  # relative to the whole vector
         ("vector", (1000.0, 0.0, 0.0), [1000.0, 5.1, 0], "wrong"),
         ("vector", (1.0, 1e-12, -1e-17), [1.0, 0, 0], "right"),  # components that are round-off
+        ("vector", (1000.0, 5e-7, 0.0), [1000.0, 0, 0], "right"),
+        ("vector", (1000.0, 2e-6, 0.0), [1000.0, 0, 0], "wrong"),
         ("interval", (0.1, 100.0), [0.1004, 100.4], "right"),  # each bound by itself
         ("interval", (0.1, 100.0), [0.4, 100.0], "wrong"),
         ("number", (math.inf,), 1e308, "wrong"),
@@ -133,6 +135,28 @@ def test_a_right_component_of_few_digits_does_not_make_the_others_coarse():
     fit = Fit(((4.0825, 3.3, 1.3519),), ((4.08251, 3.3, 1.9),), 0.01)
     assert fit(((4.08251, 3.3, 1.35188),)) == CLOSE
     assert fit(((4.08251, 3.3, 1.3819),)) == 0
+
+
+@pytest.mark.parametrize(("off", "level"), [(0.9e-6, EXACT), (1.1e-6, CLOSE)])
+def test_a_model_is_exact_to_a_millionth(off, level):
+    assert Fit(((2.0,),), ((1.0,),), 0.01)(((2.0 * (1 + off),),)) == level
+
+
+def test_a_distance_is_relative_to_the_size_of_the_second_point():
+    assert distance((2.2,), (2.0,)) == pytest.approx(0.1)
+    assert distance((3.0, 4.0), (0.0, 0.0)) == 5.0
+
+
+@pytest.mark.parametrize(("model", "key", "apart"), [
+    (((1.021,),), ((1.0,),), True), (((1.019,),), ((1.0,),), False),
+    (((1e-9,),), ((0.0,),), True),  # from zero any number is far
+    (((2.0,), (1.0,)), ((1.0,), (1.0,)), True),  # at half of the points
+    (((2.0,), (1.0,), (1.0,)), ((1.0,), (1.0,), (1.0,)), False),
+    (((2.0,), (1.0,), (math.inf,)), ((1.0,), (math.nan,), (1.0,)), True),  # of those with a value
+    ((("up",),), (("up",),), False), ((("up",),), (("down",),), True), (((1.0,),), (("up",),), True),
+])  # fmt: skip
+def test_a_model_is_apart_that_is_far_from_the_key_at_half_of_the_points(model, key, apart):
+    assert is_apart(model, key) is apart
 
 
 def test_a_formula_near_a_zero_of_its_own_is_measured_by_its_mean():

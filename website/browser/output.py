@@ -20,7 +20,7 @@ WRAPPERS = {
 DISPLAY = "IPython.display"
 
 
-class Shown:
+class CellOutput:
     """Collects (kind, content); a file that can be printed to."""
 
     def __init__(self) -> None:
@@ -59,17 +59,17 @@ def _bundle(x):
 
 
 @contextmanager
-def showing(shown: Shown) -> Iterator[None]:
+def showing(output: CellOutput) -> Iterator[None]:
     """What is printed and displayed in this block is collected, whether or not IPython is here."""
-    stand_in: Any = ModuleType(DISPLAY)
+    display_module: Any = ModuleType(DISPLAY)
     for name, kind in WRAPPERS.items():
-        setattr(stand_in, name, _wrapper(kind))
-    stand_in.display = shown.display
-    stand_in.clear_output = lambda wait=False: shown.items.clear()
+        setattr(display_module, name, _wrapper(kind))
+    display_module.display = output.display
+    display_module.clear_output = lambda wait=False: output.items.clear()
     before = _display_module()
-    sys.modules[DISPLAY] = stand_in
+    sys.modules[DISPLAY] = display_module
     try:
-        with redirect_stdout(shown):  # type: ignore[type-var]
+        with redirect_stdout(output):  # type: ignore[type-var]
             yield
     finally:
         sys.modules[DISPLAY] = before
