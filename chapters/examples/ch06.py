@@ -50,7 +50,7 @@ def screw_jack_arm_force(
     return reaction(m, acceleration, weight=m * g * -ground.k)
 
 
-def rim_speed(g, radius):
+def rim_speed(g: Scalar, radius: Scalar) -> Scalar:
     """The speed of the rim of a space station on which a body at the rim weighs as much as on the
     Earth (6.7): sqrt(g radius). A person who runs as fast against the rotation is at rest in the
     inertial frame and has no weight.
@@ -66,12 +66,12 @@ class FlightForces(NamedTuple):
     rad, positive in a turn to the right.
     """
 
-    excess: object
-    lift: object
-    bank: object
+    excess: Scalar
+    lift: Scalar
+    bank: Scalar
 
 
-def flight_forces(m, g, v, gamma, chi=0):
+def flight_forces(m: Scalar, g: Scalar, v: Scalar, gamma: Scalar, chi: Scalar = 0) -> FlightForces:
     """The forces of a given flight (6.12): :class:`FlightForces`, from the moving speed, path angle
     and heading.
 

@@ -6,6 +6,7 @@ that slides, then rolls (8.6).
 from dataclasses import dataclass
 
 from newton_euler import Body, Frame, NewtonEulerError, Point, Vector, solve_linear, where
+from newton_euler.algebra.linear import Solution
 from newton_euler.algebra.scalars import Scalar, is_numeric, max_abs, scalar, to_plain
 from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.dynamics.momentum import angular_momentum, resultant_moment
@@ -85,13 +86,21 @@ class RollingBegins:
     speed ``v``, angular velocity ``omega``.
     """
 
-    t: object
-    x: object
-    v: object
-    omega: object
+    t: Scalar
+    x: Scalar
+    v: Scalar
+    omega: Scalar
 
 
-def rolling_begins(v0, mu, g, radius, omega0=0, k=None, sense=1):
+def rolling_begins(
+    v0: Scalar,
+    mu: Scalar,
+    g: Scalar,
+    radius: Scalar,
+    omega0: Scalar = 0,
+    k: Scalar | None = None,
+    sense: int = 1,
+) -> RollingBegins:
     """When and how a sliding sphere begins to roll (8.6): :class:`RollingBegins`.
 
     Without spin t = 2 v0/(7 mu g), v = 5 v0/7, omega = -5 v0/(7 r).
@@ -111,7 +120,16 @@ def rolling_begins(v0, mu, g, radius, omega0=0, k=None, sense=1):
     return RollingBegins(t, to_plain(t * (v0 + v) / 2), v, -v / radius)
 
 
-def sphere_at(t, v0, mu, g, radius, omega0=0, k=None, sense=1):
+def sphere_at(
+    t: Scalar,
+    v0: Scalar,
+    mu: Scalar,
+    g: Scalar,
+    radius: Scalar,
+    omega0: Scalar = 0,
+    k: Scalar | None = None,
+    sense: int = 1,
+) -> tuple[Scalar, ...]:
     """(x, v, omega) at the time ``t``, through both regimes (8.6); for numbers and arrays of times.
 
     >>> [round(x, 9) for x in sphere_at(2.0, 7.0, 0.2, 10.0, 0.5)]
@@ -146,12 +164,12 @@ class Contact:
         not slip, mu N
     """
 
-    rolls: object
-    a: object
-    alpha: object
-    friction: object
-    needed: object
-    limit: object
+    rolls: Scalar
+    a: Scalar
+    alpha: Scalar
+    friction: Scalar
+    needed: Scalar
+    limit: Scalar
 
     def __str__(self):
         if getattr(self.rolls, "shape", ()):
@@ -161,7 +179,14 @@ class Contact:
         return f"{regime}: the friction needed is {needed:.6g}, the limit {limit:.6g}"
 
 
-def rolling(mass, radius, inertia, force=0, moment=0, surface=0):
+def rolling(
+    mass: Scalar,
+    radius: Scalar,
+    inertia: Scalar,
+    force: Scalar = 0,
+    moment: Scalar = 0,
+    surface: Scalar = 0,
+) -> Solution:
     """Rolling without slip: a, alpha and the friction it needs, a
     :class:`newton_euler.algebra.linear.Solution`. Over scalars of every kind.
 
@@ -183,7 +208,14 @@ def rolling(mass, radius, inertia, force=0, moment=0, surface=0):
     return solve_linear(laws)
 
 
-def slipping(mass, radius, inertia, friction, force=0, moment=0):
+def slipping(
+    mass: Scalar,
+    radius: Scalar,
+    inertia: Scalar,
+    friction: Scalar,
+    force: Scalar = 0,
+    moment: Scalar = 0,
+) -> tuple[Scalar, Scalar]:
     """The accelerations (a, alpha) of a body that slips, with the friction known, as -mu N against
     the slip.
     """
@@ -192,8 +224,17 @@ def slipping(mass, radius, inertia, friction, force=0, moment=0):
 
 
 def contact(
-    mass, radius, inertia, normal, mu, mu_kinetic=None, force=0, moment=0, surface=0, slip=0
-):
+    mass: Scalar,
+    radius: Scalar,
+    inertia: Scalar,
+    normal: Scalar,
+    mu: Scalar,
+    mu_kinetic: Scalar | None = None,
+    force: Scalar = 0,
+    moment: Scalar = 0,
+    surface: Scalar = 0,
+    slip: Scalar = 0,
+) -> Contact:
     """Which regime holds, and what follows: a :class:`Contact`. For numbers and arrays; expressions
     go to :func:`rolling` and :func:`slipping`.
 

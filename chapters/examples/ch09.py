@@ -8,11 +8,12 @@ The shaft of the rotor of (9.5) lies along z = Z, A at -a and B at b from O, the
 of the body; X of the ground points vertically down, and psi is counted from it.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
-from newton_euler import Body, Frame, Point
-from newton_euler.algebra.scalars import Scalar
-from newton_euler.applications.rotors import reactions
+from newton_euler import Body, Frame, Point, Vector
+from newton_euler.algebra.scalars import Scalar, Triple
+from newton_euler.applications.rotors import Reactions, reactions
 from newton_euler.bodies import Inertia
 from newton_euler.bodies.solids import disk
 
@@ -67,14 +68,16 @@ class RotorScene:
     B: Point
     O: Point
 
-    def reactions(self, gravity=None):
+    def reactions(self, gravity: Vector | None = None) -> Reactions:
         """The :class:`newton_euler.applications.rotors.Reactions`; ``gravity`` a Vector, or None to
         leave the weight out.
         """
         return reactions(self.body, self.A, self.B, self.ground, gravity, self.O)
 
 
-def on_shaft(axis, a, b, psi, omega, alpha=0):
+def on_shaft(
+    axis: str, a: Scalar, b: Scalar, psi: Scalar, omega: Scalar, alpha: Scalar = 0
+) -> tuple[Frame, Callable[[Body], RotorScene]]:
     """The frame of a shaft turned by psi about ``axis`` ("x" or "z") of the ground, its bearings at
     -a and b from O, and a function that makes the :class:`RotorScene` of a body in it.
 
@@ -93,7 +96,17 @@ def on_shaft(axis, a, b, psi, omega, alpha=0):
     return shaft, lambda body: RotorScene(ground, shaft, body, A, B, O)
 
 
-def unbalanced_rotor(mass, centre, moments, products, a, b, psi, omega, alpha=0):
+def unbalanced_rotor(
+    mass: Scalar,
+    centre: Triple,
+    moments: Triple,
+    products: Triple,
+    a: Scalar,
+    b: Scalar,
+    psi: Scalar,
+    omega: Scalar,
+    alpha: Scalar = 0,
+) -> RotorScene:
     """The body of (9.7)-(9.10) in its bearings: a :class:`RotorScene`.
 
     centre : coordinates of G in the body's axes from O; moments, products : (I_xx, I_yy, I_zz) and

@@ -2,7 +2,9 @@
 moments (10.8), a rotor in a car (10.10), gyroscopic instruments (10.11).
 """
 
-from newton_euler import Frame, Point, cos, pi, sin, sqrt, where
+from collections.abc import Iterable
+
+from newton_euler import Frame, Point, Vector, cos, pi, sin, sqrt, where
 from newton_euler.algebra.scalars import Scalar, scalar, to_plain
 from newton_euler.applications.gyroscopes import FreePrecession, GyroError, free_precession
 from newton_euler.bodies import Inertia
@@ -151,7 +153,9 @@ def platform_drift(moment: Scalar, I: Scalar, spin: Scalar) -> Scalar:
     return moment / (I * spin)
 
 
-def spherical_pendulum_momentum(mass, length, psi, theta, phi):
+def spherical_pendulum_momentum(
+    mass: Scalar, length: Scalar, psi: Scalar, theta: Scalar, phi: Scalar
+) -> tuple[Vector, Frame]:
     """The angular momentum H of a uniform bar about its ball joint, in the frame {i, j, k} that
     does not spin, (10.16): a Vector whose frame is the parent of that of the bar.
 
@@ -167,11 +171,13 @@ def spherical_pendulum_momentum(mass, length, psi, theta, phi):
     ground = Frame("ground")
     bar = euler_frame(ground, "bar", psi, theta, phi)
     I0 = mass * (length * length) / 3
-    turning = bar.angular_velocity(ground).expressed_in(bar.parent)
-    return Inertia(bar.origin, (I0, I0, 0), frame=bar.parent, tolerance=None).times(turning), bar
+    axes = bar.parent  # {i, j, k}
+    assert axes is not None
+    turning = bar.angular_velocity(ground).expressed_in(axes)
+    return Inertia(bar.origin, (I0, I0, 0), frame=axes, tolerance=None).times(turning), bar
 
 
-def tilt_growth(I_x, I_y, I_z, axis, rate):
+def tilt_growth(I_x: Scalar, I_y: Scalar, I_z: Scalar, axis: str, rate: Scalar) -> Scalar:
     """The rate (1/s) at which a small tilt grows while a body spins at ``rate`` about its principal
     ``axis`` "x", "y" or "z": 0 where it does not.
 
@@ -191,7 +197,7 @@ def tilt_growth(I_x, I_y, I_z, axis, rate):
     return abs(rate) * sqrt(where(square > 0, square, abs(0.0 * square)))
 
 
-def body_quaternion(state, spun):
+def body_quaternion(state: Iterable[Scalar], spun: Scalar) -> tuple[Scalar, ...]:
     """The quaternion of the body, from a state of ``nonspinning_frame`` or ``free``
     (:mod:`newton_euler.scenes.spatial.top`) and the angle omega_z t (rad) that it has spun.
 
@@ -201,7 +207,9 @@ def body_quaternion(state, spun):
     return quaternion_product(tuple(state)[:4], (cos(spun / 2), 0 * spun, 0 * spun, sin(spun / 2)))
 
 
-def compass_period(I0, I, omega_z, earth_rate, latitude):
+def compass_period(
+    I0: Scalar, I: Scalar, omega_z: Scalar, earth_rate: Scalar, latitude: Scalar
+) -> Scalar:
     """The period (s) of small swings of a gyrocompass about north (10.11), 2 pi sqrt(I0/(c (I
     omega_z - I0 c))) with c = Omega cos(latitude).
 
@@ -212,7 +220,9 @@ def compass_period(I0, I, omega_z, earth_rate, latitude):
     return 2 * pi(level) * sqrt(I0 / (level * (I * omega_z - I0 * level)))
 
 
-def precession_rate(I0, I, theta, omega_z, momentum_difference):
+def precession_rate(
+    I0: Scalar, I: Scalar, theta: Scalar, omega_z: Scalar, momentum_difference: Scalar
+) -> Scalar:
     """psi' of a top at the angle theta (10.24) from its constants: (p_psi - p_phi cos(theta))/(I0
     sin^2(theta)), by half angles; its limit at theta = 0 if ``momentum_difference`` is the integer
     0.

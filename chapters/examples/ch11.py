@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from newton_euler import Model, cos, pi, sin, sqrt, tan
 from newton_euler.algebra.ledger import Amount, summed
+from newton_euler.algebra.portable import Formula
 from newton_euler.algebra.scalars import Scalar, scalar, to_plain
 from newton_euler.dynamics.energy import gyroscope_energy, plane_kinetic_energy, speed_after
 from newton_euler.dynamics.potential import weight_potential
@@ -121,7 +122,9 @@ def escape_speed(r: Scalar, K: Scalar, M: Scalar) -> Scalar:
     return to_plain(sqrt(2 * scalar(K) * M / r))
 
 
-def rolling_energy(m, R, speed, pivoting=0, k=None):
+def rolling_energy(
+    m: Scalar, R: Scalar, speed: Scalar, pivoting: Scalar = 0, k: Scalar | None = None
+) -> Amount:
     """T of the rolling body with terms ``translation``, ``rolling`` and ``pivoting`` (11.45): 7/10
     m v^2 for a sphere that does not pivot.
 
@@ -137,7 +140,7 @@ def rolling_energy(m, R, speed, pivoting=0, k=None):
     return summed(terms, "kinetic energy", "11.45")
 
 
-def rolling_speed(drop, g, v0=0, k=None):
+def rolling_speed(drop: Scalar, g: Scalar, v0: Scalar = 0, k: Scalar | None = None) -> Scalar:
     """The speed of the centre after a descent by ``drop``: sqrt(v0^2 + 2 g h/(1 + k)), from rest
     sqrt(10 g h/7) for a sphere (11.49). The contact is at rest, so its force does no work; without
     rolling it would be sqrt(2 g h), on any incline.
@@ -148,7 +151,7 @@ def rolling_speed(drop, g, v0=0, k=None):
     return speed_after(v0, scalar(g) * drop, 1 + inertia_ratio(g, k))
 
 
-def friction_needed(slope, k=None):
+def friction_needed(slope: Scalar, k: Scalar | None = None) -> Scalar:
     """Friction over normal force of the rolling body: k tan(slope)/(1 + k); with less, it slips.
 
     >>> round(friction_needed(0.7853981633974483), 6)
@@ -158,7 +161,15 @@ def friction_needed(slope, k=None):
     return to_plain(k * tan(slope) / (1 + k))
 
 
-def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
+def top_energy(
+    I0: Scalar,
+    I: Scalar,
+    mgr: Scalar,
+    theta: Scalar,
+    theta_rate: Scalar,
+    precession: Scalar,
+    spin: Scalar,
+) -> Amount:
     """T + V of a top about its fixed point, an Amount with the terms ``transverse``, ``axial`` and
     ``weight``; constant during the motion. Arguments as in
     :mod:`newton_euler.applications.gyroscopes`. V = + mgr cos(theta), since theta is counted from
@@ -172,7 +183,9 @@ def top_energy(I0, I, mgr, theta, theta_rate, precession, spin):
     return summed({**T.terms, "weight": scalar(mgr) * cos(theta)}, "energy", "11.32")
 
 
-def pendulum_energy(m, I, l, g, theta, omega):
+def pendulum_energy(
+    m: Scalar, I: Scalar, l: Scalar, g: Scalar, theta: Scalar, omega: Scalar
+) -> Amount:
     """T + V = (I + m l^2) omega^2/2 - m g l cos(theta), with the terms ``translation``,
     ``rotation`` (11.51) and ``weight``, zero at the axis.
 
@@ -184,7 +197,9 @@ def pendulum_energy(m, I, l, g, theta, omega):
     return summed({**T.terms, "weight": weight}, "energy", "11.32")
 
 
-def swing_rate(m, I, l, g, theta, theta0, omega0=0):
+def swing_rate(
+    m: Scalar, I: Scalar, l: Scalar, g: Scalar, theta: Scalar, theta0: Scalar, omega0: Scalar = 0
+) -> Scalar:
     """The absolute value of omega at the angle theta, from that at theta0, without cancellation as
     theta -> theta0; :class:`.EnergyError` if the pendulum does not reach theta.
 
@@ -211,22 +226,22 @@ class Car:
     29111.1
     """
 
-    m: object
-    wheel_mass: object
-    gyration: object
-    radius: object
-    drag: object
-    g: object
+    m: Scalar
+    wheel_mass: Scalar
+    gyration: Scalar
+    radius: Scalar
+    drag: Callable[[Scalar], Scalar]
+    g: Scalar
     wheels: int = 4
 
-    def kinetic_energy(self, v):
+    def kinetic_energy(self, v: Scalar) -> Amount:
         """T at the speed v, an Amount with the terms ``translation`` and ``wheels`` (11.45),
         (11.48).
         """
         terms = {"translation": scalar(self.m) * v * v / 2, "wheels": self._wheels() * v * v / 2}
         return summed(terms, "kinetic energy", "11.45")
 
-    def powers(self, v, a, slope):
+    def powers(self, v: Scalar, a: Scalar, slope: Scalar) -> Amount:
         """The power at the wheels, an Amount in W with the terms ``accelerate``, ``wheels``,
         ``climb`` and ``air``.
 
@@ -241,18 +256,18 @@ class Car:
         }
         return summed(terms, "power", "rate of 11.48")
 
-    def power(self, v, a, slope):
+    def power(self, v: Scalar, a: Scalar, slope: Scalar) -> Scalar:
         """The power at the wheels, W: the sum of :meth:`powers`."""
         return self.powers(v, a, slope).value
 
-    def acceleration(self, power, v, slope):
+    def acceleration(self, power: Scalar, v: Scalar, slope: Scalar) -> Scalar:
         """The acceleration at the speed v (not zero) that this power gives: :meth:`powers` solved
         for a.
         """
         left = scalar(power) - scalar(self.m) * self.g * v * sin(slope) - scalar(self.drag(v)) * v
         return to_plain(left / ((self.m + self._wheels()) * v))
 
-    def model(self, power, slope):
+    def model(self, power: Scalar | Formula, slope: Scalar | Formula) -> Model:
         """The motion up a hill as a Model with the states s, the distance, and v; ``power`` and
         ``slope`` numbers or laws (s, p, t).
         """

@@ -13,7 +13,7 @@ from newton_euler.algebra.scalars import SingularError, max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 
-from .errors import explained, meant
+from .errors import error_sentence, meant
 from .following import earlier_answers, follow
 from .model import CatalogueError, Problem
 from .overlooked import overlooked
@@ -45,7 +45,7 @@ def check(p: Problem, seeds: int = 1) -> list[str]:
     except CatalogueError as error:
         return [str(error)]
     except Exception as error:  # problem code may raise anything
-        return [explained(p.id, error)]
+        return [error_sentence(p.id, error)]
 
 
 class _Proof:
@@ -105,7 +105,9 @@ def _fit(p, proof):
     # arrays, which give nan where floats raise: formulas need not be real here
     g = p.base({n: np.atleast_1d(float(x)) for n, x in values(p, 0).items()})
     with np.errstate(all="ignore"):
-        solved, again, named = p.code.solve(g), p.code.solve(g), p.code.mistakes(g)
+        solved = p.code.solve(g)
+        before = _frames(solved)  # now, since frames of a call to come may be in the same trees
+        again, named = p.code.solve(g), p.code.mistakes(g)
     asked = [a.key for a in p.answers]
     proved = dict.fromkeys(asked)
     with suppress(SingularError):  # not real here either
@@ -123,7 +125,7 @@ def _fit(p, proof):
         if got != asked:
             close = "".join(meant(k, asked) for k in got if k not in asked)
             return [*faults, f"{what} returns {got} but the problem asks for {asked}{close}"]
-    faults += _shared_frames(solved, again)
+    faults += _shared_frames(before, again)
     for name, answers in named.items():
         if not answers or not set(answers) <= set(asked):
             gives = f"gives {list(answers)}"
@@ -138,17 +140,22 @@ def _fit(p, proof):
     return faults
 
 
-def _shared_frames(one, another):
-    """A fault if two calls of solve share a tree of frames, which would mix them in a diagnosis."""
-    made = {id(f) for x in one.values() if isinstance(x, Vector) for f in x.frame.tree}
-    for key, x in another.items():
+def _frames(answers):
+    """All frames in the trees of the answers."""
+    return {f for x in answers.values() if isinstance(x, Vector) for f in x.frame.tree}
+
+
+def _shared_frames(before, answers):
+    """A fault if frames of answers share a tree with those ``before``, of another call, which would
+    mix them in a diagnosis.
+    """
+    for key, x in answers.items():
         tree = x.frame.tree if isinstance(x, Vector) else []
-        names = [f.name for f in tree]
-        twice = [f.name for f in tree if id(f) in made and names.count(f.name) > 1]
-        if twice:
+        earlier = [f.name for f in tree if f in before]
+        if 0 < len(earlier) < len(tree):
             return [
-                f"{key} has the frame {twice[0]} of an earlier call in its tree: turn frames from "
-                "a ground that solve makes, not from one of the module"
+                f"{key} has the frame {earlier[-1]} of an earlier call in its tree: turn frames "
+                "from a ground that solve makes, not from one of the module"
             ]
     return []
 
@@ -158,7 +165,7 @@ def _dimensions(p):
     try:
         answers = p.code.solve(p.dimensions())
     except DimensionError as error:
-        return [f"solve adds unlike quantities: {explained(p.id, error)}"]
+        return [f"solve adds unlike quantities: {error_sentence(p.id, error)}"]
     faults = []
     for key, answer in answers.items():
         a = p.answer(key)

@@ -22,6 +22,7 @@ from typing import Any
 
 from newton_euler.algebra import scalars
 from newton_euler.algebra.language import Words
+from newton_euler.algebra.ledger import Equation
 from newton_euler.algebra.scalars import Scalar
 from newton_euler.algebra.units import Dimension, DimensionError, System, unit
 from newton_euler.algebra.vectors import Vector
@@ -60,7 +61,7 @@ class Step:
     means: str
     section: str = ""
     equation: str = ""
-    term: tuple = ()
+    term: tuple[str, Equation] | tuple[()] = ()
     of: str = ""
     kind: Kind = KINDS["number"]
     of_givens: bool = False

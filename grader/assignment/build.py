@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from exercises.catalogue import Problem
 
@@ -15,12 +15,16 @@ from ..course.creation import new_course, refuse_existing, write_pinned
 from ..course.due import due_date
 from ..course.exam import refuse_exam, set_exam
 from ..course.files import write_text
+from ..course.identity import ONLY_BY, TAKEN_FOR_ONE, seen_as
 from ..sandbox import CELL_SECONDS, SECONDS
 from .cells import own_metadata
 from .figures import figure_png
 from .merge import MergeResult, merged
 from .notebook import build_notebook
 from .spec import Spec, read_spec, spec_of
+
+if TYPE_CHECKING:
+    from rich.progress import Progress
 
 
 @dataclass(frozen=True)
@@ -46,7 +50,7 @@ def build_assignment(
     students: str | Path | None = None,
     only: Collection[str] = (),
     update: bool = False,
-    bar: Any = None,
+    bar: "Progress | None" = None,
     name: str | None = None,
     exchange: str | Path | None = None,
     id_column: str | None = None,
@@ -96,10 +100,9 @@ def build_assignment(
 def _check_name(course, spec):
     """Refuse a name too close to another assignment's; record whether it is an exam."""
     for other in (p.name for p in (course.path / "source").glob("*/")):
-        if other != spec.name and other.lower() == spec.name.lower():
+        if other != spec.name and seen_as(other) == seen_as(spec.name):
             raise CourseError(
-                f"the assignments {other} and {spec.name} differ by upper and lower case only: on "
-                "some machines they would share one folder"
+                f"the assignments {other} and {spec.name} differ {ONLY_BY}: {TAKEN_FOR_ONE}"
             )
     if spec.late:
         set_exam(course, spec.name, due_date(spec.opens) if spec.opens else None, spec.late)
@@ -134,11 +137,11 @@ def _built(course_path, name):
     return spec_of(name, numbers) if numbers else None
 
 
-def _figures(selected: list[Problem], bar: Any) -> dict[str, bytes | None]:
+def _figures(selected: list[Problem], bar: "Progress | None") -> dict[str, bytes | None]:
     task = bar.add_task("drawing figures", total=len(selected)) if bar else None
     figures = {}
     for p in selected:
         figures[p.id] = figure_png(p, p.book_values)
-        if bar:
+        if bar and task is not None:
             bar.advance(task)
     return figures

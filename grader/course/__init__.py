@@ -11,6 +11,6 @@ take_in     puts the work in a zip archive into the course, without nbgrader's e
 
 from .files import load_json, read_json, write_json, write_notebook
 from .folder import Course
-from .identity import CourseError, check_id, same_student
+from .identity import CourseError, check_id, seen_as
 from .roster import Roster, read_roster
 from .take_in import take_in

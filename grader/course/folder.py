@@ -29,7 +29,7 @@ from newton_euler.algebra.errors import NewtonEulerError
 from newton_euler.algebra.language import choose_language
 
 from .files import write_json
-from .identity import ONLY_BY, TAKEN_FOR_ONE, CourseError, check_id, same_student
+from .identity import ONLY_BY, TAKEN_FOR_ONE, CourseError, check_id, seen_as
 
 SECRET_BYTES = 32
 UNFINISHED = ".unfinished_build"  # marks a folder in which a course is being made
@@ -236,7 +236,7 @@ class Course:
             ids = sorted(s.id for s in book.students)
         known: dict[str, str] = {}
         for i in ids:  # ids added by nbgrader have not been compared
-            if (other := known.setdefault(same_student(i), i)) != i:
+            if (other := known.setdefault(seen_as(i), i)) != i:
                 raise CourseError(
                     f"the students {other!r} and {i!r} on the roster differ {ONLY_BY}: "
                     f"{TAKEN_FOR_ONE}. Remove one with: nbgrader db student remove {quote(i)}"
@@ -257,11 +257,11 @@ class Course:
         new = 0
         with self.gradebook() as book:
             before = {s.id for s in book.students}
-            enrolled = {same_student(i): i for i in before}
+            enrolled = {seen_as(i): i for i in before}
             for s in students:
                 details = {"id": s} if isinstance(s, str) else dict(s)
                 student_id = check_id(details.pop("id"))
-                present = enrolled.setdefault(same_student(student_id), student_id)
+                present = enrolled.setdefault(seen_as(student_id), student_id)
                 if present != student_id:
                     raise CourseError(
                         f"{student_id!r} differs from {present!r}, who is on the roster, "

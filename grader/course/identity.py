@@ -24,7 +24,7 @@ def check_id(student_id: str) -> str:
     return student_id
 
 
-# how two ids of same_student may differ, and why that is an error
+# how two ids of seen_as may differ, and why that is an error
 ONLY_BY = (
     "only by upper and lower case, spaces, dots at the end, kinds of dashes or quotation marks, or "
     "how a letter is encoded"
@@ -38,11 +38,11 @@ _UNSEEN = re.compile(
 _ALIKE = (("[\u2010-\u2015\u2212]", "-"), ("[\u2018\u2019\u02bc]", "'"), (r"[\s\u2800]+", " "))
 
 
-def same_student(student_id: str) -> str:
+def seen_as(name: str) -> str:
     """A key that is equal for ids that a reader takes for one, or that name the same folder on some
     machine: they differ as :data:`ONLY_BY` says.
     """
-    folded = student_id
+    folded = name
     for _ in range(2):  # casefold takes some accents off their letters
         folded = _UNSEEN.sub("", unicodedata.normalize("NFKC", folded).casefold())
     for alike, plain in _ALIKE:

@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from .identity import ONLY_BY, TAKEN_FOR_ONE, CourseError, check_id, same_student
+from .identity import ONLY_BY, TAKEN_FOR_ONE, CourseError, check_id, seen_as
 
 SEPARATORS = ",;\t|"
 MAX_BYTES = 10 * 2**20
@@ -124,7 +124,7 @@ def _rows(path, content, separator):
     try:
         for fields in reader:
             if any("\n" in field for field in fields):
-                raise csv.Error(f"a field goes on in line {reader.line_num}")
+                raise csv.Error(f"a field continues in line {reader.line_num}")
             if any(field.strip() for field in fields):
                 rows.append((line, [field.strip() for field in fields]))
             line = reader.line_num + 1
@@ -202,7 +202,7 @@ def _split_name(name):
 def _refuse_doubles(path, students):
     seen = {}
     for line, student in students:
-        earlier = seen.setdefault(same_student(student["id"]), (line, student["id"]))
+        earlier = seen.setdefault(seen_as(student["id"]), (line, student["id"]))
         if earlier[0] == line:
             continue
         if earlier[1] == student["id"]:

@@ -1,12 +1,14 @@
 """The atlas: all charts on one page, by the questions that they answer, which needs no network."""
 
 import platform
+from collections.abc import Sequence
 from datetime import date
 from html import escape
 from pathlib import Path
 from string import Template
 
 from .catalogue import BORDER, FAILURE, FORMULA, METHOD, MODEL, charts, slug
+from .measurements.measure import Progress
 
 PAGE = Path(__file__).with_name("atlas.html")
 TITLE = "Speed and accuracy: an atlas of every scene"
@@ -22,7 +24,12 @@ ANSWERS = {
 }
 
 
-def write_atlas(folder, names=None, quick=False, progress=lambda fraction, words: None):
+def write_atlas(
+    folder: Path,
+    names: Sequence[str] | None = None,
+    quick: bool = False,
+    progress: Progress = lambda fraction, words: None,
+) -> Path:
     """The path of the page, with the charts of these ``names``, or all, or why one is missing."""
     folder.mkdir(parents=True, exist_ok=True)
     wanted = [charts()[name] for name in names or charts()]

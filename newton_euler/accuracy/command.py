@@ -55,7 +55,15 @@ class _Charts(click.Command):
     is_flag=True,
     help="Four tolerances, coarse maps; methods that take more than 20 ms are left out.",
 )
-def main(names, only_list, draw_all, models, folder, kind, quick):
+def main(
+    names: tuple[str, ...],
+    only_list: bool,
+    draw_all: bool,
+    models: bool,
+    folder: Path,
+    kind: str,
+    quick: bool,
+) -> None:
     """Measure speed and accuracy, now and on this machine, and draw a chart of each NAME.
 
     Quote a name of several words, or write hyphens for the blanks:
@@ -112,7 +120,7 @@ def main(names, only_list, draw_all, models, folder, kind, quick):
 @click.command(ATLAS, context_settings=SETTINGS)
 @_out(ATLAS)
 @click.option("--quick", is_flag=True, help="As --quick of one chart: some minutes in all.")
-def atlas_main(folder, quick):
+def atlas_main(folder: Path, quick: bool) -> None:
     """Measure and draw every chart, to index.html in a folder, which needs no network.
 
     The charts are grouped by the questions that they answer: Which method? Which model? Which
@@ -165,7 +173,9 @@ def _picture(context, parameter, path):
     help="Seconds; a method whose run takes longer is asked for no more digits of that scene.",
 )  # fmt: skip
 @click.option("--quick", is_flag=True, help="Every other tolerance, and --longest 0.05.")
-def honesty_main(scenes, methods, path, longest, quick):
+def honesty_main(
+    scenes: list[str], methods: list[str], path: Path, longest: float, quick: bool
+) -> None:
     """Measure and draw whether each method keeps its word, and what it costs.
 
     Every method is asked for tolerances from 1e-3 to 1e-12 on every scene that it can use, which

@@ -95,6 +95,14 @@ class Crossed(str):
         return Crossed, self.factors
 
 
+class Chosen(str):
+    """A name that a caller chose for a term: it is written by its name, even if a term of the
+    equation is called so too.
+    """
+
+    __slots__ = ()
+
+
 class Terms(Guided, dict[str, T], Generic[T]):
     """The terms of a sum, in order, by name. Names are for people: two terms may be called "arm".
     They are then listed as "arm 1" and "arm 2", and "arm" names both of them to ``without`` and
@@ -303,8 +311,7 @@ class Explanation:
 
     def __str__(self):
         unit = f" {self.unit}" if self.unit else ""
-        known, other = self.equation.terms, self.equation.other
-        names = [f"{self._label(n)}  {known.get(n, other)[0]}".rstrip() for n in self.terms]
+        names = [f"{self._label(n)}  {self._texts(n)[0]}".rstrip() for n in self.terms]
         rows = zip([*names, "sum"], [*self.terms.values(), self.vector], strict=True)
         heading = (
             f"{self.equation.kind} {self.ledger.subject}, equation ({self.equation.number}), "
@@ -314,19 +321,26 @@ class Explanation:
 
     __repr__ = __str__
 
+    def _texts(self, name):
+        """The (text, LaTeX) of a term of the equation, or that of any other."""
+        own = self.terms.shared.get(name, name)
+        known = {} if isinstance(own, Chosen) else self.equation.terms
+        return known.get(own, self.equation.other)
+
     def _label(self, name):
         """The name of a term, with "minus" where the sum takes away what has the name."""
-        taken_away = name not in self.equation.terms and self.equation.other[0].startswith("-")
-        return f"minus {name}" if taken_away else name
+        other = self.equation.other
+        return f"minus {name}" if self._texts(name) is other and other[0][:1] == "-" else name
 
     @property
     def latex(self) -> str:
         """The formula and the value of each term, as an align* environment."""
-        symbol, known, other = self.equation.symbol, self.equation.terms, self.equation.other[1]
+        symbol, other = self.equation.symbol, self.equation.other
         # braces, since a symbol such as M_B already has a subscript
         total = f"{{{symbol}}}" + f"_{{{latex_text(self.ledger.subject)}}}"
         unit = rf"\ \text{{{self.unit}}}" if self.unit else ""
-        formulas = [known[n][1] if n in known else _product(n, other) for n in self.terms]
+        texts = {n: self._texts(n) for n in self.terms}
+        formulas = [_product(n, x[1]) if x is other else x[1] for n, x in texts.items()]
         joined = " + ".join(formulas).replace(" + -", " - ")
         rows = [rf"{total} &= {joined} \tag{{{self.equation.number}}}"]
         values = [*((self._label(n), v) for n, v in self.terms.items()), ("sum", self.vector)]

@@ -130,6 +130,17 @@ def in_notebook() -> bool:
     return getattr(_shell(), "kernel", None) is not None
 
 
+def running_cell() -> tuple[str, str]:
+    """The cell that a notebook runs, by the id that its front end sends, else by its text; and this
+    run of it. Both are "" outside a notebook.
+    """
+    if not in_notebook():
+        return "", ""
+    parent = _shell().get_parent()
+    sent, content, header = (parent.get(n) or {} for n in ("metadata", "content", "header"))
+    return sent.get("cellId") or content.get("code", ""), header.get("msg_id", "")
+
+
 def outdated(problem: str, names: Iterable[str]) -> dict[str, str]:
     """{name: why its value is not an answer to this problem}: its cell has ended in an error since,
     or the value was read as the answer to another problem.

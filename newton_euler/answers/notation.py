@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterable, Mapping
 from decimal import ROUND_HALF_UP, Context
 from functools import lru_cache
-from typing import Any
+
+from .trees import Tree
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ",
@@ -180,7 +181,7 @@ def _named(match, symbols):
 _SUM, _PRODUCT, _POWER = 1, 2, 3  # precedence of what is written
 
 
-def formula(tree: Any, symbols: Mapping[str, str]) -> str:
+def formula(tree: Tree, symbols: Mapping[str, str]) -> str:
     r"""The LaTeX of a formula tree, of a list of them, or of components in several frames;
     ``symbols`` as for :func:`typeset_names`.
 

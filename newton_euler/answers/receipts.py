@@ -27,8 +27,8 @@ receipts: dict = {}
 @checked
 def expect(
     problem: str,
-    symbols: dict | None = None,
-    notation: dict | None = None,
+    symbols: dict[str, str] | None = None,
+    notation: dict[str, str] | None = None,
     sane: dict | bool | None = None,
     **forms: str,
 ) -> None:
@@ -48,7 +48,9 @@ def expect(
 
 
 @checked
-def receipt(problem: str, names: Mapping | None = None, /, **answers: object) -> "Receipt":
+def receipt(
+    problem: str, names: Mapping[str, object] | None = None, /, **answers: object
+) -> "Receipt":
     """A :class:`Receipt` that shows how each answer to ``problem`` was read; None stands for an
     answer that is not given yet. Raises :class:`AnswerError`, which names every answer that cannot
     be read; under nbgrader's Validate, where answers are open as well.

@@ -420,7 +420,7 @@ def coriolis_parameter(latitude: Scalar, rate: Scalar = EARTH_RATE) -> Scalar:
 @checked
 def wind_acceleration(
     speed: Scalar, azimuth: Scalar, latitude: Scalar, rate: Scalar = EARTH_RATE
-) -> tuple:
+) -> tuple[Scalar, Scalar]:
     """The acceleration (east, north) of air that moves freely on the level with ``speed`` toward
     ``azimuth`` (6.33), (6.34): to the right in the north, to the left in the south.
 

@@ -117,7 +117,8 @@ def gyro_moment(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
     >>> round(gyro_moment(level, ground, 0.02, 0.01).x, 12)  # I psi' phi' (10.37)
     2.0
     """
-    f, inertia = body.parent, _inertia(body, I0, I)
+    inertia = _inertia(body, I0, I)
+    f = inertia.frame
     Omega, spin = f.angular_velocity(ground), body.angular_velocity(f).expressed_in(f)
     terms = {
         "acceleration": gyro_momentum(body, ground, I0, I).rate(f),

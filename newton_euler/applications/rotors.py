@@ -113,7 +113,7 @@ def _wrench(body, O, ground, gravity):
 
 
 @checked
-def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple:
+def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple[Vector, Scalar]:
     """The unit vector e from bearing A to bearing B, in ``frame`` (default: that of A), and their
     distance l (m); :class:`RotorError` if they coincide.
 
@@ -277,7 +277,7 @@ def balance(
 
 
 @checked
-def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tuple:
+def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tuple[Vector, Vector]:
     """The corrections in two planes across the axis that balance a body: two Vectors, mass times
     radius from the axis (kg m).
 
@@ -304,7 +304,7 @@ def corrections(body: Body, A: Point, B: Point, planes: Sequence[Scalar]) -> tup
 @checked
 def balancing_masses(
     body: Body, A: Point, B: Point, planes: Sequence[Scalar], radius: Scalar | Sequence
-) -> tuple:
+) -> tuple[Body, Body]:
     """Two small weights, one in each of the ``planes`` of :func:`corrections`, that balance a body:
     the Bodies ``weight 1`` and ``weight 2``.
 

@@ -25,6 +25,7 @@ from ..algebra.scalars import (
     Rows,
     Scalar,
     Scaled,
+    Triple,
     clipped,
     is_numeric,
     is_positive,
@@ -36,7 +37,7 @@ from ..algebra.scalars import (
     to_plain,
 )
 from ..algebra.vectors import ZERO3, FrameError, Vector, add3, dot3, scale3, sum3, three
-from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
+from ..kinematics.frames import Frame, Point, PointLike, as_point, axes_at
 from .admissibility import AXES, MassError, check
 from .principal_axes import principal, symmetry
 
@@ -62,7 +63,7 @@ class Inertia(Scaled, NamedTerms):
     Vector(2.0, -0.5, 0 in body)
     """
 
-    centre: Any  # a Point, or None if unknown
+    centre: Point | None  # None if unknown
 
     __slots__ = ("_terms", "centre", "frame", "mass", "moments", "point", "products")
 
@@ -76,7 +77,7 @@ class Inertia(Scaled, NamedTerms):
         frame: Frame | None = None,
         tolerance: Tolerance | None = 1e-9,
     ):
-        self.point = place(point, "an inertia matrix")
+        self.point = as_point(point, "an inertia matrix")
         self.frame = axes_at(self.point) if frame is None else frame
         self.moments = three(moments, "moments (I_xx, I_yy, I_zz)", MassError)
         self.products = three(products, "products (I_xy, I_yz, I_zx)", MassError)
@@ -145,7 +146,7 @@ class Inertia(Scaled, NamedTerms):
         return Vector(self.times3(omega.expressed_in(self.frame).c), self.frame, rate)
 
     @checked
-    def times3(self, c: tuple) -> tuple:
+    def times3(self, c: tuple) -> Triple:
         """The matrix times a triple of components along its axes."""
         if c is ZERO3:
             return ZERO3
@@ -197,13 +198,14 @@ class Inertia(Scaled, NamedTerms):
         >>> Inertia(G, (0, 3.0, 3.0), mass=12.0, centre=G).about(body.origin).moments
         (0, 15.0, 15.0)
         """
-        point = place(point, "an inertia matrix")
+        point = as_point(point, "an inertia matrix")
         if point is self.point:
             return self
         for what in ("mass", "centre"):
             self._needs(what, f"going from {self.point.name} to {point.name}")
         step = (self.point - point).expressed_in(self.frame).c
         to_G = ZERO3
+        assert self.centre is not None
         if self.centre is not self.point:
             to_G = (self.centre - self.point).expressed_in(self.frame).c
         (factor,) = built("transfer", (1,), (self.mass, *step, *self.moments))

@@ -6,6 +6,7 @@ Velocities are those in an inertial frame. A sum keeps its terms by name, in an
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from ..algebra.errors import Accuracy, NewtonEulerError, Tolerance, checked, checked_but
 from ..algebra.ledger import Amount, in_columns, summed, value_of
@@ -182,8 +183,8 @@ class Audit:
     """
 
     kinetic: Scalar
-    potentials: dict
-    works: dict
+    potentials: dict[str, Scalar]
+    works: dict[str, Scalar]
     residual: Scalar
     error: float
     largest: float
@@ -221,13 +222,16 @@ class Audit:
         return in_columns("energy equation (11.29), J", rows)
 
 
+InTime: TypeAlias = Callable[[Scalar], Scalar | Amount]  # of the time
+
+
 @checked_but("kinetic")
 def audit(
-    kinetic: Callable,
+    kinetic: InTime,
     start: Scalar,
     end: Scalar,
-    potentials: dict | None = None,
-    powers: dict | None = None,
+    potentials: dict[str, InTime] | None = None,
+    powers: dict[str, InTime] | None = None,
     rtol: Accuracy = 1e-10,
     exact: bool = False,
     breaks: Sequence[Scalar] = (),

@@ -15,14 +15,12 @@ vanishes for B = G (8.10), for B at rest or at constant velocity (8.11), and for
 :func:`newton_euler.solve_linear`. Units: any consistent ones; in SI kg, m, s, N.
 """
 
-from typing import Any
-
-from ..algebra.errors import checked
+from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import Ledger, Terms
 from ..algebra.vectors import ZERO3, Vector
 from ..bodies.body import Body
-from ..kinematics.frames import Frame, Point, place
-from .force_systems import ForceSystem
+from ..kinematics.frames import Frame, Point, as_point
+from .force_systems import ForceSystem, Parts
 from .newton import resultant_force
 
 
@@ -50,7 +48,7 @@ def angular_momentum(body: Body, observer: Frame, about: Point | Frame | None = 
 
 
 def _point(body, about):
-    return body.centre if about is None else place(about, "the point that the moment is about")
+    return body.centre if about is None else as_point(about, "the point that the moment is about")
 
 
 def _is_fixed(point, body):
@@ -124,9 +122,9 @@ def _rate_terms(rate, observer):
     return dict(rate.terms)
 
 
-@checked
+@checked_but("forces")
 def equations_of_motion(
-    body: Body, forces: Any, observer: Frame, about: Point | Frame | None = None
+    body: Body, forces: ForceSystem | Parts, observer: Frame, about: Point | Frame | None = None
 ) -> Terms[Vector]:
     """The Newton-Euler equations (8.21) of one body, as Vectors that must vanish: for
     :func:`newton_euler.algebra.linear.solve_linear`.

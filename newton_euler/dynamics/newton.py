@@ -14,6 +14,7 @@ Units: any consistent ones; in SI kg, m, s, N. A mass that is not positive raise
 from collections.abc import Sequence
 
 from ..algebra.errors import checked
+from ..algebra.ledger import Chosen
 from ..algebra.scalars import (
     Scalar,
     SingularError,
@@ -65,7 +66,7 @@ def reaction(m: Scalar, a: Vector, **known: Vector) -> Vector:
     >>> print(reaction(2.0, ground.vector(0, 0, 1.0), weight=-2.0*9.81*ground.k))
     [0, 0, 21.62] in ground
     """
-    parts = [("inertia", _mass(m) * a), *((name, -F) for name, F in known.items())]
+    parts = [("inertia", _mass(m) * a), *((Chosen(name), -F) for name, F in known.items())]
     subject = f"with {', '.join(known)} known" if known else "alone"
     return named_sum("reaction", subject, parts, a.frame)
 
@@ -117,7 +118,9 @@ def path_rates(m: Scalar, F_t: Scalar, F_n: Scalar, speed: Scalar) -> tuple[Scal
 
 
 @checked
-def coordinate_accelerations(m: Scalar, P: CoordinatePoint, **forces: Vector | Sequence) -> tuple:
+def coordinate_accelerations(
+    m: Scalar, P: CoordinatePoint, **forces: Vector | Sequence
+) -> tuple[Scalar, ...]:
     """The second rates of the coordinates of ``P`` by the forces named: (6.6), (6.8), (6.9) solved
     for r'', theta'', …, a tuple; :class:`SingularError` where the coordinates are singular.
 
@@ -164,7 +167,9 @@ def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector
     """
     seen = P.acceleration(observer, via=P.frame).terms
     names = {n: n for n in ("origin", "coriolis", "euler")} | {"centrifugal": "centripetal"}
-    parts = list(_per_mass(m, forces).items())
+    parts: list[tuple[str, Vector]] = [
+        (Chosen(name), F) for name, F in _per_mass(m, forces).items()
+    ]
     parts += [(name, -seen[term]) for name, term in names.items() if seen]
     subject = f"of {P.name} in {P.frame.name}"
     return named_sum("relative acceleration", subject, parts, P.frame)

@@ -26,6 +26,7 @@ from ..algebra.scalars import ZERO, Scalar, Triple, max_abs, probe, scalar, to_p
 from ..algebra.vectors import FrameError, Vector
 from ..kinematics.frames import Frame, Point
 from ..kinematics.paths import Path, along
+from ..kinematics.rotations import Components
 
 Field: TypeAlias = Callable[..., Triple]  # a force as a function of x, y, z
 
@@ -106,8 +107,8 @@ def work_along(
 
 @checked
 def work_in_time(
-    force: Callable,
-    velocity: Callable,
+    force: Callable[[Scalar], Components],
+    velocity: Callable[[Scalar], Components],
     start: Scalar,
     end: Scalar,
     rtol: Accuracy = 1e-10,

@@ -184,7 +184,9 @@ def spherical(ground: Frame, name: str, R: Scalar, theta: Scalar, phi: Scalar) -
     ((0, 6.0, 8.0), -32.0)
     """
     local = spherical_frame(ground, theta, phi, f"spherical axes of {name}")
-    (R,), theta, phi = built("coordinate", (moving(R),)), local.parent.angle, moving(phi)
+    turned = local.parent  # by theta
+    assert turned is not None
+    (R,), theta, phi = built("coordinate", (moving(R),)), turned.angle, moving(phi)
     factors = 1, to_plain(R.value * cos(phi.value)), to_plain(R.value)
     x, q = (R, ZERO, ZERO), (R, theta, phi)
     return _point("spherical", name, ground, local, x, q, factors)
@@ -249,7 +251,9 @@ _TERMS: dict[str, dict[str, Callable]] = {
 
 
 @checked
-def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
+def polar_coordinates(
+    r: Vector, v: Vector | None = None, a: Vector | None = None
+) -> tuple[Scalar, ...]:
     """(r, theta) of a point at the position ``r`` in the x, y plane, with their rates if its
     velocity ``v`` and acceleration ``a`` are given.
 
@@ -272,7 +276,7 @@ def polar_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = Non
 
 
 @checked
-def cylindrical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
+def cylindrical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> Triple:
     """(r, theta, z) and their rates as by :func:`polar_coordinates`: (3.18), (3.22), (3.23) solved
     for them. Raises :class:`SingularError` on the z axis.
 
@@ -287,7 +291,7 @@ def cylindrical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None
 
 
 @checked
-def spherical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> tuple:
+def spherical_coordinates(r: Vector, v: Vector | None = None, a: Vector | None = None) -> Triple:
     """(R, theta, phi) and their rates as by :func:`polar_coordinates`, phi the elevation in (-pi/2,
     pi/2): (3.24), (3.26), (3.27) solved. Raises :class:`SingularError` at poles and origin.
 

@@ -20,7 +20,9 @@ from ..algebra.names import guided
 from ..algebra.otherwise import built
 from ..algebra.scalars import (
     ZERO,
+    Rows,
     Scalar,
+    Triple,
     clipped,
     cos,
     hypot,
@@ -84,7 +86,7 @@ class Frame:
     (0, 0.3, 0.0)
     """
 
-    parent: Any  # a Frame, or None for the root
+    parent: "Frame | None"  # None for the root
     number: int  # how many frames were made in its parent before it
     _made: int  # how many were made in it
     hats: tuple[str, str, str] = (r"\hat{\imath}", r"\hat{\jmath}", r"\hat{k}")  # unit vectors
@@ -261,7 +263,7 @@ class Frame:
             + _how_to_join(self, other)
         )
 
-    def transform(self, c: tuple, frame: "Frame") -> tuple:
+    def transform(self, c: Triple, frame: "Frame") -> Triple:
         """The components in ``frame`` of the vector that has the components ``c`` in this one."""
         top = self.common(frame)
         if c is ZERO3:
@@ -295,7 +297,7 @@ class Frame:
         along = scale3((1 - cosine) * dot3(e, c), e)
         return add3(add3(scale3(cosine, c), scale3(sine, cross3(e, c))), along)
 
-    def rotation(self, observer: "Frame") -> tuple:
+    def rotation(self, observer: "Frame") -> Rows:
         """The matrix R, three rows, that takes components here to components in ``observer``; its
         columns are the axes of this frame there. The book's A (4.1) is its transpose.
         """
@@ -627,7 +629,7 @@ def _same_shape(numbers, what):
     return numbers
 
 
-def place(where: PointLike, what: str) -> Point:
+def as_point(where: PointLike, what: str) -> Point:
     """The Point itself, or of a Frame its origin, fixed in it; errors name it ``what``."""
     if isinstance(where, Frame):
         return where.point(f"origin of {where.name}", 0, 0, 0)

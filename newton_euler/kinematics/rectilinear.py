@@ -22,7 +22,7 @@ from ..algebra.scalars import (
 
 @checked
 def from_time(
-    a: Callable, t: Scalar, x0: Scalar = ZERO, v0: Scalar = ZERO
+    a: Callable[[Scalar], Scalar], t: Scalar, x0: Scalar = ZERO, v0: Scalar = ZERO
 ) -> tuple[Scalar, Scalar]:
     """(x, v) at the time ``t`` for the acceleration ``a(t)``, from ``x0`` and ``v0`` at time 0.
 
@@ -34,7 +34,9 @@ def from_time(
 
 
 @checked
-def from_speed(a: Callable, v: Scalar, v0: Scalar, x0: Scalar = ZERO) -> tuple[Scalar, Scalar]:
+def from_speed(
+    a: Callable[[Scalar], Scalar], v: Scalar, v0: Scalar, x0: Scalar = ZERO
+) -> tuple[Scalar, Scalar]:
     """(t, x) at which a point reaches the velocity ``v`` by the acceleration ``a(v)``, starting at
     time 0 at ``x0`` with ``v0``: t is the integral of dv/a, x - x0 that of v dv/a. Raises
     :class:`SingularError` if a is zero or has the wrong sign between.

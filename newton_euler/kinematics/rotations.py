@@ -195,7 +195,7 @@ def _length_and_direction(v):
 # -- checks
 
 
-def checked_rotation(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
+def checked_rotation(R: Matrix, tolerance: Tolerance = 1e-9) -> Rows:
     """``R`` as three rows, if it is a rotation: R^T R = 1 within ``tolerance`` and determinant +1
     (4.2)-(4.4); :class:`RotationError` otherwise, :class:`ScalarError` for entries without values.
     """
@@ -210,15 +210,15 @@ def checked_rotation(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
             "arrays, so that NumPy shows the shape (3, 3, N); got "
             + (f"shape {R.shape}" if hasattr(R, "shape") else got)
         )
-    R = tuple(tuple(without_rates(x) for x in row) for row in R)
-    gram = product(transpose(R), R)
+    rows = tuple(tuple(without_rates(x) for x in row) for row in R)
+    gram = product(transpose(rows), rows)
     try:
         errors = [max_abs(gram[n][m] - int(n == m)) for n in range(3) for m in range(3)]
-        mirrored = max_abs(determinant(R) - 1)
+        mirrored = max_abs(determinant(rows) - 1)
     except (TypeError, ValueError, RuntimeError) as problem:
         raise ScalarError(
             "to read axis, quaternion or angles from a matrix its entries must have values "
-            f"(floats, mpf, arrays); this one has expressions, as {R[0][0]!r}. Put in numbers "
+            f"(floats, mpf, arrays); this one has expressions, as {rows[0][0]!r}. Put in numbers "
             "first, or keep the angles that it was built from"
         ) from problem
     if not all(error <= tolerance for error in errors):
@@ -230,7 +230,7 @@ def checked_rotation(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
         )
     if not mirrored < 1:
         raise RotationError("not a rotation but a reflection, determinant -1: exchange two axes")
-    return R
+    return rows
 
 
 # -- quaternions
@@ -295,7 +295,7 @@ def matrix_from_quaternion(q: Sequence[Scalar]) -> Rows:
 
 
 @checked_but("R")
-def quaternion_from_matrix(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple:
+def quaternion_from_matrix(R: Matrix, tolerance: Tolerance = 1e-9) -> tuple[Scalar, ...]:
     """The unit quaternion of a rotation matrix, its scalar part not negative; at an angle of pi,
     the sign of :func:`axis_angle`.
 
@@ -390,7 +390,7 @@ def euler_angles(R: Matrix, tolerance: Tolerance = 1e-09) -> Triple:
 
 
 @checked
-def quaternion_from_euler(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple:
+def quaternion_from_euler(psi: Scalar, theta: Scalar, phi: Scalar) -> tuple[Scalar, ...]:
     """The unit quaternion of the Euler angles (rad), body to ground.
 
     >>> quaternion_from_euler(0.0, 0.0, 0.0)

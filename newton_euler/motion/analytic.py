@@ -2,8 +2,10 @@
 
 from collections import Counter
 
+from ..algebra.scalars import Scalar
 from ..algebra.source import WITHIN, uses
 from ..algebra.trace import COMPARISONS, Step
+from .methods.base import TracedRates
 
 KINKS = {"where", "abs", "table", *COMPARISONS}
 # sqrt(v*v) is v to a series but abs(v) to every other method; a motion can pass the branch point
@@ -13,24 +15,24 @@ HIDDEN = {"exp", "tanh", "sinh", "cosh", "pow"}
 HIGH_POWER = 8  # as is a higher one, whose first terms are zero where its base is
 
 
-def kinks(traced):
+def kinks(traced: TracedRates) -> list[str]:
     """The operations of the rates that choose between formulas, as where and abs: a sorted list."""
     return sorted({s.op for s in varying(traced) if s.op in KINKS} - set(COMPARISONS))
 
 
-def inner(traced):
+def inner(traced: TracedRates) -> list[str]:
     """The integrals and roots in the rates, which no series has: a sorted list."""
     return sorted({s.op for s in traced.folded[0].trace.steps}.intersection(WITHIN))
 
 
-def surprises(traced):
+def surprises(traced: TracedRates) -> bool:
     """True if the rates choose between formulas at times that are not known in advance."""
     known = {s.number for s in clocked(traced)}
     chosen = [s.args[0] if s.op == "where" else s for s in varying(traced) if s.op in KINKS]
     return any(not isinstance(s, Step) or s.number not in known for s in chosen)
 
 
-def clocked(traced):
+def clocked(traced: TracedRates) -> list[Step]:
     """The comparisons, absolute values and tables of linear functions of the time, a list."""
     linear, found = set(), []
     for s in varying(traced):
@@ -53,7 +55,7 @@ def _is_linear(step, moving):
     return step.op in ("argument", "+", "-", "neg")
 
 
-def hazards(traced):
+def hazards(traced: TracedRates) -> list[str]:
     """The operations of the rates that a series may not notice, a sorted list: those with a branch
     point that a motion could pass without a singularity there, as a root that is not also in a
     denominator, and those that vanish below round-off.
@@ -68,7 +70,7 @@ def hazards(traced):
     return sorted(branches | {s.op for s in steps if s.op in HIDDEN or is_high_power(s)})
 
 
-def is_high_power(s, unknown=False):
+def is_high_power(s: Step, unknown: bool = False) -> bool:
     """True for x**n with a large n, which is small but where x is largest.
 
     unknown : the answer for an n that is a parameter
@@ -78,23 +80,24 @@ def is_high_power(s, unknown=False):
     return unknown if isinstance(s.args[1], Step) else s.args[1] > HIGH_POWER
 
 
-def depends(traced):
+def depends(traced: TracedRates) -> dict[int, set[str]]:
     """For each step of the trace, by number, the set of states, and time, on which it depends."""
-    changing, found = set(traced.rhs.parameters[: traced.arguments]), {}
+    changing = set(traced.rhs.parameters[: traced.arguments])
+    found: dict[int, set[str]] = {}
     for s in traced.rhs.trace.steps:
         below = [found[a.number] for a in s.args if isinstance(a, Step)]
         found[s.number] = {s.args[0]} & changing if s.op == "argument" else set().union(*below)
     return found
 
 
-def varying(traced):
+def varying(traced: TracedRates) -> list[Step]:
     """The steps of the trace that the rates need and that change during a motion."""
     needed = uses(traced.rhs.trace, traced.rhs.leaves)
     steps = traced.rhs.trace.steps
     return [s for s in steps if s.number in needed and traced.depends[s.number]]
 
 
-def factors(x):
+def factors(x: Scalar) -> set[Step]:
     """The steps of the trace whose zeros are zeros of x."""
     if not isinstance(x, Step):
         return set()
@@ -106,7 +109,7 @@ def factors(x):
     return {x} | below
 
 
-def absolutes(s):
+def absolutes(s: Step) -> list[Scalar]:
     """The steps x whose absolute value a step is made of: abs(x), sqrt(4*x*x) = 2*abs(x)."""
     if s.op == "abs":
         return [s.args[0]]

@@ -1,6 +1,7 @@
 """The arguments of an integration, checked: each as it is used, or a :class:`ModelError`."""
 
 import math
+from collections.abc import Callable, Iterable
 from itertools import islice
 from numbers import Real
 from typing import Any
@@ -12,7 +13,7 @@ from .methods.table import METHODS
 from .model import Model, ModelError, expect, finite_number, is_iterable, real_numbers
 
 
-def time_span(t):
+def time_span(t: Any) -> tuple[float, float]:
     """The times of start and end as floats; a single number is the end, with the start at 0."""
     if type(t) is float and 0.0 < t < math.inf:
         return 0.0, t
@@ -63,7 +64,12 @@ def _start_value(subject, name, x):
     return finite_number(x, f"{subject} has {name} =", f"{expected}, got {clipped(x)}")
 
 
-def check_options(rtol, method, step=None, progress=None):
+def check_options(
+    rtol: float,
+    method: str,
+    step: float | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> float:
     """``rtol`` as a float; :class:`ModelError` for options that suit no model."""
     if not (isinstance(method, str) and method in ("auto", *METHODS)):
         raise ModelError(f"method is 'auto' or one of {', '.join(METHODS)}; got {clipped(method)}")
@@ -85,7 +91,7 @@ def _is_real(x):
     return isinstance(x, Real) and not isinstance(x, bool)
 
 
-def event_tuple(events):
+def event_tuple(events: Event | Iterable[Event]) -> tuple[Event, ...]:
     """One or several events as a tuple."""
     if isinstance(events, Event):
         return (events,)
@@ -97,7 +103,7 @@ def event_tuple(events):
     return events
 
 
-def sample_request(samples, t0, t1):
+def sample_request(samples: Any, t0: float, t1: float) -> Any:
     """The samples: None, a number of times, or an array of times between t0 and t1."""
     if samples is None or (type(samples) is int and 0 < samples <= LONGEST_SEQUENCE):
         return samples

@@ -1,5 +1,6 @@
 """Sums of Chebyshev polynomials on (-1, 1), many at once; and the zero in a bracket."""
 
+from collections.abc import Callable, Sequence
 from functools import cache
 
 from ..algebra.late import np
@@ -8,7 +9,7 @@ DEGREE = 12
 EPS = 2.0**-52
 
 
-def values_at(fits, x):
+def values_at(fits: "np.ndarray", x: "np.ndarray") -> "np.ndarray":
     """The values of polynomials at one place each."""
     k = np.arange(fits.shape[1])
     return (fits * np.cos(np.arccos(x)[:, None] * k)).sum(axis=1)
@@ -20,12 +21,12 @@ def _differentiation():
     return np.polynomial.chebyshev.chebder(np.eye(DEGREE + 1)).T
 
 
-def derivatives_at(fits, x):
+def derivatives_at(fits: "np.ndarray", x: "np.ndarray") -> "np.ndarray":
     """The slopes of polynomials at one place each."""
     return values_at(fits[:, : DEGREE + 1] @ _differentiation(), x)
 
 
-def extrema(fits):
+def extrema(fits: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
     """All extrema of polynomials in (-1, 1): their indices, and the places in order."""
     with np.errstate(all="ignore"):  # values of a function near its pole
         c = fits @ _differentiation()
@@ -59,7 +60,7 @@ def _companions(c):
     return matrix[:, ::-1, ::-1]
 
 
-def value_at(c, x):
+def value_at(c: Sequence[float], x: float) -> float:
     """The value of one polynomial, by Clenshaw's rule."""
     a = b = 0.0
     for value in c[:0:-1]:
@@ -67,7 +68,7 @@ def value_at(c, x):
     return c[0] + x * a - b
 
 
-def root(f, a, b, accuracy=0.0):
+def root(f: Callable[[float], float], a: float, b: float, accuracy: float = 0.0) -> float:
     """The zero of ``f`` between a and b, where its signs differ, to round-off or to this accuracy:
     regula falsi with the Illinois rule (M. Dowell, P. Jarratt, BIT 11 (1971) 168), with a bisection
     every fourth time.

@@ -4,14 +4,16 @@ hundred times that; steps up to it and from it on are as accurate as any.
 """
 
 from bisect import bisect_right
+from collections.abc import Callable
 from itertools import pairwise
 from math import copysign, hypot, inf, nextafter, ulp
 
 from ..algebra.compile import Compiled
+from ..algebra.scalars import Scalar
 from ..algebra.trace import COMPARISONS
 from .analytic import absolutes, varying
 from .chebyshev import root
-from .methods.base import StepError
+from .methods.base import Floats, StepError, Stepper, System, TracedRates
 
 TRIES = 60  # the most by which the steps for crossings may outnumber the others
 AROUND = 2  # units in the last place of the time about a crossing, which is found to one
@@ -26,7 +28,7 @@ SHORT, DIGITS = 1e-6, 16  # part of the time by which to look ahead; last digits
 NEAR = 4  # multiples of that room: a crossing so near the end of a step needs no stop
 
 
-def choices(traced):
+def choices(traced: TracedRates) -> list[tuple[Scalar, Scalar]]:
     """The pairs (a, b) of steps or numbers by whose order the rates choose between formulas."""
     found = []
     for s in varying(traced):
@@ -38,13 +40,13 @@ def choices(traced):
     return found
 
 
-def compiled_choices(traced):
+def compiled_choices(traced: TracedRates) -> Callable[..., Floats]:
     """The function of all arguments that returns the values of :func:`choices`, in order."""
     rhs, leaves = traced.rhs, [x for pair in traced.choices for x in pair]
     return Compiled("choices", rhs.parameters, rhs.trace, leaves).on_floats
 
 
-def off_a_border(system, t, x):
+def off_a_border(system: System, t: float, x: Floats) -> Floats:
     """The state ``x``, or the one beside it into which its rates lead where others hold there: at
     rest on a rough floor the friction is that of neither direction.
     """
@@ -60,7 +62,7 @@ def off_a_border(system, t, x):
     return beside if jumps else x
 
 
-def distances(system):
+def distances(system: System) -> Callable[[float, Floats], list[float]]:
     """The function ``(t, x)`` of the distances from each place where the rates change formula."""
     run, p = system.traced.compiled_choices, system.p
 
@@ -71,7 +73,7 @@ def distances(system):
     return at
 
 
-def unsettled(stepper, end):
+def unsettled(stepper: Stepper, end: float) -> float:
     """The summed differences, relative to the scales, of the steps up to the time ``end`` that pass
     over such a place from two halves of each: a step that was shortened until its error estimate
     was small may have got there by chance. Steps of a motion that slides, one of which soon leads
@@ -92,6 +94,7 @@ def unsettled(stepper, end):
         lost = _last_digit(system, ends[n], ends[n + 1], values[n], values[n + 1])
         squares = [s + v * v for s, v in zip(squares, lost, strict=True)]
         if h > SHORTEST * ulp(begin + h):
+            assert stepper.halved is not None
             apart = stepper.halved(n)
             if max(map(abs, apart)) > LIMIT * stepper.tolerance:
                 off = [a + b for a, b in zip(off, apart, strict=True)]
@@ -123,13 +126,13 @@ class Crossings:
     tries : the number of steps that were repeated or passed over a crossing, minus the others
     """
 
-    def __init__(self, stepper):
+    def __init__(self, stepper: Stepper):
         self.stepper, self.away, self.tries = stepper, distances(stepper.system), 0
         stepper.around = AROUND
         self.short = SHORT * (stepper.goal - stepper.t)
         self.room = 2 * AROUND * ulp(max(abs(stepper.t), abs(stepper.goal)))
 
-    def step(self, limit):
+    def step(self, limit: float) -> None:
         """At most ``limit`` steps; raises :class:`StepError` where the motion slides along such a
         place, or chatters at it.
         """

@@ -5,8 +5,9 @@ micrometre at the surface of the Earth is genuine, however many of its digits ro
 from contextlib import suppress
 
 from ..algebra.late import np
-from .methods.base import rows_of
+from .methods.base import Floats, rows_of
 from .narrow import narrow_times
+from .trajectory import Trajectory
 
 # a rate, or a state, is genuine above this multiple of what the last digits of states and
 # parameters contribute to it; 10 000 steady motions of tops, pendulums and orbits stayed below it
@@ -19,7 +20,7 @@ ERROR = 10.0  # error of a state in tolerances, relative to its departure from a
 DRIVEN = 1e-3  # fraction of its rate above which a state is driven by others
 
 
-def driven(trajectory, start, natural, doubted):
+def driven(trajectory: Trajectory, start: Floats, natural: Floats, doubted: set[int]) -> set[int]:
     """The genuine states among the ``doubted`` ones, given by their numbers: their initial values,
     or their rates in the first segment of the trajectory, exceed what the last digits of states and
     parameters contribute.

@@ -3,9 +3,9 @@
 from contextlib import suppress
 
 from ..algebra.compile import Compiled
-from ..algebra.scalars import short
+from ..algebra.scalars import Scalar, short
 from ..algebra.trace import Step
-from .methods.base import LengthError, StepError
+from .methods.base import Floats, LengthError, StepError, System
 from .solution import LongError, MotionError, NoValueError, StickingError
 
 # parts of the whole time: a trial step, and the time to reach a border; how a step grows
@@ -19,7 +19,9 @@ TOO_LARGE = (
 )
 
 
-def why(error, system, t, x, span):
+def why(
+    error: Exception, system: System, t: float, x: Floats, span: float
+) -> tuple[type[MotionError], str]:
     """The class of the error to be raised, and the end of its message, for the ``error`` of a
     method at the time t and the state x.
 
@@ -67,7 +69,7 @@ def _without_value(system, t, x, span):
     return ""
 
 
-def stuck_at(system, t, x, span):
+def stuck_at(system: System, t: float, x: Floats, span: float) -> tuple[Scalar, Scalar] | None:
     """The choice (a, b) to whose border the rates on both sides lead back, or None."""
     rhs = system.traced.rhs
     for pair in system.traced.choices:

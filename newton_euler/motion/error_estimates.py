@@ -3,8 +3,10 @@
 import math
 
 from ..algebra.late import is_here
+from .methods.table import Method
 from .round_off import round_off_far_away, round_off_of_rates
 from .sizes import small, time_round_off
+from .trajectory import Trajectory
 
 # A run is compared with one of a coarser tolerance. If both are in the regime in which errors are
 # proportional to the tolerance, the error of the fine one is predicted by a power of the ratio of
@@ -30,12 +32,12 @@ ROUND_OFF_OF_RATES = 5e-15
 TIGHT = 1e-13
 
 
-def reported_error(error, rtol):
+def reported_error(error: float, rtol: float) -> float:
     """The reported error: with more safety than the one that is judged, but not above the rtol."""
     return max(error, min(rtol, REPORTED_SAFETY * error))
 
 
-def relative_shift(ratio):
+def relative_shift(ratio: float) -> float:
     """The relative shift of the states with which a run for comparison starts; see
     :func:`error_by_difference` for the ratio.
     """
@@ -43,13 +45,14 @@ def relative_shift(ratio):
     return ROUND_OFF_OF_RATES / safety
 
 
-def error_by_comparison(before, trajectory, method):
+def error_by_comparison(before: Trajectory, trajectory: Trajectory, method: Method) -> float:
     """The error of a trajectory, predicted from its difference to one of another tolerance."""
     difference, tolerance = before.difference(trajectory), trajectory.tolerance
     ratio, traced = tolerance / before.tolerance, trajectory.segments[0].system.traced
     coarse, fine = before.count, trajectory.count
     regular = method.series or coarse >= MIN_STEPS
     if method.adaptive and not trajectory.stopping:
+        assert method.order is not None
         growth = fine / max(coarse, 1) * ratio ** (1 / method.order)
         regular = regular and 1 / STEPS_OFF < growth < STEPS_OFF
     # steps that end at kinks are as regular as others
@@ -69,7 +72,9 @@ def error_by_comparison(before, trajectory, method):
     return math.hypot(error_by_difference(difference, ratio, tolerance, regular, fine), more)
 
 
-def error_by_difference(difference, ratio, tolerance, regular=True, steps=0):
+def error_by_difference(
+    difference: float, ratio: float, tolerance: float, regular: bool = True, steps: int = 0
+) -> float:
     """The error of a run, predicted from its difference to one of another tolerance.
 
     ratio : the tolerance of this run over that of the other; above 1 the other one is more accurate

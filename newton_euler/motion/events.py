@@ -120,7 +120,7 @@ class EventLocator:
     zeros cannot be found.
     """
 
-    def __init__(self, event, stepper, at_start):
+    def __init__(self, event: Event, stepper: Stepper, at_start: bool):
         self.event, self.stepper, self.at_start = event, stepper, at_start
         self.takes_arrays, self.failed = True, None
         t, x = stepper.start
@@ -136,7 +136,7 @@ class EventLocator:
         self.sign = int(self.first > 0) - int(self.first < 0)
         self.cuts: list[float] = []
 
-    def look(self, first):
+    def look(self, first: int) -> None:
         """Find where the function may be narrow, from step ``first`` on: a search begins there."""
         arguments = self.stepper.system.narrow_of(self.event.function)
         if arguments:
@@ -148,7 +148,7 @@ class EventLocator:
         of = f"event {self.event.name!r}" if self.event.name else "an event"
         return f"the function of {of}"
 
-    def search(self, n):
+    def search(self, n: int) -> Iterator[tuple[float, bool]]:
         """The times of the event in step ``n``, in order, as pairs (time, True); pairs (time,
         False) in between mark the time up to which all have been found.
         """

@@ -15,9 +15,10 @@ from ..algebra.names import guided
 from .arguments import check_options, event_tuple, sample_request, start_state, time_span
 from .batch import Motions, integrate_many
 from .events import Event
+from .methods.base import Floats
 from .methods.table import METHODS
 from .model import Model, ModelError, State, expect, has_unit
-from .prepared import prepared_model
+from .prepared import PreparedModel, prepared_model
 from .run import Run, fast_run, usable
 from .solution import Motion
 
@@ -31,7 +32,7 @@ def integrate(
     method: str = "auto",
     events: Event | Iterable[Event] = (),
     samples: int | Iterable[float] | None = None,
-    progress: Callable | None = None,
+    progress: Callable[[float], object] | None = None,
     step: float | None = None,
 ) -> Motion | Motions:
     """The motion of a model from its start: a :class:`~newton_euler.motion.solution.Motion`, or
@@ -100,7 +101,7 @@ def integrate(
 
 
 @guided
-def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
+def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> "Prepared":
     """A function ``(t, start)`` that returns the states at ``t`` after ``start`` at t = 0 as a
     tuple: one model for many runs, as under a slider.
 
@@ -130,7 +131,7 @@ def prepare(model: Model, rtol: float = 1e-9, method: str = "auto") -> Callable:
 class Prepared:
     """What :func:`prepare` returns; a pickle contains its model as it was when this was made."""
 
-    def __init__(self, system, rtol, requested):
+    def __init__(self, system: PreparedModel, rtol: float, requested: str):
         self.system, self.rtol, self.requested, self.method = system, rtol, requested, requested
         if requested == "auto":
             series = not METHODS["taylor"].unusable_because(system) and not system.traced.hazards
@@ -140,15 +141,17 @@ class Prepared:
     def __reduce__(self):
         return Prepared, (self.system, self.rtol, self.requested)
 
-    def __call__(self, t, start):
+    def __call__(self, t: float, start: Floats) -> Floats:
         try:
             # one short test of all of them: a method might drop a unit
             plain = type(sum(start, t)) is float or not any(map(has_unit, (t, start, *start)))
             x = self._fast(t, start) if plain else None
         except (TypeError, ValueError, OverflowError):
             x = None  # the integration raises an error that says what is wrong
-        if x is not None:
-            return x
+        return self._integrated(t, start) if x is None else x
+
+    @guided
+    def _integrated(self, t, start):
         state = start_state(self.system.model, start)
         for given in (t, *state):
             one = not getattr(given, "shape", ()) and not isinstance(given, (tuple, list))

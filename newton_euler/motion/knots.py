@@ -8,6 +8,7 @@ import math
 from ..algebra.compile import Compiled
 from ..algebra.late import np
 from ..algebra.trace import Step
+from .methods.base import Floats, System
 
 INTERVALS = 16384  # parts of the time: a pulse is found if it is longer than one of them
 # an interval is quiet if a function of time changes in it by less than this fraction of its largest
@@ -18,7 +19,7 @@ POLISHED = 2  # steps of Newton's rule by which such a time is exact, where its 
 MAX_EVENTS = 1000  # pulses: more are an oscillation, which no step can miss
 
 
-def knots(system, t0, t1):
+def knots(system: System, t0: float, t1: float) -> Floats:
     """The times between t0 and t1, in order, at which a function of time in the rates begins or
     ceases to change next to a quiet time, or at which they change their formula by the clock, as a
     table of time does; () for most models.
@@ -29,7 +30,7 @@ def knots(system, t0, t1):
     if kept is None or kept[0] != (t0, t1):
         found = {*_found(system, t0, t1), *_joints(system, t0, t1)}
         kept = (t0, t1), tuple(sorted(found))
-        system._knots = kept
+        vars(system)["_knots"] = kept
     return kept[1]
 
 

@@ -7,7 +7,7 @@ scalars of every kind, so that a formula reads as it is printed: ``s.v*cos(s.gam
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from inspect import Parameter, Signature
@@ -18,7 +18,7 @@ from typing import Any, NoReturn
 from unicodedata import normalize
 from warnings import warn
 
-from ..algebra.compile import Compiled, compiled, content, recorded, text_of
+from ..algebra.compile import Compiled, Recording, compiled, content, recorded, text_of
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
 from ..algebra.late import np
 from ..algebra.names import guided, misfit
@@ -297,7 +297,7 @@ class Model(Portable):
             missing = ", ".join(n for n in names if n not in state)
             if missing:
                 raise ModelError(
-                    f"the state of {self.name!r} lacks {missing}; give all of {', '.join(names)}"
+                    f"the state of {self.name!r} has no {missing}; give all of {', '.join(names)}"
                 )
             return {n: state[n] for n in names}
         if type(state) is not tuple:
@@ -419,7 +419,7 @@ class Model(Portable):
             )
 
 
-def cached(cache, key, make):
+def cached(cache: dict, key: Hashable, make: Callable[[], Any]) -> Any:
     """The value of a key in the cache, made if it is missing; the ``KEPT`` most recently used
     values are kept.
 
@@ -430,12 +430,14 @@ def cached(cache, key, make):
     return _keep(cache, key, make() if found is missing else found)
 
 
-def shared(formula, cache=_BY_CONTENT):
+def shared(formula: Recording | Compiled, cache: dict = _BY_CONTENT) -> Compiled:
     """The compiled text of a formula that is recorded or compiled; equal ones share it."""
     return cached(cache, content(formula), lambda: text_of(formula))
 
 
-def current(cache, key, functions, make):
+def current(
+    cache: dict, key: Hashable, functions: Iterable[Callable], make: Callable[[], Any]
+) -> tuple[Reads, Any]:
     """The :class:`~newton_euler.algebra.reads.Reads` of these functions and the value of a key in
     the cache, a pair; made again where something that the functions read has changed.
     """
@@ -487,22 +489,22 @@ def _several(what, x):
     return tuple(x)
 
 
-def is_iterable(x):
+def is_iterable(x: object) -> bool:
     """True for what has entries, which an array without an axis has not."""
     return hasattr(x, "__iter__") and getattr(x, "shape", None) != ()
 
 
-def is_law(x):
+def is_law(x: object) -> bool:
     """True for a parameter that is a function; a callable symbolic expression is a number."""
     return callable(x) and not _is_scalar(x)
 
 
-def is_absent(x: Scalar | Callable) -> bool:
+def is_absent(x: Scalar | Formula) -> bool:
     """True for a number that is 0, as a force that is neglected; False for a law."""
     return not is_law(x) and is_zero(scalar(x))
 
 
-def comparable(what: str, *values: Scalar) -> tuple:
+def comparable(what: str, *values: Scalar) -> tuple[Scalar, ...]:
     """The values, as :func:`~newton_euler.algebra.scalars.promote` returns them, of an exact
     solution that branches on them; ``what`` names the body in the message.
 
@@ -514,7 +516,7 @@ def comparable(what: str, *values: Scalar) -> tuple:
     return values
 
 
-def has_unit(x):
+def has_unit(x: object) -> bool:
     """True for a quantity of pint or astropy and a time span of NumPy: converted to plain numbers,
     as by NumPy, they would lose their unit.
     """
@@ -524,12 +526,12 @@ def has_unit(x):
     return hasattr(x, "unit") or (hasattr(x, "magnitude") and hasattr(x, "to"))
 
 
-def unit_advice(x):
+def unit_advice(x: object) -> str:
     """What to do with a quantity, as the end of a message; "" for anything else."""
     return advice(x) if has_unit(x) else ""
 
 
-def finite_number(x, what, no_number):
+def finite_number(x: Any, what: str, no_number: str) -> float:
     """``x`` as a finite float; :class:`ModelError` otherwise.
 
     what, no_number : the beginning of the message for inf and nan; that for anything else
@@ -545,7 +547,7 @@ def finite_number(x, what, no_number):
     return x
 
 
-def real_numbers(x, what):
+def real_numbers(x: Any, what: str) -> "np.ndarray":
     """One real number, or an array or sequence of them, as an array of floats.
 
     what : what is expected, for the message
@@ -563,7 +565,8 @@ def real_numbers(x, what):
         if given.dtype.kind not in "iufO":
             raise TypeError
         if given.dtype.kind == "O":
-            given = [real_numbers(entry, what) for entry in given] if given.ndim else float(x)
+            x = [real_numbers(entry, what) for entry in given] if given.ndim else float(x)
+            return np.asarray(x, dtype=float)
         return np.asarray(given, dtype=float)
     except (TypeError, ValueError, OverflowError, RuntimeError) as error:
         if isinstance(error, ModelError):

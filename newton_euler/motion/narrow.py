@@ -16,8 +16,8 @@ from typing import NamedTuple
 
 from ..algebra.late import np
 from .chebyshev import DEGREE, extrema, values_at
-from .methods.base import rows_of
-from .narrow_arguments import CHANGE, LIMITS, RATIO
+from .methods.base import Stepper, rows_of
+from .narrow_arguments import CHANGE, LIMITS, RATIO, Arguments
 from .zeros import sampling
 
 # the part of its change by which an argument may differ from a polynomial; and how many times that
@@ -55,7 +55,7 @@ class Passage(NamedTuple):
     size: float
 
 
-def passage(stepper, first):
+def passage(stepper: Stepper, first: int) -> Passage | None:
     """The first :class:`Passage` in the steps from number ``first`` on, or None; ``stepper.near``
     are the times, with the numbers of the arguments, at which one turns back.
     """
@@ -122,7 +122,9 @@ def _calm(stepper, arguments, first):
     return True
 
 
-def narrow_times(stepper, arguments, first):
+def narrow_times(
+    stepper: Stepper, arguments: Arguments, first: int
+) -> "tuple[np.ndarray, np.ndarray, list[tuple[float, int]]]":
     """The times at which one of the :class:`~.narrow_arguments.Arguments` passes its narrow place
     within a step, from number ``first`` on, and those at which it passes several places of a table
     in one step: two arrays; and a list of pairs (time, number of an argument) where one is least
@@ -355,12 +357,14 @@ def _values(stepper, arguments, times, x):
     return found
 
 
-def rates_along(stepper, times, x, nudge=0.0):
+def rates_along(
+    stepper: Stepper, times: "np.ndarray", x: "np.ndarray", nudge: float = 0.0
+) -> "np.ndarray":
     """The rates; ``nudge`` is a relative change, by turns up and down, of states and constants."""
     system = stepper.system
     numbers = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(system.constants)]
-    x = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(x)]
-    return rows_of(system.traced.folded[0].on(np)(times, *x, *numbers), len(times))
+    moved = [v * (1 + (nudge if k % 2 else -nudge)) for k, v in enumerate(x)]
+    return rows_of(system.traced.folded[0].on(np)(times, *moved, *numbers), len(times))
 
 
 def _located(stepper, arguments, brackets):
@@ -434,7 +438,7 @@ def _along(stepper, ends, states, centres, knots=()):
     return edges, integrals
 
 
-def within_reach(stepper, error):
+def within_reach(stepper: Stepper, error: float) -> float:
     """How far the steps of a run may be off, relative to the scales, because it passes something
     narrow at a distance below its error: a spot in the plane.
 
@@ -460,7 +464,7 @@ def within_reach(stepper, error):
         turns |= (values[:, 0] != values[:, 1]).sum(axis=1) <= UNEQUAL
         inside = (np.ptp(values, axis=(1, 2)) > 0) & (kinds == "jump")
         times, j, kinds, inside = times[turns], j[turns], kinds[turns], inside[turns]
-        x, signs = dense.states(times), 1.0
+        x, signs = dense.states(times), np.ones(len(times))
 
         def levels(shift):
             values = _values(stepper, arguments, times, x + shift)

@@ -3,14 +3,17 @@
 table. Far from one place of its argument each of them but a table is as good as constant.
 """
 
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from math import inf
 
 from ..algebra.compile import Compiled
 from ..algebra.late import np
 from ..algebra.source import uses
+from ..algebra.tables import Table
 from ..algebra.trace import COMPARISONS, Step
 from .analytic import absolutes, clocked, factors, is_high_power, varying
+from .methods.base import TracedRates
 
 GROWING, STEEP, PERIODIC = {"exp", "pow"}, {"tanh", "sinh", "cosh", "atan"}, {"sin", "cos", "tan"}
 # The change of an argument in a step, or the ratio of its values, from which a structure can lie
@@ -30,31 +33,37 @@ class Arguments:
     powers : the numbers of the arguments that are not to be subtracted, but are base and exponent
     """
 
-    def __init__(self, kinds, formula, tables, powers):
+    def __init__(
+        self,
+        kinds: tuple[str, ...],
+        formula: Compiled,
+        tables: Mapping[int, Table],
+        powers: Sequence[int],
+    ):
         self.kinds, self.formula, self.tables, self.powers = kinds, formula, tables, powers
 
     @cached_property
-    def names(self):
+    def names(self) -> "np.ndarray":
         """The kinds as an array."""
         return np.array(self.kinds)
 
     @cached_property
-    def jumps(self):
+    def jumps(self) -> "np.ndarray":
         """For each argument whether the rates jump where it changes its sign, a column."""
         return (self.names == "jump")[:, None]
 
     @cached_property
-    def phases(self):
+    def phases(self) -> "np.ndarray":
         """For each argument whether it is that of a sine, a column."""
         return (self.names == "phase")[:, None]
 
     @cached_property
-    def limits(self):
+    def limits(self) -> "np.ndarray":
         """By what each may change in a step, and in a part of one; 0 where its ratio counts."""
         return np.array([LIMITS[kind] for kind in self.kinds])
 
 
-def narrow_arguments(traced, of_event=False):
+def narrow_arguments(traced: TracedRates, of_event: bool = False) -> Arguments | None:
     """The :class:`Arguments` in the rates, or in the function of an event; None without any."""
     steps, rhs = varying(traced), traced.rhs
     found = list(dict.fromkeys(pair for s in steps for pair in _scaled(s, traced)))

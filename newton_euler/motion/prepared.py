@@ -7,22 +7,21 @@ and what heyoka has compiled from it.
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache, cached_property
-from typing import Any, TypeAlias
+from typing import Any
 
-from ..algebra.compile import recorded
+from ..algebra.compile import Compiled, Recording, recorded
 from ..algebra.late import np
 from ..algebra.partial_evaluation import folded
 from ..algebra.reads import reads_nothing
 from ..algebra.scalars import ZERO, clipped, scalar
 from .analytic import clocked, depends, hazards, inner, kinks, surprises
 from .crossings import choices, compiled_choices
-from .methods.base import rows_of
+from .methods.base import Floats, rows_of
 from .model import Model, ModelError, cached, current, finite_number, is_law, shared
 from .narrow_arguments import Arguments, narrow_arguments
 from .verified import Verified
-
-Floats: TypeAlias = tuple[float, ...]
 
 _TRACED: dict = {}
 
@@ -41,13 +40,16 @@ class Traced:
         :mod:`.narrow_arguments` find
     """
 
-    def __init__(self, rhs, arguments):
+    def __init__(self, rhs: Compiled, arguments: int):
         self.rhs, self.arguments = rhs, arguments
-        self.functions, self.texts, self.integrators, self.seconds = {}, {}, {}, 0.0
-        self._narrow = {}
+        self.functions: dict = {}
+        self.texts: dict = {}
+        self.integrators: dict = {}
+        self.seconds = 0.0
+        self._narrow: dict = {}
 
     @cached_property
-    def folded(self):
+    def folded(self) -> tuple[Compiled, Compiled]:
         """The right-hand side with constants for terms of parameters alone, and their formula."""
         return folded(self.rhs, self.arguments)
 
@@ -56,13 +58,13 @@ class Traced:
     choices, narrow = cached_property(choices), cached_property(narrow_arguments)
     compiled_choices, depends = cached_property(compiled_choices), cached_property(depends)
 
-    def narrow_of(self, text):
+    def narrow_of(self, text: Compiled) -> Arguments | None:
         """As ``narrow``, for the text of an event."""
         traced = Traced(text, self.arguments)
         return cached(self._narrow, text, lambda: narrow_arguments(traced, of_event=True))
 
 
-def text_once(recording, texts):
+def text_once(recording: Recording, texts: dict) -> Callable[[], Compiled]:
     """A function that returns the text of a traced function, written when first needed."""
     return cache(lambda: shared(recording, texts))
 
@@ -168,10 +170,9 @@ class PreparedModel:
     def values(self, f: Callable[..., Any], times: "np.ndarray", x: Any) -> "np.ndarray":
         """The values of ``f(s, p, t)`` at an array of times; one by one if it branches."""
         g = self.function(f)
-        try:
+        with suppress(TypeError, ValueError):
             return np.broadcast_to(g(times, *x), times.shape)
-        except (TypeError, ValueError):
-            return np.array([g(*at) for at in zip(times.tolist(), *x.tolist(), strict=True)])
+        return np.array([g(*at) for at in zip(times.tolist(), *x.tolist(), strict=True)])
 
     def narrow_of(self, f: Callable[..., Any]) -> Arguments | None:
         """The narrow arguments in a function of an event; None if it has none, or is not traced."""

@@ -2,6 +2,7 @@
 
 from ..algebra.late import np
 from .chebyshev import EPS
+from .methods.base import Stepper
 from .narrow import rates_along
 
 MOVED = 2.0**-40  # relative change by which the slopes of the rates are measured
@@ -12,7 +13,7 @@ MOST_STEPS = 20_000  # beyond this the round-off of the steps themselves dominat
 FAR = 1e3  # a state is far from zero if its size is more than this multiple of its change
 
 
-def round_off_far_away(stepper):
+def round_off_far_away(stepper: Stepper) -> float:
     """As :func:`round_off_of_rates`, for a run through a narrow feature far from zero, such as a
     stiff floor, where the digits that a state loses stay lost; 0 for other runs.
     """
@@ -23,7 +24,7 @@ def round_off_far_away(stepper):
     return round_off_of_rates(stepper, MOST_STEPS) if far else 0.0
 
 
-def round_off_of_rates(stepper, lasting=LASTING):
+def round_off_of_rates(stepper: Stepper, lasting: int = LASTING) -> float:
     """The error, relative to the scales, that round-off of time and states causes by way of the
     rates, a random walk over the steps: large where a narrow feature lies at a large coordinate, as
     in c - x beside c. The digits that a state loses affect the rates of the next ``lasting`` steps.

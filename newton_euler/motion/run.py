@@ -21,12 +21,13 @@ from .model import ModelError
 from .prepared import PreparedModel
 from .sizes import (
     NATURAL_PART,
+    Sizes,
+    are_settled,
     as_natural,
     far_states,
     forced_error,
     reproduced,
     round_off_over,
-    settled,
     small,
     without_round_off,
     worst_ratio,
@@ -122,7 +123,7 @@ class Run:
     narrow: bool = False  # True if steps of a trajectory had to be repeated
     started: float = field(default_factory=perf_counter)
 
-    def by_name(self, name):
+    def by_name(self, name: str) -> Motion:
         """The motion by the method of this name, or by the one that "auto" chooses."""
         if name == "auto":
             if self.step:
@@ -135,7 +136,7 @@ class Run:
             raise ModelError(f"method {name!r} has no fixed step")
         return self.motion(self.trajectory(method, self.rtol), method, math.nan)
 
-    def by(self, method):
+    def by(self, method: Method) -> Motion:
         """The motion by one method within rtol."""
         if method.closed:
             return self.closed(method)
@@ -143,11 +144,11 @@ class Run:
             return self.series(method)
         return self.calibrated(method)
 
-    def auto(self):
+    def auto(self) -> Motion:
         """The motion by the exact solution if there is one, else by heyoka if compiling it has paid
         off or will, else by DOP853; where one cannot reach the rtol, by the other.
         """
-        refused = []
+        refused: list[MotionError] = []
         if not METHODS["exact"].unusable_because(self.system, self.t0):
             try:
                 return self.by(METHODS["exact"])
@@ -172,7 +173,7 @@ class Run:
         known = [error for error in refused if isinstance(error, AccuracyError)] or refused
         raise min(known, key=lambda error: error.reached.error)
 
-    def candidates(self):
+    def candidates(self) -> list[tuple[Method, bool]]:
         """The methods that "auto" tries, each with True if heyoka may take over from it."""
         system, taylor, dop853 = self.system, METHODS["taylor"], METHODS["dop853"]
         missing, tight = taylor.unusable_because(system), self.rtol < dop853.min_rtol
@@ -191,7 +192,7 @@ class Run:
             return [(taylor, False), (dop853, False)]
         return [(dop853, True), (taylor, False)]
 
-    def closed(self, method):
+    def closed(self, method: Method) -> Motion:
         """The motion by the exact solution."""
         trajectory = self.trajectory(method, self.rtol)
         subject = f"the closed form of {self.system.model.name!r}"
@@ -215,7 +216,7 @@ class Run:
                 )
         return self.motion(trajectory, method, lambda: max(errors()))
 
-    def series(self, method):
+    def series(self, method: Method) -> Motion:
         """The motion by one run of a series on the states as they are, if that is accurate enough;
         else calibrated.
 
@@ -245,7 +246,7 @@ class Run:
             self.system.verified.add(self.rtol, *ends, found)
         return self.motion(trajectory, method, reported_error(found, self.rtol))
 
-    def error_of_series(self, method, trajectory):
+    def error_of_series(self, method: Method, trajectory: Trajectory) -> tuple[float, bool]:
         """The error of the trajectory of a series; whether a state is small by cancellation."""
         tolerance = trajectory.tolerance
         before = self.compared(method, method.other(tolerance), tolerance)
@@ -256,11 +257,13 @@ class Run:
         error, cancels = judged(trajectory)
         met = error <= self.rtol and not cancels
         # a state may happen to be nearly zero at both ends
-        if met or settled(before.largest(), trajectory.largest()):
+        if met or are_settled(before.largest(), trajectory.largest()):
             return error, cancels
         return judged(self.trajectory(method, tolerance, None, False, SIZE_SAMPLES))
 
-    def calibrated(self, method, heyoka=False, known=None):
+    def calibrated(
+        self, method: Method, heyoka: bool = False, known: Sizes | None = None
+    ) -> Motion:
         """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`; with
         ``heyoka`` by heyoka if the first run shows that the second would take long.
 
@@ -293,9 +296,9 @@ class Run:
             trajectory = self.trajectory(method, tolerance, known, scaled)
             if not sure and before is first and known and not trajectory.failed:
                 # the first run may have been far off, and have made a state large
-                shrunk = not settled(known[0], trajectory.largest())
+                shrunk = not are_settled(known[0], trajectory.largest())
                 sure = self.sizes(trajectory) if shrunk else known
-                if not settled(known[0], sure[0]):
+                if not are_settled(known[0], sure[0]):
                     return self.calibrated(method, known=sure)
             if trajectory.repeated and not before.watched:
                 before = self.compared(method, before.tolerance, tolerance, known, scaled)
@@ -323,12 +326,14 @@ class Run:
         self.system.traced.seconds += perf_counter() - begun
         motion = self.motion(trajectory, method, reported_error(error, self.rtol))
         if not error <= self.rtol:
-            if 10 * forced > min(error, 10 * self.rtol):
+            if known and 10 * forced > min(error, 10 * self.rtol):
                 raise self.far_error(method, motion, known)
             raise AccuracyError(self.refusal(motion), motion)
         return motion
 
-    def stopping(self, last, known, error, forced):
+    def stopping(
+        self, last: Trajectory, known: Sizes | None, error: float, forced: float
+    ) -> tuple[Trajectory, float]:
         """The trajectory ``last`` and its error; or those of one whose steps end where the rates
         change their formula, if there are such places, and see less of states that begin from zero,
         if it is more accurate.
@@ -352,11 +357,11 @@ class Run:
         return (trajectory, found) if better else (last, error)
 
     @staticmethod
-    def ended(trajectory):
+    def ended(trajectory: Trajectory) -> bool:
         """True if what failed is the motion, which sticks or is too long, by whatever steps."""
         return bool(trajectory.failed) and trajectory.refusal in (StickingError, LongError)
 
-    def far_error(self, method, motion, known):
+    def far_error(self, method: Method, motion: Motion, known: Sizes) -> AccuracyError:
         """The error to be raised where round-off is too much for states that are small."""
         why = self.far_refusal(motion, known)
         try:
@@ -366,7 +371,9 @@ class Run:
         error = max(motion.error, self.rtol * NATURAL_PART * worst_ratio(*known[:2]))
         return FarError(why, replace(reached, estimate=error))
 
-    def resolved(self, before, method, coarse, fine, scaled):
+    def resolved(
+        self, before: Trajectory, method: Method, coarse: float, fine: float, scaled: bool
+    ) -> tuple[Trajectory, Sizes | None]:
         """The first trajectory and its sizes, None if it failed; where a state is so small that
         these may be those of its error, another one by the sizes that were found.
         """
@@ -375,11 +382,11 @@ class Run:
             last, known = known, None if before.failed else self.sizes(before)
             if not known or not (last or small(*known[:2])):
                 return before, known
-            if last and settled(last[0], known[0]):
+            if last and are_settled(last[0], known[0]):
                 break
             before = self.compared(method, coarse, fine, known, scaled)
         again = self.compared(method, fine, fine, known, scaled)
-        if not again.failed:
+        if known and not again.failed:
             ends = before.segments[-1].x1, again.segments[-1].x1
             apart = [abs(u - v) for u, v in zip(*ends, strict=False)]
             there = partial(driven, before, self.state)
@@ -389,27 +396,45 @@ class Run:
                 before = self.compared(method, coarse, fine, known, scaled)
         return before, known
 
-    def sizes(self, trajectory):
+    def sizes(self, trajectory: Trajectory) -> Sizes:
         """The sizes of a trajectory by which the next ones take their steps."""
         there = partial(driven, trajectory, self.state)
         known = without_round_off(trajectory.sizes(), there, self.rtol)
         return known if self.own else as_natural(known)
 
-    def briefly(self, run, *arguments):
+    def briefly(self, run: Callable[..., Trajectory], *arguments: Any) -> Trajectory:
         """The trajectory ``run(*arguments)``, stopped if it takes many steps: it is ``long``."""
         most, self.max_steps = self.max_steps, min(MANY_STEPS, self.max_steps)
         trajectory = run(*arguments)
         self.max_steps, self.long = most, isinstance(trajectory.failed, LengthError)
         return trajectory
 
-    def trajectory(self, method, tolerance, *more, stopping=False):
+    def trajectory(
+        self,
+        method: Method,
+        tolerance: float,
+        known: Sizes | None = None,
+        scaled: bool = False,
+        samples: int | None = None,
+        *,
+        stopping: bool = False,
+    ) -> Trajectory:
         """The trajectory at one tolerance."""
-        trajectory = Trajectory(self, method, tolerance, *more, watched=True, stopping=stopping)
+        more = known, scaled, samples, True, stopping
+        trajectory = Trajectory(self, method, tolerance, *more)
         self.last, self.calls = trajectory.calls, self.calls + trajectory.calls
         self.narrow = self.narrow or trajectory.repeated
         return trajectory
 
-    def compared(self, method, tolerance, fine, known=None, scaled=False, stopping=False):
+    def compared(
+        self,
+        method: Method,
+        tolerance: float,
+        fine: float,
+        known: Sizes | None = None,
+        scaled: bool = False,
+        stopping: bool = False,
+    ) -> Trajectory:
         """A trajectory to compare with one at the tolerance ``fine``, slightly shifted."""
         # not with events: the start may lie on the surface of one
         shift = 0.0 if self.events else relative_shift(fine / tolerance)
@@ -424,12 +449,12 @@ class Run:
         return trajectory
 
     @staticmethod
-    def error(before, trajectory):
+    def error(before: Trajectory, trajectory: Trajectory) -> float:
         """The error of a trajectory by comparison with another one, and by what it has not seen."""
         known = error_by_comparison(before, trajectory, trajectory.method)
         return known + trajectory.unseen(known)
 
-    def motion(self, trajectory, method, error):
+    def motion(self, trajectory: Trajectory, method: Method, error: Any) -> Motion:
         """The motion of a trajectory; raises :class:`MotionError` if that failed."""
         cost = Cost(perf_counter() - self.started, self.preparing, self.calls)
         parts, occurrences = tuple(trajectory.segments), tuple(trajectory.occurrences)
@@ -441,7 +466,7 @@ class Run:
             raise trajectory.refusal(f"{ended}; see .reached of this error", motion)
         return motion
 
-    def far_refusal(self, motion, known):
+    def far_refusal(self, motion: Motion, known: Sizes) -> str:
         """The message for a motion that is too far from the origin for the digits of a float."""
         small_one, large = far_states(self.system, self.t0, self.state, *known[:2])
         place = f"{self.system.model._state(self.state)[large]:.6g}"
@@ -452,7 +477,7 @@ class Run:
             f"{large}"
         )
 
-    def refusal(self, motion):
+    def refusal(self, motion: Motion) -> str:
         """The message for a motion whose error is above the rtol."""
         error, model = motion.error, self.system.model
         if error < 0.05:

@@ -3,6 +3,10 @@ each state, but the rate of nutation of a steady precession is zero, and still h
 """
 
 import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import TypeAlias
+
+from .methods.base import Floats, System
 
 # fraction of its natural size above which the scale of a state is not below this fraction either
 NATURAL_PART = 1e-3
@@ -14,8 +18,13 @@ NOTHING, FORCED, COMMON = 300.0, 2.0, 0.05
 STEP_CALLS = 12  # evaluations of the rates in a step, about
 TIME_SAFETY = 3.0  # factor on the error by round-off of the time; measured
 
+Sizes: TypeAlias = tuple[Floats, Floats, Floats]  # as Trajectory.sizes returns them
+There: TypeAlias = Callable[[Floats, set[int]], set[int]]
 
-def natural_sizes(system, points, sizes, span):
+
+def natural_sizes(
+    system: System, points: Iterable[tuple[float, Floats]], sizes: Floats, span: float
+) -> tuple[Floats, Floats]:
     """The size of each state that follows from its coupling to the others, and the same with the
     coupling to time included: two tuples.
 
@@ -54,13 +63,13 @@ def natural_sizes(system, points, sizes, span):
     return natural, with_time
 
 
-def small(sizes, natural):
+def small(sizes: Sequence[float], natural: Floats) -> list[int]:
     """The numbers of the states that are small by cancellation, but not zero."""
     rows = enumerate(zip(sizes, natural, strict=True))
     return [k for k, (s, n) in rows if 0.0 < s <= NATURAL_PART * n]
 
 
-def without_round_off(known, there, rtol):
+def without_round_off(known: Sizes, there: There, rtol: float) -> Sizes:
     """The sizes ``known``, larger for the states that are mere round-off.
 
     there : a function that returns those of a set of numbers of states that are not, with their
@@ -74,7 +83,7 @@ def without_round_off(known, there, rtol):
     return tuple(sizes), *known[1:]
 
 
-def least_scales(sizes, natural, own):
+def least_scales(sizes: Floats, natural: Floats, own: float) -> list[float]:
     """The least scale for the error of each state: for states that are small by cancellation a part
     of their own size; see :func:`natural_sizes`.
 
@@ -86,7 +95,9 @@ def least_scales(sizes, natural, own):
     return scales
 
 
-def reproduced(known, again, apart, rtol, there):
+def reproduced(
+    known: Sizes, again: Sizes, apart: Sequence[float], rtol: float, there: There
+) -> Floats:
     """The sizes ``known``, larger for a state that is all error: one that nothing drives whose size
     is that of round-off, or depends on the tolerance.
 
@@ -107,12 +118,12 @@ def reproduced(known, again, apart, rtol, there):
     return tuple(found)
 
 
-def settled(before, after):
+def are_settled(before: Floats | None, after: Floats) -> bool:
     """True if no size has become less than half."""
     return before is not None and all(2 * b >= a for a, b in zip(before, after, strict=True))
 
 
-def as_natural(known):
+def as_natural(known: Sizes) -> Sizes:
     """The sizes ``known``, with natural sizes for the states that are small by cancellation."""
     sizes = list(known[0])
     for k in small(*known[:2]):
@@ -120,23 +131,25 @@ def as_natural(known):
     return tuple(sizes), *known[1:]
 
 
-def round_off_over(calls):
+def round_off_over(calls: int) -> float:
     """The relative round-off in a state after this many calls of the rates."""
     steps = 1 + calls / STEP_CALLS
     return ROUND_OFF * (FORCED * steps**0.5 + COMMON * steps)
 
 
-def forced_error(sizes, natural, calls):
+def forced_error(sizes: Floats, natural: Floats, calls: int) -> float:
     """The relative error that round-off forces on states small by cancellation."""
     return round_off_over(calls) * worst_ratio(sizes, natural)
 
 
-def worst_ratio(sizes, natural):
+def worst_ratio(sizes: Floats, natural: Floats) -> float:
     """The largest natural size over the size, of the states that are small by cancellation."""
     return max([natural[k] / sizes[k] for k in small(sizes, natural)], default=0.0)
 
 
-def far_states(system, t, x, sizes, natural):
+def far_states(
+    system: System, t: float, x: Floats, sizes: Floats, natural: Floats
+) -> tuple[str, str]:
     """The names of the state smallest by cancellation, and of the far one that is the reason."""
     names, known = system.model.states, small(sizes, natural)
     worst = max(known, key=lambda k: natural[k] / sizes[k])
@@ -182,7 +195,7 @@ def _spectral_radius(columns, scale):
     return norm
 
 
-def time_round_off(system, t, x, sizes, span):
+def time_round_off(system: System, t: float, x: Floats, sizes: Floats, span: float) -> float:
     """The error, relative to the sizes, due to round-off of the time in rates that depend on it: a
     clock that shows 1e9 s has a resolution of 1e-7 s.
     """

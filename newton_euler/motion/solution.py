@@ -1,16 +1,18 @@
 """The result of an integration: the states of a motion, their error, drift, and cost."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..algebra.late import np
-from ..algebra.names import Guided
+from ..algebra.names import Guided, guided
 from ..algebra.scalars import Scalar
+from .events import Occurrence
 from .methods.base import sample_times
+from .methods.table import Method
 from .model import Model, ModelError, real_numbers
 
 DEFAULT_SAMPLES = 101  # number of times for a motion without steps
@@ -26,7 +28,9 @@ class MotionError(ModelError):
     singular there, so take others.
     """
 
-    def __init__(self, message: str, reached: "Motion"):
+    reached: Any  # a Motion; of an AccuracyError perhaps Motions, of a file above
+
+    def __init__(self, message: str, reached: Guided):
         super().__init__(message)
         self.reached = reached
 
@@ -98,13 +102,13 @@ class Motion(Guided):
 
     model: Model
     segments: tuple
-    events: tuple
-    method: Any
+    events: tuple[Occurrence, ...]
+    method: Method
     rtol: float
     ended: str
     cost: Cost
     samples: Any = field(default=None, repr=False)
-    estimate: Any = field(default=math.nan, repr=False)
+    estimate: float | Callable[[], float] = field(default=math.nan, repr=False)
 
     def __getstate__(self):
         """With all that is computed on demand: elsewhere it might differ, as without heyoka."""
@@ -117,7 +121,7 @@ class Motion(Guided):
         return self.segments[-1].t1
 
     @cached_property
-    def end(self) -> dict:
+    def end(self) -> dict[str, float]:
         """The last state, by name."""
         last = self.segments[-1]
         return last.system.model._state(last.x1)
@@ -141,11 +145,11 @@ class Motion(Guided):
         return np.array([begin, *sorted([*steps, *(part.t1 for part in segments)])])
 
     @cached_property
-    def states(self) -> Mapping:
+    def states(self) -> Mapping[str, Scalar]:
         """The states at ``times``, arrays by name."""
         return MappingProxyType(self._at(self.times))
 
-    def at(self, t: Scalar) -> dict:
+    def at(self, t: Scalar) -> dict[str, Scalar]:
         """The states at any time of the motion, by name: numbers, or arrays for an array of times.
 
         As accurate as the steps, or up to ten times less for the Runge-Kutta methods, whose
@@ -192,6 +196,7 @@ class Motion(Guided):
         return out
 
     @cached_property
+    @guided
     def drift(self) -> dict[str, float]:
         """The drift of each invariant, by name, see the class: the largest of all segments, each
         compared with its own start.

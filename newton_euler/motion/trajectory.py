@@ -1,22 +1,24 @@
 """The trajectory by one method at one tolerance: its segments between events that end them."""
 
+from collections.abc import Callable
 from itertools import pairwise
 from math import inf
-from typing import NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.places import callers_line
+from ..algebra.places import callers_line, raised_by_the_engine
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
-from .events import EventLocator, Occurrence, events_in_step
+from .events import Event, EventLocator, Occurrence, events_in_step
 from .knots import knots
-from .methods.base import SMALLEST_SCALE, LengthError, StepError, Stepper
-from .methods.table import METHODS
+from .methods.base import SMALLEST_SCALE, Floats, LengthError, StepError, Stepper
+from .methods.table import METHODS, Method
 from .model import ModelError
 from .narrow import passage, within_reach
-from .prepared import prepared_model
-from .sizes import NATURAL_PART, ROUND_OFF, least_scales, natural_sizes, small
+from .prepared import PreparedModel, prepared_model
+from .sizes import NATURAL_PART, ROUND_OFF, Sizes, least_scales, natural_sizes, small
+from .solution import MotionError
 
 # steps between two searches for events: few at first, then more, as a search has a fixed cost
 FIRST_STEPS, MAX_STEPS = 8, 128
@@ -51,11 +53,25 @@ CRAWLING = 100_000  # steps between two checks for sticking
 class Segment(NamedTuple):
     """The part from ``t0`` to ``t1``, where the state is ``x1``, in which one ``system`` holds."""
 
-    system: object
-    stepper: object
+    system: PreparedModel
+    stepper: Stepper
     t0: float
     t1: float
     x1: tuple
+
+
+class Request(Protocol):
+    """What a trajectory asks of the :class:`~newton_euler.motion.run.Run` that it belongs to."""
+
+    system: PreparedModel
+    t0: float
+    t1: float
+    state: Floats
+    events: tuple[Event, ...]
+    samples: Any
+    progress: Callable | None
+    step: float | None
+    max_steps: float
 
 
 class Trajectory:
@@ -72,18 +88,33 @@ class Trajectory:
     stopping : True if they are to end where the rates change their formula by the states
     """
 
+    refusal: type[MotionError]
+    calls: int
+
     def __init__(
-        self, run, method, tolerance, known=None, scaled=False, samples=None, watched=False,
-        stopping=False,
-    ):  # fmt: skip
+        self,
+        run: Request,
+        method: Method,
+        tolerance: float,
+        known: Sizes | None = None,
+        scaled: bool = False,
+        samples: Any = None,
+        watched: bool = False,
+        stopping: bool = False,
+    ):
         self.method, self.known, self.scaled = method, known, scaled
         self.tolerance = method.rounded(tolerance)
         self.origin, self.goal, self.step, self.progress = run.t0, run.t1, run.step, run.progress
         samples = run.samples if samples is None else samples
         self.samples = None if run.events or run.progress else samples
-        self.segments, self.occurrences, self.ended, self.failed = [], [], "", None
+        self.segments: list[Segment] = []
+        self.occurrences: list[Occurrence] = []
+        self.ended = ""
+        self.failed: Exception | None = None
         self.accumulates = False  # True where events follow each other without end
-        self.natural, self.units, self.max_steps = None, (), run.max_steps
+        self.natural: tuple[Floats, Floats] | None = None
+        self.units: Floats = ()
+        self.max_steps = run.max_steps
         # what its steps did not see, relative to the scales
         self.watched, self.missed = watched and not (self.step or method.closed), 0.0
         self.stopping = stopping
@@ -95,11 +126,11 @@ class Trajectory:
         self.calls = sum([part.stepper.calls for part in self.segments])
 
     @property
-    def count(self):
+    def count(self) -> int:
         """The number of steps."""
         return sum([len(part.stepper.step_times) - 1 for part in self.segments])
 
-    def largest(self):
+    def largest(self) -> Floats:
         """The largest absolute value of each state in the first segment, a tuple."""
         _, stepper, _, t1, x1 = self.segments[0]
         points = [stepper.start, *stepper.checkpoints, (t1, x1)]
@@ -107,7 +138,7 @@ class Trajectory:
         rows = zip(stepper.scales, stepper.floors, seen, strict=True)
         return tuple([s if s > f else v for s, f, v in rows])
 
-    def sizes(self):
+    def sizes(self) -> Sizes:
         """Three tuples for the first segment: the largest absolute value of each state, its natural
         size, and its natural size with the round-off of the time.
         """
@@ -121,7 +152,7 @@ class Trajectory:
             natural, noise = natural_sizes(system, points, largest, t1 - t0 or 1.0)
         return largest, natural, noise
 
-    def limits(self, system, t, x):
+    def limits(self, system: PreparedModel, t: float, x: Floats) -> tuple[Floats, Floats, Floats]:
         """What a stepper needs: the least scale and round-off of each state, and the times to stop
         at.
         """
@@ -133,24 +164,24 @@ class Trajectory:
         if series and not self.scaled:
             return nothing, nothing, stops
         # sizes seen in the first segment serve the others only where needed
-        alike = self.known and len(self.known[0]) == len(x)
-        if alike and (not self.segments or small(*self.known[:2])):
-            sizes, natural, noise = self.known
+        known = self.known if self.known and len(self.known[0]) == len(x) else None
+        if known and (not self.segments or small(*known[:2])):
+            sizes, natural, noise = known
             floors = least_scales(sizes, natural, own)
             if self.stopping:
                 floors = [max(f, STOPPING_PART * s) for f, s in zip(floors, sizes, strict=True)]
             likely = [max(s, f / NATURAL_PART) for s, f in zip(sizes, floors, strict=True)]
         else:
             natural, noise = natural_sizes(system, [(t, x)], tuple(map(abs, x)), self.goal - t)
-            floors, likely = [NATURAL_PART * n for n in natural], natural
+            floors, likely = [NATURAL_PART * n for n in natural], list(natural)
         if not self.segments:
             self.natural = natural, noise
         # the stepper adds the sizes that the states have had so far, since a small error of a state
         # that is still small may grow with it
         if series:  # the sizes that the states will have
             self.units = tuple(map(max, map(abs, x), likely))
-        floors = tuple([f if f > NEXT_TO_ZERO else SMALLEST_SCALE for f in floors])
-        return floors, tuple([ROUND_OFF * n for n in noise]), stops
+        least = tuple([f if f > NEXT_TO_ZERO else SMALLEST_SCALE for f in floors])
+        return least, tuple([ROUND_OFF * n for n in noise]), stops
 
     def _segment(self, system, t, x, events, initial):
         """Add the segment that starts here; return the arguments for the next one, or None."""
@@ -170,6 +201,11 @@ class Trajectory:
                 raise  # the error of an event's function or of progress
             stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)
+        except RuntimeError as error:
+            # what a generator of the engine makes of a StopIteration of an event's function
+            if isinstance(error.__cause__, StopIteration) and raised_by_the_engine(error):
+                raise error.__cause__ from None
+            raise
         t1, ending, x1 = stopped or (stepper.t, (), stepper.x)
         self.segments.append(Segment(system, stepper, t, t1, x1))
         if ending:
@@ -277,7 +313,7 @@ class Trajectory:
         """Raise :class:`StepError` where a motion that sticks takes steps without end."""
         if self._sticks(stepper, len(stepper.step_times) - 1 - STICKING):
             steps = len(stepper.step_times) - 1
-            raise StepError(f"{steps} steps led there, and the next ones turn to and fro")
+            raise StepError(f"{steps} steps led there, and the next ones go back and forth")
 
     def _sticks(self, stepper, first):
         """True if the steps from number ``first`` on are many in little time, at a border to which
@@ -288,7 +324,7 @@ class Trajectory:
             return False
         return bool(stuck_at(stepper.system, stepper.t, stepper.x, span))
 
-    def unseen(self, error):
+    def unseen(self, error: float) -> float:
         """The part of the rates that the steps did not see, relative to the scales of the states,
         which have this error.
         """
@@ -351,7 +387,7 @@ class Trajectory:
             f"{reason}"
         )
 
-    def difference(self, other):
+    def difference(self, other: "Trajectory") -> float:
         """The distance: the largest of states over their scales, of ends over the whole time."""
         a, b = self.segments[-1], other.segments[-1]
         shift = abs(a.t1 - b.t1) / (self.goal - self.origin)

@@ -10,9 +10,10 @@ on a real interval through Chebyshev expansion and polynomial rootfinding, SIAM 
 (2002) 1666.
 """
 
+from collections.abc import Callable
 from functools import cache
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..algebra.late import np
 from ..algebra.scalars import NewtonEulerError
@@ -64,24 +65,26 @@ class Piece:
 
     __slots__ = ("fit", "floor", "largest", "left", "right", "state", "values")
 
-    def __init__(self, left, right):
+    fit: "np.ndarray"
+
+    def __init__(self, left: float, right: float):
         self.left, self.right, self.state, self.floor = left, right, "new", 0.0
 
-    def halves(self):
+    def halves(self) -> "tuple[Piece, Piece]":
         """The right half and the left half."""
         middle = (self.left + self.right) / 2
         return Piece(middle, self.right), Piece(self.left, middle)
 
-    def time(self, x):
+    def time(self, x: float) -> float:
         """The time that belongs to ``x`` between -1 and 1."""
         return self.left + (self.right - self.left) * (1 + x) / 2
 
-    def slope(self, end):
+    def slope(self, end: int) -> float:
         """The slope of the polynomial at its left end, -1, or right end, 1."""
         terms = (k * k * c * end ** (k + 1) for k, c in enumerate(self.fit[: DEGREE + 1].tolist()))
         return 2 * sum(terms) / (self.right - self.left)
 
-    def sign(self, value):
+    def sign(self, value: float) -> int:
         """The sign of a value of the function in this piece; 0 for round-off, and for nan."""
         return int(value > self.floor) - int(value < -self.floor)
 
@@ -110,10 +113,20 @@ class ZeroSearch:
     Raises :class:`UnresolvedError` where it cannot continue.
     """
 
-    def __init__(self, values, noise, a, b, sign, direction=0, start=None, closed=False):
+    def __init__(
+        self,
+        values: Callable[[Any], Any],
+        noise: Callable[[Any], Any],
+        a: float,
+        b: float,
+        sign: int,
+        direction: int = 0,
+        start: tuple[float, bool] | None = None,
+        closed: bool = False,
+    ):
         self.values, self.noise, self.a, self.b = values, noise, a, b
         self.sign, self.direction, self.start, self.closed = sign, direction, start, closed
-        self.cuts = []
+        self.cuts: list[float] = []
 
     def __iter__(self):
         """Lists of zeros, in order, each with the time up to which all have been found."""
@@ -318,7 +331,7 @@ def _guess(bracket):
 
 
 @cache
-def sampling():
+def sampling() -> "tuple[np.ndarray, np.ndarray]":
     """The points of (0, 1) at which a piece is sampled, 13 Chebyshev points from left to right and
     the check points; and the matrix that turns the values at the former into the coefficients of
     the polynomial and its values at the latter.

@@ -1,11 +1,13 @@
 """The tables of scenes and of ladders of models, filled by the decorator :func:`scene`."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any, TypeVar
 
-from ..motion.model import ModelError
+from ..motion.model import Model, ModelError
 
+F = TypeVar("F", bound=Callable)
 # scenes of the modules imported so far, all in newton_euler.scenes
 SCENES: "dict[str, Scene]" = {}
 LADDERS: "dict[str, Scene]" = {}
@@ -20,15 +22,23 @@ class Scene:
     name: str
     section: str
     description: str
-    make: Callable
+    make: Callable[..., Any]
 
     @cached_property
-    def motion(self) -> tuple:
+    def motion(self) -> tuple[Model, float, Sequence[float]]:
         """(model, t, start), made once, since what is traced and compiled belongs to the model."""
         return self.make()
 
 
-def scene(section, name, description, t=None, start=None, ladder=False, **values):
+def scene(
+    section: str,
+    name: str,
+    description: str,
+    t: float | None = None,
+    start: Sequence[float] | None = None,
+    ladder: bool = False,
+    **values: Any,
+) -> Callable[[F], F]:
     """A decorator that registers the model which a function returns for these ``values``, until
     ``t`` from ``start``; with ``ladder=True`` a ladder, whose function needs no arguments.
     """

@@ -6,7 +6,7 @@ error of a rung is its largest distance from the fullest, measured where no boun
 
 import math
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from ..algebra.errors import Tolerance, checked, checked_but
 from ..algebra.late import np
-from ..algebra.portable import Portable
+from ..algebra.portable import Formulas, Portable
 from ..algebra.reads import Reads
 from ..algebra.scalars import Scalar, is_numeric, max_abs
 from ..motion.model import Model, ModelError
@@ -41,7 +41,7 @@ class Rung(Portable):
 
     model: Model
     start: tuple[Scalar, ...]
-    observed: Callable
+    observed: Formulas
 
     @property
     def name(self) -> str:
@@ -57,7 +57,7 @@ class Rung(Portable):
         return float(sum(map(max_abs, bounds))) if bounds else math.inf
 
 
-def observed_states(*names):
+def observed_states(*names: str) -> Formulas:
     """The function for :class:`Rung` that returns the states of these names."""
     return lambda s, p, t: tuple(getattr(s, n) for n in names)
 

@@ -34,7 +34,10 @@ def test_a_choice_and_a_sentence_open_the_answer_and_stay(tmp_path):
         page.says(1, "You predicted: it's more", "The answer: 2 m", "Count")
         page.run(2)
         page.says(2, "2 of 2 predictions made: 0 right, 1 wrong.")
+        page.run(0)
+        page.says(0, "✗ You predicted: one")  # as kept
         page.run(3)
-        page.says(3, "✗ You predicted: one")  # as kept
+        page.wait(lambda: page.all("button[title='Predict b']", 3), "an equal question")[0].click()
+        page.says(3, "✓ You predicted: two")
     kept = json.loads((tmp_path / "predictions.json").read_text())
-    assert set(kept.values()) == {"one", "it's more than I thought"}
+    assert set(kept.values()) == {"one", "two", "it's more than I thought"}

@@ -190,12 +190,12 @@ def shown(body):
 
 def bare(module):
     """The public functions, classes and methods without a docstring, of their own or inherited;
-    answers override documented ones, or have those of a Protocol.
+    answers override documented ones. What a Protocol asks for is documented where it is made.
     """
     public = shown(tree_of(module).body)
     found = [n.name for n in public if not ast.get_docstring(n)]
     classes = [n for n in public if isinstance(n, ast.ClassDef) and room_of(module) != "answers"]
-    for block in classes:
+    for block in (b for b in classes if "Protocol" not in map(ast.unparse, b.bases)):
         owner = getattr(importlib.import_module(module), block.name)
         found += [n.name for n in shown(block.body) if not inspect.getdoc(getattr(owner, n.name))]
     return found

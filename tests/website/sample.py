@@ -60,7 +60,8 @@ def notebook():
         new_code_cell(FILM, metadata=folded), new_code_cell(PICTURE), new_markdown_cell(CAPTION),
         new_code_cell(SLIDER), new_code_cell(VECTOR),
         new_code_cell("from newton_euler.classroom import try_problem"), new_code_cell(TRY),
-        new_code_cell(PREDICT), new_code_cell(NUMBER), new_code_cell("tally()"),
+        new_code_cell(PREDICT), new_code_cell(NUMBER), new_code_cell(PREDICT.split("\n\n")[1]),
+        new_code_cell("tally()"),
         new_code_cell("predict_again()"), new_code_cell(PIECES),
     ]  # fmt: skip
     kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}

@@ -155,7 +155,7 @@ def test_a_prediction_is_made_opens_its_meaning_and_is_counted_and_asked_again(d
     sample(driver, address)
     driver.execute_script("localStorage.clear()")
     sample(driver, address)
-    assert text(driver, ".prediction-tally") == "0 of 2 predictions made."
+    assert text(driver, ".prediction-tally") == "0 of 3 predictions made."
     choices = "[...document.querySelector('.prediction').querySelectorAll('.choice')]"
     driver.execute_script(f"{choices}[0].querySelector('summary').click()")
     assert js(driver, f"{choices}.map(c => c.open)") == [True, True]
@@ -163,7 +163,7 @@ def test_a_prediction_is_made_opens_its_meaning_and_is_counted_and_asked_again(d
     driver.execute_script(f"{form}.firstChild.value = '4 m'; {form}.requestSubmit()")
     assert "Twice too many" in text(driver, ".mistake.chosen")
     sample(driver, address)  # it is kept
-    assert text(driver, ".prediction-tally") == "2 of 2 predictions made: 0 right, 2 wrong."
+    assert text(driver, ".prediction-tally") == "2 of 3 predictions made: 0 right, 2 wrong."
     assert js(driver, f"{choices}[0].matches('.chosen')")
     assert len(driver.find_elements("css selector", ".predictions-again .prediction")) == 2
     assert complaints(driver) == []

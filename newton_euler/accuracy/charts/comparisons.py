@@ -1,16 +1,20 @@
 """The charts of :mod:`..measurements.comparisons`, their captions, and tables of points."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import groupby
 from operator import attrgetter
+from typing import Any
 
 from ...algebra.late import EngFormatter
 from ...algebra.names import listed
+from ..measurements.comparisons import Comparison, ComparisonPoint
 from ..measurements.measure import (
     ALIKE,
     EQUAL_WITHIN,
     NEAR,
     ROUND_OFF,
+    Measured,
     cheapest,
     of_equal_cost,
     repeated,
@@ -21,7 +25,9 @@ from .words import about_times, agreed, seconds, two_digits
 WRONG = 1e-2  # a relative error
 
 
-def draw_comparison(comparison, points, figure):
+def draw_comparison(
+    comparison: Comparison, points: Sequence[ComparisonPoint], figure: Any
+) -> list[Measured]:
     """The fronts of all questions, after drawing two charts in a row for each."""
     rows, best = len(comparison.questions), []
     figure.set(layout_engine="constrained", size_inches=(11.5, 0.6 + 3.6 * rows))
@@ -51,7 +57,9 @@ def _draw(question, points, left, right):
     return best
 
 
-def points_table(points, error="relative", cost="time", unit="s"):
+def points_table(
+    points: Sequence[Measured], error: str = "relative", cost: str = "time", unit: str = "s"
+) -> str:
     """The points as a table."""
     engineering, width = EngFormatter(unit=unit, places=1), max(len(p.setting) for p in points)
     rows = [
@@ -61,7 +69,7 @@ def points_table(points, error="relative", cost="time", unit="s"):
     return "\n".join([f"  {'':{45 + width}} {cost:>9}  error, {error}", *rows])
 
 
-def ways_caption(points):
+def ways_caption(points: Sequence[Measured]) -> str:
     """The cheapest and the most accurate of several ways to one result: as far as all repeats
     agree.
     """
@@ -115,7 +123,7 @@ def _beaten(points, best):
     return f"Dearer and less accurate than {best[0].method}: {listed(lost)}." if lost else ""
 
 
-def comparison_caption(comparison, points):
+def comparison_caption(comparison: Comparison, points: Sequence[ComparisonPoint]) -> str:
     """For each question the ways right at every setting, their cheapest, and where others fail."""
     return agreed(
         [s for q in comparison.questions for s in _answer(q, [p for p in again if p.question is q])]

@@ -1,11 +1,22 @@
 """The chart of honesty: what each method promises, what it keeps, and what that costs."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median
+from typing import Any
 
 from ...algebra.late import EngFormatter, Line2D
-from ..measurements.honesty import REFUSED, comparable, cost_text, percent, tallies, times
+from ..measurements.honesty import (
+    REFUSED,
+    MethodResult,
+    Tally,
+    comparable,
+    cost_text,
+    percent,
+    ratio_text,
+    tallies,
+)
 
 # limits of true over asked, and of estimate over true; what lies beyond is drawn at the edge
 PROMISE, ESTIMATE = (1e-6, 1e3), (1e-4, 1e5)
@@ -14,7 +25,7 @@ WRONG, VAGUE = "#D55E00", "#777777"
 HALF = 0.34  # share of a row's height that is used on each side of its middle
 
 
-def draw_honesty(answers, figure, title=""):
+def draw_honesty(answers: Sequence[MethodResult], figure: Any, title: str = "") -> list[Tally]:
     """The tallies of the methods, the cheapest first, after drawing a row for each: costs, true
     errors over tolerances, estimates over true errors, counts. A row has a mark for each run, the
     coarsest tolerance at its top, and a bar at the median; what is silently wrong has a ring.
@@ -155,7 +166,7 @@ def _draw_counts(ax, found, relative):
         "runs": [t.runs for t in found],
         "met %": [percent(t.met) for t in found],
         "covers %": [percent(t.covers) for t in found],
-        "est/true": [times(t.ratio) for t in found],
+        "est/true": [ratio_text(t.ratio) for t in found],
         "silent": [t.silent or "" for t in found],
         "cost": [cost_text(t.cost, relative) for t in found],
     }

@@ -3,12 +3,16 @@ measured again, and smoothed if they stay small; elsewhere they are explained by
 """
 
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from ...algebra.late import np
+from ..measurements.regime_maps import Map
 from .words import two_digits
 
 SPECK = 4  # cells; an island of times that is no larger is taken for noise
+Cells: TypeAlias = tuple[tuple[int, int], ...]
 TOUCHING = [[1] * 3] * 3  # cells that touch at a corner belong together
 CLOSER = 40  # looks at the height of three cells
 
@@ -18,25 +22,26 @@ class Island:
     """A part of the map with one ``choice``; its ``cells`` are pairs (row, column)."""
 
     choice: str
-    cells: tuple
+    cells: Cells
 
 
-def parts(found, choice):
+def parts(found: "np.ndarray", choice: str) -> list[Cells]:
     """The connected parts of a choice, the largest first, each a tuple of cells (row, column)."""
     from scipy.ndimage import label
 
     numbered, count = label(found == choice, TOUCHING)
-    cells = [tuple(map(tuple, np.argwhere(numbered == n + 1).tolist())) for n in range(count)]
+    places = [np.argwhere(numbered == n + 1).tolist() for n in range(count)]
+    cells = [tuple((row, column) for row, column in own) for own in places]
     return sorted(cells, key=len, reverse=True)
 
 
-def islands(found):
+def islands(found: "np.ndarray") -> list[Island]:
     """All :class:`Island` of a map."""
     names = dict.fromkeys(found.ravel())
     return [Island(name, cells) for name in names for cells in parts(found, name)[1:]]
 
 
-def settled(chart, found):
+def without_noise(chart: Map, found: "np.ndarray") -> tuple["np.ndarray", int]:
     """The choices without islands that are noise of the times, and how many cells changed. The
     columns of islands are measured again; small islands that stay go to their neighbours.
     """
@@ -67,7 +72,7 @@ def _give_to_neighbours(found, island):
         found[cell] = most[0][0]
 
 
-def explained(chart, found, most=2):
+def island_sentences(chart: Map, found: "np.ndarray", most: int = 2) -> Iterator[str]:
     """A sentence for each of the first islands, from a closer look at the column of its middle."""
     every = islands(found)
     yield from (_explained(chart, found, island) for island in every[:most])
@@ -87,7 +92,7 @@ def _explained(chart, found, island):
     return text + "a region of its own."
 
 
-def strip(chart, found, choice, n, m):
+def strip(chart: Map, found: "np.ndarray", choice: str, n: int, m: int) -> tuple[float, float]:
     """From where to where the choice holds in column ``m`` around row ``n``, looked at closely."""
     up, across = found.shape
     edges = chart.y.edges(up)

@@ -1,17 +1,19 @@
 """The charts of the maps of parameter space, and their captions."""
 
 from textwrap import fill
+from typing import Any
 
 from ...algebra.late import np
+from ..measurements.regime_maps import Map
 from .axes import COLOURS
-from .islands import explained, parts
+from .islands import island_sentences, parts
 from .words import two_digits
 
 SMALLEST = 0.03  # share of the map; a smaller region is named in the legend only
 WIDE = 18  # letters in a line of a name
 
 
-def draw_choices(chart, found, ax):
+def draw_choices(chart: Map, found: "np.ndarray", ax: Any) -> None:
     """Draw a map on ``ax``: regions with their names, a legend of colours and borders."""
     handles = [*_draw_cells(chart, found, ax), *_draw_borders(chart, found, ax)]
     for choice in chart.choices:
@@ -60,7 +62,7 @@ def _name_region(chart, found, choice, ax):
     ax.text(x, y, words, fontsize=9, ha=side, va="center", bbox=box, gid="region")
 
 
-def map_table(chart, found):
+def map_table(chart: Map, found: "np.ndarray") -> str:
     """The share of the map of each choice, as a table."""
     rows = [f"  {choice:44} {share:6.1%} of the map" for choice, share in _shares(chart, found)]
     return "\n".join([f"  {chart.words}", *rows])
@@ -71,7 +73,7 @@ def _shares(chart, found):
     return [(choice, share) for choice, share in shares if share]
 
 
-def map_caption(chart, found, smoothed=0):
+def map_caption(chart: Map, found: "np.ndarray", smoothed: int = 0) -> str:
     """What the map shows: the share of each choice, what lies along its lower and upper edges, its
     islands, and how many cells were ``smoothed``.
     """
@@ -82,7 +84,7 @@ def map_caption(chart, found, smoothed=0):
     if smoothed:
         text.append(f"{smoothed} isolated cells were noise of the times: they vanished when they")
         text.append("were measured again, or took the choice of their neighbours.")
-    return " ".join([*text, *(() if chart.timed else explained(chart, found))])
+    return " ".join([*text, *(() if chart.timed else island_sentences(chart, found))])
 
 
 def _percent(share):

@@ -1,19 +1,20 @@
 """The chart of the methods of integration on one scene (:mod:`..measurements.work_precision`)."""
 
 from dataclasses import replace
+from typing import Any
 
 from ...algebra.names import listed
-from ..measurements.measure import ALIKE, ROUND_OFF, cheapest, of_equal_cost, repeated
-from ..measurements.work_precision import NAMES, STEPPING
+from ..measurements.measure import ALIKE, ROUND_OFF, Measured, cheapest, of_equal_cost, repeated
+from ..measurements.work_precision import NAMES, STEPPING, WorkPrecision
 from .axes import FLOOR, GREY, chart, log_log, marker_style
-from .words import about, about_times, agreed, seconds, times, two_digits
+from .words import about, about_times, agreed, seconds, times_as_much, two_digits
 
 AUTO = {"label": "auto", "color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6}
 SHORT = 2e-3  # seconds; a shorter preparation is not mentioned
 OF_INTEREST = (1e-6, 1e-10)  # relative errors for which the caption names the cheapest method
 
 
-def draw_methods(found, figure):
+def draw_methods(found: WorkPrecision, figure: Any) -> list[Measured]:
     """The fronts by time, after drawing a :class:`.WorkPrecision`; "auto", a choice, is in none."""
     scene = found.scene
     figure.set(layout_engine="constrained", size_inches=(13.0, 4.9))
@@ -58,7 +59,7 @@ def _draw_drift(methods, auto, ax):
     ax.legend([diagonal], ["drift = rtol"], loc="upper left", frameon=False, fontsize=9)
 
 
-def methods_caption(found):
+def methods_caption(found: WorkPrecision) -> str:
     """What the chart of :func:`draw_methods` shows: the sentences that each repeat would write."""
     again = (replace(found, points=tuple(points)) for points in repeated(found.points))
     return agreed(map(_sentences, again))
@@ -131,7 +132,7 @@ def _small_drift(points):
     if worst.error < 10 * worst.drift:
         return ""
     text = f"A small drift proves nothing: of {worst.method} at rtol = {two_digits(worst.asked)}"
-    return f"{text} the error is {times(worst.error / worst.drift)} the drift."
+    return f"{text} the error is {times_as_much(worst.error / worst.drift)} the drift."
 
 
 def _left_out(found):

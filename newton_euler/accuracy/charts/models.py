@@ -1,16 +1,19 @@
 """The chart of the models of one scene, and which one to take within a tolerance."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 from ...algebra.late import np
 from ...algebra.names import listed
 from ...motion.integration import integrate
 from ...motion.prepared import prepared_model
-from ..measurements.measure import EQUAL_WITHIN, Measured, of_equal_cost
+from ...scenes.ladders import Ladder
+from ..measurements.measure import EQUAL_WITHIN, Measured, Progress, of_equal_cost
 from .axes import GREY, INK, log_log, mark_better, marker_style, time_axis
-from .words import times, two_digits
+from .words import times_as_much, two_digits
 
 STEPS = (1, 2, 5, 10)  # a tolerance is one of these times a power of ten
 RTOL = 1e-9  # tolerance of the integrations that are counted
@@ -32,7 +35,9 @@ class MeasuredModel(Measured):
     drops: tuple = ()
 
 
-def measured_models(ladder, progress=lambda fraction, words: None):
+def measured_models(
+    ladder: Ladder, progress: Progress = lambda fraction, words: None
+) -> list[MeasuredModel]:
     """A :class:`MeasuredModel` for each rung: the operations of a run, and the error."""
     points = []
     for n, rung in enumerate(ladder.rungs):
@@ -57,7 +62,7 @@ def _operations(ladder, rung):
     return max(prepared_model(rung.model).traced.rhs.operations, 1) * motion.cost.calls
 
 
-def usual_tolerance(points):
+def usual_tolerance(points: Sequence[Measured]) -> float:
     """A tolerance in the middle of the errors, which some of the models meet and some do not."""
     largest = max((p.error for p in points if p.error < math.inf), default=0.0)
     errors = [p.error for p in points if NOISE * largest < p.error < math.inf]
@@ -68,7 +73,7 @@ def usual_tolerance(points):
     return float(f"{min(STEPS, key=lambda s: abs(math.log(s * power / middle))) * power:.1g}")
 
 
-def choice(points, tolerance):
+def choice(points: Sequence[MeasuredModel], tolerance: float) -> MeasuredModel | None:
     """The smallest model within the tolerance, the first on the ladder, which
     :func:`~newton_euler.scenes.smallest` takes too; or None.
     """
@@ -76,7 +81,7 @@ def choice(points, tolerance):
     return next((p for p in points if min(p.bound, p.error + left) <= tolerance), None)
 
 
-def beaten(points):
+def beaten(points: Sequence[MeasuredModel]) -> list[tuple[MeasuredModel, MeasuredModel]]:
     """Models beaten by another, clearly cheaper and no less accurate: each with the first such."""
     by = ((p, next((q for q in points if _beats(q, p)), None)) for p in points)
     return [(p, q) for p, q in by if q]
@@ -86,7 +91,9 @@ def _beats(q, p):
     return len(of_equal_cost([q, p])) == 1 and q.cost < p.cost and q.error <= p.error * 1.01
 
 
-def draw_models(points, ladder, figure, tolerance=None):
+def draw_models(
+    points: Sequence[MeasuredModel], ladder: Ladder, figure: Any, tolerance: float | None = None
+) -> MeasuredModel | None:
     """The :func:`choice` within the tolerance, after drawing the errors of the rungs against their
     operations. A bar goes from the median over the time to the largest error; a grey dash is the
     bound that the model itself gives. The fullest rung stands at an arrow.
@@ -145,7 +152,9 @@ def _unit(ladder):
     return ladder.of.rpartition(", ")[2] if ", " in ladder.of else ""
 
 
-def models_caption(points, ladder, tolerance=None):
+def models_caption(
+    points: Sequence[MeasuredModel], ladder: Ladder, tolerance: float | None = None
+) -> str:
     """What the chart of :func:`draw_models` shows, in sentences that follow from the points."""
     tolerance = tolerance or usual_tolerance(points)
     text = [_chosen(points, ladder, tolerance), _fullest(points), *_useless(points)]
@@ -178,7 +187,7 @@ def _fullest(points):
     cheapest, full = min(least, key=points.index), points[-1]
     if full in least:
         return "The fullest model costs no more than the cheapest."
-    ratio = times(full.cost / cheapest.cost)
+    ratio = times_as_much(full.cost / cheapest.cost)
     return f"The fullest takes {ratio} as many operations as the cheapest, {cheapest.method}."
 
 

@@ -1,7 +1,8 @@
 """Textbook methods, numerically poor on purpose, those of the engine, and exact results."""
 
 import math
-from functools import cache, reduce, wraps
+from collections.abc import Callable, Sequence
+from functools import cache, partial, reduce, wraps
 from itertools import repeat
 from operator import mul
 
@@ -9,13 +10,15 @@ from ...algebra.compile import compiled
 from ...algebra.jets import moving
 from ...algebra.late import Rotation, np
 from ...algebra.late import mpmath as mp
-from ...algebra.scalars import cos, sin, sqrt
+from ...algebra.scalars import Rows, Scalar, Triple, cos, sin, sqrt
 from ...applications.gyroscopes import steady_precession
 from ...bodies.body import composite
 from ...bodies.parametric import integrated
 from ...bodies.solids import half_disk, simplex
 from ...kinematics import rotations
 from ...kinematics.frames import Frame
+from ...kinematics.paths import Path
+from ...kinematics.rotations import Matrix
 from .measure import relative_error
 
 DIGITS = 40  # digits of the references
@@ -41,25 +44,27 @@ FORWARD, CENTRAL = ((0, -1), (1, 1)), ((-1, -0.5), (1, 0.5))
 FORWARD_SECOND, CENTRAL_SECOND = ((0, 1), (1, -2), (2, 1)), ((-1, 1), (0, -2), (1, 1))
 
 
-def boom_end(t):
+def boom_end(t: Scalar) -> Triple:
     """The position (x, y, z), m, of the end of a boom that turns, rises and lengthens, at t (s)."""
     length, elevation, turned = 20 + 3 * sin(2 * t), 0.5 + 0.3 * cos(3 * t), 0.4 * t * t
     across = length * cos(elevation)
     return across * cos(turned), across * sin(turned), length * sin(elevation)
 
 
-def difference(f, t, h, weights, order):
+def difference(
+    f: Path, t: Scalar, h: Scalar, weights: Sequence[tuple[int, float]], order: int
+) -> tuple[Scalar, ...]:
     """The difference quotient of f(t), several numbers: sum of weight f(t + n h), over h^order."""
     values = [[weight * x for x in f(t + n * h)] for n, weight in weights]
     return tuple(sum(column) / h**order for column in zip(*values, strict=True))
 
 
-def complex_step(f, t, h):
+def complex_step(f: Path, t: float, h: float) -> tuple[float, ...]:
     """f'(t) as Im f(t + i h)/h: no difference, hence no cancellation (Squire and Trapp 1998)."""
     return tuple(x.imag / h for x in f(t + 1j * h))
 
 
-def complex_step_second(f, t, h):
+def complex_step_second(f: Path, t: float, h: float) -> tuple[float, ...]:
     """f''(t) as 2 (f(t) - Re f(t + i h))/h^2, a difference with cancellation."""
     return tuple(2 * (x - z.real) / (h * h) for x, z in zip(f(t), f(t + 1j * h), strict=True))
 
@@ -111,19 +116,19 @@ def _matrix_error(R, exact):
 MATRIX, QUATERNION = rotations.rotation_matrix(AXIS, SMALL), rotations.quaternion(AXIS, SMALL)
 
 
-def by_quaternions(n):
+def by_quaternions(n: int) -> Rows:
     """n small rotations as a product of quaternions, normalised at the end."""
     product = reduce(rotations.quaternion_product, repeat(QUATERNION, n))
     return rotations.matrix_from_quaternion(product)
 
 
-def by_scipy(n):
+def by_scipy(n: int) -> list[list[float]]:
     """The same as a product of SciPy's rotations."""
     q0, *v = QUATERNION
     return reduce(mul, repeat(Rotation.from_quat([*v, q0]), n)).as_matrix().tolist()
 
 
-def by_euler_angles(n):
+def by_euler_angles(n: int) -> Rows:
     """The same with Euler angles 3-1-3 after each rotation."""
     angles = rotations.euler_from_quaternion(QUATERNION)
     for _ in range(n - 1):
@@ -141,12 +146,12 @@ TURNS = {
 }
 
 
-def turn_error(R, n):
+def turn_error(R: Matrix, n: int) -> float:
     """The relative error of the attitude after n small rotations."""
     return _matrix_error(R, _rotation(AXIS, SMALL, n))
 
 
-def drift(R, n=None):
+def drift(R: Matrix, n: int | None = None) -> float:
     """The largest entry of R^T R - 1, which is zero for a rotation."""
     gram = rotations.product(rotations.transpose(R), R)
     return max(abs(float(gram[n][m]) - (n == m)) for n in range(3) for m in range(3))
@@ -158,7 +163,7 @@ def drift(R, n=None):
 STEPS, BEFORE, AFTER = 200, -0.9, 1.1  # s; a step ends at t = 0
 
 
-def runge_kutta(rate, s, step, steps):
+def runge_kutta(rate: Callable[[Triple], Triple], s: Triple, step: float, steps: int) -> Triple:
     """The state after ``steps`` steps of the classical Runge-Kutta method for ds/dt = rate(s)."""
 
     def moved(by, k):
@@ -220,12 +225,12 @@ def _of_points(u, v):
     return yy, xx, xx + yy
 
 
-def by_random_points(n):
+def by_random_points(n: int) -> Triple:
     """The moments of n random mass points."""
     return _of_points(*np.random.default_rng(1).random((2, n)))
 
 
-def by_grid(n):
+def by_grid(n: int) -> Triple:
     """The moments of about n mass points in a rectangular grid."""
     middles = (np.arange(k := round(n**0.5)) + 0.5) / k
     return _of_points(*(c.ravel() for c in np.meshgrid(middles, middles)))
@@ -239,18 +244,18 @@ def _half_disk(r, angle):
     return HEIGHT + r * cos(angle), r * sin(angle), 0
 
 
-def by_quadrature(n=None):
+def by_quadrature(n: int | None = None) -> Triple:
     """The moments by the engine's integrals, in coordinates that follow the edges."""
     sheet, slope, right = Frame("sheet"), RADIUS / HEIGHT, math.pi / 2
-    of = {"frame": sheet, "density": DENSITY}
+    of = partial(integrated, frame=sheet, density=DENSITY)
     parts = (
-        integrated(_triangle, (0, HEIGHT), (-slope, slope), **of, name="triangle"),
-        integrated(_half_disk, (0, RADIUS), (-right, right), **of, name="half disk"),
+        of(_triangle, (0, HEIGHT), (-slope, slope), name="triangle"),
+        of(_half_disk, (0, RADIUS), (-right, right), name="half disk"),
     )
     return composite("sheet", parts).about(sheet.origin).moments
 
 
-def by_composition(n=None):
+def by_composition(n: int | None = None) -> Triple:
     """The moments by the engine's closed forms of the two parts."""
     sheet = Frame("sheet")
     base = sheet.point("A", HEIGHT, RADIUS, 0), sheet.point("B", HEIGHT, -RADIUS, 0)
@@ -263,7 +268,7 @@ def by_composition(n=None):
 
 
 @_in_digits
-def exact_inertia():
+def exact_inertia() -> Triple:
     """The moments in 40 digits, over strips of half the breadth b(x) and the mass 2 rho b dx."""
     r, h = mp.mpf(RADIUS), mp.mpf(HEIGHT)
 
@@ -290,7 +295,7 @@ INERTIAS = (
 # -- the angle of a rotation
 
 
-def by_arc_cosine(R):
+def by_arc_cosine(R: Matrix) -> float:
     """The angle as arccos of (trace - 1)/2, which loses half of the digits at 0 and at pi."""
     # clipped because round-off can push it out of [-1, 1]
     return math.acos(min(1.0, max(-1.0, (R[0][0] + R[1][1] + R[2][2] - 1) / 2)))
@@ -323,7 +328,7 @@ ANGLES, ANGLES_NEAR_PI = _angles(False), _angles(True)
 I0, I, SPIN, MGR = 0.02, 0.01, 100.0, 0.5  # kg m^2, kg m^2, rad/s, N m
 
 
-def printed_roots(a, h, c):
+def printed_roots(a: Scalar, h: Scalar, c: Scalar) -> tuple[Scalar, Scalar]:
     """Both roots of a x^2 - h x + c = 0, the smaller first, as the book prints them (10.33)."""
     root = sqrt(h * h - 4 * a * c)
     return (h - root) / (2 * a), (h + root) / (2 * a)
@@ -337,18 +342,18 @@ def _coefficients(a):
     return (I0 - I) * math.cos(_theta(a)), I * SPIN, MGR
 
 
-def by_companion_matrix(a, h, c):
+def by_companion_matrix(a: float, h: float, c: float) -> list[float]:
     """The same roots by NumPy: eigenvalues of the companion matrix."""
     return sorted(np.roots([a, -h, c]).tolist())
 
 
-def precessions(a):
+def precessions(a: float) -> tuple[float, float]:
     """Both rates by the engine."""
     found = steady_precession(I0, I, _theta(a), spin=SPIN, mgr=MGR)
     return found.slow, found.fast
 
 
-def precession_error(found, a):
+def precession_error(found: Sequence[float], a: float) -> float:
     """The larger relative error of the two, against the printed formula with more digits."""
     with mp.workdps(2 * DIGITS):
         exact = printed_roots((mp.mpf(I0) - I) * mp.cos(_theta(a)), mp.mpf(I) * SPIN, MGR)

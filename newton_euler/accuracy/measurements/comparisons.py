@@ -1,14 +1,15 @@
 """Comparisons of methods where nothing is integrated, by :mod:`.baselines`."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from timeit import Timer
+from typing import Any
 
 from ...algebra.errors import ArgumentError
 from ...algebra.scalars import sqrt
 from . import baselines
-from .measure import Measured, of_repeats, timings
+from .measure import Measured, Progress, of_repeats, timings
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +32,7 @@ class Question:
     worst_only: bool = False
     timed_each: bool = False
 
-    def measured(self, settings):
+    def measured(self, settings: Sequence[float]) -> "Iterator[ComparisonPoint]":
         """The points, one after the other, setting by setting."""
         for n, x in enumerate(settings):
             if n == 0 or self.timed_each:
@@ -60,7 +61,9 @@ class Comparison:
     questions: tuple
     fails: bool = False
 
-    def measure(self, progress=lambda fraction, words: None, quick=False):
+    def measure(
+        self, progress: Progress = lambda fraction, words: None, quick: bool = False
+    ) -> list[ComparisonPoint]:
         """The answers to all questions, a list of :class:`ComparisonPoint`, in a few seconds;
         ``quick``: without the last setting, which takes longest where it changes the cost.
         """
@@ -73,7 +76,7 @@ class Comparison:
         return points
 
 
-def measured_ways(ways, exact):
+def measured_ways(ways: Mapping[str, Callable[[], Any]], exact: Any) -> list[Measured]:
     """The times of several ways, {name: function}, and distances from the ``exact`` result."""
     prepared = {name: Timer(way).timeit(1) for name, way in ways.items()}
     costs = map(of_repeats, timings(list(ways.values())))

@@ -9,7 +9,7 @@ from operator import attrgetter
 from statistics import median
 from time import perf_counter
 from timeit import Timer
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, TypeVar
 
 from ...algebra.errors import checked
 from ...algebra.scalars import Scalar, sqrt
@@ -22,6 +22,7 @@ NEAR = 16 * ROUND_OFF  # right to round-off after some steps of arithmetic: more
 EQUAL_COST = 1.2  # counts of operations that differ by less count as equal
 # times that differ by less are "about the same" in words: so they vary on a busy machine
 ALIKE = 3.0
+Progress: TypeAlias = Callable[[float, str], object]  # is passed the share done, and what is next
 Cost: TypeAlias = Literal["cost", "calls"]  # the time, or the calls of the right-hand side
 
 
@@ -51,7 +52,10 @@ class Measured:
     repeats: tuple[float, ...] = ()
 
 
-def repeated(points: Sequence[Measured]) -> Iterator[list[Measured]]:
+M = TypeVar("M", bound=Measured)
+
+
+def repeated(points: Sequence[M]) -> Iterator[list[M]]:
     """The points as each of their repeats alone would have them."""
     for n in range(max((len(p.repeats) for p in points), default=0) or 1):
         yield [replace(p, cost=p.repeats[n]) if n < len(p.repeats) else p for p in points]

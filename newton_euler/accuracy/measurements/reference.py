@@ -32,7 +32,7 @@ def reference_solution(model: Model, t: Scalar, start: Sequence[Scalar]) -> tupl
     return (by_heyoka if installed() else by_extrapolation)(model, t, start)
 
 
-def by_heyoka(model, t, start):
+def by_heyoka(model: Model, t: Scalar, start: Sequence[Scalar]) -> tuple[Scalar, ...]:
     """The same states in heyoka's numbers of 42 digits. Heyoka divides by a number through its
     inverse, a float: dividing by 60 leaves 17 digits, by 64 all.
     """
@@ -50,7 +50,9 @@ def by_heyoka(model, t, start):
         return tuple(mp.mpf(str(x)) for x in ta.state)
 
 
-def by_extrapolation(model, t, start, digits=30):
+def by_extrapolation(
+    model: Model, t: Scalar, start: Sequence[Scalar], digits: int = 30
+) -> tuple[Scalar, ...]:
     """The same states by extrapolation; ten swings of a pendulum take some seconds."""
     with mp.workdps(digits + GUARD):
         system = PreparedModel(model)

@@ -6,17 +6,19 @@
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
 from ...algebra.late import np
+from ...algebra.scalars import Triple
 from ...applications.earth import EARTH_RADIUS, EARTH_RATE
 from ...applications.gyroscopes import GyroError, least_spin, sleeping_top, steady_precession
 from ...motion.events import Event
 from ...motion.integration import integrate
 from ...motion.methods.taylor import installed
-from ...motion.solution import AccuracyError
+from ...motion.solution import AccuracyError, Motion
+from ...scenes.ladders import Ladder
 from ...scenes.particles import projectile
 from ...scenes.spatial import top, top_ladder
 from ...scenes.spatial.free_body import free_body
@@ -31,12 +33,12 @@ class Axis:
     high: float
     scale: str = "log"
 
-    def edges(self, count):
+    def edges(self, count: int) -> "np.ndarray":
         """The limits of ``count`` cells, an array."""
         space = np.geomspace if self.scale == "log" else np.linspace
         return space(self.low, self.high, count + 1)
 
-    def centres(self, count):
+    def centres(self, count: int) -> "np.ndarray":
         """The middles of ``count`` cells, an array."""
         return self.edges(2 * count)[1::2]
 
@@ -76,7 +78,11 @@ class Map:
     timed: bool = False
     fails: bool = False
 
-    def measure(self, resolution=None, progress=lambda fraction: None):
+    def measure(
+        self,
+        resolution: tuple[int, int] | None = None,
+        progress: Callable[[float], object] = lambda fraction: None,
+    ) -> "np.ndarray":
         """The choices as an array: a row for each y from the lowest, a column for each x."""
         across, up = resolution or self.resolution
         columns = []
@@ -96,13 +102,13 @@ DOP853, TAYLOR = "dop853, nothing to compile", "taylor, compilation counted"
 EXACT, EXACT_30 = "only the exact solution", "only the exact solution in 30 digits"
 
 
-def start_at(tilt):
+def start_at(tilt: float) -> tuple[float, float, float]:
     """Rates of a spin of 1 rad/s that is tilted from the intermediate axis of :data:`BODY`."""
     return math.sin(tilt) / math.sqrt(2), math.cos(tilt), math.sin(tilt) / math.sqrt(2)
 
 
 @cache
-def compile_time():
+def compile_time() -> float:
     """The seconds that heyoka takes to compile such a right-hand side; inf without heyoka."""
     integrate(BODY, 1.0, start_at(0.1), 1e-9, "dop853")  # tracing does not count for any method
     if not installed():
@@ -113,7 +119,7 @@ def compile_time():
     return integrate(fresh, 1.0, start_at(0.1), 1e-9, "taylor").cost.seconds
 
 
-def errors_until(times, motion, start):
+def errors_until(times: Sequence[float], motion: Motion, start: Triple) -> "np.ndarray":
     """The largest error of a motion until each of the times, by the exact solution."""
     exact, states = BODY.solution(motion.times, start), list(motion.states.values())
     worst = np.maximum.accumulate(abs(np.array(exact) - states).max(axis=0))
@@ -193,13 +199,13 @@ G, LATITUDE = 9.82, math.radians(45)
 I0, I, MGR, THETA = 0.02, 0.01, 0.5, 0.6
 
 
-def shot(flight):
+def shot(flight: float) -> Ladder:
     """The ladder of a vertical shot without drag that is in the air for ``flight`` seconds."""
     start = (0.0, 0.0, 0.0, 0.0, 0.0, G * flight / 2)
     return projectile.ladder(G, LATITUDE, drag=0.0, start=start, t=flight)
 
 
-def released_top(omega_z):
+def released_top(omega_z: float) -> Ladder:
     """The ladder of a top of this spin, released from rest 0.6 rad from the vertical, for 5 s."""
     return top_ladder.ladder(I0, I, MGR, omega_z, THETA, precession=0.0, asymmetry=1e-3, t=5.0)
 
@@ -215,7 +221,7 @@ def _smallest_rung(ladder_at):
     return column
 
 
-def rung_names(ladder):
+def rung_names(ladder: Ladder) -> tuple[str, ...]:
     """The names of the rungs of a ladder, a tuple."""
     return tuple(rung.name for rung in ladder.rungs)
 
@@ -244,11 +250,12 @@ STANDS, LONGEST = "stable, by the criterion", 100.0  # s
 FALL = Event(lambda s, p, t: s.q1**2 + s.q2**2 - math.sin(FALLEN / 2) ** 2, 1, terminal=True)
 
 
-def falling_time(ratio):
+def falling_time(ratio: float) -> float:
     """The seconds in which a top at ``ratio`` of the critical rate falls to 0.1 rad; or inf."""
     start = (math.cos(TILT / 2), math.sin(TILT / 2), 0.0, 0.0, 0.0, 0.0)
     model = top.nonspinning_frame(I0, I, MGR, ratio * CRITICAL)
     motion = integrate(model, LONGEST, start, 1e-9, events=FALL)
+    assert isinstance(motion, Motion)
     return motion.events[0].t if motion.events else math.inf
 
 

@@ -18,9 +18,10 @@ from ...motion.methods.base import SMALLEST_SCALE
 from ...motion.methods.table import METHODS
 from ...motion.model import ModelError
 from ...motion.prepared import PreparedModel
+from ...motion.solution import Motion
 from ...scenes import scene as scene_named
 from ...scenes.catalogue import Scene
-from .measure import Measured, of_repeats, timed, timings
+from .measure import Measured, Progress, of_repeats, timed, timings
 from .reference import reference_solution
 
 TOLERANCES = tuple(10.0**-n for n in range(3, 14))
@@ -51,7 +52,7 @@ class WorkPrecision:
     too_slow: dict
     unable: dict
 
-    def explain(self):
+    def explain(self) -> str:
         """The numbers as a table, then the ratios of "auto", and what was left out; a text."""
         lines = [f"  {'method':13} {'rtol':>6} {'time':>11} {'calls':>8} {'error':>8} {'drift':>8}"]
         for p in self.points:
@@ -73,7 +74,7 @@ def work_precision(
     tolerances: Sequence[float] = TOLERANCES,
     methods: Sequence[str] = NAMES,
     longest: float = LONGEST,
-    progress: Callable[[float, str], object] = lambda fraction, words: None,
+    progress: Progress = lambda fraction, words: None,
 ) -> WorkPrecision:
     """The :class:`WorkPrecision` of a scene: every method it can use, at every tolerance. The cost
     is the time of ``integrate`` after its model is prepared and its code compiled, the error that
@@ -125,21 +126,23 @@ def _ratios(reference, points):
 class Reference:
     """The final state of a scene to 30 digits, against which the errors of methods are taken."""
 
-    def __init__(self, scene):
+    def __init__(self, scene: Scene):
         import_module("scipy.integrate")  # imports are not what is measured
         self.model, self.t, self.start = scene.motion
         self.end, self.sizes = final_state(scene), state_sizes(scene)
 
-    def run(self, method, rtol):
+    def run(self, method: str, rtol: float) -> Motion:
         """The motion of the scene by a method."""
-        return integrate(self.model, self.t, self.start, rtol, method)
+        motion = integrate(self.model, self.t, self.start, rtol, method)
+        assert isinstance(motion, Motion)
+        return motion
 
-    def error(self, motion):
+    def error(self, motion: Motion) -> float:
         """The true error of the last state, as ``Motion.error`` counts it."""
         states = zip(self.model.states, self.end, self.sizes, strict=True)
         return max(abs(motion.end[n] - x) / size for n, x, size in states)
 
-    def measured(self, method, rtol):
+    def measured(self, method: str, rtol: float) -> tuple[Measured, float]:
         """The point of one method at one tolerance, and the seconds that its first run took."""
         motion, repeats, first = timed_run(partial(self.run, method, rtol), method)
         numbers = rtol, motion.cost.calls, worst_drift(motion)
@@ -148,17 +151,17 @@ class Reference:
         return replace(point, **of_repeats(repeats)), first
 
 
-def worst_drift(motion):
+def worst_drift(motion: Motion) -> float | None:
     """The largest drift of an invariant at some hundred ends of steps; None without invariants."""
     ends = motion.segments[0].stepper.step_times
     sampled = replace(motion, samples=ends[:: len(ends) // 100 + 1]) if len(ends) > 100 else motion
     return max(sampled.drift.values(), default=None)
 
 
-def timed_run(run, method):
+def timed_run(run: Callable[[], Motion], method: str) -> tuple[Motion, Sequence[float], float]:
     """What a run by a method returns, the seconds of each of some runs, and those of the first."""
     result, first = _stopwatch(run)
-    repeats = (first,)
+    repeats: tuple[float, ...] = (first,)
     # a long first run is not repeated, unless it may have compiled code
     if first <= LONGEST or method == "auto" or METHODS[method].closed or METHODS[method].series:
         repeats = (_stopwatch(run)[1],)
@@ -173,13 +176,13 @@ def _stopwatch(call):
 
 
 @cache
-def final_state(scene):
+def final_state(scene: Scene) -> tuple[float, ...]:
     """The last state by :func:`.reference_solution`, rounded to floats."""
     return tuple(map(float, reference_solution(*scene.motion)))
 
 
 @cache
-def state_sizes(scene):
+def state_sizes(scene: Scene) -> tuple[float, ...]:
     """The largest size of each state, at least 1e-6, to which errors are relative."""
     model, t, start = scene.motion
     # without its exact solution, which gives no steps between

@@ -1,16 +1,22 @@
 """``predict``, ``tally`` and ``predict_again``: what a notebook calls."""
 
-from collections.abc import Mapping
+import re
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked
 from ...algebra.language import Words, _, spoken
-from ...answers.givens import in_notebook
+from ...answers.givens import in_notebook, running_cell
 from . import kept
 from .page import STATIC, opened, plain
 from .question import LETTERS, Judgement, Question, question
 
-_asked: dict[str, "Prediction"] = {}  # predictions by key, in the order of asking
+ID = re.compile(r"[a-zA-Z0-9_-]{1,64}")  # of a cell, by the format of notebooks
+# {(question, cell, how many equal ones that run of the cell asked before): prediction}, in the
+# order of asking
+_asked: dict[tuple[str, str, int], "Prediction"] = {}
+_of_this_run: tuple[str, Counter[str]] = "", Counter()  # the run of a cell, what it has asked
 
 
 @checked
@@ -24,7 +30,8 @@ def predict(
 ) -> "Prediction":
     """A question that is answered before its answer is seen. In a notebook it shows buttons or a
     field; elsewhere ``.choose("b")`` answers. The first prediction is kept in predictions.json in
-    the folder of the notebook. Formulas are written as in Markdown.
+    the folder of the notebook, for this question in this cell: the cell opens with it again, and an
+    equal question in another cell is another one. Formulas are written as in Markdown.
 
     choices : {choice: what it means}: mistakes with their reasons, and the right one
     answer : the right choice, or a computed number, for which its nearest choice stands; True and
@@ -44,11 +51,41 @@ def predict(
     - 9.8 m/s²
     - 0 m/s²
     >>> top.judge("b")
-    Judged(right=False, words='Only the velocity is zero there.')
+    Judgement(right=False, words='Only the velocity is zero there.')
     """
-    asked = Prediction(question(text, choices, answer, unit, within, why))
-    _asked[asked.question.key] = asked
-    return asked
+    asked = question(text, choices, answer, unit, within, why)
+    place = _place(asked.key)
+    _asked[place] = Prediction(asked, _keys(place))
+    return _asked[place]
+
+
+def _place(key):
+    """Question, cell, and how many equal questions this run of the cell asked before. Outside a
+    notebook there are no cells, and a question that is asked again is the same.
+    """
+    global _of_this_run
+    cell, run = running_cell()
+    if not cell:
+        return key, "", 0
+    if run != _of_this_run[0]:
+        _of_this_run = run, Counter()
+    before = _of_this_run[1]
+    before[key] += 1
+    return key, cell, before[key] - 1
+
+
+def _keys(place):
+    """Where a prediction is kept, then where an earlier version kept it. A cell is known in the
+    next session if its id is that in the file of the notebook; else equal questions are numbered.
+    """
+    key, cell, before = place
+    equal = [other for other in _asked if other[0] == key]
+    number = equal.index(place) if place in equal else len(equal)
+    numbered = f"{key} ({number + 1})" if number else key
+    if not ID.fullmatch(cell):
+        return (numbered,)
+    own = f"{key}\n@ {cell}" + f" {before + 1}" * bool(before)
+    return (own,) if number else (own, key)
 
 
 @checked
@@ -64,17 +101,18 @@ def predict_again(*predictions: "Prediction") -> "Again":
 
 
 class Prediction:
-    """A question and, once it is given, the reader's first prediction."""
+    """A question and, once it is given, the reader's first prediction, which is kept under the
+    first of the ``keys``.
+    """
 
     @checked
-    def __init__(self, asked: Question, again: bool = False):
-        self.question, self._note = asked, ""
-        self._key = asked.key + " (again)" * again
+    def __init__(self, asked: Question, keys: Sequence[str]):
+        self.question, self.keys, self._note = asked, keys, ""
 
     @property
     def given(self) -> str | None:
         """What was predicted, None if nothing was yet."""
-        return kept.given(self._key)
+        return kept.kept_prediction(*self.keys)
 
     @property
     def right(self) -> bool | None:
@@ -92,7 +130,7 @@ class Prediction:
         prediction is kept.
         """
         if self.given is None:
-            self._note = kept.keep(self._key, self._choice(prediction))
+            self._note = kept.keep(self.keys[0], self._choice(prediction))
         return self
 
     def _choice(self, prediction):
@@ -150,7 +188,7 @@ class Again:
     def predictions(self) -> list[Prediction]:
         """The questions to ask, without the earlier predictions."""
         chosen = self._named or [p for p in _asked.values() if p.right is False]
-        return [Prediction(p.question, again=True) for p in chosen]
+        return [Prediction(p.question, [f"{key} (again)" for key in p.keys]) for p in chosen]
 
     def __repr__(self) -> str:
         return "\n\n".join(map(repr, self.predictions)) or spoken(NOTHING)

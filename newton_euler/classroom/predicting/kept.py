@@ -12,20 +12,21 @@ from ...algebra.language import _
 FILE = "predictions.json"
 
 
-def given(question: str) -> str | None:
-    """What was predicted, None if nothing was yet."""
-    return _read().get(question)
+def kept_prediction(*keys: str) -> str | None:
+    """What was predicted under the first of these keys that is kept, None if nothing was yet."""
+    kept = _read()
+    return next((kept[key] for key in keys if key in kept), None)
 
 
-def keep(question: str, prediction: str) -> str:
+def keep(key: str, prediction: str) -> str:
     """Keep a prediction; returns why it could not be written, or nothing."""
-    kept = {**_read(), question: prediction}
+    kept = {**_read(), key: prediction}
     partial = Path(f"{FILE}.{os.getpid()}")
     try:
         partial.write_text(json.dumps(kept, ensure_ascii=False, indent=1), encoding="utf-8")
         os.replace(partial, FILE)
     except OSError as error:
-        _unwritten[question] = prediction
+        _unwritten[key] = prediction
         return _("It is kept only while this notebook runs: {error}", error=error)
     return ""
 

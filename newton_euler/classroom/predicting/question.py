@@ -42,7 +42,7 @@ class Question:
 
     @property
     def key(self) -> str:
-        """What distinguishes it from other questions, even of the same words."""
+        """What distinguishes it from questions of other words, choices or units."""
         return "\n- ".join((self.text, *(self.choices or ()), *[self.unit] * bool(self.unit)))
 
     @property

@@ -8,13 +8,15 @@ Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition (1993
 II.6 and II.10.
 """
 
+from collections.abc import Callable
 from functools import cached_property, lru_cache, partial
 from math import inf, isfinite, sqrt
 from textwrap import indent
+from typing import Any
 
 from ...algebra.late import np
 from ...algebra.places import GENERATED
-from .base import MAX_STALLED_STEPS, StepError, Stepper
+from .base import MAX_STALLED_STEPS, Demand, Floats, StepError, Stepper
 from .dop853_coefficients import ERROR_3, ERROR_5, INTERPOLATION, NODES, STAGES, WEIGHTS
 
 # The new step is the old one times SAFETY*error**(-1/8), since the error estimate is of order 8 in
@@ -69,7 +71,7 @@ def polynomial(f, p, t, h, x):
 
 
 @lru_cache(maxsize=32)
-def generated(n, constants):
+def generated(n: int, constants: int) -> dict[str, Any]:
     """{"run", "one_step", "polynomial": function} for ``n`` states and this many ``constants``."""
     space = {"sqrt": sqrt, "isfinite": isfinite, "inf": inf, "__name__": GENERATED}
     exec(compile(_text(n, constants), f"<DOP853 for {n} states>", "exec"), space)
@@ -127,19 +129,19 @@ class Dop853(Stepper):
     remade = "f", "code"
 
     @cached_property
-    def f(self):
+    def f(self) -> tuple[Callable[..., Floats], Floats]:
         """The rates, and the constants in them."""
         return self.system.folded_rates, self.system.constants
 
     @cached_property
-    def code(self):
+    def code(self) -> dict[str, Any]:
         """The functions that take and interpolate steps."""
         return generated(len(self.x), len(self.system.constants))
 
-    def begin(self, trajectory):
+    def begin(self, trajectory: Demand) -> None:
         step, span = trajectory.step, self.goal - self.t
         self.rates, self.calls = self.system.rates(self.t, self.x), 1
-        self._kept = {}
+        self._kept: dict[int, Any] = {}
         if step:
             self.tolerance = 1e300  # any step is accepted
         # at least so long that the time changes
@@ -155,11 +157,11 @@ class Dop853(Stepper):
         h = 0.5 * self.tolerance**0.125 / fastest if fastest else 1e-3 * (self.goal - self.t)
         return min(h, self.hmax)
 
-    def resume(self):
+    def resume(self) -> None:
         self.rates, self._kept = self.system.rates(self.t, self.x), {}
         self.calls, self.h = self.calls + 1, self.h or self._first_step()
 
-    def step(self, limit=inf):
+    def step(self, limit: float = inf) -> None:
         while limit > 0 and self.t < self.goal:
             # the least step: a shorter one would not change the time
             done, (before, after) = len(self.steps), self.around_stop()
@@ -180,16 +182,16 @@ class Dop853(Stepper):
             limit -= len(self.steps) - done
             self.check_progress()
 
-    def step_end(self, n):
+    def step_end(self, n: int) -> float:
         return sum(self.steps[n][:2])
 
-    def state_at(self, t):
+    def state_at(self, t: float) -> Floats:
         """The state at ``t`` by a step to there: more accurate than the interpolation."""
         start, _, *x = self.steps[self.step_index(t)]
         self.calls += 12
         return self.code["one_step"](*self.f, start, t - start, x)
 
-    def halved(self, n):
+    def halved(self, n: int) -> list[float]:
         """How much step n differs from two halves of it, over the scales."""
         (t, h, *x), step = self.steps[n], partial(self.code["one_step"], *self.f)
         last = n + 1 == len(self.steps)
@@ -200,7 +202,7 @@ class Dop853(Stepper):
         rows = zip(step(t + h / 2, h / 2, step(t, h / 2, x)), reached, self.scales, strict=True)
         return [(u - v) / (s or 1.0) for u, v, s in rows]
 
-    def interpolate(self, n, times):
+    def interpolate(self, n: int, times: "np.ndarray") -> "np.ndarray":
         """See the base class; of order 7."""
         start, h, *x = self.steps[n]
         rows = self._kept.get(n)

@@ -9,10 +9,12 @@ of this model at all is checked by comparing its derivative in time with the rig
 """
 
 import math
+from collections.abc import Sequence
 from functools import cache
 from math import copysign, frexp, ldexp
 
-from .base import SMALLEST_SCALE, Stepper
+from ...algebra.late import np
+from .base import SMALLEST_SCALE, FastRun, Floats, Stepper, System
 
 EPS = 2.0**-52
 NO_VALUE = ArithmeticError, ValueError, TypeError  # errors of a formula near the end of its domain
@@ -45,20 +47,20 @@ PLACES = (0.9731562, 0.5312907), (0.7120448, 0.5698343)
 class Exact(Stepper):
     """The exact solution of the model: one step, inside which every state is exact too."""
 
-    def step(self, limit=math.inf):
+    def step(self, limit: float = math.inf) -> None:
         self.x, self.t, self.calls = self.system.solution(self.goal - self.t, self.x), self.goal, 1
         self.step_times.append(self.t)
 
     @staticmethod
-    def fast_run(system, tolerance):
+    def fast_run(system: System, tolerance: float) -> FastRun:
         return system.solution
 
-    def state_at(self, t):
+    def state_at(self, t: float) -> Floats:
         start, x = self.start
         self.calls += 1
         return self.system.solution(t - start, x)
 
-    def interpolate(self, n, times):
+    def interpolate(self, n: int, times: "np.ndarray") -> "np.ndarray":
         start, x = self.start
         self.calls += len(times)
         return self.system.solutions(times - start, x)
@@ -67,7 +69,7 @@ class Exact(Stepper):
 # -- the error of one evaluation
 
 
-def estimated_error(system, t, x0, x1):
+def estimated_error(system: System, t: float, x0: Floats, x1: Floats) -> float:
     """The error of the exact solution ``x1`` at the time ``t`` after the start ``x0``: that of the
     worst state, relative to its largest size during the motion; 1 where it cannot be estimated.
 
@@ -87,7 +89,7 @@ def estimated_error(system, t, x0, x1):
     return worst if math.isfinite(worst) else UNKNOWN
 
 
-def within(system, t, x0, rtol):
+def within(system: System, t: float, x0: Floats, rtol: float) -> bool:
     """True if the estimated error is at most ``rtol``.
 
     x0 : a tuple. The error is estimated once for the region of all times and starts with the same
@@ -104,7 +106,7 @@ def within(system, t, x0, rtol):
         error = _remembered(errors, (t, x0), lambda: _error_at(system, t, x0))
         if error > rtol:
             return False
-    system.exact_last = rtol, t, x0
+    known["exact_last"] = rtol, t, x0
     return True
 
 
@@ -156,7 +158,7 @@ def _rates(system, t, x):
     return found if math.isfinite(sum(found)) else (0.0,) * len(x)
 
 
-def rounding(system, t, x0, x1, pace):
+def rounding(system: System, t: float, x0: Floats, x1: Floats, pace: float) -> list[float]:
     """The error of each state by rounding: how far the values at numbers near these deviate from a
     straight line, plus a few round-offs of the phase.
 
@@ -203,7 +205,9 @@ def _value(system, given):
     return system.solution(given[0], tuple(given[1 : len(system.model.states) + 1]))
 
 
-def residual(system, t, x0, size, pace):
+def residual(
+    system: System, t: float, x0: Floats, size: Sequence[float], pace: float
+) -> list[float]:
     """The error of each state if the formula is not a solution of the model: its derivative in time
     less the right-hand side, times the whole time. Where that is no more than rounding it is the
     rounding of the values, which a difference over a short time shows: c^2 (sqrt(1 + u) - 1) is the
@@ -223,7 +227,7 @@ def residual(system, t, x0, size, pace):
         try:
             rates = system.rates(u, x)
             # with the round-off of the states, which is large near an equilibrium
-            moved = system.rates(u, [v * (1 + AGREEMENT * EPS) for v in x])
+            moved = system.rates(u, tuple([v * (1 + AGREEMENT * EPS) for v in x]))
         except NO_VALUE:
             continue
         first, second = (max(h / pace, LEAST_STEP * u) for h in STEPS)

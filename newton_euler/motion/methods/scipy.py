@@ -1,8 +1,10 @@
 """SciPy's methods of integration on the traced right-hand side."""
 
 from math import inf, isfinite, nan
+from typing import Any
 
-from .base import StepError, Stepper
+from ...algebra.late import np
+from .base import Demand, StepError, Stepper
 
 
 class SciPy(Stepper):
@@ -13,10 +15,10 @@ class SciPy(Stepper):
     resumable = True
     remade = ("solver",)
 
-    def begin(self, trajectory):
+    def begin(self, trajectory: Demand) -> None:
         step = trajectory.step
         if step:  # tolerances that any step meets
-            self.options = {"rtol": 0.5, "atol": 1e300, "max_step": step}
+            self.options: dict[str, Any] = {"rtol": 0.5, "atol": 1e300, "max_step": step}
             self.options["first_step"] = min(step, self.goal - self.t)
         else:  # SciPy refuses an rtol below 100 times a float's epsilon
             limits = zip(self.scales, self.noise, strict=True)
@@ -28,7 +30,7 @@ class SciPy(Stepper):
             raise StepError("the rates are not finite")
         self.solver, self.calls_before = self._from_here(), 1
 
-    def resume(self):
+    def resume(self) -> None:
         self.solver, self.calls_before = self._from_here(), self.calls
 
     def _from_here(self):
@@ -47,7 +49,7 @@ class SciPy(Stepper):
         make = getattr(integrate, type(self).__name__)
         return make(rates, self.t, self.x, self.around_stop()[0], **self.options)
 
-    def step(self, limit=inf):
+    def step(self, limit: float = inf) -> None:
         while limit > 0 and self.t < self.goal:
             solver = self.solver
             message = solver.step()
@@ -66,10 +68,10 @@ class SciPy(Stepper):
             if solver.status == "finished" and self.t < self.goal:
                 self.solver, self.calls_before = self._from_here(), self.calls
 
-    def step_end(self, n):
+    def step_end(self, n: int) -> float:
         return float(self.steps[n][0].t_max)
 
-    def interpolate(self, n, times):
+    def interpolate(self, n: int, times: "np.ndarray") -> "np.ndarray":
         return self.steps[n][0](times)
 
 

@@ -12,13 +12,14 @@ McLachlan, Explicit Lie-Poisson integration and the Euler equations, Phys. Rev. 
 3043.
 """
 
+from collections.abc import Callable
 from functools import cached_property, lru_cache
 from math import ceil, cos, inf, isclose, isfinite, sin, sqrt
 
 from ...algebra.late import np
 from ...algebra.places import GENERATED
 from ...algebra.vectors import cross3, dot3
-from .base import LengthError, StepError, Stepper
+from .base import Demand, Floats, LengthError, StepError, Stepper, System
 
 MAX_STEPS = 3_000_000
 # w1, w2, w3 of Yoshida's solution A for order 6 (his table 1)
@@ -46,14 +47,14 @@ COMPOSITIONS = {
 # -- which models have the structure
 
 
-def partition(system):
+def partition(system: System) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
     """The indices of the states in two groups such that no rate depends on its own group: two
     tuples, or None if there are no such groups.
     """
     states, needs = system.model.states, system.traced.rhs.dependencies
     if any("t" in need for need in needs):
         return None
-    group = {}
+    group: dict[int, int] = {}
     for first in range(len(states)):
         waiting = [(first, group.get(first, 0))]
         while waiting:
@@ -68,7 +69,7 @@ def partition(system):
     return tuple(i for i in group if not group[i]), tuple(i for i in group if group[i])
 
 
-def principal_moments(system):
+def principal_moments(system: System) -> Floats | None:
     """The principal moments of inertia, up to a factor, of a model that is Euler's equations of a
     free body; None for any other model.
 
@@ -146,12 +147,13 @@ class Splitting(Stepper):
     remade = ("move",)
 
     @cached_property
-    def move(self):
+    def move(self) -> tuple[Callable[..., Floats], Floats]:
         """The function that takes a step, and its constants."""
-        p = self.system.p
-        return _verlet(len(self.x), *partition(self.system), len(p)), p
+        p, groups = self.system.p, partition(self.system)
+        assert groups is not None
+        return _verlet(len(self.x), *groups, len(p)), p
 
-    def begin(self, trajectory):
+    def begin(self, trajectory: Demand) -> None:
         order, span = trajectory.method.order, self.goal - self.t
         self.weights = COMPOSITIONS[order]
         count = span / (trajectory.step or self._time_scale() * self.tolerance ** (1 / order))
@@ -177,11 +179,11 @@ class Splitting(Stepper):
                 times.append(sqrt(max(s, abs(v) * d) / change))
         return min(times)
 
-    def step(self, limit=inf):
+    def step(self, limit: float = inf) -> None:
         steps, times, h, weights = self.steps, self.step_times, self.h, self.weights
         (begin, _), f, (move, p) = self.start, self.system.f, self.move
         done = len(steps)
-        for n in range(done, min(done + limit, self.count + 1)):
+        for n in range(done, int(min(done + limit, self.count + 1))):
             x = move(f, p, steps[-1], h, weights)
             if not isfinite(sum(x)):
                 raise StepError("the states have become infinite")
@@ -194,13 +196,13 @@ class Splitting(Stepper):
         self.scales = tuple(max(map(abs, column)) for column in columns)
         self.calls += 3 * len(weights) * (len(steps) - done)
 
-    def state_at(self, t):
+    def state_at(self, t: float) -> Floats:
         """The state at ``t`` by a shorter step from the last step before."""
         n = self.step_index(t)
         move, p = self.move
         return move(self.system.f, p, self.steps[n], t - self.step_times[n], self.weights)
 
-    def interpolate(self, n, times):
+    def interpolate(self, n: int, times: "np.ndarray") -> "np.ndarray":
         return np.array([self.state_at(t) for t in times.tolist()]).T
 
 
@@ -208,6 +210,8 @@ class LiePoisson(Splitting):
     """A run of equal steps of a free rigid body."""
 
     @cached_property
-    def move(self):
+    def move(self) -> tuple[Callable[..., Floats], Floats]:
         """The function that takes a step, and the moments of inertia."""
-        return _lie_poisson(), principal_moments(self.system)
+        moments = principal_moments(self.system)
+        assert moments is not None
+        return _lie_poisson(), moments

@@ -8,20 +8,26 @@ MNRAS 504 (2021) 2614.
 
 import importlib
 import importlib.util
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from copy import copy
 from functools import cache, cached_property
 from itertools import pairwise
 from math import exp, frexp, inf, isfinite, ldexp
+from typing import Any
 
 from ...algebra.late import np
 from .base import (
     MAX_STALLED_STEPS,
     MAX_STEPS,
     STALLED_RATIO,
+    Demand,
+    FastRun,
+    Floats,
     LengthError,
     StepError,
     Stepper,
+    System,
     sample_times,
 )
 
@@ -44,7 +50,7 @@ def installed() -> bool:
     return importlib.util.find_spec("heyoka") is not None
 
 
-def level_of(tolerance):
+def level_of(tolerance: float) -> float:
     """The largest of the levels that does not exceed the tolerance, or else the smallest."""
     return next((x for x in LEVELS if x <= tolerance), LEVELS[-1])
 
@@ -70,7 +76,9 @@ def _made(system, level, scaled, batch):
 
 
 @contextmanager
-def integrator(system, tolerance, scaled=False, batch=None):
+def integrator(
+    system: System, tolerance: float, scaled: bool = False, batch: int | None = None
+) -> Iterator[Any]:
     """An integrator of this right-hand side at the level of the tolerance, for one user at a time;
     with ``scaled`` of the states divided by scales, which are its last parameters; with ``batch``
     of that many motions at once.
@@ -101,11 +109,12 @@ class Taylor(Stepper):
 
     most_steps = 5e7  # seconds, as they are not kept
 
-    def begin(self, trajectory):
+    def begin(self, trajectory: Demand) -> None:
         low, high = ORDINARY
         scales = [_power_of_two(s) for s in trajectory.units or ()]
         self.units = scales if any(not low <= s <= high for s in scales) else ()
-        self.series, self.kept, self.samples, self.taken = [], None, trajectory.samples, 0
+        self.series: list[Any] = []
+        self.kept, self.samples, self.taken = None, trajectory.samples, 0
 
     def _integrator(self):
         return integrator(self.system, self.tolerance, bool(self.units))
@@ -124,7 +133,7 @@ class Taylor(Stepper):
         return tuple(x)
 
     @staticmethod
-    def fast_run(system, tolerance):
+    def fast_run(system: System, tolerance: float) -> FastRun | None:
         """See the base class; None where a series may not see all that the rates do."""
         if system.traced.hazards:
             return None
@@ -158,7 +167,7 @@ class Taylor(Stepper):
 
         return run
 
-    def step(self, limit=inf):
+    def step(self, limit: float = inf) -> None:
         if limit < inf or self.system.traced.hazards:
             self._by_steps(limit)
         elif self.stops or self.samples is None or not self._by_samples():
@@ -256,7 +265,7 @@ class Taylor(Stepper):
     def _unscaled(self, rows):
         return rows * np.array(self.units)[:, None] if self.units else rows
 
-    def states(self, times):
+    def states(self, times: Any) -> "np.ndarray":
         times = np.asarray(times, dtype=float)
         if self.kept and len(times) == len(self.kept[0]) and (times == self.kept[0]).all():
             return self.kept[1].copy()
@@ -269,7 +278,7 @@ class Taylor(Stepper):
         found = self._grid(times) if increasing else None
         return self.dense.states(times) if found is None else found
 
-    def state_at(self, t):
+    def state_at(self, t: float) -> Floats:
         # without events no series has been kept yet
         return tuple(self.states([t])[:, 0].tolist())
 
@@ -283,7 +292,7 @@ class Taylor(Stepper):
         return out
 
     @cached_property
-    def dense(self):
+    def dense(self) -> "Taylor":
         """The same run step by step; a copy, since several threads may need it at once."""
         if self.series:
             return self
@@ -292,7 +301,7 @@ class Taylor(Stepper):
         dense._by_steps(inf)
         return dense
 
-    def residual(self):
+    def residual(self) -> float:
         """The integral of the difference between the rates of the series and those of the model:
         that of the worst state relative to its scale; 0 if steps were not kept.
         """
@@ -312,13 +321,20 @@ class Taylor(Stepper):
         worst = float((total / scales).max())
         return worst if isfinite(worst) else inf
 
-    def interpolate(self, n, times):
+    def interpolate(self, n: int, times: "np.ndarray") -> "np.ndarray":
         from numpy.polynomial.polynomial import polyval
 
         return polyval(times - self.step_times[n], self.series[n].T)
 
 
-def batches(system, tolerance, starts, p, t0, times):
+def batches(
+    system: System,
+    tolerance: float,
+    starts: "np.ndarray",
+    p: "np.ndarray",
+    t0: float,
+    times: "np.ndarray",
+) -> "tuple[np.ndarray, int]":
     """The states (states, motions, times) of many motions, nan where heyoka stopped early, and the
     number of calls: batches as wide as the processor's registers, the last filled up with copies.
 

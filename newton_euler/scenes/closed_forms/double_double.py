@@ -6,12 +6,15 @@ only their arithmetic, and no branches, so that it runs on floats and arrays, tr
 heyoka; an mpf instead takes more digits of its own.
 """
 
-from ...algebra.scalars import ZERO, with_extra_digits
+from collections.abc import Callable
+from typing import Any
+
+from ...algebra.scalars import ZERO, Scalar, with_extra_digits
 
 SPLITTER = 2.0**27 + 1  # cuts the 53 digits of a double in two halves
 
 
-def doubled(f, *values):
+def doubled(f: Callable[..., Any], *values: Scalar) -> Scalar:
     """``f(*values)`` for sums, differences and products of numbers taken as exact, computed with
     twice their digits or more and rounded once.
 
@@ -30,17 +33,17 @@ class Doubled:
 
     __slots__ = ("high", "low")
 
-    def __init__(self, high, low=ZERO):
+    def __init__(self, high: Scalar, low: Scalar = ZERO):
         self.high, self.low = high, low
 
-    def __add__(self, other):
+    def __add__(self, other: "Doubled") -> "Doubled":
         high, low = _sum(self.high, other.high)
         return Doubled(*_sum(high, low + (self.low + other.low)))
 
-    def __sub__(self, other):
+    def __sub__(self, other: "Doubled") -> "Doubled":
         return self + Doubled(-other.high, -other.low)
 
-    def __mul__(self, other):
+    def __mul__(self, other: "Doubled") -> "Doubled":
         high, low = _product(self.high, other.high)
         return Doubled(*_sum(high, low + (self.high * other.low + self.low * other.high)))
 

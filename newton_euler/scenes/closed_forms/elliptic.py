@@ -4,7 +4,11 @@ whose rates are products of the two others: over floats, arrays and mpf, and tra
 Next to a separatrix a float does not hold k^2, which SciPy takes, but m1 to the last digit.
 """
 
+from collections.abc import Sequence
+
 from ...algebra.scalars import (
+    Scalar,
+    Triple,
     atan2,
     cos,
     epsilon,
@@ -23,7 +27,7 @@ MANY = 12  # levels for any double; a traced formula cannot know how many it nee
 FAR = 350.0  # a hyperbolic function of more has a square that a double does not tell from 0
 
 
-def jacobi(u, m1):
+def jacobi(u: Scalar, m1: Scalar) -> tuple[Scalar, ...]:
     """sn, cn and dn of ``u`` for the complementary parameter ``m1`` in [0, 1], to a few round-offs
     of u, and the mean phase pi u/(2K), which is 0 where m1 is; the amplitude is within pi/2 of it.
     By descending Landen transformations (R. Bulirsch, Numerische Mathematik 7, 78, 1965).
@@ -69,7 +73,7 @@ def _landen(u, k1, count):
     return sn, c * sn, dn, phase
 
 
-def coupled(k, start, gap, t):
+def coupled(k: Triple, start: Triple, gap: Scalar, t: Scalar) -> tuple[Scalar, ...]:
     """Three quantities with x' = k_x y z, y' = k_y z x and z' = k_z x y at the time ``t`` after
     ``start``, and the mean phase of their motion.
 
@@ -103,7 +107,9 @@ def coupled(k, start, gap, t):
     )
 
 
-def counted(angle, start, now, phase):
+def unwrapped(
+    angle: Scalar, start: Sequence[Scalar], now: Sequence[Scalar], phase: Scalar
+) -> Scalar:
     """The ``angle`` (rad) after the point at its cosine and sine ``start`` has moved to ``now``,
     through as many turns as bring it within pi of ``angle + phase``.
 

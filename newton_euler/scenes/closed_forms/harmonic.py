@@ -1,15 +1,25 @@
 """Motion under a constant acceleration, or one proportional to a distance; Stumpff's series."""
 
-from ...algebra.scalars import ZERO, Scalar, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from ...algebra.portable import Values
+from ...algebra.scalars import ZERO, Scalar, Triple, cos, cosh, epsilon, exp, sin, sinh, sqrt, where
 from ...motion.model import Model
 
 
-def uniform_acceleration(x, v, a, t):
+def uniform_acceleration(x: Scalar, v: Scalar, a: Scalar, t: Scalar) -> tuple[Scalar, Scalar]:
     """x and its rate at the time t if x'' = a, from x and v at t = 0."""
     return x + (v + a * t / 2) * t, v + a * t
 
 
-def constant_rate(name, parameters, of, *states, **about):
+def constant_rate(
+    name: str,
+    parameters: Mapping[str, Scalar],
+    of: Callable[[Values], Scalar],
+    *states: str,
+    **about: Any,
+) -> Model:
     """The Model of x, if among the ``states``, and its rate, which has the constant rate of(p)."""
 
     def rates(s, p, t):
@@ -22,12 +32,14 @@ def constant_rate(name, parameters, of, *states, **about):
     return Model(name, parameters, states, rates, exact=exact, **about)
 
 
-def integrated_square(v, a, t):
+def integrated_square(v: Scalar, a: Scalar, t: Scalar) -> Scalar:
     """The double integral of (v + a t)^2: at most, what a drag of v^2 per m takes off the way."""
     return t * t * (v * v / 2 + v * a * t / 3 + a * a * (t * t) / 12)
 
 
-def oscillation(x, v, square, t, damping=ZERO):
+def oscillation(
+    x: Scalar, v: Scalar, square: Scalar, t: Scalar, damping: Scalar = ZERO
+) -> tuple[Scalar, Scalar]:
     """x and its rate at the time t if x'' = -square x - damping x'; square > (damping/2)^2.
 
     >>> [round(q, 9) for q in oscillation(1.0, 0.0, 4.0, 0.25)]  # cos(2 t), -2 sin(2 t)
@@ -39,20 +51,22 @@ def oscillation(x, v, square, t, damping=ZERO):
     return x * (c + half * S) + v * S, v * (c - half * S) - square * x * S
 
 
-def plane_oscillation(s, square, t, damping=ZERO):
+def plane_oscillation(
+    s: Values, square: Scalar, t: Scalar, damping: Scalar = ZERO
+) -> tuple[Scalar, ...]:
     """x, y, dx, dy at t if both coordinates oscillate so, from the states ``s`` at t = 0."""
     x, dx = oscillation(s.x, s.dx, square, t, damping)
     y, dy = oscillation(s.y, s.dy, square, t, damping)
     return x, y, dx, dy
 
 
-def turned(x: Scalar, y: Scalar, angle: Scalar) -> tuple[Scalar, Scalar]:
+def rotated(x: Scalar, y: Scalar, angle: Scalar) -> tuple[Scalar, Scalar]:
     """The components x, y of a vector that is turned by the angle, counterclockwise."""
     c, s = cos(angle), sin(angle)
     return c * x - s * y, c * y + s * x
 
 
-def growth(n, t):
+def growth(n: Scalar, t: Scalar) -> Triple:
     """cosh(n t), sinh(n t)/n and (cosh(n t) - 1)/n^2: x at t if x'' = n^2 x + a, for a start at 1,
     a rate of 1, and a = 1.
 
@@ -63,7 +77,7 @@ def growth(n, t):
     return cosh(n * t), sinh(n * t) / n, 2 * half * half
 
 
-def circular_or_hyperbolic(square, t):
+def circular_or_hyperbolic(square: Scalar, t: Scalar) -> tuple[Scalar, Scalar]:
     """cos(n t) and sin(n t)/n with n^2 = ``square`` of any sign; for numbers and traced values.
 
     >>> circular_or_hyperbolic(0.0, 3.0)
@@ -75,7 +89,7 @@ def circular_or_hyperbolic(square, t):
     return c, where(n > 0, S / where(n > 0, n, 1), t)
 
 
-def stumpff(k, z, largest=1):
+def stumpff(k: int, z: Scalar, largest: float = 1) -> Scalar:
     """k! times Stumpff's function c_k(z) = 1/k! - z/(k + 2)! + z^2/(k + 4)! - ..., by as many terms
     as |z| <= ``largest`` takes to round-off (K. Stumpff, Himmelsmechanik I, 1959).
 

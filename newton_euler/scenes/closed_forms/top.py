@@ -5,12 +5,13 @@ With v = 1 - cos(theta) the energy gives I0 v'^2/2 = F(v), a cubic with the root
 others. A top that is pulled up is one that is pulled down, seen from below.
 """
 
-from ...algebra.scalars import cos, integer_like, sin, sqrt, where
+from ...algebra.portable import Values
+from ...algebra.scalars import Scalar, cos, integer_like, sin, sqrt, where
 from ...motion.model import comparable
-from .elliptic import counted, coupled
+from .elliptic import coupled, unwrapped
 
 
-def nutation_exact(s, p, t):
+def nutation_exact(s: Values, p: Values, t: Scalar) -> tuple[Scalar, Scalar]:
     """theta and theta_rate of :func:`newton_euler.scenes.spatial.top.nutation` at t after ``s``."""
     # here: only the exact solution needs this room, which takes 30 ms to load
     from ...applications.nutation import exchanged
@@ -22,7 +23,7 @@ def nutation_exact(s, p, t):
     S1, C1, rate1, phase = _nutation(S, C, where(below, -rate, rate), I0, abs(mgr), *sides, t)
     sine, cosine = exchanged(below, S1, C1)
     phase = where(rate < 0, -phase, phase)
-    return 2 * counted(theta / 2, start, (cosine, sine), phase), where(below, -rate1, rate1)
+    return 2 * unwrapped(theta / 2, start, (cosine, sine), phase), where(below, -rate1, rate1)
 
 
 def _nutation(S, C, rate, I0, mgr, q, whole, t):

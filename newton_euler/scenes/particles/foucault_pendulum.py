@@ -8,7 +8,8 @@ r (v.v + G.r)/length^2, where G is that of a free body (6.10).
 
 from dataclasses import replace
 
-from ...algebra.scalars import ZERO, Scalar, sqrt
+from ...algebra.portable import Values
+from ...algebra.scalars import ZERO, Scalar, Triple, sqrt
 from ...algebra.vectors import add3, cross3, dot3, scale3
 from ...applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, earth_rate3
 from ...motion.model import Model, Neglected
@@ -64,13 +65,13 @@ def ladder(
     return Ladder.of_models("Foucault's pendulum", PLACE, t, start, ("x", "y"), *models)
 
 
-def below(s, length):
+def below(s: Values, length: Scalar) -> tuple[Triple, Triple]:
     """Position and velocity of the bob, two triples, from those in plan, below the support."""
     z = -sqrt(length**2 - s.x * s.x - s.y * s.y)
     return (s.x, s.y, z), (s.dx, s.dy, -(s.x * s.dx + s.y * s.dy) / z)
 
 
-def held(r, v, G, length):
+def held(r: Triple, v: Triple, G: Triple, length: Scalar) -> Triple:
     """The acceleration in plan of a bob on a cord of this length; without the cord it is G."""
     return add3(G, scale3(-(dot3(v, v) + dot3(G, r)) / length**2, r))[:2]
 

@@ -20,14 +20,14 @@ from ...kinematics.rotations import (
 )
 from ...motion.model import Model
 from ..catalogue import scene
-from ..closed_forms.harmonic import turned
+from ..closed_forms.harmonic import rotated
 from ..closed_forms.top import nutation_exact
 
 QUATERNION = "q0", "q1", "q2", "q3"
 _q = attrgetter(*QUATERNION)
 SPIN = 8.0  # rad/s
 # the top of the scenes, let go at 0.6 rad from the vertical, which nutates
-TOP = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
+TOP: dict[str, Scalar] = {"I0": 1.0, "I": 1.5, "mgr": 5.0, "omega_z": SPIN}
 
 
 def tilted(theta: Scalar) -> Triple:
@@ -221,4 +221,4 @@ def _free_exact(s, p, t):
     about = apply(matrix_from_quaternion(start), (s.w_x, s.w_y, rate))  # H/I0 in the ground
     moved = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), start)
     q = quaternion_product(moved, quaternion((0, 0, 1), -rate * t))
-    return *q, *turned(s.w_x, s.w_y, rate * t)
+    return *q, *rotated(s.w_x, s.w_y, rate * t)

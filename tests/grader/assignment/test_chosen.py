@@ -50,3 +50,10 @@ def test_what_a_course_has_comes_first_as_the_instructor_changed_it(tmp_path, mo
     assert ids(chosen("hw3", ["4/1"], course=course)) == ["4/1"]
     with pytest.raises(CourseError, match="has no assignment hw4; it has hw3"):
         chosen("hw4", course=course)
+
+
+@pytest.mark.parametrize("other", ["HW3", "h\uff573"])  # a w of full width
+def test_a_name_that_is_taken_for_that_of_another_assignment_is_refused(tmp_path, other):
+    course = build_assignment(tmp_path / "c", spec_of("hw3", ["4/3"])).course
+    with pytest.raises(CourseError, match=r"the assignments hw3 and .* differ only by upper and"):
+        build_assignment(course.path, spec_of(other, ["4/3"]), update=True)

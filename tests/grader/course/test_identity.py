@@ -3,7 +3,7 @@
 import pytest
 
 from grader.course import CourseError, check_id
-from grader.course.identity import course_id, same_student
+from grader.course.identity import course_id, seen_as
 
 
 @pytest.mark.parametrize(("name", "expected"), [
@@ -42,7 +42,7 @@ def test_ids_that_would_lead_elsewhere_are_refused(student):
     ("a-b", "a\u2010b"), ("a-b", "a\u2011b"), ("a-b", "a\u2013b"), ("o'brien", "o\u2019brien"),
 ])  # fmt: skip
 def test_ids_that_a_reader_or_a_machine_takes_for_one_are_of_one_student(one, other):
-    assert same_student(one) == same_student(other)
+    assert seen_as(one) == seen_as(other)
 
 
 @pytest.mark.parametrize(("one", "other"), [
@@ -50,4 +50,4 @@ def test_ids_that_a_reader_or_a_machine_takes_for_one_are_of_one_student(one, ot
     ("1l", "11"), ("O0", "00"), ("a.b.", "ab."),
 ])  # fmt: skip
 def test_ids_that_differ_by_what_is_seen_are_of_two_students(one, other):
-    assert same_student(one) != same_student(other)
+    assert seen_as(one) != seen_as(other)

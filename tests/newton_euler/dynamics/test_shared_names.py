@@ -103,6 +103,21 @@ def test_a_force_may_have_the_name_of_a_term_of_the_motion(name):
     check_terms(dynamics.acceleration_by(2.0, **{name: F}), [value(F) / 2], [name])
 
 
+def test_a_force_is_not_explained_as_the_term_of_the_motion_whose_name_it_has():
+    ground = Frame("ground")
+    R = dynamics.reaction(2.0, ground.vector(0, 0, 3.0), inertia=ground.i)
+    _, *rows = str(R.explain()).split("\n")
+    assert [row.split()[:4] for row in rows[:2]] == [
+        ["inertia", "1", "m", "a"], ["minus", "inertia", "2", "-F"]
+    ]  # fmt: skip
+    formulas = R.explain().latex.partition(r"\tag")[0]
+    assert formulas.endswith(r"m\bar{\mathbf{a}} - {\mathbf{F}}_{\text{inertia 2}} ")
+    P = ground.point("P", 1.0, 0, 0)  # seen from its own frame: the motion has no term
+    a = dynamics.relative_acceleration(2.0, P, ground, coriolis=ground.i)
+    assert "omega" not in str(a.explain())
+    assert "omega" not in a.explain().latex.partition(r"\tag")[0]
+
+
 @by_any_names
 @given(st.dictionaries(NAMES, TRIPLES, max_size=4), st.dictionaries(NAMES, TRIPLES, max_size=4))
 def test_an_energy_balance_counts_every_potential_and_every_work(potentials, powers):

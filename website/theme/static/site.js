@@ -27,6 +27,12 @@ function readKept() {
 }
 let predicted = readKept();
 const asked = [...document.querySelectorAll(".prediction")];
+const equal = new Map(); // {key: how many questions before have it}; an equal one is another question
+for (const { dataset } of asked) {
+  const before = equal.get(dataset.key) || 0;
+  equal.set(dataset.key, before + 1);
+  if (before) dataset.key += ` (${before + 1})`;
+}
 
 function keep(key, prediction, right) {
   if (key in predicted) return;

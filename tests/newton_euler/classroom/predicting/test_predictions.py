@@ -1,13 +1,16 @@
 """Predictions: judged by a computed answer, kept beside the notebook, asked again."""
 
 import json
+from itertools import count
+from types import SimpleNamespace
 
 import pytest
 
 from newton_euler.algebra.errors import ArgumentError
+from newton_euler.answers import givens
 from newton_euler.classroom import predict, predict_again, tally
 from newton_euler.classroom.predicting import asking, kept
-from newton_euler.classroom.predicting.page import folded, inline
+from newton_euler.classroom.predicting.page import folded_html, inline
 from tests.markup import Page
 
 
@@ -103,6 +106,64 @@ def test_questions_of_the_same_words_are_distinguished_by_their_choices():
     assert str(tally()) == "1 of 2 predictions made: 1 right, 0 wrong."
 
 
+@pytest.fixture
+def run(monkeypatch):
+    """A function that runs a cell of a notebook, by its id and text; returns what it asks."""
+    runs = count()
+
+    def cell(ask, cell_id="c1", code="bounce()"):
+        parent = {"header": {"msg_id": f"run {next(runs)}"}, "content": {"code": code},
+                  "metadata": {"cellId": cell_id} if cell_id else None}  # fmt: skip
+        shell = SimpleNamespace(kernel="any", get_parent=lambda: parent)
+        monkeypatch.setattr(givens, "_shell", lambda: shell)
+        return ask()
+
+    return cell
+
+
+@pytest.mark.parametrize("cells", [
+    [("c1", ""), ("c2", "")], [(None, "bounce()"), (None, "bounce() # again")],
+    [("vscode:a.ipynb#W1", ""), ("vscode:a.ipynb#W2", "")],
+])  # fmt: skip
+def test_an_equal_question_in_another_cell_is_another_one(run, monkeypatch, cells):
+    one, other = cells
+    run(bounce, *one).choose("a")
+    assert run(bounce, *other).given is None
+    run(bounce, *other).choose("b")
+    assert [run(bounce, *c).given for c in (other, one)] == ["down", "up"]
+    assert str(tally()) == "2 of 2 predictions made: 1 right, 1 wrong."
+    monkeypatch.setattr(asking, "_asked", {})  # as when the notebook is opened again
+    assert [run(bounce, *c).given for c in cells] == ["up", "down"]
+
+
+def test_a_cell_that_runs_first_after_opening_has_not_the_prediction_of_an_equal_one(
+    run, monkeypatch
+):
+    run(bounce, "c1").choose("a")
+    monkeypatch.setattr(asking, "_asked", {})
+    assert run(bounce, "c2").given is None
+    assert run(bounce, "c1").given == "up"
+
+
+def test_equal_questions_of_one_cell_are_as_many(run):
+    both = lambda: [bounce(), bounce()]
+    first, second = run(both)
+    first.choose("a"), second.choose("b")
+    assert [p.given for p in run(both)] == ["up", "down"]
+    assert [p.given for p in predict_again(first, second).predictions] == [None, None]
+    again, other = predict_again(first, second).predictions
+    again.choose("b")
+    assert (again.given, other.given) == ("down", None)
+
+
+def test_a_prediction_that_an_earlier_version_kept_is_read_for_the_first_of_equal_ones(
+    run, monkeypatch
+):
+    bounce().choose("a")  # outside a notebook, under the question alone
+    monkeypatch.setattr(asking, "_asked", {})
+    assert [run(bounce, c).given for c in ("c1", "c2", "c1")] == ["up", None, "up"]
+
+
 def test_a_damaged_file_and_a_folder_that_cannot_be_written_lose_no_more_than_they_must(tmp_path):
     (tmp_path / kept.FILE).write_text("{")
     assert bounce().given is None
@@ -131,7 +192,7 @@ def test_the_tally_counts_and_what_was_wrong_is_asked_again():
 
 @pytest.mark.parametrize("make", [bounce, speed, lambda: predict("What if x < 1 & y > 2?")])
 def test_without_a_kernel_all_is_folded_and_well_formed(make):
-    text = Page(folded(make().question)).text
+    text = Page(folded_html(make().question)).text
     assert text.startswith("Predict. ")
     assert "$" not in text
 
