@@ -5,6 +5,7 @@ is traced cannot branch on a value; it chooses by :func:`newton_euler.algebra.sc
 import sys
 import threading
 from collections.abc import Hashable, Iterator, Sequence
+from dataclasses import dataclass
 from inspect import unwrap
 from types import FrameType
 from typing import Any
@@ -276,17 +277,17 @@ class Trace:
         return type(a), repr(a) if isinstance(a, float) else a
 
 
+@dataclass(eq=False, repr=False)
 class Inner:
     """The formula that is integrated, or whose root is taken, as a constant of the formula around
     it. Outer steps that it reads are computed once and passed as arguments. ``variable`` is the
     name of the variable in its code, "" if that is unknown.
     """
 
-    def __init__(
-        self, parameters: Sequence[str], trace: Trace, leaves: Sequence[Scalar], variable: str = ""
-    ):
-        self.parameters, self.trace, self.leaves = parameters, trace, leaves
-        self.variable = variable
+    parameters: Sequence[str]
+    trace: Trace
+    leaves: Sequence[Scalar]
+    variable: str = ""
 
     def key(self) -> Hashable:
         """Equal for equal formulas, for a dictionary."""

@@ -4,6 +4,7 @@ table. Far from one place of its argument each of them but a table is as good as
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from math import inf
 
@@ -24,6 +25,7 @@ LIMITS = dict.fromkeys(("largest", "steep"), (2 * CHANGE[0], 2 * CHANGE[1]))
 LIMITS |= {"phase": (TURNED, TURNED), "table": (inf, inf), "jump": (0, 0), "ratio": (0, 0)}
 
 
+@dataclass(eq=False, repr=False)
 class Arguments:
     """The ``kinds`` of operations with scales of their own, "largest", "jump", "steep", "ratio" or
     "table", and the ``formula`` of their arguments, each as two numbers to be subtracted; also
@@ -33,14 +35,10 @@ class Arguments:
     powers : the numbers of the arguments that are not to be subtracted, but are base and exponent
     """
 
-    def __init__(
-        self,
-        kinds: tuple[str, ...],
-        formula: Compiled,
-        tables: Mapping[int, Table],
-        powers: Sequence[int],
-    ):
-        self.kinds, self.formula, self.tables, self.powers = kinds, formula, tables, powers
+    kinds: tuple[str, ...]
+    formula: Compiled
+    tables: Mapping[int, Table]
+    powers: Sequence[int]
 
     @cached_property
     def names(self) -> "np.ndarray":

@@ -11,6 +11,7 @@ on a real interval through Chebyshev expansion and polynomial rootfinding, SIAM 
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from functools import cache
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -98,6 +99,7 @@ class Bracket(NamedTuple):
     sign: int
 
 
+@dataclass(eq=False, repr=False)
 class ZeroSearch:
     """The search for the zeros of a function between the times a and b.
 
@@ -113,20 +115,15 @@ class ZeroSearch:
     Raises :class:`UnresolvedError` where it cannot continue.
     """
 
-    def __init__(
-        self,
-        values: Callable[[Any], Any],
-        noise: Callable[[Any], Any],
-        a: float,
-        b: float,
-        sign: int,
-        direction: int = 0,
-        start: tuple[float, bool] | None = None,
-        closed: bool = False,
-    ):
-        self.values, self.noise, self.a, self.b = values, noise, a, b
-        self.sign, self.direction, self.start, self.closed = sign, direction, start, closed
-        self.cuts: list[float] = []
+    values: Callable[[Any], Any]
+    noise: Callable[[Any], Any]
+    a: float
+    b: float
+    sign: int
+    direction: int = 0
+    start: tuple[float, bool] | None = None
+    closed: bool = False
+    cuts: list[float] = field(default_factory=list)
 
     def __iter__(self):
         """Lists of zeros, in order, each with the time up to which all have been found."""

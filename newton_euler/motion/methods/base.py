@@ -38,24 +38,16 @@ class TracedRates(Protocol):
 
     @property
     def folded(self) -> tuple[Compiled, Compiled]: ...
-    @property
-    def depends(self) -> dict[int, set[str]]: ...
-    @property
-    def choices(self) -> list[tuple[Scalar, Scalar]]: ...
-    @property
-    def compiled_choices(self) -> Callable[..., Floats]: ...
-    @property
-    def clocked(self) -> list[Step]: ...
-    @property
-    def kinks(self) -> list[str]: ...
-    @property
-    def inner(self) -> list[str]: ...
-    @property
-    def hazards(self) -> list[str]: ...
-    @property
-    def surprises(self) -> bool: ...
-    @property
-    def narrow(self) -> Any: ...  # Arguments, of a file above
+
+    depends: dict[int, set[str]]
+    choices: list[tuple[Scalar, Scalar]]
+    compiled_choices: Callable[..., Floats]
+    clocked: list[Step]
+    kinks: list[str]
+    inner: list[str]
+    hazards: list[str]
+    surprises: bool
+    narrow: Any  # Arguments, of a file above
 
 
 class System(Protocol):
