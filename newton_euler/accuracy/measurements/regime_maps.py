@@ -22,6 +22,7 @@ from ...scenes.ladders import Ladder
 from ...scenes.particles import projectile
 from ...scenes.spatial import top, top_ladder
 from ...scenes.spatial.free_body import free_body
+from .measure import Progress, silent
 
 
 @dataclass(frozen=True)
@@ -79,15 +80,13 @@ class Map:
     fails: bool = False
 
     def measure(
-        self,
-        resolution: tuple[int, int] | None = None,
-        progress: Callable[[float], object] = lambda fraction: None,
+        self, resolution: tuple[int, int] | None = None, progress: Progress = silent
     ) -> "np.ndarray":
         """The choices as an array: a row for each y from the lowest, a column for each x."""
         across, up = resolution or self.resolution
         columns = []
         for n, x in enumerate(self.x.centres(across).tolist()):
-            progress(n / across)
+            progress(n / across, "")
             columns.append(list(self.column(x, self.y.centres(up).tolist())))
         return np.array(columns, dtype=object).T
 

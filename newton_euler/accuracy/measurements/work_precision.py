@@ -21,7 +21,7 @@ from ...motion.prepared import PreparedModel
 from ...motion.solution import Motion
 from ...scenes import scene as scene_named
 from ...scenes.catalogue import Scene
-from .measure import Measured, Progress, of_repeats, timed, timings
+from .measure import Measured, Progress, of_repeats, silent, timed, timings
 from .reference import reference_solution
 
 TOLERANCES = tuple(10.0**-n for n in range(3, 14))
@@ -74,7 +74,7 @@ def work_precision(
     tolerances: Sequence[float] = TOLERANCES,
     methods: Sequence[str] = NAMES,
     longest: float = LONGEST,
-    progress: Progress = lambda fraction, words: None,
+    progress: Progress = silent,
 ) -> WorkPrecision:
     """The :class:`WorkPrecision` of a scene: every method it can use, at every tolerance. The cost
     is the time of ``integrate`` after its model is prepared and its code compiled, the error that
@@ -89,9 +89,7 @@ def work_precision(
     too_slow: dict = {}
     unable: dict = {}
     for n, method in enumerate(methods):
-        if method != "auto" and METHODS[method].unusable_because(PreparedModel(reference.model)):
-            continue
-        for m, rtol in enumerate(tolerances):
+        for m, rtol in enumerate(tolerances if reference.can_use(method) else ()):
             progress((n + m / len(tolerances)) / len(methods), f"{method}, {rtol:.0e}")
             try:
                 point, first = reference.measured(method, rtol)
@@ -130,6 +128,10 @@ class Reference:
         import_module("scipy.integrate")  # imports are not what is measured
         self.model, self.t, self.start = scene.motion
         self.end, self.sizes = final_state(scene), state_sizes(scene)
+
+    def can_use(self, method: str) -> bool:
+        """Whether a method fits the scene."""
+        return method == "auto" or not METHODS[method].unusable_because(PreparedModel(self.model))
 
     def run(self, method: str, rtol: float) -> Motion:
         """The motion of the scene by a method."""
