@@ -22,7 +22,6 @@ from ...scenes.ladders import Ladder
 from ...scenes.particles import projectile
 from ...scenes.spatial import top, top_ladder
 from ...scenes.spatial.free_body import free_body
-from .measure import Progress, silent
 
 
 @dataclass(frozen=True)
@@ -80,13 +79,15 @@ class Map:
     fails: bool = False
 
     def measure(
-        self, resolution: tuple[int, int] | None = None, progress: Progress = silent
+        self,
+        resolution: tuple[int, int] | None = None,
+        progress: Callable[[float], object] = lambda fraction: None,
     ) -> "np.ndarray":
         """The choices as an array: a row for each y from the lowest, a column for each x."""
         across, up = resolution or self.resolution
         columns = []
         for n, x in enumerate(self.x.centres(across).tolist()):
-            progress(n / across, "")
+            progress(n / across)
             columns.append(list(self.column(x, self.y.centres(up).tolist())))
         return np.array(columns, dtype=object).T
 
