@@ -193,7 +193,7 @@ def percent(part: float) -> str:
     return "" if math.isnan(part) else "100" if part == 1.0 else f"{math.floor(1e3 * part) / 10}"
 
 
-def times(ratio: float) -> str:
+def ratio_text(ratio: float) -> str:
     """A ratio as text, in two digits and without powers of ten; "" for nan.
 
     >>> times(1.234), times(12.34), times(1234.0), times(0.001234)
@@ -205,7 +205,7 @@ def times(ratio: float) -> str:
 def cost_text(cost: float, relative: bool) -> str:
     """A cost as text, "28.1 µs", or "7.3 x" relative to the cheapest; "" for nan."""
     seconds = EngFormatter(unit="s", places=1)
-    return "" if math.isnan(cost) else f"{times(cost)} x" if relative else seconds(cost)
+    return "" if math.isnan(cost) else f"{ratio_text(cost)} x" if relative else seconds(cost)
 
 
 # what is written of a tally, by its heading
@@ -213,7 +213,7 @@ CELLS: dict[str, Callable[[Tally, bool], object]] = {
     "runs": lambda t, relative: t.runs,
     "met %": lambda t, relative: percent(t.met),
     "covers %": lambda t, relative: percent(t.covers),
-    "est/true": lambda t, relative: times(t.ratio),
+    "est/true": lambda t, relative: ratio_text(t.ratio),
     "silent": lambda t, relative: t.silent,
     "refused": lambda t, relative: t.refused,
     "failed": lambda t, relative: t.failed,

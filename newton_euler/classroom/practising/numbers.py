@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from ...algebra.language import Words, _, words
+from ...algebra.language import Words, _, from_stored
 from ...answers.causes import INSTEAD, Cause
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
@@ -63,7 +63,7 @@ class KeptNumbers:
         self.answers = [q for q in quantities if q.key in variant["right"]]
         self._labels, self._variant, self._book = labels, variant, book
         self.program = Program(variant["program"])
-        self.where, self._own = words(where), own
+        self.where, self._own = from_stored(where), own
         self.tried: Collection[str] = ()
         self.slips = KeptSlips(slips, variant.get("slips", ()))
         self.symbols: dict[str, Any] = {}  # practice is numeric
@@ -85,13 +85,13 @@ class KeptNumbers:
             key, *cause = self._labels[label]
             if key in found:
                 group, name, *texts, subject, does, of = cause
-                known = group, name, *map(self._read, texts), *map(words, (subject, does, of))
+                known = group, name, *map(self._read, texts), *map(from_stored, (subject, does, of))
                 found[key].append((Cause(*known), _point(numbers)))
         return found
 
     def _read(self, stored):
         """The text of a cause; one in another language than the reader's is quoted."""
-        text = words(stored)
+        text = from_stored(stored)
         if self._own or isinstance(text, Words) or not text:
             return text
         return ": ".join(_("“{english}”", english=part) for part in text.split(": ", 1))
@@ -138,7 +138,7 @@ class KeptSlips(Slips):
         self._found: dict[str, list] = {}
         for n, numbers in kept:
             key, rank, *texts = labels[n]
-            name, text, where, subject, does, of = map(words, texts)
+            name, text, where, subject, does, of = map(from_stored, texts)
             cause = Cause("computed", name, text, where, subject, does, of)
             if cause.does == INSTEAD:
                 cause = replace(cause, of="", answers=tuple(cause.of.split()))
