@@ -16,7 +16,7 @@ from time import perf_counter
 from ...motion.integration import integrate
 from ...motion.methods.base import SMALLEST_SCALE
 from ...motion.methods.table import METHODS
-from ...motion.model import ModelError
+from ...motion.model import Model, ModelError
 from ...motion.prepared import PreparedModel
 from ...motion.solution import Motion
 from ...scenes import scene as scene_named
@@ -89,7 +89,7 @@ def work_precision(
     too_slow: dict = {}
     unable: dict = {}
     for n, method in enumerate(methods):
-        for m, rtol in enumerate(tolerances if reference.can_use(method) else ()):
+        for m, rtol in enumerate(tolerances if can_use(method, reference.model) else ()):
             progress((n + m / len(tolerances)) / len(methods), f"{method}, {rtol:.0e}")
             try:
                 point, first = reference.measured(method, rtol)
@@ -121,6 +121,11 @@ def _ratios(reference, points):
             yield rtol, (auto / other, best)
 
 
+def can_use(method: str, model: Model) -> bool:
+    """Whether a method integrates this model."""
+    return method == "auto" or not METHODS[method].unusable_because(PreparedModel(model))
+
+
 class Reference:
     """The final state of a scene to 30 digits, against which the errors of methods are taken."""
 
@@ -128,10 +133,6 @@ class Reference:
         import_module("scipy.integrate")  # imports are not what is measured
         self.model, self.t, self.start = scene.motion
         self.end, self.sizes = final_state(scene), state_sizes(scene)
-
-    def can_use(self, method: str) -> bool:
-        """Whether a method fits the scene."""
-        return method == "auto" or not METHODS[method].unusable_because(PreparedModel(self.model))
 
     def run(self, method: str, rtol: float) -> Motion:
         """The motion of the scene by a method."""
