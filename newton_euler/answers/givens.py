@@ -74,7 +74,9 @@ class Watch:
 
     def end(self, result: Any) -> None:
         """After a cell: the names that it set were computed with the values at its start."""
-        cell, text = _cell_of(result), getattr(result.info, "raw_cell", "")
+        text = getattr(result.info, "raw_cell", "")
+        # the identity of a cell survives edits where the front end sends an id
+        cell = getattr(result.info, "cell_id", None) or text or None
         # a cell that sets a name to an equal small number leaves the same object
         stored = _stored(text) if result.success else set()
         self.failed |= set() if result.success else _stored(text)
@@ -87,12 +89,6 @@ class Watch:
                 own = _given.get(self.givers.get(name, ""), {})
                 if own.get(name, value) is not value:
                     self.changers[name] = cell
-
-
-def _cell_of(result):
-    """The identity of a cell; it survives edits where the front end sends an id."""
-    info = result.info
-    return getattr(info, "cell_id", None) or getattr(info, "raw_cell", None)
 
 
 def _stored(text):

@@ -72,10 +72,9 @@ def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
 def bare(fit: Fit) -> Models:
     """The key times a simple number, which many slips give."""
     ratio = 0.0 if fit.index is None else _ratio(fit)
-    for name, factor in BARE.items():
-        for large, times in ((True, factor), (False, 1 / factor)):
-            if 0.9 * times < ratio < 1.1 * times:
-                yield causes.bare(name, large), fit.times(times)
+    for name, _, large, times in _both_ways(BARE):
+        if 0.9 * times < ratio < 1.1 * times:
+            yield causes.bare(name, large), fit.times(times)
     yield from _factors(fit, ratio, TENS)
 
 
@@ -116,12 +115,10 @@ def of_components(fit: Fit) -> Models:
     given, key, _ = fit.first
     if not len(off) < sum(map(bool, key)) or not all(key[n] for n in off):
         return
-    for words, factor in PURE.items():
-        for large, f in ((True, factor), (False, 1 / factor)):
-            if all(0.99 < given[n] / (f * key[n]) < 1.01 for n in off):
-                scales = [f if m in off else 1.0 for m in range(3)]
-                cause = causes.component_multiplied(off, words, factor, large)
-                yield cause, _signed(scales, fit.key)
+    for words, factor, large, f in _both_ways(PURE):
+        if all(0.99 < given[n] / (f * key[n]) < 1.01 for n in off):
+            scales = [f if m in off else 1.0 for m in range(3)]
+            yield causes.component_multiplied(off, words, factor, large), _signed(scales, fit.key)
 
 
 def of_none(fit: Fit) -> Models:
@@ -140,11 +137,15 @@ def _off(fit):
 
 
 def _factors(fit, ratio, found):
+    for words, factor, large, f in _both_ways(found):
+        if 0.9 * f < ratio < 1.1 * f:
+            yield causes.multiplied(words, factor, large), fit.times(f)
+
+
+def _both_ways(found):
+    """(words, factor, whether it is too large, by how much) of each factor and its inverse."""
     for words, factor in found.items():
-        if 0.9 * factor < ratio < 1.1 * factor:
-            yield causes.multiplied(words, factor, True), fit.times(factor)
-        if 0.9 / factor < ratio < 1.1 / factor:
-            yield causes.multiplied(words, factor, False), fit.times(1 / factor)
+        yield from ((words, factor, True, factor), (words, factor, False, 1 / factor))
 
 
 def of_matrix(fit: Fit) -> Models:
