@@ -7,6 +7,7 @@ import math
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from itertools import chain
 from typing import NamedTuple
 
 from . import causes
@@ -40,6 +41,11 @@ class OtherPart(NamedTuple):
         """The answers to this part that a cause would give."""
         yield from (x for c, x in self.wrong if c == cause)
         yield from (self.kind.like(x, self.given) for x in self.slips(cause))
+
+    def fits(self, x: Points) -> bool:
+        """True if a model explains the answer to this part."""
+        of_word = self.kind.is_word
+        return x == self.given if of_word else bool(Fit(self.given, self.key, self.kind.rtol)(x))
 
 
 class OtherParts:
@@ -80,15 +86,8 @@ class OtherParts:
 
     def explains(self, cause: Cause) -> int:
         """The number of other wrong parts that this mistake explains."""
-        return sum(
-            any(_fits(part, x) for x in part.models(cause))
-            for part in self._parts
-            if not part.right
-        )
-
-
-def _fits(part, x):
-    return x == part.given if part.kind.is_word else Fit(part.given, part.key, part.kind.rtol)(x)
+        wrong = (part for part in self._parts if not part.right)
+        return sum(any(map(part.fits, part.models(cause))) for part in wrong)
 
 
 def diagnose(
@@ -206,18 +205,15 @@ def _best(stages, elsewhere, sizes):
         return ()
     contradicted = {h.cause for hits in stages for h in hits if elsewhere.contradicts(h.cause)}
     possible = [[h for h in hits if h.cause not in contradicted] for hits in stages]
-    here = [
-        [h._replace(cause=in_this_part(h.cause)) for h in hits if h.cause in contradicted]
-        for hits in stages
-    ]
+    rest = ([h for h in hits if h.cause in contradicted] for hits in stages)
+    here = [[h._replace(cause=in_this_part(h.cause)) for h in hits] for hits in rest]
     # numbers in a formula, written in five digits, are never as close
     formulas = ([h for h in hits if len(h.points) > 1] for hits in here)
     best = _closest(possible) or _closest(here) or next(filter(None, [*possible, *formulas]), [])
     named = {h.cause.name for h in best if h.cause.group == "listed"}
     twins = [
         h
-        for hits in (*possible, *here)
-        for h in hits
+        for h in chain(*possible, *here)
         if h.cause.adds_to_others
         if not (h.cause.does == RESCALED and h.cause.subject in named)  # it says the same
         if any(_same(h.points, o.points, sizes) for o in best)
@@ -281,10 +277,8 @@ def _most_explaining(found, elsewhere):
     if len(found) < 2:
         return tuple(found)
     counts = {c: elsewhere.explains(c) for c in found}
-    most = max(counts.values())
-    return tuple(
-        c for c in found if counts[c] == most or c == CORIOLIS_HALVED or c.group == "factor"
-    )
+    most = {c for c in found if counts[c] == max(counts.values())}
+    return tuple(c for c in found if c in most or c == CORIOLIS_HALVED or c.group == "factor")
 
 
 def _stages(

@@ -64,13 +64,9 @@ class Watch:
 
     def start(self, info: object = None) -> None:
         """Before a cell: keep the values of all names."""
-        names = self.shell.user_ns
-        self.before = dict(names)
-        self.at_start = {
-            name: _Snapshot(names[name], giver, self.changers.get(name))
-            for name, giver in self.givers.items()
-            if name in names
-        }
+        self.before = names = dict(self.shell.user_ns)
+        given = ((name, giver) for name, giver in self.givers.items() if name in names)
+        self.at_start = {n: _Snapshot(names[n], giver, self.changers.get(n)) for n, giver in given}
 
     def end(self, result: Any) -> None:
         """After a cell: the names that it set were computed with the values at its start."""

@@ -78,10 +78,9 @@ class Kind:
 
     def _read(self, parts, value, form, symbols, budget):
         if len(parts) != self.length:
-            raise form.error(
-                plural("got {n} number: {value}", "got {n} numbers: {value}", len(parts),
-                   value=clipped(value))
-            )  # fmt: skip
+            given, n = clipped(value), len(parts)
+            got = plural("got {n} number: {value}", "got {n} numbers: {value}", n, value=given)
+            raise form.error(got)
         found = [self._component(x, form, symbols, budget) for x in parts]
         return found[0] if self.length == 1 else found
 
@@ -264,11 +263,8 @@ class VectorKind(Kind):
         """As for a kind: of {frame: tree} the components in each, if they are one vector."""
         if not isinstance(tree, dict) or not 0 < len(tree) <= FRAMES:
             return super().readings(tree, form, symbols, budget)
-        found = [
-            points
-            for part in tree.values()
-            for points in super(VectorKind, self).readings(part, form, symbols, budget)
-        ]
+        own = (super(VectorKind, self).readings(x, form, symbols, budget) for x in tree.values())
+        found = [*chain(*own)]
         if not are_one_vector(*found):
             raise TreeError("its components in two frames are those of two vectors")
         return found

@@ -145,14 +145,13 @@ class Slips:
         found = [n for n in found if ranked.slips[n][1].does == REVERSED]
         found = [n for n in found if ranked.ranks[n] == min(ranked.ranks[m] for m in found)]
         points = {n: self._points(key, n) for n in found[: FEW + 1]}
-        vanish = len(points) <= FEW and all(
-            max(map(abs, p)) <= NOISE * size
-            for own in points.values()
-            for p, size in zip(own, fit.sizes, strict=True)
-            if math.isfinite(size)
-        )
-        slips = ranked.slips
-        return [(slips[n][0] // 2, slips[n][1], fit.given) for n in points] if vanish else []
+        pairs = (pair for own in points.values() for pair in zip(own, fit.sizes, strict=True))
+        left = ((p, size) for p, size in pairs if math.isfinite(size))
+        if len(points) > FEW or not all(max(map(abs, p)) <= NOISE * size for p, size in left):
+            return []
+        return [
+            (level // 2, cause, fit.given) for level, cause in (ranked.slips[n] for n in points)
+        ]
 
     def _points(self, key, place):
         """The points of an answer with one slip."""

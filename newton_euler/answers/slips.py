@@ -51,11 +51,8 @@ def factors(stated_in: str) -> Mapping[str, float]:
         power = abs(float(length))
         found |= {words: factor**power for words, factor in LENGTHS.items()}
         less = Words("{units}, in one factor too few")
-        found |= {
-            Words(less, units=words): factor ** (power - 1)
-            for words, factor in LENGTHS.items()
-            if power > 1
-        }
+        fewer = {Words(less, units=words): f ** (power - 1) for words, f in LENGTHS.items()}
+        found |= fewer if power > 1 else {}
     return found | WEIGHTS if mass else found
 
 
@@ -275,20 +272,15 @@ def rates_as_scalars(fit: Fit, rates: Sequence[Points]) -> Models:
     """The sum of the sizes of ``rates``, a list of points of each, along the axis of each."""
     if len(rates) < 2 or fit.index is None:
         return
-    given, _, _ = fit.first
-    if not math.isclose(
-        sum(math.hypot(*rate[fit.index]) for rate in rates), math.hypot(*given), rel_tol=0.01
-    ):
+    whole = sum(math.hypot(*rate[fit.index]) for rate in rates)
+    if not math.isclose(whole, math.hypot(*fit.first[0]), rel_tol=0.01):
         return
     sizes = [[math.hypot(*point) for point in rate] for rate in rates]
     sums = [sum(column) for column in zip(*sizes, strict=True)]
     for points, own in zip(rates, sizes, strict=True):
         if all(own):
-            scaled = [s / size for s, size in zip(sums, own, strict=True)]
-            yield (
-                causes.AS_SCALARS,
-                tuple(tuple(x * f for x in p) for p, f in zip(points, scaled, strict=True)),
-            )
+            scaled = [(p, s / size) for p, s, size in zip(points, sums, own, strict=True)]
+            yield causes.AS_SCALARS, tuple(tuple(x * f for x in p) for p, f in scaled)
 
 
 def is_rounded(given: Points, key: Points) -> bool:
@@ -302,9 +294,8 @@ def is_rounded(given: Points, key: Points) -> bool:
         return False
     least = min(written(x)[1] for x in given[0] if x)
     # round-off counts as zero, for which a student writes 0
-    components = [
-        (k if abs(k) > NOISE * size else 0.0, x) for k, x in zip(key[0], given[0], strict=True)
-    ]
+    right = (k if abs(k) > NOISE * size else 0.0 for k in key[0])
+    components = [*zip(right, given[0], strict=True)]
     if any(k and not x for k, x in components):
         return False  # left out, more likely
     ways = (lambda k: float(f"{k:.1g}"), lambda k: float(f"{k:.2g}"), lambda k: round(k, -least))

@@ -270,14 +270,12 @@ class PracticeProblem(Guided):
             if verdict in ("right", "wrong"):
                 cause = next(iter(explained[key]), None)
                 self._progress.tried(self.id, self.number, key, verdict == "right", cause)
-        return CheckResult(
-            "\n".join(f"{key}: {text}" for key, text in sentences.items()),
-            "\n".join(f"- {_MARKS.get(verdicts[key], '')} `{key}` {self._read(key)}: {text}"
-                      for key, text in sentences.items()),
-            verdicts,
-            explained,
-            sentences,
-        )  # fmt: skip
+        text = "\n".join(f"{key}: {words}" for key, words in sentences.items())
+        marks = {
+            key: f"{_MARKS.get(v, '')} `{key}` {self._read(key)}" for key, v in verdicts.items()
+        }
+        markdown = "\n".join(f"- {marks[key]}: {words}" for key, words in sentences.items())
+        return CheckResult(text, markdown, verdicts, explained, sentences)
 
     def _read(self, key):
         form, tree = self._asked[key].form, self._trees[key]
@@ -304,12 +302,9 @@ class PracticeProblem(Guided):
         given, kind = self._found[key].given, self._asked[key].kind
         if kind.is_word:
             return False
-        right = kind.like(self._numbers.key[key], given)
-        least = EARLY * math.hypot(*right[0])
-        return any(
-            abs(x - k) > max(least, 2 * rounding((x,)))
-            for x, k in zip(given[0], right[0], strict=True)
-        )
+        (right,) = kind.like(self._numbers.key[key], given)
+        least, pairs = EARLY * math.hypot(*right), zip(given[0], right, strict=True)
+        return any(abs(x - k) > max(least, 2 * rounding((x,))) for x, k in pairs)
 
     # -- help
 
