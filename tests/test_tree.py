@@ -1,5 +1,6 @@
 """What the repository holds: nothing by accident."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -33,3 +34,19 @@ def test_file_names_are_plain_and_of_known_kinds():
     for path in tracked():
         assert not any(part.startswith("-") or part != part.strip() for part in path.parts), path
         assert path.suffix in KINDS, path
+
+
+PATH = r"(?<![\w…/.-])[\w/-]+(?:\.(?:py|toml|po|yaml|txt|md\.j2|md)\b|/(?=[\s`,;:.)]|$))"
+
+
+def test_each_path_that_the_architecture_names_exists():
+    """A path may begin at any folder; ``_givens.py`` is the end of a name like the one before it."""
+    text = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
+    named = set(re.findall(PATH, text.replace("/es", "/de")))  # Spanish, a language to add
+    files = tracked()
+    folders = {f"/{folder}/" for path in files for folder in path.parents}
+    ends = (*folders, *(f"/{path}" for path in files))
+    assert len(named) > 150
+    assert not [
+        p for p in named if not any(e.endswith(p if p[0] == "_" else f"/{p}") for e in ends)
+    ]

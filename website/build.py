@@ -90,7 +90,7 @@ def build(
         (pages / ".nojekyll").touch()  # without it GitHub leaves out folders like _static
         shutil.copytree(pages, _emptied(Path(out)), dirs_exist_ok=True)
     without = [f"outputs of {c.stem}" for c in found if ran[c.stem] is None]
-    return without + ["engine (npm does not reach Pyodide)"] * (with_engine and not python)
+    return without + ["engine (npm cannot reach Pyodide)"] * (with_engine and not python)
 
 
 def _emptied(folder):

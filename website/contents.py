@@ -35,7 +35,7 @@ def page(
     }
     count = sum(len(problems(name)) for name in problem_names)
     return rendered(
-        "index.md", title=_(TITLE), count=count, moving=landing.moving(), question=question,
+        "index.md", title=_(TITLE), count=count, moving=landing.moving_figure(), question=question,
         chapters=map(_chapter, chapters), problems=map(_problems, problem_names),
         reference=reference, version=__version__, trees=trees,
     )  # fmt: skip

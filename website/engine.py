@@ -35,13 +35,13 @@ def write(out: Path, found: dict[str, bytes], packages: str = "") -> None:
     (folder / python).mkdir(parents=True)
     for name, contents in found.items():
         (folder / python / name).write_bytes(contents)
-    package = put(folder, packed(ROOT / "newton_euler", *ON_PAGES), ".zip", "newton_euler-")
+    package = put(folder, zipped(ROOT / "newton_euler", *ON_PAGES), ".zip", "newton_euler-")
     about = {
         "python": f"{python}/",
         "package": package,
         "bytes": sum(map(len, found.values())) + (folder / package).stat().st_size,
         "later": {
-            name: [put(folder, packed(path), ".zip", f"{path.name}-") for path in paths]
+            name: [put(folder, zipped(path), ".zip", f"{path.name}-") for path in paths]
             for name, paths in _later().items()
         },
         "packages": packages and f"{packages.rstrip('/')}/",
@@ -56,7 +56,7 @@ def _later():
     return {"mpmath": [folders["mpmath"]], "sympy": [*folders.values()]}
 
 
-def packed(package: Path, *others: Path) -> bytes:
+def zipped(package: Path, *others: Path) -> bytes:
     """A package as a zip, with other files beside it, the same for the same files."""
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:

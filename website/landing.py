@@ -23,7 +23,7 @@ TERMS = "relative", "coriolis", "centripetal"
 WRONG = 1, -1, 0, 0.5, -0.5, 2, -2
 
 
-def moving() -> str:
+def moving_figure() -> str:
     """The figure of 4/16 at many angles, one of them visible, with the terms at each."""
     p = problem("4/16")
     values = draw(p, practice_seed(p, 0))  # numbers of a public set

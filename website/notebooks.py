@@ -50,7 +50,7 @@ def chapters(names: Collection[str] = (), folder: Path = FOLDER) -> list[Chapter
     """
     found = [Chapter(path) for path in folder.glob("*.ipynb")]
     found = [c for c in found if not names or {c.name, c.stem} & {*names}]
-    return sorted(found, key=lambda c: place(c.stem))
+    return sorted(found, key=lambda c: sort_key(c.stem))
 
 
 def translation(chapter: Chapter, name: str) -> Chapter | None:
@@ -75,6 +75,6 @@ def _hash(cell):
     return hashlib.sha256("".join(cell["source"]).encode()).hexdigest()[:12]
 
 
-def place(name: str) -> tuple[int, str]:
+def sort_key(name: str) -> tuple[int, str]:
     """For sorting: chapters, other notebooks, appendices."""
     return 0 if re.match(r"ch\d", name) else 2 if re.match(r"app[A-Z]", name) else 1, name

@@ -13,7 +13,7 @@ from grader.assignment.notebook import definitions, slug, statement, typeset
 from newton_euler.algebra.language import _, language
 
 from .kept import CACHE, Start, complete, fingerprint, kept_name
-from .notebooks import place
+from .notebooks import sort_key
 from .rendering import rendered
 
 IMAGE = re.compile(r"!\[(?:[^\\\]]|\\.)*\]\(attachment:figure\.png\)")
@@ -26,7 +26,7 @@ FIGURE = """```{{raw}} html
 def names(wanted: Collection[str] = ()) -> list[str]:
     """The chapters that have problems, in the order of the book."""
     found = [c for c in chapters() if not wanted or c in wanted]
-    return sorted(found, key=lambda c: place(c)[0])
+    return sorted(found, key=lambda c: sort_key(c)[0])
 
 
 def page(name: str, notebook: str = "") -> str:

@@ -8,7 +8,7 @@ from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.kinematics.paths import along
-from newton_euler.scenes.closed_forms.harmonic import turned
+from newton_euler.scenes.closed_forms.harmonic import rotated
 
 from .sliding import with_sliders
 
@@ -200,7 +200,7 @@ def curvature_of_the_jet(ax, build, percent):
     centre = moved(place, 1, out)
     s = Sketch(ax, ground, plane="xy", arrows=90)
     s.path(places)
-    start = moved(centre, 1, (*turned(*out[:2], math.pi + 0.5), 0))
+    start = moved(centre, 1, (*rotated(*out[:2], math.pi + 0.5), 0))
     s.path(s.around(centre, start, (0, 0, -1), 1.0), style="dashed")
     s.line(place, centre)
     s.dot(centre)

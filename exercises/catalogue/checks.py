@@ -13,7 +13,7 @@ from newton_euler.algebra.scalars import SingularError, max_abs
 from newton_euler.algebra.units import Dimension, DimensionError, unit
 from newton_euler.algebra.vectors import Vector
 
-from .errors import explained, meant
+from .errors import error_sentence, meant
 from .following import earlier_answers, follow
 from .model import CatalogueError, Problem
 from .overlooked import overlooked
@@ -45,7 +45,7 @@ def check(p: Problem, seeds: int = 1) -> list[str]:
     except CatalogueError as error:
         return [str(error)]
     except Exception as error:  # problem code may raise anything
-        return [explained(p.id, error)]
+        return [error_sentence(p.id, error)]
 
 
 class _Proof:
@@ -165,7 +165,7 @@ def _dimensions(p):
     try:
         answers = p.code.solve(p.dimensions())
     except DimensionError as error:
-        return [f"solve adds unlike quantities: {explained(p.id, error)}"]
+        return [f"solve adds unlike quantities: {error_sentence(p.id, error)}"]
     faults = []
     for key, answer in answers.items():
         a = p.answer(key)

@@ -10,7 +10,7 @@ from pathlib import Path
 from newton_euler.algebra.names import nearest
 
 from .model import Givens
-from .places import EXERCISES, home, homes, place
+from .places import EXERCISES, folder_and_file, home, homes
 
 
 def meant(name: object, known: Iterable[str], form: str = "{}") -> str:
@@ -19,9 +19,9 @@ def meant(name: object, known: Iterable[str], form: str = "{}") -> str:
     return f"; did you mean {form.format(found)}?" if found else ""
 
 
-def explained(problem_id: str, error: Exception) -> str:
+def error_sentence(problem_id: str, error: Exception) -> str:
     """The error as a sentence, with the line of the problem's own code in which it was raised."""
-    folder = home(place(problem_id)[0])
+    folder = home(folder_and_file(problem_id)[0])
     frames = list(traceback.walk_tb(error.__traceback__))
     own = [f for f in frames if Path(f[0].f_code.co_filename).parent == folder]
     if isinstance(error, SyntaxError) and len(error.args) > 1:
@@ -41,7 +41,7 @@ def of_own_problem(error: Exception) -> str:
     for file, line in reversed(re.findall(r'File "([^"\n]+)", line (\d+)', text)):
         folder = Path(file).parent
         if folder.parent != EXERCISES and homes().get(folder.name) == folder:
-            words = explained(f"{folder.name}/1", error)  # any problem of its chapter
+            words = error_sentence(f"{folder.name}/1", error)  # any problem of its chapter
             return words if _tail(file) in words else f"{_tail(file)}, line {line}: {words}"
     return ""
 

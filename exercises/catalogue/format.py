@@ -12,7 +12,7 @@ from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.sanity import QUANTITIES
 
 from .errors import meant
-from .model import Answer, CatalogueError, Chapter, Given, Problem, Symbol, place
+from .model import Answer, CatalogueError, Chapter, Given, Problem, Symbol, folder_and_file
 
 # angles away from 0 and 90 degrees, where different formulas may agree
 SYMBOL_RANGES = {"rad": (0.25, 1.1), "deg": (15, 65)}
@@ -66,7 +66,7 @@ def read_problem(entry: Any, path: Path) -> Problem:
 
 
 def _check_place(problem_id, path):
-    folder, stem = place(problem_id)
+    folder, stem = folder_and_file(problem_id)
     if (folder, stem) == (path.parent.name, path.stem):
         return
     home = f"{folder}/{stem}.yaml"
@@ -206,7 +206,7 @@ def _check_keys(entry, what, needed, optional):
         close = meant(unknown[0], (*needed, *optional))
         raise CatalogueError(f"{what} has the unknown key {unknown[0]!r}; {keys}{close}")
     for key in needed:
-        _require(key in entry, f"{what} lacks the key {key!r}; {keys}")
+        _require(key in entry, f"{what} needs the key {key!r}; {keys}")
 
 
 def _text(entry, key):

@@ -17,7 +17,7 @@ from newton_euler.answers.kinds import Kind
 from newton_euler.answers.notation import symbol
 from newton_euler.answers.tolerance import RTOL
 
-from .places import CatalogueError, home, place
+from .places import CatalogueError, folder_and_file, home
 from .units import in_unit, system_of
 from .words import word, words_at
 
@@ -187,12 +187,12 @@ class Problem:
     @property
     def chapter(self) -> str:
         """The folder and name of its chapter: "ch04"."""
-        return place(self.id)[0]
+        return folder_and_file(self.id)[0]
 
     @property
     def name(self) -> str:
         """The name of its files in that folder: "p16"."""
-        return place(self.id)[1]
+        return folder_and_file(self.id)[1]
 
     @cached_property
     def code(self) -> Code:
@@ -269,7 +269,7 @@ class Problem:
         unknown = [n for n in values if n not in units]
         if missing or unknown:
             what = (
-                f"lacks {', '.join(missing)}"
+                f"needs {', '.join(missing)}"
                 if missing
                 else f"has no {', '.join(unknown)}; it has {', '.join(units) or 'no numbers'}"
             )

@@ -4,7 +4,7 @@ import random
 import re
 from collections.abc import Iterator
 
-from .errors import explained, meant
+from .errors import error_sentence, meant
 from .model import Problem
 from .sections import headings
 from .variants import Hides, at_points, distance, drawn_value, flat, objection
@@ -51,8 +51,8 @@ def _in_texts(p: Problem) -> Iterator[str]:
             yield f"section {number} is not in the chapters{known}"
     if not p.figure and callable(getattr(p.code, "draw", None)):
         yield (
-            f"{p.name}.py has draw, but {p.name}.yaml lacks figure:, the text for those who cannot "
-            "see it"
+            f"{p.name}.py has draw, but {p.name}.yaml has no figure:, the text for those who "
+            "cannot see it"
         )
 
 
@@ -202,7 +202,7 @@ def missing_in_figure(p: Problem) -> list[str]:
     try:
         labels = _labels(p) if p.figure else []
     except Exception as error:  # the code of a problem may raise anything
-        return [explained(p.id, error)]
+        return [error_sentence(p.id, error)]
     if not p.figure:
         return []
     shown = " ".join(labels)

@@ -24,7 +24,7 @@ class CatalogueError(ValueError):
     """A problem that does not exist, or whose text, data and code do not fit together."""
 
 
-def place(problem_id: str) -> tuple[str, str]:
+def folder_and_file(problem_id: str) -> tuple[str, str]:
     """Folder and file of a problem: ("ch04", "p16") of "4/16", ("bridge", "p03") of "bridge/3"."""
     found = re.fullmatch(r"([1-9]\d*|[AB]|[a-z][a-z0-9_]*)/([1-9]\d*)", str(problem_id), re.A)
     if not found or re.match(r"(ch\d+|app[a-z])/", str(problem_id)):
@@ -81,7 +81,7 @@ def home(chapter: str) -> Path:
 
 def files_of(problem_id: str) -> list[Path]:
     """The two files of a problem, and the code shared by those of a course's own chapter."""
-    return files_at(*place(problem_id))
+    return files_at(*folder_and_file(problem_id))
 
 
 def files_at(chapter: str, name: str) -> list[Path]:

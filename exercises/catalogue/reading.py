@@ -13,7 +13,7 @@ import yaml
 from .errors import meant
 from .format import read_chapter, read_problem
 from .loading import load, not_yaml
-from .model import CatalogueError, Chapter, Problem, place
+from .model import CatalogueError, Chapter, Problem, folder_and_file
 from .places import EXERCISES, changes, files_at, home, homes
 from .translations import translated, translated_chapter
 
@@ -58,7 +58,7 @@ def problem(problem_id: str) -> Problem:
     """The problem ``problem("4/16")``, in the reader's language; only its own file is read. It is
     the same object until one of its files changes, so what is computed of it is kept by the object.
     """
-    name, stem = place(problem_id)
+    name, stem = folder_and_file(problem_id)
     if (home(name) / f"{stem}.yaml").exists():
         return translated(_problem_at(name, stem))
     if name in chapters():

@@ -10,7 +10,7 @@ import yaml
 
 from .format import OPTIONAL, read_problem
 from .loading import load, not_yaml
-from .model import CatalogueError, place
+from .model import CatalogueError, folder_and_file
 from .places import EXERCISES
 
 WIDTH = 160  # of a line of text
@@ -38,7 +38,7 @@ def write_chapter(
     target = (folder or EXERCISES) / name
     files = {}
     for entry in entries:
-        stem = place(entry["id"])[1]
+        stem = folder_and_file(entry["id"])[1]
         text = problem_yaml(entry)
         try:
             read_problem(load(text), target / f"{stem}.yaml")
@@ -67,7 +67,7 @@ def _entries(name, spec, only):
         raise CatalogueError(f"{spec} is not in UTF-8; save the file as UTF-8") from error
     if not (isinstance(found, list) and all(isinstance(e, dict) for e in found)):
         raise CatalogueError(f"{spec} must be a YAML list of problems, each beginning with - id:")
-    found = [e for e in found if place(e.get("id"))[0] == name]
+    found = [e for e in found if folder_and_file(e.get("id"))[0] == name]
     unknown = set(only) - {e["id"] for e in found}
     if unknown or not found:
         ids = ", ".join(e["id"] for e in found) or "none"

@@ -109,6 +109,6 @@ def _found(word, e):
     return word.lower() in exact or re.search(rf"\b{re.escape(word.lower())}", e.words) is not None
 
 
-def chosen(problems: Iterable[Problem], wanted: Wanted) -> list[ProblemEntry]:
+def matching(problems: Iterable[Problem], wanted: Wanted) -> list[ProblemEntry]:
     """The entries that match."""
     return [e for e in map(entry, problems) if wanted.has(e)]

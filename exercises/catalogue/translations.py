@@ -12,7 +12,7 @@ from newton_euler.algebra.language import ENGLISH, language
 
 from .loading import load
 from .model import CatalogueError, Chapter, Problem
-from .places import home, place
+from .places import folder_and_file, home
 
 TEXTS = "title", "text", "figure", "frame"
 MEANINGS = "givens", "answers", "because", "steps", "mistakes"
@@ -20,7 +20,7 @@ MEANINGS = "givens", "answers", "because", "steps", "mistakes"
 
 def file_of(problem_id: str, name: str) -> Path:
     """The file of a problem's texts in the named language."""
-    chapter, stem = place(problem_id)
+    chapter, stem = folder_and_file(problem_id)
     return home(chapter) / name / f"{stem}.yaml"
 
 

@@ -18,7 +18,7 @@ _WORD = r"\\text\{[^{}]*\}(?:_(?:\w|\{(?:[^{}]|\{[^{}]*\})*\}))?(?:\^\{[^{}]*\})
 _BESIDE_WORD = re.compile(rf"(?P<word>{_WORD}) (?=[\\\w])|(?<=[\w}}]) (?=\\text)")
 
 
-def written(
+def formula_text(
     formula: Any,
     names: Mapping[str, str],
     latex: bool,

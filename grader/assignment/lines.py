@@ -27,7 +27,7 @@ from newton_euler.answers.tolerance import NOISE
 
 from .cells import Values
 from .derivations import SHEETS, Derivation, component, derivations
-from .formulas import coherent, numerals, written
+from .formulas import coherent, formula_text, numerals
 from .layout import as_drawn, in_reading_order
 from .tidy import integrated, is_atom, simplest
 
@@ -184,7 +184,8 @@ class _Writer:
 
     def _rows(self, pairs, named, numbers=False):
         return tuple(
-            " = ".join(written(f, named(f), self.latex, numbers) for f in pair) for pair in pairs
+            " = ".join(formula_text(f, named(f), self.latex, numbers) for f in pair)
+            for pair in pairs
         )
 
     def _name(self, s):
@@ -209,7 +210,8 @@ class _Writer:
         free = {x.name for f in formulas for x in f.free_symbols}
         degrees = "deg" in (s.unit, *(self.units.get(n) for n in free))
         plain = self._whole(formulas, s.key) or self._joined(
-            [written(f, self._called(f), self.latex, degrees=degrees) for f in formulas], s.kind
+            [formula_text(f, self._called(f), self.latex, degrees=degrees) for f in formulas],
+            s.kind,
         )
         if s.key in self.sums:  # the terms are shown above
             plain = ""
@@ -222,7 +224,7 @@ class _Writer:
         names = numerals({n: self.numbers[n] for n in self.names if n in free}, bare, self.latex)
         formulas = [integrated(sympy.sympify(f.xreplace(self._nothing(f)))) for f in formulas]
         text = self._joined(
-            [written(f, names, self.latex, True, degrees) for f in formulas], s.kind
+            [formula_text(f, names, self.latex, True, degrees) for f in formulas], s.kind
         )
         return plain, text if len(text) <= LONGEST else ""
 
@@ -331,7 +333,7 @@ def latex_of(value: Any, notation: Mapping[str, str], sheets: Sequence[Any] = ()
         return number_symbol(value if isinstance(value, int) else float(value))
     others = sorted({x.name for x in value.free_symbols} - {*notation})
     names = {**notation, **{n: symbol(n) for n in others}}
-    return written(as_drawn(simplest(value), sheets), names, latex=True)
+    return formula_text(as_drawn(simplest(value), sheets), names, latex=True)
 
 
 def formatted(
@@ -348,4 +350,4 @@ def formatted(
         return str(value)
     if is_numeric(value) or not value.free_symbols:
         return six_digits(float(value))
-    return written(as_drawn(simplest(value), sheets), {n: n for n in names}, latex=False)
+    return formula_text(as_drawn(simplest(value), sheets), {n: n for n in names}, latex=False)

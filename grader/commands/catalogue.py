@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from .shared import FILE, console, counted, course_option, names_or_all
+from .shared import FILE, console, course_option, names_or_all, step_counter
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -81,7 +81,7 @@ def problems(
     problems --equation 4.18 --kind vector --minutes -20
     problems --course ~/mechanics --right -50    those in which half of the points were lost
     """
-    from exercises.catalogue.survey import ProblemEntry, Wanted, chosen
+    from exercises.catalogue.survey import ProblemEntry, Wanted, matching
     from newton_euler.answers.kinds import KINDS
 
     from ..assignment.chosen import named
@@ -99,9 +99,9 @@ def problems(
         tuple((words or "").split()), limits,
     )  # fmt: skip
     found: list[ProblemEntry] = []
-    with counted("reading problems", len(asked)) as done:
+    with step_counter("reading problems", len(asked)) as done:
         for p in asked:
-            found += chosen([p], wanted)
+            found += matching([p], wanted)
             done()
     earned = measured(course) if course else {}
     if right:
@@ -156,7 +156,7 @@ def preview(
     from ..reports import preview_page, preview_text
 
     chosen, found = named(names, course), []
-    with counted("solving and drawing", len(chosen)) as done:
+    with step_counter("solving and drawing", len(chosen)) as done:
         for p, options in chosen.items():
             found.append(previewed(p, options))
             done()

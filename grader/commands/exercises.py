@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 from rich.markup import escape
 
-from .shared import FOLDER, SEED, console, count_option, counted, names_or_all, progress_bar
+from .shared import FOLDER, SEED, console, count_option, names_or_all, progress_bar, step_counter
 
 
 @click.command()
@@ -233,7 +233,7 @@ def diagnose(names: tuple[str, ...], draws: int, practice: bool) -> None:
     from ..reports import RANDOM, SLIP_OUTCOMES, diagnosis_shares, shares_table, slip_shares
 
     problems = select(names_or_all(names))
-    with counted("making mistakes", len(problems)) as done:
+    with step_counter("making mistakes", len(problems)) as done:
         if practice:
             found, took = practice_shares(problems, draws, done)
         else:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import click
 
 from .courses import ID_COLUMN
-from .shared import FOLDER, ONLY, POINTS, amount, counted, course_option
+from .shared import FOLDER, ONLY, POINTS, amount, course_option, step_counter
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -72,7 +72,7 @@ def paper(
         )
     home = course.path / "paper" / spec.name if course else Path(f"{spec.name}-paper")
     folder = folder or home
-    with counted("writing", len(set(key_for) or class_)) as done:
+    with step_counter("writing", len(set(key_for) or class_)) as done:
         written = write_papers(folder, spec, class_, course, key_for, done=done)
     if written.sheets:
         click.echo(f"{amount(len(written.sheets), 'sheet')} in {folder / 'sheets'}")

@@ -12,9 +12,9 @@ from .shared import (
     class_numbers,
     console,
     count_option,
-    counted,
     course_option,
     progress_bar,
+    step_counter,
 )
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ def sets(folder: Path | None, course: Path | None) -> None:
     from ..practice.public import SETS, write_public
 
     folder = folder or SETS
-    with counted("solving and drawing", len(select(["all"]))) as done:
+    with step_counter("solving and drawing", len(select(["all"]))) as done:
         left = write_public(folder, course=course, done=done)
     for x in left:
         console.print(f"[yellow]{x.problem}[/] left out: {x.why}")

@@ -168,7 +168,7 @@ def amount(n: int, what: str) -> str:
 
 
 @contextlib.contextmanager
-def counted(what: str, total: float) -> Iterator[Callable[..., None]]:
+def step_counter(what: str, total: float) -> Iterator[Callable[..., None]]:
     """A function to call after each of ``total`` steps, or with the amount done, shown by a
     :func:`progress_bar`.
     """

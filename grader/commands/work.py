@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 from rich.panel import Panel
 
-from .shared import COURSE, PROBLEMS, STUDENTS, console, counted, progress_bar
+from .shared import COURSE, PROBLEMS, STUDENTS, console, progress_bar, step_counter
 
 if TYPE_CHECKING:
     from ..course import Course
@@ -55,7 +55,7 @@ def personal(
     """
     from ..assignment import make_personal_copies
 
-    with counted("figures", 1.0) as done:
+    with step_counter("figures", 1.0) as done:
         paths = make_personal_copies(
             course, assignment, students or None, done, right_or_wrong=right_or_wrong
         )
@@ -240,7 +240,7 @@ def demo(course_path: Path, only: tuple[str, ...]) -> None:
     """
     from ..demo import run_demo
 
-    run_demo(course_path, _chapter_of(only), only, console, progress_bar, counted)
+    run_demo(course_path, _chapter_of(only), only, console, progress_bar, step_counter)
 
 
 def _chapter_of(only):

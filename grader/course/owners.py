@@ -55,12 +55,12 @@ class Person:
     def read(cls, student: "Student") -> "Person":
         """The words of a student on the roster."""
         mail, number = student.email or "", student.lms_user_id or ""
-        ids = tuple(w for x in (student.id, number, mail.partition("@")[0]) if (w := words(x)))
+        ids = tuple(w for x in (student.id, number, mail.partition("@")[0]) if (w := words_of(x)))
         both = student.first_name and student.last_name
-        name = words(f"{student.first_name} {student.last_name}") if both else ()
+        name = words_of(f"{student.first_name} {student.last_name}") if both else ()
         joined = permutations(name) if 0 < len(name) <= LONGEST_NAME else ()
         names = frozenset(map("".join, joined))
-        own = names.union(words(mail), name, *ids)
+        own = names.union(words_of(mail), name, *ids)
         return cls(ids, name, names, own, number)
 
     def is_named(self, found: Words, silent: frozenset[str]) -> bool:
@@ -78,7 +78,7 @@ def _is_silent(word, silent, digits=4):
     return word in silent or (word.isdigit() and len(word) <= digits)
 
 
-def words(text: str) -> Words:
+def words_of(text: str) -> Words:
     """Words in lower case without accents: ("jane", "doe", "4711") of "Doé_Jane-4711"."""
     plain = unicodedata.normalize("NFKD", text)
     plain = "".join(c for c in plain if not unicodedata.combining(c))
@@ -104,7 +104,7 @@ class Candidates:
 
     def tells(self, part: str) -> bool:
         """True if the name of a folder or file identifies an owner."""
-        silent = all(_is_silent(w, self.silent) for w in words(part))
+        silent = all(_is_silent(w, self.silent) for w in words_of(part))
         return not silent or bool(_of_platform(part) or self.named_in(part))
 
     def named_in(self, part: str, common: frozenset[str] = frozenset()) -> list[str]:
@@ -113,10 +113,10 @@ class Candidates:
         who, number, titled = _who(part, match)
         if number and (known := [s for s, p in self.people.items() if p.number == number]):
             return known
-        found = tuple(w for w in words(who) if w not in common)
+        found = tuple(w for w in words_of(who) if w not in common)
 
         def named(silent):
-            spelled = found, words(_BEFORE_DIGITS.sub("", who))  # "ada 2" may be of ada2
+            spelled = found, words_of(_BEFORE_DIGITS.sub("", who))  # "ada 2" may be of ada2
             return [s for s, p in self.people.items() if not (number and p.number)
                     if any(p.is_named(x, silent) for x in spelled)]  # fmt: skip
 
@@ -132,7 +132,9 @@ class Candidates:
         found = self.named_in(first) or self.named_in(first, common)
         if not self.tells(first):
             # the name of the assignment identifies no one, even if it is also an id
-            parts = {w for part in (*folders, own) if not self.title.issuperset(w := words(part))}
+            parts = {
+                w for part in (*folders, own) if not self.title.issuperset(w := words_of(part))
+            }
             found = [s for s, p in self.people.items() if not parts.isdisjoint(p.ids)]
         others = [s for part in inner if found for s in self.named_in(part)]
         return list(dict.fromkeys([*found, *others]))
@@ -160,7 +162,7 @@ def owners(
     A folder of all files holds the work of a class if its name is not a platform's for one student
     and identifies no one, and its content belongs to two or more students.
     """
-    candidates = Candidates(people, frozenset(words(assignment)))
+    candidates = Candidates(people, frozenset(words_of(assignment)))
     paths = {n: PurePosixPath(_SUFFIX.sub("", n).replace("\\", "/")).parts for n in names}
     lead = _shared(path[:-1] for path in paths.values())
     inside = _owners({n: path[len(lead) :] for n, path in paths.items()}, candidates)
@@ -171,7 +173,7 @@ def owners(
 
 def _owners(paths, candidates):
     telling = {next(filter(candidates.tells, folders), own) for *folders, own in paths.values()}
-    common = _common({words(_who(part, _of_platform(part))[0]) for part in telling})
+    common = _common({words_of(_who(part, _of_platform(part))[0]) for part in telling})
     return {n: candidates.owners(folders, own, common) for n, (*folders, own) in paths.items()}
 
 

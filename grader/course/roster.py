@@ -124,7 +124,7 @@ def _rows(path, content, separator):
     try:
         for fields in reader:
             if any("\n" in field for field in fields):
-                raise csv.Error(f"a field goes on in line {reader.line_num}")
+                raise csv.Error(f"a field continues in line {reader.line_num}")
             if any(field.strip() for field in fields):
                 rows.append((line, [field.strip() for field in fields]))
             line = reader.line_num + 1

@@ -14,7 +14,7 @@ from pathlib import Path, PurePosixPath
 from .files import write_bytes, write_text
 from .folder import Course
 from .identity import CourseError, seen_as
-from .owners import Person, owners, words
+from .owners import Person, owners, words_of
 
 # zipfile bounds what these methods unpack; with others 600 bytes may become a gigabyte
 METHODS = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
@@ -95,7 +95,7 @@ def _chosen(entries, assignment, people, result):
         result.refused.append((entry.filename, why or f"its name fits {whose}"))
     chosen = {}
     for student, own in found.items():
-        named = [e for e in own if {*words(assignment)} <= {*words(e.filename)}]
+        named = [e for e in own if {*words_of(assignment)} <= {*words_of(e.filename)}]
         candidates = named or own
         why = f"one of {len(candidates)} that fit {student}; leave the right one in the archive"
         if len(candidates) == 1:

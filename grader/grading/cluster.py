@@ -39,7 +39,7 @@ KEPT = "grade again: finished runs are kept and not repeated"
 NEW_WORKERS = "see their messages, and start others"
 OTHERS = "and the others do its work"
 END_IT = "end its process"
-HUNG = "could not be graded: two workers hung at it. An earlier grade stays as it is"
+HUNG = "could not be graded: two workers hung on it. An earlier grade stays as it is"
 
 
 # grades the students: {student: (result, what to write into the gradebook)}

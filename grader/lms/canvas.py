@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from html import escape
 
-from .package import packed, xml
+from .package import archive_of, xml
 from .pages import asked, html, platform_number
 from .questions import Blank, Question, QuestionPart
 
@@ -31,7 +31,7 @@ def write(name: str, questions: Iterable[Question]) -> bytes:
     quiz = xml("canvas", namespace=NAMESPACE, name=name, groups=groups, number=platform_number)
     resources = [("quiz", "imsqti_xmlv1p2", [path])]
     resources += [(f"figure-{n}", "webcontent", [f]) for n, f in enumerate(figures)]
-    return packed(name, {path: quiz, **figures}, resources, "IMS Content", "1.1.3")
+    return archive_of(name, {path: quiz, **figures}, resources, "IMS Content", "1.1.3")
 
 
 @dataclass(frozen=True)

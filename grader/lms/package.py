@@ -26,7 +26,7 @@ def _templates():
     return Environment(loader=folder, autoescape=True, trim_blocks=True, lstrip_blocks=True)
 
 
-def packed(
+def archive_of(
     name: str,
     files: Mapping[str, bytes],
     resources: Iterable[tuple[str, str, list[str]]],

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from html import escape
 
-from .package import packed, xml
+from .package import archive_of, xml
 from .pages import asked, html, platform_number
 from .questions import Question
 
@@ -23,7 +23,7 @@ def write(name: str, questions: Iterable[Question]) -> bytes:
             files[f"items/{q.ident}.png"] = q.figure
             used.append(f"items/{q.ident}.png")
         resources.append((q.ident, "imsqti_item_xmlv2p1", used))
-    return packed(name, files, resources, "QTIv2.1 Package", "1.0.0")
+    return archive_of(name, files, resources, "QTIv2.1 Package", "1.0.0")
 
 
 def _item(q):

@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 
 from ..course import Course
-from .records import entries, questions, student_rows
+from .records import part_scores, questions, student_rows
 
 # a spreadsheet may run a text that begins with these, or has them after a character that ends a
 # cell in another locale, perhaps behind quotes and invisible characters
@@ -37,7 +37,7 @@ def _parts(course, assignment, found, maximum):
         "student", "last_name", "first_name", "problem", "part", "points", "out_of", "verdict",
         "message", "diagnosis",
     )  # fmt: skip
-    parts = entries(course, assignment)
+    parts = part_scores(course, assignment)
     for e in (*parts, *questions(course, assignment, parts)):
         person = people.get(e.student)
         names = (person.last_name, person.first_name) if person else ("", "")

@@ -3,14 +3,14 @@
 from collections import defaultdict
 
 from ..course import Course
-from .records import entries
+from .records import part_scores
 
 
 def measured(course: Course) -> dict[str, tuple[float, int]]:
     """{problem: (mean share of its points, number of sheets)} over all graded work."""
     earned: defaultdict[str, dict[tuple[str, str], list[float]]] = defaultdict(dict)
     for folder in sorted((course.path / "scores").glob("*/")):
-        for e in entries(course, folder.name) if any(folder.glob("*.json")) else ():
+        for e in part_scores(course, folder.name) if any(folder.glob("*.json")) else ():
             points = earned[e.problem].setdefault((folder.name, e.student), [0.0, 0.0])
             points[0], points[1] = points[0] + e.points, points[1] + e.out_of
     shares = {

@@ -33,7 +33,7 @@ class PartScore:
 OF_A_PART = PartScore.__dataclass_fields__.keys() - {"student", "problem"}
 
 
-def entries(course: Course, assignment: str) -> list[PartScore]:
+def part_scores(course: Course, assignment: str) -> list[PartScore]:
     """The :class:`PartScore` of every part of every graded submission, by student."""
     found = []
     for path in sorted((course.path / "scores" / assignment).glob("*.json")):

@@ -18,7 +18,7 @@ from newton_euler.algebra.trace import Inner, Step
 from newton_euler.algebra.units import SI, US, Dimension, unit
 from newton_euler.algebra.vectors import Vector
 
-from ..scoring.slips.formulas import dimensions_of, needed
+from ..scoring.slips.formulas import dimensions_of, steps_needed
 from .setups_made import of_setups
 
 OPERATIONS = operations(scalars) | {"pi": scalars.pi}
@@ -49,7 +49,7 @@ class ProblemFormulas:
         for a in (a for a in p.answers if not a.kind.is_word):
             factor = unit(a.unit).from_base(1.0, p.system)
             self.answers[a.key] = [(x, factor) for x in found.components[a.key]]
-        self.steps = needed(x for parts in self.answers.values() for x, _ in parts)
+        self.steps = steps_needed(x for parts in self.answers.values() for x, _ in parts)
         self.own = US if any(unit(u).is_of_feet for u in p.units.values()) else SI
         self.metres = 0.3048 if self.own is US else 1.0
         stated = {unit(u) for u in (*p.units.values(), *(found.units[k] for k in self.answers))}
@@ -300,7 +300,7 @@ def _going_on(f, base, right, rng):
     choices = [e for every in edits(f, base).values() for e in every]
     for key, edit in _wrong_numbers(f, right, rng):
         follows, later = _later(f, base, right, key, edit)
-        before = {s.number for s in needed(x for x, _ in f.answers[key])}
+        before = {s.number for s in steps_needed(x for x, _ in f.answers[key])}
         after = [e for e in choices if e[0].step.number not in before]
         for slip in rng.sample(after, min(2, len(after))) if later else ():
             wrong, _ = _later(f, base, right, key, (*edit, *slip))

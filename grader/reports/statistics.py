@@ -14,7 +14,7 @@ from newton_euler.algebra.late import Figure
 from ..course import Course
 from ..submission.pipeline import MARK
 from .export import cell
-from .records import BY_HAND, PartScore, entries, questions
+from .records import BY_HAND, PartScore, part_scores, questions
 from .tables import in_cell, plain_table
 
 FEWEST = 5  # students for a meaningful correlation
@@ -45,7 +45,7 @@ def part_statistics(course: Course, assignment: str) -> list[PartStatistics]:
     """The statistics of every part, then of the instructor's own questions, without verdicts."""
     by_part: defaultdict[tuple[str, str], list[PartScore]] = defaultdict(list)
     totals: defaultdict[str, float] = defaultdict(float)
-    parts = entries(course, assignment)
+    parts = part_scores(course, assignment)
     own = [e for e in questions(course, assignment, parts) if e.key != BY_HAND]
     for e in (*parts, *own):
         by_part[e.problem, e.key].append(e)

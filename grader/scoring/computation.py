@@ -19,7 +19,7 @@ from grader.scoring.slips.formulas import (
     Formulas,
     Intermediate,
     TracedAnswer,
-    needed,
+    steps_needed,
     with_arguments,
 )
 from grader.scoring.slips.perturbed import Computation, Perturbed
@@ -91,7 +91,7 @@ def followed(p: Problem) -> Mapping[str, Formulas]:
     components = traced_quantities(p).components if len(p.answers) > 1 else {}
     for key in (a.key for a in p.answers if a.key in components):
         leaves = with_arguments(components[key], before)
-        used = {s.args[0] for s in needed(leaves) if s.op == "argument"} - p.units.keys()
+        used = {s.args[0] for s in steps_needed(leaves) if s.op == "argument"} - p.units.keys()
         if used and any(map(_is_computed, leaves)):
             earlier = [a for a in p.answers if used & {*names(p, a.key)}]
             stated = {n: a.unit for a in earlier for n in names(p, a.key)}
@@ -124,7 +124,7 @@ def sequel_of(p: Problem, key: str) -> Callable[..., list[Any]]:
     (answer,) = f.answers.values()
     to_base = {
         s.args[0]: unit(f.units[s.args[0]]).to_base(1.0, f.system)
-        for s in needed(answer.parts)
+        for s in steps_needed(answer.parts)
         if s.op == "argument"
     }
     trace = next(x.trace for x in answer.parts if isinstance(x, Step))

@@ -10,7 +10,7 @@ from ..algebra.late import Figure
 from ..scenes import LADDERS, SCENES, ladder
 from .charts.comparisons import comparison_caption, draw_comparison, points_table
 from .charts.drawn import DrawnChart
-from .charts.islands import settled
+from .charts.islands import without_noise
 from .charts.maps import draw_choices, map_caption, map_table
 from .charts.methods import draw_methods, methods_caption
 from .charts.models import draw_models, measured_models, models_caption
@@ -117,7 +117,7 @@ def _map(name, quick, progress):
     chart, figure = MAPS[name], Figure()
     found, smoothed = chart.measure(chart.coarse if quick else None, progress), 0
     if chart.timed:
-        found, smoothed = settled(chart, found)
+        found, smoothed = without_noise(chart, found)
     figure.set(layout_engine="constrained", size_inches=(10.0, 5.2))
     draw_choices(chart, found, figure.subplots())
     caption, table = map_caption(chart, found, smoothed), map_table(chart, found)

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 from . import scalars
 from .errors import checked
 from .jets import Moving
-from .places import GENERATED, callers_line, package_of
+from .places import GENERATED, callers_line, note_place, package_of
 from .scalars import (
     FUNCTIONS,
     DivisionError,
@@ -164,7 +164,7 @@ class Compiled:
         try:
             return self._build(self.on_floats(*args))
         except (ZeroDivisionError, OverflowError, ValueError) as error:
-            raise self._no_value(args, error) from error
+            self._refuse(args, error)
 
     @cached_property
     def dependencies(self) -> list[set[str]]:
@@ -198,13 +198,14 @@ class Compiled:
             self._functions[name] = space["formula"]
         return self._functions[name]
 
-    def _no_value(self, args, error):
-        """The error of the engine for an arithmetic error."""
-        if isinstance(error, NewtonEulerError):
-            return error
+    def _refuse(self, args, error):
+        """Raise the error of the engine for an arithmetic error, but one of the caller as it is."""
+        if isinstance(error, NewtonEulerError) or note_place(error):
+            raise error
         kinds = {ZeroDivisionError: DivisionError, OverflowError: RangeError}
         given = ", ".join(f"{n} = {x!r}" for n, x in zip(self.parameters, args, strict=True))
-        return kinds.get(type(error), SingularError)(f"{self.name} has no value: {given}: {error}")
+        kind = kinds.get(type(error), SingularError)
+        raise kind(f"{self.name} has no value: {given}: {error}") from error
 
     def _in_order(self, args, named):
         first = dict(zip(self.parameters, args, strict=False))  # too few or too many: see wrong
@@ -241,7 +242,7 @@ class Compiled:
         try:
             return self._build(self.on(library)(*args))
         except (ZeroDivisionError, OverflowError, ValueError) as error:
-            raise self._no_value(args, error) from error
+            self._refuse(args, error)
 
     def _arrays(self, np, args):
         args = [np.asarray(a) for a in args]

@@ -153,8 +153,8 @@ def _check_of(parameter, f, where):
         y = convert(x)
         if y is REFUSED:
             raise error(
-                f"{where}: {name} is {words(kind)}; got {clipped(x)} of type {type(x).__name__}"
-                f"{advice(x) if error is ScalarError else ''}"
+                f"{where}: {name} is {annotation_in_words(kind)}; got {clipped(x)} of type "
+                f"{type(x).__name__}{advice(x) if error is ScalarError else ''}"
             )
         return y
 
@@ -315,11 +315,11 @@ _EXAMPLES = {
 }
 
 
-def words(kind: Any) -> str:
+def annotation_in_words(kind: Any) -> str:
     """What an annotation asks for, in words."""
     members = _members(kind)
     if len(members) > 1:
-        return " or ".join(dict.fromkeys(words(k) for k in members))
+        return " or ".join(dict.fromkeys(annotation_in_words(k) for k in members))
     if kind in (Tolerance, Accuracy):
         return kind.__metadata__[0]
     container, parts = get_origin(kind) or kind, get_args(kind)
@@ -328,7 +328,7 @@ def words(kind: Any) -> str:
     if container in (Sequence, Iterable, tuple):
         inner = {Scalar: " of numbers", Vector: " of Vectors"}
         if parts and parts[0] not in inner and _converter(parts[0]):
-            return f"a sequence, each {words(parts[0])}"
+            return f"a sequence, each {annotation_in_words(parts[0])}"
         return "a sequence" + (inner.get(parts[0], "") if parts else "")
     name = getattr(container, "__name__", str(container))
     return _EXAMPLES.get(name, f"a {name}")

@@ -169,16 +169,16 @@ def _tanh_sinh(f, start, end, sample):
         values = [s * step * width for s in sums]
         # the change at the last halving: the error is about its square, less than a round-off
         allowed = [1e-3 * sqrt(small) * max_abs(width * s * step) for s in sizes]
-        if before is not None and _settled(values, before, allowed):
+        if before is not None and _converged(values, before, allowed):
             return tuple(values)
         before = values
     raise SingularError(
-        f"the integral from {start!r} to {end!r} does not settle: the function must be smooth in "
+        f"the integral from {start!r} to {end!r} does not converge: the function must be smooth in "
         "between. Split it where it is not, with breaks=(...)"
     )
 
 
-def _settled(values, before, allowed):
+def _converged(values, before, allowed):
     """True if no value differs from the previous one by more than is allowed."""
     return all(max_abs(x - y) <= a for x, y, a in zip(values, before, allowed, strict=True))
 
@@ -240,11 +240,11 @@ def over_cube(f: Callable[..., tuple[Scalar, ...]], n: int) -> tuple[Scalar, ...
         # the error falls geometrically: if the last order had correct a share last/order of the
         # digits, this one has all of them correct
         allowed = [1e-2 * small ** (last / order) * max_abs(size) for size in sizes]
-        if before is not None and _settled(found, before, allowed):
+        if before is not None and _converged(found, before, allowed):
             return found
         before, last = found, order
     raise SingularError(
-        "an integral over a body does not settle: its formula and density must be smooth within "
+        "an integral over a body does not converge: its formula and density must be smooth within "
         "the limits. Divide it where they are not"
     )
 

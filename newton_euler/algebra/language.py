@@ -152,16 +152,16 @@ def with_values(text: str, change: Callable[[str], str]) -> str:
     return Words(text.template, **values)
 
 
-def words(data: Any) -> str:
+def from_stored(data: Any) -> str:
     """The text that is stored so."""
     if isinstance(data, str):
         return data
     template, values = data
-    return Words(template, **{name: words(x) for name, x in values.items()})
+    return Words(template, **{name: from_stored(x) for name, x in values.items()})
 
 
 def are_words(data: Any, deep: int = 6) -> bool:
-    """True of what :func:`words` can read."""
+    """True for what :func:`from_stored` can read."""
     if isinstance(data, str) or not deep:
         return isinstance(data, str)
     return (

@@ -480,7 +480,7 @@ def _instant_by_instant(equations, names):
     if len(undetermined) > 1:
         raise LinearError(
             f"the equations determine {', '.join(sorted(set().union(*undetermined)))} at some "
-            "instants and not at others; solve these instants apart"
+            "instants and not at others; solve these instants separately"
         )
     values = {
         name: np.array([float(s.values[name]) for s in every]).reshape(shape)

@@ -64,7 +64,7 @@ def _piece(f, start, end, rtol, exact):
             value = integral(lambda x: _finite(f, x), start, end)
         except SingularError:
             raise WorkError(
-                f"the integral from {start!r} to {end!r} does not settle; divide it with "
+                f"the integral from {start!r} to {end!r} does not converge; divide it with "
                 "breaks=(...) where the force has a corner"
             ) from None
         # the rule stops when its last but one value has half of the digits: mostly this one has all

@@ -53,12 +53,12 @@ def root(f: Callable[[Scalar], Scalar], low: Scalar, high: Scalar) -> Scalar:
             f"put numbers in: the root of {clipped(sample)} = 0 has no formula in general"
         )
     if not (is_finite(low) and is_finite(high)):
-        raise SingularError(f"a root is enclosed by two finite places; got {low!r} and {high!r}")
+        raise SingularError(f"a root is bracketed by two finite values; got {low!r} and {high!r}")
     # exact numbers of SymPy have no exact root in general, and their fractions grow without end
     if any(map(_is_constant, present)):
-        return _enclosed(lambda x: float(f(x)), float(low), float(high))
+        return _bracketed(lambda x: float(f(x)), float(low), float(high))
     low, high, _ = promote(low, high, sample)
-    return to_plain(_enclosed(f, low, high))
+    return to_plain(_bracketed(f, low, high))
 
 
 def _is_constant(x):
@@ -87,15 +87,15 @@ def _moving_root(f, low, high):
     return Moving(u, rate, -at(u, rate).acceleration / slope)
 
 
-def _enclosed(f, a, b):
+def _bracketed(f, a, b):
     """The root between a and b by inverse quadratic interpolation or bisection (T. R. Chandrupatla,
     Advances in Engineering Software 28 (1997) 145); all instants of arrays at once.
     """
     fa, fb = _value(f, a), _value(f, b)
     if anywhere(_sign(fa) * _sign(fb) > 0):
         raise SingularError(
-            f"no root is enclosed between {a!r} and {b!r}: there the function is {fa!r} and "
-            f"{fb!r}; give places at which its signs differ"
+            f"no root is bracketed by {a!r} and {b!r}: there the function is {fa!r} and "
+            f"{fb!r}; give values at which its signs differ"
         )
     small, either = epsilon(a + b), where if getattr(fa + fb, "shape", ()) else _either
     c, fc, first = a, fa, abs(fa) + abs(fb)

@@ -356,11 +356,31 @@ def advice(x: object) -> str:
 
 def clipped(x: object) -> str:
     """The ``repr`` of a value for a message, at most 80 characters of it."""
+    text = ""
     try:
-        text = short_repr(x)
+        for piece in _pieces(x):
+            text += piece
+            if len(text) > 80:
+                return text[:77] + "..."
     except Exception:  # an object of any library may fail to describe itself
-        text = f"an object of {type(x).__name__}"
-    return text if len(text) <= 80 else text[:77] + "..."
+        return f"an object of {type(x).__name__}"
+    return text
+
+
+def _pieces(x):
+    """The ``repr`` of a value in pieces: that of a list of a million numbers takes a second."""
+    first, last = {list: "[]", tuple: "()", dict: "{}"}.get(type(x), ("", ""))
+    if not first:
+        yield short_repr(x)
+        return
+    yield first
+    for n, y in enumerate(x):
+        yield ", " * bool(n)
+        yield from _pieces(y)
+        if type(x) is dict:
+            yield ": "
+            yield from _pieces(x[y])
+    yield "," * (type(x) is tuple and len(x) == 1) + last
 
 
 LONGEST = 400  # operations: the most of an expression that is printed

@@ -72,7 +72,7 @@ class Fit:
 
     def times(self, factor: float) -> Points:
         """The key times a factor."""
-        return times(factor, self.key)
+        return scaled_points(factor, self.key)
 
     @property
     def first(self) -> tuple[Point, Point, float]:
@@ -117,7 +117,7 @@ class Fit:
         return CLOSE if gap <= self.nearest else LOOSE if gap <= rtol * own else 0
 
 
-def times(factor: float, points: Points) -> Points:
+def scaled_points(factor: float, points: Points) -> Points:
     """The points times a factor."""
     return tuple(tuple(factor * x for x in point) for point in points)
 
@@ -132,16 +132,16 @@ def mixed(points: Points, key: Points, places: Sequence[int]) -> Points:
 
 def rounding(point: Sequence[float]) -> float:
     """How far rounding may have moved this point: half of the last digits written."""
-    return math.hypot(*(0.5 * 10.0 ** written(x)[1] for x in point if x))
+    return math.hypot(*(0.5 * 10.0 ** digits_written(x)[1] for x in point if x))
 
 
 def most_digits(point: Sequence[float]) -> int:
     """The most digits in which a component of this point was written."""
-    return max((written(x)[0] for x in point if x), default=0)
+    return max((digits_written(x)[0] for x in point if x), default=0)
 
 
 @lru_cache(maxsize=64)  # several wrong models are compared with one answer
-def written(x: float) -> tuple[int, int]:
+def digits_written(x: float) -> tuple[int, int]:
     """(number of digits, place of the last) of a number as it was typed: 1.25 has (3, -2)."""
     if not math.isfinite(x):
         return 0, 0

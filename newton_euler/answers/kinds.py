@@ -18,7 +18,7 @@ from .causes import DIRECTION, FIRST_DIGITS, NEAR, NEAR_IN_FEW_DIGITS, NUMBERS, 
 from .fit import Fit, most_digits
 from .messages import StatedForm
 from .notation import list_symbol, matrix_symbol
-from .reading import Budget, are_one_vector, formulas, numbers
+from .reading import Budget, are_one_vector, formula_values, numbers
 from .sympy_formulas import read_formula
 from .tolerance import RTOL, Point, Points, distance, formula_is_near, is_near
 from .trees import TreeError
@@ -395,7 +395,7 @@ class _Formula(Kind):
         return read_formula(x, form, symbols, budget)
 
     def _points(self, trees, form, symbols, budget):
-        return formulas(trees, symbols, budget)
+        return formula_values(trees, symbols, budget)
 
     def is_right(self, given, key, atol, rtol=RTOL):
         """True at every point where the key has a value."""

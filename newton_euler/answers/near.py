@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from ..algebra.late import np
 from .causes import FACTOR_2, REVERSED, Cause, in_components
-from .fit import Fit, mixed, most_digits, rounding, written
+from .fit import Fit, digits_written, mixed, most_digits, rounding
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
 
@@ -275,7 +275,7 @@ def _typed(point):
 
 def _in_few_digits(rows, places, given, off):
     """The places of the rows without more decimals than were given in the components ``off``."""
-    last = min((written(given[n])[1] for n in off if given[n]), default=0)
+    last = min((digits_written(given[n])[1] for n in off if given[n]), default=0)
     has_few = lambda x: abs(x - round(x, -last)) <= NOISE * abs(x)  # noqa: E731
     return {n for n in places if all(has_few(float(rows[n][m])) for m in off)}
 

@@ -28,7 +28,7 @@ def _finite(x):
     return float(x)
 
 
-def formulas(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -> Points:
+def formula_values(trees: Sequence[Any], symbols: Mapping[str, Any], budget: Budget) -> Points:
     """The values of formula trees at each of the points, ``symbols``: {name: array}."""
     for part in trees:
         check_size(part, budget)

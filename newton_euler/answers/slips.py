@@ -13,7 +13,7 @@ from ..algebra.language import Words
 from ..algebra.units import Dimension, unit
 from . import causes
 from .causes import Cause
-from .fit import Fit, most_digits, written
+from .fit import Fit, digits_written, most_digits
 from .tolerance import DIGITS, NOISE, Points
 
 Models = Iterator[tuple[Cause, Points]]
@@ -292,7 +292,7 @@ def is_rounded(given: Points, key: Points) -> bool:
         return False
     if most_digits(given[0]) >= DIGITS:
         return False
-    least = min(written(x)[1] for x in given[0] if x)
+    least = min(digits_written(x)[1] for x in given[0] if x)
     # round-off counts as zero, for which a student writes 0
     right = (k if abs(k) > NOISE * size else 0.0 for k in key[0])
     components = [*zip(right, given[0], strict=True)]

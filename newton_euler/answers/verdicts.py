@@ -13,7 +13,7 @@ from ..algebra.language import Words, _, joined, spoken
 from ..algebra.units import unit as unit_of
 from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
 from .diagnosis import Model, OtherPart, OtherParts, diagnose
-from .fit import Fit, times
+from .fit import Fit, scaled_points
 from .forms import Form
 from .frames import Toleranced, counted, is_right
 from .messages import one_line
@@ -127,7 +127,7 @@ def judge(
     except TreeError as error:
         return JudgedAnswer("unreadable", _("cannot be read: {fault}", fault=one_line(str(error))))
     if factor != 1:
-        readings = [times(factor, r) for r in readings]
+        readings = [scaled_points(factor, r) for r in readings]
     key = numbers.key[asked.key]
     right = counted(readings, key, asked, partial(numbers.wrong, asked.key))
     if right is not None:
@@ -292,8 +292,8 @@ def _doubled(earlier, wrong, follow):
     """
     if any(isinstance(earlier[n][0][0], str) for n in wrong):
         return None
-    found = follow({n: times(2.0, x) if n in wrong else x for n, x in earlier.items()})
-    return None if found is None or isinstance(found[0][0], str) else times(0.5, found)
+    found = follow({n: scaled_points(2.0, x) if n in wrong else x for n, x in earlier.items()})
+    return None if found is None or isinstance(found[0][0], str) else scaled_points(0.5, found)
 
 
 def _gap(given, points):

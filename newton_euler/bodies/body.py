@@ -9,7 +9,7 @@ from ..algebra.ledger import Terms
 from ..algebra.otherwise import built
 from ..algebra.scalars import Scalar, clipped, is_numeric, max_abs, real_scalar, short_repr
 from ..algebra.vectors import Vector, sum3
-from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
+from ..kinematics.frames import Frame, Point, PointLike, as_point, axes_at
 from .admissibility import MassError, not_negative, positive, round_off, triangle_inequality
 from .inertia import Inertia, together
 
@@ -44,7 +44,7 @@ class Body:
         parts: Sequence["Body"] = (),
     ):
         self.name, self.parts, mass = name, tuple(parts), real_scalar(mass)
-        self.centre = G = place(centre, f"the centre of mass of {name}")
+        self.centre = G = as_point(centre, f"the centre of mass of {name}")
         if not isinstance(inertia, Inertia):
             inertia = Inertia(G, inertia, frame=frame or axes_at(G), tolerance=None)
             not_negative(mass, f"the mass of {name}")
@@ -67,7 +67,7 @@ class Body:
         along the axes of ``frame`` (default: that of the body); terms ``own`` and ``transfer``, or
         the parts by name.
         """
-        frame, point = self.frame if frame is None else frame, place(point, "the inertia matrix")
+        frame, point = self.frame if frame is None else frame, as_point(point, "the inertia matrix")
         if not self.parts:
             I = self._inertia
             return I.expressed_in(frame).about(point) if I.frame is not frame else I.about(point)
@@ -120,7 +120,7 @@ def particle(mass: Scalar, point: PointLike, name: str = "particle") -> Body:
     (0, 18.0, 18.0)
     """
     positive(mass, f"the mass of {name}")
-    centre = place(point, name)
+    centre = as_point(point, name)
     return Body(name, mass, centre, frame=centre.frame)
 
 

@@ -37,7 +37,7 @@ from ..algebra.scalars import (
     to_plain,
 )
 from ..algebra.vectors import ZERO3, FrameError, Vector, add3, dot3, scale3, sum3, three
-from ..kinematics.frames import Frame, Point, PointLike, axes_at, place
+from ..kinematics.frames import Frame, Point, PointLike, as_point, axes_at
 from .admissibility import AXES, MassError, check
 from .principal_axes import principal, symmetry
 
@@ -77,7 +77,7 @@ class Inertia(Scaled, NamedTerms):
         frame: Frame | None = None,
         tolerance: Tolerance | None = 1e-9,
     ):
-        self.point = place(point, "an inertia matrix")
+        self.point = as_point(point, "an inertia matrix")
         self.frame = axes_at(self.point) if frame is None else frame
         self.moments = three(moments, "moments (I_xx, I_yy, I_zz)", MassError)
         self.products = three(products, "products (I_xy, I_yz, I_zx)", MassError)
@@ -198,7 +198,7 @@ class Inertia(Scaled, NamedTerms):
         >>> Inertia(G, (0, 3.0, 3.0), mass=12.0, centre=G).about(body.origin).moments
         (0, 15.0, 15.0)
         """
-        point = place(point, "an inertia matrix")
+        point = as_point(point, "an inertia matrix")
         if point is self.point:
             return self
         for what in ("mass", "centre"):

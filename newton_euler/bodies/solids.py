@@ -21,7 +21,7 @@ from typing import TypedDict, Unpack
 from ..algebra.errors import checked
 from ..algebra.scalars import ZERO, Scalar, clipped, pi, real_scalar, scalar, sin, sqrt
 from ..algebra.vectors import add3, cross3, dot3, scale3, sub3, sum3
-from ..kinematics.frames import Point, PointLike, axes_at, place
+from ..kinematics.frames import Point, PointLike, as_point, axes_at
 from .admissibility import AXES, MassError, positive
 from .body import Body
 from .inertia import SECOND_MOMENTS, Inertia, axis_index, from_second_moments
@@ -356,7 +356,7 @@ def _placed(name, point, axis, m, moments, along=ZERO):
     """The body with moments about G along ``axis`` and the next two; G ``along`` from ``point``."""
     n, sign = axis_index(axis)
     turned = tuple(moments[(k - n) % 3] for k in range(3))
-    return Body(name, m, _shifted(name, place(point, name), n, sign * along), turned)
+    return Body(name, m, _shifted(name, as_point(point, name), n, sign * along), turned)
 
 
 def _fan(name, middle, axis, toward, m, distance, polar, flatness=ZERO):
@@ -372,7 +372,7 @@ def _fan(name, middle, axis, toward, m, distance, polar, flatness=ZERO):
     transfer = m * distance**2
     moments = [polar * (1 + flatness) / 2 - transfer] * 3
     moments[n], moments[t] = polar - transfer, polar * (1 - flatness) / 2
-    return Body(name, m, _shifted(name, place(middle, name), t, sign * distance), tuple(moments))
+    return Body(name, m, _shifted(name, as_point(middle, name), t, sign * distance), tuple(moments))
 
 
 def _shifted(name, point, n, distance):

@@ -2,8 +2,7 @@
 
 from ..algebra.names import guide as _guide
 from .animation import Animation, AnimationError, animate
-from .page.svg import dark_css
+from .page.svg import dark_css, svg_of
 from .sketch import Sketch
-from .writing import svg_of
 
 _guide(__name__)

@@ -3,22 +3,22 @@
 import html
 import re
 from functools import cache
+from itertools import groupby
 from pathlib import Path
 from string import Template
 from typing import Any, NamedTuple
 
+from .page.svg import svg_of
 from .sketch import Sketch
-from .writing import svg_of
 
 HERE = Path(__file__).parent
 
 
 class Entry(NamedTuple):
-    """One picture of the page: its section, what it shows, the view, the lines that draw it."""
+    """One picture of the page: its section, what it shows, the lines that draw it."""
 
     section: str
     shows: str
-    view: str
     code: str
 
 
@@ -34,7 +34,8 @@ def _entries():
             shows, view, code = re.fullmatch(
                 r"([^\n]*) \[([^\n]*)\]\n(.*)", item, re.DOTALL
             ).groups()
-            found.append(Entry(title.strip(), shows, view, code.strip()))
+            lines = f"s = Sketch(ax, ground, {view})\n{code.strip()}"
+            found.append(Entry(title.strip(), shows, lines))
     return re.sub(r"^#.*\n", "", preamble, flags=re.MULTILINE).strip(), tuple(found)
 
 
@@ -46,21 +47,16 @@ def entries() -> tuple[Entry, ...]:
 def draw(entry: Entry, ax: Any) -> Sketch:
     """Draw an entry on ``ax``; returns the sketch."""
     names: dict[str, Any] = {"ax": ax}
-    exec(f"{_entries()[0]}\n{_lines(entry)}", names)  # our own text
+    exec(f"{_entries()[0]}\n{entry.code}", names)  # our own text
     return names["s"]
-
-
-def _lines(entry):
-    return f"s = Sketch(ax, ground, {entry.view})\n{entry.code}"
 
 
 def page() -> str:
     """The page as HTML that needs no other file."""
     preamble, found = _entries()
-    sections = dict.fromkeys(entry.section for entry in found)
     parts = [
-        f"<h2>{title}</h2>\n" + "".join(_figure(e) for e in found if e.section == title)
-        for title in sections
+        f"<h2>{title}</h2>\n" + "".join(map(_figure, own))
+        for title, own in groupby(found, lambda entry: entry.section)
     ]
     template = Template((HERE / "vocabulary.html").read_text(encoding="utf-8"))
     return template.substitute(preamble=html.escape(preamble), parts="\n".join(parts))
@@ -71,5 +67,5 @@ def _figure(entry):
     return (
         f"<figure>{picture}"
         f"<figcaption>{html.escape(entry.shows)}</figcaption>"
-        f"<pre>{html.escape(_lines(entry))}</pre></figure>\n"
+        f"<pre>{html.escape(entry.code)}</pre></figure>\n"
     )

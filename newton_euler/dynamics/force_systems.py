@@ -20,7 +20,7 @@ from ..algebra.ledger import distinct
 from ..algebra.names import guided
 from ..algebra.scalars import is_numeric, max_abs, scalar
 from ..algebra.vectors import FrameError, Vector, named_sum
-from ..kinematics.frames import Frame, Point, PointLike, place
+from ..kinematics.frames import Frame, Point, PointLike, as_point
 
 ROUND_OFF = 1e-12  # fraction of the sum of magnitudes below which a resultant counts as zero
 
@@ -39,12 +39,12 @@ class Force:
     name: str = "force"
 
     def __post_init__(self):
-        object.__setattr__(self, "point", place(self.point, self.name))
+        object.__setattr__(self, "point", as_point(self.point, self.name))
 
     @checked
     def moment(self, about: Point | Frame) -> Vector:
         """The moment d x F about a Point or the origin of a Frame, d from there (8.4); N m."""
-        d = self.point - place(about, "the point that the moment is about")
+        d = self.point - as_point(about, "the point that the moment is about")
         return d.expressed_in(self.vector.frame).cross(self.vector)
 
     @checked
@@ -57,7 +57,7 @@ class Force:
         force: [0, 3, 0] in ground at origin of ground
         couple of force: [0, 0, 6] in ground
         """
-        P = place(to, "the force that is moved")
+        P = as_point(to, "the force that is moved")
         couple = Couple(self.moment(P), f"couple of {self.name}")
         return ForceSystem([replace(self, point=P), couple])
 
@@ -116,7 +116,7 @@ class ForceSystem:
     @checked
     def moment(self, about: Point | Frame) -> Vector:
         """The moment of all about a Point or the origin of a Frame (8.7), with each as a term."""
-        about = place(about, "the point that the moment is about")
+        about = as_point(about, "the point that the moment is about")
         moments = [(p.name, p.moment(about)) for p in self.parts]
         subject = f"about {about.name}"
         return named_sum("moment of the forces", subject, moments, self.frame)
@@ -124,7 +124,7 @@ class ForceSystem:
     @checked
     def at(self, point: Point | Frame) -> "ForceSystem":
         """The equivalent system of the resultant force at ``point`` and one couple (8.7)."""
-        P = place(point, "the forces together")
+        P = as_point(point, "the forces together")
         couple = Couple(self.moment(P), "resultant couple")
         return ForceSystem([Force(self.force, P, "resultant"), couple], self.frame)
 
@@ -132,7 +132,7 @@ class ForceSystem:
     def equivalent(self, other: "ForceSystem", tolerance: Tolerance = 1e-9) -> bool:
         """True if force and moment are the same to ``tolerance`` times the magnitudes (8.20)."""
         all_forces = *self._forces(), *other._forces()
-        about = all_forces[0].point if all_forces else place(self.frame, "")
+        about = all_forces[0].point if all_forces else as_point(self.frame, "")
         forces = max((_size(f.vector) for f in all_forces), default=0.0)
         moments = max((_size(p.moment(about)) for p in (*self.parts, *other.parts)), default=0.0)
         noise = self._noise(about) + other._noise(about)

@@ -7,7 +7,7 @@ from ..algebra.scalars import Scalar, integer_like, scalar, sqrt, to_plain
 from ..algebra.vectors import Vector
 from ..bodies.admissibility import not_negative, positive
 from ..bodies.body import Body
-from ..kinematics.frames import Frame, Point, place
+from ..kinematics.frames import Frame, Point, as_point
 
 K = 6.673e-11  # m^3/(kg s^2), as in the book; CODATA 2018 has 6.67430e-11
 G_STANDARD = 9.81  # m/s^2, the book's flat earth
@@ -114,8 +114,8 @@ def gravitational_field(
     Vector(-2.0, 0, 0 in space)
     """
     not_negative(mass, "the mass of the body")
-    position = place(position, "the field point")
-    r = position - place(centre, "the centre of attraction")
+    position = as_point(position, "the field point")
+    r = position - as_point(centre, "the centre of attraction")
     distance = scalar(r.norm())
     positive(distance, f"the distance of {position.name} from the centre of attraction")
     return r * -(K * mass / (distance * distance * distance))

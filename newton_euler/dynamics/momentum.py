@@ -19,7 +19,7 @@ from ..algebra.errors import checked, checked_but
 from ..algebra.ledger import Ledger, Terms
 from ..algebra.vectors import ZERO3, Vector
 from ..bodies.body import Body
-from ..kinematics.frames import Frame, Point, place
+from ..kinematics.frames import Frame, Point, as_point
 from .force_systems import ForceSystem, Parts
 from .newton import resultant_force
 
@@ -48,7 +48,7 @@ def angular_momentum(body: Body, observer: Frame, about: Point | Frame | None = 
 
 
 def _point(body, about):
-    return body.centre if about is None else place(about, "the point that the moment is about")
+    return body.centre if about is None else as_point(about, "the point that the moment is about")
 
 
 def _is_fixed(point, body):

@@ -12,6 +12,7 @@ from itertools import pairwise, product
 from ..algebra import WorkError
 from ..algebra.errors import Accuracy, Tolerance, checked
 from ..algebra.jets import Moving
+from ..algebra.names import guided
 from ..algebra.places import at_a_place
 from ..algebra.quadrature import NO_VALUE, quadrature
 from ..algebra.scalars import (
@@ -191,6 +192,7 @@ class Potential:
     base: Sequence[Scalar]
     rtol: Accuracy = 1e-10
 
+    @guided
     def __call__(self, x: Scalar, y: Scalar, z: Scalar) -> Scalar:
         target = tuple(real_scalar(c) for c in (x, y, z))
         V = self._from_base(tuple(c.value if isinstance(c, Moving) else c for c in target))

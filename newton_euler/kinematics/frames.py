@@ -629,7 +629,7 @@ def _same_shape(numbers, what):
     return numbers
 
 
-def place(where: PointLike, what: str) -> Point:
+def as_point(where: PointLike, what: str) -> Point:
     """The Point itself, or of a Frame its origin, fixed in it; errors name it ``what``."""
     if isinstance(where, Frame):
         return where.point(f"origin of {where.name}", 0, 0, 0)

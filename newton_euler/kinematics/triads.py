@@ -5,6 +5,7 @@ from typing import Any
 
 from ..algebra.errors import checked
 from ..algebra.jets import Moving, as_moving
+from ..algebra.names import guided
 from ..algebra.pickles import Computed
 from ..algebra.scalars import Scalar, anywhere, clipped, epsilon, hypot, scalar, to_plain
 from ..algebra.vectors import ZERO3, FrameError, add3, dot3, scale3, sub3
@@ -63,6 +64,7 @@ class _Turning:
     rate = property(lambda self: self._known(0, "angular velocity"))
     acceleration = property(lambda self: self._known(1, "angular acceleration"))
 
+    @guided
     def _known(self, n, what):
         value = self.turning()[n]
         if value is None:
@@ -86,6 +88,7 @@ def below_roundoff(value: Scalar, noise: Scalar) -> bool:
     return anywhere(to_plain(value) <= to_plain(noise))
 
 
+@guided
 def roundoff_sensitivity(f: Callable, q: Sequence[Scalar]) -> list:
     """The changes of the triples f(*q), as lengths, when each of the numbers ``q`` changes by up to
     41 units in its last place: the direction of a shorter vector is arbitrary.

@@ -106,8 +106,8 @@ def integrate_many(run: Run, name: str) -> Motions:
     if refused:
         n, why = next(iter(refused.items()))
         raise AccuracyError(
-            f"{len(refused)} of {len(motions)} motions are not as accurate as requested, first "
-            f"number {n}: {str(why).split('. The motion')[0]}. .reached of this exception holds "
+            f"{len(refused)} of {len(motions)} motions are not as accurate as requested, the first "
+            f"is number {n}: {str(why).split('. The motion')[0]}. .reached of this exception holds "
             "all motions with their errors, nan where a motion did not come to its end",
             motions,
         )
@@ -128,7 +128,7 @@ class _Many:
         """The motions of a run; :class:`ModelError` where the arrays do not fit together."""
         model, state, samples = run.system.model, run.state, run.samples
         values = {
-            n: real_numbers(x, f"the parameter {n} of {model.name!r} is one real number a motion")
+            n: real_numbers(x, f"the parameter {n} of {model.name!r} is one real number per motion")
             for n, x in model.parameters.items()
             if getattr(x, "shape", ())
         }

@@ -148,8 +148,10 @@ class Prepared:
             x = self._fast(t, start) if plain else None
         except (TypeError, ValueError, OverflowError):
             x = None  # the integration raises an error that says what is wrong
-        if x is not None:
-            return x
+        return self._integrated(t, start) if x is None else x
+
+    @guided
+    def _integrated(self, t, start):
         state = start_state(self.system.model, start)
         for given in (t, *state):
             one = not getattr(given, "shape", ()) and not isinstance(given, (tuple, list))

@@ -297,7 +297,7 @@ class Model(Portable):
             missing = ", ".join(n for n in names if n not in state)
             if missing:
                 raise ModelError(
-                    f"the state of {self.name!r} lacks {missing}; give all of {', '.join(names)}"
+                    f"the state of {self.name!r} has no {missing}; give all of {', '.join(names)}"
                 )
             return {n: state[n] for n in names}
         if type(state) is not tuple:

@@ -7,6 +7,7 @@ and what heyoka has compiled from it.
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache, cached_property
 from typing import Any
 
@@ -169,10 +170,9 @@ class PreparedModel:
     def values(self, f: Callable[..., Any], times: "np.ndarray", x: Any) -> "np.ndarray":
         """The values of ``f(s, p, t)`` at an array of times; one by one if it branches."""
         g = self.function(f)
-        try:
+        with suppress(TypeError, ValueError):
             return np.broadcast_to(g(times, *x), times.shape)
-        except (TypeError, ValueError):
-            return np.array([g(*at) for at in zip(times.tolist(), *x.tolist(), strict=True)])
+        return np.array([g(*at) for at in zip(times.tolist(), *x.tolist(), strict=True)])
 
     def narrow_of(self, f: Callable[..., Any]) -> Arguments | None:
         """The narrow arguments in a function of an event; None if it has none, or is not traced."""

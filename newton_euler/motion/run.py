@@ -22,12 +22,12 @@ from .prepared import PreparedModel
 from .sizes import (
     NATURAL_PART,
     Sizes,
+    are_settled,
     as_natural,
     far_states,
     forced_error,
     reproduced,
     round_off_over,
-    settled,
     small,
     without_round_off,
     worst_ratio,
@@ -257,7 +257,7 @@ class Run:
         error, cancels = judged(trajectory)
         met = error <= self.rtol and not cancels
         # a state may happen to be nearly zero at both ends
-        if met or settled(before.largest(), trajectory.largest()):
+        if met or are_settled(before.largest(), trajectory.largest()):
             return error, cancels
         return judged(self.trajectory(method, tolerance, None, False, SIZE_SAMPLES))
 
@@ -296,9 +296,9 @@ class Run:
             trajectory = self.trajectory(method, tolerance, known, scaled)
             if not sure and before is first and known and not trajectory.failed:
                 # the first run may have been far off, and have made a state large
-                shrunk = not settled(known[0], trajectory.largest())
+                shrunk = not are_settled(known[0], trajectory.largest())
                 sure = self.sizes(trajectory) if shrunk else known
-                if not settled(known[0], sure[0]):
+                if not are_settled(known[0], sure[0]):
                     return self.calibrated(method, known=sure)
             if trajectory.repeated and not before.watched:
                 before = self.compared(method, before.tolerance, tolerance, known, scaled)
@@ -382,7 +382,7 @@ class Run:
             last, known = known, None if before.failed else self.sizes(before)
             if not known or not (last or small(*known[:2])):
                 return before, known
-            if last and settled(last[0], known[0]):
+            if last and are_settled(last[0], known[0]):
                 break
             before = self.compared(method, coarse, fine, known, scaled)
         again = self.compared(method, fine, fine, known, scaled)

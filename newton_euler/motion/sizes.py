@@ -118,7 +118,7 @@ def reproduced(
     return tuple(found)
 
 
-def settled(before: Floats | None, after: Floats) -> bool:
+def are_settled(before: Floats | None, after: Floats) -> bool:
     """True if no size has become less than half."""
     return before is not None and all(2 * b >= a for a, b in zip(before, after, strict=True))
 

@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..algebra.late import np
-from ..algebra.names import Guided
+from ..algebra.names import Guided, guided
 from ..algebra.scalars import Scalar
 from .events import Occurrence
 from .methods.base import sample_times
@@ -196,6 +196,7 @@ class Motion(Guided):
         return out
 
     @cached_property
+    @guided
     def drift(self) -> dict[str, float]:
         """The drift of each invariant, by name, see the class: the largest of all segments, each
         compared with its own start.

@@ -6,7 +6,7 @@ from math import inf
 from typing import Any, NamedTuple, Protocol
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.places import callers_line
+from ..algebra.places import callers_line, raised_by_the_engine
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
@@ -201,6 +201,11 @@ class Trajectory:
                 raise  # the error of an event's function or of progress
             stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)
+        except RuntimeError as error:
+            # what a generator of the engine makes of a StopIteration of an event's function
+            if isinstance(error.__cause__, StopIteration) and raised_by_the_engine(error):
+                raise error.__cause__ from None
+            raise
         t1, ending, x1 = stopped or (stepper.t, (), stepper.x)
         self.segments.append(Segment(system, stepper, t, t1, x1))
         if ending:
@@ -308,7 +313,7 @@ class Trajectory:
         """Raise :class:`StepError` where a motion that sticks takes steps without end."""
         if self._sticks(stepper, len(stepper.step_times) - 1 - STICKING):
             steps = len(stepper.step_times) - 1
-            raise StepError(f"{steps} steps led there, and the next ones turn to and fro")
+            raise StepError(f"{steps} steps led there, and the next ones go back and forth")
 
     def _sticks(self, stepper, first):
         """True if the steps from number ``first`` on are many in little time, at a border to which

@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 from exercises.catalogue import CatalogueError, places, problem, select
-from exercises.catalogue.errors import explained
+from exercises.catalogue.errors import error_sentence
 from grader.assignment import make_personal_copies, problems_of
 from grader.course import Course
 from grader.demo import sample_students as sample
@@ -125,7 +125,7 @@ def test_an_error_of_python_that_lost_its_attributes_on_the_way_still_has_its_li
     """As Dask does, which pickles errors in its own way once it is imported."""
     error = SyntaxError("invalid syntax", ("/course/bead/p01.py", 14, 8, "def", 14, 9))
     error.msg = error.filename = error.lineno = None
-    assert explained("bead/1", error) == "bead/p01.py, line 14: invalid syntax"
+    assert error_sentence("bead/1", error) == "bead/p01.py, line 14: invalid syntax"
 
 
 @pytest.mark.parametrize(

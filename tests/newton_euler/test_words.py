@@ -48,7 +48,7 @@ REFUSED = [
     (lambda: ground.vector([1, 2, 3]), r"one by one: write vector\(1, 2, 3\)"),
     (lambda: ground.vector(np.array([1.0, 2.0, 3.0])), r"write vector\(1.0, 2.0, 3.0\)"),
     (lambda: ground.point("A", (1, 2, 3)), r"write point\('A', 1, 2, 3\)"),
-    (lambda: ground.vector(1, 2), r"lacks z. Write vector\(x, y, z\)"),
+    (lambda: ground.vector(1, 2), r"needs z. Write vector\(x, y, z\)"),
     (lambda: ground.vector(1, 2, 3, 4), "takes 3 arguments by place, got 4"),
     (lambda: ground.vector(1, 2, 3, x=1), "was given x twice"),
     (lambda: ground.rotate("b", "z", accel=1.0), "Did you mean acceleration="),

@@ -45,7 +45,7 @@ ARRAYS = r"\bnp\.|numpy|sympy|mpmath|plt\.|_film\(|show_chart|compare\("
 @pytest.fixture(autouse=True)
 def _with_engine(site):
     if not (site / "engine").exists():
-        pytest.skip("npm does not reach Pyodide")
+        pytest.skip("npm cannot reach Pyodide")
 
 
 def called(driver, name, **arguments):

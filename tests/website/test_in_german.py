@@ -49,7 +49,7 @@ def german(tmp_path_factory):
 
 def test_a_chapter_a_problem_and_feedback_are_german_and_axe_finds_nothing(german, driver):
     if not (german / "practice").exists():
-        pytest.skip("npm does not reach Pyodide")
+        pytest.skip("npm cannot reach Pyodide")
 
     def assert_right():
         assert js(driver, "document.documentElement.lang") == "de"

@@ -6,7 +6,7 @@ import ast
 
 import pytest
 
-from website.browser.needed import needed
+from website.browser.needed import statements_needed
 
 # cells above, the cell, and the statements that it needs
 CASES = {
@@ -38,7 +38,7 @@ CASES = {
 @pytest.mark.parametrize("case", CASES)
 def test_what_a_cell_needs_of_those_above(case):
     above, source, expected = CASES[case]
-    assert "|".join(ast.unparse(s.node) for _, s in needed(above, source)) == expected
+    assert "|".join(ast.unparse(s.node) for _, s in statements_needed(above, source)) == expected
 
 
 @pytest.mark.parametrize("case", [c for c in CASES if c != "a cell without sense"])
@@ -47,7 +47,7 @@ def test_what_is_taken_gives_the_same_as_all_of_them(case):
     whole, part = {}, {}
     for cell in above:
         exec(cell, whole)
-    for _, statement in needed(above, source):
+    for _, statement in statements_needed(above, source):
         exec(ast.unparse(statement.node), part)
     *_, name = source.split(" = ")
     assert plain(eval(name, whole)) == plain(eval(name, part))

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from website import npm
 from website.engine import ON_PAGES
-from website.engine import packed as for_pages
+from website.engine import zipped as for_pages
 from website.kept import ROOT
 from website.npm import Package
 

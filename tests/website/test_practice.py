@@ -32,7 +32,7 @@ READY = "document.querySelector('.practice').dataset.ready"
 @pytest.fixture(scope="module")
 def phone(site, driver):
     if not (site / "practice").exists():
-        pytest.skip("npm does not reach Pyodide")
+        pytest.skip("npm cannot reach Pyodide")
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", PHONE)
     yield driver
     driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})

@@ -6,7 +6,7 @@ from types import FunctionType
 
 from newton_euler.algebra.errors import NewtonEulerError
 
-from .late import missing, words
+from .late import missing, missing_in_words
 
 
 def answer(name: str, arguments: str = "{}") -> str:
@@ -25,7 +25,7 @@ def answer(name: str, arguments: str = "{}") -> str:
         return json.dumps({"error": str(error)})
     except Exception as error:
         if package := missing(error):
-            return json.dumps({"needs": package, "error": words(package)})
+            return json.dumps({"needs": package, "error": missing_in_words(package)})
         return json.dumps({"error": f"{type(error).__name__}: {error}"})
 
 

@@ -22,7 +22,7 @@ def missing(error: Exception) -> str:
     return top if top in TITLES else ""
 
 
-def words(package: str) -> str:
+def missing_in_words(package: str) -> str:
     """What a reader needs to know about a missing package."""
     return f"this needs {TITLES[package]}, which the page does not have; an installed notebook does"
 
@@ -36,7 +36,7 @@ class Late(ModuleType):
             raise AttributeError(name)
         invalidate_caches()
         if find_spec(top) is None:
-            raise ModuleNotFoundError(words(top), name=top)
+            raise ModuleNotFoundError(missing_in_words(top), name=top)
         return getattr(import_module(self.__name__), name)
 
 

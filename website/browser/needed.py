@@ -78,7 +78,7 @@ def _changed(node):
                 yield root.id
 
 
-def needed(above: Sequence[str], source: str) -> list[tuple[int, Statement]]:
+def statements_needed(above: Sequence[str], source: str) -> list[tuple[int, Statement]]:
     """(number of its cell, statement) of those that ``source`` needs of the cells above it, in
     order.
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from itertools import count
 from typing import Any
 
-from .needed import Statement, needed, statements
+from .needed import Statement, statements, statements_needed
 
 
 @dataclass
@@ -34,7 +34,7 @@ class Notebook:
         """Run what a cell needs, unless it is up to date; {name: the run that bound it}."""
         above = [self.ran.get(n, cell) for n, cell in enumerate(cells[:number])]
         stand: dict[str, StatementRun] = {}
-        for n, statement in needed(above, cells[number]):
+        for n, statement in statements_needed(above, cells[number]):
             done = self._runs.get(statement)
             if done is None or done.error or done.inputs != _inputs(statement, stand):
                 done = self._run(statement, n, stand)

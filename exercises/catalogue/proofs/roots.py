@@ -21,8 +21,8 @@ def root(f: Callable[[Number], Number], low: Number, high: Number) -> Number:
         fa, fb = f(a), f(b)
         if fa * fb > 0:
             raise ProofError(
-                f"no root is enclosed: f is {mp.nstr(fa, 4)} at {mp.nstr(a, 6)} and "
-                f"{mp.nstr(fb, 4)} at {mp.nstr(b, 6)}; give places with different signs"
+                f"no root is bracketed: f is {mp.nstr(fa, 4)} at {mp.nstr(a, 6)} and "
+                f"{mp.nstr(fb, 4)} at {mp.nstr(b, 6)}; give ends with different signs"
             )
         smallest = max(abs(a), abs(b)) * mpf(10) ** -DIGITS
         n = 0

@@ -30,8 +30,8 @@ from .formulas import (
     Formulas,
     Intermediate,
     edit,
-    needed,
     steps_in,
+    steps_needed,
     total,
 )
 from .typed import described, is_nothing
@@ -54,7 +54,7 @@ def edits_of(formulas: Formulas) -> list[Edit]:
     stages = [s for s in formulas.stages if any(isinstance(x, Step) for x in s.parts)]
     _call(formulas)
     cones = sorted(
-        (({s.number for s in needed(stage.parts)}, stage.where) for stage in stages),
+        (({s.number for s in steps_needed(stage.parts)}, stage.where) for stage in stages),
         key=lambda cone: len(cone[0]),
     )
     found = sorted(_edits(Facts(formulas)), key=lambda e: e.rank)

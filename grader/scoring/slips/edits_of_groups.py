@@ -12,7 +12,7 @@ from newton_euler.answers.causes import LEFT_OUT, REVERSED
 from newton_euler.answers.near import LEAST, LESS
 
 from .facts import AREA, INERTIA, Facts
-from .formulas import PRODUCT, SUM, Edit, edit, needed
+from .formulas import PRODUCT, SUM, Edit, edit, steps_needed
 from .typed import Product, described, typed
 
 LIKE_IT = Words("the other terms like it")
@@ -90,7 +90,7 @@ def of_factors(f: Facts) -> Iterator[Edit]:
 def _of_chain_rule(f):
     """A given that each differentiation of sin(n*t) brings in as a factor, left out of all."""
     turning = [x for s in f.products for x in Product(s).powers if x.op in ("sin", "cos")]
-    inside = dict.fromkeys(needed(turning))
+    inside = dict.fromkeys(steps_needed(turning))
     for x in (x for x in inside if x.op == "argument"):
         lost = {
             s.number: ("/", s, ("**", f.number(x), float(n)))

@@ -10,7 +10,7 @@ from newton_euler.algebra.trace import Inner, Step, Trace
 from newton_euler.answers.near import LEAST, LESS
 
 from .facts import Facts
-from .formulas import SUM, Edit, edit, needed
+from .formulas import SUM, Edit, edit, steps_needed
 from .typed import described, is_given
 
 TWINS = {"sin": "cos", "cos": "sin"}
@@ -121,7 +121,7 @@ def _doubled(inner, start, end, outer):
 
 def _of_integrand(inner: Inner, outer: Sequence[Any]) -> Iterator[tuple[Words, Inner, bool]]:
     """(words, other formula, is it a sine for a cosine) of the slips in an integrand."""
-    steps = needed(inner.leaves)
+    steps = steps_needed(inner.leaves)
     spoken_of = _in_words(inner, outer)
     twins = [s for s in steps if s.op in TWINS and is_given(s)]
     for s in twins:
@@ -158,7 +158,7 @@ def _in_words(inner, outer):
     called = {p: x.args[0] for p, x in passed if isinstance(x, Step) and x.op == "argument"}
     called[inner.parameters[0]] = inner.variable
     trace, found = Trace(), dict[int, Any]()
-    for s in needed(inner.leaves):
+    for s in steps_needed(inner.leaves):
         if s.op == "argument":
             name = called.get(s.args[0])
             found[s.number] = trace.new("argument" if name else "unnamed", name or s.number)
@@ -168,7 +168,7 @@ def _in_words(inner, outer):
 
     def words(x, noun):
         x = found[x.number] if isinstance(x, Step) else x
-        names = {s.args[0] for s in needed([x]) if s.op == "argument"}
+        names = {s.args[0] for s in steps_needed([x]) if s.op == "argument"}
         is_named = inner.variable and (noun == "the factor" or names - {inner.variable})
         return described(x, noun) if is_named else ""
 
@@ -184,7 +184,7 @@ def _changed(inner, instead):
             return trace.new(x[0], *map(now, x[1:]))
         return found[x.number] if isinstance(x, Step) else x
 
-    for s in needed(inner.leaves):
+    for s in steps_needed(inner.leaves):
         other = instead.get(s.number)
         found[s.number] = trace.new(s.op, *map(now, s.args)) if other is None else now(other)
     return Inner(inner.parameters, trace, [*map(now, inner.leaves)], inner.variable)

@@ -18,8 +18,8 @@ from newton_euler.answers.usual import MOMENTS as BODIES
 from .edits_of_givens import NO_FIT, NOT_ONE, Slip
 from .edits_of_groups import neighbours
 from .facts import AREA, ENERGY, INERTIA, LENGTH, NUMBER, Facts
-from .formulas import PRODUCT, SUM, Edit, edit, multiplied, needed, total
-from .typed import Product, described, is_given, is_nothing, settled, typed
+from .formulas import PRODUCT, SUM, Edit, edit, multiplied, steps_needed, total
+from .typed import Product, described, is_given, is_nothing, typed, without_zeros
 
 COFUNCTIONS = {"sin": "cos", "cos": "sin", "asin": "acos", "acos": "asin"}
 TANGENTS = {"sin": "tan", "cos": "tan", "asin": "atan", "acos": "atan"}
@@ -63,7 +63,7 @@ def of_operation(s: Step, number: Callable[[Step], Any]) -> Iterator[Slip]:
 def _of_sum(s):
     a, b = s.args
     minus = s.op == "-"
-    if settled(s) is not s or is_nothing(s):
+    if without_zeros(s) is not s or is_nothing(s):
         return  # a term, or the whole, is zero for every student
     for term, left, turned in (
         (a, ("neg", b) if minus else b, ("neg", ("+", a, b)) if minus else ("-", b, a)),
@@ -360,7 +360,7 @@ def of_angles(f: Facts) -> Iterator[Edit]:
         instead: dict[int, Any] = {s.number: (COFUNCTIONS[s.op], *s.args) for s in turned}
         yield edit(LESS, "all axes", ALL_AXES, instead)
     for x, s in sines.items():
-        if not any(inner.op == "argument" for inner in needed([x])):
+        if not any(inner.op == "argument" for inner in steps_needed([x])):
             continue  # a constant
         named = typed(x) or Words("an angle")
         small, c = {s.number: x}, cosines.get(x)

@@ -18,7 +18,7 @@ from newton_euler.answers.near import LEAST, LESS, RARER
 from .edits_of_givens import Slip
 from .edits_of_operations import parts_of
 from .facts import FORCE, GRAVITY, INERTIA, LENGTH, MASS, NUMBER, TIME, Facts
-from .formulas import PRODUCT, SUM, Edit, edit, needed, steps_in, total
+from .formulas import PRODUCT, SUM, Edit, edit, steps_in, steps_needed, total
 from .typed import Product, described, repeats, terms_of
 
 MOMENT = Dimension(1, 1)
@@ -102,7 +102,7 @@ def of_quantities(f: Facts) -> Iterator[Edit]:
             pairs = [*zip(parts, instead, strict=False)]
             if len(instead) != len(parts) or not all(_are_alike(x, y, f.of) for x, y in pairs):
                 continue
-            if {s.number for s in needed(y for y, _ in instead)} & own.keys():
+            if {s.number for s in steps_needed(y for y, _ in instead)} & own.keys():
                 continue  # it is computed from the other one
             why = Words("takes {other} for {own}: each has its own place", other=other, own=words)
             signed = {x.number: y if s == t else ("neg", y) for (x, s), (y, t) in pairs}
@@ -165,7 +165,7 @@ def of_mean_rates(f: Facts) -> Iterator[Edit]:
     times = [(n, s) for n, s in f.given.items() if f.of(s) == TIME]
     for (a, x), (b, y), (t, time) in product(known, known, times):
         for op, sign, text in ("/", -1, MEAN_RATE), ("*", 1, GROWN):
-            is_first = op == "/" or all(s is not y for s in needed([x]))
+            is_first = op == "/" or all(s is not y for s in steps_needed([x]))
             if x is not y and is_first and f.of(y) == _times(f.of(x), TIME, sign):
                 words, name = Words(text, a=a, t=t, b=b), f"{x.number} {op} {t} for {y.number}"
                 yield edit(LEAST, name, words, {y.number: (op, x, time)})

@@ -15,7 +15,7 @@ from newton_euler.answers.near import LESS
 from .edits_of_givens import NOT_ONE, Slip
 from .edits_of_operations import of_coefficient, of_factor, of_operation
 from .facts import Facts
-from .formulas import PRODUCT, Edit, edit, needed, steps_in, users_of
+from .formulas import PRODUCT, Edit, edit, steps_in, steps_needed, users_of
 from .typed import Product, described
 
 STEPS, ROUND_OFF, NEXT = 100, 1e-12, 1e-9
@@ -60,7 +60,7 @@ class _Equation:
         self._trace.meant[x.number] = meant
         passed = dict(zip(names, (x, *map(self._copied, self.outer)), strict=True))
         self.x, now = x, dict[int, Any]()
-        for s in needed(self.inner.leaves):
+        for s in steps_needed(self.inner.leaves):
             args = (now[a.number] if isinstance(a, Step) else a for a in s.args)
             now[s.number] = (
                 passed[s.args[0]] if s.op == "argument" else self._trace.new(s.op, *args)
@@ -68,7 +68,7 @@ class _Equation:
         (leaf,) = self.inner.leaves
         self.leaf = now[leaf.number]
         self.solved = {x: None}
-        users = users_of(needed([self.leaf]))
+        users = users_of(steps_needed([self.leaf]))
         for s in users:
             if any(a in self.solved for a in steps_in(s)):
                 self.solved[s] = None
@@ -77,7 +77,7 @@ class _Equation:
 
     def _copied(self, x):
         """The arguments of the equation, as steps of its trace, with their words."""
-        for s in needed([x]):
+        for s in steps_needed([x]):
             args = (self._places[a.number] if isinstance(a, Step) else a for a in s.args)
             own = self._places[s.number] = self._trace.new(s.op, *args)
             self._outside.setdefault(own.number, s)

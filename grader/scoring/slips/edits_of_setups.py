@@ -18,8 +18,8 @@ from newton_euler.algebra.vectors import add3, cross3, dot3, scale3, sub3
 from newton_euler.answers.causes import LEFT_OUT, computed
 from newton_euler.answers.near import LEAST, LESS, RARER
 
-from .edits_of_terms import is_there, scalars_in, turned
-from .formulas import Edit, needed
+from .edits_of_terms import is_there, rotated_components, scalars_in
+from .formulas import Edit, steps_needed
 from .typed import described
 
 Answers = Mapping[str, Sequence[Any]]
@@ -166,15 +166,15 @@ def _linear(compute, name, step):
 def _curved(answers):
     """The steps in which the answers are not polynomial."""
     inside = []
-    for s in needed(x for parts in answers.values() for x in parts):
+    for s in steps_needed(x for parts in answers.values() for x in parts):
         inside += s.args[1:] if s.op == "/" else () if s.op in SIMPLE else s.args
-    return {*needed(inside)}
+    return {*steps_needed(inside)}
 
 
 def _within(answers):
     """The integrals and roots in the answers: others may have no value."""
     leaves = [x for parts in answers.values() for x in parts]
-    return {s.number for s in needed(leaves) if s.op in WITHIN}
+    return {s.number for s in steps_needed(leaves) if s.op in WITHIN}
 
 
 def _key(kind, parts, of):
@@ -231,10 +231,10 @@ def _of_components(parts, of):
         if not what:
             continue
         if {n, m} <= {*there}:
-            yield LESS, Words(EXCHANGED, what=what), turned(parts, n, m, 1, 1)
+            yield LESS, Words(EXCHANGED, what=what), rotated_components(parts, n, m, 1, 1)
         else:
-            yield LESS, Words(MOVED, what=what), turned(parts, n, m, 1, -1)
-            yield LESS, Words(MOVED, what=what), turned(parts, n, m, -1, 1)
+            yield LESS, Words(MOVED, what=what), rotated_components(parts, n, m, 1, -1)
+            yield LESS, Words(MOVED, what=what), rotated_components(parts, n, m, -1, 1)
 
 
 def _of_turn(parts, of):

@@ -103,7 +103,7 @@ def _of_term(v, name, c, named):
         if not ((len(there) == 1 and there & {n, m}) or there == {n, m}):
             continue
         for a, b in (1, -1), (-1, 1), *[(1, 1), (-1, -1)] * (len(there) > 1):
-            moved = _sum(rest, turned(c, n, m, a, b))
+            moved = _sum(rest, rotated_components(c, n, m, a, b))
             yield f"{name} {n} {m} {a} {b}", LESS, words, "", moved
     size = Vector(c, v.frame).norm()
     for n in there if len(there) > 1 else ():
@@ -117,7 +117,7 @@ def _sum(a, b):
     return [x + y for x, y in zip(a, b, strict=True)]
 
 
-def turned(parts: Sequence[Any], n: int, m: int, a: int, b: int) -> tuple[Any, ...]:
+def rotated_components(parts: Sequence[Any], n: int, m: int, a: int, b: int) -> tuple[Any, ...]:
     """The components with the n-th in the place of the m-th, times b, and back, times a."""
     moved = [*parts]
     moved[n], moved[m] = a * parts[m], b * parts[n]

@@ -11,7 +11,7 @@ from newton_euler.answers.near import LEAST, LESS
 
 from .edits_of_operations import CANCELS
 from .facts import FORCE, GRAVITY, MASS, Facts
-from .formulas import SUM, Edit, edit, needed
+from .formulas import SUM, Edit, edit, steps_needed
 from .typed import Product, described, is_given, terms_of
 
 IN_TERMS = {"+", "-", "sqrt", "asin", "acos", "atan"}
@@ -71,7 +71,7 @@ def of_unneeded(f: Facts) -> Iterator[Edit]:
     kinds = {n: f.of(s) for n, s in f.anything.items()}
     heavy = [n for n, kind in kinds.items() if kind in (MASS, FORCE) or (n, kind) == ("g", GRAVITY)]
     for a in f.answers.values():
-        steps = needed(a.parts)
+        steps = steps_needed(a.parts)
         places = {x.number: x for s in steps if s.op in IN_TERMS for x in s.args if is_given(x)}
         places |= {x.number: x for x in _steps(a)}
         idle = {n: f.anything[n] for n in heavy if all(f.anything[n] is not x for x in steps)}
@@ -86,7 +86,7 @@ def of_quantities_in_wholes(f: Facts) -> Iterator[Edit]:
     scalars = [(words, x) for words, (x, *others) in f.named if not others and isinstance(x, Step)]
     for key, a in f.answers.items():
         parts = _steps(a)
-        inside = {s.number for s in needed(parts)} - {x.number for x in parts}
+        inside = {s.number for s in steps_needed(parts)} - {x.number for x in parts}
         for words, q in scalars:
             if q.number not in inside or q.op == "argument" or f.of(q) is None:
                 continue

@@ -8,7 +8,7 @@ from newton_euler.algebra.linear import Solved
 from newton_euler.algebra.trace import Step
 from newton_euler.algebra.units import SI, US, Dimension, System, unit
 
-from .formulas import PRODUCT, Formulas, dimensions_of, needed, steps_in, users_of
+from .formulas import PRODUCT, Formulas, dimensions_of, steps_in, steps_needed, users_of
 from .typed import Product, repeats
 
 NUMBER, MASS, LENGTH, TIME = Dimension(), Dimension(1), Dimension(0, 1), Dimension(0, 0, 1)
@@ -36,14 +36,14 @@ class Facts:
         self.system, self.stages = formulas.system, formulas.stages
         self.systems = square(formulas.systems)
         parts = [x for a in self.answers.values() for x in a.parts]
-        self.steps = needed(parts)
+        self.steps = steps_needed(parts)
         self.given = {s.args[0]: s for s in self.steps if s.op == "argument"}
         self.numbers = {n: s for n, s in self.given.items() if n not in formulas.symbols}
         self.anything = {**formulas.given, **self.given}
         self.read = {name: unit(formulas.units[name]) for name in self.anything}
         unknowns = (x for s in self.systems for x in s.values.values())
         on_the_way = (x for stage in self.stages for x in stage.parts)
-        every = needed([*parts, *on_the_way, *self.anything.values(), *unknowns])
+        every = steps_needed([*parts, *on_the_way, *self.anything.values(), *unknowns])
         units = {n: unit(u) for n, u in formulas.units.items()}
         self.dimensions = dimensions_of(every, units)
         self.of = self.dimensions.get
@@ -130,9 +130,9 @@ def _of_elimination(systems):
     """The steps between equations and their unknowns, which a student does not write down."""
     found = set[Step]()
     for system in systems:
-        known = {s.number for s in needed(entries(system))}
+        known = {s.number for s in steps_needed(entries(system))}
         unknowns = {s.number for s in system.values.values() if isinstance(s, Step)}
-        inside = needed(system.values.values())
+        inside = steps_needed(system.values.values())
         found |= {s for s in inside if s.number not in known | unknowns and s.op != "argument"}
     return found
 

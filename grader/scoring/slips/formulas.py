@@ -97,7 +97,7 @@ def steps_in(s: Step) -> list[Step]:
     return [a for a in s.args if isinstance(a, Step)]
 
 
-def needed(leaves: Iterable[Any]) -> list[Step]:
+def steps_needed(leaves: Iterable[Any]) -> list[Step]:
     """The steps that these leaves need, in order."""
     waiting, found = [x for x in leaves if isinstance(x, Step)], dict[int, Step]()
     while waiting:
@@ -115,7 +115,7 @@ def with_arguments(leaves: Iterable[Any], names: Mapping[int, str]) -> list[Any]
     def now(x):
         return found[x.number] if isinstance(x, Step) else x
 
-    for s in needed(leaves):
+    for s in steps_needed(leaves):
         op, args = ("argument", [names[s.number]]) if s.number in names else (s.op, s.args)
         found[s.number] = trace.new(op, *map(now, args))
     return [now(x) for x in leaves]
@@ -156,7 +156,7 @@ def _of_integral(inner, low, high, *outer):
     """The dimensions of an integral: a limit that is a number is zero, or of no dimension."""
     own = next((d for d in (low, high) if isinstance(d, Dimension)), Dimension())
     values = dict(zip(inner.parameters, (own, *outer), strict=True))
-    steps = needed(inner.leaves)
+    steps = steps_needed(inner.leaves)
     given = {s: values[s.args[0]] for s in steps if s.op == "argument"}
     found = _dimensions(steps, given)
     return [found[x] * own if isinstance(x, Step) else own for x in inner.leaves]

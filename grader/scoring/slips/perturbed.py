@@ -19,7 +19,7 @@ from .edits import edits_of
 from .edits_of_equations import solution
 from .edits_of_roots import beside, rooted
 from .facts import entries, square
-from .formulas import Edit, Formulas, needed, steps_in
+from .formulas import Edit, Formulas, steps_in, steps_needed
 
 INFIX = {"+", "-", "*", "/", "**"}
 
@@ -29,14 +29,14 @@ class Computation:
 
     def __init__(self, formulas: Formulas):
         self.answers = formulas.answers
-        self.steps = needed(x for a in self.answers.values() for x in a.parts)
+        self.steps = steps_needed(x for a in self.answers.values() for x in a.parts)
         self.edits: list[Edit] = edits_of(formulas)
         self.ranked = Ranked([(e.rank, e.cause) for e in self.edits])
         stages = [x for stage in formulas.stages for x in stage.parts]
         systems = square(formulas.systems)
         inside = [x for s in systems for x in (*entries(s), *s.values.values())]
         anew = [x for edit in self.edits for parts in edit.answers.values() for x in parts]
-        self.every = needed([*self.steps, *stages, *inside, *anew, *formulas.given.values()])
+        self.every = steps_needed([*self.steps, *stages, *inside, *anew, *formulas.given.values()])
         self.arguments_of = {k: _arguments(a.parts) for k, a in self.answers.items()}
         system = formulas.system
         self.factors = {k: unit(a.unit).from_base(1.0, system) for k, a in self.answers.items()}
@@ -101,7 +101,7 @@ def _has_value(op, formula, low, high, *outer):
 
 def _arguments(leaves):
     """The names of the arguments that these leaves need."""
-    return [s.args[0] for s in needed(leaves) if s.op == "argument"]
+    return [s.args[0] for s in steps_needed(leaves) if s.op == "argument"]
 
 
 class _Text:

@@ -26,7 +26,7 @@ class Product:
         self._take(x, 1)
 
     def _take(self, x, power):
-        x = settled(x)
+        x = without_zeros(x)
         if not isinstance(x, Step):
             self._constant(x, power)
         elif x.op in ("*", "/"):
@@ -117,7 +117,7 @@ def _names(x, seen):
             yield from _names(a, seen)
 
 
-def settled(x: Any) -> Any:
+def without_zeros(x: Any) -> Any:
     """An expression without terms that are zero for every student, as c - c."""
     while isinstance(x, Step) and x.op in ("+", "-"):
         a, b = x.args
@@ -141,7 +141,7 @@ def is_nothing(x: Any) -> bool:
 
 def terms_of(x: Any, sign: int = 1) -> list[tuple[int, Any]]:
     """[(sign, term)] of nested sums."""
-    x = settled(x)
+    x = without_zeros(x)
     if root := _under_root(x):
         return terms_of(root[1], sign * root[0])
     if not isinstance(x, Step) or x.op not in ("+", "-"):
@@ -192,7 +192,7 @@ def _in_full(found):
 
 
 def _sum(x):
-    x = settled(x)
+    x = without_zeros(x)
     if not isinstance(x, Step) or x.op not in ("+", "-"):
         return _product(x)
     if repeats(x):

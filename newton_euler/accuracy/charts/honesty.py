@@ -14,8 +14,8 @@ from ..measurements.honesty import (
     comparable,
     cost_text,
     percent,
+    ratio_text,
     tallies,
-    times,
 )
 
 # limits of true over asked, and of estimate over true; what lies beyond is drawn at the edge
@@ -166,7 +166,7 @@ def _draw_counts(ax, found, relative):
         "runs": [t.runs for t in found],
         "met %": [percent(t.met) for t in found],
         "covers %": [percent(t.covers) for t in found],
-        "est/true": [times(t.ratio) for t in found],
+        "est/true": [ratio_text(t.ratio) for t in found],
         "silent": [t.silent or "" for t in found],
         "cost": [cost_text(t.cost, relative) for t in found],
     }

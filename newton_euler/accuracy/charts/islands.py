@@ -41,7 +41,7 @@ def islands(found: "np.ndarray") -> list[Island]:
     return [Island(name, cells) for name in names for cells in parts(found, name)[1:]]
 
 
-def settled(chart: Map, found: "np.ndarray") -> tuple["np.ndarray", int]:
+def without_noise(chart: Map, found: "np.ndarray") -> tuple["np.ndarray", int]:
     """The choices without islands that are noise of the times, and how many cells changed. The
     columns of islands are measured again; small islands that stay go to their neighbours.
     """
@@ -72,7 +72,7 @@ def _give_to_neighbours(found, island):
         found[cell] = most[0][0]
 
 
-def explained(chart: Map, found: "np.ndarray", most: int = 2) -> Iterator[str]:
+def island_sentences(chart: Map, found: "np.ndarray", most: int = 2) -> Iterator[str]:
     """A sentence for each of the first islands, from a closer look at the column of its middle."""
     every = islands(found)
     yield from (_explained(chart, found, island) for island in every[:most])

@@ -6,7 +6,7 @@ from typing import Any
 from ...algebra.late import np
 from ..measurements.regime_maps import Map
 from .axes import COLOURS
-from .islands import explained, parts
+from .islands import island_sentences, parts
 from .words import two_digits
 
 SMALLEST = 0.03  # share of the map; a smaller region is named in the legend only
@@ -84,7 +84,7 @@ def map_caption(chart: Map, found: "np.ndarray", smoothed: int = 0) -> str:
     if smoothed:
         text.append(f"{smoothed} isolated cells were noise of the times: they vanished when they")
         text.append("were measured again, or took the choice of their neighbours.")
-    return " ".join([*text, *(() if chart.timed else explained(chart, found))])
+    return " ".join([*text, *(() if chart.timed else island_sentences(chart, found))])
 
 
 def _percent(share):

@@ -7,7 +7,7 @@ from ...algebra.names import listed
 from ..measurements.measure import ALIKE, ROUND_OFF, Measured, cheapest, of_equal_cost, repeated
 from ..measurements.work_precision import NAMES, STEPPING, WorkPrecision
 from .axes import FLOOR, GREY, chart, log_log, marker_style
-from .words import about, about_times, agreed, seconds, times, two_digits
+from .words import about, about_times, agreed, seconds, times_as_much, two_digits
 
 AUTO = {"label": "auto", "color": "black", "marker": "*", "mfc": "none", "ms": 12, "lw": 1.6}
 SHORT = 2e-3  # seconds; a shorter preparation is not mentioned
@@ -132,7 +132,7 @@ def _small_drift(points):
     if worst.error < 10 * worst.drift:
         return ""
     text = f"A small drift proves nothing: of {worst.method} at rtol = {two_digits(worst.asked)}"
-    return f"{text} the error is {times(worst.error / worst.drift)} the drift."
+    return f"{text} the error is {times_as_much(worst.error / worst.drift)} the drift."
 
 
 def _left_out(found):

@@ -13,7 +13,7 @@ from ...motion.prepared import prepared_model
 from ...scenes.ladders import Ladder
 from ..measurements.measure import EQUAL_WITHIN, Measured, Progress, of_equal_cost
 from .axes import GREY, INK, log_log, mark_better, marker_style, time_axis
-from .words import times, two_digits
+from .words import times_as_much, two_digits
 
 STEPS = (1, 2, 5, 10)  # a tolerance is one of these times a power of ten
 RTOL = 1e-9  # tolerance of the integrations that are counted
@@ -187,7 +187,7 @@ def _fullest(points):
     cheapest, full = min(least, key=points.index), points[-1]
     if full in least:
         return "The fullest model costs no more than the cheapest."
-    ratio = times(full.cost / cheapest.cost)
+    ratio = times_as_much(full.cost / cheapest.cost)
     return f"The fullest takes {ratio} as many operations as the cheapest, {cheapest.method}."
 
 

@@ -42,7 +42,7 @@ def seconds(x: float) -> str:
     return f"about {value / 1000.0**power:.3g} {PREFIXES[power]}s"
 
 
-def times(ratio: float) -> str:
+def times_as_much(ratio: float) -> str:
     """How many times as much, of what was counted.
 
     >>> times(1.34), times(2.0), times(54.3)

@@ -202,7 +202,7 @@ def percent(part: float) -> str:
     return "" if math.isnan(part) else "100" if part == 1.0 else f"{math.floor(1e3 * part) / 10}"
 
 
-def times(ratio: float) -> str:
+def ratio_text(ratio: float) -> str:
     """A ratio as text, in two digits and without powers of ten; "" for nan.
 
     >>> times(1.234), times(12.34), times(1234.0), times(0.001234)
@@ -214,7 +214,7 @@ def times(ratio: float) -> str:
 def cost_text(cost: float, relative: bool) -> str:
     """A cost as text, "28.1 µs", or "7.3 x" relative to the cheapest; "" for nan."""
     seconds = EngFormatter(unit="s", places=1)
-    return "" if math.isnan(cost) else f"{times(cost)} x" if relative else seconds(cost)
+    return "" if math.isnan(cost) else f"{ratio_text(cost)} x" if relative else seconds(cost)
 
 
 def table(answers: Sequence[MethodResult]) -> str:
@@ -225,7 +225,7 @@ def table(answers: Sequence[MethodResult]) -> str:
     width = max([len("method"), *(len(t.method) for t in found)])
     lines = [f"  {'method':{width}}" + "".join(f"{head:>10}" for head in heads)]
     for t in found:
-        shares = percent(t.met), percent(t.covers), times(t.ratio)
+        shares = percent(t.met), percent(t.covers), ratio_text(t.ratio)
         counts = t.silent, t.refused, t.failed
         cells = t.runs, *shares, *counts, cost_text(t.cost, relative)
         lines.append(f"  {t.method:{width}}" + "".join(f"{cell or '':>10}" for cell in cells))

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from ...algebra.language import ENGLISH, Words, _, language, words
+from ...algebra.language import ENGLISH, Words, _, from_stored, language
 from ...answers.causes import INSTEAD, Cause
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
@@ -54,7 +54,7 @@ class KeptNumbers:
         self._labels, self.program = page["labels"], Program(variant["program"])
         self._own = page.get("language", ENGLISH) == language()
         self.answers = [q for q in quantities if q.key in variant["right"]]
-        self.where = words(page["where"])
+        self.where = from_stored(page["where"])
         self.tried: Collection[str] = ()
         self.slips = KeptSlips(page["slips"], variant.get("slips", ()))
         self.symbols: dict[str, Any] = {}  # practice is numeric
@@ -76,13 +76,13 @@ class KeptNumbers:
             key, *cause = self._labels[label]
             if key in found:
                 group, name, *texts, subject, does, of = cause
-                known = group, name, *map(self._read, texts), *map(words, (subject, does, of))
+                known = group, name, *map(self._read, texts), *map(from_stored, (subject, does, of))
                 found[key].append((Cause(*known), _point(numbers)))
         return found
 
     def _read(self, stored):
         """The text of a cause; one in another language than the reader's is quoted."""
-        text = words(stored)
+        text = from_stored(stored)
         if self._own or isinstance(text, Words) or not text:
             return text
         return ": ".join(_("“{english}”", english=part) for part in text.split(": ", 1))
@@ -129,7 +129,7 @@ class KeptSlips(Slips):
         self._found: dict[str, list] = {}
         for n, numbers in kept:
             key, rank, *texts = labels[n]
-            name, text, where, subject, does, of = map(words, texts)
+            name, text, where, subject, does, of = map(from_stored, texts)
             cause = Cause("computed", name, text, where, subject, does, of)
             if cause.does == INSTEAD:
                 cause = replace(cause, of="", answers=tuple(cause.of.split()))

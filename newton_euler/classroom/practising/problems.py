@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from ...algebra.language import Words, _, joined, spoken, words
+from ...algebra.language import Words, _, from_stored, joined, spoken
 from ...algebra.names import Guided, did_you_mean
 from ...answers.causes import Cause, sentence
 from ...answers.fit import rounding
@@ -343,7 +343,8 @@ class PracticeProblem(Guided):
         if q.equation:
             yield _("It is found by equation ({number}).", number=q.equation)
         if terms := self._variant["terms"].get(q.key) if typeset else None:
-            yield _("It is the sum of {terms}.", terms="; ".join(map(spoken, map(words, terms))))
+            listed = "; ".join(map(spoken, map(from_stored, terms)))
+            yield _("It is the sum of {terms}.", terms=listed)
         if before := self._numbers.program.earlier.get(q.key, ()):
             names = ", ".join(f"`{n}`" if typeset else n for n in before)
             yield _("It is computed from {names}.", names=names)

@@ -112,7 +112,7 @@ class Prediction:
     @property
     def given(self) -> str | None:
         """What was predicted, None if nothing was yet."""
-        return kept.given(*self.keys)
+        return kept.kept_prediction(*self.keys)
 
     @property
     def right(self) -> bool | None:

@@ -12,7 +12,7 @@ from ...algebra.language import _
 FILE = "predictions.json"
 
 
-def given(*keys: str) -> str | None:
+def kept_prediction(*keys: str) -> str | None:
     """What was predicted under the first of these keys that is kept, None if nothing was yet."""
     kept = _read()
     return next((kept[key] for key in keys if key in kept), None)

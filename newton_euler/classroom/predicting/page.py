@@ -26,7 +26,7 @@ def _part(part):
     return re.sub(r"\*(.+?)\*", r"<i>\1</i>", bold)
 
 
-def folded(q: Question) -> str:
+def folded_html(q: Question) -> str:
     """The question with its choices or its answer folded."""
     body = "".join(_choice(q, c) for c in q.choices) if q.choices else _form(q) + _folded_answer(q)
     return f'<div class="prediction" data-key="{escape(q.key)}">{_asked(q)}{body}</div>'

@@ -5,7 +5,7 @@ answered. The answer is written into the output, so that the saved notebook show
 from typing import Any
 
 from ...algebra.language import _
-from .page import STATIC, folded, plain
+from .page import STATIC, folded_html, plain
 from .question import LETTERS
 
 
@@ -16,7 +16,7 @@ def show_prediction(p: Any) -> None:
     try:
         import ipywidgets
     except ImportError:
-        static = folded(p.question)
+        static = folded_html(p.question)
         display({"text/html": static, "text/plain": repr(p), STATIC: static}, raw=True)
         return
     shown = display(_bundle(p), raw=True, display_id=True)
@@ -26,7 +26,7 @@ def show_prediction(p: Any) -> None:
 
 def _bundle(p):
     html = p.html()
-    return {"text/html": html, "text/plain": plain(html), STATIC: folded(p.question)}
+    return {"text/html": html, "text/plain": plain(html), STATIC: folded_html(p.question)}
 
 
 class _Panel:

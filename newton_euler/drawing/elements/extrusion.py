@@ -20,7 +20,7 @@ def extrude(
 ) -> None:
     """Add the body between an outline and its copy moved by ``along``; if zero, the one face."""
     if not norm3(along):
-        canvas.face(outline, style, normal, holes=holes)
+        canvas.line(outline, style, closed=True, normal=normal, holes=holes)
         return
     loops = [outline, *holes]
     for loop, sense in zip(loops, (1, *[-1] * len(holes)), strict=True):

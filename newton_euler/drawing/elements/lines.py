@@ -92,16 +92,13 @@ class Lines(Recorder):
         >>> s.wire(half_circle)
         >>> s.plate(half_circle)  # half a disk
         """
-        angle = self._angle(angle)
+        turned = self._number(angle)
+        if not abs(turned) <= MAX_TURNS * 2 * math.pi:  # nan too
+            raise FrameError(f"an angle is in radians, at most {MAX_TURNS} turns; got {angle!r}")
         A, C, axis = self._triple_of(A), self._triple_of(C), self._unit(axis)
         centre, e1, e2, radius = self._circle_through(A, C, axis)
-        count = max(2, math.ceil(abs(angle) / math.radians(6)))
+        count = max(2, math.ceil(abs(turned) / math.radians(6)))
         # the last point of a whole turn would be the first
-        angles = [angle * n / count for n in range(count + (abs(abs(angle) - 2 * math.pi) >= 1e-9))]
+        ends = range(count + (abs(abs(turned) - 2 * math.pi) >= 1e-9))
+        angles = [turned * n / count for n in ends]
         return [on_circle(centre, e1, e2, radius, a) for a in angles]
-
-    def _angle(self, x):
-        angle = self._number(x)
-        if not abs(angle) <= MAX_TURNS * 2 * math.pi:  # nan too
-            raise FrameError(f"an angle is in radians, at most {MAX_TURNS} turns; got {x!r}")
-        return angle

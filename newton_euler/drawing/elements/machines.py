@@ -27,7 +27,7 @@ class Machines(Recorder):
 
         @self._record
         def command(canvas):
-            canvas.face(rim, "body", normal)
+            canvas.line(rim, "body", closed=True, normal=normal)
             hub = circle(C, normal, 0.18 * r, closed=True)
             canvas.line(hub, "seam", depth=canvas.depth(C) + canvas.pt)
             for end in silhouette(canvas, apex, circle(C, normal, r)) if apex else ():
@@ -52,7 +52,7 @@ class Machines(Recorder):
             canvas.solid(ring(r, -half) + ring(r, half), "side", depth=depth - 1e-6 * r)
             for sign, flange in zip((-1, 1), flanges, strict=True):
                 outwards = scale3(sign, normal)
-                canvas.face(flange, "body", outwards)
+                canvas.line(flange, "body", closed=True, normal=outwards)
                 if canvas.depth(outwards) > 0:
                     groove = circle(moved(C, half, outwards), normal, r, closed=True)
                     canvas.line(groove, "seam", depth=depth + canvas.pt)

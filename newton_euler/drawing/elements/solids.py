@@ -176,4 +176,4 @@ class Solids(Recorder):
         def command(canvas):
             for corners, style, outwards in faces:
                 if canvas.depth(outwards) > 1e-12 * norm3(sizes):  # seen edge-on is invisible
-                    canvas.face(corners, style, outwards)
+                    canvas.line(corners, style, closed=True, normal=outwards)

@@ -37,15 +37,15 @@ class Springs(Recorder):
         pairs = zip(centres, angles, strict=True)
         helix = self._extend([on_circle(C, near, side, r, angle) for C, angle in pairs])
 
-        def plane(height):
-            corners = ((A, 1), (A, -1), (B, -1), (B, 1))
-            return [on_plane(P, height, near, 1.2 * w * r, side) for P, w in corners]
+        edges = (A, 1.2 * r), (A, -1.2 * r), (B, -1.2 * r), (B, 1.2 * r)
 
         @self._record
         def command(canvas):
             # what is in the spring lies between two invisible planes
             for height in (-0.1 * r, 0.1 * r):
-                canvas.face(plane(height), (), scale3(math.copysign(1, height), near))
+                plane = [on_plane(P, height, near, w, side) for P, w in edges]
+                outwards = scale3(math.copysign(1, height), near)
+                canvas.line(plane, (), closed=True, normal=outwards)
             # cut where it passes from behind these planes to their front
             half = STEPS // 2
             cuts = [n for n in range(count + 1) if n % half in (1, half - 1) or n in (0, count)]

@@ -63,8 +63,7 @@ class Vectors(Recorder):
         @self._record
         def command(canvas):
             shortest = self._shortest * self._longest[kind]
-            tip = self._tip(canvas, P, v, kind, max(magnitude, shortest))
-            self._arrow_or_dot(canvas, P, tip, kind, ARROW)
+            tip = self._scaled(canvas, P, v, kind, max(magnitude, shortest), kind)
             text = self._with_size(label, magnitude, kind, size)
             canvas.note(tip, text, away_from=P, colour=KINDS[kind])
 
@@ -87,13 +86,11 @@ class Vectors(Recorder):
         def command(canvas):
             start = P
             for (name, v), length in zip(terms, sizes, strict=True):
-                tip = self._tip(canvas, start, v, kind, length)
-                self._arrow_or_dot(canvas, start, tip, kind, ARROW)
+                tip = self._scaled(canvas, start, v, kind, length, kind)
                 text = name if tip != start else f"{name} = 0"
                 canvas.note(between(start, tip, 0.5), text, colour=KINDS[kind])
                 start = tip
-            tip = self._tip(canvas, P, total, kind, magnitude)
-            self._arrow_or_dot(canvas, P, tip, f"{kind} sum", ARROW)
+            tip = self._scaled(canvas, P, total, kind, magnitude, f"{kind} sum")
             text = self._with_size(label, magnitude, kind, size)
             canvas.note(between(P, tip, 0.5), text, colour=KINDS[kind], weight="bold")
 
@@ -103,18 +100,16 @@ class Vectors(Recorder):
         self._longest[kind] = max(size, self._longest.get(kind, 0))
         return size
 
-    def _tip(self, canvas, P, v, kind, size):
-        """The tip of an arrow from P that stands for this size; P if ``v`` is but round-off."""
-        longest, own = self._longest[kind], norm3(v)
-        if own <= 1e-9 * longest:
-            return P
-        return ahead(P, self.arrows * canvas.pt * size / longest / own, v)
-
-    def _arrow_or_dot(self, canvas, P, tip, style, layer):
+    def _scaled(self, canvas, P, v, kind, size, style):
+        """The tip of an arrow from P that stands for this size; a dot if ``v`` is but round-off."""
+        longest, own, tip = self._longest[kind], norm3(v), P
+        if own > 1e-9 * longest:
+            tip = ahead(P, self.arrows * canvas.pt * size / longest / own, v)
         if tip == P:
-            canvas.disc(P, 2.5, style, layer)
+            canvas.disc(P, 2.5, style, ARROW)
         else:
-            canvas.arrow(P, tip, style, layer)
+            canvas.arrow(P, tip, style, ARROW)
+        return tip
 
     def _with_size(self, label, size, kind, unit):
         """The label with the magnitude, in as many decimals as suit the longest of its kind."""

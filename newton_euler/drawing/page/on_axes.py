@@ -70,8 +70,11 @@ def _patches(stroke, ax, view, clip):
 
     xy = [view.project(p) for p in stroke.points]
     path = Path(xy + xy[:1], closed=True) if stroke.closed else Path(xy)
-    if stroke.holes:
-        path = Path.make_compound_path(path, *_holes(view, stroke))
+    for hole in stroke.holes:  # a hole runs the other way round, which leaves it unfilled
+        xy = [view.project(p) for p in hole]
+        if view.depth(normal_of(hole)) * view.depth(normal_of(stroke.points)) > 0:
+            xy.reverse()
+        path = Path.make_compound_path(path, Path(xy + xy[:1], closed=True))
     changed: dict = {"clip_on": False, "zorder": 2 + stroke.layer}
     if not stroke.closed:
         changed["facecolor"] = "none"
@@ -81,18 +84,6 @@ def _patches(stroke, ax, view, clip):
         patch = PathPatch(path, **(STYLES[style] | changed))
         patch.set_clip_path(clip)
         yield ax.add_artist(patch)
-
-
-def _holes(view, stroke):
-    """The holes of a face as paths that run the other way round, which leaves them unfilled."""
-    from matplotlib.path import Path
-
-    sense = view.depth(normal_of(stroke.points))
-    for hole in stroke.holes:
-        xy = [view.project(p) for p in hole]
-        if view.depth(normal_of(hole)) * sense > 0:
-            xy.reverse()
-        yield Path(xy + xy[:1], closed=True)
 
 
 def place_labels(ax: Any, canvas: Canvas, renderer: Any, before: dict) -> Iterator[Any]:

@@ -35,7 +35,14 @@ class Panel(Plots):
 
     def box(self) -> tuple[float, float, float, float]:
         """Left, bottom, width and height on the page, in points."""
-        return self.figure.box(self.row, self.column)
+        page = self.figure
+        room = page.room() if page.top is None else page.top
+        head = 1.5 * TITLE if page.title else 0.0
+        gap = GAP * page.width
+        width = (page.width - gap * (page.columns + 1)) / page.columns
+        height = (page.height - head - gap) / page.rows - gap - room
+        bottom = gap + (page.rows - 1 - self.row) * (height + gap + room)
+        return gap + self.column * (width + gap), bottom, width, height
 
     # -- the interface to sketches on it
 
@@ -80,7 +87,7 @@ class Page:
         self.rows, self.columns = rows, columns
         self.axes = [Panel(self, row, column) for row in range(rows) for column in range(columns)]
         self.title = ""
-        self._top: float | None = None
+        self.top: float | None = None  # the room for titles, if it is fixed
 
     @property
     def panel(self) -> Panel:
@@ -108,28 +115,18 @@ class Page:
     def empty(self) -> "Page":
         """A page without pictures that is like this one."""
         page = Page((self.width / 72, self.height / 72), self.rows, self.columns)
-        page._top = self._top
+        page.top = self.top
         return page
 
     def lay_out(self) -> None:
         """Fix the room for titles, which later pictures on the page then share."""
-        self._top = self._room()
+        self.top = self.room()
 
-    def _room(self):
+    def room(self) -> float:
         """Points at the top of each row for the titles of panels, or a little air."""
         titles = [title for panel in self.axes for title in panel.titles.values() if title[0]]
         sizes = [size * LINE * len(text.split("\n")) for text, size in titles]
         return max(sizes) + 6 if sizes else 0.0
-
-    def box(self, row: int, column: int) -> tuple[float, float, float, float]:
-        """Left, bottom, width and height of a panel in points."""
-        room = self._room() if self._top is None else self._top
-        head = 1.5 * TITLE if self.title else 0.0
-        gap = GAP * self.width
-        width = (self.width - gap * (self.columns + 1)) / self.columns
-        height = (self.height - head - gap) / self.rows - gap - room
-        bottom = gap + (self.rows - 1 - row) * (height + gap + room)
-        return gap + column * (width + gap), bottom, width, height
 
 
 class Panels(list):

@@ -4,11 +4,10 @@ import math
 from collections.abc import Iterator
 from html import escape
 
-from .letters import letters
+from .letters import letters, text_at
 from .paper import Panel
 from .plots import GREY, Mark, Plot, Scale
 from .primitives import BLACK, WHITE
-from .texts import text_at
 
 SMALL = 9.5  # points, of numbers
 LABEL = 10.5
@@ -41,15 +40,12 @@ class Drawing:
         self.w, self.h = max(w - before - 8, 10.0), max(h - under - 4, 10.0)
         self.left, self.top = left + before, panel.figure.height - bottom - h + 4
         if settings.get("aspect") == "equal":
-            self._make_equal()
+            across, up = abs(self.x.high - self.x.low), abs(self.y.high - self.y.low)
+            unit = min(self.w / across, self.h / up)
+            self.left += (self.w - unit * across) / 2
+            self.top += (self.h - unit * up) / 2
+            self.w, self.h = unit * across, unit * up
         self.xticks = self._ticks("x", self.x, self.w / 42)
-
-    def _make_equal(self):
-        across, up = abs(self.x.high - self.x.low), abs(self.y.high - self.y.low)
-        unit = min(self.w / across, self.h / up)
-        self.left += (self.w - unit * across) / 2
-        self.top += (self.h - unit * up) / 2
-        self.w, self.h = unit * across, unit * up
 
     def _ticks(self, name, scale, count):
         """Pairs (place, text)."""
@@ -100,22 +96,18 @@ class Drawing:
         return text_at(mark.shape, x, y, mark.size, bold=mark.width > 1, more=anchor)
 
     def _curve(self, mark):
-        if mark.xs[0] is None:
-            y = self.at(None, mark.ys[0])[1]
-            places = [(self.left, y), (self.left + self.w, y)]
+        places = [self.at(x, y) for x, y in zip(mark.xs, mark.ys, strict=True)]
+        if mark.xs[0] is None:  # from edge to edge
+            places[1] = self.left + self.w, places[1][1]
         elif mark.ys[0] is None:
-            x = self.at(mark.xs[0], None)[0]
-            places = [(x, self.top), (x, self.top + self.h)]
-        else:
-            places = [self.at(x, y) for x, y in zip(mark.xs, mark.ys, strict=True)]
-        d, pen = [], "M"
+            places[0] = places[0][0], self.top
+        d, pen = "", "M"
         for x, y in places:
-            if math.isfinite(x) and math.isfinite(y):
-                d.append(f"{pen}{_held(x):.1f} {_held(y):.1f}")
-                pen = "L"
-            else:
-                pen = "M"
-        return f'<path d="{"".join(d)}"{_look(mark)}/>'
+            if finite := math.isfinite(x) and math.isfinite(y):
+                x, y = (max(-2e4, min(2e4, side)) for side in (x, y))  # not far beyond the page
+                d += f"{pen}{x:.1f} {y:.1f}"
+            pen = "L" if finite else "M"
+        return f'<path d="{d}"{_look(mark)}/>'
 
     def _dots(self, mark):
         for x, y in zip(mark.xs, mark.ys, strict=True):
@@ -124,12 +116,25 @@ class Drawing:
                 yield _dot(mark, x, y)
 
     def _arrow(self, mark):
+        """An arrow, whose head is not longer than itself."""
         (x0, y0), (x1, y1) = (self.at(mark.xs[n], mark.ys[n]) for n in (0, -1))
         if len(mark.xs) == 1:
             right, up = (self.w * side for side in mark.shift)
             x0, y0 = x0 - mark.size * right, y0 + mark.size * up
             x1, y1 = x0 + right, y0 - up
-        return _arrow(mark, x0, y0, x1 - x0, y1 - y0)
+        dx, dy, colour = x1 - x0, y1 - y0, escape(mark.colour)
+        length = math.hypot(dx, dy)
+        if not 0 < length < 2e4:
+            return ""
+        head = min(5 * mark.width, length)
+        ex, ey, wide = dx / length, dy / length, head / 3
+        bx, by = x0 + dx - head * ex, y0 + dy - head * ey
+        return (
+            f'<path d="M{x0:.1f} {y0:.1f}L{bx:.1f} {by:.1f}" stroke="{colour}" '
+            f'stroke-width="{mark.width:.1f}"/><path d="M{x0 + dx:.1f} {y0 + dy:.1f}'
+            f"L{bx - wide * ey:.1f} {by + wide * ex:.1f}L{bx + wide * ey:.1f} {by - wide * ex:.1f}Z"
+            f'" fill="{colour}"/>'
+        )
 
     def _axes(self):
         for x, text in self.xticks:
@@ -186,11 +191,6 @@ class Drawing:
         return self.left + 5 + s * (self.w - w - 10), self.top + 5 + (1 - t) * (self.h - h - 10)
 
 
-def _held(x):
-    """A coordinate that is not far beyond the page."""
-    return max(-2e4, min(2e4, x))
-
-
 def _look(mark: Mark) -> str:
     seen = f' opacity="{mark.opacity:g}"' if mark.opacity != 1 else ""
     colour = escape(mark.colour)
@@ -219,22 +219,6 @@ def _dot(mark: Mark, x: float, y: float) -> str:
         f"M{x - r:.1f} {y + r:.1f}L{x + r:.1f} {y - r:.1f}",
     }
     return f'<path d="{shapes[mark.shape]}" {look}/>'
-
-
-def _arrow(mark: Mark, x: float, y: float, dx: float, dy: float) -> str:
-    """An arrow of this colour and width, whose head is not longer than itself."""
-    length, colour = math.hypot(dx, dy), escape(mark.colour)
-    if not 0 < length < 2e4:
-        return ""
-    head = min(5 * mark.width, length)
-    ex, ey, wide = dx / length, dy / length, head / 3
-    bx, by = x + dx - head * ex, y + dy - head * ey
-    return (
-        f'<path d="M{x:.1f} {y:.1f}L{bx:.1f} {by:.1f}" stroke="{colour}" '
-        f'stroke-width="{mark.width:.1f}"/><path d="M{x + dx:.1f} {y + dy:.1f}'
-        f"L{bx - wide * ey:.1f} {by + wide * ex:.1f}L{bx + wide * ey:.1f} {by - wide * ex:.1f}Z"
-        f'" fill="{colour}"/>'
-    )
 
 
 def _tick(x, y, dx, dy):

@@ -56,10 +56,16 @@ class Plot:
     legend: dict[str, Any] | None = None
     colours: int = 0
 
-    def next_colour(self) -> str:
-        """The colour of the next line whose colour is not given."""
-        self.colours += 1
-        return CYCLE[(self.colours - 1) % len(CYCLE)]
+    def colour(self, name: str | None) -> str:
+        """The colour of this name of Matplotlib; of None that of the next line."""
+        if name is None:
+            self.colours += 1
+            return CYCLE[(self.colours - 1) % len(CYCLE)]
+        if not isinstance(name, str):
+            raise NeedsMatplotlib("a panel knows a colour by its name")
+        if len(name) == 2 and name[0] == "C":
+            return CYCLE[int(name[1]) % len(CYCLE)]
+        return COLOURS.get(name, name)
 
 
 def _numbers(values):
@@ -136,7 +142,7 @@ class Plots:
         look |= {"label": named.pop("label", ""), "opacity": named.pop("alpha", 1)}
         colour = named.pop("color", colour)
         _refuse(named)
-        return look | {"colour": _colour(self.plotted, colour)}
+        return look | {"colour": self.plotted.colour(colour)}
 
     def _mark(self, kind, xs, ys, look):
         self.plotted.marks.append(Mark(kind, xs, ys, **look))
@@ -164,12 +170,12 @@ class Plots:
         look = self._look(named)
         xs, ys = _numbers(x), _numbers(y)
         lows = _numbers(base) if hasattr(base, "__len__") else [float(base)] * len(xs)
-        kept = [True] * len(xs) if where is None else [bool(k) for k in where]
-        for start, end in _runs_of(kept):
-            across = [*xs[start:end], *reversed(xs[start:end])]
-            along = [*ys[start:end], *reversed(lows[start:end])]
-            self._mark("area", across, along, look)
-            look["label"] = ""
+        kept = [True] * len(xs) if where is None else map(bool, where)
+        for keep, run in groupby(zip(xs, ys, lows, kept, strict=True), lambda place: place[3]):
+            if keep:
+                across, upper, lower, _ = map(list, zip(*run, strict=True))
+                self._mark("area", across + across[::-1], upper + lower[::-1], look)
+                look["label"] = ""
 
     @_recorded
     def bar(self, x: Any, height: Any, width: float = 0.8, **named: Any) -> None:
@@ -178,8 +184,7 @@ class Plots:
         look = self._look(named)
         for middle, top in zip(_numbers(x), _numbers(height), strict=True):
             left, right = middle - width / 2, middle + width / 2
-            corners = [left, right, right, left], [0.0, 0.0, top, top]
-            self._mark("area", *corners, look)
+            self._mark("area", [left, right, right, left], [0.0, 0.0, top, top], look)
             look["label"] = ""
 
     @_recorded
@@ -198,21 +203,19 @@ class Plots:
 
     def _write(self, text, xy, offset, **given):
         up = {"bottom": 5, "top": -5, "center": 0, "baseline": 4}[given.pop("va", "baseline")]
-        side = given.pop("ha", "left")
-        bold = given.pop("weight", "") == "bold"
-        size = given.pop("fontsize", 10)
+        over = {"left": 0.25, "center": 0, "right": -0.25}[given.pop("ha", "left")]
+        look = {"width": 1 + (given.pop("weight", "") == "bold"), "shape": str(text)}
+        look |= {"colour": BLACK, "size": given.pop("fontsize", 10)}
         _refuse(given)
         x, y = map(float, xy)
-        over = {"left": 0.25, "center": 0, "right": -0.25}[side] * size
-        mark = Mark("text", [x], [y], BLACK, 1 + bold, (), "", str(text), size)
-        self.plotted.marks.append(mark._replace(shift=(offset[0] + over, offset[1] + up)))
+        shift = offset[0] + over * look["size"], offset[1] + up
+        self._mark("text", [x], [y], look | {"shift": shift})
 
     def _arrow(self, tail, tip, arrowstyle, color="k"):
         if arrowstyle != "->":
             raise NeedsMatplotlib(f"a panel does not know the arrow {arrowstyle!r}")
-        xs, ys = zip(tail, tip, strict=True)
-        colour = _colour(self.plotted, color)
-        self.plotted.marks.append(Mark("arrow", _numbers(xs), _numbers(ys), colour))
+        xs, ys = map(_numbers, zip(tail, tip, strict=True))
+        self._mark("arrow", xs, ys, {"colour": self.plotted.colour(color)})
 
     @_recorded
     def quiver(self, *sides: Any, **named: Any) -> None:
@@ -221,12 +224,11 @@ class Plots:
         """
         given = {"color": "k", "pivot": "tail", "width": 0.005, **named}
         scale, width = float(given.pop("scale")), 360 * float(given.pop("width"))
-        colour = _colour(self.plotted, given.pop("color"))
-        middle = {"tail": 0.0, "mid": 0.5}[given.pop("pivot")]
+        look = {"colour": self.plotted.colour(given.pop("color")), "width": width}
+        look["size"] = {"tail": 0.0, "mid": 0.5}[given.pop("pivot")]
         _refuse(given)
         for x, y, u, v in zip(*map(_numbers, sides), strict=True):
-            mark = Mark("arrow", [x], [y], colour, width, size=middle)
-            self.plotted.marks.append(mark._replace(shift=(u / scale, v / scale)))
+            self._mark("arrow", [x], [y], look | {"shift": (u / scale, v / scale)})
 
     def axis(self, which: str) -> None:
         """``axis("off")``: without a frame and ticks."""
@@ -264,24 +266,6 @@ SETTINGS = {
     "xlabel", "ylabel", "xlim", "ylim", "xticks", "yticks", "xticklabels", "aspect", "xscale",
     "yscale",
 }  # fmt: skip
-
-
-def _colour(plot, name):
-    if name is None:
-        return plot.next_colour()
-    if not isinstance(name, str):
-        raise NeedsMatplotlib("a panel knows a colour by its name")
-    if len(name) == 2 and name[0] == "C":
-        return CYCLE[int(name[1]) % len(CYCLE)]
-    return COLOURS.get(name, name)
-
-
-def _runs_of(kept):
-    """The starts and ends of the runs of True."""
-    for keep, run in groupby(range(len(kept)), kept.__getitem__):
-        if keep:
-            places = list(run)
-            yield places[0], places[-1] + 1
 
 
 class Scale:

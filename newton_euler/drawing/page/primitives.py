@@ -125,7 +125,7 @@ class Canvas(View):
         normal: Triple | None = None,
         holes: Sequence[Sequence[Triple]] = (),
     ) -> None:
-        """Add a stroke of this ``depth``, by default that of its middle, or of a flat face."""
+        """Add a stroke of this ``depth``, by default that of its middle; a face has a normal."""
         styles = (styles,) if isinstance(styles, str) else styles
         depth = self.depth(mean(points)) if depth is None else depth
         self.spots += map(self.project, points)
@@ -136,17 +136,6 @@ class Canvas(View):
         """Add a curve through the points, in pieces, so that each has a depth of its own."""
         for n in range(0, len(points) - 1, 4):
             self.line(points[n : n + 5], style)
-
-    def face(
-        self,
-        corners: Sequence[Triple],
-        style: str | tuple[str, ...],
-        normal: Triple,
-        layer: int = BODY,
-        holes: Sequence[Sequence[Triple]] = (),
-    ) -> None:
-        """Add a plane face."""
-        self.line(corners, style, layer, True, None, normal, holes)
 
     def solid(
         self, points: Sequence[Triple], style: str, layer: int = BODY, depth: float | None = None
@@ -165,7 +154,8 @@ class Canvas(View):
         holes: Sequence[Sequence[Triple]] = (),
     ) -> None:
         """Add the flat end of a body; one that faces away still separates inside and outside."""
-        self.face(rim, style if self.depth(outwards) > 0 else (), outwards, layer, holes)
+        seen = style if self.depth(outwards) > 0 else ()
+        self.line(rim, seen, layer, True, normal=outwards, holes=holes)
 
     def shell(self, points: Sequence[Triple], rim: Sequence[Triple], outwards: Triple) -> None:
         """Add a convex vessel open at its rim, through which one looks in from ``outwards``."""

@@ -60,15 +60,10 @@ def space_view(azimuth: float, elevation: float, up: str) -> View:
     """
     azimuth, elevation = real(azimuth, "the azimuth"), real(elevation, "the elevation")
     a, h = math.radians(azimuth), math.radians(elevation)
-    n = "xyz".index(up)
-
-    def turned(first, second, vertical):
-        out = [0.0, 0.0, 0.0]
-        out[(n + 1) % 3], out[(n + 2) % 3], out[n] = first, second, vertical
-        return tuple(out)
-
-    right = turned(-math.sin(a), math.cos(a), 0.0)
-    return View(right, turned(-math.sin(h) * math.cos(a), -math.sin(h) * math.sin(a), math.cos(h)))
+    right = -math.sin(a), math.cos(a), 0.0
+    upwards = -math.sin(h) * math.cos(a), -math.sin(h) * math.sin(a), math.cos(h)
+    n = 2 - "xyz".index(up)  # these are along the two axes after ``up``, and along it
+    return View(right[n:] + right[:n], upwards[n:] + upwards[:n])
 
 
 def plane_view(plane: str) -> View:

@@ -196,13 +196,6 @@ def laid_out(sketch: Recorder, window: Window) -> Canvas:
     return canvas
 
 
-def copy_to(sketch: Recorder, ax: Any) -> None:
-    """Record the same on the axes ``ax`` of Matplotlib."""
-    same = copy.copy(sketch)
-    same.ax, same._surface, same._pending = ax, OnAxes(ax), True
-    same._surface.attach(same)
-
-
 def figure_of(page: Page) -> Any:
     """A page as a figure of Matplotlib, for PNG."""
     from matplotlib.figure import Figure
@@ -219,7 +212,9 @@ def figure_of(page: Page) -> Any:
         for name, args, named in panel.plotted.calls:
             getattr(ax, name)(*args, **named)
         for sketch in panel.sketches:
-            copy_to(sketch, ax)
+            same = copy.copy(sketch)
+            same.ax, same._surface, same._pending = ax, OnAxes(ax), True
+            same._surface.attach(same)
         if not panel.plotted.calls:
             ax.set_axis_off()
     figure.suptitle(page.title, fontsize=11)

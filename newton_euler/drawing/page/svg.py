@@ -1,18 +1,17 @@
 """A page as SVG, written from its strokes, with texts in the fonts of the page that shows it."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from html import escape
 from itertools import groupby
 from typing import Any
 
 from ...algebra.errors import checked
 from .label_placement import label_shifts
-from .letters import letters
+from .letters import letters, text_at
 from .paper import LINE, Page
 from .plot_writer import Drawing
 from .primitives import DASHES, FONT, STYLES, WHITE
 from .recorder import laid_out, share_window
-from .texts import text_at
 
 FONTS = "var(--sketch-font, 'DejaVu Sans', Verdana, sans-serif)"
 # {colour: the one on a dark page}
@@ -68,6 +67,36 @@ def svg(page: Page, alt: str = "") -> str:
     if page.title.strip():
         parts.append(text_at(page.title, width / 2, 12, 11))
     return "".join([*parts, "</svg>"])
+
+
+@checked
+def svg_of(
+    draw: Callable[..., Any],
+    *given: Any,
+    size: tuple[float, float] = (5.2, 4.0),
+    panels: tuple[int, int] = (1, 1),
+    alt: str = "",
+    **values: Any,
+) -> str:
+    """The :func:`svg` of what ``draw(*given, panel, **values)`` draws by sketches.
+
+    given : what comes before the panel, as the numbers ``g`` of a problem's ``draw(g, ax)``
+    size, panels : width and height in inches; rows and columns, of which ``draw`` gets all
+    alt : what it shows, in words, for those who cannot see it
+
+    Raises :class:`.NeedsMatplotlib` for what a panel cannot draw. Pictures of one moving figure,
+    which share a window, are those of :class:`newton_euler.classroom.widgets.stage.Stage`.
+
+    >>> from newton_euler import Frame
+    >>> from newton_euler.drawing import Sketch, svg_of
+    >>> def figure(ax, h):
+    ...     Sketch(ax, Frame("ground")).rod((0, 0, 0), (0, 0, h))
+    >>> svg_of(figure, h=2, alt="A rod stands on its end.").startswith("<svg")
+    True
+    """
+    page = Page(size, *panels)
+    draw(*given, page.panels(), **values)
+    return svg(page, alt)
 
 
 def _sketch(sketch, panel, number):

@@ -107,7 +107,9 @@ def coupled(k: Triple, start: Triple, gap: Scalar, t: Scalar) -> tuple[Scalar, .
     )
 
 
-def counted(angle: Scalar, start: Sequence[Scalar], now: Sequence[Scalar], phase: Scalar) -> Scalar:
+def unwrapped(
+    angle: Scalar, start: Sequence[Scalar], now: Sequence[Scalar], phase: Scalar
+) -> Scalar:
     """The ``angle`` (rad) after the point at its cosine and sine ``start`` has moved to ``now``,
     through as many turns as bring it within pi of ``angle + phase``.
 

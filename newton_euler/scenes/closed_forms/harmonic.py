@@ -60,7 +60,7 @@ def plane_oscillation(
     return x, y, dx, dy
 
 
-def turned(x: Scalar, y: Scalar, angle: Scalar) -> tuple[Scalar, Scalar]:
+def rotated(x: Scalar, y: Scalar, angle: Scalar) -> tuple[Scalar, Scalar]:
     """The components x, y of a vector that is turned by the angle, counterclockwise."""
     c, s = cos(angle), sin(angle)
     return c * x - s * y, c * y + s * x

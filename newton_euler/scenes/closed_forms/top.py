@@ -8,7 +8,7 @@ others. A top that is pulled up is one that is pulled down, seen from below.
 from ...algebra.portable import Values
 from ...algebra.scalars import Scalar, cos, integer_like, sin, sqrt, where
 from ...motion.model import comparable
-from .elliptic import counted, coupled
+from .elliptic import coupled, unwrapped
 
 
 def nutation_exact(s: Values, p: Values, t: Scalar) -> tuple[Scalar, Scalar]:
@@ -23,7 +23,7 @@ def nutation_exact(s: Values, p: Values, t: Scalar) -> tuple[Scalar, Scalar]:
     S1, C1, rate1, phase = _nutation(S, C, where(below, -rate, rate), I0, abs(mgr), *sides, t)
     sine, cosine = exchanged(below, S1, C1)
     phase = where(rate < 0, -phase, phase)
-    return 2 * counted(theta / 2, start, (cosine, sine), phase), where(below, -rate1, rate1)
+    return 2 * unwrapped(theta / 2, start, (cosine, sine), phase), where(below, -rate1, rate1)
 
 
 def _nutation(S, C, rate, I0, mgr, q, whole, t):

@@ -9,7 +9,7 @@ from ...algebra.scalars import Scalar, radians, sqrt
 from ...applications.earth import EARTH_RATE, coriolis_parameter
 from ...motion.model import Model, Neglected, is_absent
 from ..catalogue import scene
-from ..closed_forms.harmonic import oscillation, plane_oscillation, turned
+from ..closed_forms.harmonic import oscillation, plane_oscillation, rotated
 from ..ladders import Ladder
 
 POSITION = "position, m"
@@ -107,7 +107,7 @@ def _exact(s, p, t):
     square = half * half + p.pressure_gradient
     x, dx = oscillation(s.x, s.dx - half * s.y, square, t)
     y, dy = oscillation(s.y, s.dy + half * s.x, square, t)
-    return *turned(x, y, -half * t), *turned(dx + half * y, dy - half * x, -half * t)
+    return *rotated(x, y, -half * t), *rotated(dx + half * y, dy - half * x, -half * t)
 
 
 def _still_exact(s, p, t):

@@ -11,7 +11,7 @@ from ...algebra.scalars import ZERO, Scalar, sqrt
 from ...algebra.vectors import add3, cross3, scale3
 from ...motion.model import Model, ModelError, Neglected
 from ..catalogue import scene
-from ..closed_forms.harmonic import growth, turned, uniform_acceleration
+from ..closed_forms.harmonic import growth, rotated, uniform_acceleration
 from ..ladders import Ladder
 
 POSITION = "position, m"
@@ -119,8 +119,8 @@ _INVARIANTS = {
 def _exact(s, p, t):
     """The straight line r0 + w t, turned back by omega t."""
     wx, wy = _inertial_velocity(s, p)
-    x, y = turned(s.x + wx * t, s.y + wy * t, -p.omega * t)
-    dx, dy = turned(wx, wy, -p.omega * t)
+    x, y = rotated(s.x + wx * t, s.y + wy * t, -p.omega * t)
+    dx, dy = rotated(wx, wy, -p.omega * t)
     return x, y, dx + p.omega * y, dy - p.omega * x
 
 

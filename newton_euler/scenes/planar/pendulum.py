@@ -9,7 +9,7 @@ from functools import partial
 from ...algebra.scalars import Scalar, asin, cos, scalar, sin, sqrt, where
 from ...motion.model import Model, Neglected, comparable
 from ..catalogue import scene
-from ..closed_forms.elliptic import counted, coupled
+from ..closed_forms.elliptic import coupled, unwrapped
 from ..closed_forms.harmonic import growth, oscillation
 from ..ladders import Ladder
 
@@ -72,7 +72,7 @@ def _exact(s, p, t):
     x, y, rate, phase = coupled((one, -one, one * abs(k)), (x, y, omega / 2), gap, t)
     now = where(upright, y, x), where(upright, x, y)
     turns = where(gap > 0, 0, where(omega < 0, -phase, phase))
-    return 2 * counted(half, start, now, turns), 2 * rate
+    return 2 * unwrapped(half, start, now, turns), 2 * rate
 
 
 def small_swings(m: Scalar, I: Scalar, l: Scalar, g: Scalar) -> Model:

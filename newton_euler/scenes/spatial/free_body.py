@@ -13,7 +13,7 @@ from ...motion.model import Model, ModelError, Neglected, comparable
 from ..catalogue import scene
 from ..closed_forms.double_double import doubled
 from ..closed_forms.elliptic import coupled
-from ..closed_forms.harmonic import circular_or_hyperbolic, turned
+from ..closed_forms.harmonic import circular_or_hyperbolic, rotated
 from ..ladders import Ladder, Rung, observed_states
 
 RATES = "angular velocity, rad/s"
@@ -155,7 +155,7 @@ def _symmetric(s, p, t):
 
 
 def _symmetric_exact(s, p, t):
-    return turned(s.w_x, s.w_y, _turning(p) * t)
+    return rotated(s.w_x, s.w_y, _turning(p) * t)
 
 
 def _factors(p):

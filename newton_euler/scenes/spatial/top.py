@@ -20,7 +20,7 @@ from ...kinematics.rotations import (
 )
 from ...motion.model import Model
 from ..catalogue import scene
-from ..closed_forms.harmonic import turned
+from ..closed_forms.harmonic import rotated
 from ..closed_forms.top import nutation_exact
 
 QUATERNION = "q0", "q1", "q2", "q3"
@@ -221,4 +221,4 @@ def _free_exact(s, p, t):
     about = apply(matrix_from_quaternion(start), (s.w_x, s.w_y, rate))  # H/I0 in the ground
     moved = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), start)
     q = quaternion_product(moved, quaternion((0, 0, 1), -rate * t))
-    return *q, *turned(s.w_x, s.w_y, rate * t)
+    return *q, *rotated(s.w_x, s.w_y, rate * t)

@@ -6,7 +6,6 @@ vertical; I0, I, ``mgr``, omega_z as in :mod:`newton_euler.scenes.spatial.top`.
 """
 
 from contextlib import suppress
-from dataclasses import replace
 from operator import attrgetter
 
 from ...algebra.scalars import Scalar, cos, sin
@@ -86,8 +85,9 @@ def ladder(
     with suppress(GyroError):  # too slow
         rungs += [Rung(top_steady_precession(I0, I, mgr, omega_z, theta), (0.0,), _fixed)]
     base = nutation(I0, I, mgr, omega_z, over)
-    about = {"states": (*base.states, "psi"), "exact": None, "neglects": (ASYMMETRY,)}
-    nutating = replace(base, name="top, nutation and precession", rhs=_axis_rates, **about)
+    states, neglects = (*base.states, "psi"), (ASYMMETRY,)
+    own = base.parameters, states, _axis_rates, base.invariants
+    nutating = Model("top, nutation and precession", *own, neglects=neglects)
     uneven, begun = (I0, I, mgr, asymmetry), quaternion_from_euler(0.0, theta, 0.0)
     rungs += [
         Rung(nutating, (theta, theta_rate, 0.0), _along),

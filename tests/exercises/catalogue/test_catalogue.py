@@ -126,7 +126,7 @@ LACKING = {"beta_1": 120, "b": 8, "L": 16}
         (lambda: problem("C/1"), "'C/1' is not a problem number"),
         (lambda: problem("4/"), "'4/' is not a problem number"),
         (lambda: problems("ch99"), r"there is no chapter 'ch99'; there are .*ch04"),
-        (lambda: problem("4/16").base(LACKING), "problem 4/16 lacks omega, b_dot"),
+        (lambda: problem("4/16").base(LACKING), "problem 4/16 needs omega, b_dot"),
         (lambda: problem("4/16").base({**problem("4/16").book_values, "speed": 1}),
          "problem 4/16 has no speed; it has omega, b_dot, beta_1, b, L"),
         (lambda: problem("4/16").answer("a_C"), "problem 4/16 asks for alpha_CD, v_D, a_D, not for 'a_C'"),
@@ -174,7 +174,7 @@ def test_whatever_is_under_a_key_is_read_or_refused_in_words(write, line, value)
         message = f"read {problem('77/1').id}"
     except CatalogueError as error:
         message = str(error)
-    assert re.match(r"read 77/1$|ch77/p01.yaml: .* (must be|has|lacks|is not|belongs)", message)
+    assert re.match(r"read 77/1$|ch77/p01.yaml: .* (must be|has|needs|is not|belongs)", message)
 
 
 @pytest.mark.parametrize("text", ["", "- " + ENTRY.strip().replace("\n", "\n  "), "a wheel"])

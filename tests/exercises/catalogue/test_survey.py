@@ -3,14 +3,14 @@
 import pytest
 
 from exercises.catalogue import problem, problems
-from exercises.catalogue.survey import Wanted, chosen, entry
+from exercises.catalogue.survey import Wanted, entry, matching
 from exercises.catalogue.variants import sheets
 
 CHAPTER = problems("ch04")
 
 
 def ids(**wanted):
-    return {e.id for e in chosen(CHAPTER, Wanted(**wanted))}
+    return {e.id for e in matching(CHAPTER, Wanted(**wanted))}
 
 
 def test_an_entry_says_what_the_problem_says():

@@ -7,7 +7,7 @@ import sympy
 
 from exercises.catalogue import problem
 from grader.assignment.derivations import derivations
-from grader.assignment.formulas import numerals, written
+from grader.assignment.formulas import formula_text, numerals
 from grader.assignment.lines import lines
 from grader.assignment.tidy import simplest
 
@@ -22,7 +22,7 @@ m, g, h = sympy.symbols("m g h", positive=True)
     (sympy.Float(1) / 3 * a, "0.333333*a"),
 ])  # fmt: skip
 def test_a_formula_begins_without_a_sign_and_has_one_root_and_six_digits(formula, text):
-    assert written(formula, {}, latex=False) == text
+    assert formula_text(formula, {}, latex=False) == text
 
 
 @pytest.mark.parametrize(("formula", "numbers", "text"), [
@@ -33,17 +33,17 @@ def test_a_formula_begins_without_a_sign_and_has_one_root_and_six_digits(formula
 ])  # fmt: skip
 def test_a_negative_number_is_put_in_parentheses_and_two_signs_become_one(formula, numbers, text):
     names = numerals({n: (x, "1") for n, x in numbers.items()}, True, True)
-    assert written(formula, names, latex=True, numbers=True) == text
+    assert formula_text(formula, names, latex=True, numbers=True) == text
 
 
 def test_units_are_written_where_they_do_not_combine():
     quantities = {"a": (72.0, "km/h"), "b": (100.0, "m")}
-    shown = written(a / b, numerals(quantities, False, True), latex=True, numbers=True)
+    shown = formula_text(a / b, numerals(quantities, False, True), latex=True, numbers=True)
     assert shown == r"\frac{72\ \text{km/h}}{100\ \text{m}}"
 
 
 def test_a_right_angle_beside_degrees_is_written_in_degrees():
-    assert written(sympy.pi / 2 - a, {}, latex=True, degrees=True) == r"90^\circ - a"
+    assert formula_text(sympy.pi / 2 - a, {}, latex=True, degrees=True) == r"90^\circ - a"
 
 
 @pytest.mark.parametrize(("formula", "text"), [
@@ -64,21 +64,21 @@ def test_a_right_angle_beside_degrees_is_written_in_degrees():
     (a / sympy.sqrt(2 * g * h), "a/(sqrt(2*g*h))"),
 ])  # fmt: skip
 def test_common_factors_of_a_sum_are_taken_out(formula, text):
-    assert written(formula, {}, latex=False) == text
+    assert formula_text(formula, {}, latex=False) == text
 
 
 def test_a_sine_follows_a_sum():
-    text = written(sympy.cos(m) * (a - b), {}, latex=True)
+    text = formula_text(sympy.cos(m) * (a - b), {}, latex=True)
     assert text == r"\left(a - b\right) \cos {m}"
 
 
 def test_a_power_puts_a_fraction_in_parentheses_and_goes_on_the_name_of_a_sine():
-    assert written(a**3, {"a": "l/r"}, latex=True) == r"\left(l/r\right)^{3}"
-    assert written(a**2, {"a": r"\sin \phi"}, latex=True) == r"\sin^{2} \phi"
+    assert formula_text(a**3, {"a": "l/r"}, latex=True) == r"\left(l/r\right)^{3}"
+    assert formula_text(a**2, {"a": r"\sin \phi"}, latex=True) == r"\sin^{2} \phi"
 
 
 def test_a_sine_of_a_product_of_numbers_has_brackets():
-    numbers = written(sympy.sin(a * b), {"a": "2", "b": "3"}, latex=True, numbers=True)
+    numbers = formula_text(sympy.sin(a * b), {"a": "2", "b": "3"}, latex=True, numbers=True)
     assert numbers == r"\sin{\left(2 \cdot 3 \right)}"
 
 
@@ -178,7 +178,7 @@ def test_an_unknown_has_its_sign_in_the_equations():
     (h + m, r"\text{height}_x + m"),
 ])  # fmt: skip
 def test_a_word_is_set_apart_from_another_factor(formula, text):
-    assert written(formula, {"g": "g", "h": r"\text{height}_x", "m": "m"}, latex=True) == text
+    assert formula_text(formula, {"g": "g", "h": r"\text{height}_x", "m": "m"}, latex=True) == text
 
 
 def test_a_result_has_no_factor_1():

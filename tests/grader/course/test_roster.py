@@ -100,7 +100,7 @@ WRONG = {
     ),
     "a quotation mark that closes in another line": (
         'id,first_name\nada,"Ada\nben,Ben"\ncleo,Cleo\n',
-        "line 2: a field goes on in line 3; a quotation mark that is never closed",
+        "line 2: a field continues in line 3; a quotation mark that is never closed",
     ),
     "a quotation mark that meets another": (
         'id,first_name\nzoe,Zoe\nada,"Ada\nben,"Ben"\n',

@@ -310,7 +310,7 @@ def test_others_do_what_hung_once_and_what_hung_twice_is_named(fresh, cluster, c
     monkeypatch.setattr(grading, "RUN_SECONDS", 10)
     try:
         results = grade(fresh, "ch04", scheduler=address, report=output.append)
-        assert [r.student for r in results if "two workers hung at it" in r.problem] == ["ada"]
+        assert [r.student for r in results if "two workers hung on it" in r.problem] == ["ada"]
         assert not [r.problem for r in results[1:] if r.problem]
         assert gradebook_rows(fresh) == gradebook_rows(course)
         hung = [x.split(": ")[0] for x in output if "finished nothing for 20 s, and the oth" in x]

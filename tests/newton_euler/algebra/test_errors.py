@@ -4,6 +4,7 @@ argument causes inside the engine is raised in words.
 
 import operator
 from dataclasses import replace
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -11,19 +12,31 @@ import pytest
 
 from newton_euler import (
     Event,
+    Frame,
     Model,
     at,
     composite,
     integral,
     integrate,
+    prepare,
     root,
     solve_linear,
     solve_rates,
 )
+from newton_euler.accuracy import timed
 from newton_euler.algebra import NewtonEulerError, compiled
 from newton_euler.algebra.errors import ArgumentError, checked, checked_words
 from newton_euler.algebra.scalars import DivisionError, RangeError, Scalar, ScalarError
-from newton_euler.dynamics import audit, degrees_of_freedom, work_along, work_in_time, work_integral
+from newton_euler.drawing import svg_of
+from newton_euler.dynamics import (
+    Potential,
+    audit,
+    degrees_of_freedom,
+    work_along,
+    work_in_time,
+    work_integral,
+)
+from newton_euler.kinematics.triads import Triad, roundoff_sensitivity
 
 # errors of Python and NumPy for unsuitable arguments
 ERRORS = [
@@ -49,9 +62,11 @@ CALLS = {
     "work_integral": lambda f: work_integral(f, 0.0, 1.0),
     "audit": lambda f: audit(f, 0.0, 1.0),
 }
+LATE = lambda f: lambda s, p, t: f(s.h) if s.h < 0.8 else s.h
 FALL = Model("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
 OTHERS = {
     "event": lambda f: integrate(FALL, 1.0, (1.0, 0.0), events=Event(lambda s, p, t: f(s.h))),
+    "event that branches": lambda f: integrate(FALL, 1.0, (1.0, 0.0), events=Event(LATE(f))),
     "progress": lambda f: integrate(FALL, 1.0, (1.0, 0.0), progress=f),
     "constraint": lambda f: degrees_of_freedom({"P": 1}, {"wall": lambda P: f(P[0])}),
     "numpy": lambda f: compiled(lambda x: np.apply_along_axis(f, 0, np.array([x, x]))),
@@ -70,9 +85,9 @@ def test_an_error_of_the_users_function_arrives_as_raised_with_its_place(name, e
     assert "own" in [entry.name for entry in caught.traceback]
 
 
-@pytest.mark.parametrize("module", ["wave", None], ids=["wave.py", "no module"])
-def test_a_function_is_the_users_whatever_its_module_is_called(module):
-    space = {"__name__": module} if module else {}
+@pytest.mark.parametrize("space", [{"__name__": "wave"}, {}, {"__name__": None}], ids=str)
+def test_a_function_is_the_users_whatever_its_module_is_called(space):
+    space = {**space}
     exec(compile("def own(x):\n    return (1, 2, 3)[5]", "/home/ada/wave.py", "exec"), space)
     with pytest.raises(IndexError) as caught:
         integral(space["own"], 0.0, 1.0)
@@ -101,9 +116,35 @@ def fixed(x):
     raise Fixed
 
 
-SHY = Shy()
+SHY, GROUND = Shy(), Frame("ground")
 EMPTY = {}.__getitem__
 OWN = {"E": lambda s, p, t: {}[s.h]}
+AXES = ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))
+
+
+class Reader(float):
+    def __call__(self, x):
+        return [{}[y] for y in [x]]
+
+    def __mul__(self, other=None):
+        raise ValueError("no product")
+
+    __float__ = __mul__
+
+
+class Counted:
+    count = 0
+
+    def __repr__(self):
+        Counted.count += 1
+        return "1"
+
+
+def far(s, p, t):
+    raise TypeError("of a law")
+
+
+MANY = [Counted()] * 1000
 
 
 @pytest.mark.parametrize(("call", "error", "place"), [
@@ -111,19 +152,31 @@ OWN = {"E": lambda s, p, t: {}[s.h]}
     (lambda: at(inner, 2.0), KeyError, "inner, where y = moving(2.0, rate=1, "),
     (lambda: integral(lambda x: integral(inner, 0.0, x), 0.0, 1.0), KeyError, "inner, where y = 0.25"),
     (lambda: integral(operator.itemgetter(5), 0.0, 1.0), TypeError, "operator.itemgetter(5)"),
-    (lambda: solve_linear(EMPTY, "a"), KeyError, "__getitem__ of dict"),
-    (lambda: work_in_time(EMPTY, lambda t: (t,), 0.0, 1.0), KeyError, "__getitem__ of dict"),
+    (lambda: solve_linear(EMPTY, "a"), KeyError, "in dict.__getitem__."),
+    (lambda: work_in_time(EMPTY, lambda t: (t,), 0.0, 1.0), KeyError, "in dict.__getitem__."),
     (lambda: integral(lambda x, k=SHY: k / x, 0.0, 1.0), KeyError, "k = an object of Shy"),
     (lambda: integral(lambda *x, **k: {}[x], 0.0, 1.0), KeyError, "where x = (0.5,), k = {}"),
     (lambda: replace(FALL, rhs=lambda s, p, t: (1,)[5]), IndexError, "where s = (h = <traced h>, v = "),
     (lambda: replace(FALL, invariants=OWN).invariant("E", (1.0, 0.5)), KeyError, "s = (h = 1.0, v = 0.5)"),
-    (lambda: integrate(FALL, 1.0, (1.0, 0.0), progress=EMPTY), KeyError, "__getitem__ of dict"),
+    (lambda: integrate(FALL, 1.0, (1.0, 0.0), progress=EMPTY), KeyError, "in dict.__getitem__."),
+    (lambda: integral(Reader(), 0.0, 1.0), KeyError, "in Reader.__call__, where x = 0.5."),
+    (lambda: integral(lambda x, k=inner: k(x), 0.0, 1.0), KeyError, "x = 0.5, k = inner."),
+    (lambda: integral(lambda x, k=MANY: {}[x], 0.0, 1.0), KeyError, "k = [1, 1, 1, "),
+    (lambda: svg_of(lambda ax: {}[0]), KeyError, "in <lambda>, where ax = an object of Panel."),
+    (lambda: timed(lambda: {}[0]), KeyError, "in <lambda>."),
+    (lambda: Potential(lambda *x: {}[x], (0.0, 0.0, 0.0))(1.0, 0.0, 0.0), KeyError, "where x = (0.03"),
+    (lambda: Triad("A", GROUND, AXES, lambda: {}[0]).angular_velocity(GROUND), KeyError, "<lambda>."),
+    (lambda: roundoff_sensitivity(inner, (2.0,)), KeyError, "in inner, where y = 2.0."),
+    (lambda: integrate(replace(FALL, invariants={"E": far}), 1.0, (1.0, 0.5)).drift, TypeError, "in far, "),
+    (lambda: prepare(replace(FALL, exact=far))(1.0, (1.0, 0.5)), TypeError, "in far, where s = (h = 1.0, "),
+    (lambda: compiled(lambda x: x * x)(Reader(2.0)), ValueError, "in Reader.__mul__, where other = 2.0"),
 ])  # fmt: skip
 def test_an_error_of_the_users_function_has_a_note_of_the_place(call, error, place):
     with pytest.raises(error) as caught:
         call()
     (note,) = caught.value.__notes__
     assert place in note
+    assert Counted.count < 100  # of 1000: the text is cut while it is made
 
 
 def test_an_error_that_takes_no_note_arrives_as_raised():
@@ -131,11 +184,22 @@ def test_an_error_that_takes_no_note_arrives_as_raised():
         integral(fixed, 0.0, 1.0)
 
 
-@pytest.mark.parametrize("name", CALLS)
+def four(a, b, c, d):
+    return 0.0
+
+
+class Four:
+    __call__ = four
+
+
+WRONG = {"an object": Four(), "a method": Four().__call__, "partial": partial(four, d=1.0)}
+
+
+@pytest.mark.parametrize("name", [*CALLS, *WRONG])
 def test_a_function_with_other_parameters_than_are_passed_is_refused_in_words(name):
-    wrong = lambda a, b, c, d: 0.0
+    call, wrong = CALLS.get(name, CALLS["root"]), WRONG.get(name, four)
     with pytest.raises(ScalarError if name == "compiled" else NewtonEulerError, match="missing"):
-        CALLS[name](wrong)
+        call(wrong)
 
 
 @checked
@@ -155,6 +219,22 @@ def test_an_error_in_the_engine_names_the_function_and_its_arguments():
             ratio(1.0, f=type("x", (), {"__name__": "x"})())
     finally:
         ratio.__wrapped__.__globals__["__name__"] = __name__
+
+
+ENGINES = {
+    "method of an argument": (lambda x: x.index(5.0), r"5.0 is not in list"),
+    "NumPy's own code": (lambda x: np.max(x[:0]), r"zero-size array"),
+    "a function of NumPy": (lambda x, f=np.add: f(x[0]), r"add\(\) takes from 2 to 3"),
+    "result of a function in C": (lambda x, get={}.get: get(x[0]) + 1.0, r"unsupported operand"),
+}
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_a_call_of_the_engine_that_fails_in_c_is_not_the_callers(name, monkeypatch):
+    call, words = ENGINES[name]
+    monkeypatch.setitem(globals(), "__name__", "newton_euler.of_a_test")
+    with pytest.raises(ArgumentError, match=f"cannot be computed with these arguments: {words}"):
+        checked(call)([1.0])
 
 
 def test_arguments_are_checked_wherever_they_stand():

@@ -12,12 +12,12 @@ from newton_euler.algebra.language import (
     Words,
     _,
     are_words,
+    from_stored,
     joined,
     plural,
     speaking,
     spoken,
     stored,
-    words,
 )
 from newton_euler.answers.causes import computed, sentence, term_left_out
 
@@ -56,7 +56,7 @@ def test_what_is_not_in_the_catalogue_stays_english_with_its_values():
 
 
 @pytest.mark.parametrize(
-    "copy", [lambda x: words(stored(x)), lambda x: pickle.loads(pickle.dumps(x))]
+    "copy", [lambda x: from_stored(stored(x)), lambda x: pickle.loads(pickle.dumps(x))]
 )
 def test_words_are_kept_with_their_templates(copy):
     text = Words(
@@ -75,7 +75,9 @@ def test_what_a_file_holds_in_place_of_words_is_not_read(data):
 
 
 def test_a_template_reaches_its_values_but_not_their_attributes():
-    assert words(["{x.__class__} {x.what} {0} {y}", {"x": "a: b"}]) == "{x.__class__} a {0} {y}"
+    assert (
+        from_stored(["{x.__class__} {x.what} {0} {y}", {"x": "a: b"}]) == "{x.__class__} a {0} {y}"
+    )
 
 
 def test_values_with_braces_are_not_filled_in_again():

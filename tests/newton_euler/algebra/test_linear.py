@@ -296,7 +296,7 @@ def test_arrays_without_a_common_pivot_are_solved_instant_by_instant():
     s = solve_linear(mixed(x))
     for n, value in enumerate(map(float, x)):
         assert close((s.a[n], s.b[n]), tuple(solve_linear(mixed(value))), 1e-14)
-    message = "determine a at some instants and not at others; solve these instants apart"
+    message = "determine a at some instants and not at others; solve these instants separately"
     with pytest.raises(LinearError, match=message):
         solve_linear(lambda a, b: {"p": x * a - 1.0 * x, "q": b - 2.0})
 

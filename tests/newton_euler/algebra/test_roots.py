@@ -119,7 +119,7 @@ def test_traced_roots_are_pickled_and_carry_rates():
 
 
 def test_what_has_no_root_is_refused_in_words():
-    with pytest.raises(SingularError, match=r"enclosed between 0.0 and 1.0.*1.0 and 2.0"):
+    with pytest.raises(SingularError, match=r"bracketed by 0.0 and 1.0.*1.0 and 2.0"):
         root(lambda x: x * x + 1, 0.0, 1.0)
     with pytest.raises(SingularError, match=r"two finite places; got 0\.0 and inf"):
         root(lambda x: x - 1, 0.0, math.inf)
@@ -127,7 +127,7 @@ def test_what_has_no_root_is_refused_in_words():
         root(lambda x: x + math.nan, 0.0, 1.0)
     with pytest.raises(SingularError, match=r"a pole at 1\.5707963267948\d*, no root"):
         root(tan, 1.0, 2.0)
-    with pytest.raises(SingularError, match="no root is enclosed"):
+    with pytest.raises(SingularError, match="no root is bracketed"):
         root(lambda x: 1e-200 * (x + 1), 0.0, 1.0)
     with pytest.raises(ScalarError, match=r"put numbers in: .* has no formula in general"):
         root(lambda x: cos(x) - sympy.Symbol("k"), 0, 1)

@@ -9,7 +9,7 @@ import sympy
 
 from newton_euler.algebra.units import Dimension
 from newton_euler.answers.forms import Form
-from newton_euler.answers.reading import formulas
+from newton_euler.answers.reading import formula_values
 from newton_euler.answers.trees import TreeError, dimension_hints, evaluate
 from tests.newton_euler.answers.one_answer import SYMBOLS, omega, one, r, theta
 
@@ -76,7 +76,7 @@ def test_cases_are_chosen_point_by_point_and_number_by_number(name):
 
 
 def values_of(tree, *x):
-    return [point[0] for point in formulas([tree], {"x": np.array(x)}, [100])]
+    return [point[0] for point in formula_values([tree], {"x": np.array(x)}, [100])]
 
 
 def test_the_logarithm_of_a_negative_number_may_occur_where_the_formula_is_real():

@@ -116,9 +116,9 @@ def test_symbols_give_formulas_without_being_asked(case):
     assert [sympy.simplify(x - y) for x, y in zip(found, expected, strict=True)] == [0] * 10
 
 
-def test_a_body_that_does_not_settle_or_moves_is_refused():
+def test_a_body_that_does_not_converge_or_moves_is_refused():
     kinked, ends = lambda x, y, z: sqrt(abs(x - 0.3)) + 1, np.array([1.0, 2.0])
-    with pytest.raises(MassError, match=r"does not settle.*Divide it where they are not"):
+    with pytest.raises(MassError, match=r"does not converge.*Divide it where they are not"):
         summary(lambda x: (x, 0, 0), (0, ends), density=kinked)
     with pytest.raises(MassError, match="the points of body move"):
         wire(moving(2.0, rate=1.0))

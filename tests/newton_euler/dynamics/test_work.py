@@ -269,7 +269,7 @@ def test_a_force_with_a_jump_is_divided_there():
     U = lambda one, **breaks: work_integral(force, 0 * one, one, **breaks).value
     assert U(1.0) == pytest.approx(1 - 2 * turn, abs=1e-9)
     assert U(1.0, breaks=(turn,)) == pytest.approx(1 - 2 * turn, abs=1e-15)
-    with pytest.raises(WorkError, match="does not settle; divide it with breaks"):
+    with pytest.raises(WorkError, match="does not converge; divide it with breaks"):
         U(mp.mpf(1))
     assert abs(U(mp.mpf(1), breaks=(mp.mpf(turn),)) - (1 - 2 * mp.mpf(turn))) < 1e-28
 

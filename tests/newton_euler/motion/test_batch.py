@@ -231,7 +231,7 @@ def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypat
 
 def test_a_closed_form_that_is_not_accurate_is_refused_with_all_motions():
     with pytest.raises(
-        AccuracyError, match=r"2 of 2 .* first number 0: the closed form"
+        AccuracyError, match=r"2 of 2 .* the first is number 0: the closed form"
     ) as refused:
         integrate(SPRING, 1e9, (np.array([1.0, 2.0]), 0.0), 1e-9, "exact")
     reached = refused.value.reached
@@ -261,8 +261,12 @@ def test_many_motions_are_made_by_the_method_asked_for_or_worth_it(model, count,
 @pytest.mark.parametrize(
     ("starts", "words", "stopped"),
     [
-        ([1.0, 3.0], "1 of 2 motions are not as accurate as requested, first number 0", [0]),
-        ([3.0, 1.0, 4.0, 1.0], "2 of 4 .* first number 1: fall could not be followed", [1, 3]),
+        ([1.0, 3.0], "1 of 2 motions are not as accurate as requested, the first is number 0", [0]),
+        (
+            [3.0, 1.0, 4.0, 1.0],
+            "2 of 4 .* the first is number 1: fall could not be followed",
+            [1, 3],
+        ),
     ],
 )
 def test_motions_that_stop_on_the_way_are_reported_with_those_that_do_not(starts, words, stopped):

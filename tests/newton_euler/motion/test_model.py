@@ -230,7 +230,7 @@ PULLED = Model("pulled", {}, ("x",), lambda s, p, t: (-1 / s.x,))
         (lambda m: m.derivative((1.0,)), r"oscillator has the 2 states x, dx; got 1 values: \(1.0,\)"),
         (lambda m: m.derivative(iter([0.0] * 1000)), "has the 2 states x, dx; got 1000 values: "),
         (lambda m: m.derivative(iter([0.0] * 1001)), "has the 2 states x, dx; got more values: "),
-        (lambda m: m.derivative({"x": 1.0}), "the state of 'oscillator' lacks dx; give all of x, dx"),
+        (lambda m: m.derivative({"x": 1.0}), "the state of 'oscillator' has no dx; give all of x, dx"),
         (lambda m: m.solution(1.0, (1.0, 0.0)), "no exact solution of 'oscillator' is known; integrate it"),
         (lambda m: m.invariant("momentum", (1.0, 0.0)), "oscillator has no invariant 'momentum'; it has energy"),
         (lambda m: m.changed(c=1.0), "oscillator has no parameter 'c'; it has m, k"),

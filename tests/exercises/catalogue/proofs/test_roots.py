@@ -35,5 +35,5 @@ def test_a_hard_root_takes_few_values(f):
 
 
 def test_a_bracket_without_a_change_of_sign_is_refused():
-    with pytest.raises(ProofError, match=r"f is 1\.0 at 0\.0 and 2\.0 at 1\.0; give places"):
+    with pytest.raises(ProofError, match=r"f is 1\.0 at 0\.0 and 2\.0 at 1\.0; give ends"):
         root(lambda x: x * x + 1, 0, 1)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from newton_euler.accuracy.charts.islands import explained, islands, settled
+from newton_euler.accuracy.charts.islands import island_sentences, islands, without_noise
 from newton_euler.accuracy.charts.maps import draw_choices, map_caption
 from newton_euler.accuracy.measurements.regime_maps import MAPS, Axis, Map
 
@@ -30,7 +30,7 @@ def test_parts_that_touch_at_a_corner_are_one_and_others_are_islands():
 def test_an_island_of_times_missing_from_a_repeat_is_removed():
     chart, found = measured(lambda x, y: False, timed=True)
     found[:6, 0] = found[9, 9] = found[:5, 5] = LAND
-    better, changed = settled(chart, found)
+    better, changed = without_noise(chart, found)
     assert (better[:, 1:] == SEA).all()
     assert (better[:6, 0] == LAND).all()  # the largest part is not an island
     assert changed == 6
@@ -38,7 +38,7 @@ def test_an_island_of_times_missing_from_a_repeat_is_removed():
 
 
 def test_a_speck_that_recurs_goes_to_its_neighbours_and_a_large_island_stays():
-    better, changed = settled(
+    better, changed = without_noise(
         *measured(lambda x, y: (y < 5 and x < 4) or (x > 9 and y > 6) or (x > 6 and y < 1), True)
     )
     assert changed == 4 + 4
@@ -48,11 +48,11 @@ def test_a_speck_that_recurs_goes_to_its_neighbours_and_a_large_island_stays():
 
 def test_an_island_where_no_times_decide_is_called_a_strip_thinner_than_a_cell():
     found = measured(lambda x, y: (abs(y - 4.5) < 0.2 and abs(x - 4.5) < 0.1) or y > 9)
-    (output,) = explained(*found)
+    (output,) = island_sentences(*found)
     place = 'The island of "land" at x = 4.5 lies between 4.3 and 4.7 of y'
     assert output.startswith(f"{place}: a strip")
     assert output in map_caption(*found)
-    (output,) = explained(*measured(lambda x, y: (2 < x < 5 and 2 < y < 5) or y > 9))
+    (output,) = island_sentences(*measured(lambda x, y: (2 < x < 5 and 2 < y < 5) or y > 9))
     assert output.endswith("a region of its own.")  # larger than a cell
 
 

@@ -10,7 +10,7 @@ from newton_euler.algebra.errors import ArgumentError
 from newton_euler.answers import givens
 from newton_euler.classroom import predict, predict_again, tally
 from newton_euler.classroom.predicting import asking, kept
-from newton_euler.classroom.predicting.page import folded, inline
+from newton_euler.classroom.predicting.page import folded_html, inline
 from tests.markup import Page
 
 
@@ -192,7 +192,7 @@ def test_the_tally_counts_and_what_was_wrong_is_asked_again():
 
 @pytest.mark.parametrize("make", [bounce, speed, lambda: predict("What if x < 1 & y > 2?")])
 def test_without_a_kernel_all_is_folded_and_well_formed(make):
-    text = Page(folded(make().question)).text
+    text = Page(folded_html(make().question)).text
     assert text.startswith("Predict. ")
     assert "$" not in text
 

@@ -19,7 +19,7 @@ from newton_euler import compiled, integrate, sqrt, where
 from newton_euler.motion import ModelError
 from newton_euler.motion.prepared import PreparedModel
 from newton_euler.scenes.closed_forms.double_double import doubled
-from newton_euler.scenes.closed_forms.elliptic import counted, coupled, jacobi
+from newton_euler.scenes.closed_forms.elliptic import coupled, jacobi, unwrapped
 from newton_euler.scenes.particles.orbit import orbit
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial import top
@@ -156,7 +156,7 @@ def test_coupled_quantities_change_at_rates_that_are_products_of_the_others(x, y
 @given(st.floats(-50, 50), st.floats(-3, 3))
 def test_an_angle_is_counted_through_all_turns_by_a_phase_within_pi_of_it(turned, off):
     start, now = (math.cos(0.4), math.sin(0.4)), (math.cos(0.4 + turned), math.sin(0.4 + turned))
-    assert abs(counted(0.4, start, now, turned + off) - (0.4 + turned)) < 1e-13
+    assert abs(unwrapped(0.4, start, now, turned + off) - (0.4 + turned)) < 1e-13
 
 
 # -- the free body
