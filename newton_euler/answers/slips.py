@@ -51,8 +51,8 @@ def factors(stated_in: str) -> Mapping[str, float]:
         power = abs(float(length))
         found |= {words: factor**power for words, factor in LENGTHS.items()}
         less = Words("{units}, in one factor too few")
-        fewer = {Words(less, units=words): f ** (power - 1) for words, f in LENGTHS.items()}
-        found |= fewer if power > 1 else {}
+        lengths = LENGTHS if power > 1 else {}
+        found |= {Words(less, units=words): f ** (power - 1) for words, f in lengths.items()}
     return found | WEIGHTS if mass else found
 
 
