@@ -346,7 +346,7 @@ def symmetry(inertia: Any, tolerance: Tolerance = 1e-9) -> Symmetry:
 
 def _equal_moments(inertia, vanishes):
     p = principal(inertia)
-    if any(getattr(m, "shape", ()) for m in p.moments):
+    if getattr(p.moments[0], "shape", ()):
         raise MassError("an array of matrices has a symmetry at each instant: ask for one")
     same = [p.moments[n] is p.moments[m] or vanishes(p.moments[n] - p.moments[m]) for n, m in PAIRS]
     if sum(same) >= 2:

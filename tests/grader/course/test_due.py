@@ -5,7 +5,9 @@ from datetime import UTC, datetime, timedelta
 import pytest
 
 from grader.course import Course, CourseError
+from grader.course.creation import new_course
 from grader.course.due import due_dates, is_over, set_due, set_own_due
+from grader.course.exam import set_exam
 from grader.grading import grade
 from grader.nbgrader_hooks.late import LatePolicy
 from tests.grader.courses import append_config, command, nbgrader, ran, refused
@@ -90,28 +92,38 @@ def test_an_extension_that_the_formgrader_gave_stays(two_days_late):
     assert graded(course, "ada") == {"ada": (11, 0)}
 
 
-def test_an_assignment_is_over_when_the_last_extension_of_either_kind_has_passed(fresh):
-    def over(hours):
-        set_own_due(fresh, "ch04", ["ada"], datetime.now(UTC) + timedelta(hours=hours))
-        return is_over(fresh, "ch04")
+@pytest.fixture
+def empty(tmp_path):
+    """A course with two students and an assignment without problems."""
+    with new_course(tmp_path / "empty") as course:
+        (course.path / "source/ch04").mkdir(parents=True)
+        with course.gradebook() as book:
+            for student in ("ada", "ben"):
+                book.add_student(student)
+        yield course
 
-    set_due(fresh, "ch04", datetime.now(UTC) + timedelta(hours=1))
+
+def test_an_assignment_is_over_when_the_last_extension_of_either_kind_has_passed(empty):
+    def over(hours):
+        set_own_due(empty, "ch04", ["ada"], datetime.now(UTC) + timedelta(hours=hours))
+        return is_over(empty, "ch04")
+
+    set_due(empty, "ch04", datetime.now(UTC) + timedelta(hours=1))
     assert not over(-1)  # nor for the others
-    set_due(fresh, "ch04", datetime.now(UTC) - timedelta(hours=1))
+    set_due(empty, "ch04", datetime.now(UTC) - timedelta(hours=1))
     assert [over(hours) for hours in (1, -0.5, -2)] == [False, True, True]
-    with fresh.gradebook() as book:
+    with empty.gradebook() as book:
         book.add_submission("ch04", "ben")
         book.grant_extension("ch04", "ben", hours=2)
-    assert not is_over(fresh, "ch04")
+    assert not is_over(empty, "ch04")
 
 
-def test_an_exam_closes_after_it_has_opened(fresh):
-    opens = datetime(2027, 1, 31, 9)
-    fresh.set(exams={"ch04": {"opens": opens.isoformat(), "late": "mark"}})
+def test_an_exam_closes_after_it_has_opened(empty):
+    opens = datetime(2027, 1, 31, 9, tzinfo=UTC)
+    set_exam(empty, "ch04", opens)
     with pytest.raises(CourseError, match="opens at 2027-01-31T09:00:00 UTC, after that date"):
-        set_due(fresh, "ch04", opens)
-    set_due(fresh, "ch04", opens + timedelta(seconds=1))
-    set_due(fresh, "ch04", None)
+        set_due(empty, "ch04", opens)
+    set_due(empty, "ch04", opens + timedelta(seconds=1))
 
 
 @pytest.mark.parametrize(("arguments", "words"), [

@@ -110,6 +110,8 @@ def test_the_worker_survives_and_leaves_nothing_running(harvester, what):
     if what in AT_THE_LIMIT_OF_THE_CELL:
         assert reply["ended"] == "done"
         assert "ran longer than 0.3 s" in reply["receipts"]["0/1"]["error"]
+    if what == "floods the receipts":
+        assert reply["ended"] == "stopped after 1048576 bytes of output"
     if what in CONTINUED:
         assert (reply["ended"], reply["receipts"]["0/1"]["answers"]) == ("done", {"x": 1.0})
     assert still_serves(harvester)

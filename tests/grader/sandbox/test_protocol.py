@@ -5,6 +5,7 @@ cells.
 import json
 import socket
 import sys
+from types import SimpleNamespace
 
 import pytest
 
@@ -135,6 +136,20 @@ def test_a_token_that_an_earlier_test_has_shown_is_worth_nothing():
     assert len(token) >= 32
     for end in (end for pair in pairs for end in pair):
         end.close()
+
+
+def test_all_tests_have_the_time_of_a_notebook_and_each_that_of_a_cell(monkeypatch):
+    now, given = [0.0], []
+
+    def ask(pair, text, token, seconds):
+        given.append(seconds)
+        now[0] += 8.0
+        return b""
+
+    monkeypatch.setattr(worker, "_ask", ask)
+    monkeypatch.setattr(worker, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    worker._run_tests([None] * 3, [""] * 3, {"seconds": 20.0, "cell_seconds": 10.0})
+    assert given == [10.0 + worker.GRACE, 12.0, 4.0]
 
 
 PATCHES = {  # by a wrong answer; the test is right

@@ -4,6 +4,7 @@ random numbers rarely are.
 
 import math
 import random
+import re
 
 import pytest
 
@@ -176,3 +177,10 @@ def test_the_square_of_a_sum_is_written_once_and_a_1_is_not_looked_up():
 
 def test_a_zero_from_the_structure_of_a_formula_is_taken_as_a_number():
     assert not Product(ZERO).is_exact
+
+
+def test_a_symbol_is_taken_for_a_symbol_and_a_number_for_a_number():
+    units, formula = dict.fromkeys(("a", "b", "c", "d"), "m"), lambda a, c, **_: a * c
+    found = texts(perturbed(units, {"x": ("m^2", formula)}, symbols=("a", "b")))
+    pairs = [re.match(r"takes ([abcd]) for ([abcd])\b", str(text)) for text in found]
+    assert {pair.groups() for pair in pairs if pair} == {("b", "a"), ("d", "c")}

@@ -50,6 +50,10 @@ def test_the_exercise_says_the_weights_and_an_instructor_may_say_others():
     assert earned(key(), p, points=10, weights={"a_D": 0.5})[2] == [(4, 4), (4, 4), (2, 2)]
 
 
+def test_all_of_a_part_may_be_earned_by_what_follows():
+    assert earned(key(), points=3, follow_through=1)[0] == 3
+
+
 def test_a_part_may_weigh_nothing():
     assert earned(key(), points=4, weights={"alpha_CD": 0})[2] == [(0, 0), (2, 2), (2, 2)]
     assert earned(key(), points=4, weights=dict.fromkeys(key(), 0))[:2] == (0, 0)
@@ -57,6 +61,7 @@ def test_a_part_may_weigh_nothing():
 
 @pytest.mark.parametrize(("sheet", "message"), [
     ({"points": -1}, "the points of 4/16 must be a number, 0 or more, not -1"),
+    ({"follow_through": 1.01}, "follow_through must be a share from 0 to 1, not 1.01"),
     ({"points": float("nan")}, "the points of 4/16 must be a number"),
     ({"points": True}, "the points of 4/16 must be a number"),
     ({"weights": {"v_D": "2"}}, "the weight of v_D in 4/16 must be a number"),

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from newton_euler import Dimension, Frame, at, cos, cross, dot, moving, sin
 from newton_euler.algebra import ZERO, Explanation, FrameError, TermError, same
 from newton_euler.algebra.trace import Trace
+from newton_euler.algebra.vectors import named_sum
 from tests.kinds import KINDS, close, every_kind, numbers, within
 
 ground = Frame("ground")
@@ -380,3 +381,13 @@ def test_a_norm_keeps_structural_zeros_and_the_kind_of_the_components():
     assert close(ground.vector(3 * tiny, 4 * tiny, 0).norm() / tiny, 5, 1e-28)
     assert ground.vector(3, sympy.Symbol("x"), 0).norm() == sympy.sqrt(sympy.Symbol("x") ** 2 + 9)
     assert ground.vector(Dimension(0, 1), Dimension(0, 1), 0).norm() == Dimension(0, 1)
+
+
+def test_a_sum_by_another_equation_keeps_its_subject_and_terms_and_its_opposite_the_unit():
+    v = named_sum("velocity", "P/ground", {"origin": ground.i, "relative": ground.j}, ground)
+    other = v.as_sum("angular velocity")
+    assert (other.equation.kind, [*other.terms]) == ("angular velocity", ["origin", "relative"])
+    assert "angular velocity P/ground" in str(other.explain())
+    assert (v.equation.kind, ground.i.equation) == ("velocity", None)
+    with pytest.raises(TermError, match="in m/s: it cannot be explained in 'N'"):
+        (-v).explain("N")

@@ -114,6 +114,30 @@ def test_that_it_follows_comes_before_any_other_cause():
     assert why.also == "; it also fits a solution that takes the speed twice (see section 6.1)"
 
 
+def test_the_other_parts_tell_which_of_two_mistakes_was_made():
+    once, alone = listed("once", "takes the mean"), listed("alone", "forgets the root")
+    numbers = Fall([("v", once, ((6.0,),)), ("v", alone, ((6.0,),)), ("square", once, ((36.0,),))])
+    words = lambda **given: [c.what for c in explained(numbers, "v", {"v": 6.0, **given}).causes]
+    assert words() == ["takes the mean", "forgets the root"]
+    assert words(square=36.0) == ["takes the mean"]
+    assert words(square=25.0) == ["forgets the root", "in this part takes the mean"]
+
+
+def test_where_to_read_on_is_that_of_the_cause_before_that_of_the_problem():
+    for cause, where in (
+        (listed("a", "halves it"), "6.1"),
+        (listed("b", "x").at("section 9.9"), "9.9"),
+    ):
+        (found,) = explained(Fall([("v", cause, ((2.5,),))]), "v", {"v": 2.5}).causes
+        assert found.where == f"section {where}"
+
+
+def test_a_remark_on_the_digits_is_the_message_where_nothing_explains_the_answer():
+    (seen,) = (why := explained(Fall(), "v", {"v": 5.12})).causes
+    assert seen.is_observation
+    assert why.message == f"not right; {seen.text}"
+
+
 @pytest.mark.parametrize(
     "answers",
     [

@@ -128,6 +128,12 @@ def test_a_tilted_body_of_revolution_has_a_right_handed_frame_of_principal_axes(
     assert np.allclose(V.T @ V, np.eye(3), atol=1e-15)
     assert abs(np.linalg.det(V) - 1) < 1e-15
     assert np.allclose(V.T @ I.to_array() @ V, np.diag(p.moments), atol=1e-14)
+    assert [line[:9] for line in str(p).splitlines()[1:4]] == [
+        "  axis 1:",
+        "  axis 2:",
+        "  axis 3:",
+    ]
+    assert f"axes {('1 and 2', '2 and 3')[where]} are not determined by" in str(p)
     assert "only their plane is" in str(p)
 
 

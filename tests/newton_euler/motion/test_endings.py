@@ -32,21 +32,20 @@ STICKS = {  # the text of the event, and the motion
 }  # fmt: skip
 
 
-AT_EACH = [
-    pytest.param(
-        event, rtol, marks=[pytest.mark.slow] if (event, rtol) == ("s.T - 20", 1e-9) else []
-    )
+AT_EACH = [  # the relay takes seconds
+    pytest.param(event, rtol, marks=[pytest.mark.slow] * (event == "s.T - 20"))
     for event in STICKS
     for rtol in RTOLS
 ]
 
 
-@pytest.mark.one_in(4)
 @pytest.mark.parametrize(("event", "rtol"), AT_EACH)
 def test_a_motion_that_sticks_is_refused_with_the_event_to_write(event, rtol):
     model, start, t = STICKS[event]
     written = re.escape(f"Event(lambda s, p, t: {event}, then=...)")
-    with pytest.raises(StickingError, match=f"it sticks at .* lead back: write {written}"):
+    place = event.replace(" - ", " = ") if " - " in event else f"{event} = 0"
+    place = "the border of a choice" if event == "..." else place
+    with pytest.raises(StickingError, match=f"it sticks at {place}, .* lead back: write {written}"):
         integrate(model, t, start, rtol=rtol)
 
 
@@ -109,8 +108,7 @@ def test_a_switch_that_is_crossed_does_not_stick():
     assert motion.error <= 1e-6
 
 
-@pytest.mark.one_in(3)
-@pytest.mark.parametrize("place", [1e3, 1e5, 6.371e6])
+@pytest.mark.parametrize("place", [1e3, pytest.param(1e5, marks=pytest.mark.slow), 6.371e6])
 @pytest.mark.parametrize("jumps", [False, True], ids=["springs", "jumps"])
 def test_a_floor_far_from_the_origin_is_bounced_off_or_refused_for_the_last_digit(place, jumps):
     """The rates are rougher by round-off on the floor than at the start, which is no singularity.

@@ -135,13 +135,16 @@ def test_at_the_start_the_time_is_round_off_too(factor):
     """sin(pi) is not zero in floats, but the float pi is not exactly pi either."""
     start = factor * math.sin(math.pi), False
     assert times(lambda t: factor * np.sin(t), math.pi, 5.0, start=start, round_off=0.0) == []
+    # by the slope at the start
+    f, start = lambda t: -factor * np.expm1(-20.0 * (t - 3.0)), (-factor * 2e-14, False)
+    assert times(f, 3.0, 5.0, sign=-1, start=start, round_off=0.0) == []
 
 
 @pytest.mark.parametrize("factor", [1.0, -1.0])
 def test_a_zero_at_the_end_counts_where_the_motion_ends(factor):
     f = lambda t: factor * np.sin(t)
     assert times(f, 1.0, math.pi, closed=True) == [math.pi]
-    assert times(f, 1.0, math.pi, closed=False) == []
+    assert times(f, 1.0, math.pi) == []
     assert times(f, 1.0, 3.14, closed=True) == []
     assert times(lambda t: factor * (t - 2.0) ** 2, 1.0, 2.0, closed=True) == []
 
@@ -170,7 +173,8 @@ def test_a_zero_beside_a_kink_is_found_on_each_side():
 
 def test_a_pole_is_not_a_zero_but_zeros_between_poles_count():
     assert times(np.tan, 0.1, 9.0) == pytest.approx([math.pi, 2 * math.pi])
-    assert times(lambda t: 1 / (t - 3.0), 0.0, 5.0) == []
+    for place in (0.0, 3.0):
+        assert times(lambda t, place=place: 1 / (t - place), place - 3.0, place + 2.0) == []
 
 
 @pytest.mark.parametrize("frequency", [60.0, 1000.0])
@@ -225,6 +229,16 @@ def test_round_off_has_no_zeros():
     """Values that jump between plus and minus 1e-17, beside 1."""
     wild = lambda t: 1e-17 * np.where(np.sin(1e9 * t) > 0, 1.0, -1.0)
     assert times(wild, 0.0, 5.0, sign=0, round_off=1e-16) == []
+
+
+@pytest.mark.parametrize(("depth", "count"), [(7e-13, 0), (9e-13, 2)])
+def test_round_off_may_be_eight_times_what_is_measured_at_a_few_points(depth, count):
+    assert len(times(lambda t: (t - 5.0) ** 2 - depth, 0.0, 9.0, round_off=1e-13)) == count
+
+
+def test_a_part_without_values_is_an_error_that_names_it():
+    with pytest.raises(zeros.VoidError, match="no value from t = 3 to 3; give one"):
+        times(lambda t: np.sqrt(3.0 - t) + 1.0, 0.0, 5.0)
 
 
 def piece(left, right, c):

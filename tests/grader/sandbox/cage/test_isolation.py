@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from grader.sandbox.cage import calls, isolation
+from grader.sandbox.cage import calls, isolation, serve
 from tests.grader.sandbox.jobs import answer
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
@@ -48,6 +48,28 @@ def test_a_key_of_the_instructors_session_is_not_found_after_joining_another():
     if (found := in_a_fork(search)) == 77:
         pytest.skip("this kernel has no keyrings")
     assert found == 10
+
+
+def test_before_system_calls_are_filtered_neither_keys_nor_shared_memory_are_there():
+    """In namespaces of its own, isolated as a submission is."""
+    libc, ids = ctypes.CDLL(None), (os.geteuid(), os.getegid())
+
+    def isolated():
+        serve._isolate({"sandbox": True, "ids": ids}, None, ())
+        key = libc.syscall(KEYCTL, SEARCH, SESSION, b"user", b"newton-euler", 0) > 0
+        segment, queue = (f >= 0 for f in (libc.shmget(0, 4096, 0o1600), libc.msgget(0, 0o1600)))
+        return key + 2 * segment + 4 * queue
+
+    def first():
+        isolation.join_keyring()
+        libc.syscall(ADD_KEY, b"user", b"newton-euler", b"secret", 6, SESSION)
+        if (pid := isolation.fork_into_namespaces()) == 0:
+            os._exit(in_a_fork(isolated))
+        return os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+
+    if (found := in_a_fork(first)) == 128 + errno.EPERM:
+        pytest.skip("this kernel refuses the cage")
+    assert found == 0
 
 
 def test_no_user_namespace_can_be_made_below_the_last():
@@ -107,9 +129,10 @@ def test_a_program_that_is_started_gets_no_new_privileges():
 
     def privileges():
         isolation.drop_capabilities()
-        return "NoNewPrivs:\t1\n" not in Path("/proc/self/status").read_text()
+        status = Path("/proc/self/status").read_text()
+        return 2 * ("NoNewPrivs:\t1\n" not in status) + ("CapBnd:\t" + 16 * "0" not in status)
 
-    assert in_a_fork(privileges) == 0
+    assert in_a_fork(privileges) == (os.geteuid() != 0)  # only root has something to give up
 
 
 LIMITS = {  # of a submission of 9 s with two tests, in a process that holds 1 GB
