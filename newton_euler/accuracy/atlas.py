@@ -8,7 +8,7 @@ from pathlib import Path
 from string import Template
 
 from .catalogue import BORDER, FAILURE, FORMULA, METHOD, MODEL, charts, slug
-from .measurements.measure import Progress
+from .measurements.measure import Progress, silent
 
 PAGE = Path(__file__).with_name("atlas.html")
 TITLE = "Speed and accuracy: an atlas of every scene"
@@ -25,10 +25,7 @@ ANSWERS = {
 
 
 def write_atlas(
-    folder: Path,
-    names: Sequence[str] | None = None,
-    quick: bool = False,
-    progress: Progress = lambda fraction, words: None,
+    folder: Path, names: Sequence[str] = (), quick: bool = False, progress: Progress = silent
 ) -> Path:
     """The path of the page, with the charts of these ``names``, or all, or why one is missing."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -46,7 +43,7 @@ def _entry(chart, quick, folder):
     """The chart as a part of the page; its picture is written beside it."""
     heading = f'<h3 id="{slug(chart.name)}">{escape(chart.name)}</h3>'
     try:
-        found = chart.make(quick, lambda fraction, words="": None)
+        found = chart.make(quick, silent)
     except Exception as error:  # the other charts are not lost with it
         return f"{heading}<p>Not drawn: {escape(str(error))}</p>"
     name = f"{slug(chart.name)}.png"
@@ -60,14 +57,15 @@ def _entry(chart, quick, folder):
 
 
 def _page(entries, quick):
-    groups = {q: [entry for entry in entries if entry[0].question == q] for q in ANSWERS}
-    groups = {q: found for q, found in groups.items() if found}
-    return Template(PAGE.read_text(encoding="utf-8")).substitute(
-        title=TITLE,
-        about=escape(_about(quick)),
-        contents="".join(_contents(q, found) for q, found in groups.items()),
-        sections="".join(_section(q, found) for q, found in groups.items()),
-    )
+    contents = sections = ""
+    for question, answer in ANSWERS.items():
+        if own := [entry for entry in entries if entry[0].question == question]:
+            links = (f'<li><a href="#{slug(c.name)}">{escape(c.name)}</a></li>' for c, _ in own)
+            contents += f"<h2>{question}</h2><ul>{''.join(links)}</ul>"
+            parts = "".join(text for _, text in own)
+            sections += f"<section><h2>{question}</h2><p>{answer}</p>{parts}</section>"
+    about, page = escape(_about(quick)), Template(PAGE.read_text(encoding="utf-8"))
+    return page.substitute(title=TITLE, about=about, contents=contents, sections=sections)
 
 
 def _about(quick):
@@ -79,13 +77,3 @@ def _about(quick):
         "that step have a front each. A grey bar ends at the time of the first run. Errors are "
         "taken against a reference of 30 digits or more. Captions come from the measurements."
     )
-
-
-def _contents(question, entries):
-    links = (f'<li><a href="#{slug(c.name)}">{escape(c.name)}</a></li>' for c, _ in entries)
-    return f"<h2>{question}</h2><ul>{''.join(links)}</ul>"
-
-
-def _section(question, entries):
-    parts = "".join(text for _, text in entries)
-    return f"<section><h2>{question}</h2><p>{ANSWERS[question]}</p>{parts}</section>"

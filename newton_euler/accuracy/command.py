@@ -127,7 +127,7 @@ def atlas_main(folder: Path, quick: bool) -> None:
     formula? Where does it change? When does it fail? Each has a caption written from what was
     measured. All take some ten minutes; leave the machine alone meanwhile.
     """
-    page = _with_progress(ATLAS, partial(write_atlas, folder, None, quick))
+    page = _with_progress(ATLAS, partial(write_atlas, folder, (), quick))
     click.echo(f"written: {page}")
 
 

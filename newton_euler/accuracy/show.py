@@ -1,6 +1,6 @@
 """One chart in a notebook: one of the table by name, or a comparison of one's own."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from ..algebra.errors import ArgumentError, checked
 from ..algebra.late import Figure
@@ -10,6 +10,7 @@ from .charts.axes import chart
 from .charts.comparisons import points_table, ways_caption
 from .charts.drawn import DrawnChart
 from .measurements.comparisons import measured_ways
+from .measurements.measure import Call, silent
 
 
 @checked
@@ -30,16 +31,14 @@ def show_chart(name: str, quick: bool = True, tolerance: float | None = None) ->
             f"a tolerance is positive, for 'models of ...'; got {tolerance!r} for {name!r}"
         )
     more = {} if tolerance is None else {"tolerance": float(tolerance)}
-    found = entry.make(quick, lambda fraction, words="": None, **more)
+    found = entry.make(quick, silent, **more)
     found.show()
     return found
 
 
 @checked
 def compare(
-    ways: Mapping[str, Callable[[], object]],
-    exact: Scalar | Sequence[Scalar],
-    title: str = "ways to one result",
+    ways: Mapping[str, Call], exact: Scalar | Sequence[Scalar], title: str = "ways to one result"
 ) -> DrawnChart:
     """Measure, draw and display cost and error of several ways to one result; the chart.
 

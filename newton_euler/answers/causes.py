@@ -111,8 +111,7 @@ def sentence(causes: Iterable[Cause]) -> str | None:
     for other in others:
         two = _("{first}; or one that {other}", first=words, other=other)
         words = two if _has_room(two, see) else words
-    is_alone = words == first and _has_room(in_full[first], see)
-    return (in_full[first] if is_alone else words) + see
+    return (in_full[first] if words == first and _has_room(in_full[first], see) else words) + see
 
 
 def _has_room(words, see):
@@ -263,8 +262,8 @@ def left_out_components(places: Sequence[int]) -> Cause:
     """Some components are zero."""
     one = Words("leaves out its {which} component: it is not zero here")
     several = Words("leaves out its {which} components: they are not zero here")
-    cause = slip(f"without {_ordinals(places)}", _of_places(places, one, several))
-    return replace(cause, does=NO_COMPONENT, of=_ordinals(places))
+    which, text = _ordinals(places), _of_places(places, one, several)
+    return Cause("slip", f"without {which}", text, does=NO_COMPONENT, of=which)
 
 
 def added_components(places: Sequence[int]) -> Cause:
@@ -325,10 +324,10 @@ def _ordinals(places: Sequence[int]) -> str:
 
 def _of_places(places: Sequence[int], one: Words, several: Words, **values: object) -> Words:
     """The sentence on one component, or on several, "the first and second"."""
-    template = (several if len(places) > 1 else one).template
-    return Words(template, which=_ordinals(places), **values)
+    return Words(several if len(places) > 1 else one, which=_ordinals(places), **values)
 
 
+HOW = Words("small"), Words("large")  # by whether it is larger
 LOST = {
     2.0: Words("look for something halved or doubled"),
     **dict.fromkeys((10.0, 100.0), Words("look for a misplaced decimal point")),
@@ -337,8 +336,7 @@ LOST = {
 
 def multiplied(what: str, factor: float, large: bool) -> Cause:
     """The answer is off by the factor between two units, or by 2."""
-    how = Words("large") if large else Words("small")
-    why = LOST.get(factor, Words("check the unit that is asked for"))
+    how, why = HOW[large], LOST.get(factor, Words("check the unit that is asked for"))
     text = Words(
         "is {factor} times too {how} ({what}): {why}",
         factor=f"{factor:.4g}", how=how, what=what, why=why,
@@ -348,17 +346,17 @@ def multiplied(what: str, factor: float, large: bool) -> Cause:
 
 def bare(factor: str, large: bool) -> Cause:
     """The answer is off by a simple number, which has many causes."""
-    how = Words("large") if large else Words("small")
+    how = HOW[large]
     text = Words("is {factor} times too {how}: look where it comes in", factor=factor, how=how)
     return Cause("factor", f"{factor} {how}", text)
 
 
 def usual(number: str, body: str, is_place: bool) -> Cause:
     """The number in front is one by which another body is known."""
-    text = Words("has the number {number}, as {body} has: the body, or the axis, is another one")
-    if is_place:
-        text = Words("has the number {number}, as the centre of {body} has: look which body it is")
-    return Cause("usual", number, Words(text.template, number=number, body=body))
+    one = Words("has the number {number}, as {body} has: the body, or the axis, is another one")
+    of_place = Words("has the number {number}, as the centre of {body} has: look which body it is")
+    text = Words(of_place if is_place else one, number=number, body=body)
+    return Cause("usual", number, text)
 
 
 def powers(names: Sequence[str]) -> Cause:
@@ -385,7 +383,7 @@ def of_term(names: Sequence[str]) -> Cause:
 
 def component_multiplied(places: Sequence[int], what: str, factor: float, large: bool) -> Cause:
     """Some components are off by one factor."""
-    how = Words("large") if large else Words("small")
+    how = HOW[large]
     one = Words("has its {which} component {factor} times too {how} ({what}): the rest is right")
     several = Words(
         "has its {which} components {factor} times too {how} ({what}): the rest is right"

@@ -103,8 +103,6 @@ def _write():
     if not in_notebook():
         return
     beside = FILE.with_name(f"{FILE.name}.{os.getpid()}")
-    try:
+    with contextlib.suppress(OSError):  # the folder cannot be written: this kernel alone counts
         beside.write_text(json.dumps(_kept), "utf-8")
         os.replace(beside, FILE)
-    except OSError:
-        pass  # the folder cannot be written: this kernel alone counts

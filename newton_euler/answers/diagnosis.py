@@ -4,8 +4,10 @@ it.
 """
 
 import math
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from itertools import chain
 from typing import NamedTuple
 
 from . import causes
@@ -39,6 +41,11 @@ class OtherPart(NamedTuple):
         """The answers to this part that a cause would give."""
         yield from (x for c, x in self.wrong if c == cause)
         yield from (self.kind.like(x, self.given) for x in self.slips(cause))
+
+    def fits(self, x: Points) -> bool:
+        """True if a model explains the answer to this part."""
+        of_word = self.kind.is_word
+        return x == self.given if of_word else bool(Fit(self.given, self.key, self.kind.rtol)(x))
 
 
 class OtherParts:
@@ -79,15 +86,8 @@ class OtherParts:
 
     def explains(self, cause: Cause) -> int:
         """The number of other wrong parts that this mistake explains."""
-        return sum(
-            any(_fits(part, x) for x in part.models(cause))
-            for part in self._parts
-            if not part.right
-        )
-
-
-def _fits(part, x):
-    return x == part.given if part.kind.is_word else Fit(part.given, part.key, part.kind.rtol)(x)
+        wrong = (part for part in self._parts if not part.right)
+        return sum(any(map(part.fits, part.models(cause))) for part in wrong)
 
 
 def diagnose(
@@ -132,7 +132,8 @@ def diagnose(
             computed = [h for h in computed if h.cause.group != "sequel"]
         if any(elsewhere.contradicts(h.cause) for h in general):
             computed = [h for h in computed if not elsewhere.contradicts(h.cause)]
-        if is_doubtful and max((h.level for h in computed), default=0) > _level_of(general):
+        least_general = min((h.level for h in general), default=EXACT)
+        if is_doubtful and max((h.level for h in computed), default=0) > least_general:
             single, general = [], []  # a mere factor, in fewer digits
         if general or by_factor:
             computed = [h for h in computed if not _is_bare(h, fit) or elsewhere.explains(h.cause)]
@@ -143,8 +144,8 @@ def diagnose(
         both_kinds = *_best(single, elsewhere, fit.sizes), *_best([computed], elsewhere, fit.sizes)
         found = _most_explaining(both_kinds, elsewhere)[:MOST]
         is_listed = any(c.group == "listed" for c in found)
-        found = tuple(sorted(found, key=elsewhere.contradicts))
-        found = tuple(sorted(found, key=lambda c: is_listed and _is_of_a_number(c)))
+        of_number = lambda c: is_listed and _is_of_a_number(c)  # noqa: E731
+        found = tuple(sorted(found, key=lambda c: (of_number(c), elsewhere.contradicts(c))))
     else:
         found = _best([*single, computed], elsewhere, fit.sizes)
     # many of them give a mere factor, but not in other parts as well
@@ -158,10 +159,6 @@ def diagnose(
     found = found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
     found = found or (of_each_component(fit, kind, wrong, slips) if slips else ())
     return found or tuple(cause for cause, x in of_none(fit) if fit(x))
-
-
-def _level_of(hits):
-    return min((h.level for h in hits), default=EXACT)
 
 
 def _says_little(cause, kind):
@@ -208,18 +205,15 @@ def _best(stages, elsewhere, sizes):
         return ()
     contradicted = {h.cause for hits in stages for h in hits if elsewhere.contradicts(h.cause)}
     possible = [[h for h in hits if h.cause not in contradicted] for hits in stages]
-    here = [
-        [h._replace(cause=in_this_part(h.cause)) for h in hits if h.cause in contradicted]
-        for hits in stages
-    ]
+    rest = ([h for h in hits if h.cause in contradicted] for hits in stages)
+    here = [[h._replace(cause=in_this_part(h.cause)) for h in hits] for hits in rest]
     # numbers in a formula, written in five digits, are never as close
     formulas = ([h for h in hits if len(h.points) > 1] for hits in here)
     best = _closest(possible) or _closest(here) or next(filter(None, [*possible, *formulas]), [])
     named = {h.cause.name for h in best if h.cause.group == "listed"}
     twins = [
         h
-        for hits in (*possible, *here)
-        for h in hits
+        for h in chain(*possible, *here)
         if h.cause.adds_to_others
         if not (h.cause.does == RESCALED and h.cause.subject in named)  # it says the same
         if any(_same(h.points, o.points, sizes) for o in best)
@@ -232,8 +226,6 @@ def _simplest(fit, near, elsewhere):
     those that explain most other parts; a slip that is made in one part alone is less simple.
     """
     near = [slip for slip in near if not elsewhere.refutes(slip[1])]
-    if not near:
-        return []
     hits = [(level, Hit(_level(fit, x), cause, x)) for level, cause, x in near]
     if any(hit.cause.group == "unit" for _, hit in hits):
         # a number in a wrong unit may be nearly zero, or nearly the whole
@@ -251,8 +243,7 @@ def _simplest(fit, near, elsewhere):
     words: dict[str, Hit] = {}
     for n, hit in found:
         if n == simplest:
-            subject = hit.cause.subject
-            words[subject or hit.cause.what] = words.get(hit.cause.what, hit)
+            words[hit.cause.subject or hit.cause.what] = words.get(hit.cause.what, hit)
     return [*words.values()][:MOST]
 
 
@@ -286,43 +277,38 @@ def _most_explaining(found, elsewhere):
     if len(found) < 2:
         return tuple(found)
     counts = {c: elsewhere.explains(c) for c in found}
-    most = max(counts.values())
-    return tuple(
-        c for c in found if counts[c] == most or c == CORIOLIS_HALVED or c.group == "factor"
-    )
+    most = {c for c in found if counts[c] == max(counts.values())}
+    return tuple(c for c in found if c in most or c == CORIOLIS_HALVED or c.group == "factor")
 
 
 def _stages(
     fit: Fit, wrong: Sequence[Model], kind: Kind, factors: Mapping[str, float]
 ) -> Iterator[list[Hit]]:
     """The models that fit, from the special to the general."""
-    near: dict[str, list[Model]] = {}
+    near = defaultdict[str, list[Model]](list)
     for model in fit.near(wrong):
-        near.setdefault(model[0].group, []).append(model)
+        near[model[0].group].append(model)
 
     def of(candidates, rtol=None, apart=True):
         hits = [Hit(fit(x, rtol, apart), cause, x) for cause, x in candidates]
         return [hit for hit in hits if hit.level]
 
-    def group(name):
-        return near.get(name, ())
-
     # a single number, read as 2.5, may have lost a zero that was written in 2.50
     surely_rounded = is_rounded(fit.given, fit.key) and sum(map(bool, fit.given[0])) > 1
     rounded = [Hit(EXACT, causes.ROUNDED, fit.given)] if surely_rounded else []
     single = NUMBER_RTOL if kind.is_met_by_chance else None
-    yield [*of(group("listed"), single), *of(group("book"), single, apart=False), *rounded]
-    yield of([*group("omitted"), *group("term")], single)
-    yield of(group("unit"), single)
+    yield [*of(near["listed"], single), *of(near["book"], single, apart=False), *rounded]
+    yield of([*near["omitted"], *near["term"]], single)
+    yield of(near["unit"], single)
     yield [
         *of(multiples(fit, factors), single),
         *of(m for m in wrong if m[0].group == "usual"),
-        *_of_unlike_axes(group("axes"), fit),
-        *_of_unlike_axes(group("turned"), fit),
+        *_of_unlike_axes(near["axes"], fit),
+        *_of_unlike_axes(near["turned"], fit),
     ]
     rates = [x for cause, x in wrong if cause.group == "rate"]
     yield of([*kind.slips(fit), *rates_as_scalars(fit, rates)])
-    yield of(group("exchanged"), single)
+    yield of(near["exchanged"], single)
 
 
 def _first(models, fit, least):

@@ -27,6 +27,11 @@ class Toleranced(Protocol):
     def rtol(self) -> float: ...
 
 
+def is_right(asked: Toleranced, given: Points, key: Points) -> bool:
+    """True if an answer is near enough to the key for what is asked."""
+    return asked.kind.is_right(given, key, asked.atol, asked.rtol)
+
+
 def counted(
     readings: Sequence[Points],
     key: Points,
@@ -39,7 +44,7 @@ def counted(
         the group "axes", the right vector along the axes of the problem's other frames, of which
         the ground is named "0"
     """
-    right = [asked.kind.is_right(r, key, asked.atol, asked.rtol) for r in readings]
+    right = [is_right(asked, r, key) for r in readings]
     if True not in right or len(readings) == 1:
         return readings[0] if right == [True] else None
     if right[GROUND] or _is_one_guess(readings, right, key, asked, wrong()):
@@ -56,7 +61,7 @@ def _is_one_guess(readings, right, key, asked, wrong):
     free = not axes or "0" in axes  # else the axes are those of the ground
 
     def is_among(r, models):
-        return any(asked.kind.is_right(r, points, asked.atol, asked.rtol) for points in models)
+        return any(is_right(asked, r, points) for points in models)
 
     mistakes = [points for cause, points in wrong if cause.group != "axes"]
     return all(

@@ -64,17 +64,15 @@ class Watch:
 
     def start(self, info: object = None) -> None:
         """Before a cell: keep the values of all names."""
-        names = self.shell.user_ns
-        self.before = dict(names)
-        self.at_start = {
-            name: _Snapshot(names[name], giver, self.changers.get(name))
-            for name, giver in self.givers.items()
-            if name in names
-        }
+        self.before = names = dict(self.shell.user_ns)
+        given = ((name, giver) for name, giver in self.givers.items() if name in names)
+        self.at_start = {n: _Snapshot(names[n], giver, self.changers.get(n)) for n, giver in given}
 
     def end(self, result: Any) -> None:
         """After a cell: the names that it set were computed with the values at its start."""
-        cell, text = _cell_of(result), getattr(result.info, "raw_cell", "")
+        text = getattr(result.info, "raw_cell", "")
+        # the identity of a cell survives edits where the front end sends an id
+        cell = getattr(result.info, "cell_id", None) or text or None
         # a cell that sets a name to an equal small number leaves the same object
         stored = _stored(text) if result.success else set()
         self.failed |= set() if result.success else _stored(text)
@@ -87,12 +85,6 @@ class Watch:
                 own = _given.get(self.givers.get(name, ""), {})
                 if own.get(name, value) is not value:
                     self.changers[name] = cell
-
-
-def _cell_of(result):
-    """The identity of a cell; it survives edits where the front end sends an id."""
-    info = result.info
-    return getattr(info, "cell_id", None) or getattr(info, "raw_cell", None)
 
 
 def _stored(text):

@@ -20,7 +20,7 @@ from .messages import StatedForm
 from .notation import list_symbol, matrix_symbol
 from .reading import Budget, are_one_vector, formula_values, numbers
 from .sympy_formulas import read_formula
-from .tolerance import Point, Points, distance, formula_is_near, is_near
+from .tolerance import RTOL, Point, Points, distance, formula_is_near, is_near
 from .trees import TreeError
 from .values import components, read_number
 
@@ -38,7 +38,7 @@ class Kind:
     title: ClassVar[str]  # name for a reader
     words: ClassVar[str]  # what to write, for a reader
     shape: ClassVar[tuple[int, ...]] = ()  # shape of its components; (3, 3) has rows of three
-    rtol: ClassVar[float] = tolerance.RTOL
+    rtol: ClassVar[float] = RTOL
     is_word: ClassVar[bool] = False  # True: no unit, no size, no components
     is_formula: ClassVar[bool] = False  # True: written in the symbols of the problem
     is_vector: ClassVar[bool] = False  # True: its components are along axes
@@ -78,10 +78,9 @@ class Kind:
 
     def _read(self, parts, value, form, symbols, budget):
         if len(parts) != self.length:
-            raise form.error(
-                plural("got {n} number: {value}", "got {n} numbers: {value}", len(parts),
-                   value=clipped(value))
-            )  # fmt: skip
+            given, n = clipped(value), len(parts)
+            got = plural("got {n} number: {value}", "got {n} numbers: {value}", n, value=given)
+            raise form.error(got)
         found = [self._component(x, form, symbols, budget) for x in parts]
         return found[0] if self.length == 1 else found
 
@@ -113,9 +112,7 @@ class Kind:
 
     # -- comparing
 
-    def is_right(
-        self, given: Points, key: Points, atol: float, rtol: float = tolerance.RTOL
-    ) -> bool:
+    def is_right(self, given: Points, key: Points, atol: float, rtol: float = RTOL) -> bool:
         """True if an answer is near enough to the key; ``atol`` is the absolute tolerance for a key
         that is zero, ``rtol`` the relative one of numbers: formulas and words are exact.
         """
@@ -251,7 +248,10 @@ class VectorKind(Kind):
                 budget[0] = left  # a frame that is not read uses no budget
                 continue
             if tree not in found.values() or frame.parent is None:
-                found[_distinct(frame.name, found)] = tree
+                name = frame.name
+                while name in found:  # of another frame with the same name
+                    name += "'"
+                found[name] = tree
         if not found:
             raise faults[0]
         first, *others = found.values()
@@ -263,11 +263,8 @@ class VectorKind(Kind):
         """As for a kind: of {frame: tree} the components in each, if they are one vector."""
         if not isinstance(tree, dict) or not 0 < len(tree) <= FRAMES:
             return super().readings(tree, form, symbols, budget)
-        found = [
-            points
-            for part in tree.values()
-            for points in super(VectorKind, self).readings(part, form, symbols, budget)
-        ]
+        own = (super(VectorKind, self).readings(x, form, symbols, budget) for x in tree.values())
+        found = [*chain(*own)]
         if not are_one_vector(*found):
             raise TreeError("its components in two frames are those of two vectors")
         return found
@@ -291,13 +288,6 @@ def _chain(frame):
     while frames[-1].parent is not None:
         frames.append(frames[-1].parent)
     return [frames[0], frames[-1], *frames[1:-1]][:FRAMES]
-
-
-def _distinct(name, names):
-    """The name of a frame, made distinct from those of others with the same name."""
-    while name in names:
-        name += "'"
-    return name
 
 
 class Direction(VectorKind):
@@ -325,9 +315,7 @@ class Direction(VectorKind):
             points = (tuple(x / longest for x in points[0]),)
         return points
 
-    def is_right(
-        self, given: Points, key: Points, atol: float, rtol: float = tolerance.RTOL
-    ) -> bool:
+    def is_right(self, given: Points, key: Points, atol: float, rtol: float = RTOL) -> bool:
         """True up to the length and the sense."""
         return is_near(self.like(given, key)[0], key[0], 0.0, rtol)
 
@@ -386,9 +374,7 @@ class Interval(Kind):
     words = Words("an interval, two numbers as in [low, high]")
     shape = (2,)
 
-    def is_right(
-        self, given: Points, key: Points, atol: float, rtol: float = tolerance.RTOL
-    ) -> bool:
+    def is_right(self, given: Points, key: Points, atol: float, rtol: float = RTOL) -> bool:
         return all(is_near((x,), (k,), atol, rtol) for x, k in zip(given[0], key[0], strict=True))
 
     def slips(self, fit: Fit) -> slips.Models:
@@ -411,7 +397,7 @@ class _Formula(Kind):
     def _points(self, trees, form, symbols, budget):
         return formula_values(trees, symbols, budget)
 
-    def is_right(self, given, key, atol, rtol=tolerance.RTOL):
+    def is_right(self, given, key, atol, rtol=RTOL):
         """True at every point where the key has a value."""
         return formula_is_near(given, key, atol)
 
@@ -429,8 +415,7 @@ class _Formula(Kind):
 
     def unfit(self, points):
         """Why it is a bad key: no number at most points."""
-        real = sum(math.isfinite(math.hypot(*x)) for x in points)
-        few = real < tolerance.MAJORITY * len(points)
+        few = sum(math.isfinite(math.hypot(*x)) for x in points) < tolerance.MAJORITY * len(points)
         return "= nan at most points of its symbols" if few else None
 
     def change(self, moved, points):
@@ -474,7 +459,7 @@ class _Word(Kind):
     def readings(self, tree, form, symbols, budget):
         return [((tree,),)] if type(tree) is self.python_type else []
 
-    def is_right(self, given, key, atol, rtol=tolerance.RTOL):
+    def is_right(self, given, key, atol, rtol=RTOL):
         return given == key
 
     def is_zero(self, points, atol):

@@ -120,27 +120,19 @@ class Slips:
             return []
         rows = self.at(key, fit.index if kind.is_formula else 0)
         if places := _near(rows, fit, kind, ranked):
-            return [
-                (level // 2, cause, kind.like(self._points(key, n), fit.given))
-                for n in places
-                for level, cause in (ranked.slips[n],)
-            ]
-        right = (
-            _right(fit) if not isinstance(rows, list) and (kind.has_size or kind.is_formula) else []
-        )
-        if not right:
+            made = [(n, *ranked.slips[n], self._points(key, n)) for n in places]
+            return [(level // 2, cause, kind.like(x, fit.given)) for n, level, cause, x in made]
+        may_be_in_part = not isinstance(rows, list) and (kind.has_size or kind.is_formula)
+        if not may_be_in_part or not (right := _right(fit)):
             return []
         rows = rows.copy()
         rows[:, right] = [fit.first[1][n] for n in right]
         wrong = [n for n in range(len(fit.first[1])) if n not in right]
+        found = [(n, *ranked.slips[n]) for n in _near(rows, fit, kind, ranked, CHANCE_IN_ONE)]
+        here = lambda cause: in_components(cause, wrong, fit.first[1])  # noqa: E731
         return [
-            (
-                level // 2,
-                in_components(cause, wrong, fit.first[1]),
-                mixed(self._points(key, n), fit.key, wrong),
-            )
-            for n in _near(rows, fit, kind, ranked, CHANCE_IN_ONE)
-            for level, cause in (ranked.slips[n],)
+            (level // 2, here(cause), mixed(self._points(key, n), fit.key, wrong))
+            for n, level, cause in found
             if cause.does != FACTOR_2  # named as a factor of these components
         ]
 
@@ -153,14 +145,13 @@ class Slips:
         found = [n for n in found if ranked.slips[n][1].does == REVERSED]
         found = [n for n in found if ranked.ranks[n] == min(ranked.ranks[m] for m in found)]
         points = {n: self._points(key, n) for n in found[: FEW + 1]}
-        vanish = len(points) <= FEW and all(
-            max(map(abs, p)) <= NOISE * size
-            for own in points.values()
-            for p, size in zip(own, fit.sizes, strict=True)
-            if math.isfinite(size)
-        )
-        slips = ranked.slips
-        return [(slips[n][0] // 2, slips[n][1], fit.given) for n in points] if vanish else []
+        pairs = (pair for own in points.values() for pair in zip(own, fit.sizes, strict=True))
+        left = ((p, size) for p, size in pairs if math.isfinite(size))
+        if len(points) > FEW or not all(max(map(abs, p)) <= NOISE * size for p, size in left):
+            return []
+        return [
+            (level // 2, cause, fit.given) for level, cause in (ranked.slips[n] for n in points)
+        ]
 
     def _points(self, key, place):
         """The points of an answer with one slip."""
@@ -192,27 +183,23 @@ def _formulas_near(rows, fit, ranked, allowed):
         return []
     given, key = fit.given[fit.index], fit.key[fit.index]
     size = math.hypot(*given)
-    close, gaps = _within(fit.rtol * size, rows, given)
-    off = [
-        n for n, (x, k) in enumerate(zip(given, key, strict=True)) if abs(x - k) > fit.rtol * size
-    ]
+    most, pairs = fit.rtol * size, enumerate(zip(given, key, strict=True))
+    close, gaps = _within(most, rows, given)
+    off = [n for n, (x, k) in pairs if abs(x - k) > most]
     wrong, more = 1 if _is_multiple(given, key, off) else len(off), _constant(fit)
+
+    def near(n, gaps, most):
+        """The number of slips within this distance that are as simple."""
+        pairs = zip(gaps, ranked.ranks, strict=True)
+        return sum(gap <= most and rank <= ranked.ranks[n] for gap, rank in pairs)
 
     def is_chance(n):
         if more:  # 10.4 x - 5.2 is met by few digits, such as a half of 10.4
             own = [abs(float(row[0]) - key[0] - more) / abs(more) for row in rows]
-            few = sum(
-                gap <= AROUND and rank <= ranked.ranks[n]
-                for gap, rank in zip(own, ranked.ranks, strict=True)
-            )
-            if few * rounding([more]) > CHANCE_MET * AROUND * abs(more):
+            if near(n, own, AROUND) * rounding([more]) > CHANCE_MET * AROUND * abs(more):
                 return True
-        near = sum(
-            gap <= AROUND * size and rank <= ranked.ranks[n]
-            for gap, rank in zip(gaps, ranked.ranks, strict=True)
-        )
-        share = max(gaps[n] / size, ROUNDED) / AROUND
-        return gaps[n] > ROUND_OFF * size and near * share**wrong > allowed * CHANCE
+        chance = near(n, gaps, AROUND * size) * (max(gaps[n] / size, ROUNDED) / AROUND) ** wrong
+        return gaps[n] > ROUND_OFF * size and chance > allowed * CHANCE
 
     return [n for n in close if not is_chance(n)]
 
@@ -220,11 +207,8 @@ def _formulas_near(rows, fit, ranked, allowed):
 def _is_multiple(given, key, off):
     """True if these components are a multiple of the key's: they are met as one number is."""
     ratios = [given[n] / key[n] if key[n] else 0.0 for n in off]
-    return (
-        len(off) > 1
-        and all(ratios)
-        and max(ratios) - min(ratios) <= ALIKE * abs(max(ratios, key=abs))
-    )
+    some = len(off) > 1 and all(ratios)
+    return some and max(ratios) - min(ratios) <= ALIKE * abs(max(ratios, key=abs))
 
 
 def _constant(fit):
@@ -292,11 +276,8 @@ def _typed(point):
 def _in_few_digits(rows, places, given, off):
     """The places of the rows without more decimals than were given in the components ``off``."""
     last = min((digits_written(given[n])[1] for n in off if given[n]), default=0)
-    parts = {n: [float(rows[n][m]) for m in off] for n in places}
-    return {
-        n for n, own in parts.items()
-        if all(abs(x - round(x, -last)) <= NOISE * abs(x) for x in own)
-    }  # fmt: skip
+    has_few = lambda x: abs(x - round(x, -last)) <= NOISE * abs(x)  # noqa: E731
+    return {n for n in places if all(has_few(float(rows[n][m])) for m in off)}
 
 
 def _within(most, rows, given):

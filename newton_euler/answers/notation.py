@@ -6,16 +6,15 @@ import re
 from collections.abc import Iterable, Mapping
 from decimal import ROUND_HALF_UP, Context
 from functools import lru_cache
+from html.entities import name2codepoint
 
 from .trees import Tree
 
-GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ",
-    "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ",
-    "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω",
-    "Omega": "Ω", "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Sigma": "Σ",
-    "Phi": "Φ", "Psi": "Ψ",
-}  # fmt: skip
+_NAMES = (
+    "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau phi psi "
+    "omega Omega Gamma Delta Theta Lambda Sigma Phi Psi"
+)
+GREEK = {name: chr(name2codepoint[name]) for name in _NAMES.split()}
 _SIX = Context(prec=6, rounding=ROUND_HALF_UP)
 _SHORT = {"lam": "lambda", "gam": "gamma", "th": "theta", "eps": "epsilon"}  # "lambda" is a keyword
 _LETTER = rf"[A-Za-z]|{'|'.join((*GREEK, *_SHORT))}"
@@ -41,8 +40,7 @@ def symbol(name: str, vector: bool = False) -> str:
         base += f" {parts.pop(0)}"  # right_handed
     mark = next((_DOTS[p] for p in parts if p in _DOTS), "")
     letter = _letter(base, vector)
-    if mark:
-        letter = f"{mark}{{{letter}}}"
+    letter = f"{mark}{{{letter}}}" if mark else letter
     indices = [p for p in parts if p not in _DOTS]
     if indices and indices[-1] == "mag":
         return f"|{letter}{_index(indices[:-1])}|"
@@ -307,22 +305,15 @@ def _raised(args, symbols):
     return f"{text}^{{{_written(power, symbols)[0]}}}", _PRODUCT
 
 
-def _root(args, symbols):
-    return rf"\sqrt{{{_written(args[0], symbols)[0]}}}", _POWER
-
-
-def _size(args, symbols):
-    return rf"\left|{_written(args[0], symbols)[0]}\right|", _POWER
+def _around(before, after):
+    return lambda args, symbols: (before + _written(args[0], symbols)[0] + after, _POWER)
 
 
 def _comparison(sign):
-    def written(args, symbols):
-        return f" {sign} ".join(_written(a, symbols)[0] for a in args), 0
-
-    return written
+    return lambda args, symbols: (sign.join(_written(a, symbols)[0] for a in args), 0)
 
 
 _WRITERS = {
-    "+": _sum, "*": _product, "/": _quotient, "^": _raised, "sqrt": _root, "Abs": _size,
-    "<": _comparison("<"), "<=": _comparison(r"\le"),
+    "+": _sum, "*": _product, "/": _quotient, "^": _raised, "sqrt": _around(r"\sqrt{", "}"),
+    "Abs": _around(r"\left|", r"\right|"), "<": _comparison(" < "), "<=": _comparison(r" \le "),
 }  # fmt: skip

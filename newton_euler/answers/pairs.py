@@ -41,9 +41,8 @@ def of_two(
     own : the models of the problem's own mistakes
     slips : finds those that may be made beside one of them
     """
-    if fit.index is None or fit.is_plain or not (kind.has_size or kind.is_formula):
-        return ()
-    if not is_here("numpy"):  # as on a page of the site
+    none = fit.index is None or fit.is_plain or not (kind.has_size or kind.is_formula)
+    if none or not is_here("numpy"):  # as on a page of the site
         return ()
     found: dict[int, dict[tuple[Cause, ...], None]] = {}
     pairs = _Pairs(fit, kind, own, slips())
@@ -126,7 +125,8 @@ class _Pairs:
         levels = np.array([n for n, _ in self.causes])
         usable[self.own : last] &= levels[self.own : last] > FIRST // 2 + 2  # handed back alone
         firsts, seconds = np.flatnonzero(usable[: self.own]), np.flatnonzero(usable)
-        tried = [(op, firsts) for op in self._operations()]
+        operations = _added, _multiplied, *[_under_a_root] * (self.kind.length == 1)
+        tried = [(op, firsts) for op in operations]
         tried += [(_multiplied, np.flatnonzero(usable[last:]) + last)]
         for op, places in tried:
             gaps = abs(op(rows[places][:, None], rows[seconds], key) - given)
@@ -175,20 +175,16 @@ class _Pairs:
         squares, rest = np.sort(x * x), k * k - own * own
         return any(_is_any(squares, rest + n * y * y, gap * (2 * abs(y) + gap)) for n in (1, -1))
 
-    def _operations(self):
-        return (_added, _multiplied, *[_under_a_root] * (self.kind.length == 1))
-
     def _is_named(self, i, j, op):
         """True of a pair that is not two mere factors, and holds at all points of a formula."""
         by_sign, of_formula = j == len(self.causes) - 1, self.kind.is_formula
-        if op is _added:
-            key, rows = self.at(self.fit.index)
-            if _are_of_one_term(*(rows[[i, j]] - key)):
-                return False
-        if op is _multiplied and not by_sign:
-            key, rows = self.at(self.fit.index)
-            if _are_powers(*(rows[[i, j]][:, key != 0] / key[key != 0])):
-                return False
+        key, rows = self.at(self.fit.index)
+        both = rows[[i, j]]
+        if op is _added and _are_of_one_term(*(both - key)):
+            return False
+        factors = both[:, key != 0] / key[key != 0]
+        if op is _multiplied and not by_sign and _are_powers(*factors):
+            return False
         return not (by_sign and op is not _multiplied) and (
             not of_formula or self._is_met_everywhere(i, j, op)
         )

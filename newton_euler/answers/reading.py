@@ -68,8 +68,6 @@ def _real(x, count):
 
 def are_one_vector(first: Points, *others: Points) -> bool:
     """True if answers have the same magnitude at each point, as a vector has in all frames."""
-    return all(
-        abs(math.hypot(*a) - math.hypot(*b)) <= ONE_VECTOR * math.hypot(*a)
-        for other in others
-        for a, b in zip(first, other, strict=True)
-    )
+    sizes, *rest = [[math.hypot(*point) for point in points] for points in (first, *others)]
+    pairs = (pair for other in rest for pair in zip(sizes, other, strict=True))
+    return all(abs(a - b) <= ONE_VECTOR * a for a, b in pairs)

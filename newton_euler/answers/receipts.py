@@ -120,9 +120,7 @@ def _checked(sealed, forms, read):
 def _doubted(forms, read, symbols, sane):
     """{answer: why it is impossible} of the impossible answers."""
     beside = {k: (form, read.get(k)) for k, form in forms.items()}
-    found = {
-        k: doubts(form, read.get(k), symbols, sane.get(k), beside) for k, form in forms.items()
-    }
+    found = {k: doubts(f, read.get(k), symbols, sane.get(k), beside) for k, f in forms.items()}
     return {k: why for k, why in found.items() if why}
 
 

@@ -15,6 +15,7 @@ from .trees import TreeError, evaluate
 
 KINETIC, MAGNITUDE = QUANTITIES = "kinetic energy", "magnitude"  # which are never negative
 POINTS = 8  # places at which formulas are tried
+ACROSS = ((1, 3), (2, 6), (5, 7))  # places of the entries of a matrix that mirror each other
 
 
 def doubts(
@@ -73,14 +74,10 @@ def _magnitude(points, form, name, other, symbols):
     vectors = _points(*other, symbols) if other else []
     for (x,), vector in zip(points, vectors, strict=False):
         if abs(x - (size := math.hypot(*vector))) > 2 * RTOL * max(abs(x), size):
-            yield (
-                _("it is not the magnitude of {name}", name=name)
-                if form.kind.is_formula
-                else _(
-                    "it is not the magnitude of {name}, which is {size} {unit}",
-                    name=name, size=f"{size:.4g}", unit=form.unit,
-                )
-            )  # fmt: skip
+            text = Words("it is not the magnitude of {name}, which is {size} {unit}")
+            if form.kind.is_formula:
+                text = Words("it is not the magnitude of {name}")
+            yield _(text, name=name, size=f"{size:.4g}", unit=form.unit)
             return
 
 
@@ -108,19 +105,15 @@ def _is_inertia(text):
 
 def _inertia(points, whole):
     """Why no body can have this matrix; of formulas only the symmetry, valid for all symbols."""
-    scales = [max(map(abs, point)) for point in points]
-    across = ((1, 3), (2, 6), (5, 7))
-    if any(
-        abs(point[i] - point[j]) > ROOM * scale
-        for point, scale in zip(points, scales, strict=True)
-        for i, j in across
-    ):
+    rooms = [ROOM * max(map(abs, point)) for point in points]
+    pairs = [(x[n], x[m], e) for x, e in zip(points, rooms, strict=True) for n, m in ACROSS]
+    if any(abs(a - b) > room for a, b, room in pairs):
         yield _("an inertia matrix is symmetric")
         return
     if not whole:
         return
     point, spread = points[0], sum(points[0][::4]) * (1 + ROOM) / (2 + ROOM)
-    if not _is_positive(point, ROOM * scales[0], 1):
+    if not _is_positive(point, rooms[0], 1):
         yield _("the moment of inertia about some axis would be negative: check the signs")
     elif not _is_positive(point, spread, -1):
         yield _(

@@ -51,11 +51,8 @@ def factors(stated_in: str) -> Mapping[str, float]:
         power = abs(float(length))
         found |= {words: factor**power for words, factor in LENGTHS.items()}
         less = Words("{units}, in one factor too few")
-        found |= {
-            Words(less, units=words): factor ** (power - 1)
-            for words, factor in LENGTHS.items()
-            if power > 1
-        }
+        lengths = LENGTHS if power > 1 else {}
+        found |= {Words(less, units=words): f ** (power - 1) for words, f in lengths.items()}
     return found | WEIGHTS if mass else found
 
 
@@ -72,10 +69,9 @@ def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
 def bare(fit: Fit) -> Models:
     """The key times a simple number, which many slips give."""
     ratio = 0.0 if fit.index is None else _ratio(fit)
-    for name, factor in BARE.items():
-        for large, times in ((True, factor), (False, 1 / factor)):
-            if 0.9 * times < ratio < 1.1 * times:
-                yield causes.bare(name, large), fit.times(times)
+    for name, _, large, times in _both_ways(BARE):
+        if 0.9 * times < ratio < 1.1 * times:
+            yield causes.bare(name, large), fit.times(times)
     yield from _factors(fit, ratio, TENS)
 
 
@@ -116,12 +112,10 @@ def of_components(fit: Fit) -> Models:
     given, key, _ = fit.first
     if not len(off) < sum(map(bool, key)) or not all(key[n] for n in off):
         return
-    for words, factor in PURE.items():
-        for large, f in ((True, factor), (False, 1 / factor)):
-            if all(0.99 < given[n] / (f * key[n]) < 1.01 for n in off):
-                scales = [f if m in off else 1.0 for m in range(3)]
-                cause = causes.component_multiplied(off, words, factor, large)
-                yield cause, _signed(scales, fit.key)
+    for words, factor, large, f in _both_ways(PURE):
+        if all(0.99 < given[n] / (f * key[n]) < 1.01 for n in off):
+            scales = [f if m in off else 1.0 for m in range(3)]
+            yield causes.component_multiplied(off, words, factor, large), _signed(scales, fit.key)
 
 
 def of_none(fit: Fit) -> Models:
@@ -140,11 +134,15 @@ def _off(fit):
 
 
 def _factors(fit, ratio, found):
+    for words, factor, large, f in _both_ways(found):
+        if 0.9 * f < ratio < 1.1 * f:
+            yield causes.multiplied(words, factor, large), fit.times(f)
+
+
+def _both_ways(found):
+    """(words, factor, whether it is too large, by how much) of each factor and its inverse."""
     for words, factor in found.items():
-        if 0.9 * factor < ratio < 1.1 * factor:
-            yield causes.multiplied(words, factor, True), fit.times(factor)
-        if 0.9 / factor < ratio < 1.1 / factor:
-            yield causes.multiplied(words, factor, False), fit.times(1 / factor)
+        yield from ((words, factor, True, factor), (words, factor, False, 1 / factor))
 
 
 def of_matrix(fit: Fit) -> Models:
@@ -274,20 +272,15 @@ def rates_as_scalars(fit: Fit, rates: Sequence[Points]) -> Models:
     """The sum of the sizes of ``rates``, a list of points of each, along the axis of each."""
     if len(rates) < 2 or fit.index is None:
         return
-    given, _, _ = fit.first
-    if not math.isclose(
-        sum(math.hypot(*rate[fit.index]) for rate in rates), math.hypot(*given), rel_tol=0.01
-    ):
+    whole = sum(math.hypot(*rate[fit.index]) for rate in rates)
+    if not math.isclose(whole, math.hypot(*fit.first[0]), rel_tol=0.01):
         return
     sizes = [[math.hypot(*point) for point in rate] for rate in rates]
     sums = [sum(column) for column in zip(*sizes, strict=True)]
     for points, own in zip(rates, sizes, strict=True):
         if all(own):
-            scaled = [s / size for s, size in zip(sums, own, strict=True)]
-            yield (
-                causes.AS_SCALARS,
-                tuple(tuple(x * f for x in p) for p, f in zip(points, scaled, strict=True)),
-            )
+            scaled = [(p, s / size) for p, s, size in zip(points, sums, own, strict=True)]
+            yield causes.AS_SCALARS, tuple(tuple(x * f for x in p) for p, f in scaled)
 
 
 def is_rounded(given: Points, key: Points) -> bool:
@@ -301,9 +294,8 @@ def is_rounded(given: Points, key: Points) -> bool:
         return False
     least = min(digits_written(x)[1] for x in given[0] if x)
     # round-off counts as zero, for which a student writes 0
-    components = [
-        (k if abs(k) > NOISE * size else 0.0, x) for k, x in zip(key[0], given[0], strict=True)
-    ]
+    right = (k if abs(k) > NOISE * size else 0.0 for k in key[0])
+    components = [*zip(right, given[0], strict=True)]
     if any(k and not x for k, x in components):
         return False  # left out, more likely
     ways = (lambda k: float(f"{k:.1g}"), lambda k: float(f"{k:.2g}"), lambda k: round(k, -least))

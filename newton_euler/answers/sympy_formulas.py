@@ -5,7 +5,6 @@ functions are written out by these, sec x as 1/cos x, and unevaluated parts are 
 from collections.abc import Mapping
 from typing import Any
 
-from ..algebra.language import _
 from ..algebra.scalars import FUNCTIONS, clipped, without_rates
 from .trees import NODES, Tree, TreeError, check_size
 from .values import read_number, refuse_equation
@@ -15,36 +14,24 @@ _SAME = (*FUNCTIONS, "atan2", "Abs", "Max", "Min", "Mod")  # with the names that
 _READ = {"Add": "+", "Mul": "*", "Pow": "^", **{name: name for name in _SAME}}
 
 
-def _over(x, y):
-    return ["/", x, y]
-
-
-def _sign(x):
-    return _over(x, ["Abs", x])
-
-
-def _half(x):
-    return ["*", 0.5, x]
-
-
 # other functions in terms of those that are read; with SymPy's principal branch
 _WRITTEN_OUT = {
-    "sec": lambda x: _over(1, ["cos", x]),
-    "csc": lambda x: _over(1, ["sin", x]),
-    "cot": lambda x: _over(["cos", x], ["sin", x]),
-    "asec": lambda x: ["acos", _over(1, x)],
-    "acsc": lambda x: ["asin", _over(1, x)],
-    "acot": lambda x: ["atan", _over(1, x)],
-    "sech": lambda x: _over(1, ["cosh", x]),
-    "csch": lambda x: _over(1, ["sinh", x]),
-    "coth": lambda x: _over(["cosh", x], ["sinh", x]),
+    "sec": lambda x: ["/", 1, ["cos", x]],
+    "csc": lambda x: ["/", 1, ["sin", x]],
+    "cot": lambda x: ["/", ["cos", x], ["sin", x]],
+    "asec": lambda x: ["acos", ["/", 1, x]],
+    "acsc": lambda x: ["asin", ["/", 1, x]],
+    "acot": lambda x: ["atan", ["/", 1, x]],
+    "sech": lambda x: ["/", 1, ["cosh", x]],
+    "csch": lambda x: ["/", 1, ["sinh", x]],
+    "coth": lambda x: ["/", ["cosh", x], ["sinh", x]],
     "asinh": lambda x: ["log", ["+", x, ["sqrt", ["+", ["^", x, 2], 1]]]],
     "acosh": lambda x: ["log", ["+", x, ["sqrt", ["+", ["^", x, 2], -1]]]],
-    "atanh": lambda x: _half(["log", _over(["+", 1, x], ["+", 1, ["*", -1, x]])]),
-    "acoth": lambda x: _half(["log", _over(["+", x, 1], ["+", x, -1])]),
-    "sinc": lambda x: _over(["sin", x], x),
-    "sign": _sign,
-    "Heaviside": lambda x, *_: _half(["+", 1, _sign(x)]),
+    "atanh": lambda x: ["*", 0.5, ["log", ["/", ["+", 1, x], ["+", 1, ["*", -1, x]]]]],
+    "acoth": lambda x: ["*", 0.5, ["log", ["/", ["+", x, 1], ["+", x, -1]]]],
+    "sinc": lambda x: ["/", ["sin", x], x],
+    "sign": lambda x: ["/", x, ["Abs", x]],
+    "Heaviside": lambda x, *_: ["*", 0.5, ["+", 1, ["/", x, ["Abs", x]]]],
 }  # fmt: skip
 _COMPARISONS = {
     "StrictLessThan": lambda a, b: ["<", a, b],
@@ -93,11 +80,10 @@ class _Reader:
         """The tree of a part."""
         self.left -= 1
         if self.left < 0:
-            fault = _(
+            raise self.form.error(
                 "got more than {NODES} operations. Simplify it, or insert fewer results",
                 NODES=NODES,
             )
-            raise self.form.error(fault)
         if not hasattr(x, "args") or isinstance(x, (int, float)):
             return read_number(x, self.form)
         if x.is_Relational:
@@ -109,7 +95,8 @@ class _Reader:
         if x.is_Rational:
             return ["/", float(x.p), float(x.q)]
         if x.is_Number or not x.args:
-            return self._constant(x)
+            named = {"pi": "pi", "I": I_TREE}
+            return named.get(str(x)) or read_number(x, self.form)
         return self._function(x)
 
     def _symbol(self, x):
@@ -121,10 +108,6 @@ class _Reader:
                 known=known,
             )
         return x.name
-
-    def _constant(self, x):
-        named = {"pi": "pi", "I": I_TREE}
-        return named[str(x)] if str(x) in named else read_number(x, self.form)
 
     def _function(self, x):
         name = x.func.__name__

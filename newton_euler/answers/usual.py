@@ -54,18 +54,14 @@ def of_other_bodies(
     wrong or in each by itself, where the right one is a number times powers of ``symbols``;
     ``is_place``: it is a position vector.
     """
-    of: dict[Any, str] = {}
-    if dimension == INERTIA:
-        of = MOMENTS | OTHER_MOMENTS
-    elif dimension == LENGTH and is_place:
-        of = CENTRES
+    of: dict[Any, str] = {INERTIA: MOMENTS | OTHER_MOMENTS}.get(dimension, {})
+    of = CENTRES if dimension == LENGTH and is_place else of
     off = _off(fit) if of else []
-    logarithms = _logarithms_at(len(fit.key), symbols) if off else None
     found: dict[Any, list[int]] = {}
     for n in off if is_place else [n for n in off if n % 4 == 0]:
         own, ratio = (
-            _monomial([x[n] for x in fit.key], symbols, logarithms),
-            _monomial(_ratios(fit, n), symbols, logarithms),
+            _monomial([x[n] for x in fit.key], symbols),
+            _monomial(_ratios(fit, n), symbols),
         )
         if not own or not ratio or ratio.powers or own.powers != ((1,) if is_place else (1, 2)):
             continue
@@ -90,8 +86,7 @@ def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
     ratios = [_ratios(fit, n) for n in off]
     if not ratios or max(ratios[0]) - min(ratios[0]) <= NOISE * abs(ratios[0][0]):
         return  # a number has no powers
-    logarithms = _logarithms_at(len(fit.key), symbols)
-    first, *others = (_monomial(column, symbols, logarithms) for column in ratios)
+    first, *others = (_monomial(column, symbols) for column in ratios)
     if first and first.names and all(x and x[1:] == first[1:] for x in others):
         yield _in(off, powers(first.names), fit)
 
@@ -121,7 +116,7 @@ def of_one_term(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
         return  # another number in the only term
     gaps = [x[n] - k[n] for x, k in zip(fit.given, fit.key, strict=True)]
     is_one = all(x > 0 for x in gaps) or all(x < 0 for x in gaps)
-    found = _monomial(gaps, symbols, _logarithms_at(len(gaps), symbols)) if is_one else None
+    found = _monomial(gaps, symbols) if is_one else None
     if found and found.names:
         yield _in(off, of_term(found.names), fit)
 
@@ -168,11 +163,13 @@ def _ratios(fit, n):
     return [x[n] / k[n] if k[n] else math.nan for x, k in pairs]
 
 
-def _monomial(column, symbols, logarithms):
+def _monomial(column, symbols):
     """The :class:`_Monomial` with these values, as closely as numbers are typed, or None."""
     with np.errstate(all="ignore"):  # a student may write 0
         wanted = np.log(np.abs(column))
-    logs, inverse = logarithms
+    values = (np.ravel(x).tolist() for x in symbols.values())
+    rows = tuple(tuple(x * (len(column) // len(x))) for x in values)  # one is the same at all
+    logs, inverse = _logarithms(rows, len(column))
     if logs is None or not np.isfinite(wanted).all():
         return None
     found = np.round(2 * (inverse @ wanted)[1:]) / 2
@@ -183,12 +180,6 @@ def _monomial(column, symbols, logarithms):
     with np.errstate(all="ignore"):  # a student may write 1e307
         number = float(np.exp(sum(gaps) / len(gaps)))
     return _Monomial(number, tuple(sorted(filter(None, found.tolist()))), names)
-
-
-def _logarithms_at(count, symbols):
-    columns = (np.ravel(x).tolist() for x in symbols.values())
-    rows = tuple(tuple(x * (count // len(x))) for x in columns)  # one number is the same at all
-    return _logarithms(rows, count)
 
 
 @lru_cache(maxsize=64)  # shared by the answers of a problem

@@ -2,6 +2,7 @@
 engine's own. A value that cannot be read is refused with what to write instead.
 """
 
+import contextlib
 import math
 import sys
 from collections.abc import Mapping, Set
@@ -142,10 +143,8 @@ def _real(x, form):
 def _complex(x):
     """The value of ``x``, of SymPy also once it is evaluated; None if it has none."""
     for make in (complex, lambda x: complex(x.doit().evalf())):
-        try:
+        with contextlib.suppress(AttributeError, TypeError, ValueError):
             return make(x)
-        except (AttributeError, TypeError, ValueError):
-            continue
     return None
 
 

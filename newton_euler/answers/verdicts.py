@@ -15,7 +15,7 @@ from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
 from .diagnosis import Model, OtherPart, OtherParts, diagnose
 from .fit import Fit, scaled_points
 from .forms import Form
-from .frames import Toleranced, counted
+from .frames import Toleranced, counted, is_right
 from .messages import one_line
 from .near import LESS, RARER, Slips
 from .reading import Budget
@@ -132,9 +132,8 @@ def judge(
     right = counted(readings, key, asked, partial(numbers.wrong, asked.key))
     if right is not None:
         return JudgedAnswer("right", _("right"), right)
-    near = asked.atol, asked.rtol
-    wrong = [given for given in readings if not asked.kind.is_right(given, key, *near)]
-    return JudgedAnswer("wrong", _("not right"), wrong[0] if wrong else None)
+    wrong = next((given for given in readings if not is_right(asked, given, key)), None)
+    return JudgedAnswer("wrong", _("not right"), wrong)
 
 
 @dataclass(frozen=True)
@@ -159,8 +158,10 @@ def explain(asked: AskedAnswer, found: Mapping[str, JudgedAnswer], numbers: Numb
     given = found[asked.key].given
     assert given is not None
     earlier = _followed(asked, given, found, numbers)
+    most = LESS if asked.kind.is_formula or asked.kind.length > 3 else RARER
+    singles = partial(numbers.slips.singles, asked.key, most)  # one may be made beside a mistake
     # where an answer follows from earlier ones, a slip that fits was made there
-    slips = () if earlier else (_slips(asked, found, numbers), _singles(asked, numbers))
+    slips = () if earlier else (_slips(asked, found, numbers), singles)
     causes = _causes(asked, given, found, numbers, *slips)
     causes = tuple(c if c.where else c.at(numbers.where) for c in causes)
     for cause, words in OTHER_NUMBERS.items():
@@ -191,12 +192,8 @@ def _causes(asked, given, found, numbers, *slips):
     elsewhere = OtherParts(lambda: _elsewhere(asked, found, numbers))
     causes = diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
     if not causes and slips and asked.kind.is_formula:
-        others = (
-            of_other_powers(fit, numbers.symbols),
-            of_a_number(fit),
-            of_one_term(fit, numbers.symbols),
-        )
-        return tuple(islice(chain(*others), 1))
+        powers, term = (find(fit, numbers.symbols) for find in (of_other_powers, of_one_term))
+        return tuple(islice(chain(powers, of_a_number(fit), term), 1))
     return causes
 
 
@@ -230,12 +227,6 @@ def _slips(asked, found, numbers):
     return near
 
 
-def _singles(asked, numbers):
-    """Finds the slips of which one may be made beside another mistake."""
-    most = LESS if asked.kind.is_formula or asked.kind.length > 3 else RARER
-    return lambda: numbers.slips.singles(asked.key, most)
-
-
 def _like(given, asked, numbers):
     """(key, models) of an answer, each in the form nearest to the one given."""
     key, wrong = numbers.key[asked.key], list(numbers.wrong(asked.key))
@@ -250,9 +241,7 @@ def _exchanged(asked, given, found, numbers):
 
     def is_answered_by_it(other):
         there = found[other.key].given
-        return there is not None and asked.kind.is_right(
-            there, numbers.key[asked.key], asked.atol, asked.rtol
-        )
+        return there is not None and is_right(asked, there, numbers.key[asked.key])
 
     return [
         (answer_to(other.key), asked.kind.like(numbers.key[other.key], given))
@@ -286,11 +275,10 @@ def _followed(asked, given, found, numbers):
         expected = follow(earlier)
         if expected is None or asked.kind.is_zero(expected, asked.atol):
             continue  # zero follows from zero without computing anything
-        if asked.kind.is_right(given, expected, asked.atol, asked.rtol):
+        if is_right(asked, given, expected):
             larger = _doubled(earlier, wrong, follow)
             usual = _doubled({n: numbers.key[n] for n in names}, wrong, follow)
-            key = numbers.key[asked.key]
-            if usual is None or asked.kind.is_right(usual, key, asked.atol, asked.rtol):
+            if usual is None or is_right(asked, usual, numbers.key[asked.key]):
                 return wrong
             # a huge number for every answer would follow from itself: the rest must show, too
             if larger and _gap(given, expected) < _gap(given, larger) < math.inf:

@@ -283,11 +283,6 @@ def position3(t: Scalar, v: Triple, g: Triple, w: Triple, order: int = 1) -> Tri
     return coriolis_series(v, g, w, _integrals(t, 1, order))
 
 
-def velocity3(t: Scalar, v: Triple, g: Triple, w: Triple, order: int = 1) -> Triple:
-    """The rate of :func:`position3`."""
-    return coriolis_series(v, g, w, _integrals(t, 0, order))
-
-
 @checked
 def projectile_to_order(
     t: Scalar, launch: Vector, gravity: Vector, omega: Vector, order: int
@@ -317,7 +312,7 @@ def projectile_velocity(
     [4, 0, -20] in ground
     """
     v, g, w = _along(launch.frame, launch, gravity, omega)
-    return Vector(velocity3(t, v, g, w, order), launch.frame)
+    return Vector(coriolis_series(v, g, w, _integrals(t, 0, order)), launch.frame)
 
 
 @checked

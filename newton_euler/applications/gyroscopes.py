@@ -97,10 +97,11 @@ def gyro_momentum(body: Frame, ground: Frame, I0: Scalar, I: Scalar) -> Vector:
     >>> gyro_momentum(top, ground, 0.02, 0.01).z
     1.0
     """
-    f = _inertia(body, I0, I).frame
+    inertia = _inertia(body, I0, I)
+    f = inertia.frame
     # (10.18), without the rotation by the angle of spin, which would cost digits
     omega = f.angular_velocity(ground) + body.angular_velocity(f).expressed_in(f)
-    return _inertia(body, I0, I).times(omega)
+    return inertia.times(omega)
 
 
 @checked
@@ -255,7 +256,9 @@ def steady_precession(
     a, h, c = _quadratic(I0, I, theta, spin, omega_z, _over_sine(theta, mgr, moment))
     D = _discriminant(a, h, c, I, "spin" if omega_z is None else "omega_z")
     # the root without cancellation, as in Numerical Recipes (Press et al.), section 5.6
-    q = (h + _sense(h) * sqrt(D)) / 2
+    # with the sign of h, +1 for zero; an expression is taken as different from zero
+    sense = where(to_plain(h) < 0, -1, 1) if is_numeric(h) else h / sqrt(h * h)
+    q = (h + sense * sqrt(D)) / 2
     if is_numeric(q) and is_numeric(c) and anywhere(where(to_plain(q) == 0, abs(c), 0) > 0):
         raise GyroError(
             "no steady precession is possible: without spin the body can hold no moment"
@@ -305,21 +308,14 @@ def _discriminant(a, h, c, I, what):
     slack = 8 * epsilon(D) * (abs(first) + abs(second))
     D = where(to_plain(D) < 0, where(to_plain(D + slack) >= 0, 0 * D, D), D)
     if anywhere(to_plain(D) < 0):
-        needed = (
-            "without I no spin helps"
-            if is_zero(I)
-            else f"{what} must be at least {short(_least_rate(a, c, I))} rad/s in size"
-        )
+        needed = "without I no spin helps"
+        if not is_zero(I):
+            needed = f"{what} must be at least {short(_least_rate(a, c, I))} rad/s in size"
         raise GyroError(
             f"no steady precession is possible at this angle: the discriminant is {short(D)}, "
             f"negative; {needed}"
         )
     return D
-
-
-def _sense(h):
-    """The sign of h: +1 for zero. An expression is taken as different from zero."""
-    return where(to_plain(h) < 0, -1, 1) if is_numeric(h) else h / sqrt(h * h)
 
 
 def _quotient(n, d, otherwise):

@@ -89,10 +89,9 @@ def reactions(
     at_A = {name: e.cross(N - e.cross(F) * b) / length for name, (F, N) in pairs.items()}
     at_B = {name: -e.cross(N + e.cross(F) * a) / length for name, (F, N) in pairs.items()}
     F, N = (Vector(sum3(v.c for v in v_s), e.frame) for v_s in zip(*pairs.values(), strict=True))
-    force_A, force_B = (
-        named_sum(f"bearing force {name}", f"on {body.name}", terms, e.frame)
-        for name, terms in (("A", at_A), ("B", at_B))
-    )
+    of = f"on {body.name}"
+    force_A = named_sum("bearing force A", of, at_A, e.frame)
+    force_B = named_sum("bearing force B", of, at_B, e.frame)
     return Reactions(force_A, force_B, F.dot(e), N.dot(e), e)
 
 
@@ -328,9 +327,8 @@ def balancing_masses(
                 "weight balances nothing"
             )
     e, _ = shaft_axis(A, B, body.frame)
-    needed = zip(corrections(body, A, B, planes), planes, pair, strict=True)
-    weights = enumerate(needed, start=1)
-    return tuple(_weight(f"weight {n}", U, A, e, z, r) for n, (U, z, r) in weights)
+    needed = zip((1, 2), corrections(body, A, B, planes), planes, pair, strict=True)
+    return tuple(_weight(f"weight {n}", U, A, e, z, r) for n, U, z, r in needed)
 
 
 def _weight(name, U, A, e, z, radius):

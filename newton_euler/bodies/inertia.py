@@ -204,10 +204,9 @@ class Inertia(Scaled, NamedTerms):
         for what in ("mass", "centre"):
             self._needs(what, f"going from {self.point.name} to {point.name}")
         step = (self.point - point).expressed_in(self.frame).c
-        to_G = ZERO3
         assert self.centre is not None
-        if self.centre is not self.point:
-            to_G = (self.centre - self.point).expressed_in(self.frame).c
+        at_G = self.centre is self.point
+        to_G = ZERO3 if at_G else (self.centre - self.point).expressed_in(self.frame).c
         (factor,) = built("transfer", (1,), (self.mass, *step, *self.moments))
         moments, products = _transfer(factor * self.mass, step, to_G)
         added = self._like(moments, products, point=point, mass=ZERO)
@@ -241,9 +240,8 @@ class Inertia(Scaled, NamedTerms):
         other = other.about(self.point).expressed_in(self.frame)
         known = all(x is not None for x in (self.mass, other.mass, self.centre, other.centre))
         mass, centre = together([self, other], self.frame) if known else (None, None)
-        moments = add3(self.moments, other.moments)
-        products = add3(self.products, other.products)
-        return self._like(moments, products, mass=mass, centre=centre)
+        entries = add3(self.moments, other.moments), add3(self.products, other.products)
+        return self._like(*entries, mass=mass, centre=centre)
 
     def __radd__(self, other: Scalar) -> "Inertia":
         return self if type(other) is int and other == 0 else self + other  # where sum() begins
@@ -319,12 +317,9 @@ def from_second_moments(second: Sequence[Scalar]) -> tuple[tuple, tuple]:
 def _transfer(mass, s, to_G):
     """Moments and products to add when the point moves by -s; ``to_G`` leads from it to G."""
     p = add3(s, scale3(2, to_G))
-    return from_second_moments(
-        [
-            mass * (s[n] * p[n]) if n == m else mass * (s[n] * p[m] + s[m] * p[n]) / 2
-            for n, m in SECOND_MOMENTS
-        ]
-    )
+    moments = [mass * (s[n] * p[n]) for n in range(3)]
+    products = (mass * (s[n] * p[m] + s[m] * p[n]) / 2 for n, m in SECOND_MOMENTS[3:])
+    return from_second_moments([*moments, *products])
 
 
 def _equal(a, b):

@@ -82,16 +82,12 @@ def integrated(
     weigh = density if callable(density) else lambda x, y, z: 1 if density is None else density
     middle = _middle(position, limits, weigh, name)
     kinds = {_kind(x) for x in middle}
-    exact = exact or "symbols" in kinds
-    reference, values, error = (
-        _exact(position, limits, weigh, name)
-        if exact
-        else _numeric(position, limits, weigh, rtol, name)
-        if kinds == {"floats"}
-        else _of_any_kind(position, limits, weigh, name)
-    )
+    exact, numeric = exact or "symbols" in kinds, partial(_numeric, rtol=rtol)
+    find = _exact if exact else numeric if kinds == {"floats"} else _of_any_kind
+    reference, values, error = find(position, limits, weigh, name)
     content, total, first, second = values[0], values[1], values[2:5], values[5:]
-    _check_mass(total, name)
+    if is_numeric(total) and not is_positive(total):
+        raise MassError(f"the mass of {name} is {total}, not positive: look at limits and density")
     factor = 1 if mass is None else scalar(mass) / total
     m = total * factor
     d = [x / total for x in first]
@@ -117,11 +113,6 @@ def _check_given(limits, mass, density, name):
         raise MassError(f"{name} needs mass=... or density=... (per length, area or volume)")
     if mass is not None:
         positive(mass, f"the mass of {name}")
-
-
-def _check_mass(found, name):
-    if is_numeric(found) and not is_positive(found):
-        raise MassError(f"the mass of {name} is {found}, not positive: look at limits and density")
 
 
 def _tangents(position, parameters):
@@ -183,7 +174,7 @@ def _of_any_kind(position, limits, weigh, name):
 GAUSS = 1.5e-10
 
 
-def _numeric(position, limits, weigh, rtol, name):
+def _numeric(position, limits, weigh, name, rtol):
     if not is_here("scipy"):
         reference, values, _ = _of_any_kind(position, limits, weigh, name)
         return reference, [float(to_plain(x)) for x in values], GAUSS

@@ -93,11 +93,8 @@ class Principal:
         if not names:
             worst = max(map(max_abs, self.turns))
             return f"all axes are determined, to {worst:.2g} rad, for {data}"
-        rest = (
-            "any axis is a principal axis"
-            if len(names) == 3
-            else "only their plane is: any two axes in it are principal"
-        )
+        of_plane = "only their plane is: any two axes in it are principal"
+        rest = "any axis is a principal axis" if len(names) == 3 else of_plane
         return (
             f"axes {' and '.join(names)} are not determined by {data}: their moments are equal "
             f"within it; {rest}"
@@ -150,13 +147,12 @@ def _with_report(inertia, noise, moments, axes):
     largest = where(-first > third, -first, third)  # round-off can make the first negative
     low, high = second - first, third - second
     gaps = low, where(low < high, low, high), high
-    noise_of_largest, *floats = (_as_floats(x) for x in (noise * largest, *gaps))
+    numbers = noise * largest, *gaps
+    noise_of_largest, *floats = (
+        x.astype(float) if getattr(x, "shape", ()) else float(x) for x in numbers
+    )
     turns = tuple(atan2(noise_of_largest, gap) for gap in floats)
     return Principal(inertia, moments, _vectors(axes, inertia), noise, gaps, turns)
-
-
-def _as_floats(x):
-    return x.astype(float) if getattr(x, "shape", ()) else float(x)
 
 
 def _of_arrays(inertia, noise):
@@ -201,7 +197,10 @@ def _canonical(values, axes):
         return UNIT_AXES
     if low or high:
         n = _signed(axes[2 if low else 0])
-        e = _nearest_in_plane(n)
+        # the unit vector normal to n that is nearest to an axis of the frame; rounded, so that of
+        # axes equally near but for round-off the first is taken
+        m = min(range(3), key=lambda k: (round(float(abs(n[k])), 6), k))
+        e = _unit([int(k == m) - n[m] * n[k] for k in range(3)])
         return (e, cross3(n, e), n) if low else (n, e, cross3(n, e))
     first, second = _signed(axes[0]), _signed(axes[1])
     return first, second, cross3(first, second)
@@ -213,13 +212,6 @@ def _signed(axis):
     bound = max(map(abs, values)) * (1 - 1e-6)
     leading = next(x for x in values if abs(x) >= bound)
     return tuple(axis) if leading > 0 else tuple(-x for x in axis)
-
-
-def _nearest_in_plane(n):
-    """The unit vector normal to ``n`` that is nearest to an axis of the frame."""
-    # rounded, so that of axes equally near but for round-off the first is taken
-    m = min(range(3), key=lambda k: (round(float(abs(n[k])), 6), k))
-    return _unit([int(k == m) - n[m] * n[k] for k in range(3)])
 
 
 def _unit(v):

@@ -59,8 +59,7 @@ class Freedom:
             f"less {self.rank} independent constraint{'s' * (self.rank != 1)}"
         )
         for name, times in self.redundant.items():
-            follow = "follows" if times == 1 else "follow"
-            text += f"\n  redundant: {name}, {times} of its equations {follow} "
+            text += f"\n  redundant: {name}, {times} of its equations follow{'s' * (times == 1)} "
             text += "from the constraints before it"
         return text + "\n  the configuration is singular: nearby the rank is higher" * self.singular
 
@@ -203,8 +202,8 @@ class _System:
             raise ConstraintError(
                 f"at= gives the coordinates of {', '.join(self.places)}; it has {', '.join(at)}"
             )
-        given = (x if hasattr(x, "__len__") else [x] for x in (at[n] for n in self.places))
-        q = [float(x) for coordinates in given for x in coordinates]
+        given = (at[n] for n in self.places)
+        q = [float(x) for own in given for x in (own if hasattr(own, "__len__") else [own])]
         if len(q) != self.size:
             raise ConstraintError(
                 f"at= holds {len(q)} numbers; the bodies have {self.size} coordinates"

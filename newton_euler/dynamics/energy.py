@@ -259,9 +259,8 @@ def audit(
         n: work_integral(_function(p, f"the power of {n}"), start, end, rtol, exact, breaks)
         for n, p in powers.items()
     }
-    changes = {n: to_plain(b - a) for n, (a, b) in V.items()}
+    changes, change = {n: to_plain(b - a) for n, (a, b) in V.items()}, T[1] - T[0]
     works = {n: u.value for n, u in U.items()}
-    change = T[1] - T[0]
     residual = change + value_of(summed(changes)) - value_of(summed(works))
     energies = [*T, *(x for pair in V.values() for x in pair), *works.values()]
     error, largest = sum(u.error for u in U.values()), max(map(magnitude, energies))
@@ -269,8 +268,7 @@ def audit(
 
 
 def _at_both(f, what, start, end):
-    f = _function(f, what)
-    return f(start), f(end)
+    return tuple(map(_function(f, what), (start, end)))
 
 
 def _function(f, what):

@@ -54,20 +54,16 @@ def euler_moments(inertia: Inertia, omega: Vector, alpha: Vector) -> Vector:
     >>> euler_moments(inertia, body.vector(1.0, 2.0, 3.0), body.vector(0, 0, 4.0))
     Vector(3.0, -4.5, 12.0 in body)
     """
-    _check_principal(
-        inertia, AXES, "Euler's equations (8.13) hold along principal axes", "take euler_moment"
-    )
+    law = "Euler's equations (8.13) hold along principal axes"
+    _check_principal(inertia, AXES, law, "take euler_moment")
     # a structural zero stays one, so that vanishing terms cost nothing in generated code
     I = inertia.moments
     w, a = omega.expressed_in(inertia.frame).c, alpha.expressed_in(inertia.frame).c
-    return _summed(
-        inertia,
-        "Euler's moment, principal axes",
-        relative=ZERO3 if a is ZERO3 else tuple(x * y for x, y in zip(I, a, strict=True)),
-        rotation=ZERO3
-        if w is ZERO3
-        else tuple(-((I[m] - I[k]) * (w[m] * w[k])) for m, k in ((1, 2), (2, 0), (0, 1))),
-    )
+    relative = ZERO3 if a is ZERO3 else tuple(x * y for x, y in zip(I, a, strict=True))
+    after = (1, 2), (2, 0), (0, 1)
+    rotation = w if w is ZERO3 else tuple(-((I[m] - I[k]) * (w[m] * w[k])) for m, k in after)
+    name = "Euler's moment, principal axes"
+    return _summed(inertia, name, relative=relative, rotation=rotation)
 
 
 @checked
@@ -130,13 +126,10 @@ def fixed_line_moment(
     Vector(-1.0, -5.5, 12.0 in body)
     """
     e, rate = _unit(axis), scalar(rate)
-    column = inertia.times3(e)
-    return _summed(
-        inertia,
-        "moment of a body on a fixed line",
-        relative=scale3(scalar(acceleration), column),
-        rotation=scale3(rate * rate, cross3(e, column)),
-    )
+    column, name = inertia.times3(e), "moment of a body on a fixed line"
+    relative = scale3(scalar(acceleration), column)
+    rotation = scale3(rate * rate, cross3(e, column))
+    return _summed(inertia, name, relative=relative, rotation=rotation)
 
 
 @checked
@@ -159,12 +152,9 @@ def _check_principal(inertia, axes, law, instead):
     """Raises :class:`MassError` for products of inertia with one of the axes."""
     # 1e-12 of the moments: the round-off of a rotation to principal axes
     small = 1e-12 * max((max_abs(x) for x in inertia.moments if is_numeric(x)), default=0.0)
-    left = [
-        f"I_{name} = {x}"
-        for name, x in zip(PRODUCTS, inertia.products, strict=True)
-        if any(a in name for a in axes)
-        and not (is_zero(x) or (is_numeric(x) and max_abs(x) <= small))
-    ]
+    named = (pair for pair in zip(PRODUCTS, inertia.products, strict=True) if {*pair[0]} & {*axes})
+    there = lambda x: not (is_zero(x) or (is_numeric(x) and max_abs(x) <= small))  # noqa: E731
+    left = [f"I_{name} = {x}" for name, x in named if there(x)]
     if left:
         raise MassError(
             f"{law}, but the matrix about {inertia.point.name} has {', '.join(left)}; {instead}"

@@ -131,8 +131,9 @@ class ForceSystem:
     @checked
     def equivalent(self, other: "ForceSystem", tolerance: Tolerance = 1e-9) -> bool:
         """True if force and moment are the same to ``tolerance`` times the magnitudes (8.20)."""
-        about = self._some_point(other)
-        forces = max((_size(f.vector) for f in (*self._forces(), *other._forces())), default=0.0)
+        all_forces = *self._forces(), *other._forces()
+        about = all_forces[0].point if all_forces else as_point(self.frame, "")
+        forces = max((_size(f.vector) for f in all_forces), default=0.0)
         moments = max((_size(p.moment(about)) for p in (*self.parts, *other.parts)), default=0.0)
         noise = self._noise(about) + other._noise(about)
         return (
@@ -149,11 +150,6 @@ class ForceSystem:
     def _forces(self):
         return [p for p in self.parts if isinstance(p, Force)]
 
-    def _some_point(self, *others):
-        """The point of the first force, else the origin of the frame."""
-        points = [f.point for s in (self, *others) for f in s._forces()]
-        return points[0] if points else as_point(self.frame, "")
-
 
 Part: TypeAlias = Force | Couple | ForceSystem | tuple[Vector, PointLike]
 Parts: TypeAlias = Mapping[str, Part] | Iterable[Part]
@@ -163,17 +159,15 @@ def _parts(name, part):
     """The forces and couples of ``part``, named ``name`` unless that is None."""
     if isinstance(part, ForceSystem):
         return part.parts
-    if isinstance(part, Couple):
-        return [Couple(part.vector, name or part.name)]
-    if not isinstance(part, Force):
-        try:
-            vector, point = part
-        except (TypeError, ValueError):
-            raise ForceError(
-                f"a force is a pair (Vector, Point), a couple Couple(Vector); got {part!r}"
-            ) from None
-        return [Force(vector, point, name or "force")]
-    return [Force(part.vector, part.point, name or part.name)]
+    if isinstance(part, Force | Couple):
+        return [replace(part, name=name or part.name)]
+    try:
+        vector, point = part
+    except (TypeError, ValueError):
+        raise ForceError(
+            f"a force is a pair (Vector, Point), a couple Couple(Vector); got {part!r}"
+        ) from None
+    return [Force(vector, point, name or "force")]
 
 
 def _size(v):

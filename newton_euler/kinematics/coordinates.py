@@ -97,11 +97,12 @@ class CoordinatePoint(Point):
         coordinates: Triple,
         scale_factors: Triple,
         system: str,
-        terms: Mapping[str, Callable],
+        terms: Mapping[str, Callable] | None = None,
     ):
         super().__init__(name, frame, tuple(map(moving, x)))
         self.ground, self.local, self.coordinates = ground, local, coordinates
-        self.scale_factors, self._system, self._terms = scale_factors, system, terms
+        self.scale_factors, self._system = scale_factors, system
+        self._terms = terms or _TERMS[system]
 
     def __getstate__(self):
         values = {n: getattr(self, n) for n in (*Point.__slots__, *CoordinatePoint.__slots__)}
@@ -129,11 +130,6 @@ class CoordinatePoint(Point):
         return here.as_sum(f"{self._system} {what}", subject, terms)
 
 
-def _point(system, name, ground, local, x, coordinates, scale_factors):
-    of_system = coordinates, scale_factors, system, _TERMS[system]
-    return CoordinatePoint(name, local, x, ground, local, *of_system)
-
-
 @checked
 def polar(ground: Frame, name: str, r: Scalar, theta: Scalar) -> CoordinatePoint:
     """The point of the x, y plane with the polar coordinates ``r`` and ``theta`` (2.17), (2.18),
@@ -147,8 +143,8 @@ def polar(ground: Frame, name: str, r: Scalar, theta: Scalar) -> CoordinatePoint
     """
     local = cylindrical_frame(ground, theta, f"polar axes of {name}")
     (r,) = built("coordinate", (moving(r),))
-    factors = 1, to_plain(r.value)
-    return _point("polar", name, ground, local, (r, ZERO, ZERO), (r, local.angle), factors)
+    x, q, factors = (r, ZERO, ZERO), (r, local.angle), (1, to_plain(r.value))
+    return CoordinatePoint(name, local, x, ground, local, q, factors, "polar")
 
 
 @checked
@@ -164,8 +160,8 @@ def cylindrical(ground: Frame, name: str, r: Scalar, theta: Scalar, z: Scalar) -
     """
     local = cylindrical_frame(ground, theta, f"cylindrical axes of {name}")
     (r,), z = built("coordinate", (moving(r),)), moving(z)
-    q, factors = (r, local.angle, z), (1, to_plain(r.value), 1)
-    return _point("cylindrical", name, ground, local, (r, ZERO, z), q, factors)
+    x, q, factors = (r, ZERO, z), (r, local.angle, z), (1, to_plain(r.value), 1)
+    return CoordinatePoint(name, local, x, ground, local, q, factors, "cylindrical")
 
 
 @checked
@@ -189,7 +185,7 @@ def spherical(ground: Frame, name: str, R: Scalar, theta: Scalar, phi: Scalar) -
     (R,), theta, phi = built("coordinate", (moving(R),)), turned.angle, moving(phi)
     factors = 1, to_plain(R.value * cos(phi.value)), to_plain(R.value)
     x, q = (R, ZERO, ZERO), (R, theta, phi)
-    return _point("spherical", name, ground, local, x, q, factors)
+    return CoordinatePoint(name, local, x, ground, local, q, factors, "spherical")
 
 
 def _plane_velocity(P):

@@ -100,10 +100,7 @@ def _check(position, q, columns, factors):
                 "(scale factor zero within rounding), so its unit vector does not exist; use other "
                 "coordinates near this place"
             )
-    _check_axes([tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)])
-
-
-def _check_axes(axes):
+    axes = [tuple(x / h for x in c) for c, h in zip(columns, factors, strict=True)]
     for n, m in ((0, 1), (1, 2), (2, 0)):
         cosine = scalar(dot3(axes[n], axes[m]))
         if below_roundoff(1e-8, abs(cosine)):  # 1e-8: the root of the round-off of doubles

@@ -490,7 +490,7 @@ class Point:
             return self.velocity(observer).expressed_in(observer)
         r = self._from(via)
         relative = self.velocity(via).expressed_in(via)
-        origin = _origin_velocity(via, observer).expressed_in(via)
+        origin = _origin_motion(via, observer, 1).expressed_in(via)
         rotation = cross3(via._omega(observer), r)
         total = add3(add3(origin.c, relative.c), rotation)
 
@@ -521,7 +521,7 @@ class Point:
         if via is observer:
             return self.acceleration(observer).expressed_in(observer)
         omega, r = via._omega(observer), self._from(via)
-        origin = _origin_acceleration(via, observer).expressed_in(via)
+        origin = _origin_motion(via, observer, 2).expressed_in(via)
         relative = self.acceleration(via).expressed_in(via)
         v_r = self.velocity(via).expressed_in(via).c
         coriolis = cross3(omega, scale3(2, v_r))
@@ -571,32 +571,24 @@ def _origin(frame):
     return Point(f"origin of {frame.name}", frame, (_REST,) * 3)
 
 
-def _origin_velocity(via, observer):
-    """Velocity of the origin of ``via`` seen from ``observer``."""
+def _origin_motion(via, observer, order):
+    """Velocity (order 1) or acceleration (2) of the origin of ``via`` seen from ``observer``, where
+    need be by (4.17) or (4.18) for the relative one.
+    """
+    what = ("velocity", "acceleration")[order - 1]
     seat, observers = via._origin_frame, observer._origin_frame
     if seat is observers:
         return Vector(ZERO3, via)
     if seat is not observer and seat not in observer._above:
-        return seat.origin.velocity(observer)
+        return getattr(seat.origin, what)(observer)
     rho, omega = _origin(observer)._from(seat), observer.transform(observer._omega(seat), seat)
-    origin = observers.origin.velocity(seat).expressed_in(seat).c
-    return Vector(sub3(cross3(omega, rho), origin), seat)
-
-
-def _origin_acceleration(via, observer):
-    """Acceleration of ``via``'s origin seen from ``observer``, where need be by (4.18) for a_r."""
-    seat, observers = via._origin_frame, observer._origin_frame
-    if seat is observers:
-        return Vector(ZERO3, via)
-    if seat is not observer and seat not in observer._above:
-        return seat.origin.acceleration(observer)
-    rho = _origin(observer)._from(seat)
-    omega = observer.transform(observer._omega(seat), seat)
-    alpha = observer.transform(observer._alpha(seat), seat)
-    coriolis = scale3(2, cross3(omega, _origin_velocity(seat, observer).c))
-    turned = add3(cross3(alpha, rho), cross3(omega, cross3(omega, rho)))
-    origin = observers.origin.acceleration(seat).expressed_in(seat).c
-    return Vector(sub3(sub3(turned, coriolis), origin), seat)
+    turned = cross3(omega, rho)
+    if order == 2:
+        alpha = observer.transform(observer._alpha(seat), seat)
+        coriolis = scale3(2, cross3(omega, _origin_motion(seat, observer, 1).c))
+        turned = sub3(add3(cross3(alpha, rho), cross3(omega, turned)), coriolis)
+    origin = getattr(observers.origin, what)(seat).expressed_in(seat).c
+    return Vector(sub3(turned, origin), seat)
 
 
 # for what is seen from a point's own frame, which is not a sum

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked
-from ..measurements.measure import Cost, Measured, fronts
+from ..measurements.measure import Cost, Measured, Points, fronts
 
 # colours that colour-blind readers can distinguish (Okabe and Ito, without their yellow), and
 # shapes for those who see no colours
@@ -51,11 +51,7 @@ def time_axis(ax: Any, costs: Sequence[float], unit: str = "s") -> None:
 
 @checked
 def chart(
-    points: Sequence[Measured],
-    ax: Any,
-    cost: Cost = "cost",
-    order: Sequence[str] = (),
-    legend: bool = True,
+    points: Points, ax: Any, cost: Cost = "cost", order: Sequence[str] = (), legend: bool = True
 ) -> list[Measured]:
     """The fronts of the points, which are drawn on the Matplotlib axes ``ax``: cost to the right,
     error upwards. Each family has a front, with rings and steps, of points that have a right digit;

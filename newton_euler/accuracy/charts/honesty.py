@@ -8,13 +8,11 @@ from typing import Any
 
 from ...algebra.late import EngFormatter, Line2D
 from ..measurements.honesty import (
+    CELLS,
     REFUSED,
     MethodResult,
     Tally,
     comparable,
-    cost_text,
-    percent,
-    ratio_text,
     tallies,
 )
 
@@ -162,19 +160,12 @@ def _draw_refused(ax, rows, absent):
 def _draw_counts(ax, found, relative):
     _stripes(ax, len(found))
     ax.set_axis_off()
-    columns = {
-        "runs": [t.runs for t in found],
-        "met %": [percent(t.met) for t in found],
-        "covers %": [percent(t.covers) for t in found],
-        "est/true": [ratio_text(t.ratio) for t in found],
-        "silent": [t.silent or "" for t in found],
-        "cost": [cost_text(t.cost, relative) for t in found],
-    }
-    for x, (head, cells) in zip((0.07, 0.23, 0.44, 0.65, 0.80, 1.0), columns.items(), strict=True):
+    heads = "runs", "met %", "covers %", "est/true", "silent", "cost"
+    for x, head in zip((0.07, 0.23, 0.44, 0.65, 0.80, 1.0), heads, strict=True):
         ax.text(x, 1.01, head, fontsize=9, ha="right", va="bottom", transform=ax.transAxes)
-        for n, cell in enumerate(cells):
+        for n, t in enumerate(found):
             place = {"ha": "right", "va": "center", "transform": ax.get_yaxis_transform()}
-            ax.text(x, n, cell, fontsize=9, **place)
+            ax.text(x, n, CELLS[head](t, relative) or "", fontsize=9, **place)
 
 
 def _honesty_legend(figure, rows):

@@ -4,7 +4,7 @@ measured again, and smoothed if they stay small; elsewhere they are explained by
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from ...algebra.late import np
@@ -97,8 +97,8 @@ def strip(chart: Map, found: "np.ndarray", choice: str, n: int, m: int) -> tuple
     up, across = found.shape
     edges = chart.y.edges(up)
     low, high = float(edges[max(n - 1, 0)]), float(edges[min(n + 2, up)])
-    space = np.geomspace if chart.y.scale == "log" else np.linspace
-    ys = np.union1d(space(low, high, CLOSER), chart.y.centres(up)[n])
+    closer = replace(chart.y, low=low, high=high).edges(CLOSER - 1)
+    ys = np.union1d(closer, chart.y.centres(up)[n])
     holds = np.array(list(chart.column(float(chart.x.centres(across)[m]), ys.tolist()))) == choice
     return float(ys[holds].min()), float(ys[holds].max())
 

@@ -32,15 +32,12 @@ def draw_methods(found: WorkPrecision, figure: Any) -> list[Measured]:
     middle.set(xlabel="calls of the right-hand side", ylabel="")
     _draw_drift(methods, auto, right)
     handles, names = left.get_legend_handles_labels()
-    entries = [_entry(name, found) for name in names]
+    entries = []
+    for name in names:  # with the time to prepare the first run, if that is worth a word
+        time = found.preparing.get(name, 0.0)
+        entries.append(f"{name}\n  {1e3 * time:.0f} ms to prepare" if time > SHORT else name)
     figure.legend(handles, entries, loc="outside right center", frameon=False, fontsize=9)
     return best
-
-
-def _entry(name, found):
-    """The method in the legend, with the time to prepare its first run if that is worth a word."""
-    time = found.preparing.get(name, 0.0)
-    return f"{name}\n  {1e3 * time:.0f} ms to prepare" if time > SHORT else name
 
 
 def _draw_drift(methods, auto, ax):
@@ -73,7 +70,10 @@ def _sentences(found):
         yield from _cheapest_within(stepping, error)
     yield from _closed_form(closed, stepping)
     yield from _preparing(found, stepping)
-    yield from (_small_drift(points), *_left_out(found))
+    yield _small_drift(points)
+    left_out = {"Too slow here to be asked for all digits": found.too_slow}
+    left_out["Cannot reach all tolerances"] = found.unable
+    yield from (f"{why}: {listed(names)}." for why, names in left_out.items() if names)
 
 
 def _cheapest_within(points, error):
@@ -133,9 +133,3 @@ def _small_drift(points):
         return ""
     text = f"A small drift proves nothing: of {worst.method} at rtol = {two_digits(worst.asked)}"
     return f"{text} the error is {times_as_much(worst.error / worst.drift)} the drift."
-
-
-def _left_out(found):
-    slow, unable = found.too_slow, found.unable
-    yield f"Too slow here to be asked for all digits: {listed(slow)}." if slow else ""
-    yield f"Cannot reach all tolerances: {listed(unable)}." if unable else ""

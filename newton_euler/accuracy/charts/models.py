@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
@@ -11,7 +11,7 @@ from ...algebra.names import listed
 from ...motion.integration import integrate
 from ...motion.prepared import prepared_model
 from ...scenes.ladders import Ladder
-from ..measurements.measure import EQUAL_WITHIN, Measured, Progress, of_equal_cost
+from ..measurements.measure import EQUAL_WITHIN, Measured, Progress, of_equal_cost, silent
 from .axes import GREY, INK, log_log, mark_better, marker_style, time_axis
 from .words import times_as_much, two_digits
 
@@ -35,22 +35,17 @@ class MeasuredModel(Measured):
     drops: tuple = ()
 
 
-def measured_models(
-    ladder: Ladder, progress: Progress = lambda fraction, words: None
-) -> list[MeasuredModel]:
+def measured_models(ladder: Ladder, progress: Progress = silent) -> list[MeasuredModel]:
     """A :class:`MeasuredModel` for each rung: the operations of a run, and the error."""
     points = []
     for n, rung in enumerate(ladder.rungs):
         progress(n / len(ladder.rungs), rung.name)
-        points.append(_measured(ladder, rung))
+        distances, cost = ladder.distances(rung), _operations(ladder, rung)
+        error, usual = float(distances.max()), float(np.median(distances))
+        point = MeasuredModel(rung.name, cost, error, asked=RTOL, usual=usual)
+        drops = tuple(neglected.what for neglected in rung.model.neglects)
+        points.append(replace(point, bound=rung.bound(ladder.t), drops=drops))
     return points
-
-
-def _measured(ladder, rung):
-    distances, cost = ladder.distances(rung), _operations(ladder, rung)
-    error, usual = float(distances.max()), float(np.median(distances))
-    bound, drops = rung.bound(ladder.t), tuple(n.what for n in rung.model.neglects)
-    return MeasuredModel(rung.name, cost, error, asked=RTOL, usual=usual, bound=bound, drops=drops)
 
 
 def _operations(ladder, rung):

@@ -9,7 +9,7 @@ from typing import Any
 from ...algebra.errors import ArgumentError
 from ...algebra.scalars import sqrt
 from . import baselines
-from .measure import Measured, Progress, of_repeats, timings
+from .measure import Measured, Progress, of_repeats, silent, timings
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,9 +61,7 @@ class Comparison:
     questions: tuple
     fails: bool = False
 
-    def measure(
-        self, progress: Progress = lambda fraction, words: None, quick: bool = False
-    ) -> list[ComparisonPoint]:
+    def measure(self, progress: Progress = silent, quick: bool = False) -> list[ComparisonPoint]:
         """The answers to all questions, a list of :class:`ComparisonPoint`, in a few seconds;
         ``quick``: without the last setting, which takes longest where it changes the cost.
         """

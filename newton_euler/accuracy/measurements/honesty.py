@@ -18,12 +18,10 @@ from statistics import fmean, median
 from typing import NamedTuple
 
 from ...algebra.late import EngFormatter
-from ...motion.methods.table import METHODS
 from ...motion.model import ModelError
-from ...motion.prepared import PreparedModel
 from ...scenes import scene as scene_named
-from .measure import Measured
-from .work_precision import NAMES, TOLERANCES, Reference, timed_run
+from .measure import Measured, Progress, silent
+from .work_precision import NAMES, TOLERANCES, Reference, can_use, timed_run
 
 EPS = 2.0**-53  # relative errors below half a unit of the last place are not known
 GROSS = 10.0  # an error above this many times tolerance and estimate is silently wrong
@@ -86,7 +84,7 @@ def honesty(
     tolerances: Sequence[float] = TOLERANCES[:-1],
     methods: Sequence[str] = NAMES,
     longest: float = PATIENCE,
-    progress: Callable[[float, str], object] = lambda fraction, words: None,
+    progress: Progress = silent,
 ) -> list[MethodResult]:
     """The results of every method at every tolerance, on each of these scenes that it can use;
     errors as in :func:`.work_precision.work_precision`.
@@ -98,17 +96,11 @@ def honesty(
         reference = Reference(scene_named(name))
         for m, method in enumerate(methods):
             progress((n + m / len(methods)) / len(names), f"{name}: {method}")
-            answers += _answers(name, reference, method, tolerances, longest)
+            for rtol in tolerances if can_use(method, reference.model) else ():
+                answers.append(_answer(name, reference, method, rtol))
+                if answers[-1].cost > longest:
+                    break
     return answers
-
-
-def _answers(name, reference, method, tolerances, longest):
-    if method != "auto" and METHODS[method].unusable_because(PreparedModel(reference.model)):
-        return
-    for rtol in tolerances:
-        yield (answer := _answer(name, reference, method, rtol))
-        if answer.cost > longest:
-            return
 
 
 def _answer(name, reference, method, rtol):
@@ -166,10 +158,9 @@ class Tally(NamedTuple):
 
 def tallies(answers: Iterable[MethodResult]) -> list[Tally]:
     """A :class:`Tally` for each method, the cheapest first, those without an answer last."""
-    by_method: dict[str, list[MethodResult]] = {}
-    for a in answers:
-        by_method.setdefault(a.method, []).append(a)
-    found = [_tally(method, own) for method, own in by_method.items()]
+    answers = list(answers)
+    methods = dict.fromkeys(a.method for a in answers)
+    found = [_tally(method, [a for a in answers if a.method == method]) for method in methods]
     return sorted(found, key=lambda t: (math.isnan(t.cost), t.cost))
 
 
@@ -217,18 +208,28 @@ def cost_text(cost: float, relative: bool) -> str:
     return "" if math.isnan(cost) else f"{ratio_text(cost)} x" if relative else seconds(cost)
 
 
+# what is written of a tally, by its heading
+CELLS: dict[str, Callable[[Tally, bool], object]] = {
+    "runs": lambda t, relative: t.runs,
+    "met %": lambda t, relative: percent(t.met),
+    "covers %": lambda t, relative: percent(t.covers),
+    "est/true": lambda t, relative: ratio_text(t.ratio),
+    "silent": lambda t, relative: t.silent,
+    "refused": lambda t, relative: t.refused,
+    "failed": lambda t, relative: t.failed,
+    "cost": lambda t, relative: cost_text(t.cost, relative),
+}
+
+
 def table(answers: Sequence[MethodResult]) -> str:
     """The tallies as text, their costs as :func:`comparable`."""
     answers, relative = comparable(answers)
-    heads = "runs", "met %", "covers %", "est/true", "silent", "refused", "failed", "cost"
     found = tallies(answers)
     width = max([len("method"), *(len(t.method) for t in found)])
-    lines = [f"  {'method':{width}}" + "".join(f"{head:>10}" for head in heads)]
+    lines = [f"  {'method':{width}}" + "".join(f"{head:>10}" for head in CELLS)]
     for t in found:
-        shares = percent(t.met), percent(t.covers), ratio_text(t.ratio)
-        counts = t.silent, t.refused, t.failed
-        cells = t.runs, *shares, *counts, cost_text(t.cost, relative)
-        lines.append(f"  {t.method:{width}}" + "".join(f"{cell or '':>10}" for cell in cells))
+        cells = (cell(t, relative) or "" for cell in CELLS.values())
+        lines.append(f"  {t.method:{width}}" + "".join(f"{cell:>10}" for cell in cells))
     return "\n".join(lines)
 
 

@@ -23,7 +23,13 @@ EQUAL_COST = 1.2  # counts of operations that differ by less count as equal
 # times that differ by less are "about the same" in words: so they vary on a busy machine
 ALIKE = 3.0
 Progress: TypeAlias = Callable[[float, str], object]  # is passed the share done, and what is next
+Call: TypeAlias = Callable[[], object]
+Clock: TypeAlias = Callable[[], float]
 Cost: TypeAlias = Literal["cost", "calls"]  # the time, or the calls of the right-hand side
+
+
+def silent(fraction: float, words: str = "") -> None:
+    """A :data:`Progress` that shows nothing."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +58,7 @@ class Measured:
     repeats: tuple[float, ...] = ()
 
 
+Points: TypeAlias = Sequence[Measured]
 M = TypeVar("M", bound=Measured)
 
 
@@ -62,12 +69,7 @@ def repeated(points: Sequence[M]) -> Iterator[list[M]]:
 
 
 @checked
-def timed(
-    *calls: Callable[[], object],
-    runs: int = 9,
-    shortest: float = 2e-3,
-    clock: Callable[[], float] = perf_counter,
-) -> Any:
+def timed(*calls: Call, runs: int = 9, shortest: float = 2e-3, clock: Clock = perf_counter) -> Any:
     """The seconds that one call ``f()`` takes, a float; of several functions, which take turns, a
     tuple: those of the fastest of ``runs`` runs, each with enough calls to last ``shortest``
     seconds of the ``clock``. A first call, which may import or compile, does not count.
@@ -83,10 +85,7 @@ def timed(
 
 
 def timings(
-    calls: Sequence[Callable[[], object]],
-    runs: int = 5,
-    shortest: float = 1e-3,
-    clock: Callable[[], float] = perf_counter,
+    calls: Sequence[Call], runs: int = 5, shortest: float = 1e-3, clock: Clock = perf_counter
 ) -> list[tuple[float, ...]]:
     """For each function the seconds of a call in each of its runs, as :func:`timed` makes them."""
     timers = [(Timer(f, timer=clock), _enough_calls(f, shortest, clock)) for f in calls]
@@ -123,7 +122,7 @@ def relative_error(a: Sequence[Scalar], exact: Sequence[Scalar]) -> float:
 
 
 @checked
-def front(points: Sequence[Measured], cost: Cost = "cost") -> list[Measured]:
+def front(points: Points, cost: Cost = "cost") -> list[Measured]:
     """The points that no other beats in error or ``cost`` ("cost", the time, or "calls"), the
     cheapest first. Errors within a factor of two count as equal, and those of round-off.
 
@@ -138,7 +137,7 @@ def front(points: Sequence[Measured], cost: Cost = "cost") -> list[Measured]:
     return best
 
 
-def fronts(points: Sequence[Measured], cost: Cost = "cost") -> dict[str, list[Measured]]:
+def fronts(points: Points, cost: Cost = "cost") -> dict[str, list[Measured]]:
     """The front of each family of the points, by the name of the family: of times, only what the
     front of every repeat has.
     """
@@ -155,7 +154,7 @@ def fronts(points: Sequence[Measured], cost: Cost = "cost") -> dict[str, list[Me
     return found
 
 
-def cheapest(points: Sequence[Measured], error: float) -> list[Measured]:
+def cheapest(points: Points, error: float) -> list[Measured]:
     """The cheapest point of each method within ``error``, the cheapest method first.
 
     >>> points = [Measured("a", 1e-3, 1e-9), Measured("a", 1e-4, 1e-3), Measured("b", 2e-3, 1e-9)]
@@ -169,6 +168,6 @@ def cheapest(points: Sequence[Measured], error: float) -> list[Measured]:
     return list(best.values())
 
 
-def of_equal_cost(points: Sequence[Measured], within: float = EQUAL_COST) -> list[Measured]:
+def of_equal_cost(points: Points, within: float = EQUAL_COST) -> list[Measured]:
     """The points, the cheapest first, whose costs differ from the least by less than a factor."""
     return [p for p in points if p.cost <= within * points[0].cost]

@@ -16,12 +16,12 @@ from time import perf_counter
 from ...motion.integration import integrate
 from ...motion.methods.base import SMALLEST_SCALE
 from ...motion.methods.table import METHODS
-from ...motion.model import ModelError
+from ...motion.model import Model, ModelError
 from ...motion.prepared import PreparedModel
 from ...motion.solution import Motion
 from ...scenes import scene as scene_named
 from ...scenes.catalogue import Scene
-from .measure import Measured, Progress, of_repeats, timed, timings
+from .measure import Measured, Progress, of_repeats, silent, timed, timings
 from .reference import reference_solution
 
 TOLERANCES = tuple(10.0**-n for n in range(3, 14))
@@ -74,7 +74,7 @@ def work_precision(
     tolerances: Sequence[float] = TOLERANCES,
     methods: Sequence[str] = NAMES,
     longest: float = LONGEST,
-    progress: Progress = lambda fraction, words: None,
+    progress: Progress = silent,
 ) -> WorkPrecision:
     """The :class:`WorkPrecision` of a scene: every method it can use, at every tolerance. The cost
     is the time of ``integrate`` after its model is prepared and its code compiled, the error that
@@ -89,9 +89,7 @@ def work_precision(
     too_slow: dict = {}
     unable: dict = {}
     for n, method in enumerate(methods):
-        if method != "auto" and METHODS[method].unusable_because(PreparedModel(reference.model)):
-            continue
-        for m, rtol in enumerate(tolerances):
+        for m, rtol in enumerate(tolerances if can_use(method, reference.model) else ()):
             progress((n + m / len(tolerances)) / len(methods), f"{method}, {rtol:.0e}")
             try:
                 point, first = reference.measured(method, rtol)
@@ -121,6 +119,11 @@ def _ratios(reference, points):
             runs = [partial(reference.run, method, rtol) for method in ("auto", best)]
             auto, other = timed(*runs, runs=15, shortest=5e-4)
             yield rtol, (auto / other, best)
+
+
+def can_use(method: str, model: Model) -> bool:
+    """Whether a method integrates this model."""
+    return method == "auto" or not METHODS[method].unusable_because(PreparedModel(model))
 
 
 class Reference:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from datetime import date, timedelta
 from typing import Any
 
-from ...algebra.language import _, joined, plural
+from ...algebra.language import Words, _, joined, plural
 from .progress import Progress, at_first_go
 
 # days until a problem comes again, by how many sets of its numbers were right at first go
@@ -48,11 +48,11 @@ def advise(
     latest = sorted(done, key=lambda d: d.day, reverse=True)
     for d in latest:
         if d.open and d.day == today:
-            names = joined(d.open[:3])
-            unfinished = _(
-                "{problem} is unfinished: {names} is not right yet.", problem=d.problem, names=names
+            text, names = (
+                Words("{problem} is unfinished: {names} is not right yet."),
+                joined(d.open[:3]),
             )
-            return Advice(d.problem, unfinished)
+            return Advice(d.problem, _(text, problem=d.problem, names=names))
     for d in sorted(done, key=lambda d: d.due):
         if d.due <= today and d.problem != now:
             return Advice(d.problem, _again(d, today))
@@ -118,20 +118,16 @@ def _alike(d, fresh, sections, may_err):
 def _onwards(fresh, sections, latest):
     """The next new problem: of the section that was practised last, or the first after it."""
     if not latest:
-        begin = _(
-            "Begin with {problem}, section {number}.", problem=fresh[0], number=sections[fresh[0]]
-        )
-        return Advice(fresh[0], begin)
+        first = fresh[0]
+        begin = _("Begin with {problem}, section {number}.", problem=first, number=sections[first])
+        return Advice(first, begin)
     order = list(sections)
     place = order.index(latest[0].problem)
     p = next((p for p in fresh if order.index(p) > place), fresh[0])
-    same = sections[p] == latest[0].section
-    what = {"problem": p, "number": sections[p]}
-    return Advice(p, (
-        _("{problem} goes on with section {number}: what you tried before is right.", **what)
-        if same
-        else _("{problem} begins section {number}: what you tried before is right.", **what)
-    ))  # fmt: skip
+    text = Words("{problem} begins section {number}: what you tried before is right.")
+    if sections[p] == latest[0].section:
+        text = Words("{problem} goes on with section {number}: what you tried before is right.")
+    return Advice(p, _(text, problem=p, number=sections[p]))
 
 
 def causes_of(page: Mapping[str, Any]) -> set[tuple[str, str]]:

@@ -212,7 +212,7 @@ def _texts(page):
 
 
 def _is_variant(v, kinds, page):
-    labels, slips = page["labels"], page["slips"]
+    made = [(page["labels"], v["wrong"]), (page["slips"], v["slips"])]
 
     def is_answer(key, x):
         if kinds[key].is_word:
@@ -222,10 +222,8 @@ def _is_variant(v, kinds, page):
     return (
         isinstance(v.get("figure", ""), str)
         and all(key in kinds and is_answer(key, x) for key, x in v["right"].items())
-        and all(0 <= n < len(labels) and labels[n][0] in kinds and is_answer(labels[n][0], x)
-                for n, x in v["wrong"])
-        and all(0 <= n < len(slips) and slips[n][0] in kinds and is_answer(slips[n][0], x)
-                for n, x in v["slips"])
+        and all(0 <= n < len(rows) and rows[n][0] in kinds and is_answer(rows[n][0], x)
+                for rows, own in made for n, x in own)
         and (v["program"] is None or _is_program(v["program"], kinds))
     )  # fmt: skip
 

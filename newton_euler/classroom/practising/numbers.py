@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from ...algebra.language import Words, _, from_stored
+from ...algebra.language import ENGLISH, Words, _, from_stored, language
 from ...answers.causes import INSTEAD, Cause
 from ...answers.forms import Form, kind_named
 from ...answers.kinds import Kind
@@ -44,28 +44,19 @@ class Quantity:
 
 
 class KeptNumbers:
-    """The numbers of one variant of a problem; ``book`` is the variant with the book's; ``own``:
-    its texts are in the reader's language.
-    """
+    """The numbers of a variant, by its ``number``, on the ``page`` of a problem."""
 
     sheets = ()
 
-    def __init__(
-        self,
-        quantities: Sequence[Quantity],
-        labels: Sequence[Sequence[Any]],
-        variant: Mapping[str, Any],
-        book: Mapping[str, Any] | None = None,
-        slips: Sequence[Sequence[Any]] = (),
-        where: str = "",
-        own: bool = True,
-    ):
+    def __init__(self, quantities: Sequence[Quantity], page: Mapping[str, Any], number: int):
+        self._variant = variant = page["variants"][number]
+        self._book = page["variants"][0] if number and page["book"] else None
+        self._labels, self.program = page["labels"], Program(variant["program"])
+        self._own = page.get("language", ENGLISH) == language()
         self.answers = [q for q in quantities if q.key in variant["right"]]
-        self._labels, self._variant, self._book = labels, variant, book
-        self.program = Program(variant["program"])
-        self.where, self._own = from_stored(where), own
+        self.where = from_stored(page["where"])
         self.tried: Collection[str] = ()
-        self.slips = KeptSlips(slips, variant.get("slips", ()))
+        self.slips = KeptSlips(page["slips"], variant.get("slips", ()))
         self.symbols: dict[str, Any] = {}  # practice is numeric
 
     @cached_property

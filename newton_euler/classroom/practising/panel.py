@@ -34,9 +34,8 @@ class _Panel:
         self.p, self.widgets = p, widgets
         self.top, self.below = widgets.Output(), widgets.Output()
         self.answers = {k: self._field(k, _as_typed(f), f.of) for k, f in self._forms(p.answers)}
-        self.chosen = self._field(
-            _("step"), _("the name of a step; arrow down lists them"), p.steps
-        )
+        hint = _("the name of a step; arrow down lists them")
+        self.chosen = self._field(_("step"), hint, p.steps)
         self.chosen.observe(self._expect, "value")
         self.means = widgets.HTML(layout=widgets.Layout(margin="0 0 0 9.5em"))
         self.step = self._field(_("its value"), _("a number or a list"))
@@ -46,8 +45,9 @@ class _Panel:
             (_("Solution"), lambda: self._show(p.solution()), _("The solution in these numbers")),
             (_("New numbers"), self._new_numbers, _("The same problem with other numbers")),
         )
-        steps = [self.chosen, self.means, self.step,
-                 self._row((_("Check step"), self._check_step, _("Check one step")))]  # fmt: skip
+        check = lambda: self._check(p.check_step, {self.chosen.value: self.step})  # noqa: E731
+        one = self._row((_("Check step"), check, _("Check one step")))
+        steps = [self.chosen, self.means, self.step, one]
         rows = [self.top, *self.answers.values(), buttons, *(steps if p.steps else ()), self.below]
         self.box = widgets.VBox(rows)
         self._pressed(self._show_problem)
@@ -80,9 +80,6 @@ class _Panel:
         # never in the field of the value: a change there loses what is being typed
         form = dict(self._forms(self.p.steps)).get(name := self.chosen.value)
         self.means.value = escape(f"{self.p.meanings[name]}: {_as_typed(form)}") if form else ""
-
-    def _check_step(self):
-        self._check(self.p.check_step, {self.chosen.value: self.step})
 
     def _check(self, check, fields):
         try:

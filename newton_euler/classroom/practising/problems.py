@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from ...algebra.language import ENGLISH, Words, _, from_stored, joined, language, spoken
+from ...algebra.language import Words, _, from_stored, joined, spoken
 from ...algebra.names import Guided, did_you_mean
 from ...answers.causes import Cause, sentence
 from ...answers.fit import rounding
@@ -83,12 +83,8 @@ class PracticeProblem(Guided):
 
     def _take(self, number):
         self.number = number
-        variants = self._page["variants"]
-        self._variant = variants[number]
-        book = variants[0] if number and self._page["book"] else None
-        labels, slips = self._page["labels"], self._page["slips"]
-        where, own = self._page["where"], self._page.get("language", ENGLISH) == language()
-        self._numbers = KeptNumbers(self._all, labels, self._variant, book, slips, where, own)
+        self._variant = self._page["variants"][number]
+        self._numbers = KeptNumbers(self._all, self._page, number)
         self._asked = {q.key: q for q in self._numbers.answers}
         self._found: dict[str, Any] = {}
         self._trees: dict[str, Any] = {}
@@ -235,26 +231,27 @@ class PracticeProblem(Guided):
 
     def check(self, *nameless: object, **answers: object) -> CheckResult:
         """Whether answers are right, and what explains a wrong one: ``p.check(v_D=[1, 2, 0])``."""
-        return self._check(nameless, answers, self.answers, "answer", self._ways.step)
+        return self._check(nameless, answers, self.answers, _OF_ANSWERS, self._ways.step)
 
     def check_step(self, *nameless: object, **steps: object) -> CheckResult:
         """The same for any of ``p.steps``. The message says so where one follows rightly from a
         wrong one.
         """
-        return self._check(nameless, steps, self.steps, "step", self._ways.answer)
+        return self._check(nameless, steps, self.steps, _OF_STEPS, self._ways.answer)
 
-    def _check(self, nameless, given, names, what, other):
+    def _check(self, nameless, given, names, refusals, other):
+        none, write, no_such = refusals
         if not names:
-            raise AnswerError(_NONE[what], problem=self.id)
+            raise AnswerError(none, problem=self.id)
         if nameless:
             raise AnswerError(
                 "write the name before each value, as {name}=...", name=next(iter(names))
             )
         if not given:
-            raise AnswerError(_WRITE[what], names=", ".join(names))
+            raise AnswerError(write, names=", ".join(names))
         for key in given:
             if key not in names:
-                unknown = _(_UNKNOWN[what], problem=self.id, key=repr(key), names=", ".join(names))
+                unknown = _(no_such, problem=self.id, key=repr(key), names=", ".join(names))
                 hint = did_you_mean(key, names)
                 if key in self._asked:
                     hint = _(". {key} is checked {how}", key=key, how=_(other, name=key))
@@ -264,26 +261,21 @@ class PracticeProblem(Guided):
         for key, form in forms.items():
             tree, fault = trees.get(key), faults.get(key)
             self._trees[key] = tree
-            self._found[key] = judge(
-                self._asked[key], form, tree, fault, self._numbers, [NODES]
-            )  # fmt: skip
+            self._found[key] = judge(self._asked[key], form, tree, fault, self._numbers, [NODES])
         self._numbers.tried = self._found
-        found = {key: self._explained(key) for key in given}
+        sentences, explained = {}, {}
         verdicts = {key: self._found[key].verdict for key in given}
-        sentences = {key: text for key, (text, causes) in found.items()}
-        explained = {key: causes for key, (text, causes) in found.items()}
         for key, verdict in verdicts.items():
+            sentences[key], explained[key] = self._explained(key)
             if verdict in ("right", "wrong"):
                 cause = next(iter(explained[key]), None)
                 self._progress.tried(self.id, self.number, key, verdict == "right", cause)
-        return CheckResult(
-            "\n".join(f"{key}: {text}" for key, text in sentences.items()),
-            "\n".join(f"- {_MARKS.get(verdicts[key], '')} `{key}` {self._read(key)}: {text}"
-                      for key, text in sentences.items()),
-            verdicts,
-            explained,
-            sentences,
-        )  # fmt: skip
+        text = "\n".join(f"{key}: {words}" for key, words in sentences.items())
+        marks = {
+            key: f"{_MARKS.get(v, '')} `{key}` {self._read(key)}" for key, v in verdicts.items()
+        }
+        markdown = "\n".join(f"- {marks[key]}: {words}" for key, words in sentences.items())
+        return CheckResult(text, markdown, verdicts, explained, sentences)
 
     def _read(self, key):
         form, tree = self._asked[key].form, self._trees[key]
@@ -300,23 +292,19 @@ class PracticeProblem(Guided):
             return found.message, ()
         why = explain(self._asked[key], self._found, self._numbers)
         if why.earlier:
-            message = _(
+            return _(
                 "not right; it follows rightly from your {names}: correct that first{also}",
                 names=joined(why.earlier), also=why.also,
-            )  # fmt: skip
-            return message, why.causes
+            ), why.causes  # fmt: skip
         return why.message, why.causes
 
     def _rounded_early(self, key):
         given, kind = self._found[key].given, self._asked[key].kind
         if kind.is_word:
             return False
-        right = kind.like(self._numbers.key[key], given)
-        least = EARLY * math.hypot(*right[0])
-        return any(
-            abs(x - k) > max(least, 2 * rounding((x,)))
-            for x, k in zip(given[0], right[0], strict=True)
-        )
+        (right,) = kind.like(self._numbers.key[key], given)
+        least, pairs = EARLY * math.hypot(*right), zip(given[0], right, strict=True)
+        return any(abs(x - k) > max(least, 2 * rounding((x,))) for x, k in pairs)
 
     # -- help
 
@@ -326,13 +314,11 @@ class PracticeProblem(Guided):
         """
         if self.help == HELP[0]:
             return _plain(_("this practice file gives no hints"))
-        waiting = [q for q in self._asked.values() if q.key not in self._passed
-                   and getattr(self._found.get(q.key), "verdict", "") != "right"]  # fmt: skip
-        if not waiting:
-            return _plain(
-                _("nothing is left to find; {how} takes other numbers", how=self._ways.new)
-            )
-        q = waiting[0]
+        waiting = (q for q in self._asked.values() if q.key not in self._passed
+                   and getattr(self._found.get(q.key), "verdict", "") != "right")  # fmt: skip
+        if not (q := next(waiting, None)):
+            none = _("nothing is left to find; {how} takes other numbers", how=self._ways.new)
+            return _plain(none)
         most = 3 if self.help == HELP[2] else 2
         level = self._shown[q.key] = min(self._shown.get(q.key, 0) + 1, most)
         self._progress.helped(self.id, self.number, q.key, level)
@@ -345,28 +331,21 @@ class PracticeProblem(Guided):
         how = _(self._ways.step if q.step else self._ways.answer, name=q.key)
         where = _(" Section {number}.", number=q.section) if q.section else ""
         means = (q.means if typeset else q.plain).rstrip(".")
-        lines = [
-            _(
-                "Find {name} ({form}): {means}.{where} Try it {how}.",
-                name=name, form=_stated(q.form), means=means, where=where, how=how,
-            )
-        ]  # fmt: skip
-        if level >= 2:
-            lines += self._how(q, typeset)
-        if level >= 3:
-            value = self._value(q, typeset)
-            lines.append(_("It is {value}.", value=value))
+        lines = [_(
+            "Find {name} ({form}): {means}.{where} Try it {how}.",
+            name=name, form=_stated(q.form), means=means, where=where, how=how,
+        )]  # fmt: skip
+        lines += self._how(q, typeset) if level >= 2 else ()
+        lines += [_("It is {value}.", value=self._value(q, typeset))] if level >= 3 else ()
         return ("\n\n" if typeset else "\n").join(lines)
 
     def _how(self, q, typeset):
         if q.equation:
             yield _("It is found by equation ({number}).", number=q.equation)
         if terms := self._variant["terms"].get(q.key) if typeset else None:
-            yield _(
-                "It is the sum of {terms}.", terms="; ".join(map(spoken, map(from_stored, terms)))
-            )
-        before = self._numbers.program.earlier.get(q.key, ())
-        if before:
+            listed = "; ".join(map(spoken, map(from_stored, terms)))
+            yield _("It is the sum of {terms}.", terms=listed)
+        if before := self._numbers.program.earlier.get(q.key, ()):
             names = ", ".join(f"`{n}`" if typeset else n for n in before)
             yield _("It is computed from {names}.", names=names)
         elif not q.equation:
@@ -394,18 +373,17 @@ class PracticeProblem(Guided):
         return Message("\n".join(lines), self._variant["solution"])
 
 
-_NONE = {
-    "answer": Words("{problem} has no answers to check in this practice file"),
-    "step": Words("{problem} has no steps to check in this practice file"),
-}
-_WRITE = {
-    "answer": Words("write a value for an answer: {names}"),
-    "step": Words("write a value for a step: {names}"),
-}
-_UNKNOWN = {
-    "answer": Words("{problem} has no answer {key}; it has {names}"),
-    "step": Words("{problem} has no step {key}; it has {names}"),
-}
+# where there is none, where none is written, where another is
+_OF_ANSWERS = (
+    Words("{problem} has no answers to check in this practice file"),
+    Words("write a value for an answer: {names}"),
+    Words("{problem} has no answer {key}; it has {names}"),
+)
+_OF_STEPS = (
+    Words("{problem} has no steps to check in this practice file"),
+    Words("write a value for a step: {names}"),
+    Words("{problem} has no step {key}; it has {names}"),
+)
 _MARKS = {"right": "✓", "wrong": "✗", "unreadable": "?"}
 _EARLY = Words("right, but rounded too early: keep more digits on the way, and round at the end")
 

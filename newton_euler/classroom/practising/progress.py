@@ -54,11 +54,12 @@ class Progress:
         """Add the progress in another such file; of two records of a quantity, the one with more
         tries counts. Raises :class:`ValueError` for another text.
         """
+        weight = lambda e: (e.get("tries", 0), e.get("help", 0), e.get("day", ""))  # noqa: E731
         for problem, variants in _problems(text).items():
             for variant, entries in variants.items():
                 own = self._kept.setdefault(problem, {}).setdefault(variant, {})
                 for key, entry in entries.items():
-                    own[key] = max(own.get(key, NOTHING), entry, key=_weight)
+                    own[key] = max(own.get(key, NOTHING), entry, key=weight)
         self._write()
 
     def entry(self, problem: str, variant: int, key: str) -> dict[str, int]:
@@ -159,10 +160,6 @@ def _is_entry(x):
             and all(isinstance(part, str) and part.isprintable() for part in cause)
         )  # fmt: skip
     return False
-
-
-def _weight(entry):
-    return entry.get("tries", 0), entry.get("help", 0), entry.get("day", "")
 
 
 def mastery(counts: dict[str, int]) -> str:

@@ -165,11 +165,8 @@ class Tally:
         first = [p for p in _asked.values() if p.given is not None]
         right, wrong = (sum(p.right is x for p in first) for x in (True, False))
         counts = {"made": len(first), "all": len(_asked), "right": right, "wrong": wrong}
-        return (
-            _("{made} of {all} predictions made: {right} right, {wrong} wrong.", **counts)
-            if first
-            else _("{made} of {all} predictions made.", **counts)
-        )
+        some = Words("{made} of {all} predictions made: {right} right, {wrong} wrong.")
+        return _(some if first else Words("{made} of {all} predictions made."), **counts)
 
     __repr__ = __str__
 

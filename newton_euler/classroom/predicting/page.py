@@ -37,8 +37,7 @@ def _asked(q):
 
 
 def _choice(q, choice):
-    right = " data-right" if choice == q.right else ""
-    means = inline(_means(q, choice))
+    right, means = " data-right" * (choice == q.right), inline(_means(q, choice))
     summary = f"<summary>{inline(choice)}</summary>"
     return f'<details class="choice"{right}>{summary}<p>{means}</p></details>'
 
@@ -51,16 +50,13 @@ def _means(q, choice):
 def _form(q):
     """What is typed, for the script; hidden without it."""
     number = {"answer": q.number, "within": q.within, "unit": q.unit}
-    data = "" if q.number is None else _data(number)
+    data = "".join(f' data-{name}="{escape(str(x))}"' for name, x in number.items())
+    data *= q.number is not None
     name = escape(re.sub(r"[$*`\\{}]", "", q.text))
     return (
         f'<form{data} hidden><input type="text" aria-label="{name}" autocomplete="off"> '
         f"{escape(q.unit)} <button>{_('Predict')}</button></form>"
     )
-
-
-def _data(values):
-    return "".join(f' data-{name}="{escape(str(x))}"' for name, x in values.items())
 
 
 def _folded_answer(q):
@@ -89,15 +85,11 @@ def opened(q: Question, given: str | None, note: str = "") -> str:
 def _judged(q, given):
     found = q.judge(given)
     mark = {True: "✓", False: "✗", None: "·"}[found.right]
-    lines = [f"<p>{mark} {_('You predicted:')} <b>{inline(given)}</b>. {inline(found.words)}</p>"]
-    if q.choices and not found.right:
-        right = f"<b>{inline(q.right)}</b>. {inline(_means(q, q.right))}"
-        lines.append(f"<p>{_('The answer:')} {right}</p>")
-    elif q.choices:
-        lines.append(f"<p>{inline(q.why)}</p>")
-    else:
-        lines.append(f"<p>{_('The answer:')} {_answer(q)}</p>")
-    return "".join(lines)
+    first = f"<p>{mark} {_('You predicted:')} <b>{inline(given)}</b>. {inline(found.words)}</p>"
+    if q.choices and found.right:
+        return f"{first}<p>{inline(q.why)}</p>"
+    chosen = q.choices and f"<b>{inline(q.right)}</b>. {inline(_means(q, q.right))}"
+    return f"{first}<p>{_('The answer:')} {chosen or _answer(q)}</p>"
 
 
 def plain(html: str) -> str:

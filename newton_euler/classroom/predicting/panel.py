@@ -34,11 +34,9 @@ class _Panel:
 
     def __init__(self, p, widgets, shown):
         self.p, self.widgets, self.shown = p, widgets, shown
-        self.box = self._buttons() if p.question.choices else self._field()
-
-    def _buttons(self):
-        made = [self._button(LETTERS[n]) for n in range(len(self.p.question.choices))]
-        return self.widgets.HBox(made, layout=self.widgets.Layout(flex_flow="row wrap"))
+        made = [self._button(letter) for letter in LETTERS[: len(p.question.choices or ())]]
+        wrapped = widgets.Layout(flex_flow="row wrap")
+        self.box = widgets.HBox(made, layout=wrapped) if made else self._field()
 
     def _button(self, letter):
         narrow = self.widgets.Layout(width="3em")

@@ -105,9 +105,8 @@ def _samples(sliders, many):
     """
     counts = (17, 9, 4, 3, 2) if many else (2,)
     count = next(n for n in counts if n ** len(sliders) <= MOST_SAMPLES or n == 2)
-    names = [slider.name for slider in sliders]
     for values in product(*(slider.samples(count) for slider in sliders)):
-        yield dict(zip(names, values, strict=True))
+        yield {slider.name: x for slider, x in zip(sliders, values, strict=True)}
 
 
 def _update(shown, picture, values):

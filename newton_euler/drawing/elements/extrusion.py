@@ -4,7 +4,7 @@ import math
 
 from ...algebra.scalars import Triple
 from ...algebra.vectors import cross3, dot3, scale3
-from ..page.primitives import Canvas
+from ..page.primitives import Canvas, Outline, Outlines
 from ..page.projection import moved, norm3, normal_of
 
 SMOOTH = math.cos(math.radians(25))  # cosine of the angle below which two faces of a wall are one
@@ -12,8 +12,8 @@ SMOOTH = math.cos(math.radians(25))  # cosine of the angle below which two faces
 
 def extrude(
     canvas: Canvas,
-    outline: list[Triple],
-    holes: list[list[Triple]],
+    outline: Outline,
+    holes: Outlines,
     along: Triple,
     normal: Triple,
     style: str = "body",

@@ -20,6 +20,8 @@ KINDS = {
 DARK, SHADED, MIDDLE, LIGHT, PALE = "#454a50", "#aab1b9", "#c9ced4", "#dde1e5", "#eef0f2"
 BLACK, WHITE = "#000000", "#ffffff"
 MOVED = "#8a5a00"  # axes of a frame that moves
+Outline: TypeAlias = list[Triple]  # the places of a face, of a hole, of a rim, in order
+Outlines: TypeAlias = Sequence[Outline]
 Kind: TypeAlias = Literal["velocity", "acceleration", "rate", "force", "plain"]
 Line: TypeAlias = Literal["solid", "dashed", "dotted", "centre"]
 DASHES = {
@@ -123,7 +125,7 @@ class Canvas(View):
         closed: bool = False,
         depth: float | None = None,
         normal: Triple | None = None,
-        holes: Sequence[Sequence[Triple]] = (),
+        holes: Outlines = (),
     ) -> None:
         """Add a stroke of this ``depth``, by default that of its middle; a face has a normal."""
         styles = (styles,) if isinstance(styles, str) else styles
@@ -146,18 +148,13 @@ class Canvas(View):
         self.line(convex_hull(self, points), style, layer, True, depth)
 
     def end(
-        self,
-        rim: Sequence[Triple],
-        outwards: Triple,
-        style: str,
-        layer: int = BODY,
-        holes: Sequence[Sequence[Triple]] = (),
+        self, rim: Outline, outwards: Triple, style: str, layer: int = BODY, holes: Outlines = ()
     ) -> None:
         """Add the flat end of a body; one that faces away still separates inside and outside."""
         seen = style if self.depth(outwards) > 0 else ()
         self.line(rim, seen, layer, True, normal=outwards, holes=holes)
 
-    def shell(self, points: Sequence[Triple], rim: Sequence[Triple], outwards: Triple) -> None:
+    def shell(self, points: Outline, rim: Outline, outwards: Triple) -> None:
         """Add a convex vessel open at its rim, through which one looks in from ``outwards``."""
         depths = [self.depth(p) for p in points]
         if self.depth(outwards) <= 0:
@@ -168,13 +165,7 @@ class Canvas(View):
         self.line(wall, "side", closed=True, depth=max(depths), holes=[rim])
 
     def cylinder(
-        self,
-        first: list[Triple],
-        last: list[Triple],
-        axis: Triple,
-        side: str,
-        top: str,
-        layer: int = BODY,
+        self, first: Outline, last: Outline, axis: Triple, side: str, top: str, layer: int = BODY
     ) -> None:
         """Add a cylinder between two rims."""
         self.solid(first + last, side, layer)

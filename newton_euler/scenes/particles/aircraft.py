@@ -95,15 +95,13 @@ def ladder(
     name = "aircraft in a vertical plane"
     plane = Model(name, {**forces, **ground}, PLANE, _in_plane, neglects=(BANK,))
     space = Model("aircraft in space", {**forces, "bank": bank}, SPACE, _in_space)
-    rungs = [
+    rungs = (
         Rung(straight, (0.0,), _on_line),
-        Rung(turn, (chi,), _on_circle),
+        *[Rung(turn, (chi,), _on_circle)] * (not is_absent(bank)),
         Rung(plane, (v, gamma, 0.0, h), _in_ground),
         Rung(space, start, observed_states("x", "y", "h")),
-    ]
-    if is_absent(bank):
-        del rungs[1]
-    return Ladder("aircraft", POSITION, t, tuple(rungs))
+    )
+    return Ladder("aircraft", POSITION, t, rungs)
 
 
 def _lift(s, p, t):

@@ -66,13 +66,9 @@ def ladder(
         raise ModelError(
             f"the car goes uphill until t = {t!r} only with more than {force!r} N at {start[1]!r}"
         )
-    particle, wheels = (
-        constant_rate(name, full.parameters, of, *STATES, neglects=neglects)
-        for name, of, neglects in (
-            ("car, particle", _of_particle, (WHEELS, AIR)),
-            ("car on wheels", _on_wheels, (AIR,)),
-        )
-    )
+    given = full.parameters
+    particle = constant_rate("car, particle", given, _of_particle, *STATES, neglects=(WHEELS, AIR))
+    wheels = constant_rate("car on wheels", given, _on_wheels, *STATES, neglects=(AIR,))
     return Ladder.of_models("car on a hill", WAY, t, start, ("s",), particle, wheels, full)
 
 

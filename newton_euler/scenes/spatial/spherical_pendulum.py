@@ -76,11 +76,6 @@ def any_swing(length: Scalar, g: Scalar) -> Model:
     return replace(on_cord(length, 1.5 * g), name="bar, any swing", neglects=(FRICTION,))
 
 
-def any_swing_with_friction(length: Scalar, g: Scalar, friction: Scalar) -> Model:
-    """The Model of any swing with friction: states x, y, dx, dy of the tip."""
-    return Model("bar, any swing with friction", locals(), STATES, _full)
-
-
 @scene(
     "10.4", "spherical pendulum", "small swings and any, with friction in the joint or without",
     ladder=True,
@@ -95,8 +90,9 @@ def ladder(
     >>> [smallest(ladder(), metres).model.name for metres in (0.01, 1e-5)]
     ['bar, small swings', 'bar, any swing with friction']
     """
-    small = small_swings(length, g), small_swings_with_friction(length, g, friction)
-    models = *small, any_swing(length, g), any_swing_with_friction(length, g, friction)
+    damped = small_swings_with_friction(length, g, friction)
+    full = Model("bar, any swing with friction", damped.parameters, STATES, _full)
+    models = small_swings(length, g), damped, any_swing(length, g), full
     return Ladder.of_models("spherical pendulum", PLACE, t, start, ("x", "y"), *models)
 
 

@@ -6,7 +6,6 @@ vertical; I0, I, ``mgr``, omega_z as in :mod:`newton_euler.scenes.spatial.top`.
 """
 
 from contextlib import suppress
-from dataclasses import replace
 from operator import attrgetter
 
 from ...algebra.scalars import Scalar, cos, sin
@@ -52,17 +51,6 @@ def top_steady_precession(
     return constant_rate("top, steady precession", given, _steady, "psi", neglects=neglects)
 
 
-def top_precession_and_nutation(
-    I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar, momentum_difference: Scalar
-) -> Model:
-    """The Model of :func:`~newton_euler.scenes.spatial.top.nutation` with psi as a third state."""
-    base = nutation(I0, I, mgr, omega_z, momentum_difference)
-    name, states = "top, nutation and precession", (*base.states, "psi")
-    return replace(
-        base, name=name, states=states, rhs=_axis_rates, exact=None, neglects=(ASYMMETRY,)
-    )
-
-
 def asymmetric_top_euler_angles(I0: Scalar, I: Scalar, mgr: Scalar, asymmetry: Scalar) -> Model:
     """The Model with unequal moments in Euler angles, singular at theta = 0 and pi: states psi,
     theta, phi, and the body rates w_x, w_y, w_z.
@@ -96,13 +84,15 @@ def ladder(
     rungs = [Rung(top_slow_precession(I, mgr, omega_z, theta), (0.0,), _fixed)]
     with suppress(GyroError):  # too slow
         rungs += [Rung(top_steady_precession(I0, I, mgr, omega_z, theta), (0.0,), _fixed)]
-    nutating = top_precession_and_nutation(I0, I, mgr, omega_z, over)
-    by_angles = asymmetric_top_euler_angles(I0, I, mgr, asymmetry)
-    by_quaternion = asymmetric_top_quaternion(I0, I, mgr, asymmetry)
+    base = nutation(I0, I, mgr, omega_z, over)
+    states, neglects = (*base.states, "psi"), (ASYMMETRY,)
+    own = base.parameters, states, _axis_rates, base.invariants
+    nutating = Model("top, nutation and precession", *own, neglects=neglects)
+    uneven, begun = (I0, I, mgr, asymmetry), quaternion_from_euler(0.0, theta, 0.0)
     rungs += [
         Rung(nutating, (theta, theta_rate, 0.0), _along),
-        Rung(by_angles, (0.0, theta, 0.0, *body), _along),
-        Rung(by_quaternion, (*quaternion_from_euler(0.0, theta, 0.0), *body), _third),
+        Rung(asymmetric_top_euler_angles(*uneven), (0.0, theta, 0.0, *body), _along),
+        Rung(asymmetric_top_quaternion(*uneven), (*begun, *body), _third),
     ]
     return Ladder("top", DIRECTION, t, tuple(rungs))
 

@@ -21,7 +21,9 @@ def numbers(right, wrong=(), labels=(), earlier=None, book=None):
     program = {"operations": [["value", 3.0], ["*", [0], 2.0]], "earlier": earlier or {}}
     program["quantities"] = {"a": [[0, 1.0]], "b": [[1, 1.0]]}
     variant = {"right": right, "wrong": list(wrong), "program": program}
-    return KeptNumbers([quantity(key) for key in right], list(labels), variant, book)
+    page = {"labels": labels, "slips": (), "where": "", "book": book is not None}
+    page["variants"] = [variant] if book is None else [book, variant]
+    return KeptNumbers([quantity(key) for key in right], page, len(page["variants"]) - 1)
 
 
 def test_a_quantity_knows_its_kind_by_name():
