@@ -43,18 +43,12 @@ class _Charts(click.Command):
 @click.argument("names", nargs=-1, metavar="[NAME …]")
 @click.option("--list", "only_list", is_flag=True, help="List the charts.")
 @click.option("--all", "draw_all", is_flag=True, help="Draw all of them, which takes some minutes.")
-@click.option(
-    "--models", is_flag=True, help='Charts of models only: "top" is then "models of top".'
-)
+@click.option("--models", is_flag=True, help='Charts of models only: "top" is "models of top".')
 @_out("charts")
 @click.option(
     "--format", "kind", default="png", type=click.Choice(("png", "svg")), help="Of the files."
 )
-@click.option(
-    "--quick",
-    is_flag=True,
-    help="Four tolerances, coarse maps; methods that take more than 20 ms are left out.",
-)
+@click.option("--quick", is_flag=True, help="Four tolerances, coarse maps; no method beyond 20 ms.")
 def main(
     names: tuple[str, ...],
     only_list: bool,

@@ -78,9 +78,8 @@ def checked(f: F, unchecked: tuple[str, ...] = ()) -> F:
         except Exception as error:
             if isinstance(error, TypeError) and (words := misfit(f, args, named)):
                 raise ArgumentError(words) from None
-            if note_place(error) or isinstance(error, NewtonEulerError):
-                raise
-            if not isinstance(error, (ArithmeticError, ValueError, TypeError, LookupError)):
+            engines = isinstance(error, (ArithmeticError, ValueError, TypeError, LookupError))
+            if note_place(error) or isinstance(error, NewtonEulerError) or not engines:
                 raise
             given = [*map(_brief, given), *(f"{n}={_brief(x)}" for n, x in named.items())]
             raise _in_words(f"{f.__name__}({', '.join(given)})", error) from error
@@ -237,7 +236,8 @@ def _whole(x):
 
 
 def _true_or_false(x):
-    return bool(x) if type(x).__name__ in ("bool", "bool_") else REFUSED
+    of_numpy = getattr(getattr(x, "dtype", None), "kind", "") == "b" and not x.shape
+    return bool(x) if of_numpy or type(x) is bool else REFUSED
 
 
 def _tolerance(x):

@@ -326,9 +326,7 @@ def _is_unreal(x):
     if dtype is None:
         return isinstance(x, complex) or type(x).__name__ == "mpc"
     size, kind = getattr(x, "size", 1), getattr(dtype, "kind", "")  # others have a dtype, too
-    return (
-        size == 0 or kind == "c" or (kind == "O" and any(map(_is_unreal, getattr(x, "flat", ()))))
-    )
+    return not size or kind == "c" or (kind == "O" and any(map(_is_unreal, getattr(x, "flat", ()))))
 
 
 def advice(x: object) -> str:

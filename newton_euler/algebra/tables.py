@@ -80,9 +80,7 @@ def table(
 def _numbers(what, sequence):
     """The numbers of a sequence or array, a tuple; those of NumPy as Python's."""
     if getattr(sequence, "ndim", 1) != 1:
-        raise TableError(
-            f"the {what} of a table are one number for each place; make one of each row"
-        )
+        raise TableError(f"the {what} of a table are one number per place; make one of each row")
     entries = sequence.tolist() if hasattr(sequence, "tolist") else sequence
     found = tuple(to_plain(scalar(x)) for x in (entries if hasattr(entries, "__iter__") else ()))
     bad = [x for x in found if getattr(x, "shape", ()) or not is_finite(x) or type(x) is complex]

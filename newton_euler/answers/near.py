@@ -149,9 +149,7 @@ class Slips:
         left = ((p, size) for p, size in pairs if math.isfinite(size))
         if len(points) > FEW or not all(max(map(abs, p)) <= NOISE * size for p, size in left):
             return []
-        return [
-            (level // 2, cause, fit.given) for level, cause in (ranked.slips[n] for n in points)
-        ]
+        return [(k // 2, cause, fit.given) for k, cause in (ranked.slips[n] for n in points)]
 
     def _points(self, key, place):
         """The points of an answer with one slip."""

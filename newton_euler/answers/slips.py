@@ -151,17 +151,14 @@ def of_matrix(fit: Fit) -> Models:
     """
     transposed = _ordered((0, 3, 6, 1, 4, 7, 2, 5, 8), fit.key)
     yield causes.TRANSPOSED, transposed
-    if not all(map(_is_near, transposed, fit.key)):
+    pairs = zip(transposed, fit.key, strict=True)
+    if not all(math.dist(x, y) <= NOISE * math.hypot(*x) for x, y in pairs):
         return
     for cause, own, others in (causes.POLAR, 0.5, 0.5), (causes.PLANAR, -0.5, 0.5):
         yield cause, tuple(_with_moments(point, own, others) for point in fit.key)
     yield causes.OFF_DIAGONAL, _signed((1, -1, -1, -1, 1, -1, -1, -1, 1), fit.key)
     yield causes.DIAGONAL_ONLY, _signed((1, 0, 0, 0, 1, 0, 0, 0, 1), fit.key)
     yield from _of_one_entry(fit)
-
-
-def _is_near(point, other):
-    return math.dist(point, other) <= NOISE * math.hypot(*point)
 
 
 def _with_moments(point, own, others):

@@ -2,7 +2,7 @@
 evaluated, and checked for their size and their dimension.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import reduce
 from operator import add, mul
 from typing import Any, TypeAlias
@@ -110,19 +110,11 @@ def _alike(a, b):
     return b if zeros[0] else a if zeros[1] else a + b
 
 
-def _larger(a, b):
-    return _chosen(_compared("<", a, b), b, a)
-
-
-def _smaller(a, b):
-    return _chosen(_compared("<", a, b), a, b)
-
-
-def _remainder(a, b):
-    return _alike(a, b) if isinstance(a, Dimension) or isinstance(b, Dimension) else a % b
-
-
-_OF_NUMBERS = {"Max": _larger, "Min": _smaller, "Mod": _remainder}
+_OF_NUMBERS: dict[str, Callable] = {
+    "Max": lambda a, b: _chosen(_compared("<", a, b), b, a),
+    "Min": lambda a, b: _chosen(_compared("<", a, b), a, b),
+    "Mod": lambda a, b: _alike(a, b) if Dimension in (type(a), type(b)) else a % b,
+}
 
 
 def _power(base, exponent):

@@ -260,9 +260,7 @@ def steady_precession(
     sense = where(to_plain(h) < 0, -1, 1) if is_numeric(h) else h / sqrt(h * h)
     q = (h + sense * sqrt(D)) / 2
     if is_numeric(q) and is_numeric(c) and anywhere(where(to_plain(q) == 0, abs(c), 0) > 0):
-        raise GyroError(
-            "no steady precession is possible: without spin the body can hold no moment"
-        )
+        raise GyroError("no steady precession is possible: without spin a body can hold no moment")
     slow, fast = _quotient(c, q, 0), _quotient(q, a, math.inf)
     stiffness = tuple(_stiffness(I0, I, theta, psi, spin, omega_z) for psi in (slow, fast))
     return SteadyPrecession(to_plain(slow), to_plain(fast), to_plain(D), stiffness)
@@ -439,9 +437,7 @@ def free_precession(I0: Scalar, I: Scalar, theta: Scalar, spin: Scalar) -> FreeP
     if is_numeric(apart) and is_zero(apart):
         raise GyroError("with I = I0 there is no precession: the body turns about a fixed axis")
     if vanishes(c, 4 * epsilon(c)) and not is_zero(spin):
-        raise GyroError(
-            f"theta = {theta!r} is pi/2: H has no axial component, the spin must be zero"
-        )
+        raise GyroError(f"theta = {theta!r} is pi/2: H has no axial component, spin must be zero")
     sense = where(to_plain(apart) > 0, "direct", "retrograde") if is_numeric(apart) else None
     tilt = atan(I * tan(theta) / I0)
     gap = theta - tilt

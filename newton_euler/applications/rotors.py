@@ -125,9 +125,7 @@ def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple[Vector, 
     length = AB.norm()
     # 1e-13 of the coordinates: their difference is round-off
     if _small(length, 1e-13 * max(_extent(A), _extent(B))):
-        raise RotorError(
-            f"the bearings {A.name} and {B.name} coincide, and one point is not an axis"
-        )
+        raise RotorError(f"the bearings {A.name} and {B.name} coincide; one point is not an axis")
     return Vector(tuple(x / length for x in AB.c), AB.frame), length
 
 

@@ -167,9 +167,7 @@ def relative_acceleration(m: Scalar, P: Point, observer: Frame, **forces: Vector
     """
     seen = P.acceleration(observer, via=P.frame).terms
     names = {n: n for n in ("origin", "coriolis", "euler")} | {"centrifugal": "centripetal"}
-    parts: list[tuple[str, Vector]] = [
-        (Chosen(name), F) for name, F in _per_mass(m, forces).items()
-    ]
+    parts: list[tuple[str, Vector]] = [(Chosen(n), F) for n, F in _per_mass(m, forces).items()]
     parts += [(name, -seen[term]) for name, term in names.items() if seen]
     subject = f"of {P.name} in {P.frame.name}"
     return named_sum("relative acceleration", subject, parts, P.frame)

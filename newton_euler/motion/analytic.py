@@ -62,10 +62,9 @@ def hazards(traced: TracedRates) -> list[str]:
     """
     steps = varying(traced)
     poles = {f.number for s in steps if s.op == "/" for f in factors(s.args[1])}
+    powers = [s for s in steps if s.op == "**" and type(s.args[1]) in (int, float)]
     # a negative power is a denominator
-    poles |= {
-        f.number for s in steps if s.op == "**" and _negative(s.args[1]) for f in factors(s.args[0])
-    }
+    poles |= {f.number for s in powers if s.args[1] < 0 for f in factors(s.args[0])}
     branches = {s.op for s in steps if s.op in BRANCHES and not _harmless(s, poles)}
     return sorted(branches | {s.op for s in steps if s.op in HIDDEN or is_high_power(s)})
 
@@ -124,10 +123,6 @@ def _multiplied(x):
     if isinstance(x, Step) and x.op == "*":
         return [*_multiplied(x.args[0]), *_multiplied(x.args[1])]
     return [x]
-
-
-def _negative(x):
-    return type(x) in (int, float) and x < 0
 
 
 def _harmless(step, poles):

@@ -345,10 +345,8 @@ class Model(Portable):
 
     def _value(self, f, state, t):
         """``f(s, p, t)`` at a state, a tuple for several scalars."""
-        result = self._call(f, self._state(state), self.parameters, self._time(t))
-        return (
-            tuple(map(to_plain, result)) if isinstance(result, (tuple, list)) else to_plain(result)
-        )
+        x = self._call(f, self._state(state), self.parameters, self._time(t))
+        return tuple(map(to_plain, x)) if isinstance(x, (tuple, list)) else to_plain(x)
 
     def _check_names(self):
         names = [*self.states, *self.parameters]

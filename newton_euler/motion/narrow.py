@@ -159,9 +159,7 @@ def _knots(path, j, places):
     for i, k in zip(*np.nonzero(np.diff(index, axis=1)), strict=True):
         (x, y), (t, u) = values[i, k : k + 2], times[i, k : k + 2]
         between = places[min(index[i, k : k + 2]) : max(index[i, k : k + 2])]
-        found += [
-            (place, t + (place - x) * (u - t) / (y - x), (y - x) / (u - t)) for place in between
-        ]
+        found += [(p, t + (p - x) * (u - t) / (y - x), (y - x) / (u - t)) for p in between]
     if not found:
         return np.array([])
     place, t, slope = np.array(found).T

@@ -310,9 +310,7 @@ class ZeroSearch:
 def _has_foot(values):
     """For rows of samples whether nearly all of the change is at one end: perhaps a narrow peak."""
     edges = (0, 4), (3, DEGREE - 2), (DEGREE - 3, DEGREE + 1)
-    first, between, last = (
-        values[:, a:b].max(axis=1) - values[:, a:b].min(axis=1) for a, b in edges
-    )
+    first, between, last = (np.ptp(values[:, a:b], axis=1) for a, b in edges)
     return (first > FOOT * between) | (last > FOOT * between)
 
 

@@ -84,9 +84,10 @@ def _explained(chart, found, island):
     n, m = island.cells[len(island.cells) // 2]
     low, high = strip(chart, found, island.choice, n, m)
     edges = chart.y.edges(found.shape[0])
-    place = f"{_letter(chart.x)} = {two_digits(float(chart.x.centres(found.shape[1])[m]))}"
+    x, y = (axis.label.partition(",")[0] for axis in (chart.x, chart.y))
+    place = f"{x} = {two_digits(float(chart.x.centres(found.shape[1])[m]))}"
     text = f'The island of "{island.choice}" at {place} lies between {two_digits(low)} and '
-    text += f"{two_digits(high)} of {_letter(chart.y)}: "
+    text += f"{two_digits(high)} of {y}: "
     if _height(chart, low, high) < _height(chart, float(edges[n]), float(edges[n + 1])):
         return text + "a strip thinner than a cell, which some columns miss."
     return text + "a region of its own."
@@ -105,7 +106,3 @@ def strip(chart: Map, found: "np.ndarray", choice: str, n: int, m: int) -> tuple
 
 def _height(chart, low, high):
     return np.log(high / low) if chart.y.scale == "log" else high - low
-
-
-def _letter(axis):
-    return axis.label.partition(",")[0]

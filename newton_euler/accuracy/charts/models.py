@@ -78,12 +78,12 @@ def choice(points: Sequence[MeasuredModel], tolerance: float) -> MeasuredModel |
 
 def beaten(points: Sequence[MeasuredModel]) -> list[tuple[MeasuredModel, MeasuredModel]]:
     """Models beaten by another, clearly cheaper and no less accurate: each with the first such."""
-    by = ((p, next((q for q in points if _beats(q, p)), None)) for p in points)
+
+    def beats(q, p):
+        return len(of_equal_cost([q, p])) == 1 and q.cost < p.cost and q.error <= p.error * 1.01
+
+    by = ((p, next((q for q in points if beats(q, p)), None)) for p in points)
     return [(p, q) for p, q in by if q]
-
-
-def _beats(q, p):
-    return len(of_equal_cost([q, p])) == 1 and q.cost < p.cost and q.error <= p.error * 1.01
 
 
 def draw_models(
@@ -122,7 +122,8 @@ def draw_models(
 
 def _draw_rung(ax, n, p, low, high):
     """A rung with its number, its bar of errors, and its bound; in the legend what it drops."""
-    label = f"{n + 1}  {p.method}\n    {_drops(p)}"
+    drops = "drops " + ",\n    ".join(p.drops) if p.drops else "the fullest, drops nothing"
+    label = f"{n + 1}  {p.method}\n    {drops}"
     height = min(max(p.error, low), high)
     style = marker_style(n)
     if 0 < p.error < math.inf:
@@ -137,10 +138,6 @@ def _draw_rung(ax, n, p, low, high):
         end, side = (-34, "0") if p.error < low else (24, "∞" if p.error == math.inf else "")
         arrow = {"arrowstyle": "<-", "color": INK}
         ax.annotate(side, (p.cost, height), (0, end), ha="center", arrowprops=arrow, **text)
-
-
-def _drops(p):
-    return "drops " + ",\n    ".join(p.drops) if p.drops else "the fullest, drops nothing"
 
 
 def _unit(ladder):

@@ -236,21 +236,13 @@ def by_grid(n: int) -> Triple:
     return _of_points(*(c.ravel() for c in np.meshgrid(middles, middles)))
 
 
-def _triangle(x, slope):
-    return x, slope * x, 0
-
-
-def _half_disk(r, angle):
-    return HEIGHT + r * cos(angle), r * sin(angle), 0
-
-
 def by_quadrature(n: int | None = None) -> Triple:
     """The moments by the engine's integrals, in coordinates that follow the edges."""
     sheet, slope, right = Frame("sheet"), RADIUS / HEIGHT, math.pi / 2
     of = partial(integrated, frame=sheet, density=DENSITY)
     parts = (
-        of(_triangle, (0, HEIGHT), (-slope, slope), name="triangle"),
-        of(_half_disk, (0, RADIUS), (-right, right), name="half disk"),
+        of(lambda x, k: (x, k * x, 0), (0, HEIGHT), (-slope, slope), name="triangle"),
+        of(lambda r, a: (HEIGHT + r * cos(a), r * sin(a), 0), (0, RADIUS), (-right, right)),
     )
     return composite("sheet", parts).about(sheet.origin).moments
 

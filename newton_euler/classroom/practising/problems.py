@@ -271,9 +271,7 @@ class PracticeProblem(Guided):
                 cause = next(iter(explained[key]), None)
                 self._progress.tried(self.id, self.number, key, verdict == "right", cause)
         text = "\n".join(f"{key}: {words}" for key, words in sentences.items())
-        marks = {
-            key: f"{_MARKS.get(v, '')} `{key}` {self._read(key)}" for key, v in verdicts.items()
-        }
+        marks = {k: f"{_MARKS.get(v, '')} `{k}` {self._read(k)}" for k, v in verdicts.items()}
         markdown = "\n".join(f"- {marks[key]}: {words}" for key, words in sentences.items())
         return CheckResult(text, markdown, verdicts, explained, sentences)
 

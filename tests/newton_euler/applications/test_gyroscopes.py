@@ -364,7 +364,7 @@ def leaning_rates():
     (lambda: steady_precession(0.0, 1.0, 1.0, spin=1.0, mgr=0.1), "I0 must be positive"),
     (lambda: steady_precession(1.0, -0.1, 1.0, spin=1.0, mgr=0.1), "no body"),
     (lambda: steady_precession(0.6, 0.25, 0.9, spin=np.array([12.0, 0.1]), mgr=1.5), "no steady precession is possible"),
-    (lambda: steady_precession(1.0, 1.0, 1.0, spin=0.0, mgr=1.0), "without spin the body can hold no moment"),
+    (lambda: steady_precession(1.0, 1.0, 1.0, spin=0.0, mgr=1.0), "without spin a body can hold no moment"),
     (lambda: steady_precession(1.0, 0, 0.5, spin=100.0, mgr=1.0), "without I no spin helps"),
     (lambda: steady_precession(1.0, 1.0, 1.0, spin=1.0), "give one of mgr"),
     (lambda: steady_precession(1.0, 1.0, 1.0, mgr=1.0), "give either spin"),

@@ -185,7 +185,7 @@ def test_corrections_as_formulas():
 
 
 @pytest.mark.parametrize(("ask", "words"), [
-    (lambda s, A, B, W: shaft_axis(A, s.point("C", -0.2, 0, 0)), "bearings A and C coincide, and one point is not an axis"),
+    (lambda s, A, B, W: shaft_axis(A, s.point("C", -0.2, 0, 0)), "bearings A and C coincide; one point is not an axis"),
     (lambda s, A, B, W: corrections(W, A, B, (0.1, 0.1)), r"two different planes are needed; got 0\.1 and 0\.1"),
     (lambda s, A, B, W: balancing_masses(W, A, B, (0.1, 0.2), radius=0),
      r"radius of the balancing weights must be positive, got 0: on the axis"),
