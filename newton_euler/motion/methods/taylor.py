@@ -97,6 +97,11 @@ def integrator(
         free.append(ta)
 
 
+def _power_of_two(x):
+    """The power of two at or below x; multiplying by it does not round."""
+    return ldexp(1.0, frexp(x)[1] - 1) if x else 1.0
+
+
 class Taylor(Stepper):
     """A run by Taylor series. Without events it is one call of heyoka; the steps are repeated if a
     state between them is needed.
@@ -106,8 +111,7 @@ class Taylor(Stepper):
 
     def begin(self, trajectory: Demand) -> None:
         low, high = ORDINARY
-        # the power of two at or below each: multiplying by it does not round
-        scales = [ldexp(1.0, frexp(s)[1] - 1) if s else 1.0 for s in trajectory.units or ()]
+        scales = [_power_of_two(s) for s in trajectory.units or ()]
         self.units = scales if any(not low <= s <= high for s in scales) else ()
         self.series: list[Any] = []
         self.kept, self.samples, self.taken = None, trajectory.samples, 0
