@@ -166,7 +166,7 @@ def test_a_place_outside_by_round_off_has_the_value_at_the_end(kind):
     (([0, sympy.Symbol("a")], [1, 2]), "places of a table are numbers"),
     (([0, 1], [1, 2], "quintic"), "kind is one of 'linear', 'cubic'"),
     (([0, 1], [1, 2], "linear", "zero"), "outside is one of 'refuse', 'hold'"),
-    (([0, 1], np.ones((2, 2))), "one number for each"),
+    (([0, 1], np.ones((2, 2))), "one number per place"),
 ])  # fmt: skip
 def test_data_that_do_not_make_a_table_are_refused(arguments, words):
     with pytest.raises((TableError, ScalarError, ArgumentError), match=words):
