@@ -136,8 +136,7 @@ def _plan(f, unchecked):
 
 
 def _check_of(parameter, f, where):
-    """The check of one parameter: from the argument to the value to pass on; None if every value
-    does."""
+    """The check of one parameter: from the argument to the value to pass on, or None."""
     kind = f.__annotations__.get(parameter.name)
     if isinstance(kind, str):
         kind = eval(kind, f.__globals__)

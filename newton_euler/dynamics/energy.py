@@ -268,7 +268,8 @@ def audit(
 
 
 def _at_both(f, what, start, end):
-    return tuple(map(_function(f, what), (start, end)))
+    of_time = _function(f, what)
+    return of_time(start), of_time(end)  # map would end at a StopIteration of the caller
 
 
 def _function(f, what):

@@ -45,7 +45,7 @@ def seconds(x: float) -> str:
 def times_as_much(ratio: float) -> str:
     """How many times as much, of what was counted.
 
-    >>> times(1.34), times(2.0), times(54.3)
+    >>> times_as_much(1.34), times_as_much(2.0), times_as_much(54.3)
     ('1.3 times', 'twice', '54 times')
     """
     return "twice" if f"{ratio:.2g}" == "2" else f"{two_digits(ratio)} times"

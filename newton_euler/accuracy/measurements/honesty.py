@@ -40,7 +40,7 @@ class MethodResult(Measured):
     absent : "" for an answer; "refused" in ``words`` of the engine, "failed" without them or
         without an end; the error is then nan
 
-    >>> a = Answer("mine", cost=1e-3, error=2e-5, asked=1e-6, estimate=1e-7)
+    >>> a = MethodResult("mine", cost=1e-3, error=2e-5, asked=1e-6, estimate=1e-7)
     >>> a.kept, a.covered, a.silent
     (False, False, True)
     """
@@ -196,7 +196,7 @@ def percent(part: float) -> str:
 def ratio_text(ratio: float) -> str:
     """A ratio as text, in two digits and without powers of ten; "" for nan.
 
-    >>> times(1.234), times(12.34), times(1234.0), times(0.001234)
+    >>> ratio_text(1.234), ratio_text(12.34), ratio_text(1234.0), ratio_text(0.001234)
     ('1.2', '12', '1234', '0.0012')
     """
     return "" if math.isnan(ratio) else f"{ratio:.0f}" if ratio >= 9.95 else f"{ratio:.2g}"

@@ -114,7 +114,7 @@ def unwrapped(
     through as many turns as bring it within pi of ``angle + phase``.
 
     >>> start = 0.877582561890, 0.479425538604
-    >>> round(counted(0.5, start, start, 12.0), 6)  # two turns: 0.5 + 4 pi
+    >>> round(unwrapped(0.5, start, start, 12.0), 6)  # two turns: 0.5 + 4 pi
     13.066371
     """
     (c, s), (c1, s1) = start, now

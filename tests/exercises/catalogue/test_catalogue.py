@@ -67,8 +67,8 @@ def test_chapter_has_a_title(name):
 
 @by_id
 def test_a_problem_is_the_same_whether_asked_for_alone_or_with_its_chapter(p):
-    assert problem(p.id) is p
-    assert p in problems(p.chapter)
+    assert problem(p.id) in problems(p.chapter)
+    assert problem(p.id) is problem(p.id)
 
 
 @by_id

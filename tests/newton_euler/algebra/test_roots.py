@@ -121,7 +121,7 @@ def test_traced_roots_are_pickled_and_carry_rates():
 def test_what_has_no_root_is_refused_in_words():
     with pytest.raises(SingularError, match=r"bracketed by 0.0 and 1.0.*1.0 and 2.0"):
         root(lambda x: x * x + 1, 0.0, 1.0)
-    with pytest.raises(SingularError, match=r"two finite places; got 0\.0 and inf"):
+    with pytest.raises(SingularError, match=r"two finite values; got 0\.0 and inf"):
         root(lambda x: x - 1, 0.0, math.inf)
     with pytest.raises(SingularError, match=r"the function has no value at .*nan"):
         root(lambda x: x + math.nan, 0.0, 1.0)
