@@ -5,7 +5,7 @@ from typing import Any
 from mpmath import mp, mpf
 
 from newton_euler import Frame
-from newton_euler.drawing import Sketch
+from newton_euler.drawing import AnyAxes, Sketch
 
 from .catalogue import in_frame, proofs
 from .catalogue.following import acceleration_of
@@ -16,7 +16,7 @@ __all__ = ["Sketch", "Step", "acceleration_of", "in_frame", "mp", "mpf", "on_gro
 __all__ += ["proofs", *proofs.__all__]
 
 
-def on_ground(ax: Any, **view: Any) -> tuple[Frame, Sketch]:
+def on_ground(ax: AnyAxes, **view: Any) -> tuple[Frame, Sketch]:
     """A ground of its own for a figure, and the sketch on it."""
     ground = Frame("ground")
     return ground, Sketch(ax, ground, **view)

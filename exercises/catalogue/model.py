@@ -21,6 +21,9 @@ from .places import CatalogueError, folder_and_file, home
 from .units import in_unit, system_of
 from .words import word, words_at
 
+if TYPE_CHECKING:
+    from newton_euler.drawing import AnyAxes
+
 
 @dataclass(frozen=True)
 class Chapter:
@@ -154,7 +157,7 @@ class Code(Protocol):
     def mistakes(self, g: Givens) -> dict[str, dict[str, Any]]:
         """{mistake: the wrong answers that it gives}."""
 
-    def draw(self, g: Givens, ax: Any) -> None:
+    def draw(self, g: Givens, ax: "AnyAxes") -> None:
         """The figure."""
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from string import Template
 from typing import Any, NamedTuple
 
+from .page.paper import AnyAxes
 from .page.svg import svg_of
 from .sketch import Sketch
 
@@ -44,7 +45,7 @@ def entries() -> tuple[Entry, ...]:
     return _entries()[1]
 
 
-def draw(entry: Entry, ax: Any) -> Sketch:
+def draw(entry: Entry, ax: AnyAxes) -> Sketch:
     """Draw an entry on ``ax``; returns the sketch."""
     names: dict[str, Any] = {"ax": ax}
     exec(f"{_entries()[0]}\n{entry.code}", names)  # our own text

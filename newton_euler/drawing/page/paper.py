@@ -3,7 +3,7 @@ Matplotlib.
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from ...algebra.errors import ArgumentError, checked
 from ...algebra.scalars import clipped
@@ -12,6 +12,11 @@ from .plots import SETTINGS, NeedsMatplotlib, Plot, Plots
 TITLE = 12  # points, of a title whose size is not given
 GAP = 0.02  # share of the page between panels and around them
 LINE = 1.25  # distance of lines, by their size
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+AnyAxes: TypeAlias = "Panel | Axes"  # what a figure is drawn on
 
 
 class Panel(Plots):

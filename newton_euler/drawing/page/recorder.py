@@ -16,7 +16,7 @@ from ...algebra.vectors import FrameError, Vector, cross3, dot3, sub3
 from ...kinematics.frames import Frame, Point
 from .occlusion import painters_order
 from .on_axes import OnAxes
-from .paper import Page, Panel
+from .paper import AnyAxes, Page, Panel
 from .primitives import Canvas
 from .projection import circle, mean, moved, norm3, plane_view, space_view, unit3
 
@@ -45,7 +45,7 @@ class Recorder:
     @checked_but("ground")
     def __init__(
         self,
-        ax: Any,
+        ax: AnyAxes | None,
         ground: Frame,
         azimuth: float = 35,
         elevation: float = 20,
