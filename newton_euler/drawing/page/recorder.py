@@ -45,7 +45,7 @@ class Recorder:
     @checked_but("ground")
     def __init__(
         self,
-        ax: AnyAxes | None,
+        ax: "AnyAxes | None",
         ground: Frame,
         azimuth: float = 35,
         elevation: float = 20,
