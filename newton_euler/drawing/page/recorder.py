@@ -42,7 +42,7 @@ MAX_PLACES = 10**6  # places of one curve at most
 class Recorder:
     """Records drawing commands, and renders them when the figure is shown or saved."""
 
-    @checked_but("ground")
+    @checked_but("ax", "ground")
     def __init__(
         self,
         ax: "AnyAxes | None",
