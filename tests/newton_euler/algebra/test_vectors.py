@@ -154,6 +154,8 @@ def test_alike_compares_relative_to_the_larger():
     assert not same(ground.vector(math.inf, 0, 0), a)
     assert same(a, 2 * a, 0.5)
     assert same(2 * a, a, 0.5)
+    with pytest.raises(ScalarError, match="components without values"):
+        same(a, ground.vector(sympy.nan, 0, 0))
 
 
 def test_symbols_that_share_a_name_are_not_the_same():
