@@ -15,10 +15,10 @@ steps too, by their keys.
 """
 
 import random
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any
+from typing import Any, TypeAlias
 
 from newton_euler.algebra import scalars
 from newton_euler.algebra.language import Words
@@ -84,9 +84,11 @@ class Step:
         return len(flat(self.value)) == self.kind.length and not isinstance(self.value, str)
 
 
-def terms(
-    vector: Vector, key: str, stated_in: str, section: str = "", number: str = ""
-) -> Iterator[Step]:
+Steps: TypeAlias = Iterator[Step]  # in the order of the solution
+StepsOf: TypeAlias = Callable[[Givens], Steps]
+
+
+def terms(vector: Vector, key: str, stated_in: str, section: str = "", number: str = "") -> Steps:
     """The nonzero named terms of a velocity, an acceleration or another sum as steps
     ``a_D_coriolis`` and so on. ``number``: of the equation, where the chapter's differs from the
     engine's, as (2.25) for (4.18).
