@@ -8,7 +8,7 @@ from pathlib import Path
 from tests.imports import modules
 
 ROOT = Path(__file__).parent.parent
-PACKAGES = "newton_euler", "chapters/examples", "exercises/catalogue", "grader", "website"
+PACKAGES = "newton_euler", "chapters", "exercises/catalogue", "grader", "website"
 FILES = [path for package in PACKAGES for path in modules(ROOT / package).values()]
 
 

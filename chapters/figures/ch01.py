@@ -3,18 +3,23 @@ the clocks that flew round the Earth.
 """
 
 import math
+from collections.abc import Callable, Iterable
+from typing import TypeAlias
 
-from newton_euler import Frame
+from newton_euler import Frame, Point
+from newton_euler.algebra.scalars import Triple
 from newton_euler.classroom import Slider, interactive_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 
 from .sliding import with_sliders
 
 O = (0, 0, 0)
+# ground, platform, horse and its nose at a time
+MerryGoRound: TypeAlias = Callable[[float], tuple[Frame, Frame, Frame, Point]]
 
 
-def curve(t):
+def curve(t: float) -> Triple:
     """A place on the curve of figure 1.1."""
     return 0.5 + 0.35 * t, 0.6 + 0.9 * math.sin(0.8 * t), 0.5 + 0.25 * t - 0.06 * t * t
 
@@ -26,11 +31,11 @@ def curve(t):
     "tangent of the curve at P as the time between the instants gets shorter.",
     size=(6.8, 4.6),
 )
-def position_and_velocity(ax, dt):
+def position_and_velocity(ax: AnyAxes, dt: float) -> None:
     """Figure 1.1: position at two instants, displacement and tangent."""
     ground = Frame("ground")
     P, later = curve(1.0), curve(1.0 + dt)
-    rate = [(b - a) / 1e-6 for a, b in zip(P, curve(1.0 + 1e-6), strict=True)]
+    rate = tuple((b - a) / 1e-6 for a, b in zip(P, curve(1.0 + 1e-6), strict=True))
     s = Sketch(ax, ground, azimuth=35, elevation=22)
     s.axes(O, ground, length=0.5, labels=["x", "y", "z"])
     s.path([curve(0.1 * n) for n in range(41)])
@@ -43,7 +48,7 @@ def position_and_velocity(ax, dt):
     s.label(curve(4.0), "C", bold=False)
 
 
-def places(build, observer, times):
+def places(build: MerryGoRound, observer: int, times: Iterable[float]) -> list[Triple]:
     """The nose at many times, as the observer (by its number) sees it."""
     found = []
     for t in times:
@@ -52,7 +57,7 @@ def places(build, observer, times):
     return found
 
 
-def three_observers(build):
+def three_observers(build: MerryGoRound) -> None:
     """Figure 1.2: the nose of the horse for three observers, from ``build(t)``."""
     times = [2 * math.pi / 0.6 * n / 120 for n in range(121)]
     paths = [places(build, observer, times) for observer in range(3)]
@@ -107,7 +112,7 @@ def _horse(s, frame):
     s.plate([frame.point("", 0, ahead, up) for ahead, up in HORSE], thickness=0.2, shade="dark")
 
 
-def merry_go_round_film(build):
+def merry_go_round_film(build: MerryGoRound) -> Animation:
     """A film: the merry-go-round, seen from the ground."""
     time = 2 * math.pi / 0.6
     ring = places(build, 0, [time * n / 120 for n in range(121)])
@@ -155,7 +160,9 @@ def _clocks_in_words(speed):
     alt=_clocks_in_words,
     size=(6.4, 5.2),
 )
-def clocks(ax, build, speed):
+def clocks(
+    ax: AnyAxes, build: Callable[[float], tuple[Frame, Frame, Point, Point, Point]], speed: float
+) -> None:
     """Figure 1.3: the velocities of three clocks, seen from the stars, from ``build(speed)``."""
     stars, _, *three = build(speed)
     s = Sketch(ax, stars, azimuth=-90, elevation=90)

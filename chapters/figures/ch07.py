@@ -1,24 +1,27 @@
 """The figures of chapter 7: angular momentum, moments of inertia, principal axes, other points."""
 
 import math
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
 
-from newton_euler import Frame, composite, particle
+from newton_euler import Body, Frame, Vector, composite, particle
 from newton_euler.algebra.late import plt
 from newton_euler.bodies import plate
 from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.classroom import Slider, interactive_figure, show_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 
 from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
+Dumbbell: TypeAlias = Callable[[float, float], tuple[Frame, Frame, Body]]  # ground, axle, body
 BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
 RODS = (((-0.5, 0, 0), (-0.5, 0, 1)), ((-0.5, 0, 0), (0.5, 0, 0)), ((0.5, 0, 0), (0.5, 1, 0)))
 
 
-def angle_between(v, w):
+def angle_between(v: Vector, w: Vector) -> float:
     """The angle between two Vectors, in degrees."""
     return math.degrees(math.atan2(float(v.cross(w).norm()), float(v.dot(w))))
 
@@ -43,7 +46,7 @@ def _dumbbell(s, ground, axle, body):
     "angles to the rod, and goes round with it.",
     size=(6.4, 4.8),
 )
-def turning_dumbbell(ax, build, tilt, turn):
+def turning_dumbbell(ax: AnyAxes, build: Dumbbell, tilt: float, turn: float) -> None:
     """Figure 7.1: omega and H of a dumbbell, from ``build(tilt, turn)``."""
     ground, axle, body = build(math.radians(tilt), math.radians(turn))
     s = Sketch(ax, ground, azimuth=-65, elevation=18, arrows=90)
@@ -53,7 +56,7 @@ def turning_dumbbell(ax, build, tilt, turn):
     ax.set_title(f"angle between ω and H: {angle_between(omega, H):.0f}°", fontsize=11)
 
 
-def dumbbell_film(build):
+def dumbbell_film(build: Dumbbell) -> Animation:
     """A film: H goes round with the rod."""
 
     def draw(t, ax):
@@ -78,7 +81,7 @@ def dumbbell_film(build):
     size=(8.4, 3.9),
     panels=(1, 2),
 )
-def two_balls(axes, turn):
+def two_balls(axes: Sequence[AnyAxes], turn: float) -> None:
     """Figure 7.2: two balls in the plane, and their moments and product of inertia."""
     ground, a = Frame("ground"), math.radians(turn)
     A, B = (math.cos(a), math.sin(a), 0), (-math.cos(a), -math.sin(a), 0)
@@ -104,7 +107,7 @@ def two_balls(axes, turn):
     axes[1].legend(frameon=False, ncol=3, loc="lower center", fontsize=9)
 
 
-def racket():
+def racket() -> None:
     """Figure 7.3: a racket that hangs from a nail, with its axes, its centre of mass and the hand."""
     page = Frame("page")
     fig, ax = plt.subplots(figsize=(6.4, 3.4))
@@ -139,7 +142,7 @@ def racket():
     size=(8.4, 3.4),
     panels=(1, 2),
 )
-def rod_and_point(axes, b):
+def rod_and_point(axes: Sequence[AnyAxes], b: float) -> None:
     """Figure 7.4: the thin rod, the point B on its line, and the integrand of I_yy."""
     ground = Frame("ground")
     B = (b, 0, 0)
@@ -164,7 +167,7 @@ def rod_and_point(axes, b):
     "its end at positive x.",
     size=(6, 4.4),
 )
-def three_rods_view(ax, view):
+def three_rods_view(ax: AnyAxes, view: float) -> None:
     """Figure 7.5: the three rods, from all sides."""
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=view, elevation=22)
@@ -190,7 +193,7 @@ def _rods(s):
     size=(8.8, 4.2),
     panels=(1, 2),
 )
-def plate_and_ellipse(axes, turn, b):
+def plate_and_ellipse(axes: Sequence[AnyAxes], turn: float, b: float) -> None:
     """Figure 7.6: a plate, an axis in its plane, omega and H, and the ellipse of inertia."""
     ground, a = Frame("ground"), 1.2
     I = plate(a, b, ground, "z", mass=12.0).about(ground)
@@ -244,7 +247,7 @@ def _moments_over_angle(ax, I, here):
     ax.legend(frameon=False, fontsize=9, loc="upper right")
 
 
-def rods_and_axis():
+def rods_and_axis() -> None:
     """Figure 7.7: the axis of turning goes from x to the three principal axes one after another."""
     ground = Frame("ground")
     I = three_rods(12.0, 1.0, ground).about(ground)
@@ -299,7 +302,7 @@ def rods_and_axis():
     size=(8.4, 3.9),
     panels=(1, 2),
 )
-def propeller(axes, blades, turn):
+def propeller(axes: Sequence[AnyAxes], blades: float, turn: float) -> None:
     """Figure 7.8: a propeller with n blades, and its moment about a fixed axis in its plane."""
     blades, ground = round(blades), Frame("ground")
 
@@ -328,7 +331,7 @@ def propeller(axes, blades, turn):
     "the particle.",
     size=(6, 3.8),
 )
-def vectors_to_particle(ax, place):
+def vectors_to_particle(ax: AnyAxes, place: float) -> None:
     """Figure 7.9: B, G and a particle, with d, rho_i and d_i."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
@@ -344,7 +347,7 @@ def vectors_to_particle(ax, place):
         s.dot(point, name)
 
 
-def shifted_axis(build):
+def shifted_axis(build: Callable[[], Body]) -> None:
     """Figure 7.10: the moment of the three rods about axes parallel to x, from ``build()``."""
     body = build()
     frame, mass, G = body.frame, float(body.mass), body.centre
@@ -387,7 +390,7 @@ def shifted_axis(build):
     "B whose radius is the radius of gyration; the centre of mass of the rod is always inside.",
     size=(5.6, 4.6),
 )
-def ring_of_gyration(ax, b):
+def ring_of_gyration(ax: AnyAxes, b: float) -> None:
     """Figure 7.11: a rod about an axis across it, and the ring of the same mass and moment."""
     ground, k = Frame("ground"), math.sqrt(1 / 12 + (b - 0.5) ** 2)
     s = Sketch(ax, ground, plane="xy")
@@ -408,7 +411,9 @@ def ring_of_gyration(ax, b):
     "r below. The centre of mass G lies on the z axis.",
     size=(5.6, 5),
 )
-def machine_part(ax, build, h, s):
+def machine_part(
+    ax: AnyAxes, build: Callable[[float, float, float], Body], h: float, s: float
+) -> None:
     """Figure 7.12: the machine part, from ``build(r, h, s)``."""
     r = 0.1
     body = build(r, h, s)
@@ -427,7 +432,7 @@ def machine_part(ax, build, h, s):
     ax.set_title(moments, fontsize=11)
 
 
-def particles_along(length, count, mass, frame, start):
+def particles_along(length: float, count: int, mass: float, frame: Frame, start: float) -> Body:
     """``count`` equal particles, in the middles of equal parts of a rod along x from ``start``."""
     step = length / count
     places = (frame.point("", start + (n + 0.5) * step, 0, 0) for n in range(count))

@@ -1,12 +1,16 @@
 """The figures of chapter 8: the moment that a motion needs, planar motion, forces that are moved."""
 
 import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeAlias
 
-from newton_euler import Frame, axis_angle
+from newton_euler import Body, Frame, Point, axis_angle
 from newton_euler.algebra.late import np, plt
+from newton_euler.algebra.linear import Solution
+from newton_euler.algebra.scalars import Triple
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.classroom import Slider, interactive_figure, show_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics import angular_momentum, resultant_moment
 from newton_euler.kinematics.rotations import (
@@ -20,6 +24,7 @@ from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
+TurningRods: TypeAlias = Callable[..., tuple[Frame, Body, Point]]  # ground, body, point on the axis
 
 
 @with_sliders(
@@ -31,7 +36,13 @@ O = (0, 0, 0)
     "right angles to the plane of shaft and rod, the way the tip of H moves.",
     size=(6.4, 4.6),
 )
-def dumbbell(ax, build, tilt, rate, acceleration):
+def dumbbell(
+    ax: AnyAxes,
+    build: Callable[[float, float, float], tuple[Frame, Frame, Body]],
+    tilt: float,
+    rate: float,
+    acceleration: float,
+) -> None:
     """Figure 8.1: omega, H and M of a dumbbell, from ``build(tilt, rate, acceleration)``."""
     ground, axle, body = build(math.radians(tilt), rate, acceleration)
     places = [part.centre for part in body.parts]
@@ -52,7 +63,7 @@ def dumbbell(ax, build, tilt, rate, acceleration):
     "cancel; if they are turned away from it a couple is left.",
     size=(6, 4),
 )
-def internal_forces(ax, off):
+def internal_forces(ax: AnyAxes, off: float) -> None:
     """Figure 8.2: two particles that pull at each other, along their line or not."""
     ground = Frame("ground")
     P, Q, F = (1.1, 0.35, 0), (2.0, 1.25, 0), 0.6
@@ -77,7 +88,9 @@ def internal_forces(ax, off):
     "must give a moment; leaning forward at the angle whose tangent is a over g it needs none.",
     size=(6.4, 4.2),
 )
-def pole_on_truck(ax, build, a, tilt):
+def pole_on_truck(
+    ax: AnyAxes, build: Callable[[float, float], tuple[Frame, Body, Point]], a: float, tilt: float
+) -> None:
     """Figure 8.3: a pole on a truck, from ``build(a, tilt)``: ground, pole, foot."""
     ground, pole, foot = build(a, math.radians(tilt))
     mass, up = float(pole.mass), ground.vector(0, 0, 9.81)
@@ -99,7 +112,7 @@ def pole_on_truck(ax, build, a, tilt):
     ax.set_title(f"moment that the foot must give: {moment:.1f} N m", fontsize=11)
 
 
-def three_spins(times, runs):
+def three_spins(times: Sequence[float], runs: Mapping[str, "np.ndarray"]) -> None:
     """Figure 8.4: omega over time for spins about the three principal axes, disturbed a little."""
     fig, axes = plt.subplots(1, 3, figsize=(9.6, 3.4), sharey=True, layout="constrained")
     looks = ("x", BLUE, "-"), ("y", RED, "--"), ("z", GREEN, "-.")
@@ -118,7 +131,7 @@ def three_spins(times, runs):
     )
 
 
-def attitudes(times, rates):
+def attitudes(times: "np.ndarray", rates: "np.ndarray") -> list[tuple[Triple, float]]:
     """The attitude of a body at these times, as (axis, angle), from the components of omega on its
     own axes: in each step it turns about the mean omega.
     """
@@ -131,7 +144,9 @@ def attitudes(times, rates):
     return found
 
 
-def flipping_handle(times, rates, bar=0.12, stem=0.08, every=15):
+def flipping_handle(
+    times: "np.ndarray", rates: "np.ndarray", bar: float = 0.12, stem: float = 0.08, every: int = 15
+) -> Animation:
     """A film: a T-handle spins about its stem, flips over, flips back; ``rates``: its omega."""
     shift = stem / 8  # G is a quarter of the way from the bar to the middle of the stem
     turned = dict(zip(times, attitudes(times, rates), strict=True))
@@ -162,7 +177,9 @@ def _rods(s, frame):
         s.rod(frame.point("", *A), frame.point("", *B))
 
 
-def turning_rods(build, words, azimuth=-60, acceleration=0.0):
+def turning_rods(
+    build: TurningRods, words: str, azimuth: float = -60, acceleration: float = 0.0
+) -> None:
     """Figures 8.5 to 8.7: the three rods with omega, H and M, from ``build(rate, acceleration)``:
     ground, body, point; ``words`` names the axis, ``azimuth`` is the direction of view,
     ``acceleration`` the rate of omega at the start.
@@ -202,7 +219,9 @@ def turning_rods(build, words, azimuth=-60, acceleration=0.0):
     "shaft that grows with the square of the rate.",
     size=(6.2, 4.4),
 )
-def unbalanced_wheel(ax, build, apart, rate):
+def unbalanced_wheel(
+    ax: AnyAxes, build: Callable[[float, float], tuple[Frame, Body]], apart: float, rate: float
+) -> None:
     """Figure 8.8: a wheel with two small weights, from ``build(apart, rate)``: ground, body."""
     ground, body = build(math.radians(apart), rate)
     s = Sketch(ax, ground, azimuth=-60, elevation=16, arrows=90)
@@ -226,7 +245,7 @@ def unbalanced_wheel(ax, build, apart, rate):
     "smaller the acceleration.",
     size=(5, 4.6),
 )
-def drum_and_load(ax, solve, drum):
+def drum_and_load(ax: AnyAxes, solve: Callable[[float], Solution], drum: float) -> None:
     """Figure 8.9: a drum lowers a load on a rope, from ``solve(drum)``: a and T for its mass."""
     found = solve(drum)
     ground, C, r = Frame("ground"), (0, 0, 1.0), 0.3
@@ -252,7 +271,9 @@ def drum_and_load(ax, solve, drum):
     size=(8.8, 3.8),
     panels=(1, 2),
 )
-def sphere(axes, v0, mu, g, radius, t, spin):
+def sphere(
+    axes: Sequence[AnyAxes], v0: float, mu: float, g: float, radius: float, t: float, spin: float
+) -> None:
     """Figure 8.10: the sphere at a time, and its speeds over time."""
     slip0 = v0 + spin * radius
     given = (v0, mu, g, radius, spin, None, 1 if slip0 >= 0 else -1)
@@ -293,7 +314,7 @@ def _turned(t, given):
     "rod is pushed.",
     size=(6.4, 3.6),
 )
-def pushed_rod(ax, b):
+def pushed_rod(ax: AnyAxes, b: float) -> None:
     """Figure 8.11: a rod on ice that is pushed, and the accelerations of its points."""
     ground, m, length, F = Frame("ground"), 2.0, 1.0, 10.0
     a, alpha = F / m, F * b / (m * length**2 / 12)
@@ -307,7 +328,7 @@ def pushed_rod(ax, b):
     ax.set_title(f"no acceleration at {rest}; at G {a:.1f} m/s²", fontsize=11)
 
 
-def chatter(times, slips, exact):
+def chatter(times: Sequence[float], slips: Sequence[float], exact: Sequence[float]) -> None:
     """Figure 8.12: the slip of the sphere by equal steps of one rule with sign(slip)."""
     fig, ax = plt.subplots(figsize=(6.4, 3.3))
     ax.plot(times, exact, color="black", label="exact")
@@ -321,7 +342,7 @@ def chatter(times, slips, exact):
     )
 
 
-def rods_film(build):
+def rods_film(build: TurningRods) -> Animation:
     """A film: the three rods turn about x at a constant rate; M goes round with them."""
 
     def draw(t, ax):

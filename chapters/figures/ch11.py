@@ -1,14 +1,18 @@
 """The figures of chapter 11: work as an area, energies as bars beside what moves."""
 
 import math
+from collections.abc import Callable, Mapping, Sequence
 from itertools import accumulate, pairwise
 
 from newton_euler import Frame, integrate, prepare, sin, work_along
 from newton_euler.algebra.late import np, plt
+from newton_euler.algebra.ledger import Amount
 from newton_euler.classroom import Slider, interactive_figure, show_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved, on_circle, on_plane
 from newton_euler.dynamics.energy import gyroscope_energy
+from newton_euler.dynamics.work import Field
+from newton_euler.kinematics.paths import Path
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial.top import euler
 
@@ -22,7 +26,9 @@ HATCHES = "", "//", "..", ""
 STYLES = "-", "--", ":", "-."
 
 
-def bars(ax, energies, low, high, unit="J"):
+def bars(
+    ax: AnyAxes, energies: Mapping[str, float], low: float, high: float, unit: str = "J"
+) -> None:
     """Draw energies by name as bars, with their values; ``low`` to ``high`` is the scale."""
     for n, x in enumerate(energies.values()):
         ax.bar(n, x, 0.6, color=COLOURS[n], hatch=HATCHES[n], edgecolor="white")
@@ -46,7 +52,7 @@ def _name_scale(ax, name):
 # -- work
 
 
-def tug(pull, track, winch):
+def tug(pull: Field, track: Path, winch: tuple[float, float]) -> None:
     """Figure 11.1: a sledge pulled towards a winch, and the work as an area."""
     ground, q = Frame("ground"), evenly(0, 8, 241)
     places = [ground.vector(*track(x)) for x in q]
@@ -101,7 +107,7 @@ def _area(ax, s, F_t, n):
     "angles to r.",
     size=(6.4, 4.2),
 )
-def couple(ax, angle):
+def couple(ax: AnyAxes, angle: float) -> None:
     """Figure 11.2: the two forces of a couple, and the velocities of the points they act on."""
     ground = Frame("ground")
     C = ground.point("C", 0.2, 0, 0)
@@ -133,7 +139,14 @@ def couple(ax, angle):
     size=(8.6, 4.2),
     panels=(1, 2),
 )
-def pendulum_with_pin(axes, speed, cord, pin, angle, way):
+def pendulum_with_pin(
+    axes: Sequence[AnyAxes],
+    speed: Callable[[float], float],
+    cord: float,
+    pin: float,
+    angle: float,
+    way: float,
+) -> None:
     """Figure 11.3: the ball on its two arcs; ``speed`` is a function of the depth."""
     rest = cord - pin
     first = cord * angle / (cord * angle + rest * math.pi / 2)
@@ -150,8 +163,8 @@ def pendulum_with_pin(axes, speed, cord, pin, angle, way):
     v, B = speed(-ball[1]), (0, -pin, 0)
     sketch = Sketch(axes[0], Frame("ground"), plane="xy")
     sketch.path([place(n / 60)[0] for n in range(61)], style="dotted")
-    for stops in [(O, ball)] if way / 100 < first else [(O, B), (B, ball)]:
-        sketch.line(*stops, style="solid")
+    for start, end in [(O, ball)] if way / 100 < first else [(O, B), (B, ball)]:
+        sketch.line(start, end, "solid")
     for nail in (O, B):
         sketch.hinge(nail)
     sketch.sphere(ball, 0.03)
@@ -171,7 +184,7 @@ def pendulum_with_pin(axes, speed, cord, pin, angle, way):
     size=(9, 3.9),
     panels=(1, 2),
 )
-def two_works(axes, forces, bulge):
+def two_works(axes: Sequence[AnyAxes], forces: Mapping[str, Field], bulge: float) -> None:
     """Figure 11.4: the work of each of two forces on paths from A to B that bulge differently."""
     grid = [n / 3 for n in range(-4, 11)]
     works = {
@@ -204,7 +217,14 @@ def _bulging(q, bulge):
     size=(9, 4),
     panels=(1, 2),
 )
-def satellite(axes, speed, mu, nearest, farthest, round_):
+def satellite(
+    axes: Sequence[AnyAxes],
+    speed: Callable[[float], float],
+    mu: float,
+    nearest: float,
+    farthest: float,
+    round_: float,
+) -> None:
     """Figure 11.5: a satellite on an ellipse and its energies; ``speed`` of the distance, SI."""
     e = (farthest - nearest) / (farthest + nearest)
 
@@ -229,7 +249,7 @@ def satellite(axes, speed, mu, nearest, farthest, round_):
     bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -70, 60, "MJ/kg")
 
 
-def sliding_block(m, slope, mu, length):
+def sliding_block(m: float, slope: float, mu: float, length: float) -> None:
     """Figure 11.6: a block that slides down against friction, and where the energy goes."""
     down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
     a = G_SI * (math.sin(slope) - mu * math.cos(slope))
@@ -261,7 +281,7 @@ def sliding_block(m, slope, mu, length):
     )
 
 
-def weight_on_spring(m, stiffness):
+def weight_on_spring(m: float, stiffness: float) -> None:
     """Figure 11.7: a weight let go on a spring without load, and its potential energies."""
     lowest = 2 * m * G_SI / stiffness
     x = evenly(-0.1 * lowest, 1.15 * lowest, 121)
@@ -312,7 +332,7 @@ def weight_on_spring(m, stiffness):
     "components along the line from i to j, drawn as shorter arrows, are equal.",
     size=(6.4, 4.4),
 )
-def pair_in_a_body(ax, turn):
+def pair_in_a_body(ax: AnyAxes, turn: float) -> None:
     """Figure 11.8: the velocities of two points of a rigid body and their parts along the line."""
     ground = Frame("ground")
     body = ground.rotate("body", "z", angle=math.radians(turn), rate=1.0)
@@ -322,7 +342,7 @@ def pair_in_a_body(ax, turn):
     sketch = Sketch(ax, ground, plane="xy")
     corners = ((-1, -0.5), (1, -0.5), (1, 0.55), (-1, 0.55))
     sketch.plate([body.point("", x, y, 0) for x, y in corners], shade="light")
-    sketch.line(*ends.values())
+    sketch.line(ends["i"], ends["j"])
     for name, P in ends.items():
         v = P.velocity(ground) + drift
         along = v.dot(line)
@@ -340,7 +360,7 @@ def pair_in_a_body(ax, turn):
     "particle and cancels over the whole body.",
     size=(6.6, 4.2),
 )
-def particle_of_a_body(ax, turn):
+def particle_of_a_body(ax: AnyAxes, turn: float) -> None:
     """Figure 11.9: a particle of a rigid body from the centre of mass, and its velocity."""
     ground = Frame("ground")
     G = (1.2, 0.7, 0)
@@ -368,7 +388,15 @@ def particle_of_a_body(ax, turn):
     size=(9, 3.9),
     panels=(1, 2),
 )
-def rolling_sphere(axes, energy, speed, m, R, slope, s):
+def rolling_sphere(
+    axes: Sequence[AnyAxes],
+    energy: Callable[[float], Amount],
+    speed: Callable[[float], float],
+    m: float,
+    R: float,
+    slope: float,
+    s: float,
+) -> None:
     """Figure 11.10: a sphere rolls down 1 m; ``energy(v)`` has terms, ``speed`` is that after a
     drop.
     """
@@ -390,7 +418,9 @@ def rolling_sphere(axes, energy, speed, m, R, slope, s):
     bars(axes[1], values, 0, 1.2 * weight * math.sin(slope))
 
 
-def race(speeds, slope, length=2.0):
+def race(
+    speeds: Mapping[str, Callable[[float], float]], slope: float, length: float = 2.0
+) -> Animation:
     """A film: bodies start together on equal inclines; ``speeds``: by name, after a drop."""
     R = 0.1
     down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
@@ -424,7 +454,7 @@ def race(speeds, slope, length=2.0):
     )
 
 
-def top_energies(I0, I, mgr, spin):
+def top_energies(I0: float, I: float, mgr: float, spin: float) -> None:
     """Figure 11.11: the terms of the energy of a top that is let go with its axis at rest."""
     motion = integrate(euler(I0, I, mgr, spin), 1.0, (0.0, 0.6, 0.0, 0.0, 0.0), samples=201)
     s = motion.states
@@ -447,7 +477,7 @@ def top_energies(I0, I, mgr, spin):
     )
 
 
-def pendulum_levels(m, I, l):
+def pendulum_levels(m: float, I: float, l: float) -> None:
     """Figure 11.12: the potential of a pendulum, a level of its energy, and the motion there."""
     swing = prepare(physical_pendulum(m, I, l, G_SI))
     angles = evenly(-180, 180, 181)
@@ -490,7 +520,12 @@ def pendulum_levels(m, I, l):
     size=(9, 3.6),
     panels=(1, 2),
 )
-def two_carts(axes, carts, period, t):
+def two_carts(
+    axes: Sequence[AnyAxes],
+    carts: Callable[[float], tuple[float, float, Mapping[str, float]]],
+    period: float,
+    t: float,
+) -> None:
     """Figure 11.13: two carts pushed apart by a spring; ``carts(t)`` gives x1, x2 and energies."""
     x1, x2, energies = carts(0.01 * t * period)
     ground = Frame("ground")
@@ -513,7 +548,9 @@ def two_carts(axes, carts, period, t):
     "cube; the sum is the heavy line.",
     size=(7, 4.2),
 )
-def powers_of_a_car(ax, powers, a, slope):
+def powers_of_a_car(
+    ax: AnyAxes, powers: Callable[[float, float, float], Amount], a: float, slope: float
+) -> None:
     """Figure 11.14: the power at the wheels against the speed, from ``powers(v, a, slope)``."""
     v = evenly(0.5, 40, 80)
     found = [powers(x, a, math.atan(slope / 100)) for x in v]
