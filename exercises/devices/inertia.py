@@ -18,7 +18,8 @@ def matrix(
 
 def together(frame: Frame, parts: Iterable[Body], removed: Iterable[Body] = ()) -> Inertia:
     """The :class:`Inertia` of all parts at the origin of ``frame``."""
-    return sum(part.about(frame) for part in (*parts, *(-hole for hole in removed)))
+    first, *others = (part.about(frame) for part in (*parts, *(-hole for hole in removed)))
+    return sum(others, first)
 
 
 def answer(I: Inertia) -> Answers:

@@ -1,8 +1,7 @@
 """The nozzle of 4/2 (and 3/14), turning about the vertical through O, with outward flow."""
 
-from collections.abc import Callable
-
-from exercises.tools import AnyAxes, Givens, Number, Sketch, mp, rot, times
+from exercises.annotations import AnyAxes, Givens, Path
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, Point, moving
 
 
@@ -14,7 +13,7 @@ def nozzle_and_particle(g: Givens) -> tuple[Frame, Frame, Point]:
     return ground, turning, nozzle.point("P", 0, 0, moving(g.d, rate=g.nu))
 
 
-def particle_in_time(g: Givens) -> Callable[[Number], list[Number]]:
+def particle_in_time(g: Givens) -> Path:
     """Proof: position of the particle over time."""
     d = lambda t: g.d + g.nu * t
     return lambda t: times(rot("z", g.omega * t), [d(t) * mp.sin(g.tilt), 0, d(t) * mp.cos(g.tilt)])

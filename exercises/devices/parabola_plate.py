@@ -1,7 +1,8 @@
 """The plate of 5/16 and 7/16: between the x axis, a parabola with its vertex at O, and x = a."""
 
+from exercises.annotations import AnyAxes, Givens, Number
 from exercises.devices.plate_under_curve import PLATE, Height
-from exercises.tools import AnyAxes, Givens, Number, Sketch, mp
+from exercises.tools import Sketch, mp
 
 
 def height(g: Givens) -> Height:

@@ -1,6 +1,7 @@
 """A planet whose mass is radially symmetric, for the proofs of 5/17 and 5/18."""
 
-from exercises.tools import Number, mean, shell
+from exercises.annotations import Number
+from exercises.tools import mean, shell
 
 
 def pull(mass: Number, radius: Number, distance: Number) -> Number:

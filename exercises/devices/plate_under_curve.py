@@ -3,7 +3,8 @@
 from collections.abc import Callable
 from typing import TypeAlias
 
-from exercises.tools import Answers, Givens, Scalar, Solve, Step, Steps, StepsOf, Triple
+from exercises.annotations import Answers, Givens, Scalar, Solve, Steps, StepsOf, Triple
+from exercises.tools import Step
 from newton_euler import Frame, integral
 
 PLATE = Frame("plate")

@@ -1,6 +1,7 @@
 """The plate of 5/5 and 7/5: a rectangle with a corner at O and six holes in two rows."""
 
-from exercises.tools import AnyAxes, Givens, Scalar, Sketch
+from exercises.annotations import AnyAxes, Givens, Scalar
+from exercises.tools import Sketch
 from newton_euler import Body, Frame
 from newton_euler.bodies import disk, plate
 

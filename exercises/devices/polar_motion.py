@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 
-from exercises.tools import Givens, Mistakes, Solve, Step, Steps, StepsOf, terms
+from exercises.annotations import Givens, Mistakes, Solve, Steps, StepsOf
+from exercises.tools import Step, terms
 from newton_euler import Frame, Point, Vector
 from newton_euler.algebra import Moving
 

@@ -3,7 +3,8 @@
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
-from exercises.tools import Answers, Givens, Number, Scalar, Solve, Step, Steps, StepsOf, mp, proofs
+from exercises.annotations import Answers, Givens, Number, Path, Scalar, Solve, Steps, StepsOf
+from exercises.tools import Step, mp, proofs
 from newton_euler import Body, Frame, Point, centre_of_mass
 
 SYMBOLS = {"length": "l", "area": "A", "volume": "V", "mass": "m"}
@@ -114,8 +115,6 @@ def chord(distance: Number, radius: Number) -> Number:
     return 2 * mp.sqrt(max(radius**2 - distance**2, 0))
 
 
-def walked(
-    path: Callable[[Number], list[Number]], length: Number, breaks: Sequence[Number]
-) -> Answers:
+def walked(path: Path, length: Number, breaks: Sequence[Number]) -> Answers:
     """Proof for a wire: the mean of ``path(s)`` over arc length s, with corners at ``breaks``."""
     return proved("length", length, proofs.integral(path, 0, length, breaks))

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 
-from exercises.tools import AnyAxes, Givens, Number, Scalar, Sketch, mp, plus, until
+from exercises.annotations import AnyAxes, Givens, Number, Scalar
+from exercises.tools import Sketch, mp, plus, until
 from newton_euler import Frame, Point, pi
 from newton_euler.dynamics import constant_force_work, weight
 

@@ -1,9 +1,8 @@
 """The robot arm of 4/3, 3/25: perpendicular links OA, AP in a plane that turns with the base."""
 
-from collections.abc import Callable
-
+from exercises.annotations import AnyAxes, Givens, Path
 from exercises.devices.boom import turning_boom
-from exercises.tools import AnyAxes, Givens, Number, Sketch, mp, rot, times
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, Point, moving
 
 
@@ -13,7 +12,7 @@ def robot(g: Givens) -> tuple[Frame, Frame, Point]:
     return ground, base, arms.point("P", g.l_AP, 0, g.l_OA)
 
 
-def tip_in_time(g: Givens) -> Callable[[Number], list[Number]]:
+def tip_in_time(g: Givens) -> Path:
     """Proof: position of P over time."""
 
     def P(t):

@@ -7,8 +7,9 @@ and ``N`` the forces of the surface on the body along x and y.
 
 from collections.abc import Callable, Sequence
 
-from exercises.tools import Number, Points, Scalar, plus, rot, times
+from exercises.annotations import Number, Points, Scalar
 from exercises.tools import disk as points_of_disk
+from exercises.tools import plus, rot, times
 from newton_euler import Body, Frame, equations_of_motion, moving, solve_linear
 from newton_euler.algebra import Solution
 from newton_euler.bodies import disk

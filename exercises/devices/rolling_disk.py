@@ -2,25 +2,8 @@
 
 from collections.abc import Callable
 
-from exercises.tools import (
-    Answers,
-    AnyAxes,
-    Givens,
-    Matrix,
-    Number,
-    Scalar,
-    Sketch,
-    Step,
-    Steps,
-    minus,
-    mp,
-    plus,
-    proofs,
-    rate,
-    rot,
-    scaled,
-    times,
-)
+from exercises.annotations import Answers, AnyAxes, Givens, Matrix, Number, Path, Scalar, Steps
+from exercises.tools import Sketch, Step, minus, mp, plus, proofs, rate, rot, scaled, times
 from newton_euler import Frame, Point, pi, solve_rates
 
 
@@ -82,7 +65,7 @@ def orientation(g: Givens) -> Callable[[Number], Matrix]:
     return lambda t: times(rot("y", theta(t)), rot([0, 0, -1], g.R * theta(t) / g.r))
 
 
-def rim_point(g: Givens) -> Callable[[Number], list[Number]]:
+def rim_point(g: Givens) -> Path:
     """Proof: position of A over time, from the directions of travel and of the vertical."""
 
     def A(t):

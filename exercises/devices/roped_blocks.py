@@ -4,11 +4,12 @@ up.
 The rope pulls each block along a line toward the pulley.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from exercises.tools import AnyAxes, Givens, Number, Scalar, Sketch, Step, Steps, minus, rate, root
+from exercises.annotations import AnyAxes, Givens, Number, Path, Scalar, Steps
+from exercises.tools import Sketch, Step, minus, rate, root
 from newton_euler import Frame, cos, pi, sin, tan
 from newton_euler.algebra.vectors import Vector
 from newton_euler.dynamics import mass_from_weight
@@ -83,11 +84,7 @@ def block_steps(A: Block, B: Block, laws: str) -> Steps:
 
 
 def by_energy(
-    g: Givens,
-    W_A: Number,
-    W_B: Number,
-    places: Sequence[Callable[[Number], list[Number]]],
-    reach: Number,
+    g: Givens, W_A: Number, W_B: Number, places: Sequence[Path], reach: Number
 ) -> tuple[Number, Number]:
     """Proof: the second rate of the length of rope at B, and its tension, from the energy.
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from exercises.tools import (
+from exercises.annotations import (
     Answers,
     AnyAxes,
     Follows,
@@ -11,19 +11,11 @@ from exercises.tools import (
     Number,
     Points,
     Scalar,
-    Sketch,
     Solve,
-    Step,
     Steps,
     StepsOf,
-    in_frame,
-    mpf,
-    proofs,
-    rate,
-    rot,
-    size,
-    terms,
 )
+from exercises.tools import Sketch, Step, in_frame, mpf, proofs, rate, rot, size, terms
 from newton_euler import Body, Frame, Point, composite, dynamics
 from newton_euler.applications import balance, reactions
 from newton_euler.applications.rotors import Reactions

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 
-from exercises.tools import AnyAxes, Givens, Number, Points, Scalar, Sketch, proofs
+from exercises.annotations import AnyAxes, Givens, Number, Points, Scalar
+from exercises.tools import Sketch, proofs
 from newton_euler import Body, Frame, bodies
 
 SATELLITE = Frame("satellite")

@@ -1,8 +1,7 @@
 """The screw-jack of 4/1 (and 3/12), which rises by one lead per turn; A ends its handle."""
 
-from collections.abc import Callable
-
-from exercises.tools import AnyAxes, Givens, Number, Scalar, Sketch, at_angle, mp
+from exercises.annotations import AnyAxes, Givens, Path, Scalar
+from exercises.tools import Sketch, at_angle, mp
 from newton_euler import Frame, Point, cos, moving, pi, sin
 
 
@@ -18,7 +17,7 @@ def screw_in_nut(g: Givens, rise: Scalar, n: Scalar) -> tuple[Frame, Frame, Poin
     return ground, rising, rising.rotate("screw", "z", rate=n).point("A", g.a, 0, 0)
 
 
-def handle_in_time(g: Givens) -> Callable[[Number], list[Number]]:
+def handle_in_time(g: Givens) -> Path:
     """Proof: position of A over time, a circle about the axis and the lead times the turns."""
     return lambda t: at_angle(g.a, g.n * t, g.lead * g.n * t / (2 * mp.pi))
 

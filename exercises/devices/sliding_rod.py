@@ -5,26 +5,13 @@ omega grows at alpha (clockwise), and u falls at dec, if they are given.
 
 from collections.abc import Callable
 
+from exercises.annotations import Answers, AnyAxes, Functions, Givens, Mistakes, Number, Scalar
 from exercises.devices.turning_plate import motion, motion_steps, proof, turning
-from exercises.tools import (
-    Answers,
-    AnyAxes,
-    Draw,
-    Givens,
-    Mistakes,
-    Number,
-    Scalar,
-    Sketch,
-    Solve,
-    StepsOf,
-    in_frame,
-)
+from exercises.tools import Sketch, in_frame
 from newton_euler import Frame, Point, moving
 
 
-def about(
-    name: str, side: int
-) -> tuple[Callable[[Givens], tuple[Frame, Point]], Solve, StepsOf, Solve, Draw]:
+def about(name: str, side: int) -> tuple[Callable[[Givens], tuple[Frame, Point]], *Functions]:
     """The end ``name`` as a function of g, and ``solve``, ``steps``, ``prove`` and ``draw`` for it;
     ``side``: -1 or 1, along i from A.
     """

@@ -1,8 +1,9 @@
 """The slotted arm of 2/24, 2/25, turning about O, with the pin P of a crank CP in it; OC = CP."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
-from exercises.tools import AnyAxes, Givens, Number, Sketch, at_angle, plus, rot, times
+from exercises.annotations import AnyAxes, Givens, Number, Path
+from exercises.tools import Sketch, at_angle, plus, rot, times
 from newton_euler import Frame, cos, moving, sin
 from newton_euler.algebra import Moving
 
@@ -13,7 +14,7 @@ def turning(g: Givens) -> tuple[Moving, Moving]:
     return theta, 2 * g.b * cos(theta)
 
 
-def crank(g: Givens) -> Callable[[Number], list[Number]]:
+def crank(g: Givens) -> Path:
     """Proof: P over time; the angle at the centre is twice that at the circumference."""
     return lambda t: plus([g.b, 0, 0], at_angle(g.b, 2 * (g.theta + g.omega * t)))
 

@@ -5,7 +5,8 @@ constraints conserve the angular momentum about the vertical.
 
 from collections.abc import Callable, Sequence
 
-from exercises.tools import Number, Scalar, mp, proofs
+from exercises.annotations import Number, Scalar
+from exercises.tools import mp, proofs
 from newton_euler import Frame, particle, sqrt
 from newton_euler.dynamics import kinetic_energy, weight_potential
 

@@ -2,18 +2,8 @@
 
 from collections.abc import Callable
 
-from exercises.tools import (
-    AnyAxes,
-    Givens,
-    Number,
-    Sketch,
-    at_angle,
-    elevation,
-    mp,
-    second_rate,
-    spherical_axes,
-    times,
-)
+from exercises.annotations import AnyAxes, Givens, Number, Path
+from exercises.tools import Sketch, at_angle, elevation, mp, second_rate, spherical_axes, times
 from newton_euler import Frame, cos, kinematics, sin
 
 
@@ -21,19 +11,19 @@ def place_in_time(
     R: Callable[[Number], Number],
     theta: Callable[[Number], Number],
     phi: Callable[[Number], Number],
-) -> Callable[[Number], list[Number]]:
+) -> Path:
     """Proof: position over time from coordinates over time."""
     across = lambda t: R(t) * mp.cos(phi(t))
     up = lambda t: R(t) * mp.sin(phi(t))
     return lambda t: at_angle(across(t), theta(t), up(t))
 
 
-def local_acceleration(A: Callable[[Number], list[Number]], t: Number = 0) -> list[Number]:
+def local_acceleration(A: Path, t: Number = 0) -> list[Number]:
     """Proof: acceleration of A, a position over time, along e_R, e_theta, e_phi."""
     return times(spherical_axes(A(t)), second_rate(A, t))
 
 
-def elevation_in_time(A: Callable[[Number], list[Number]]) -> Callable[[Number], Number]:
+def elevation_in_time(A: Path) -> Callable[[Number], Number]:
     """Proof: elevation of A, a position over time."""
     return lambda t: elevation(A(t))
 

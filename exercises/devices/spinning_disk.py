@@ -3,24 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from exercises.annotations import Answers, Follows, Givens, Number, Scalar, Steps
 from exercises.devices.rotor import SMALL, state
-from exercises.tools import (
-    Answers,
-    Follows,
-    Givens,
-    Number,
-    Scalar,
-    Step,
-    Steps,
-    disk,
-    in_frame,
-    plus,
-    proofs,
-    rate,
-    rot,
-    size,
-    times,
-)
+from exercises.tools import Step, disk, in_frame, plus, proofs, rate, rot, size, times
 from newton_euler import Body, Frame, Point, Vector, bodies, dynamics
 
 

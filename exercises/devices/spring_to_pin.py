@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Sequence
 
-from exercises.tools import Number, minus, scaled, size
+from exercises.annotations import Number
+from exercises.tools import minus, scaled, size
 
 
 def pull(

@@ -9,23 +9,8 @@ equations of a gyroscope.
 from collections.abc import Callable
 from typing import cast
 
-from exercises.tools import (
-    Answers,
-    Matrix,
-    Number,
-    Points,
-    Scalar,
-    carried,
-    mean,
-    moment_needed,
-    mp,
-    mpf,
-    plus,
-    ring,
-    root,
-    rot,
-    times,
-)
+from exercises.annotations import Answers, Matrix, Number, Points, Scalar
+from exercises.tools import carried, mean, moment_needed, mp, mpf, plus, ring, root, rot, times
 from newton_euler import Frame, dynamics, euler_frame
 
 

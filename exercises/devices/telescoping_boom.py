@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 
-from exercises.tools import AnyAxes, Number, Scalar, Sketch, mp, rot, times
+from exercises.annotations import AnyAxes, Number, Path, Scalar
+from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, moving, pi, spherical
 from newton_euler.algebra import Moving
 from newton_euler.kinematics.coordinates import CoordinatePoint
@@ -17,7 +18,7 @@ def boom_end(omega: Scalar, beta: Moving, length: Scalar) -> tuple[Frame, Coordi
 
 def end_in_time(
     omega: Number, beta: Callable[[Number], Number], length: Callable[[Number], Number]
-) -> Callable[[Number], list[Number]]:
+) -> Path:
     """Proof: position of A over time, from functions ``beta`` and ``length`` of time."""
     along = lambda t: [length(t) * mp.sin(beta(t)), 0, length(t) * mp.cos(beta(t))]
     return lambda t: times(rot("z", omega * t), along(t))

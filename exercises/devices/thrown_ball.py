@@ -1,8 +1,7 @@
 """The ball of 2/7 and 2/8, thrown to hit a vertical wall as high as possible."""
 
-from collections.abc import Callable
-
-from exercises.tools import AnyAxes, Givens, Number, Scalar, Sketch, mp, rate, root
+from exercises.annotations import AnyAxes, Givens, Number, Path, Scalar
+from exercises.tools import Sketch, mp, rate, root
 from newton_euler import Frame, kinematics, moving, sqrt
 from newton_euler.drawing.page.recorder import Place
 
@@ -36,7 +35,7 @@ def proved_height(g: Givens, gam: Number) -> Number:
     return proved_path(g, gam)(g.d / (g.v_0 * mp.cos(gam)))[1]
 
 
-def proved_path(g: Givens, gam: Number) -> Callable[[Number], list[Number]]:
+def proved_path(g: Givens, gam: Number) -> Path:
     """Proof: position of the ball over time."""
     return lambda t: [g.v_0 * mp.cos(gam) * t, g.v_0 * mp.sin(gam) * t - g.g * t**2 / 2]
 

@@ -1,18 +1,8 @@
 """The top of 10/3 and 10/5, which spins on its point O: its data, proof and figure."""
 
+from exercises.annotations import Answers, AnyAxes, Givens, Number, Points, Scalar, Steps
 from exercises.devices.steady_precession import frames, of_weights, two_rings, weight_moment
-from exercises.tools import (
-    Answers,
-    AnyAxes,
-    Givens,
-    Number,
-    Points,
-    Scalar,
-    Sketch,
-    Step,
-    Steps,
-    mean,
-)
+from exercises.tools import Sketch, Step, mean
 from newton_euler import dynamics, pi, sqrt
 from newton_euler.applications.gyroscopes import FastSpin, SteadyPrecession
 

@@ -1,7 +1,8 @@
 """The plate of 5/1 and 7/1: a right triangle with its legs along x and y from O."""
 
+from exercises.annotations import AnyAxes, Givens, Points
 from exercises.devices.plate_under_curve import PLATE, Height
-from exercises.tools import AnyAxes, Givens, Points, Sketch, mpf, proofs
+from exercises.tools import Sketch, mpf, proofs
 
 
 def height(g: Givens) -> Height:

@@ -4,22 +4,8 @@ The functions are those of all four problems; rates that are not given are zero,
 only where the truck moves.
 """
 
-from exercises.tools import (
-    Answers,
-    AnyAxes,
-    Givens,
-    Scalar,
-    Sketch,
-    Step,
-    Steps,
-    at_angle,
-    in_frame,
-    plus,
-    proofs,
-    rate,
-    rot,
-    terms,
-)
+from exercises.annotations import Answers, AnyAxes, Givens, Scalar, Steps
+from exercises.tools import Sketch, Step, at_angle, in_frame, plus, proofs, rate, rot, terms
 from newton_euler import Frame, Point, moving, pi
 
 UNITS = {"v_B": "ft/s", "a_B": "ft/s^2"}

@@ -9,29 +9,20 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import TypeAlias
 
-from exercises.tools import (
+from exercises.annotations import (
     Answers,
     Follows,
     Givens,
     Matrix,
     Number,
+    Path,
     Points,
     Scalar,
     Solve,
-    Step,
     Steps,
     StepsOf,
-    cross,
-    mean,
-    minus,
-    plus,
-    proofs,
-    rate,
-    rot,
-    scaled,
-    terms,
-    times,
 )
+from exercises.tools import Step, cross, mean, minus, plus, proofs, rate, rot, scaled, terms, times
 from newton_euler import Body, Frame
 from newton_euler.bodies import Inertia, composite
 from newton_euler.dynamics import fixed_line_moment, fixed_line_momentum
@@ -157,11 +148,7 @@ def of_points(mass: Number, points: Points, at: Sequence[Number] = (0, 0, 0)) ->
 
 
 def of_wire(
-    density: Number,
-    place: Callable[[Number], list[Number]],
-    way: Number,
-    corners: Sequence[Number],
-    names: Iterable[str],
+    density: Number, place: Path, way: Number, corners: Sequence[Number], names: Iterable[str]
 ) -> dict[str, Summed]:
     """{name: integral over a piece} of a wire of this mass per length; ``place(s)`` is the position
     at arc length s up to ``way``, ``corners`` are where pieces join.

@@ -2,23 +2,8 @@
 
 from collections.abc import Callable, Sequence
 
-from exercises.tools import (
-    AnyAxes,
-    Givens,
-    Matrix,
-    Number,
-    Scalar,
-    Sketch,
-    minus,
-    mp,
-    mpf,
-    plus,
-    rate,
-    rot,
-    scaled,
-    times,
-    transposed,
-)
+from exercises.annotations import AnyAxes, Givens, Matrix, Number, Scalar
+from exercises.tools import Sketch, minus, mp, mpf, plus, rate, rot, scaled, times, transposed
 from newton_euler import Frame, Vector, cos, sin
 from newton_euler.applications import earth_frame, earth_rate, ground_frame, projectile_position
 

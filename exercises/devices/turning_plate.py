@@ -2,20 +2,8 @@
 
 from collections.abc import Callable
 
-from exercises.tools import (
-    Answers,
-    Number,
-    Scalar,
-    Step,
-    Steps,
-    in_frame,
-    mp,
-    proofs,
-    rate,
-    rot,
-    second_rate,
-    terms,
-)
+from exercises.annotations import Answers, Number, Scalar, Steps
+from exercises.tools import Step, in_frame, mp, proofs, rate, rot, second_rate, terms
 from newton_euler import Frame, Point, Vector
 
 

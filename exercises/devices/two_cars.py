@@ -6,22 +6,8 @@ and that of B falls at c_B, if they are given.
 
 from collections.abc import Callable
 
-from exercises.tools import (
-    Answers,
-    AnyAxes,
-    Givens,
-    Scalar,
-    Sketch,
-    Step,
-    Steps,
-    minus,
-    mp,
-    proofs,
-    rate,
-    rot,
-    second_rate,
-    times,
-)
+from exercises.annotations import Answers, AnyAxes, Givens, Scalar, Steps
+from exercises.tools import Sketch, Step, minus, mp, proofs, rate, rot, second_rate, times
 from newton_euler import Frame, Point, Vector, cos, moving, sin
 
 

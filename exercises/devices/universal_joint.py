@@ -2,19 +2,8 @@
 
 from collections.abc import Callable
 
-from exercises.tools import (
-    AnyAxes,
-    Givens,
-    Matrix,
-    Number,
-    Sketch,
-    Step,
-    in_frame,
-    mp,
-    rot,
-    spun,
-    times,
-)
+from exercises.annotations import AnyAxes, Givens, Matrix, Number
+from exercises.tools import Sketch, Step, in_frame, mp, rot, spun, times
 from newton_euler import Frame, Vector
 
 

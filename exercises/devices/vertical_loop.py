@@ -1,8 +1,7 @@
 """A particle inside a smooth vertical loop (11/9, 11/10): its contact, proof, figure."""
 
-from collections.abc import Callable
-
-from exercises.tools import Number, Scalar, Sketch, force_needed, mp, plus
+from exercises.annotations import Number, Path, Scalar
+from exercises.tools import Sketch, force_needed, mp, plus
 from newton_euler import Frame, dynamics, kinematics, moving, pi
 
 
@@ -16,7 +15,7 @@ def contact(m: Scalar, g: Scalar, r: Scalar, phi: Scalar, v: Scalar, **shares: S
     return N.reweighted(**shares).dot((P - ground.origin) * (-1 / r))
 
 
-def circle(r: Number) -> Callable[[Number], list[Number]]:
+def circle(r: Number) -> Path:
     """Proof: position as a function of phi, z up, from the lowest point."""
     return lambda phi: [r * mp.sin(phi), 0, r - r * mp.cos(phi)]
 

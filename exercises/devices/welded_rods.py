@@ -1,8 +1,7 @@
 """The rods of 5/13 and 7/13: along y from O, up from O to C, and parallel to x from C."""
 
-from collections.abc import Callable
-
-from exercises.tools import AnyAxes, Givens, Number, Scalar, Sketch
+from exercises.annotations import AnyAxes, Givens, Number, Path, Scalar
+from exercises.tools import Sketch
 from newton_euler import Body, Frame, Point
 from newton_euler.bodies import simplex
 
@@ -30,7 +29,7 @@ def parts(g: Givens, height: Scalar | None = None, **matter: Scalar) -> list[Bod
     return [simplex(P, Q, name=name, **matter) for name, (P, Q) in pairs]
 
 
-def path(g: Givens) -> tuple[Callable[[Number], list[Number]], Number, tuple[Number, Number]]:
+def path(g: Givens) -> tuple[Path, Number, tuple[Number, Number]]:
     """Proof, from end to end through O: position at arc length s, total length, and corners."""
     place = lambda s: [max(s - g.b - g.c, 0), max(g.b - s, 0), min(max(s - g.b, 0), g.c)]
     return place, g.b + g.c + g.L, (g.b, g.b + g.c)

@@ -2,18 +2,9 @@
 
 from collections.abc import Callable
 
+from exercises.annotations import AnyAxes, Draw, Givens, Mistakes, Scalar, Solve, StepsOf
 from exercises.devices.turning_plate import motion, motion_steps, proof, turning
-from exercises.tools import (
-    AnyAxes,
-    Draw,
-    Givens,
-    Mistakes,
-    Scalar,
-    Sketch,
-    Solve,
-    StepsOf,
-    in_frame,
-)
+from exercises.tools import Sketch, in_frame
 from newton_euler import Frame, Point, moving
 
 

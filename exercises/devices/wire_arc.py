@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 
+from exercises.annotations import AnyAxes, Givens, Number, Scalar
 from exercises.catalogue.proofs.digits import Value, weighted
-from exercises.tools import AnyAxes, Givens, Number, Scalar, Sketch, mp, proofs
+from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, cos, integral, sin
 
 WIRE = Frame("wire")

@@ -1,8 +1,7 @@
 """The wire of 5/10, 7/10, 8/14: a half circle about O, its diameter along x, a leg at its left."""
 
-from collections.abc import Callable
-
-from exercises.tools import AnyAxes, Givens, Number, Scalar, Sketch, at_angle, mp
+from exercises.annotations import AnyAxes, Givens, Number, Path, Scalar
+from exercises.tools import Sketch, at_angle, mp
 from newton_euler import Body, Frame
 from newton_euler.bodies import half_ring, rod
 
@@ -19,7 +18,7 @@ def parts(g: Givens, density: Scalar = 1, side: int = -1) -> list[Body]:
     ]
 
 
-def path(g: Givens) -> tuple[Callable[[Number], list[Number]], Number, tuple[Number, Number]]:
+def path(g: Givens) -> tuple[Path, Number, tuple[Number, Number]]:
     """Proof, leg to half circle: position at arc length s, total length, and corners."""
     foot, bend = g.c, g.c + 2 * g.r
 

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 
+from exercises.annotations import Number, Points, Scalar
 from exercises.devices.steady_precession import needed
-from exercises.tools import Number, Points, Scalar, mp, mpf, vanishing
+from exercises.tools import mp, mpf, vanishing
 from newton_euler import Body, Point
 
 WOBBLE = 0.1  # rad, from the angular momentum to the axis; any angle will do
