@@ -15,7 +15,7 @@ steps too, by their keys.
 """
 
 import random
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, TypeAlias
@@ -31,7 +31,7 @@ from newton_euler.answers.kinds import KINDS, Kind
 
 from .book_equations import own_number
 from .errors import meant
-from .model import CatalogueError, Givens, Problem
+from .model import CatalogueError, Draw, Givens, Problem, Solve
 from .variants import drawn_value, flat, symbol_values
 from .wording import term_text
 from .words import word
@@ -84,8 +84,9 @@ class Step:
         return len(flat(self.value)) == self.kind.length and not isinstance(self.value, str)
 
 
-Steps: TypeAlias = Iterator[Step]  # in the order of the solution
+Steps: TypeAlias = Iterable[Step]  # in the order of the solution
 StepsOf: TypeAlias = Callable[[Givens], Steps]
+Functions: TypeAlias = tuple[Solve, StepsOf, Solve, Draw]  # solve, steps, prove and draw
 
 
 def terms(vector: Vector, key: str, stated_in: str, section: str = "", number: str = "") -> Steps:
