@@ -22,13 +22,13 @@ from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics.newton import acceleration_by, reaction, resultant_force
 from newton_euler.scenes.particles.low_pressure import air_near_low
 
+from .colours import BLUE, GREEN, GREY, ORANGE
 from .curves import evenly, states_over
 from .sliding import with_sliders
 
 O = (0, 0, 0)
 G = 9.81
 OMEGA_E = 0.727e-4
-BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#555555"
 
 
 @with_sliders(
@@ -75,7 +75,7 @@ def hammer_film() -> Animation:
 
     def draw(t, ax):
         ground = Frame("ground")
-        past = [time * n / 60 for n in range(61) if time * n / 60 <= t + 1e-9]
+        past = [q for q in evenly(0, time, 61) if q <= t + 1e-9]
         hammer = ground.rotate("hammer", "y", angle=spin * t, origin=ground.point("G", *place(t)))
         s = Sketch(ax, ground, plane="xz")
         if len(past) > 1:
@@ -87,7 +87,7 @@ def hammer_film() -> Animation:
 
     return animate(
         draw,
-        [time * n / 30 for n in range(31)],
+        evenly(0, time, 31),
         speed=0.3,
         alt="A hammer is thrown and tumbles. Its centre of mass G draws a parabola, the end of its "
         "handle draws loops about it.",
@@ -121,7 +121,7 @@ def three_components(axes: Sequence[AnyAxes], t: float) -> None:
         parts = {f"$F_{{{first}}}$": F.dot(e) * e, f"$F_{{{second}}}$": F.dot(n) * n}
         s = Sketch(ax, ground, plane="xy", arrows=100)
         s.axes(O, ground, length=0.5, labels=["x", "y", ""])
-        s.path([_spiral(1.8 * q / 40) for q in range(41)], style="dashed")
+        s.path([_spiral(q) for q in evenly(0, 1.8, 41)], style="dashed")
         if first == "r":
             s.line(O, P)
         s.sum(P, acceleration_by(1.0, **parts), kind="force", label="F")
@@ -146,7 +146,7 @@ def guide(ax: AnyAxes, v: float) -> None:
     m, rho = 2.0, 0.5
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xz", arrows=120)
-    angles = [q / 20 for q in range(-20, 21)]
+    angles = evenly(-1, 1, 41)
     for r in (rho - 0.035, rho + 0.035):
         s.wire([(r * math.sin(q), 0, r * math.cos(q) - rho) for q in angles])
     s.line((0, 0, -rho), O, style="centre")
@@ -350,8 +350,8 @@ def _rim(s, C, r, turned):
     """The rim and four spokes of a station about C, turned clockwise."""
     s.ring(C, (0, 0, 1), r)
     for n in range(4):
-        a = n * math.pi / 2 - turned + math.pi / 4
-        s.line(C, (C[0] + r * math.cos(a), C[1] + r * math.sin(a), 0), style="dotted")
+        spoke = _rim_place(C, r, n * math.pi / 2 - turned + math.pi / 4)
+        s.line(C, spoke, style="dotted")
 
 
 def _rim_place(C, r, angle):
@@ -386,7 +386,7 @@ def _throw_scene(s, C, r, u, t, inside):
         s.label(place, name, offset=(-38 * inward[0], 10 - 20 * inward[1]), bold=False)
     s.line(_rim_place(C, r, 0.0), _rim_place(C, r, math.pi))  # the aim
     parts = 20 if inside else 1  # from the stars it is a straight line
-    past = [t * n / parts for n in range(parts + 1)]
+    past = evenly(0, t, parts + 1)
     if t:
         s.path([_ball(C, r, u, q, omega * q if inside else 0.0) for q in past])
     s.sphere(_ball(C, r, u, t, omega * t if inside else 0.0), 0.05 * r)
@@ -409,7 +409,7 @@ def throw_film() -> Animation:
 
     return animate(
         draw,
-        [time * n / 24 for n in range(25)],
+        evenly(0, time, 25),
         speed=time / 5,
         size=(7, 3.3),
         alt="A ball is thrown across a station that turns clockwise, seen twice. From the stars it "
@@ -636,7 +636,7 @@ def low_film() -> Animation:
 
     return animate(
         draw,
-        [5000.0 * n for n in range(22)],
+        evenly(0, 105e3, 22),
         alt="Eight parcels of air on a ring start towards a low in the middle. Their paths bend to "
         "the right, keep the low on their left, and wind round it counterclockwise.",
     )

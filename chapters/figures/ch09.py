@@ -16,6 +16,8 @@ from newton_euler.applications.rotors import Reactions, balancing_masses, reacti
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 
+from .colours import BLUE, ORANGE
+from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -122,7 +124,7 @@ def off_centre_film(build: Rotor) -> Animation:
 
     return animate(
         draw,
-        [math.pi / 10 * n / 18 for n in range(19)],
+        evenly(0, math.pi / 10, 19),
         alt="The off-centre disk turns once; the bearing forces keep their size and turn with it, "
         "always away from the centre G of the disk.",
     )
@@ -161,7 +163,7 @@ def bent_disk_film(build: Rotor) -> Animation:
 
     return animate(
         draw,
-        [math.pi / 10 * n / 18 for n in range(19)],
+        evenly(0, math.pi / 10, 19),
         alt="The bent disk turns once; its angular momentum H goes round the shaft on a cone, and "
         "the couple of the bearing forces turns with it.",
     )
@@ -180,7 +182,7 @@ def balance_by_hand(
     ax: AnyAxes, build: Rotor, m1: float, angle1: float, m2: float, angle2: float
 ) -> None:
     """Figure 9.5: two weights on a rotor, moved by the reader until the forces vanish."""
-    ground, shaft, A, B, body = build(psi=-0.7)  # its forces in the plane of the page
+    ground, shaft, A, B, body = build(psi=-0.7)  # its forces lie in the plane of the page
     weights = [
         particle(m / 1000, spot(shaft, x, angle), f"weight {n}")
         for n, m, angle, x in ((1, m1, angle1, -0.1), (2, m2, angle2, 0.2))
@@ -219,7 +221,7 @@ def draw_masses(
 )
 def balancing(ax: AnyAxes, build: Rotor, x1: float, x2: float) -> None:
     """Figure 9.6: where the balancing masses go, for two planes that the reader moves."""
-    ground, shaft, A, B, body = build(psi=-0.7)  # its forces in the plane of the page
+    ground, shaft, A, B, body = build(psi=-0.7)  # its forces lie in the plane of the page
     planes = [(x - 100 * A.position(shaft).x) / 100 for x in (x1, x2)]
     weights = balancing_masses(body, A, B, planes, radius=0.1)
     s = in_bearings(ax, ground, shaft, A, B)
@@ -294,11 +296,11 @@ def general_rotor(axes: Sequence[AnyAxes], build: Rotor, psi: float) -> None:
 )
 def force_over_a_turn(ax: AnyAxes, build: Rotor, omega: float) -> None:
     """Figure 9.9: the tip of the force of bearing A during one turn."""
-    forces = [force_at_A(build, math.radians(10 * n), omega) for n in range(37)]
+    forces = [force_at_A(build, psi, omega) for psi in evenly(0, 2 * math.pi, 37)]
     tips = [(Y, -X) for X, Y, _ in forces]
     weight = force_at_A(build, 0.0, 0.0)
-    ax.plot(*zip(*tips, strict=True), color="#0072B2", label="tip of the force during one turn")
-    ax.plot(weight[1], -weight[0], "s", color="#D55E00", label="share of the weight")
+    ax.plot(*zip(*tips, strict=True), color=BLUE, label="tip of the force during one turn")
+    ax.plot(weight[1], -weight[0], "s", color=ORANGE, label="share of the weight")
     ax.plot(0, 0, "k+", markersize=12, label="no force")
     ax.annotate("", tips[4], (0, 0), arrowprops={"arrowstyle": "->", "color": "k"})
     ax.set(xlim=(-17, 17), ylim=(-9, 25), aspect="equal")

@@ -25,12 +25,12 @@ from newton_euler.drawing.page.primitives import Kind
 from newton_euler.scenes.spatial.gyrocompass import gyrocompass
 from newton_euler.scenes.spatial.top import euler
 
+from .colours import BLUE, ORANGE
 from .curves import evenly, states_over
 from .sliding import with_sliders
 
 O = (0, 0, 0)
 Top: TypeAlias = Callable[..., tuple[Frame, Frame]]
-BLUE, ORANGE, GREEN = "#0072B2", "#D55E00", "#009E73"
 
 
 def sketch(
@@ -127,7 +127,7 @@ def angles_film() -> Animation:
 
     return animate(
         draw,
-        [3 * n / 24 for n in range(25)],
+        evenly(0, 3, 25),
         alt="A top turns first about the vertical, then tips about the level line of nodes, then spins "
         "about its own axis: psi, theta and phi one after the other.",
     )
@@ -367,7 +367,7 @@ def cones_film(ratio: float, theta: float) -> Animation:
 
     return animate(
         draw,
-        [4 * n / 20 for n in range(21)],
+        evenly(0, 4, 21),
         alt=f"For I/I0 = {ratio:g} the body cone rolls without slipping on the space cone, once "
         "round the angular momentum H; a line painted on it shows its spin.",
     )
