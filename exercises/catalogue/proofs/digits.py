@@ -7,6 +7,7 @@ DIGITS = 50
 Number: TypeAlias = Any  # an mpf or anything that mpmath converts
 Triple: TypeAlias = list[Number]
 Matrix: TypeAlias = list[Triple]  # rows
+Path: TypeAlias = Callable[[Number], Triple]  # the place of a point over time
 Value: TypeAlias = Any  # a Number, a Triple or a Matrix
 Points: TypeAlias = list[tuple[Number, Triple]]  # (share of the mass, place)
 Motion: TypeAlias = Callable[[Number], Points]
