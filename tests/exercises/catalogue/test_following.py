@@ -22,7 +22,7 @@ FOLLOWS = {
     "omega": lambda g, spin: spin * Frame("F").k,
     "v": lambda g, omega: omega.cross(g.r * omega.frame.i),
     "speed": lambda g, v, omega: v.norm() + 0 * omega.norm(),
-    "sense": lambda g, v: "left" if v.y > 0 else "right",
+    "sense": lambda g, v: lambda: "left" if v.y > 0 else "right",
     "turned": lambda g, sense: {"left": 1.5, "right": -1.5}[sense],
     "H": lambda g, I_O, omega: omega.frame.vector(
         *(row[0] * omega.x + row[1] * omega.y + row[2] * omega.z for row in I_O)
