@@ -9,7 +9,7 @@ from newton_euler.algebra.scalars import Triple
 from newton_euler.algebra.vectors import cross3, dot3
 from newton_euler.classroom import Slider, interactive_figure, show_figure
 from newton_euler.drawing import AnyAxes, Sketch
-from newton_euler.drawing.page.projection import moved
+from newton_euler.drawing.page.projection import mean, moved, on_plane, unit3
 from newton_euler.kinematics.paths import Path
 
 from .curves import evenly, level_lines
@@ -127,7 +127,7 @@ def area(ax: AnyAxes, theta: float) -> None:
     ground = Frame("ground")
     P, Q = _in_plane(1.2, 0), _in_plane(1.0, theta)
     product = round(1.2 * math.sin(math.radians(theta)), 9)
-    s = Sketch(ax, ground, azimuth=-65, elevation=20)  # no Q of the slider below P x Q
+    s = Sketch(ax, ground, azimuth=-65, elevation=20)  # so seen, Q is never below P x Q
     s.axes((-1.1, -1.1, 0), ground, 0.5, [r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
     if abs(product) > 0.01:
         s.plate([O, P, moved(P, 1, Q), Q], shade="light")
@@ -200,14 +200,14 @@ def double_cross(ax: AnyAxes, around: float, up: float) -> None:
 def triangle(ax: AnyAxes, corners: Sequence[Triple], normal: Triple, eye: float) -> None:
     """Figure A.8: a triangle, two of its edges as vectors, and a normal, from a turning eye."""
     A, B, C = corners
-    centre = tuple(sum(x) / 3 for x in zip(*corners, strict=True))
-    e = tuple(x / math.hypot(*normal) for x in normal)
+    e = unit3(normal)
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=eye, elevation=20)
     s.axes(O, ground, length=2.0)
     s.plate(corners, shade="light")
     s.arrow(A, B, r"$\mathbf{P}$", "velocity")
     s.arrow(A, C, r"$\mathbf{Q}$", "acceleration")
+    centre = mean(corners)
     s.arrow(centre, moved(centre, 3, e), r"$\hat e$", "rate")
     for place, name in zip(corners, "ABC", strict=True):
         s.label(place, name)
@@ -223,19 +223,15 @@ def triangle(ax: AnyAxes, corners: Sequence[Triple], normal: Triple, eye: float)
 def plane(ax: AnyAxes, corners: Sequence[Triple], normal: Triple, off: float) -> None:
     """Figure A.9: a plane, its normal N at A, and a point X on it or off it."""
     A, B, C = corners
-    e = tuple(x / math.hypot(*normal) for x in normal)
-    along = tuple(x / math.dist(A, B) for x in moved(B, -1, A))
+    e, along = unit3(normal), unit3(moved(B, -1, A))
     across = cross3(e, along)
-
-    def on_plane(u, v):
-        return moved(moved(A, u, along), v, across)
-
-    foot = on_plane(4.5, 2)
+    foot = on_plane(A, 4.5, along, 2, across)
     X = moved(foot, off, e)
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=10, elevation=25)
     s.axes(O, ground, length=2.0)
-    s.path([on_plane(u, v) for u, v in ((-1, -1), (8.5, -1), (8.5, 5), (-1, 5), (-1, -1))])
+    edge = (-1, -1), (8.5, -1), (8.5, 5), (-1, 5), (-1, -1)
+    s.path([on_plane(A, u, along, v, across) for u, v in edge])
     s.arrow(A, moved(A, 3, e), r"$\mathbf{N}$", "rate")
     s.arrow(A, X, "", "velocity")
     s.line(foot, X)

@@ -9,6 +9,7 @@ from newton_euler.bodies.solids import box, cone, cylinder
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import AnyAxes, Sketch
 
+from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -189,7 +190,7 @@ def cone_axes(axes: Sequence[AnyAxes], d: float) -> None:
     def I_yy(x):
         return float(body.about(ground.point("P", x, 0, 0)).moments[1])
 
-    s.path([(n / 40, 0, I_yy(n / 40)) for n in range(41)])
+    s.path([(x, 0, I_yy(x)) for x in evenly(0, h, 41)])
     s.axes(O, ground, 1.1, ["$d$", "", "$I$"])
     for x, name in ((0.0, "apex"), (3 * h / 4, "G"), (h, "base")):
         s.line((x, 0, 0), (x, 0, I_yy(x)), style="dotted")

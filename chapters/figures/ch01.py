@@ -3,7 +3,7 @@ the clocks that flew round the Earth.
 """
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import TypeAlias
 
 from newton_euler import Frame, Point
@@ -12,9 +12,11 @@ from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 
+from .curves import evenly, parts
 from .sliding import with_sliders
 
 O = (0, 0, 0)
+TURN = 2 * math.pi / 0.6  # s, of the merry-go-round
 # ground, platform, horse and its nose at a time
 MerryGoRound: TypeAlias = Callable[[float], tuple[Frame, Frame, Frame, Point]]
 
@@ -38,7 +40,7 @@ def position_and_velocity(ax: AnyAxes, dt: float) -> None:
     rate = tuple((b - a) / 1e-6 for a, b in zip(P, curve(1.0 + 1e-6), strict=True))
     s = Sketch(ax, ground, azimuth=35, elevation=22)
     s.axes(O, ground, length=0.5, labels=["x", "y", "z"])
-    s.path([curve(0.1 * n) for n in range(41)])
+    s.path([curve(t) for t in evenly(0, 4, 41)])
     s.arrow(O, P, r"$\mathbf{r}(t)$")
     s.arrow(O, later, r"$\mathbf{r}(t+\Delta t)$")
     s.arrow(P, later, r"$\Delta\mathbf{r}$", kind="velocity")
@@ -48,26 +50,25 @@ def position_and_velocity(ax: AnyAxes, dt: float) -> None:
     s.label(curve(4.0), "C", bold=False)
 
 
-def places(build: MerryGoRound, observer: int, times: Iterable[float]) -> list[Triple]:
-    """The nose at many times, as the observer (by its number) sees it."""
+def places(build: MerryGoRound, observer: int) -> list[Triple]:
+    """The nose during one turn, as the observer (by its number) sees it."""
     found = []
-    for t in times:
+    for t in evenly(0, TURN, 121):
         *frames, nose = build(t)
-        found.append(tuple(map(float, nose.position(frames[observer]))))
+        found.append(parts(nose.position(frames[observer])))
     return found
 
 
 def three_observers(build: MerryGoRound) -> None:
     """Figure 1.2: the nose of the horse for three observers, from ``build(t)``."""
-    times = [2 * math.pi / 0.6 * n / 120 for n in range(121)]
-    paths = [places(build, observer, times) for observer in range(3)]
+    paths = [places(build, observer) for observer in range(3)]
 
     def draw(axes, t):
         *frames, nose = build(t)
         for ax, n, who in zip(axes, (2, 1, 0), ("rider", "platform", "ground"), strict=True):
             own = Frame("own")  # the observer, at rest in the picture
-            place = tuple(map(float, nose.position(frames[n])))
-            v = tuple(map(float, nose.velocity(frames[n]).components(frames[n])))
+            place = parts(nose.position(frames[n]))
+            v = parts(nose.velocity(frames[n]).components(frames[n]))
             s = Sketch(ax, own, azimuth=50, elevation=24, arrows=60)
             s.axes(O, own, length=1.0)
             _surroundings(s, own, n, t)
@@ -114,8 +115,7 @@ def _horse(s, frame):
 
 def merry_go_round_film(build: MerryGoRound) -> Animation:
     """A film: the merry-go-round, seen from the ground."""
-    time = 2 * math.pi / 0.6
-    ring = places(build, 0, [time * n / 120 for n in range(121)])
+    ring = places(build, 0)
 
     def draw(t, ax):
         ground, platform, horse, nose = build(t)
@@ -130,7 +130,7 @@ def merry_go_round_film(build: MerryGoRound) -> Animation:
 
     return animate(
         draw,
-        [time * n / 30 for n in range(31)],
+        evenly(0, TURN, 31),
         alt="The merry-go-round turns once, the horse goes up and down; its nose follows a wavy "
         "ring, and its velocity is tangent to it at every instant.",
     )
@@ -172,8 +172,8 @@ def clocks(
     for name, angle, clock in zip(names, (1.6, 3.7, 5.8), three, strict=True):
         here = stars.rotate("here", "z", angle)  # drawn apart, though they start together
         place, v = clock.position(stars), clock.velocity(stars)
-        at = here.vector(*map(float, place.components(stars))).expressed_in(stars)
-        along = here.vector(*map(float, v.components(stars))).expressed_in(stars)
+        at = here.vector(*parts(place.components(stars))).expressed_in(stars)
+        along = here.vector(*parts(v.components(stars))).expressed_in(stars)
         P = stars.point(name, at.x, at.y, 0)
         s.dot(P)
         s.vector(P, along, name, size="m/s")

@@ -1,7 +1,7 @@
 """The figures of chapter 2: motion in a plane, its components, and frames that turn."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from newton_euler import Frame, Point, cos, frenet, moving, sin
@@ -13,10 +13,11 @@ from newton_euler.drawing.page.projection import moved
 from newton_euler.kinematics.paths import along
 from newton_euler.scenes.closed_forms.harmonic import rotated
 
+from .curves import evenly, parts
 from .sliding import with_sliders
 
 O = (0, 0, 0)
-Jet: TypeAlias = Callable[[Scalar, float, float, float], Triple]  # of t, speed, elevation, g
+Jet: TypeAlias = Callable[[Scalar, float, float, float], Triple]  # (t, speed, elevation, g)
 Truck: TypeAlias = Callable[..., tuple[Frame, Frame, Point]]  # ground, turntable, car on it
 FEET = math.radians(35), 25.0, 32.2  # the jet of sections 2.2 and 2.4
 
@@ -26,12 +27,7 @@ def wave(t: Scalar) -> Triple:
 
 
 def wave_path() -> list[Triple]:
-    return [tuple(map(float, wave(n / 20))) for n in range(83)]
-
-
-def parts(v: Iterable[Scalar]) -> Triple:
-    """The components of a vector as floats."""
-    return tuple(map(float, v))
+    return [parts(wave(t)) for t in evenly(0, 4.1, 83)]
 
 
 STRAIGHT, INNER, LANE = 84.39, 36.50, 1.22  # m, of a standard track
@@ -40,7 +36,7 @@ SPEEDS = 100 / 10.7, 100 / 9.8, 100 / 10.5, 100 / 12.03  # m/s, one for each hun
 
 def _bend(centre, radius, start, angle=math.pi):
     """Places on a bend about (centre, 0), from the direction ``start`` through ``angle``."""
-    angles = [start + angle * n / 40 for n in range(41)]
+    angles = evenly(start, start + angle, 41)
     return [(centre + radius * math.cos(u), radius * math.sin(u), 0) for u in angles]
 
 
@@ -130,7 +126,7 @@ def flight(jet: Jet, elevation: float) -> tuple[float, list[Triple]]:
     """Time of flight and the places of the jet from ``jet(t, speed, elevation, g)``."""
     _, speed, g = FEET
     time = 2 * speed * math.sin(elevation) / g
-    return time, [parts(jet(time * n / 40, speed, elevation, g)) for n in range(41)]
+    return time, [parts(jet(t, speed, elevation, g)) for t in evenly(0, time, 41)]
 
 
 @with_sliders(
@@ -404,7 +400,7 @@ def ferris_wheel() -> Animation:
 
     return animate(
         draw,
-        [20 * math.pi * n / 24 for n in range(25)],
+        evenly(0, 20 * math.pi, 25),
         size=(4.6, 4.6),
         alt="A Ferris wheel turns once; one cabin stays level all the way round, the other is bolted "
         "to the wheel and turns over with it.",
@@ -492,9 +488,8 @@ def _truck_and_table(s, ground, table):
 
 def two_cars(build: Callable[[float], tuple[Frame, Frame, Point]]) -> None:
     """Figure 2.14: both cars from the ground and from car B, from ``build(t)``."""
-    times = [n / 10 for n in range(-15, 16)]
     road, curve, seen = [], [], []
-    for t in times:
+    for t in evenly(-1.5, 1.5, 31):
         ground, B, A = build(t)
         road.append(parts(A.position(ground)))
         curve.append(parts(B.origin.position(ground)))

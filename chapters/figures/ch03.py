@@ -3,7 +3,6 @@
 import math
 
 from newton_euler import Frame, at, cylindrical, spherical
-from newton_euler.algebra.late import mpmath
 from newton_euler.algebra.scalars import Scalar
 from newton_euler.chapters.examples.ch03 import Spring, screw_jack_ball, screw_jack_time
 from newton_euler.classroom import Slider
@@ -12,15 +11,16 @@ from newton_euler.drawing.page.projection import moved
 from newton_euler.kinematics import frenet_along
 from newton_euler.kinematics.paths import Path, along
 
+from .curves import evenly, second_derivative
 from .sliding import with_sliders
 
 O = (0, 0, 0)
 TRIAD = [r"$\hat e_t$", r"$\hat e_n$", r"$\hat e_b$"]
 
 
-def _curve(path, low, high, count=60):
+def _curve(path, low, high, count=61):
     """Places along ``path`` between two values of its parameter."""
-    return [path(low + (high - low) * n / count) for n in range(count + 1)]
+    return [path(q) for q in evenly(low, high, count)]
 
 
 @with_sliders(
@@ -55,18 +55,10 @@ def triad(ax: AnyAxes, path: Path, q: float) -> None:
     ground = Frame("ground")
     here = frenet_along(path, at(lambda t: q + t, 0.0), ground)
     P, rho = path(q), here.radius
-    e_t, e_n = (e.components(ground) for e in (here.e_t, here.e_n))
-    centre = moved(P, rho, e_n)
+    centre = moved(P, rho, here.e_n.components(ground))
     s = Sketch(ax, ground, azimuth=-60, elevation=25)
     s.path(_curve(path, -1.0, 1.0))
-    circle = [
-        tuple(
-            c + rho * (math.sin(a) * t - math.cos(a) * n)
-            for c, t, n in zip(centre, e_t, e_n, strict=True)
-        )
-        for a in (2 * math.pi * k / 60 for k in range(61))
-    ]
-    s.path(circle, style="dashed")
+    s.path([*s.around(centre, P, here.e_b), P], style="dashed")
     s.dot(centre)
     s.line(P, centre)
     s.axes(P, here.frame, length=0.7, labels=TRIAD)
@@ -90,7 +82,7 @@ def spring(ax: AnyAxes, slope: float) -> None:
         first = math.radians(-60) + math.pi * (half - 0.5)
         low, high = max(0.0, first), min(turns, first + math.pi)
         if low < high:
-            piece = _curve(wire.path, low, high, 40)
+            piece = _curve(wire.path, low, high, 41)
             s.path(piece, style="dashed") if half % 2 else s.wire(piece)
     s.line(O, (0, 0, 1.2 * turns * wire.rise + 0.1), style="centre")
     here = wire.intrinsic(at(lambda t: 1.0 + t, 0.0), ground)
@@ -143,7 +135,7 @@ def cable_element(ax: AnyAxes, angle: float) -> None:
     s = Sketch(ax, ground, plane="xy")
     half = math.radians(angle) / 2
     ends = [(math.sin(a), math.cos(a) - 1, 0) for a in (-half, half)]
-    angles = [-half + 2 * half * n / 30 for n in range(31)]
+    angles = evenly(-half, half, 31)
     s.wire([(math.sin(a), math.cos(a) - 1, 0) for a in angles])
     for end, a, sign, label in (
         (ends[0], -half, -1, r"$-T\,\hat{e}_t$"),
@@ -280,16 +272,14 @@ def screw_film() -> Animation:
         s.vector(A, A.velocity(ground), r"$\mathbf{v}$")
         s.vector(A, A.acceleration(ground), r"$\mathbf{a}$", kind="acceleration")
 
-    end = screw_jack_time(1, K)
     return animate(
         draw,
-        [end * n / 40 for n in range(41)],
+        evenly(0, screw_jack_time(1, K), 41),
         alt="The ball of a screw-jack starts from rest. At first its acceleration points along the "
         "path; within half a turn it swings round almost to the axis.",
     )
 
 
 def exact_acceleration(path: Path, t: float) -> list[Scalar]:
-    """The second derivative of each coordinate of ``path`` at t, from 40 digits."""
-    with mpmath.workdps(40):
-        return [mpmath.diff(lambda s, n=n: path(s)[n], mpmath.mpf(t), 2) for n in range(3)]
+    """The second derivative of each coordinate of ``path`` at t."""
+    return second_derivative(path, t)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TypeAlias
 
 from newton_euler import Frame, Point, axis_angle, euler_frame, rotation_matrix
-from newton_euler.algebra.late import mpmath, np, plt
+from newton_euler.algebra.late import np, plt
 from newton_euler.algebra.scalars import Scalar
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
@@ -14,6 +14,9 @@ from newton_euler.drawing.page.projection import moved
 from newton_euler.kinematics.paths import Path
 from newton_euler.kinematics.rotations import apply
 
+from .colours import BLUE, GREY, ORANGE
+from .curves import evenly
+from .curves import second_derivative as second_derivative  # for the notebook
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -81,7 +84,7 @@ def eulers_theorem(ax: AnyAxes, psi: float, theta: float, phi: float) -> None:
         ax.set_title("not turned", fontsize=11)
         return
     for start in (ground.i, ground.j, ground.k):
-        s.path([apply(rotation_matrix(axis, angle * n / 40), start) for n in range(41)])
+        s.path([apply(rotation_matrix(axis, a), start) for a in evenly(0, angle, 41)])
     end = tuple(1.3 * x for x in axis)
     s.line(tuple(-x for x in end), end, style="centre")
     s.turn(end, axis, label=r"$\theta_e$")
@@ -130,9 +133,9 @@ def shrinking_gap(gap: Callable[[float], float]) -> None:
     angles = np.geomspace(1e-3, math.pi / 2, 25)
     fig, ax = plt.subplots(figsize=(6, 3.4))
     gaps = [gap(a) for a in angles]
-    ax.loglog(angles, gaps, "o", color="#0072B2", label="gap between the orders")
-    ax.loglog(angles, angles, color="#555555", ls=":", label="the angle itself")
-    ax.loglog(angles, angles**2, color="#D55E00", label="square of the angle")
+    ax.loglog(angles, gaps, "o", color=BLUE, label="gap between the orders")
+    ax.loglog(angles, angles, color=GREY, ls=":", label="the angle itself")
+    ax.loglog(angles, angles**2, color=ORANGE, label="square of the angle")
     ax.set(xlabel="angle of both turns (rad)", ylabel="gap (rad)")
     ax.legend(frameon=False)
     show_figure(
@@ -222,7 +225,7 @@ def cone_film(build: Cone) -> Animation:
 
     return animate(
         draw,
-        [time * n / 40 for n in range(41)],
+        evenly(0, time, 41),
         alt="The cone rolls once round the vertical axis; omega turns with the line of contact.",
     )
 
@@ -401,7 +404,7 @@ def disk_on_shaft(
 def step_sizes(steps: Sequence[float], errors: Mapping[str, Sequence[float]], floor: float) -> None:
     """Figure 4.13: the error of each quotient against its step; ``floor``: that of (4.18)."""
     fig, ax = plt.subplots(figsize=(6.4, 3.8))
-    looks = ("#0072B2", "o"), ("#D55E00", "s")
+    looks = (BLUE, "o"), (ORANGE, "s")
     for (name, found), (colour, marker) in zip(errors.items(), looks, strict=True):
         ax.loglog(steps, found, color=colour, marker=marker, ms=5, label=name)
     ax.axhline(1e-3, color="#777777", ls=":", label="good enough for a sensor")
@@ -428,9 +431,3 @@ def five_points(path: Path, t: float, h: float) -> list[Scalar]:
     """The second difference of each coordinate over five points: an error of the order h**4."""
     around = zip(*(path(t + n * h) for n in (-2, -1, 0, 1, 2)), strict=True)
     return [(-a + 16 * b - 30 * c + 16 * d - e) / (12 * h**2) for a, b, c, d, e in around]
-
-
-def second_derivative(path: Path, t: float) -> list[Scalar]:
-    """The second derivative of each coordinate of ``path`` at t, from 50 digits."""
-    with mpmath.workdps(50):
-        return [mpmath.diff(lambda s, n=n: path(s)[n], mpmath.mpf(t), 2) for n in range(3)]

@@ -12,6 +12,7 @@ from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics import gravity_at_height
 
+from .colours import BLUE, GREY, ORANGE
 from .curves import evenly
 from .sliding import with_sliders
 
@@ -234,9 +235,9 @@ def gravity_and_height() -> None:
     heights = np.geomspace(1e2, 1e8, 100)
     falls = [1 - gravity_at_height(h, EARTH) / gravity_at_height(0.0, EARTH) for h in heights]
     fig, ax = plt.subplots(figsize=(6, 3.4), layout="constrained")
-    ax.loglog(heights, falls, color="#0072B2", label="1 - (R/(R + h))²")
-    ax.loglog(heights, 2 * heights / EARTH, color="#D55E00", ls="--", label="2h/R")
-    ax.axhline(1, color="#555555", ls=":")
+    ax.loglog(heights, falls, color=BLUE, label="1 - (R/(R + h))²")
+    ax.loglog(heights, 2 * heights / EARTH, color=ORANGE, ls="--", label="2h/R")
+    ax.axhline(1, color=GREY, ls=":")
     ax.set(xlabel="height h (m)", ylabel="loss of g, relative", ylim=(1e-5, 20))
     ax.legend(frameon=False)
     show_figure(

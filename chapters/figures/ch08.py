@@ -19,7 +19,8 @@ from newton_euler.kinematics.rotations import (
     quaternion_product,
 )
 
-from .ch07 import BLUE, GREEN, RED, RODS
+from .ch07 import draw_dumbbell, draw_rods
+from .colours import BLUE, GREEN, ORANGE
 from .curves import evenly
 from .sliding import with_sliders
 
@@ -45,12 +46,8 @@ def dumbbell(
 ) -> None:
     """Figure 8.1: omega, H and M of a dumbbell, from ``build(tilt, rate, acceleration)``."""
     ground, axle, body = build(math.radians(tilt), rate, acceleration)
-    places = [part.centre for part in body.parts]
     s = Sketch(ax, ground, azimuth=-28, elevation=22, arrows=115)
-    s.shaft((0, 0, -0.55), (0, 0, 0.55))
-    s.rod(*places)
-    for place in places:
-        s.sphere(place, 0.06)
+    draw_dumbbell(s, body)
     s.vector(O, axle.angular_velocity(ground), r"$\omega$", kind="rate")
     s.vector(O, body.angular_momentum(ground), r"$\mathbf{H}$", kind="plain")
     s.vector(O, resultant_moment(body, ground), r"$\mathbf{M}$", kind="force", size="N m")
@@ -115,7 +112,7 @@ def pole_on_truck(
 def three_spins(times: Sequence[float], runs: Mapping[str, "np.ndarray"]) -> None:
     """Figure 8.4: omega over time for spins about the three principal axes, disturbed a little."""
     fig, axes = plt.subplots(1, 3, figsize=(9.6, 3.4), sharey=True, layout="constrained")
-    looks = ("x", BLUE, "-"), ("y", RED, "--"), ("z", GREEN, "-.")
+    looks = ("x", BLUE, "-"), ("y", ORANGE, "--"), ("z", GREEN, "-.")
     for ax, (name, rates) in zip(axes, runs.items(), strict=True):
         for values, (label, colour, style) in zip(np.transpose(rates), looks, strict=True):
             ax.plot(times, values, style, color=colour, label=rf"$\omega_{label}$")
@@ -172,11 +169,6 @@ def flipping_handle(
     )
 
 
-def _rods(s, frame):
-    for A, B in RODS:
-        s.rod(frame.point("", *A), frame.point("", *B))
-
-
 def turning_rods(
     build: TurningRods, words: str, azimuth: float = -60, acceleration: float = 0.0
 ) -> None:
@@ -190,7 +182,7 @@ def turning_rods(
         frame = body.frame
         s = Sketch(ax, ground, azimuth=azimuth, elevation=22, arrows=110)
         s.axes(P, frame, length=0.35)
-        _rods(s, frame)
+        draw_rods(s, frame)
         axis = frame.angular_velocity(ground)
         unit = axis / max(float(axis.norm()), 1e-9)
         line = [(P - frame.origin).expressed_in(ground) + unit * x for x in (-0.8, 0.8)]
@@ -292,7 +284,7 @@ def sphere(
     times = 0.0, min(float(rolling_begins(*given).t), 2.0), 2.0  # the lines are straight between
     _, speeds, rates = zip(*(sphere_at(x, *given) for x in times), strict=True)
     axes[1].plot(times, speeds, color=BLUE, label="$v$")
-    axes[1].plot(times, [-x * radius for x in rates], "--", color=RED, label=r"$-\omega r$")
+    axes[1].plot(times, [-x * radius for x in rates], "--", color=ORANGE, label=r"$-\omega r$")
     axes[1].axvline(t, color="black", lw=0.8)
     axes[1].axhline(0, color="black", lw=0.5)
     axes[1].set(xlabel="time (s)", ylabel="m/s", xlim=(0, 2), ylim=(-21, 11))
@@ -332,7 +324,9 @@ def chatter(times: Sequence[float], slips: Sequence[float], exact: Sequence[floa
     """Figure 8.12: the slip of the sphere by equal steps of one rule with sign(slip)."""
     fig, ax = plt.subplots(figsize=(6.4, 3.3))
     ax.plot(times, exact, color="black", label="exact")
-    ax.plot(times, slips, "o-", ms=3, lw=0.8, color=RED, label="one rule with the sign of the slip")
+    ax.plot(
+        times, slips, "o-", ms=3, lw=0.8, color=ORANGE, label="one rule with the sign of the slip"
+    )
     ax.set(xlabel="time (s)", ylabel="slip (m/s)", xlim=(0.3, 0.8), ylim=(-1.5, 4))
     ax.legend(frameon=False)
     show_figure(
@@ -349,7 +343,7 @@ def rods_film(build: TurningRods) -> Animation:
         ground, body, about = build(1.0, 0.0, angle=t)
         frame = body.frame
         s = Sketch(ax, ground, azimuth=-60, elevation=22, arrows=80)
-        _rods(s, frame)
+        draw_rods(s, frame)
         s.line((-0.9, 0, 0), (0.9, 0, 0), style="centre")
         s.vector(about, frame.angular_velocity(ground), r"$\omega$", kind="rate")
         s.vector(about, angular_momentum(body, ground, about), r"$\mathbf{H}$", kind="plain")
@@ -357,6 +351,6 @@ def rods_film(build: TurningRods) -> Animation:
 
     return animate(
         draw,
-        [2 * math.pi * n / 24 for n in range(25)],
+        evenly(0, 2 * math.pi, 25),
         alt="The three rods turn about x; H and the moment M go round with them at right angles.",
     )

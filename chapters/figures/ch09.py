@@ -12,10 +12,12 @@ from typing import TypeAlias
 from newton_euler import Body, Frame, Point, Vector, composite, particle
 from newton_euler.algebra.late import plt
 from newton_euler.algebra.scalars import Triple
-from newton_euler.applications.rotors import Reactions, balancing_masses, reactions
+from newton_euler.applications.rotors import balancing_masses, reactions
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 
+from .colours import BLUE, ORANGE
+from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -35,18 +37,17 @@ def in_bearings(ax: AnyAxes, ground: Frame, shaft: Frame, A: Point, B: Point) ->
     return s
 
 
-def bearing_forces(s: Sketch, A: Point, B: Point, found: Reactions) -> None:
-    """The arrows of both bearing forces with their sizes."""
+def bearing_forces(s: Sketch, body: Body, A: Point, B: Point) -> None:
+    """The arrows of both bearing forces on a rotor, with their sizes."""
+    found = reactions(body, A, B, s.frame)
     for P, force, name in ((A, found.A, "A"), (B, found.B, "B")):
         some = force * (force.norm() > 1e-9)  # less is round-off
         s.vector(P, some, rf"$\mathbf{{{name}}}$", kind="force", size="N")
 
 
-def wheel(
-    s: Sketch, ground: Frame, shaft: Frame, G: Point, normal: Vector, radius: float = 0.1
-) -> None:
+def wheel(s: Sketch, shaft: Frame, G: Point, normal: Vector, radius: float = 0.1) -> None:
     """A disk with a spoke along z of the shaft, which lies in the planes of all our disks."""
-    s.disk(G, normal, radius, spoke=G.position(ground) + shaft.k * radius)
+    s.disk(G, normal, radius, spoke=G.position(s.frame) + shaft.k * radius)
 
 
 @with_sliders(
@@ -105,10 +106,10 @@ def turning_forces(ax: AnyAxes, build: Rotor, psi: float, omega: float) -> None:
     """Figure 9.3: the forces on the shaft of an off-centre disk."""
     ground, shaft, A, B, body = build(psi=math.radians(psi), omega=omega)
     s = in_bearings(ax, ground, shaft, A, B)
-    wheel(s, ground, shaft, body.centre, shaft.i)
+    wheel(s, shaft, body.centre, shaft.i)
     s.line(O, body.centre, style="solid")
     s.label(body.centre, "G")
-    bearing_forces(s, A, B, reactions(body, A, B, ground))
+    bearing_forces(s, body, A, B)
 
 
 def off_centre_film(build: Rotor) -> Animation:
@@ -117,12 +118,12 @@ def off_centre_film(build: Rotor) -> Animation:
     def draw(t, ax):
         ground, shaft, A, B, body = build(psi=20.0 * t)
         s = in_bearings(ax, ground, shaft, A, B)
-        wheel(s, ground, shaft, body.centre, shaft.i)
-        bearing_forces(s, A, B, reactions(body, A, B, ground))
+        wheel(s, shaft, body.centre, shaft.i)
+        bearing_forces(s, body, A, B)
 
     return animate(
         draw,
-        [math.pi / 10 * n / 18 for n in range(19)],
+        evenly(0, math.pi / 10, 19),
         alt="The off-centre disk turns once; the bearing forces keep their size and turn with it, "
         "always away from the centre G of the disk.",
     )
@@ -140,13 +141,13 @@ def bent_disk(ax: AnyAxes, build: Rotor, beta: float, psi: float) -> None:
     """Figure 9.4: the bent disk with omega, H, dH/dt and the bearing forces."""
     ground, shaft, A, B, body = build(beta=math.radians(beta), psi=math.radians(psi))
     s = in_bearings(ax, ground, shaft, A, B)
-    wheel(s, ground, shaft, body.centre, body.frame.i, 0.12)
+    wheel(s, shaft, body.centre, body.frame.i, 0.12)
     H = body.angular_momentum(ground)
     s.vector(O, H, r"$\mathbf{H}$", kind="velocity")
     rate = H.rate(ground)
     if rate.norm() > 1e-9:  # not at 90°, where rounding leaves a residue
         s.vector(O, rate, r"$\dot{\mathbf{H}}$", kind="rate")
-    bearing_forces(s, A, B, reactions(body, A, B, ground))
+    bearing_forces(s, body, A, B)
 
 
 def bent_disk_film(build: Rotor) -> Animation:
@@ -155,13 +156,13 @@ def bent_disk_film(build: Rotor) -> Animation:
     def draw(t, ax):
         ground, shaft, A, B, body = build(psi=20.0 * t)
         s = in_bearings(ax, ground, shaft, A, B)
-        wheel(s, ground, shaft, body.centre, body.frame.i, 0.12)
+        wheel(s, shaft, body.centre, body.frame.i, 0.12)
         s.vector(O, body.angular_momentum(ground), r"$\mathbf{H}$")
-        bearing_forces(s, A, B, reactions(body, A, B, ground))
+        bearing_forces(s, body, A, B)
 
     return animate(
         draw,
-        [math.pi / 10 * n / 18 for n in range(19)],
+        evenly(0, math.pi / 10, 19),
         alt="The bent disk turns once; its angular momentum H goes round the shaft on a cone, and "
         "the couple of the bearing forces turns with it.",
     )
@@ -180,7 +181,7 @@ def balance_by_hand(
     ax: AnyAxes, build: Rotor, m1: float, angle1: float, m2: float, angle2: float
 ) -> None:
     """Figure 9.5: two weights on a rotor, moved by the reader until the forces vanish."""
-    ground, shaft, A, B, body = build(psi=-0.7)  # its forces in the plane of the page
+    ground, shaft, A, B, body = build(psi=-0.7)  # its forces lie in the plane of the page
     weights = [
         particle(m / 1000, spot(shaft, x, angle), f"weight {n}")
         for n, m, angle, x in ((1, m1, angle1, -0.1), (2, m2, angle2, 0.2))
@@ -188,7 +189,7 @@ def balance_by_hand(
     ]
     s = in_bearings(ax, ground, shaft, A, B)
     draw_masses(s, shaft, body.parts, (-0.1, 0.2), weights)
-    bearing_forces(s, A, B, reactions(composite("all", [body, *weights]), A, B, ground))
+    bearing_forces(s, composite("all", [body, *weights]), A, B)
 
 
 def spot(shaft: Frame, x: float, degrees: float) -> Point:
@@ -219,7 +220,7 @@ def draw_masses(
 )
 def balancing(ax: AnyAxes, build: Rotor, x1: float, x2: float) -> None:
     """Figure 9.6: where the balancing masses go, for two planes that the reader moves."""
-    ground, shaft, A, B, body = build(psi=-0.7)  # its forces in the plane of the page
+    ground, shaft, A, B, body = build(psi=-0.7)  # its forces lie in the plane of the page
     planes = [(x - 100 * A.position(shaft).x) / 100 for x in (x1, x2)]
     weights = balancing_masses(body, A, B, planes, radius=0.1)
     s = in_bearings(ax, ground, shaft, A, B)
@@ -294,11 +295,11 @@ def general_rotor(axes: Sequence[AnyAxes], build: Rotor, psi: float) -> None:
 )
 def force_over_a_turn(ax: AnyAxes, build: Rotor, omega: float) -> None:
     """Figure 9.9: the tip of the force of bearing A during one turn."""
-    forces = [force_at_A(build, math.radians(10 * n), omega) for n in range(37)]
+    forces = [force_at_A(build, psi, omega) for psi in evenly(0, 2 * math.pi, 37)]
     tips = [(Y, -X) for X, Y, _ in forces]
     weight = force_at_A(build, 0.0, 0.0)
-    ax.plot(*zip(*tips, strict=True), color="#0072B2", label="tip of the force during one turn")
-    ax.plot(weight[1], -weight[0], "s", color="#D55E00", label="share of the weight")
+    ax.plot(*zip(*tips, strict=True), color=BLUE, label="tip of the force during one turn")
+    ax.plot(weight[1], -weight[0], "s", color=ORANGE, label="share of the weight")
     ax.plot(0, 0, "k+", markersize=12, label="no force")
     ax.annotate("", tips[4], (0, 0), arrowprops={"arrowstyle": "->", "color": "k"})
     ax.set(xlim=(-17, 17), ylim=(-9, 25), aspect="equal")

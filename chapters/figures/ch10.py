@@ -25,12 +25,12 @@ from newton_euler.drawing.page.primitives import Kind
 from newton_euler.scenes.spatial.gyrocompass import gyrocompass
 from newton_euler.scenes.spatial.top import euler
 
+from .colours import BLUE, ORANGE
 from .curves import evenly, states_over
 from .sliding import with_sliders
 
 O = (0, 0, 0)
 Top: TypeAlias = Callable[..., tuple[Frame, Frame]]
-BLUE, ORANGE, GREEN = "#0072B2", "#D55E00", "#009E73"
 
 
 def sketch(
@@ -127,7 +127,7 @@ def angles_film() -> Animation:
 
     return animate(
         draw,
-        [3 * n / 24 for n in range(25)],
+        evenly(0, 3, 25),
         alt="A top turns first about the vertical, then tips about the level line of nodes, then spins "
         "about its own axis: psi, theta and phi one after the other.",
     )
@@ -319,10 +319,9 @@ def hanging_rod(axes: Sequence[AnyAxes], angle: Callable[[float], float], omega:
     right.set(ylabel="effective potential / (mgL/2)")
 
 
-def draw_cones(
-    s: Sketch, ground: Frame, ratio: float, theta: float, psi: float, phi: float
-) -> None:
+def draw_cones(s: Sketch, ratio: float, theta: float, psi: float) -> None:
     """Body cone and space cone of a free symmetric body with I/I0 = ratio, at these angles."""
+    ground, phi = s.frame, psi * (1 - ratio) * math.cos(theta) / ratio  # the cones roll
     body = euler_frame(ground, "body", psi, theta, phi)
     found = free_precession(1.0, ratio, theta, 1.0) if ratio != 1 else None
     tilt = found.body_cone if found else theta
@@ -350,9 +349,8 @@ def draw_cones(
 )
 def cones(ax: AnyAxes, ratio: float, theta: float, precession: float) -> None:
     """Figure 10.9: the body cone rolls on the space cone."""
-    ground, theta, psi = Frame("ground"), math.radians(theta), math.radians(precession)
-    phi = psi * (1 - ratio) * math.cos(theta) / ratio
-    draw_cones(sketch(ax, ground, elevation=32), ground, ratio, theta, psi, phi)
+    s = sketch(ax, Frame("ground"), elevation=32)
+    draw_cones(s, ratio, math.radians(theta), math.radians(precession))
     sense = "direct" if ratio < 1 else "retrograde" if ratio > 1 else "a fixed axis"
     ax.set_title(sense, fontsize=11)
 
@@ -361,13 +359,12 @@ def cones_film(ratio: float, theta: float) -> Animation:
     """A film: the body cone rolls once round, for this I/I0."""
 
     def draw(t, ax):
-        ground, psi = Frame("ground"), 2 * math.pi * t / 4
-        phi = psi * (1 - ratio) * math.cos(theta) / ratio
-        draw_cones(sketch(ax, ground, elevation=32), ground, ratio, theta, psi, phi)
+        s = sketch(ax, Frame("ground"), elevation=32)
+        draw_cones(s, ratio, theta, 2 * math.pi * t / 4)
 
     return animate(
         draw,
-        [4 * n / 20 for n in range(21)],
+        evenly(0, 4, 21),
         alt=f"For I/I0 = {ratio:g} the body cone rolls without slipping on the space cone, once "
         "round the angular momentum H; a line painted on it shows its spin.",
     )

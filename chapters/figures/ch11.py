@@ -16,12 +16,13 @@ from newton_euler.kinematics.paths import Path
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial.top import euler
 
+from .colours import BLUE, GREEN, GREY, ORANGE
 from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
 G_SI = 9.81
-COLOURS = "#0072B2", "#D55E00", "#009E73", "#555555"
+COLOURS = BLUE, ORANGE, GREEN, GREY
 HATCHES = "", "//", "..", ""
 STYLES = "-", "--", ":", "-."
 
@@ -92,7 +93,7 @@ def _area(ax, s, F_t, n):
     """Plot F_t against s, filled as far as the place number n."""
     ax.plot(s, F_t, color="black")
     part, force = s[: n + 1], F_t[: n + 1]
-    for sign, colour, hatch in ((1, COLOURS[0], ""), (-1, COLOURS[1], "//")):
+    for sign, colour, hatch in ((1, BLUE, ""), (-1, ORANGE, "//")):
         where = [sign * F >= 0 for F in force]
         ax.fill_between(part, force, where=where, color=colour, alpha=0.4, hatch=hatch, lw=0)
     ax.axhline(0, color="black", lw=0.8)
@@ -162,7 +163,7 @@ def pendulum_with_pin(
     ball, direction = place(way / 100)
     v, B = speed(-ball[1]), (0, -pin, 0)
     sketch = Sketch(axes[0], Frame("ground"), plane="xy")
-    sketch.path([place(n / 60)[0] for n in range(61)], style="dotted")
+    sketch.path([place(x)[0] for x in evenly(0, 1, 61)], style="dotted")
     for start, end in [(O, ball)] if way / 100 < first else [(O, B), (B, ball)]:
         sketch.line(start, end, "solid")
     for nail in (O, B):
@@ -186,7 +187,7 @@ def pendulum_with_pin(
 )
 def two_works(axes: Sequence[AnyAxes], forces: Mapping[str, Field], bulge: float) -> None:
     """Figure 11.4: the work of each of two forces on paths from A to B that bulge differently."""
-    grid = [n / 3 for n in range(-4, 11)]
+    grid = evenly(-4 / 3, 10 / 3, 15)
     works = {
         name: work_along(F, lambda q: _bulging(q, bulge), 0.0, 1.0).value
         for name, F in forces.items()
@@ -194,7 +195,7 @@ def two_works(axes: Sequence[AnyAxes], forces: Mapping[str, Field], bulge: float
     ax = axes[0]
     around = list(forces.values())[1]
     swirl = [(x, y, *around(x, y, 0)[:2]) for x in grid for y in grid]
-    ax.quiver(*zip(*swirl, strict=True), color=COLOURS[1], width=0.007, scale=300, pivot="mid")
+    ax.quiver(*zip(*swirl, strict=True), color=ORANGE, width=0.007, scale=300, pivot="mid")
     places = [_bulging(q, bulge)[:2] for q in evenly(0, 1, 61)]
     ax.plot(*zip(*places, strict=True), color="black", lw=2)
     for name, (x, y) in {"A": (0, 0), "B": (2, 1)}.items():
@@ -237,7 +238,7 @@ def satellite(
     r, P, direction = at(round_)
     v = speed(r)
     sketch = Sketch(axes[0], Frame("space"), plane="xy")
-    sketch.path([at(3 * n)[1] for n in range(121)], style="dotted")
+    sketch.path([at(angle)[1] for angle in evenly(0, 360, 121)], style="dotted")
     sketch.sphere(O, 6.4)
     sketch.line(O, P)
     sketch.dot(P)
@@ -249,23 +250,26 @@ def satellite(
     bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -70, 60, "MJ/kg")
 
 
+def _incline(slope):
+    """The unit vectors down an incline, and at right angles to it, up."""
+    return (math.cos(slope), -math.sin(slope), 0), (math.sin(slope), math.cos(slope), 0)
+
+
 def sliding_block(m: float, slope: float, mu: float, length: float) -> None:
     """Figure 11.6: a block that slides down against friction, and where the energy goes."""
-    down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
+    down, normal = _incline(slope)
     a = G_SI * (math.sin(slope) - mu * math.cos(slope))
     top = m * G_SI * length * math.sin(slope)
 
     def draw(axes, s):
-        G = tuple(s * d + 0.2 * n for d, n in zip(down, normal, strict=True))
-        ground = Frame("ground")
+        ground, G = Frame("ground"), on_plane(O, s, down, 0.2, normal)
         sketch = Sketch(axes[0], ground, plane="xy")
-        sketch.road([tuple(x * d for d in (*down, 0)) for x in (-0.4, length + 0.4)])
-        sketch.box((*G, 0), ground.rotate("slope", "-z", slope), (0.6, 0.4, 0.4))
+        sketch.road([moved(O, -0.4, down), moved(O, length + 0.4, down)])
+        sketch.box(G, ground.rotate("slope", "-z", slope), (0.6, 0.4, 0.4))
         weight = m * G_SI
         friction = mu * weight * math.cos(slope)
-        sketch.vector((*G, 0), (0, -weight, 0), r"$m\mathbf{g}$", kind="force")
-        foot = (s * down[0], s * down[1], 0)
-        sketch.vector(foot, tuple(-friction * d for d in (*down, 0)), "friction", kind="force")
+        sketch.vector(G, (0, -weight, 0), r"$m\mathbf{g}$", kind="force")
+        sketch.vector(moved(O, s, down), moved(O, -friction, down), "friction", kind="force")
         T, lost = m * a * s, friction * s
         V = top - weight * s * math.sin(slope)
         bars(axes[1], {"T": T, "V": V, "internal": lost, "sum": T + V + lost}, 0, 1.2 * top)
@@ -307,8 +311,8 @@ def weight_on_spring(m: float, stiffness: float) -> None:
         for (name, V), colour, style in zip(potentials.items(), COLOURS, STYLES[1:], strict=False):
             ax.plot(cm, [*map(V, x)], color=colour, ls=style, label=f"V of the {name}")
         ax.plot(cm, [*map(total, x)], color="black", label="V, the sum")
-        ax.axhline(0, color="#555555", ls="-.", label="E = 0")
-        ax.plot([stretch] * 2, [total(now), 0], color=COLOURS[2], lw=5, label="T = E − V")
+        ax.axhline(0, color=GREY, ls="-.", label="E = 0")
+        ax.plot([stretch] * 2, [total(now), 0], color=GREEN, lw=5, label="T = E − V")
         ax.set(xlabel="x (cm)", ylabel="J", xlim=(cm[0], cm[-1]))
         ax.legend(frameon=False, fontsize=9, loc="upper left")
 
@@ -400,7 +404,7 @@ def rolling_sphere(
     """Figure 11.10: a sphere rolls down 1 m; ``energy(v)`` has terms, ``speed`` is that after a
     drop.
     """
-    down, normal = (math.cos(slope), -math.sin(slope), 0), (math.sin(slope), math.cos(slope), 0)
+    down, normal = _incline(slope)
     weight, drop = m * G_SI, s * math.sin(slope)
     v, C = speed(drop), moved(O, s, down)
     G = moved(C, R, normal)
@@ -423,7 +427,7 @@ def race(
 ) -> Animation:
     """A film: bodies start together on equal inclines; ``speeds``: by name, after a drop."""
     R = 0.1
-    down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
+    down, normal = _incline(slope)
     end = length * math.sin(slope)
     accelerations = {name: speed(end) ** 2 / (2 * length) for name, speed in speeds.items()}
     time = math.sqrt(2 * length / min(accelerations.values()))
@@ -432,23 +436,19 @@ def race(
         ground = Frame("ground")
         sketch = Sketch(ax, ground, plane="xy")
         for n, (name, a) in enumerate(accelerations.items()):
-            s, low = min(a * t * t / 2, length), -0.5 * n
-
-            def place(x, y, low=low):
-                return x * down[0] + y * normal[0], low + x * down[1] + y * normal[1], 0
-
-            sketch.road([place(-0.15, 0), place(length + 0.15, 0)])
+            s, start = min(a * t * t / 2, length), (0, -0.5 * n, 0)
+            top, C = moved(start, -0.15, down), on_plane(start, s, down, R, normal)
+            sketch.road([top, moved(start, length + 0.15, down)])
             if name == "block":
-                sketch.box(place(s, R), ground.rotate("slope", "-z", slope), (2 * R, 2 * R, R))
+                sketch.box(C, ground.rotate("slope", "-z", slope), (2 * R, 2 * R, R))
             else:
                 hole = 0.8 * R if name == "hoop" else 0
-                rim = place(s + R * math.sin(s / R), R + R * math.cos(s / R))
-                sketch.disk(place(s, R), (0, 0, 1), R, spoke=rim, hole=hole)
-            sketch.label(place(-0.15, 0), name, offset=(-26, 4))
+                sketch.disk(C, (0, 0, 1), R, on_circle(C, normal, down, R, s / R), hole=hole)
+            sketch.label(top, name, offset=(-26, 4))
 
     return animate(
         draw,
-        [time * n / 24 for n in range(25)],
+        evenly(0, time, 25),
         alt="A block without friction, a sphere, a cylinder and a hoop start together down equal "
         "inclines. The block is first, then the sphere, the cylinder, and last the hoop.",
     )
@@ -487,15 +487,15 @@ def pendulum_levels(m: float, I: float, l: float) -> None:
         E = (I + m * l * l) * omega0**2 / 2 - depth
         top = 2000 if depth < E else 200
         V = [-depth * math.cos(math.radians(x)) for x in angles]
-        axes[0].plot(angles, V, color=COLOURS[0], label="V")
+        axes[0].plot(angles, V, color=BLUE, label="V")
         axes[0].axhline(E, color="black", ls="--", label="E")
-        look = {"color": COLOURS[2], "alpha": 0.3, "label": "T = E − V"}
+        look = {"color": GREEN, "alpha": 0.3, "label": "T = E − V"}
         axes[0].fill_between(angles, V, E, where=[x < E for x in V], **look)
         axes[0].set(xlabel="θ (°)", ylabel="J", xlim=(-180, 180), ylim=(-1.3 * depth, 3.6 * depth))
         axes[0].legend(frameon=False, fontsize=9, loc="upper left", ncols=3)
         t = evenly(0, 4, 161)
         theta = [math.degrees(swing(x, (0.0, omega0))[0]) for x in t]
-        axes[1].plot(t, theta, color=COLOURS[0])
+        axes[1].plot(t, theta, color=BLUE)
         axes[1].set(xlabel="t (s)", ylabel="θ (°)", ylim=(-200, top))
 
     interactive_figure(

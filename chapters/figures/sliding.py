@@ -14,7 +14,7 @@ class SliderFigure(Protocol):
 
     draw: Callable[..., None]
     sliders: tuple[Slider, ...]
-    options: dict[str, Any]  # of :func:`newton_euler.classroom.interactive_figure`
+    options: dict[str, Any]  # those of :func:`newton_euler.classroom.interactive_figure`
 
     def __call__(self, *given: object, **named: object) -> None: ...
 

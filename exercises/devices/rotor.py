@@ -113,14 +113,13 @@ def following(rotor_of: Callable[[Givens], Rotor]) -> Follows:
         right, axes = answers(rotor_of(g)), F_A.frame
         return axes.vector(*right["F_A"]) + axes.vector(*right["F_B"]) - F_A
 
-    def state(g, Hdot_O, F_A, F_B):
+    def balanced(g, Hdot_O, F_A, F_B):
         """Forces written in few digits leave a sum that is not quite zero."""
         near = (F_A.norm() + F_B.norm()) / 100
         small = answers(rotor_of(g))["H_O"].norm() * g.omega / 10**9
-        static, dynamic = (F_A + F_B).norm() <= near, Hdot_O.norm() <= small
-        return ("both" if dynamic else "static") if static else "dynamic" if dynamic else "neither"
+        return state((F_A + F_B).norm() <= near, Hdot_O.norm() <= small)
 
-    return {"Hdot_O": Hdot_O, "F_A": F_A, "F_B": F_B, "balance": state}
+    return {"Hdot_O": Hdot_O, "F_A": F_A, "F_B": F_B, "balance": balanced}
 
 
 def problem_of(
