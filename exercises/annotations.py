@@ -5,10 +5,10 @@ from newton_euler.drawing import AnyAxes
 
 from .catalogue import Givens
 from .catalogue.model import Answers, Draw, Follows, Mistakes, Solve
-from .catalogue.proofs.digits import Matrix, Motion, Number, Path, Points  # of proofs
+from .catalogue.proofs.digits import Matrix, Motion, Number, Orientation, Path, Points
 from .catalogue.steps import Functions, Steps, StepsOf
 
 __all__ = [
     "Answers", "AnyAxes", "Draw", "Follows", "Functions", "Givens", "Matrix", "Mistakes", "Motion",
-    "Number", "Path", "Points", "Scalar", "Solve", "Steps", "StepsOf", "Triple",
+    "Number", "Orientation", "Path", "Points", "Scalar", "Solve", "Steps", "StepsOf", "Triple",
 ]  # fmt: skip

@@ -5,7 +5,7 @@ by observers who are carried round.
 import math
 from collections.abc import Callable, Sequence
 
-from newton_euler import Frame, Model, at, cylindrical, integrate, moving, polar, spherical
+from newton_euler import Frame, Model, cylindrical, integrate, moving, polar, spherical
 from newton_euler.algebra.scalars import Scalar
 from newton_euler.applications.earth import (
     coriolis_acceleration,
@@ -20,6 +20,7 @@ from newton_euler.classroom import Slider, interactive_figure
 from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics.newton import acceleration_by, reaction, resultant_force
+from newton_euler.kinematics.paths import along
 from newton_euler.scenes.particles.low_pressure import air_near_low
 
 from .colours import BLUE, GREEN, GREY, ORANGE
@@ -65,10 +66,10 @@ def sledge(axes: Sequence[AnyAxes], pull: float) -> None:
 
 def hammer_film() -> Animation:
     """A film: a hammer thrown, its centre of mass on a parabola."""
-    up, along, spin, time = 6.0, 3.0, 8.9, 1.2
+    up, ahead, spin, time = 6.0, 3.0, 8.9, 1.2
 
     def place(t):
-        return along * t, 0, up * t - G * t * t / 2
+        return ahead * t, 0, up * t - G * t * t / 2
 
     def end(t):
         return moved(place(t), 0.75, (-math.cos(spin * t), 0, math.sin(spin * t)))
@@ -105,7 +106,7 @@ def hammer_film() -> Animation:
 def three_components(axes: Sequence[AnyAxes], t: float) -> None:
     """Figure 6.2: one force, resolved in three ways."""
     ground = Frame("ground")
-    r, theta = at(lambda q: 0.6 + 0.5 * q, t), at(lambda q: 0.2 + 0.7 * q + 0.1 * q * q, t)
+    r, theta, _ = along(_spiral, t)
     P = polar(ground, "P", r, theta)
     F = resultant_force(1.0, P.acceleration(ground)).expressed_in(ground)
     e_t = P.velocity(ground).expressed_in(ground).direction()
@@ -121,7 +122,7 @@ def three_components(axes: Sequence[AnyAxes], t: float) -> None:
         parts = {f"$F_{{{first}}}$": F.dot(e) * e, f"$F_{{{second}}}$": F.dot(n) * n}
         s = Sketch(ax, ground, plane="xy", arrows=100)
         s.axes(O, ground, length=0.5, labels=["x", "y", ""])
-        s.path([_spiral(q) for q in evenly(0, 1.8, 41)], style="dashed")
+        s.path([_around(O, *_spiral(q)[:2]) for q in evenly(0, 1.8, 41)], style="dashed")
         if first == "r":
             s.line(O, P)
         s.sum(P, acceleration_by(1.0, **parts), kind="force", label="F")
@@ -130,8 +131,13 @@ def three_components(axes: Sequence[AnyAxes], t: float) -> None:
 
 
 def _spiral(t):
-    r, theta = 0.6 + 0.5 * t, 0.2 + 0.7 * t + 0.1 * t * t
-    return r * math.cos(theta), r * math.sin(theta), 0
+    """Distance, angle and height at the time t."""
+    return 0.6 + 0.5 * t, 0.2 + 0.7 * t + 0.1 * t * t, 0
+
+
+def _around(C, r, angle):
+    """The place at the distance r from C, in this direction from x."""
+    return C[0] + r * math.cos(angle), C[1] + r * math.sin(angle), 0
 
 
 @with_sliders(
@@ -237,7 +243,7 @@ def coordinates_in_space(axes: Sequence[AnyAxes], theta: float, phi: float) -> N
     )
     for ax, (P, labels, title) in zip(axes, points, strict=True):
         s = Sketch(ax, ground, azimuth=25, elevation=22)
-        foot = (r * math.cos(th), r * math.sin(th), 0)
+        foot = _around(O, r, th)
         s.axes(O, ground, length=1.15)
         s.ring(O, ground.k, 1.0)
         s.line(O, foot)
@@ -350,12 +356,8 @@ def _rim(s, C, r, turned):
     """The rim and four spokes of a station about C, turned clockwise."""
     s.ring(C, (0, 0, 1), r)
     for n in range(4):
-        spoke = _rim_place(C, r, n * math.pi / 2 - turned + math.pi / 4)
+        spoke = _around(C, r, n * math.pi / 2 - turned + math.pi / 4)
         s.line(C, spoke, style="dotted")
-
-
-def _rim_place(C, r, angle):
-    return C[0] + r * math.cos(angle), C[1] + r * math.sin(angle), 0
 
 
 def _flight(r, u):
@@ -380,11 +382,11 @@ def _throw_scene(s, C, r, u, t, inside):
     turned = 0.0 if inside else omega * t
     _rim(s, C, r, turned)
     for angle, name in ((0.0, "thrower"), (math.pi, "friend")):
-        place = _rim_place(C, r, angle - turned)
+        place = _around(C, r, angle - turned)
         s.dot(place)
         inward = math.cos(angle - turned), math.sin(angle - turned)
         s.label(place, name, offset=(-38 * inward[0], 10 - 20 * inward[1]), bold=False)
-    s.line(_rim_place(C, r, 0.0), _rim_place(C, r, math.pi))  # the aim
+    s.line(_around(C, r, 0.0), _around(C, r, math.pi))  # the aim
     parts = 20 if inside else 1  # from the stars it is a straight line
     past = evenly(0, t, parts + 1)
     if t:
@@ -661,8 +663,8 @@ def low(axes: Sequence[AnyAxes], latitude: float) -> None:
         for x, y in around:
             ax.plot(x[0], y[0], "o", ms=4, color=BLUE)
             way = x[17] - x[16], y[17] - y[16]
-            along = [[step / math.hypot(*way)] for step in way]
-            ax.quiver([x[16]], [y[16]], *along, scale=18, width=0.009, zorder=3)
+            towards = [[step / math.hypot(*way)] for step in way]
+            ax.quiver([x[16]], [y[16]], *towards, scale=18, width=0.009, zorder=3)
         ax.plot(0, 0, "k+", ms=10)
         ax.set(xlim=(-3.3, 3.3), ylim=(-3.3, 3.3), xlabel="east (100 km)")
         ax.set_title("with friction" if friction else "without friction", fontsize=11)

@@ -35,11 +35,11 @@ def draw_dumbbell(s: Sketch, body: Body) -> None:
     s.sphere(other, 0.06)
 
 
-def _dumbbell(s, ground, axle, body):
+def _dumbbell(s, axle, body):
     """Draw the dumbbell, and omega and H at O."""
     draw_dumbbell(s, body)
-    s.vector(O, axle.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
-    s.vector(O, body.angular_momentum(ground), r"$\mathbf{H}$", kind="plain", size="kg m²/s")
+    s.vector(O, axle.angular_velocity(s.frame), r"$\omega$", kind="rate", size="rad/s")
+    s.vector(O, body.angular_momentum(s.frame), r"$\mathbf{H}$", kind="plain", size="kg m²/s")
     s.label(O, "O")
 
 
@@ -55,7 +55,7 @@ def turning_dumbbell(ax: AnyAxes, build: Dumbbell, tilt: float, turn: float) -> 
     """Figure 7.1: omega and H of a dumbbell, from ``build(tilt, turn)``."""
     ground, axle, body = build(math.radians(tilt), math.radians(turn))
     s = Sketch(ax, ground, azimuth=-65, elevation=18, arrows=90)
-    _dumbbell(s, ground, axle, body)
+    _dumbbell(s, axle, body)
     s.arc(O, (0, 0, 1), body.parts[0].centre, r"$\beta$")
     omega, H = axle.angular_velocity(ground), body.angular_momentum(ground)
     ax.set_title(f"angle between ω and H: {angle_between(omega, H):.0f}°", fontsize=11)
@@ -69,7 +69,7 @@ def dumbbell_film(build: Dumbbell) -> Animation:
         s = Sketch(ax, ground, azimuth=-65, elevation=18, arrows=90)
         tip = axle.vector(-math.cos(math.radians(35)), 0, math.sin(math.radians(35))) * 0.42
         s.ring((0, 0, float(tip.expressed_in(ground).z)), ground.k, 0.42 * math.cos(0.611))
-        _dumbbell(s, ground, axle, body)
+        _dumbbell(s, axle, body)
 
     return animate(
         draw,

@@ -12,7 +12,7 @@ from typing import TypeAlias
 from newton_euler import Body, Frame, Point, Vector, composite, particle
 from newton_euler.algebra.late import plt
 from newton_euler.algebra.scalars import Triple
-from newton_euler.applications.rotors import Reactions, balancing_masses, reactions
+from newton_euler.applications.rotors import balancing_masses, reactions
 from newton_euler.classroom import Slider, show_figure
 from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 
@@ -37,18 +37,17 @@ def in_bearings(ax: AnyAxes, ground: Frame, shaft: Frame, A: Point, B: Point) ->
     return s
 
 
-def bearing_forces(s: Sketch, A: Point, B: Point, found: Reactions) -> None:
-    """The arrows of both bearing forces with their sizes."""
+def bearing_forces(s: Sketch, body: Body, A: Point, B: Point) -> None:
+    """The arrows of both bearing forces on a rotor, with their sizes."""
+    found = reactions(body, A, B, s.frame)
     for P, force, name in ((A, found.A, "A"), (B, found.B, "B")):
         some = force * (force.norm() > 1e-9)  # less is round-off
         s.vector(P, some, rf"$\mathbf{{{name}}}$", kind="force", size="N")
 
 
-def wheel(
-    s: Sketch, ground: Frame, shaft: Frame, G: Point, normal: Vector, radius: float = 0.1
-) -> None:
+def wheel(s: Sketch, shaft: Frame, G: Point, normal: Vector, radius: float = 0.1) -> None:
     """A disk with a spoke along z of the shaft, which lies in the planes of all our disks."""
-    s.disk(G, normal, radius, spoke=G.position(ground) + shaft.k * radius)
+    s.disk(G, normal, radius, spoke=G.position(s.frame) + shaft.k * radius)
 
 
 @with_sliders(
@@ -107,10 +106,10 @@ def turning_forces(ax: AnyAxes, build: Rotor, psi: float, omega: float) -> None:
     """Figure 9.3: the forces on the shaft of an off-centre disk."""
     ground, shaft, A, B, body = build(psi=math.radians(psi), omega=omega)
     s = in_bearings(ax, ground, shaft, A, B)
-    wheel(s, ground, shaft, body.centre, shaft.i)
+    wheel(s, shaft, body.centre, shaft.i)
     s.line(O, body.centre, style="solid")
     s.label(body.centre, "G")
-    bearing_forces(s, A, B, reactions(body, A, B, ground))
+    bearing_forces(s, body, A, B)
 
 
 def off_centre_film(build: Rotor) -> Animation:
@@ -119,8 +118,8 @@ def off_centre_film(build: Rotor) -> Animation:
     def draw(t, ax):
         ground, shaft, A, B, body = build(psi=20.0 * t)
         s = in_bearings(ax, ground, shaft, A, B)
-        wheel(s, ground, shaft, body.centre, shaft.i)
-        bearing_forces(s, A, B, reactions(body, A, B, ground))
+        wheel(s, shaft, body.centre, shaft.i)
+        bearing_forces(s, body, A, B)
 
     return animate(
         draw,
@@ -142,13 +141,13 @@ def bent_disk(ax: AnyAxes, build: Rotor, beta: float, psi: float) -> None:
     """Figure 9.4: the bent disk with omega, H, dH/dt and the bearing forces."""
     ground, shaft, A, B, body = build(beta=math.radians(beta), psi=math.radians(psi))
     s = in_bearings(ax, ground, shaft, A, B)
-    wheel(s, ground, shaft, body.centre, body.frame.i, 0.12)
+    wheel(s, shaft, body.centre, body.frame.i, 0.12)
     H = body.angular_momentum(ground)
     s.vector(O, H, r"$\mathbf{H}$", kind="velocity")
     rate = H.rate(ground)
     if rate.norm() > 1e-9:  # not at 90°, where rounding leaves a residue
         s.vector(O, rate, r"$\dot{\mathbf{H}}$", kind="rate")
-    bearing_forces(s, A, B, reactions(body, A, B, ground))
+    bearing_forces(s, body, A, B)
 
 
 def bent_disk_film(build: Rotor) -> Animation:
@@ -157,9 +156,9 @@ def bent_disk_film(build: Rotor) -> Animation:
     def draw(t, ax):
         ground, shaft, A, B, body = build(psi=20.0 * t)
         s = in_bearings(ax, ground, shaft, A, B)
-        wheel(s, ground, shaft, body.centre, body.frame.i, 0.12)
+        wheel(s, shaft, body.centre, body.frame.i, 0.12)
         s.vector(O, body.angular_momentum(ground), r"$\mathbf{H}$")
-        bearing_forces(s, A, B, reactions(body, A, B, ground))
+        bearing_forces(s, body, A, B)
 
     return animate(
         draw,
@@ -190,7 +189,7 @@ def balance_by_hand(
     ]
     s = in_bearings(ax, ground, shaft, A, B)
     draw_masses(s, shaft, body.parts, (-0.1, 0.2), weights)
-    bearing_forces(s, A, B, reactions(composite("all", [body, *weights]), A, B, ground))
+    bearing_forces(s, composite("all", [body, *weights]), A, B)
 
 
 def spot(shaft: Frame, x: float, degrees: float) -> Point:

@@ -319,10 +319,9 @@ def hanging_rod(axes: Sequence[AnyAxes], angle: Callable[[float], float], omega:
     right.set(ylabel="effective potential / (mgL/2)")
 
 
-def draw_cones(
-    s: Sketch, ground: Frame, ratio: float, theta: float, psi: float, phi: float
-) -> None:
+def draw_cones(s: Sketch, ratio: float, theta: float, psi: float) -> None:
     """Body cone and space cone of a free symmetric body with I/I0 = ratio, at these angles."""
+    ground, phi = s.frame, psi * (1 - ratio) * math.cos(theta) / ratio  # the cones roll
     body = euler_frame(ground, "body", psi, theta, phi)
     found = free_precession(1.0, ratio, theta, 1.0) if ratio != 1 else None
     tilt = found.body_cone if found else theta
@@ -350,9 +349,8 @@ def draw_cones(
 )
 def cones(ax: AnyAxes, ratio: float, theta: float, precession: float) -> None:
     """Figure 10.9: the body cone rolls on the space cone."""
-    ground, theta, psi = Frame("ground"), math.radians(theta), math.radians(precession)
-    phi = psi * (1 - ratio) * math.cos(theta) / ratio
-    draw_cones(sketch(ax, ground, elevation=32), ground, ratio, theta, psi, phi)
+    s = sketch(ax, Frame("ground"), elevation=32)
+    draw_cones(s, ratio, math.radians(theta), math.radians(precession))
     sense = "direct" if ratio < 1 else "retrograde" if ratio > 1 else "a fixed axis"
     ax.set_title(sense, fontsize=11)
 
@@ -361,9 +359,8 @@ def cones_film(ratio: float, theta: float) -> Animation:
     """A film: the body cone rolls once round, for this I/I0."""
 
     def draw(t, ax):
-        ground, psi = Frame("ground"), 2 * math.pi * t / 4
-        phi = psi * (1 - ratio) * math.cos(theta) / ratio
-        draw_cones(sketch(ax, ground, elevation=32), ground, ratio, theta, psi, phi)
+        s = sketch(ax, Frame("ground"), elevation=32)
+        draw_cones(s, ratio, theta, 2 * math.pi * t / 4)
 
     return animate(
         draw,

@@ -5,11 +5,11 @@ The axes of the gears and of the pinion are successive ones of x, y, z. The firs
 positive side.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 
 from mpmath import matrix
 
-from exercises.annotations import Givens, Matrix, Number, Scalar
+from exercises.annotations import Givens, Number, Orientation, Scalar
 from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, solve_rates
 
@@ -61,9 +61,7 @@ def spin_against(g: Givens, axis: str, cage_rate: Scalar, gear_rate: Scalar, sid
     return spin
 
 
-def rolled(
-    g: Givens, axis: str, first: Number, second: Number
-) -> tuple[Callable[[Number], Matrix], Callable[[Number], Matrix]]:
+def rolled(g: Givens, axis: str, first: Number, second: Number) -> tuple[Orientation, Orientation]:
     """Proof: orientations of cage and pinion over time, by equal arcs at both contacts."""
 
     def angles(t):

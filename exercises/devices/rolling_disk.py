@@ -1,8 +1,6 @@
 """The disk of 4/22, 4/23, 4/30 rolls upright round a circle, its axle to the vertical y axis."""
 
-from collections.abc import Callable
-
-from exercises.annotations import Answers, AnyAxes, Givens, Matrix, Number, Path, Scalar, Steps
+from exercises.annotations import Answers, AnyAxes, Givens, Orientation, Path, Scalar, Steps
 from exercises.tools import Sketch, Step, minus, mp, plus, proofs, rate, rot, scaled, times
 from newton_euler import Frame, Point, pi, solve_rates
 
@@ -58,7 +56,7 @@ def proved_steps(g: Givens) -> Answers:
     return {"v_C": rate(outward), "omega_spin": spin}
 
 
-def orientation(g: Givens) -> Callable[[Number], Matrix]:
+def orientation(g: Givens) -> Orientation:
     """Proof, over time: centre and rim both cover the arc R theta; A starts at the bottom."""
 
     theta = lambda t: 2 * mp.pi * t / g.T

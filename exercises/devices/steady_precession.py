@@ -6,10 +6,9 @@ proofs find the moment that mass points need in the explicit motion, without mom
 equations of a gyroscope.
 """
 
-from collections.abc import Callable
 from typing import cast
 
-from exercises.annotations import Answers, Matrix, Number, Points, Scalar
+from exercises.annotations import Answers, Number, Orientation, Points, Scalar
 from exercises.tools import carried, mean, moment_needed, mp, mpf, plus, ring, root, rot, times
 from newton_euler import Frame, dynamics, euler_frame
 
@@ -31,7 +30,7 @@ def weight_moment(m: Scalar, g: Scalar, ground: Frame, axes: Frame, r: Scalar) -
 # -- proof
 
 
-def orientation(theta: Number, psi_dot: Number, phi_dot: Number) -> Callable[[Number], Matrix]:
+def orientation(theta: Number, psi_dot: Number, phi_dot: Number) -> Orientation:
     """Orientation as a function of time; at t = 0 the line of nodes is x."""
     tilted = rot("x", theta)
     return lambda t: times(rot("z", psi_dot * t), tilted, rot("z", phi_dot * t))

@@ -13,8 +13,8 @@ from exercises.annotations import (
     Answers,
     Follows,
     Givens,
-    Matrix,
     Number,
+    Orientation,
     Path,
     Points,
     Scalar,
@@ -188,7 +188,7 @@ def prove(g: Givens, axis: str, **parts: Summed) -> Answers:
     }
 
 
-def rot_about(axis: str, omega: Number, alpha: Number = 0) -> Callable[[Number], Matrix]:
+def rot_about(axis: str, omega: Number, alpha: Number = 0) -> Orientation:
     """The orientation as a function of time."""
     return lambda t: rot(axis, omega * t + alpha * t * t / 2)
 

@@ -1,8 +1,6 @@
 """The joint of 4/21 and 4/29: a shaft spinning in a block that tilts in a turning fork."""
 
-from collections.abc import Callable
-
-from exercises.annotations import AnyAxes, Givens, Matrix, Number
+from exercises.annotations import AnyAxes, Givens, Orientation
 from exercises.tools import Sketch, Step, in_frame, mp, rot, spun, times
 from newton_euler import Frame, Vector
 
@@ -34,7 +32,7 @@ def direction(g: Givens) -> Step:
     return Step("e", shaft.k.expressed_in(fork), "1", means)
 
 
-def orientation(g: Givens) -> Callable[[Number], Matrix]:
+def orientation(g: Givens) -> Orientation:
     """Proof, over time: rotation about e, starting at the pin, then rotation with the fork."""
 
     def shaft(t):

@@ -8,6 +8,7 @@ Number: TypeAlias = Any  # an mpf or anything that mpmath converts
 Triple: TypeAlias = list[Number]
 Matrix: TypeAlias = list[Triple]  # rows
 Path: TypeAlias = Callable[[Number], Triple]  # the place of a point over time
+Orientation: TypeAlias = Callable[[Number], Matrix]  # of a body over time
 Value: TypeAlias = Any  # a Number, a Triple or a Matrix
 Points: TypeAlias = list[tuple[Number, Triple]]  # (share of the mass, place)
 Motion: TypeAlias = Callable[[Number], Points]
