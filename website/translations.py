@@ -75,7 +75,8 @@ def _of_other(text):
 
 
 SAID = "_", "Words", "AnswerError", "OpenAnswer", "TreeError", "form.error", "PracticeFileError"
-CALLS = {"plural": 2} | dict.fromkeys(SAID, 1)  # {function: number of its sentences}
+OF_CAUSES = "slip", "remark"  # in newton_euler/answers/causes.py
+CALLS = {"plural": 2} | dict.fromkeys((*SAID, *OF_CAUSES), 1)  # {function: number of its sentences}
 
 
 def predictions(chapter: Chapter) -> dict[str, tuple[str, ...]]:

@@ -136,88 +136,75 @@ def _together(texts):
     return found
 
 
-def slip(name: str, text: Words) -> Cause:
+def slip(text: str, name: str, **values: object) -> Cause:
     """A slip that can be made in any problem."""
-    return Cause("slip", name, text)
+    return Cause("slip", name, Words(text, **values))
 
 
 OPPOSITE = slip(
+    "has the opposite sign in every component: its direction is reversed against the axes of the "
+    "text",
     "opposite",
-    Words(
-        "has the opposite sign in every component: its direction is reversed against the axes of "
-        "the text"
-    ),
 )
 OPPOSITE_NUMBER = slip(
-    "opposite", Words("has the opposite sign: the text says which direction is positive")
+    "has the opposite sign: the text says which direction is positive", "opposite"
 )
-TRANSPOSED = slip(
-    "transposed", Words("writes the transposed matrix: rows stand in place of columns")
-)
-SQUARED = slip("squared", Words("is the square of the answer: its root is asked for"))
-ROOT = slip("root", Words("is the square root of the answer: it was taken once too often"))
-UNIT_VECTOR = slip("unit", Words("gives the unit vector: its magnitude is asked for as well"))
-INVERTED = slip("inverted", Words("is upside down: numerator and denominator are exchanged"))
+TRANSPOSED = slip("writes the transposed matrix: rows stand in place of columns", "transposed")
+SQUARED = slip("is the square of the answer: its root is asked for", "squared")
+ROOT = slip("is the square root of the answer: it was taken once too often", "root")
+UNIT_VECTOR = slip("gives the unit vector: its magnitude is asked for as well", "unit")
+INVERTED = slip("is upside down: numerator and denominator are exchanged", "inverted")
 OFF_DIAGONAL = slip(
+    "has the opposite sign in every entry off the diagonal: only the entries on the diagonal are "
+    "right",
     "off diagonal",
-    Words(
-        "has the opposite sign in every entry off the diagonal: only the entries on the diagonal "
-        "are right"
-    ),
 )
 DIAGONAL_ONLY = slip(
+    "leaves out every product of inertia: only the entries on the diagonal are right",
     "diagonal only",
-    Words("leaves out every product of inertia: only the entries on the diagonal are right"),
 )
 POLAR = slip(
+    "takes the distance to the point for each moment of inertia: that to the axis is asked for",
     "polar",
-    Words(
-        "takes the distance to the point for each moment of inertia: that to the axis is asked for"
-    ),
 )
 PLANAR = slip(
-    "planar",
-    Words("takes the integral of x^2 for I_xx: it is that of y^2 + z^2, and so for each axis"),
+    "takes the integral of x^2 for I_xx: it is that of y^2 + z^2, and so for each axis", "planar"
 )
-GIVES_ZERO = slip(
-    "zero", Words("gives zero: what was taken as zero is not, or two terms do not cancel")
-)
-BOUNDS = slip("bounds", Words("has its bounds in the wrong order: the lower one comes first"))
+GIVES_ZERO = slip("gives zero: what was taken as zero is not, or two terms do not cancel", "zero")
+BOUNDS = slip("has its bounds in the wrong order: the lower one comes first", "bounds")
 OTHER_ORDER = slip(
-    "order", Words("has its components in another order: each belongs to one axis of the text")
+    "has its components in another order: each belongs to one axis of the text", "order"
 )
 AS_SCALARS = slip(
-    "as scalars", Words("adds angular velocities as numbers: they are vectors along different axes")
+    "adds angular velocities as numbers: they are vectors along different axes", "as scalars"
 )
-ROUNDED = slip(
-    "rounded", Words("rounds the right answer too far: give three significant figures or more")
-)
+ROUNDED = slip("rounds the right answer too far: give three significant figures or more", "rounded")
 BOOK = Cause("book", "", Words("takes the numbers of the book: your sheet has others"))
 EARLIER = Cause(
     "book", "earlier", Words("takes the numbers of an earlier sheet of yours: this one has others")
 )
-DIRECTION = Cause("seen", "direction", Words("its magnitude is right, its direction is not"))
-NEAR = Cause(
-    "seen",
+
+
+def remark(text: str, name: str, **values: object) -> Cause:
+    """A remark on an answer that no mistake explains."""
+    return Cause("seen", name, Words(text, **values))
+
+
+PERCENT = f"{100 * NEARLY:.0f}"
+DIRECTION = remark("its magnitude is right, its direction is not", "direction")
+NEAR = remark(
+    "it is within {percent} % of the right answer: check each number and term in it",
     "near",
-    Words(
-        "it is within {percent} % of the right answer: check each number and term in it",
-        percent=f"{100 * NEARLY:.0f}",
-    ),
+    percent=PERCENT,
 )
-NEAR_IN_FEW_DIGITS = Cause(
-    "seen",
+NEAR_IN_FEW_DIGITS = remark(
+    "it is within {percent} % of the right answer: keep more digits, and round at the end",
     "near in few digits",
-    Words(
-        "it is within {percent} % of the right answer: keep more digits, and round at the end",
-        percent=f"{100 * NEARLY:.0f}",
-    ),
+    percent=PERCENT,
 )
-NUMBERS = Cause("seen", "numbers", Words("its symbols are right, a number in front of them is not"))
-FIRST_DIGITS = Cause(
-    "seen",
-    "first digits",
-    Words("it agrees with the right answer in one or two digits only: three are needed"),
+NUMBERS = remark("its symbols are right, a number in front of them is not", "numbers")
+FIRST_DIGITS = remark(
+    "it agrees with the right answer in one or two digits only: three are needed", "first digits"
 )
 
 
@@ -255,7 +242,7 @@ def reversed_components(places: Sequence[int]) -> Cause:
         "has the opposite sign in its {which} components: check the direction of their terms; "
         "the rest is right"
     )
-    return slip(f"opposite {_ordinals(places)}", _of_places(places, one, several))
+    return Cause("slip", f"opposite {_ordinals(places)}", _of_places(places, one, several))
 
 
 def left_out_components(places: Sequence[int]) -> Cause:
@@ -270,7 +257,7 @@ def added_components(places: Sequence[int]) -> Cause:
     """Components where there are none."""
     one = Words("has a {which} component, where there is none: check what points along it")
     several = Words("has {which} components, where there are none: check what points along them")
-    return slip(f"more {_ordinals(places)}", _of_places(places, one, several))
+    return Cause("slip", f"more {_ordinals(places)}", _of_places(places, one, several))
 
 
 def exchanged_components(places: Sequence[int]) -> Cause:
@@ -281,7 +268,7 @@ def exchanged_components(places: Sequence[int]) -> Cause:
     text = Words(
         "exchanges its {which} components: each belongs to one axis of the text", which=which
     )
-    return slip(f"exchanged {which}", text)
+    return Cause("slip", f"exchanged {which}", text)
 
 
 def moved_component(of: int, to: int) -> Cause:
@@ -290,7 +277,7 @@ def moved_component(of: int, to: int) -> Cause:
         "puts its {one} component along the {other} axis: each belongs to its own axis",
         one=ORDINALS[of], other=ORDINALS[to],
     )  # fmt: skip
-    return slip(f"moved {of} to {to}", text)
+    return Cause("slip", f"moved {of} to {to}", text)
 
 
 def _entry(n, m):
@@ -300,22 +287,21 @@ def _entry(n, m):
 def entry_left_out(n: int, m: int) -> Cause:
     """A moment or a product of inertia is zero."""
     name = _entry(n, m)
-    return slip(f"no {name}", Words("leaves out {entry}: it is not zero here", entry=name))
+    return slip("leaves out {entry}: it is not zero here", f"no {name}", entry=name)
 
 
 def entry_reversed(n: int, m: int) -> Cause:
     """A product of inertia has the opposite sign."""
     name = _entry(n, m)
     text = Words("has {entry} with the opposite sign: the rest is right", entry=name)
-    return slip(f"opposite {name}", text)
+    return Cause("slip", f"opposite {name}", text)
 
 
 def exchanged_entries(one: Sequence[int], other: Sequence[int]) -> Cause:
     """Two moments, or two products of inertia, stand in each other's place."""
     a, b = _entry(*sorted(one)), _entry(*sorted(other))
-    return slip(
-        f"exchanged {a} {b}", Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
-    )
+    text = Words("exchanges {a} and {b}: each has its own place", a=a, b=b)
+    return Cause("slip", f"exchanged {a} {b}", text)
 
 
 def _ordinals(places: Sequence[int]) -> str:
@@ -385,10 +371,8 @@ def component_multiplied(places: Sequence[int], what: str, factor: float, large:
     """Some components are off by one factor."""
     how = HOW[large]
     one = Words("has its {which} component {factor} times too {how} ({what}): the rest is right")
-    several = Words(
-        "has its {which} components {factor} times too {how} ({what}): the rest is right"
-    )
-    text = _of_places(places, one, several, factor=f"{factor:.4g}", how=how, what=what)
+    more = Words("has its {which} components {factor} times too {how} ({what}): the rest is right")
+    text = _of_places(places, one, more, factor=f"{factor:.4g}", how=how, what=what)
     return Cause("factor", f"{places} {what} {how}", text)
 
 
@@ -461,8 +445,7 @@ def multiple_of(term: str, factor: str = "") -> Cause:
     if factor:
         text = Words("has {factor} times {term}: the rest is right", factor=factor, term=term)
         return Cause("factor", f"{factor} times {term}", text)
-    words = Words("all but the factor of {term} is right", term=term)
-    return Cause("seen", f"multiple of {term}", words)
+    return remark("all but the factor of {term} is right", f"multiple of {term}", term=term)
 
 
 CORIOLIS_HALVED = Cause(
