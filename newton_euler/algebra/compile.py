@@ -255,9 +255,7 @@ class Compiled:
             shape = np.broadcast_shapes(*(a.shape for a in args))
         except ValueError as error:
             shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(self.parameters, args, strict=True))
-            raise ScalarError(
-                f"the arrays have shapes that do not fit together: {shapes}"
-            ) from error
+            raise ScalarError(f"arrays have shapes that do not fit together: {shapes}") from error
         args = [a.astype(float, copy=False) for a in args]
         if not shape:
             return self._build(self.on(np)(*(a[()] for a in args)))

@@ -69,9 +69,7 @@ class Elimination:
     unknown (in ``scale``) and within a condition (``usual``, for each equation), in their units.
     """
 
-    def __init__(
-        self, equations: Sequence[LinearEquation], count: int, faithful: bool, numbers: bool
-    ):
+    def __init__(self, equations: list[LinearEquation], count: int, faithful: bool, numbers: bool):
         self.equations, self.count, self.numbers = equations, count, numbers
         self.round_off = float(unit_roundoff(x for e in equations for x in e.parts()))
         self.scale = self._scales()
@@ -141,12 +139,11 @@ class Elimination:
     def _check(self, last, row):
         """Raises LinearError if the right side of a row without unknowns does not vanish."""
         involved, values = self._involved(last, row), self.values
-        sizes = self._by_group(
-            [
-                [e.right, *(c * values[k] for k, c in enumerate(e.coefficients) if k in values)]
-                for e in self.equations
-            ]
-        )
+
+        def terms(e):
+            return [e.right, *(c * values[k] for k, c in enumerate(e.coefficients) if k in values)]
+
+        sizes = self._by_group(map(terms, self.equations))
         own = max(max_abs(row[self.count + 1 + n]) * sizes[n] for n in involved)
         difference = max_abs(row[self.count])
         if difference <= (CONTRADICTION * own + NO_PIVOT * max(sizes)) * self.round_off:

@@ -135,17 +135,17 @@ def _plan(f, unchecked):
     return by_name, by_position, several
 
 
-def _check_of(parameter, f, where):
+def _check_of(p, f, where):
     """The check of one parameter: from the argument to the value to pass on, or None."""
-    kind = f.__annotations__.get(parameter.name)
+    kind = f.__annotations__.get(p.name)
     if isinstance(kind, str):
         kind = eval(kind, f.__globals__)
     convert = _converter(kind)
     if convert is None:
         return None
-    error, none_is_fine = _error_for(_members(kind)), parameter.default is None
+    error, none_is_fine = _error_for(_members(kind)), p.default is None
 
-    def check(x, name=parameter.name):
+    def check(x, name=p.name):
         if x is None and none_is_fine:
             return x
         y = convert(x)
@@ -159,9 +159,7 @@ def _check_of(parameter, f, where):
     if convert is not _number:
         return check
     # the usual case, by the shortest way
-    return lambda x, name=parameter.name: (
-        x if type(x) is float or isinstance(x, _Own) else check(x, name)
-    )
+    return lambda x, name=p.name: x if type(x) is float or isinstance(x, _Own) else check(x, name)
 
 
 def _error_for(members):

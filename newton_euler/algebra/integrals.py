@@ -5,7 +5,7 @@ unit cube by products of Gauss rules, for numbers that SciPy's adaptive cubature
 from collections.abc import Callable, Sequence
 from functools import cache, lru_cache, reduce, wraps
 from itertools import count, pairwise, product
-from typing import Any
+from typing import TypeAlias
 
 from .errors import checked
 from .late import is_here, np, sympy
@@ -39,6 +39,7 @@ HALVINGS = 9  # halvings of the step of the tanh-sinh rule
 ORDERS = 8, 16, 32, 48, 64, 96  # nodes along each dimension of a cube
 MOST = 300_000  # nodes in a cube
 NEAR_MIDDLE = 0.4375  # a point for a trial; in the middle, by symmetry, f may have no value
+Several: TypeAlias = Callable[[Scalar], Sequence[Scalar]]  # several integrands at once
 _NUMBERS = count()  # so that the variables of nested integrals have names of their own
 
 
@@ -47,9 +48,7 @@ class WorkError(NewtonEulerError, ValueError):
 
 
 @checked
-def integral(
-    f: Callable[..., Any], start: Scalar, end: Scalar, breaks: Sequence[Scalar] = ()
-) -> Scalar:
+def integral(f: Callable, start: Scalar, end: Scalar, breaks: Sequence[Scalar] = ()) -> Scalar:
     """The integral of ``f`` from ``start`` to ``end``: floats and mpf to nearly their accuracy,
     many integrals at once of arrays, the dimension of dimensions, the rates of moving numbers, a
     step of a formula that is compiled, and of expressions a formula of SymPy.
@@ -101,9 +100,7 @@ def _like(like, scalars):
     return to_plain(next(scalars))
 
 
-def integrals(
-    f: Callable[[Scalar], Sequence[Scalar]], start: Scalar, end: Scalar
-) -> tuple[Scalar, ...]:
+def integrals(f: Several, start: Scalar, end: Scalar) -> tuple[Scalar, ...]:
     """The integrals of a function that returns a tuple of scalars, as :func:`integral`."""
     start, end = scalar(start), scalar(end)
     sample = f((start + end) / 2)
@@ -183,9 +180,7 @@ def _converged(values, before, allowed):
     return all(max_abs(x - y) <= a for x, y, a in zip(values, before, allowed, strict=True))
 
 
-def by_formula(
-    f: Callable[[Scalar], Sequence[Scalar]], start: Scalar, end: Scalar
-) -> tuple[Scalar, ...]:
+def by_formula(f: Several, start: Scalar, end: Scalar) -> tuple[Scalar, ...]:
     """The integrals by SymPy, where a limit or the function is an expression."""
     # SymEngine would lose a Dummy, and the assumptions of a symbol
     name = sympy.Symbol(f"_q{next(_NUMBERS)}")

@@ -202,12 +202,10 @@ class _Refusal:
     """In place of the method that a function of NumPy calls: what to write instead of np.sin."""
 
     def __init__(self, numpys, ours):
-        self.numpys, self.ours = numpys, ours
+        self.words = f"np.{numpys} takes no moving number: write {ours}(...) of newton_euler"
 
     def __call__(self, *_):
-        raise ScalarError(
-            f"np.{self.numpys} takes no moving number: write {self.ours}(...) of newton_euler"
-        )
+        raise ScalarError(self.words)
 
 
 _NUMPYS = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2"}

@@ -69,12 +69,10 @@ def equation(kind: str) -> Equation:
     from pathlib import Path
 
     with Path(__file__).with_name("equations.toml").open("rb") as file:
-        found = tomllib.load(file)[kind]
-    terms = {name: tuple(texts) for name, texts in found.get("terms", {}).items()}
-    other = found.get("other", ("", f"{{{found['symbol']}}}"))  # braces: it may have a subscript
-    return Equation(
-        kind, found["number"], found["symbol"], terms, tuple(other), found.get("unit", "")
-    )
+        row = tomllib.load(file)[kind]
+    terms = {name: tuple(texts) for name, texts in row.get("terms", {}).items()}
+    other = row.get("other", ("", f"{{{row['symbol']}}}"))  # braces: it may have a subscript
+    return Equation(kind, row["number"], row["symbol"], terms, tuple(other), row.get("unit", ""))
 
 
 T = TypeVar("T")
@@ -249,10 +247,8 @@ class Ledger:
             self._terms = made if isinstance(made, Terms) else Terms(made)
         return self._terms
 
-    def mapped(self, change: Callable, scaled: bool = False) -> "Ledger | None":
-        """The ledger with ``change`` applied to every term; None where nothing is known then."""
-        if self._make is None:
-            return None if scaled else self
+    def mapped(self, change: Callable, scaled: bool = False) -> "Ledger":
+        """The ledger of a sum with ``change`` applied to every term."""
         made = lambda: self.terms.mapped(change)  # noqa: E731
         return Ledger(self.kind, self.subject, made, scaled or self.scaled)
 

@@ -226,12 +226,8 @@ def solve_rates(conditions: Callable[..., Any], count: int) -> Triple:
     """
     equations = _equations(conditions(*_unknowns(count)), count)
     noise = RATE_NOISE * largest_abs(c for e in equations for c in e.coefficients)
-
-    rows = [
-        e.parts()
-        for e in equations
-        if any(not is_numeric(c) or max_abs(c) > noise for c in e.coefficients)
-    ]
+    is_there = lambda c: not is_numeric(c) or max_abs(c) > noise  # noqa: E731
+    rows = [e.parts() for e in equations if any(map(is_there, e.coefficients))]
     if len(rows) < count:
         raise LinearError(
             f"{len(rows)} conditions contain the rates, but {count} rates are unknown: "
@@ -240,10 +236,8 @@ def solve_rates(conditions: Callable[..., Any], count: int) -> Triple:
     # Surplus conditions: the normal equations hold for any kind of scalar, and at any values of
     # those without a value, where a choice of conditions could divide by zero.
     if len(rows) > count:
-        rows = [
-            [sum((row[a] * row[b] for row in rows), ZERO) for b in range(count + 1)]
-            for a in range(count)
-        ]
+        columns = [*zip(*rows, strict=True)]
+        rows = [[sum(map(mul, a, b), ZERO) for b in columns] for a in columns[:count]]
     rates = _cramer([row[:count] for row in rows], [row[count] for row in rows])
     terms = [[*map(mul, e.coefficients, rates), -e.right] for e in equations]
     parts = [x for row in terms for x in row]
@@ -523,11 +517,8 @@ def solve_regular(rows: list[tuple[Mapping[int, Scalar], Scalar]]) -> dict[int, 
     def touched(place):
         n, k = place
         c = rows[n][0]
-        return (
-            (len(c) - 1) * (occurring[k] - 1),
-            len(c),
-            -min_abs(c[k]) if is_numeric(c[k]) else 1.0,
-        )
+        largest = -min_abs(c[k]) if is_numeric(c[k]) else 1.0
+        return (len(c) - 1) * (occurring[k] - 1), len(c), largest
 
     n, k = min(((n, k) for n, (c, _) in enumerate(rows) for k in c), key=touched)
     coefficients, right = rows[n]

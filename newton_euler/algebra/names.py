@@ -3,6 +3,7 @@ in place of a call that does not fit. Python's own messages do not say this.
 """
 
 import sys
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
 from importlib import import_module
@@ -103,9 +104,8 @@ def unknown(package: str, name: str) -> None:
         words = f". Did you mean {found!r}? Write: from {homes[found]} import {found}"
     else:
         words = f". Look in its rooms: {', '.join(sorted(top.ROOMS))}"
-    raise (ImportError if _is_imported(top) else AttributeError)(
-        f"{package} has no {name!r}{words}"
-    )
+    kind = ImportError if _is_imported(top) else AttributeError
+    raise kind(f"{package} has no {name!r}{words}")
 
 
 def _public(top, room):
@@ -158,16 +158,13 @@ def misfit(f: Callable[..., Any], args: Sequence[Any], named: Mapping[str, Any])
     parameters = dict(signature(f).parameters)
     if parameters.pop("self", None) or parameters.pop("cls", None):
         args = args[1:]
-    by_kind: dict = {}
+    by_kind = defaultdict(list)
     for n, p in parameters.items():
-        by_kind.setdefault(p.kind, []).append(n)
-    by_place = [
-        *by_kind.get(Parameter.POSITIONAL_ONLY, ()),
-        *by_kind.get(Parameter.POSITIONAL_OR_KEYWORD, ()),
-    ]
-    rest, several = by_kind.get(Parameter.VAR_KEYWORD), by_kind.get(Parameter.VAR_POSITIONAL)
+        by_kind[p.kind].append(n)
+    by_place = by_kind[Parameter.POSITIONAL_ONLY] + by_kind[Parameter.POSITIONAL_OR_KEYWORD]
+    rest, several = by_kind[Parameter.VAR_KEYWORD], by_kind[Parameter.VAR_POSITIONAL]
     more = _keys(parameters[rest[0]].annotation) if rest else []
-    known = [*by_place, *by_kind.get(Parameter.KEYWORD_ONLY, ()), *more]
+    known = [*by_place, *by_kind[Parameter.KEYWORD_ONLY], *more]
     write = f"Write {name}({', '.join(known)})"
     for n in named:
         if n not in known and (more or not rest):

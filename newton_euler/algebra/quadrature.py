@@ -123,9 +123,8 @@ def _bisected(f, ends, rtol, scale):
         _, a, b, *_ = parts[0]
         middle = a + (b - a) / 2
         if len(parts) >= INTERVALS or not min(a, b) < middle < max(a, b):
-            raise _slow(
-                ends[0], ends[-1], rtol, f"{len(parts)} intervals leave an error of {error:.1g}"
-            )
+            why = f"{len(parts)} intervals leave an error of {error:.1g}"
+            raise _slow(ends[0], ends[-1], rtol, why)
         heapreplace(parts, _by_gauss(f, a, middle))
         heappush(parts, _by_gauss(f, middle, b))
 
@@ -151,9 +150,8 @@ def cubature(
     """
     from scipy.integrate import cubature
 
-    found = cubature(
-        f, [0.0] * n, [1.0] * n, rule="gk21", rtol=rtol, atol=rtol, max_subdivisions=BOXES[n]
-    )
+    how = {"rule": "gk21", "rtol": rtol, "atol": rtol, "max_subdivisions": BOXES[n]}
+    found = cubature(f, [0.0] * n, [1.0] * n, **how)
     off = float(np.max(found.error))
     if not np.isfinite(found.estimate).all():
         raise error(f"the integrals over {name} are not finite: look at limits and density")

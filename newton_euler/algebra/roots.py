@@ -80,9 +80,7 @@ def _moving_root(f, low, high):
         return Moving(u, u * per_time, u * per_time * per_time)
     slope = at(u, 1).rate - resting.rate
     if vanishes(slope):
-        raise SingularError(
-            f"the root {u!r} has no rate: the function touches zero there, with slope 0"
-        )
+        raise SingularError(f"the root {u!r} has no rate: the function touches zero there, slope 0")
     rate = -resting.rate / slope
     return Moving(u, rate, -at(u, rate).acceleration / slope)
 

@@ -185,7 +185,7 @@ class _Zero(_Own):
 
     def __rtruediv__(self, other):
         raise DivisionError(
-            f"{other!r} is divided by a structural zero: its divisor vanishes in any case"
+            f"{other!r} is divided by a structural zero: its divisor always vanishes"
         )
 
     def __pow__(self, power):
@@ -792,10 +792,9 @@ def probe(x: Scalar) -> Scalar:
     # without a pattern
     parts = x.free_symbols | x.atoms(sympy.core.function.AppliedUndef, sympy.Derivative)
     shares = {p: zlib.crc32(sympy.srepr(p).encode()) / 2**32 for p in parts}
+    known = {p: sympy.Float(0.2 + 0.7 * s, 40) for p, s in shares.items()}
     try:
-        value = complex(
-            _inside_out(x, {p: sympy.Float(0.2 + 0.7 * s, 40) for p, s in shares.items()})
-        )
+        value = complex(_inside_out(x, known))
     except TypeError:
         return None
     return None if value != value else value.real or abs(value)

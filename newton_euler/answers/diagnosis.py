@@ -329,6 +329,5 @@ def _of_unlike_axes(models, fit):
 
 
 def _same(a, b, sizes):
-    return a == b or all(
-        math.dist(x, y) <= NOISE * size for x, y, size in zip(a, b, sizes, strict=True)
-    )
+    triples = zip(a, b, sizes, strict=True)
+    return a == b or all(math.dist(x, y) <= NOISE * size for x, y, size in triples)

@@ -111,10 +111,8 @@ def unit_symbol(unit: str) -> str:
 
 def bare_unit(unit: str) -> str:
     """The LaTeX of a unit that stands alone."""
-    parts = re.split(r"(\*|\^\d+)", unit.replace("%", r"\%"))
-    return "".join(
-        r"\," if p == "*" else p if p.startswith("^") else rf"\text{{{p}}}" for p in parts if p
-    )
+    parts = filter(None, re.split(r"(\*|\^\d+)", unit.replace("%", r"\%")))
+    return "".join(r"\," if p == "*" else p if p[0] == "^" else rf"\text{{{p}}}" for p in parts)
 
 
 def six_digits(x: float) -> str:
@@ -171,9 +169,8 @@ def _named(match, symbols):
         return re.sub(rf"(?<!\\){_FACTOR}", lambda m: symbol(m[0], vector=True), product)
     written = {"pi": r"\pi", " cross ": r" \times ", **symbols}
     text = re.sub(" deg(rees?)?", r"^\\circ", match[0])
-    return re.sub(
-        rf"(?<!\\)(?:\bpi\b| cross |{_FACTOR})", lambda m: written.get(m[0]) or symbol(m[0]), text
-    )
+    names = rf"(?<!\\)(?:\bpi\b| cross |{_FACTOR})"
+    return re.sub(names, lambda m: written.get(m[0]) or symbol(m[0]), text)
 
 
 _SUM, _PRODUCT, _POWER = 1, 2, 3  # precedence of what is written
@@ -187,10 +184,8 @@ def formula(tree: Tree, symbols: Mapping[str, str]) -> str:
     '2 r \\omega^{2}'
     """
     if isinstance(tree, dict):
-        return r",\ ".join(
-            rf"{formula(part, symbols)}\ \text{{in {_plain(frame)}}}"
-            for frame, part in tree.items()
-        )
+        parts = (rf"{formula(x, symbols)}\ \text{{in {_plain(f)}}}" for f, x in tree.items())
+        return r",\ ".join(parts)
     return _written(tree, symbols)[0]
 
 

@@ -59,10 +59,8 @@ def of_other_bodies(
     off = _off(fit) if of else []
     found: dict[Any, list[int]] = {}
     for n in off if is_place else [n for n in off if n % 4 == 0]:
-        own, ratio = (
-            _monomial([x[n] for x in fit.key], symbols),
-            _monomial(_ratios(fit, n), symbols),
-        )
+        own = _monomial([x[n] for x in fit.key], symbols)
+        ratio = _monomial(_ratios(fit, n), symbols)
         if not own or not ratio or ratio.powers or own.powers != ((1,) if is_place else (1, 2)):
             continue
         known = _known(own.number, of)

@@ -116,8 +116,7 @@ def read_number(x: Any, form: Any) -> float:
     if x is None or type(x).__name__ in ("bool", "bool_", "BooleanTrue", "BooleanFalse"):
         raise form.error("got {x}", x=repr(x))
     refuse_equation(x, form)
-    free = getattr(x, "free_symbols", None)
-    if free:
+    if free := getattr(x, "free_symbols", None):
         names = ", ".join(sorted(map(str, free)))
         raise form.error(
             "{x} still contains {names}; put in the numbers", x=clipped(x), names=names

@@ -260,9 +260,8 @@ def _elsewhere(asked, found, numbers):
         if other.key != asked.key and judged and judged.given is not None:
             key, wrong = _like(judged.given, other, numbers)
             slips = partial(numbers.slips.of, other.key)
-            yield OtherPart(
-                judged.verdict == "right", other.kind, judged.given, key, wrong, slips, other.key
-            )
+            right = judged.verdict == "right"
+            yield OtherPart(right, other.kind, judged.given, key, wrong, slips, other.key)
 
 
 def _followed(asked, given, found, numbers):

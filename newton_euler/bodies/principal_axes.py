@@ -148,10 +148,8 @@ def _with_report(inertia, noise, moments, axes):
     low, high = second - first, third - second
     gaps = low, where(low < high, low, high), high
     numbers = noise * largest, *gaps
-    noise_of_largest, *floats = (
-        x.astype(float) if getattr(x, "shape", ()) else float(x) for x in numbers
-    )
-    turns = tuple(atan2(noise_of_largest, gap) for gap in floats)
+    most, *floats = (x.astype(float) if getattr(x, "shape", ()) else float(x) for x in numbers)
+    turns = tuple(atan2(most, gap) for gap in floats)
     return Principal(inertia, moments, _vectors(axes, inertia), noise, gaps, turns)
 
 

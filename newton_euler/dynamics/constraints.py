@@ -235,10 +235,8 @@ def _independent(rows, values, tolerance):
         for _ in range(2):
             for unit, step in basis:
                 along = sum(map(mul, unit, rest))
-                rest, left = (
-                    [x - along * e for x, e in zip(rest, unit, strict=True)],
-                    left - along * step,
-                )
+                rest = [x - along * e for x, e in zip(rest, unit, strict=True)]
+                left = left - along * step
         length = math.hypot(*rest)
         if length > tolerance:
             basis.append(([x / length for x in rest], left / length))

@@ -161,18 +161,16 @@ def _checked(force):
 
     def at(*place):
         where = tuple(to_plain(x.value if isinstance(x, Moving) else x) for x in place)
+        advice = "; keep base, box and loops away"
         try:
             F = tuple(real_scalar(f) for f in force(*place))
         except (*NO_VALUE, ScalarError) as problem:
-            advice = "; keep base, box and loops away"
             at_a_place(problem, WorkError, f"the force has no value at {where}", advice)
             raise
         if len(F) != 3:
             raise WorkError(f"a force field returns (F_x, F_y, F_z); got {len(F)} components")
         if not all(map(is_finite, F)):
-            raise WorkError(
-                f"the force is {F} at {where}, not finite; keep base, box and loops away"
-            )
+            raise WorkError(f"the force is {F} at {where}, not finite{advice}")
         return F
 
     return at

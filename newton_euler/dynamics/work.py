@@ -173,9 +173,8 @@ def power(
     if isinstance(force, Vector) and isinstance(velocity, Vector):
         return force.dot(velocity)
     if isinstance(force, (tuple, list)) and isinstance(velocity, (tuple, list)):
-        return to_plain(
-            sum((scalar(a) * scalar(b) for a, b in zip(force, velocity, strict=True)), ZERO)
-        )
+        pairs = zip(map(scalar, force), map(scalar, velocity), strict=True)
+        return to_plain(sum((a * b for a, b in pairs), ZERO))
     raise FrameError(
         f"power needs two Vectors, two triples, or power(F, P, ground); got {force!r}, {velocity!r}"
     )

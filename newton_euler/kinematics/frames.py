@@ -312,9 +312,8 @@ class Frame:
         (4.22); a term for each frame between: its rate of turn in its parent.
         """
         ledger = self._ledger("angular velocity", observer, self._omega_terms)
-        return Vector(
-            self._omega(observer), self, lambda: self.angular_acceleration(observer), ledger
-        )
+        omega = self._omega(observer)
+        return Vector(omega, self, lambda: self.angular_acceleration(observer), ledger)
 
     def angular_acceleration(self, observer: "Frame") -> Vector:
         """alpha of this frame seen from ``observer``, rad/s^2, in components of this frame (4.25),
@@ -359,9 +358,7 @@ class Frame:
 
     def _carried(self, observer):
         """omega of the parent, in components of this frame."""
-        return self._cached(
-            "carried", observer, lambda _: self._turn(self.parent._omega(observer), -1)
-        )
+        return self._cached("carried", observer, lambda o: self._turn(self.parent._omega(o), -1))
 
     def _new_omega(self, observer):
         if observer in self._above:
@@ -647,7 +644,5 @@ def axes_at(point: Point) -> Frame:
 def divided_by_length(axis: tuple, length: Scalar, error: type[Exception]) -> tuple:
     """The unit vector of an axis of known length; an error if that is zero at any instant."""
     if vanishes(length) or not is_finite(length):
-        raise error(
-            f"the axis {axis} has no direction: its length is {length}; give one that is not zero"
-        )
+        raise error(f"the axis {axis} has no direction: its length is {length}; give another")
     return tuple(x / length for x in axis)

@@ -284,9 +284,8 @@ def matrix_from_quaternion(q: Sequence[Scalar]) -> Rows:
     ((0.0, -1.0, 0), (1.0, 0.0, 0), (0, 0, 1))
     """
     w, x, y, z = q = _four(q)
-    s = 2 / _checked_size(
-        q, dot3(q, q) + z * z
-    )  # not 2: the matrix is a rotation even if the length has drifted
+    # not 2: the matrix is a rotation even if the length has drifted
+    s = 2 / _checked_size(q, dot3(q, q) + z * z)
     return _rows((
         (1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)),
         (s * (x * y + w * z), 1 - s * (z * z + x * x), s * (y * z - w * x)),
