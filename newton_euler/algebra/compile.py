@@ -384,8 +384,7 @@ def recorded(f: Callable[..., Any], /, **constants: Scalar) -> Recording:
         raise ScalarError(f"a formula to compile names its arguments: {error}") from error
     if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in signature.values()):
         raise ScalarError(f"a formula to compile names all its arguments, but {f!r} does not")
-    unknown = [n for n in constants if n not in signature]
-    if unknown:
+    if unknown := [n for n in constants if n not in signature]:
         raise ScalarError(
             f"{f!r} has no argument {unknown[0]!r}; it takes {', '.join(signature) or 'none'}"
         )

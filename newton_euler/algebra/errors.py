@@ -70,8 +70,7 @@ def checked(f: F, unchecked: tuple[str, ...] = ()) -> F:
         if named:
             others = by_name.get("**")
             for name, x in named.items():
-                check = by_name.get(name, others)
-                if check:
+                if check := by_name.get(name, others):
                     named[name] = check(x, name)
         try:
             return f(*given, **named)
@@ -140,8 +139,7 @@ def _check_of(p, f, where):
     kind = f.__annotations__.get(p.name)
     if isinstance(kind, str):
         kind = eval(kind, f.__globals__)
-    convert = _converter(kind)
-    if convert is None:
+    if (convert := _converter(kind)) is None:
         return None
     error, none_is_fine = _error_for(_members(kind)), p.default is None
 

@@ -222,8 +222,7 @@ def over_cube(f: Callable[..., tuple[Scalar, ...]], n: int) -> tuple[Scalar, ...
     """
     sample = tuple(map(scalar, f(*(NEAR_MIDDLE,) * n)))
     present = [x for x in sample if x is not ZERO]
-    kind = highest(present)
-    if kind is not None:
+    if (kind := highest(present)) is not None:
         return kind._over_cube(f, n)
     if not all(map(is_numeric, present)):
         raise SingularError(f"an integral over a cube takes numbers, got {sample!r}")

@@ -129,8 +129,7 @@ class Terms(Guided, dict[str, T], Generic[T]):
         self.shared = {new: old for new, old in zip(names, given, strict=True) if new != old}
 
     def __missing__(self, name: str) -> NoReturn:
-        alike = [new for new, old in self.shared.items() if old == name]
-        if alike:
+        if alike := [new for new, old in self.shared.items() if old == name]:
             raise TermError(f"{len(alike)} terms are named {name!r}; ask for one of {alike}")
         near = did_you_mean(name, self)
         listed = f"; the terms are {', '.join(self)}" if self else "; there are no terms"

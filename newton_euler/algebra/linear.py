@@ -393,11 +393,9 @@ def solve_linear(conditions: Callable, names: str | Sequence[str] | None = None)
     names = tuple(names.replace(",", " ").split() if isinstance(names, str) else names)
     if not names:
         raise LinearError("there are no unknowns: name them, as in solve_linear(laws, 'a N alpha')")
-    twice = [n for n in names if names.count(n) > 1]
-    if twice:
+    if twice := [n for n in names if names.count(n) > 1]:
         raise LinearError(f"the unknown {twice[0]!r} is named twice")
-    taken = [n for n in names if n in Solution.__dataclass_fields__ or n == "report"]
-    if taken:
+    if taken := [n for n in names if n in Solution.__dataclass_fields__ or n == "report"]:
         raise LinearError(f"{taken[0]!r} is a part of the solution: give the unknown another name")
     equations = _equations(conditions(*_unknowns(len(names))), len(names))
     return _solved([e for e in equations if not all(map(is_zero, e.parts()))], names)

@@ -173,8 +173,7 @@ def misfit(f: Callable[..., Any], args: Sequence[Any], named: Mapping[str, Any])
         if n in by_place[: len(args)]:
             return f"{name} was given {n} twice, by place and by name. {write}"
     needed = [n for n in known if n not in more and parameters[n].default is Parameter.empty]
-    missing = [n for n in needed if n not in named and n not in by_place[: len(args)]]
-    if missing:
+    if missing := [n for n in needed if n not in named and n not in by_place[: len(args)]]:
         return _with_a_row_opened(name, args, missing) or f"{name} needs {listed(missing)}. {write}"
     if len(args) > len(by_place) and not several:
         return f"{name} takes {len(by_place)} arguments by place, got {len(args)}. {write}"

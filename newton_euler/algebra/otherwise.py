@@ -43,8 +43,7 @@ def built(
     kind: str, parts: tuple[Any, ...], of: Sequence[Any] | Callable[[], Sequence[Any]] = ()
 ) -> tuple[Any, ...]:
     """The parts of which something is built here; ``of`` may be a function that finds them."""
-    change = _change.get()
-    if not change:
+    if not (change := _change.get()):
         return parts
     if callable(of):
         with built_otherwise(None):

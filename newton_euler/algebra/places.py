@@ -45,8 +45,7 @@ def callers_places(error: BaseException) -> Iterator[tuple[FrameType, int]]:
 
 def callers_line(error: BaseException) -> str:
     """The line of a function of the caller in which an error arose, or ""."""
-    places = list(callers_places(error))
-    if not places:
+    if not (places := list(callers_places(error))):
         return ""
     frame, number = places[-1]
     return linecache.getline(frame.f_code.co_filename, number, frame.f_globals).strip()

@@ -41,8 +41,7 @@ def root(f: Callable[[Scalar], Scalar], low: Scalar, high: Scalar) -> Scalar:
     """
     sample = scalar(f((low + high) / 2))
     present = [x for x in (low, high, sample) if x is not ZERO]
-    kind = highest(present)
-    if kind is not None:
+    if (kind := highest(present)) is not None:
         if isinstance(kind, Moving):
             return _moving_root(f, as_moving(low).value, as_moving(high).value)
         if not hasattr(kind, "_root"):

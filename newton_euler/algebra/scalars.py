@@ -184,9 +184,7 @@ class _Zero(_Own):
         return self
 
     def __rtruediv__(self, other):
-        raise DivisionError(
-            f"{other!r} is divided by a structural zero: its divisor always vanishes"
-        )
+        raise DivisionError(f"{other!r} is divided by a structural zero: its divisor is always 0")
 
     def __pow__(self, power):
         power = without_rates(power)
@@ -322,8 +320,7 @@ give its real part, if that is meant
 
 
 def _is_unreal(x):
-    dtype = getattr(x, "dtype", None)
-    if dtype is None:
+    if (dtype := getattr(x, "dtype", None)) is None:
         return isinstance(x, complex) or type(x).__name__ == "mpc"
     size, kind = getattr(x, "size", 1), getattr(dtype, "kind", "")  # others have a dtype, too
     return not size or kind == "c" or (kind == "O" and any(map(_is_unreal, getattr(x, "flat", ()))))
@@ -406,8 +403,7 @@ def operations(x: Scalar) -> int:
         if part in known:
             waiting.pop()
             continue
-        missing = [a for a in part.args if a not in known]
-        if missing:
+        if missing := [a for a in part.args if a not in known]:
             waiting += missing
         else:
             own = max(len(part.args) - 1, 1) if part.args else 0
@@ -512,8 +508,7 @@ def in_range(f: Callable[..., Any]) -> Callable[..., Any]:
 
 def function(name: str, *args: Scalar) -> Scalar:
     """The function ``name`` (of :data:`FUNCTIONS`, or ``atan2``) of scalars of any kind."""
-    chosen = highest(args)
-    if chosen is not None:
+    if (chosen := highest(args)) is not None:
         return chosen.function(name, *args)
     args = tuple([0 if (x := scalar(a)) is ZERO else x for a in args])
     try:

@@ -353,8 +353,7 @@ def _parts(text):
         if token in ("*", "/"):
             sign = 1 if token == "*" else -1
             continue
-        match = re.fullmatch(r"([A-Za-z%]+|1)(?:\^(-?\d\d?))?", token)
-        if not match:
+        if not (match := re.fullmatch(r"([A-Za-z%]+|1)(?:\^(-?\d\d?))?", token)):
             raise UnitError(f"cannot read the unit {text!r} at {token!r}; write it as 'kg*m^2/s'")
         parts.append((match[1], sign * int(match[2] or 1)))
     return parts

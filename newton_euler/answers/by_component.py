@@ -23,8 +23,7 @@ def of_each_component(
     """The mistake of the components that are wrong; or the simplest slips in the first two of them,
     as one cause, if there is one in each.
     """
-    groups = _wrong(fit, kind)
-    if not groups:
+    if not (groups := _wrong(fit, kind)):
         return ()
     off = [n for places in groups for n in places]
     if fit.rounding > PRECISE * max(abs(fit.first[0][n]) for n in off):

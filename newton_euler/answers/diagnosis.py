@@ -200,8 +200,7 @@ def _best(stages, elsewhere, sizes):
     A fit within the digits that were written goes before one within the tolerance; a cause that the
     right parts contradict must fit within the digits: it was made in this part only.
     """
-    stages = [*filter(None, stages)]
-    if not stages:
+    if not (stages := [*filter(None, stages)]):
         return ()
     contradicted = {h.cause for hits in stages for h in hits if elsewhere.contradicts(h.cause)}
     possible = [[h for h in hits if h.cause not in contradicted] for hits in stages]

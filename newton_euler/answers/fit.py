@@ -98,8 +98,7 @@ class Fit:
                 return 0
             if gap > max(self.rounding, EFFECT * math.dist(given, key)):
                 return 0
-            here = self._closeness(gap, own, size, rtol)
-            if not here:
+            if not (here := self._closeness(gap, own, size, rtol)):
                 return 0
             # a component is near by its own size, and a small one has the right sign
             noise, least = NOISE * (own + size), LEAST * own

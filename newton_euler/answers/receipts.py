@@ -211,10 +211,8 @@ class Receipt:
         if self.warning:
             yield _("look again: {warning}", warning=self.warning)
         for key, tree in self._given.items() if self.doubted is not None else ():
-            yield from (
-                _("look again at {key}: {doubt}", key=key, doubt=doubt)
-                for doubt in self.doubted.get(key, ())
-            )
+            for doubt in self.doubted.get(key, ()):
+                yield _("look again at {key}: {doubt}", key=key, doubt=doubt)
             if self.forms[key].kind.is_formula:
                 found = dimension_hints(tree, self.forms[key], self.symbols)
                 yield from (_("look again at {key}: {hint}", key=key, hint=hint) for hint in found)

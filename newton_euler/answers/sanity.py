@@ -33,8 +33,7 @@ def doubts(
         high, "magnitude of v")``
     beside : {name: (form, tree)} of the other answers
     """
-    points = _points(form, tree, symbols)
-    if not points:
+    if not (points := _points(form, tree, symbols)):
         return []
     known = sane if isinstance(sane, tuple | list) else (sane,)
     word = next((x for x in known if isinstance(x, str)), "")

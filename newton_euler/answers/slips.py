@@ -106,8 +106,7 @@ def _power(x, power):
 
 def of_components(fit: Fit) -> Models:
     """A factor of some components, where the others are right."""
-    off = _off(fit)
-    if not off:
+    if not (off := _off(fit)):
         return
     given, key, _ = fit.first
     if not len(off) < sum(map(bool, key)) or not all(key[n] for n in off):

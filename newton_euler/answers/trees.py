@@ -132,10 +132,8 @@ def _power(base, exponent):
 def in_words(tree: Tree) -> str:
     """A tree, a list of trees, or components in several frames, as text for a reader."""
     if isinstance(tree, dict):
-        return ", ".join(
-            _("{value} in {frame}", value=in_words(part), frame=frame)
-            for frame, part in tree.items()
-        )
+        each = (_("{value} in {frame}", value=in_words(x), frame=f) for f, x in tree.items())
+        return ", ".join(each)
     if not isinstance(tree, list):
         return f"{tree:.6g}" if isinstance(tree, float) else str(tree)
     head, parts = tree[0] if tree else None, [in_words(part) for part in tree]

@@ -33,8 +33,7 @@ def _gather(value, form, found):
     if len(found) > LONGEST:
         raise form.error("got more than {LONGEST} numbers", LONGEST=LONGEST)
     value = _plain(value, form)
-    inner = _parts(value, form)
-    if inner is None:
+    if (inner := _parts(value, form)) is None:
         found.append(value)
         return
     for part in inner:
@@ -131,8 +130,7 @@ def read_number(x: Any, form: Any) -> float:
 
 
 def _real(x, form):
-    number = _complex(x)
-    if number is None:
+    if (number := _complex(x)) is None:
         raise form.error("cannot make a number of {x}", x=clipped(x))
     if abs(number.imag) > 1e-12 * abs(number):  # above round-off
         raise form.error("got {x}, a complex number", x=repr(x))

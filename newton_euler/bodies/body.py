@@ -138,8 +138,7 @@ def centre_of_mass(
     >>> centre_of_mass([(1.0, ground.origin), (3.0, ground.point("P", 2.0, 0, 0))]).position(ground)
     Vector(1.5, 0, 0 in ground)
     """
-    bodies = [p if isinstance(p, Body) else _pair(p) for p in parts]
-    if not bodies:
+    if not (bodies := [p if isinstance(p, Body) else _pair(p) for p in parts]):
         raise MassError("the centre of mass of nothing: give a body or a pair (mass, Point)")
     return together(bodies, frame or bodies[0].frame, name)[1]
 

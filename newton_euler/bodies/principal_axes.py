@@ -180,10 +180,9 @@ def _rotated(rows):
         product, gap = entry(u, v), entry(u, u) - entry(v, v)
         angle = atan2(where(gap < 0, -2, 2) * product, abs(gap)) / 2
         c, s = cos(angle), sin(angle)
-        axes[u], axes[v] = (
-            tuple(c * x + s * y for x, y in zip(axes[u], axes[v], strict=True)),
-            tuple(c * y - s * x for x, y in zip(axes[u], axes[v], strict=True)),
-        )
+        pairs = [*zip(axes[u], axes[v], strict=True)]
+        axes[u] = tuple(c * x + s * y for x, y in pairs)
+        axes[v] = tuple(c * y - s * x for x, y in pairs)
     return [entry(n, n) for n in range(3)], axes
 
 
@@ -222,11 +221,8 @@ def _by_sympy(rows):
     M = sympy.Matrix([[sympy.nsimplify(x, rational=True) for x in row] for row in rows])
     if len(sympy.roots(M.charpoly(), cubics=False, multiple=True)) < 3:
         return None
-    pairs = sorted(
-        ((m, list(axis.normalized())) for m, _, space in M.eigenvects() for axis in space),
-        key=lambda pair: float(pair[0]),
-    )
-    return zip(*pairs, strict=True)
+    pairs = ((m, list(axis.normalized())) for m, _, space in M.eigenvects() for axis in space)
+    return zip(*sorted(pairs, key=lambda pair: float(pair[0])), strict=True)
 
 
 def _of_expressions(rows):

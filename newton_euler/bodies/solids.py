@@ -321,10 +321,8 @@ def _mass(shape, matter, content, **lengths):
     for what, x in lengths.items():
         positive(scalar(x), f"the {what.replace('_', ' ')} of {name}")
     if (mass is None) == (density is None):
-        got = "and got none" if mass is None else "not both"
-        raise MassError(
-            f"{name} needs either mass= or density= (per length, area or volume), {got}"
-        )
+        got = ", and got none" if mass is None else ", not both"
+        raise MassError(f"{name} needs either mass= or density= (per length, area or volume){got}")
     m = scalar(density) * content if mass is None else real_scalar(mass)
     positive(m, f"the mass of {name}")
     return name, m

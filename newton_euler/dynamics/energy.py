@@ -197,8 +197,7 @@ class Audit:
     @checked
     def heat(self, *names: str) -> Scalar:
         """The internal energy gained, -U^n (11.33), by these forces, or all without potential."""
-        unknown = [n for n in names if n not in self.works]
-        if unknown:
+        if unknown := [n for n in names if n not in self.works]:
             raise EnergyError(
                 f"no work of {unknown[0]!r} is in this audit; it has {', '.join(self.works)}"
             )

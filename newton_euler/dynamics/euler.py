@@ -154,8 +154,7 @@ def _check_principal(inertia, axes, law, instead):
     small = 1e-12 * max((max_abs(x) for x in inertia.moments if is_numeric(x)), default=0.0)
     named = (pair for pair in zip(PRODUCTS, inertia.products, strict=True) if {*pair[0]} & {*axes})
     there = lambda x: not (is_zero(x) or (is_numeric(x) and max_abs(x) <= small))  # noqa: E731
-    left = [f"I_{name} = {x}" for name, x in named if there(x)]
-    if left:
+    if left := [f"I_{name} = {x}" for name, x in named if there(x)]:
         raise MassError(
             f"{law}, but the matrix about {inertia.point.name} has {', '.join(left)}; {instead}"
         )

@@ -59,8 +59,7 @@ def work_integral(
 
 def magnitude(x: Scalar) -> float:
     """The size of a number; of a SymPy expression that at sample values of its symbols."""
-    value = probe(scalar(x))
-    if value is None:
+    if (value := probe(scalar(x))) is None:
         raise WorkError(f"{x!r} has no size to be compared; put numbers in")
     return max_abs(value)
 

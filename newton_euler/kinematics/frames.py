@@ -631,8 +631,7 @@ def as_point(where: PointLike, what: str) -> Point:
 
 def axes_at(point: Point) -> Frame:
     """The frame that a point is fixed in; :class:`FrameError` if it is the origin of another."""
-    other = point.origin_of
-    if other is not None:
+    if (other := point.origin_of) is not None:
         raise FrameError(
             f"{point.name} is a point of {point.frame.name}, and the origin of {other}: along "
             f"whose axes? For {other}, which the body turns with, give the frame in place of the "

@@ -66,8 +66,7 @@ class _Turning:
 
     @guided
     def _known(self, n, what):
-        value = self.turning()[n]
-        if value is None:
+        if (value := self.turning()[n]) is None:
             raise FrameError(
                 f"the {what} of {self.frame.name} is not known: its axes are known at this "
                 "instant only, without enough of their rates; express the vector in the ground "
