@@ -185,7 +185,9 @@ def choose_language(name: str) -> None:
     """Speak the language of this name, "de", from now on. Raises :class:`NewtonEulerError`."""
     global _chosen
     if name not in languages():
-        raise NewtonEulerError(f"there is no language {name!r} here, only {', '.join(languages())}")
+        raise NewtonEulerError(
+            f"there is no language {name!r} here; there are {', '.join(languages())}"
+        )
     _chosen = name
 
 

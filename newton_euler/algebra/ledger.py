@@ -246,8 +246,10 @@ class Ledger:
             self._terms = made if isinstance(made, Terms) else Terms(made)
         return self._terms
 
-    def mapped(self, change: Callable, scaled: bool = False) -> "Ledger":
-        """The ledger of a sum with ``change`` applied to every term."""
+    def mapped(self, change: Callable, scaled: bool = False) -> "Ledger | None":
+        """The ledger with ``change`` applied to every term; None where nothing is known then."""
+        if self._make is None:
+            return None if scaled else self
         made = lambda: self.terms.mapped(change)  # noqa: E731
         return Ledger(self.kind, self.subject, made, scaled or self.scaled)
 

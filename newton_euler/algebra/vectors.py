@@ -231,7 +231,9 @@ class Vector(Scaled, NamedTerms):
             return self
         c = self.frame.transform(self.c, frame)
         own_rate = self._own_rate and (lambda: self.rate(frame))
-        ledger = self._ledger and self._ledger.mapped(lambda v: v.expressed_in(frame))
+        ledger = self._ledger
+        if ledger is not None:
+            ledger = ledger.mapped(lambda v: v.expressed_in(frame))
         return Vector(c, frame, own_rate, ledger)
 
     def rounded(self, noise: float) -> "Vector":
@@ -337,7 +339,7 @@ class Vector(Scaled, NamedTerms):
     def _each(self, change, whole, rate):
         """The vector with every component changed by a factor, and its terms with it."""
         c = ZERO3 if self.c is ZERO3 else tuple(map(change, self.c))
-        ledger = self._ledger.mapped(whole, True) if self._ledger else None
+        ledger = None if self._ledger is None else self._ledger.mapped(whole, True)
         return Vector(c, self.frame, self._own_rate and rate, ledger)
 
     def _product_rate(self, s):
