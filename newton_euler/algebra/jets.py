@@ -153,7 +153,7 @@ class Moving(Unordered, _Own):
     def __pow__(self, power: Scalar) -> Scalar:
         if isinstance(power, Moving):
             raise ScalarError(
-                "a moving number takes a constant power; else write exp(power*log(x))"
+                "a moving number takes a constant power only; otherwise write exp(power*log(x))"
             )
         if power is ZERO or (type(power) in (int, float) and power in (0, 1)):
             return self if power else 1

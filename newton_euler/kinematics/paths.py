@@ -74,7 +74,9 @@ def at_speed(path: Path, q: Scalar, speed: Scalar, speed_rate: Scalar = 0) -> Mo
     _, first, second, _ = derivatives(path, q)
     stretch = hypot(*first)
     if is_numeric(stretch) and below_roundoff(stretch, _noise(path, q)[0]):
-        raise SingularError(f"dr/dq = 0 at q = {q!r}: the path stands still; use another parameter")
+        raise SingularError(
+            f"dr/dq is zero at q = {q!r}: the path stands still; use another parameter"
+        )
     rate = scalar(speed) / stretch
     second_rate = (scalar(speed_rate) - rate * rate * (dot3(first, second) / stretch)) / stretch
     return Moving(scalar(q), rate, second_rate)
