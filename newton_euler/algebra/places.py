@@ -72,8 +72,7 @@ def note_place(error: Exception) -> bool:
     function = None if frame else _without_a_frame(error)
     if frame is None and function is None:
         return False
-    if "_place" not in vars(error):
-        add_place(error, f"This came up in {_described(frame) if frame else _text(function)}.")
+    add_place(error, f"This came up in {_described(frame) if frame else _text(function)}.")
     return True
 
 

@@ -394,12 +394,13 @@ class Vector(Scaled, NamedTerms):
         # an arc cosine of the dot product loses half of the digits near 0 and pi
         # (W. Kahan, How Futile are Mindless Assessments of Roundoff, 2006, section 12)
         across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
-        size = abs(across) + abs(along)
-        lost = isinstance(size, float) and not 1e-280 < size < math.inf  # digits of the squares
-        if lost and self.norm() > 0 and other.norm() > 0:
-            return self.direction().angle_to(other.direction())
-        if is_numeric(across) and is_numeric(along) and min_abs(abs(across) + abs(along)) == 0:
-            raise FrameError(f"a zero vector makes no angle, but one of {self} and {other} is zero")
+        if is_numeric(across) and is_numeric(along):
+            size = abs(across) + abs(along)
+            lost = not 1e-280 < min_abs(size) <= max_abs(size) < math.inf  # digits of the squares
+            if lost and min_abs(self.norm()) > 0 and min_abs(other.norm()) > 0:
+                return self.direction().angle_to(other.direction())
+            if min_abs(size) == 0:
+                raise FrameError(f"a zero vector makes no angle: one of {self} and {other} is zero")
         return atan2(across, along)
 
     # -- change in time

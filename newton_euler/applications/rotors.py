@@ -17,6 +17,7 @@ from ..algebra.errors import NewtonEulerError, Tolerance, checked
 from ..algebra.scalars import (
     Scalar,
     anywhere,
+    hypot,
     is_numeric,
     is_positive,
     is_zero,
@@ -26,7 +27,7 @@ from ..algebra.scalars import (
     to_plain,
     where,
 )
-from ..algebra.vectors import Vector, add3, dot3, named_sum, scale3, sum3
+from ..algebra.vectors import Vector, add3, named_sum, scale3, sum3
 from ..bodies.body import Body
 from ..kinematics.frames import Frame, Point
 
@@ -131,7 +132,7 @@ def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple[Vector, 
 
 def _extent(P):
     c = P.position(P.frame).c
-    return max_abs(sqrt(dot3(c, c))) if all(map(is_numeric, c)) else 0.0
+    return max_abs(hypot(*c)) if all(map(is_numeric, c)) else 0.0
 
 
 def _small(x, limit=0.0):

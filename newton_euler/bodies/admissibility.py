@@ -86,6 +86,8 @@ def _check_integrals(I, tolerance, slack):
     xx, yy, zz = I.moments
     if not all(map(is_finite, I.moments + I.products)):
         raise MassError(f"the inertia matrix {I.matrix} has an entry that is not finite")
+    if not 1e-90 < largest < 1e90 and 1e-300 < largest:  # the determinant would leave the floats
+        return _check_integrals(I * (1 / largest), tolerance, slack / largest)
     a, b, c = squares = (yy + zz - xx) / 2, (zz + xx - yy) / 2, (xx + yy - zz) / 2
     for n, square in enumerate(squares):
         if _below(square, -small):

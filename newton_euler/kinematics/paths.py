@@ -135,7 +135,7 @@ class Frenet:
     def acceleration(self) -> Vector:
         """a = nu' e_t + nu^2 f e_n (2.14), (3.13); terms ``tangential`` and ``normal``."""
         t = self.frame.vector(self.speed_rate, 0, 0)
-        n = self.frame.vector(0, self.speed * self.speed * self.flexure, 0)
+        n = self.frame.vector(0, self.speed * (self.speed * self.flexure), 0)
         return self._sum("acceleration", None, tangential=t, normal=n)
 
     def _sum(self, what, own_rate, **terms):
@@ -153,7 +153,7 @@ def speed_rate(v: Vector, a: Vector) -> Scalar:
     1.4
     """
     _check_speed(v.c, v.norm(), _round_off(v))
-    return v.dot(a) / v.norm()
+    return v.direction().dot(a)
 
 
 @checked
@@ -165,7 +165,8 @@ def flexure(v: Vector, a: Vector) -> Scalar:
     0.75
     """
     _check_speed(v.c, v.norm(), _round_off(v))
-    return v.cross(a).norm() / v.norm() ** 3
+    speed = v.norm()
+    return v.direction().cross(a).norm() / speed / speed
 
 
 @checked
@@ -199,7 +200,7 @@ def frenet_along(path: Path, q: Scalar, ground: Frame, name: str = "path") -> Fr
 
     >>> from newton_euler import cos, sin
     >>> helix = frenet_along(lambda s: (3.0*cos(s), 3.0*sin(s), 4.0*s), 0.0, Frame("ground"))
-    >>> helix.speed, helix.flexure, helix.torsion  # right-handed, so negative here
+    >>> helix.speed, helix.flexure, round(helix.torsion, 12)  # right-handed, so negative here
     (5.0, 0.12, -0.16)
     """
     q = _running(q)
@@ -214,24 +215,25 @@ def frenet_along(path: Path, q: Scalar, ground: Frame, name: str = "path") -> Fr
 
 
 def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
-    speed, turn = hypot(*v), cross3(v, a)
+    speed = hypot(*v)
     _check_speed(v, speed, v_noise)
-    area, size = hypot(*turn), hypot(*a)
+    e_t = tuple(x / speed for x in v)
+    turn = cross3(e_t, a)
+    across, size = hypot(*turn), hypot(*a)
     # the rounding of the cross product itself, with a margin of 8, and that of v and of a
-    rounding = 8 * epsilon(speed) * (speed * size) + speed * a_noise + size * v_noise
-    if is_zero(area) or (all(map(is_numeric, (*v, *a))) and below_roundoff(area, rounding)):
+    rounding = 8 * epsilon(speed) * size + a_noise + size * (v_noise / speed)
+    if is_zero(across) or (all(map(is_numeric, (*v, *a))) and below_roundoff(across, rounding)):
         raise SingularError(
             "the path is straight here, on a line or at an inflection: v x a is zero (within "
             "rounding), so e_n, e_b and the torsion do not exist and the radius of curvature is "
             "infinite; the tangential component is speed_rate(v, a), the flexure 0"
         )
-    e_t, e_b = tuple(x / speed for x in v), tuple(x / area for x in turn)
-    f = area / speed**3
-    tau = None if jerk is None else -dot3(turn, jerk) / (area * area)
+    e_b, f = tuple(x / across for x in turn), across / speed / speed
+    tau = None if jerk is None else -dot3(e_b, jerk) / (across * speed)
     turning = None if tau is None else (lambda: ((-tau * speed, ZERO, f * speed), None))
     triad = Triad(f"e_t, e_n, e_b of {name}", ground, (e_t, cross3(e_b, e_t), e_b), turning)
     triad.hats = (r"\hat{e}_t", r"\hat{e}_n", r"\hat{e}_b")
-    return Frenet(triad, speed, to_plain(dot3(v, a) / speed), to_plain(f), tau)
+    return Frenet(triad, speed, to_plain(dot3(e_t, a)), to_plain(f), tau)
 
 
 def _check_speed(v, speed, noise):

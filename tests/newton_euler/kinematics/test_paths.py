@@ -308,7 +308,7 @@ def test_eqn_3_12_and_3_13_velocity_and_acceleration_in_the_osculating_plane(kin
     assert close(here.acceleration.components(ground), a, 10 * tight(kind))
     assert close(here.speed_rate, v.dot(a) / v.norm(), 10 * tight(kind))
     assert close(here.flexure, v.cross(a).norm() / v.norm() ** 3, 10 * tight(kind))
-    assert close(here.acceleration.terms["normal"], (0, here.speed**2 * here.flexure, 0), 0)
+    assert close(here.acceleration.terms["normal"], (0, here.speed**2 * here.flexure, 0), tight(kind))
 
 
 @every_kind
