@@ -45,11 +45,10 @@ def callers_places(error: BaseException) -> Iterator[tuple[FrameType, int]]:
 
 def callers_line(error: BaseException) -> str:
     """The line of a function of the caller in which an error arose, or ""."""
-    places = list(callers_places(error))
-    if not places:
-        return ""
-    frame, number = places[-1]
-    return linecache.getline(frame.f_code.co_filename, number, frame.f_globals).strip()
+    line = ""
+    for frame, number in callers_places(error):
+        line = linecache.getline(frame.f_code.co_filename, number, frame.f_globals).strip()
+    return line
 
 
 def raised_by_the_engine(error: BaseException) -> bool:

@@ -173,20 +173,9 @@ class Vector(Scaled, NamedTerms):
 
     # -- components
 
-    @property
-    def x(self) -> Scalar:
-        """The component along the first axis of its frame (A.7)."""
-        return to_plain(self.c[0])
-
-    @property
-    def y(self) -> Scalar:
-        """The component along the second axis of its frame (A.7)."""
-        return to_plain(self.c[1])
-
-    @property
-    def z(self) -> Scalar:
-        """The component along the third axis of its frame (A.7)."""
-        return to_plain(self.c[2])
+    x = property(lambda self: to_plain(self.c[0]), doc="the component along its first axis (A.7)")
+    y = property(lambda self: to_plain(self.c[1]), doc="the component along its second axis (A.7)")
+    z = property(lambda self: to_plain(self.c[2]), doc="the component along its third axis (A.7)")
 
     def __iter__(self):
         return iter(self.components())

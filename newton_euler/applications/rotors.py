@@ -17,10 +17,10 @@ from ..algebra.errors import NewtonEulerError, Tolerance, checked
 from ..algebra.scalars import (
     Scalar,
     anywhere,
-    hypot,
     is_numeric,
     is_positive,
     is_zero,
+    largest_abs,
     max_abs,
     scalar,
     sqrt,
@@ -131,8 +131,7 @@ def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple[Vector, 
 
 
 def _extent(P):
-    c = P.position(P.frame).c
-    return max_abs(hypot(*c)) if all(map(is_numeric, c)) else 0.0
+    return largest_abs(P.position(P.frame).c)
 
 
 def _small(x, limit=0.0):

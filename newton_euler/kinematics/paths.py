@@ -25,6 +25,7 @@ from ..algebra.scalars import (
     integer_like,
     is_numeric,
     is_zero,
+    largest_abs,
     scalar,
     to_plain,
 )
@@ -166,7 +167,7 @@ def flexure(v: Vector, a: Vector) -> Scalar:
     """
     _check_speed(v.c, v.norm(), _round_off(v))
     speed = v.norm()
-    return v.direction().cross(a).norm() / speed / speed
+    return to_plain(hypot(*_turn(v.c, speed, a.expressed_in(v.frame).c)) / speed / speed)
 
 
 @checked
@@ -200,7 +201,7 @@ def frenet_along(path: Path, q: Scalar, ground: Frame, name: str = "path") -> Fr
 
     >>> from newton_euler import cos, sin
     >>> helix = frenet_along(lambda s: (3.0*cos(s), 3.0*sin(s), 4.0*s), 0.0, Frame("ground"))
-    >>> helix.speed, helix.flexure, round(helix.torsion, 12)  # right-handed, so negative here
+    >>> helix.speed, helix.flexure, helix.torsion  # right-handed, so negative here
     (5.0, 0.12, -0.16)
     """
     q = _running(q)
@@ -217,8 +218,7 @@ def frenet_along(path: Path, q: Scalar, ground: Frame, name: str = "path") -> Fr
 def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
     speed = hypot(*v)
     _check_speed(v, speed, v_noise)
-    e_t = tuple(x / speed for x in v)
-    turn = cross3(e_t, a)
+    e_t, turn = tuple(x / speed for x in v), _turn(v, speed, a)
     across, size = hypot(*turn), hypot(*a)
     # the rounding of the cross product itself, with a margin of 8, and that of v and of a
     rounding = 8 * epsilon(speed) * size + a_noise + size * (v_noise / speed)
@@ -229,11 +229,19 @@ def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
             "infinite; the tangential component is speed_rate(v, a), the flexure 0"
         )
     e_b, f = tuple(x / across for x in turn), across / speed / speed
-    tau = None if jerk is None else -dot3(e_b, jerk) / (across * speed)
+    tau = None if jerk is None else -dot3(turn, jerk) / across / (across * speed)
     turning = None if tau is None else (lambda: ((-tau * speed, ZERO, f * speed), None))
     triad = Triad(f"e_t, e_n, e_b of {name}", ground, (e_t, cross3(e_b, e_t), e_b), turning)
     triad.hats = (r"\hat{e}_t", r"\hat{e}_n", r"\hat{e}_b")
     return Frenet(triad, speed, to_plain(dot3(e_t, a)), to_plain(f), tau)
+
+
+def _turn(v, speed, a):
+    """e_t x a; by v x a, which is 0 of parallel vectors, where no product leaves the floats."""
+    several = any(not is_numeric(x) or getattr(x, "shape", ()) for x in (*v, *a))
+    if not several and 1e-280 < largest_abs(v) * largest_abs(a) < 1e300:
+        return tuple(x / speed for x in cross3(v, a))
+    return cross3(tuple(x / speed for x in v), a)
 
 
 def _check_speed(v, speed, noise):
