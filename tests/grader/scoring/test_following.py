@@ -83,26 +83,6 @@ def test_an_invalid_share_is_refused(share):
         robot(SIZE, follow_through=share)
 
 
-def rows(points):
-    """The components of an answer: floats, or arrays of several points."""
-    return points[0] if len(points) == 1 else tuple(np.array(points).T)
-
-
-@pytest.mark.one_in(4)
-@pytest.mark.parametrize(("p", "key"), FOLLOWING, ids=[f"{p.id} {k}" for p, k in FOLLOWING])
-def test_the_key_follows_from_the_key(p, key):
-    for n in range(10):
-        numbers = numbers_of(p, draw(p, f"following {n}".encode()))
-        earlier = {name: rows(numbers.key[name]) for name in earlier_answers(p)[key]}
-        if p.answer(key).kind.is_word:
-            assert numbers.following(key, numbers.key) == numbers.key[key]
-            continue
-        found = follow(p, key, numbers.sample, earlier)
-        for x, right in zip(found, rows(numbers.key[key]), strict=True):
-            size = np.linalg.norm(np.array(rows(numbers.key[key])))
-            assert np.abs(x - right).max() <= 1e-9 * size
-
-
 NUMERIC = [(p, key) for p, key in FOLLOWING if not (p.symbolic or p.answer(key).kind.is_word)]
 
 
