@@ -4,7 +4,8 @@ import contextlib
 import importlib
 import re
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextvars import ContextVar
 from functools import cache
 from pathlib import Path
 
@@ -58,9 +59,31 @@ def problem(problem_id: str) -> Problem:
     """The problem ``problem("4/16")``, in the reader's language; only its own file is read. It is
     the same object until one of its files changes, so what is computed of it is kept by the object.
     """
+    known, number = _known.get({}), str(problem_id)
+    if number not in known:
+        known[number] = _found(number)
+    return translated(known[number])
+
+
+_known: ContextVar[dict[str, Problem]] = ContextVar("problems read so far")
+
+
+@contextlib.contextmanager
+def read_once() -> Iterator[None]:
+    """Within it, and in its thread, a change of a problem's files is not noticed: all that is done
+    is by the files of one moment, and they are looked at once.
+    """
+    token = _known.set({})
+    try:
+        yield
+    finally:
+        _known.reset(token)
+
+
+def _found(problem_id):
     name, stem = folder_and_file(problem_id)
     if (home(name) / f"{stem}.yaml").exists():
-        return translated(_problem_at(name, stem))
+        return _problem_at(name, stem)
     if name in chapters():
         raise CatalogueError(
             f"there is no problem {problem_id}; {name} has {problems(name)[0].id} to "
