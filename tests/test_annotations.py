@@ -1,5 +1,5 @@
 """Every public function and method says what it takes and returns, so that a reader knows what
-crosses a room, and mypy checks it. Problems, and devices that they share, are content: not these.
+crosses a room, and mypy checks it. The functions of a problem are as the Protocol ``Code`` says.
 """
 
 import ast
@@ -8,7 +8,8 @@ from pathlib import Path
 from tests.imports import modules
 
 ROOT = Path(__file__).parent.parent
-PACKAGES = "newton_euler", "chapters/examples", "exercises/catalogue", "grader", "website"
+EXERCISES = "exercises/catalogue", "exercises/devices"
+PACKAGES = "newton_euler", "chapters", *EXERCISES, "grader", "website"
 FILES = [path for package in PACKAGES for path in modules(ROOT / package).values()]
 
 

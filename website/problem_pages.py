@@ -44,7 +44,7 @@ def heading(title: str) -> str:
     """ "Chapter 4: relative motion" as the title of its problems."""
     if not re.match(r"(Chapter|Appendix|Kapitel|Anhang) ", title):
         return title  # a chapter of a course
-    if language() != "de":  # which keeps capital letters in a sentence
+    if language() != "de":  # German keeps capital letters in a sentence
         title = title[:1].lower() + title[1:]
     return _("Problems of {chapter}", chapter=title)
 

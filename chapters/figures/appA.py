@@ -1,13 +1,16 @@
 """The figures of appendix A: sums and products of vectors, and their derivatives."""
 
 import math
+from collections.abc import Callable, Sequence
 
 from newton_euler import Frame
 from newton_euler.algebra.late import plt
+from newton_euler.algebra.scalars import Triple
 from newton_euler.algebra.vectors import cross3, dot3
 from newton_euler.classroom import Slider, interactive_figure, show_figure
-from newton_euler.drawing import Sketch
-from newton_euler.drawing.page.projection import moved
+from newton_euler.drawing import AnyAxes, Sketch
+from newton_euler.drawing.page.projection import mean, moved, on_plane, unit3
+from newton_euler.kinematics.paths import Path
 
 from .curves import evenly, level_lines
 from .sliding import with_sliders
@@ -33,7 +36,7 @@ def _in_space(around, up):
     "then P; the diagonal is their sum.",
     size=(6.4, 4.2),
 )
-def total(ax, theta):
+def total(ax: AnyAxes, theta: float) -> None:
     """Figure A.1: P and Q head to tail in both orders, and their sum."""
     P, Q = _in_plane(3, 0), _in_plane(4, theta)
     both = moved(P, 1, Q)
@@ -54,7 +57,7 @@ def total(ax, theta):
     "axes, of the lengths of its components, lead head to tail from the origin to its tip.",
     size=(4.6, 5.0),
 )
-def components(ax, around, up):
+def components(ax: AnyAxes, around: float, up: float) -> None:
     """Figure A.2: a vector and its components along the axes."""
     ground, (x, y, z) = Frame("ground"), _in_space(around, up)
     s = Sketch(ax, ground, azimuth=25, elevation=25)
@@ -68,7 +71,7 @@ def components(ax, around, up):
     ax.set_title(lengths, fontsize=11)
 
 
-def kite():
+def kite() -> None:
     """Figure A.3: a kite on a string that is tied to the top of a pole."""
     ground = Frame("ground")
     fig, ax = plt.subplots(figsize=(6, 4.4))
@@ -96,7 +99,7 @@ def kite():
     "tip of Q marks the component of Q along P. It is negative where the angle is obtuse.",
     size=(6.4, 3.6),
 )
-def projection(ax, theta):
+def projection(ax: AnyAxes, theta: float) -> None:
     """Figure A.4: the dot product by the projection of Q on P."""
     P, Q = _in_plane(3, 0), _in_plane(2, theta)
     foot = (Q[0], 0, 0)
@@ -119,12 +122,12 @@ def projection(ax, theta):
     "on it; its length is the area. It points downward once Q lies on the other side of P.",
     size=(6.2, 4.4),
 )
-def area(ax, theta):
+def area(ax: AnyAxes, theta: float) -> None:
     """Figure A.5: the cross product and the parallelogram of P and Q."""
     ground = Frame("ground")
     P, Q = _in_plane(1.2, 0), _in_plane(1.0, theta)
     product = round(1.2 * math.sin(math.radians(theta)), 9)
-    s = Sketch(ax, ground, azimuth=-65, elevation=20)  # no Q of the slider below P x Q
+    s = Sketch(ax, ground, azimuth=-65, elevation=20)  # so seen, Q is never below P x Q
     s.axes((-1.1, -1.1, 0), ground, 0.5, [r"$\hat\imath$", r"$\hat\jmath$", r"$\hat k$"])
     if abs(product) > 0.01:
         s.plate([O, P, moved(P, 1, Q), Q], shade="light")
@@ -143,7 +146,7 @@ def area(ax, theta):
     "the volume; below it the product is minus the volume.",
     size=(6.2, 4.4),
 )
-def block(ax, height):
+def block(ax: AnyAxes, height: float) -> None:
     """Figure A.6: the triple scalar product as a volume with a sign."""
     ground = Frame("ground")
     P, Q, R = (1.2, 0.1, 0), (0.3, 1.0, 0), (0.25, 0.2, height)
@@ -172,7 +175,7 @@ def block(ax, height):
     "right angles to R.",
     size=(6.4, 4.4),
 )
-def double_cross(ax, around, up):
+def double_cross(ax: AnyAxes, around: float, up: float) -> None:
     """Figure A.7: (P x Q) x R lies in the plane of P and Q."""
     ground = Frame("ground")
     P, Q, R = (1.1, 0, 0), (0.5, 0.9, 0), _in_space(around, up)
@@ -194,17 +197,17 @@ def double_cross(ax, around, up):
     "normal, three times its length.",
     size=(6.2, 5.0),
 )
-def triangle(ax, corners, normal, eye):
+def triangle(ax: AnyAxes, corners: Sequence[Triple], normal: Triple, eye: float) -> None:
     """Figure A.8: a triangle, two of its edges as vectors, and a normal, from a turning eye."""
     A, B, C = corners
-    centre = tuple(sum(x) / 3 for x in zip(*corners, strict=True))
-    e = tuple(x / math.hypot(*normal) for x in normal)
+    e = unit3(normal)
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=eye, elevation=20)
     s.axes(O, ground, length=2.0)
     s.plate(corners, shade="light")
     s.arrow(A, B, r"$\mathbf{P}$", "velocity")
     s.arrow(A, C, r"$\mathbf{Q}$", "acceleration")
+    centre = mean(corners)
     s.arrow(centre, moved(centre, 3, e), r"$\hat e$", "rate")
     for place, name in zip(corners, "ABC", strict=True):
         s.label(place, name)
@@ -217,22 +220,18 @@ def triangle(ax, corners, normal, eye):
     "its product with N has one sign on each side.",
     size=(6.2, 4.8),
 )
-def plane(ax, corners, normal, off):
+def plane(ax: AnyAxes, corners: Sequence[Triple], normal: Triple, off: float) -> None:
     """Figure A.9: a plane, its normal N at A, and a point X on it or off it."""
     A, B, C = corners
-    e = tuple(x / math.hypot(*normal) for x in normal)
-    along = tuple(x / math.dist(A, B) for x in moved(B, -1, A))
+    e, along = unit3(normal), unit3(moved(B, -1, A))
     across = cross3(e, along)
-
-    def on_plane(u, v):
-        return moved(moved(A, u, along), v, across)
-
-    foot = on_plane(4.5, 2)
+    foot = on_plane(A, 4.5, along, 2, across)
     X = moved(foot, off, e)
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=10, elevation=25)
     s.axes(O, ground, length=2.0)
-    s.path([on_plane(u, v) for u, v in ((-1, -1), (8.5, -1), (8.5, 5), (-1, 5), (-1, -1))])
+    edge = (-1, -1), (8.5, -1), (8.5, 5), (-1, 5), (-1, -1)
+    s.path([on_plane(A, u, along, v, across) for u, v in edge])
     s.arrow(A, moved(A, 3, e), r"$\mathbf{N}$", "rate")
     s.arrow(A, X, "", "velocity")
     s.line(foot, X)
@@ -253,7 +252,7 @@ def plane(ax, corners, normal, off):
     "tangent. The first turns into the second as the step shrinks.",
     size=(6.4, 4.4),
 )
-def difference(ax, vector, rate, now, step):
+def difference(ax: AnyAxes, vector: Path, rate: Triple, now: float, step: float) -> None:
     """Figure A.10: the difference quotient of ``vector(t)`` and its limit ``rate`` at ``now``."""
     start, later = vector(now), vector(now + step)
     quotient = tuple((b - a) / step for a, b in zip(start, later, strict=True))
@@ -276,7 +275,7 @@ def difference(ax, vector, rate, now, step):
     "is negative.",
     size=(5.6, 4.6),
 )
-def turning(ax, theta, rate):
+def turning(ax: AnyAxes, theta: float, rate: float) -> None:
     """Figure A.11: a turning unit vector and its rate."""
     ground = Frame("ground")
     e, across = _in_plane(1, theta), _in_plane(1, theta + 90)
@@ -299,14 +298,14 @@ def turning(ax, theta, rate):
     size=(8.0, 4.2),
     panels=(1, 2),
 )
-def two_observers(axes, turn):
+def two_observers(axes: Sequence[AnyAxes], turn: float) -> None:
     """Figure A.12: a vector fixed in a turning frame, by two observers."""
     ground = Frame("ground")
     disk = ground.rotate("disk", "z", math.radians(turn))
     back = ground.rotate("ground from the disk", "z", -math.radians(turn))
     fixed, turning = ["X", "Y", ""], ["x", "y", ""]
     for ax, Q, title, own, other, labels in zip(
-        axes.flat,
+        axes,
         (disk.vector(0.8, 0.4, 0), ground.vector(0.8, 0.4, 0)),
         ("seen from the ground", "seen from the disk"),
         (fixed, turning),
@@ -326,7 +325,9 @@ def two_observers(axes, turn):
         ax.set_title(title, fontsize=11)
 
 
-def hill(height, slope):
+def hill(
+    height: Callable[[float, float], float], slope: Callable[[float, float], tuple[float, float]]
+) -> None:
     """Figure A.13: level lines of ``height(x, y)``, its gradient ``slope(x, y)``, and a walk."""
     xs, ys = evenly(-2, 2, 25), evenly(-1.5, 1.5, 19)
     heights = [height(x, y) for x in xs for y in ys]

@@ -1,13 +1,15 @@
 """The figures of appendix B: the solids of the table with their axes, and their moments as bars."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from newton_euler import Frame
 from newton_euler.algebra.late import plt
 from newton_euler.bodies.solids import box, cone, cylinder
 from newton_euler.classroom import Slider, show_figure
-from newton_euler.drawing import Sketch
+from newton_euler.drawing import AnyAxes, Sketch
 
+from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
@@ -22,7 +24,7 @@ SCALE = 6  # height of a bar, in metres of the sketch, for 1 kg m^2
     "straight to the element; its square is y squared plus z squared and does not contain x.",
     size=(6.0, 4.4),
 )
-def element(ax, x, y, z):
+def element(ax: AnyAxes, x: float, y: float, z: float) -> None:
     """Figure B.1: an element of mass and its distance from the x axis."""
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=30, elevation=22)
@@ -37,7 +39,7 @@ def element(ax, x, y, z):
     ax.set_title(rf"$\ell_x^2 = y^2 + z^2$ = {y**2 + z**2:.2f} m²", fontsize=11)
 
 
-def table():
+def table() -> None:
     """Figure B.2: the seven solids of the table, with their axes and centres of mass."""
     ground = Frame("ground")
     corners = [(0, -0.5, -0.3), (0, 0.5, -0.3), (0, 0.5, 0.3), (0, -0.5, 0.3)]
@@ -73,7 +75,7 @@ def table():
     "squared approaches one twelfth of mass times length squared, from below.",
     size=(6.4, 2.6),
 )
-def particles(ax, n):
+def particles(ax: AnyAxes, n: float) -> None:
     """Figure B.3: a rod as a row of equal particles."""
     n = round(n)
     places = [-0.5 + (k + 0.5) / n for k in range(n)]
@@ -109,7 +111,7 @@ def _bars(ax, moments):
     "the reader, the root of the sum of their squares.",
     size=(6.0, 4.2),
 )
-def flat(ax, y, z):
+def flat(ax: AnyAxes, y: float, z: float) -> None:
     """Figure B.4: an element of a flat body and its distances from three axes."""
     s = Sketch(ax, Frame("ground"), plane="yz")
     s.plate([(0, -1, -0.7), (0, 1, -0.7), (0, 1, 0.7), (0, -1, 0.7)], shade="light")
@@ -131,7 +133,7 @@ def flat(ax, y, z):
     size=(8.4, 4.4),
     panels=(1, 2),
 )
-def prism(axes, a, b, c):
+def prism(axes: Sequence[AnyAxes], a: float, b: float, c: float) -> None:
     """Figure B.5: a prism of 1 kg and its moments."""
     ground = Frame("ground")
     s = Sketch(axes[0], ground, azimuth=35, elevation=22)
@@ -152,7 +154,7 @@ def prism(axes, a, b, c):
     size=(8.4, 4.4),
     panels=(1, 2),
 )
-def round_bar(axes, a, L):
+def round_bar(axes: Sequence[AnyAxes], a: float, L: float) -> None:
     """Figure B.6: a cylinder of 1 kg and its moments."""
     ground = Frame("ground")
     s = Sketch(axes[0], ground, azimuth=35, elevation=22)
@@ -172,7 +174,7 @@ def round_bar(axes, a, L):
     size=(8.4, 4.2),
     panels=(1, 2),
 )
-def cone_axes(axes, d):
+def cone_axes(axes: Sequence[AnyAxes], d: float) -> None:
     """Figure B.7: the transverse moment of a cone about an axis that is moved along it."""
     a, h = 0.4, 1.0
     d = round(d, 9) + 0.0  # no -0.00 in the title
@@ -188,7 +190,7 @@ def cone_axes(axes, d):
     def I_yy(x):
         return float(body.about(ground.point("P", x, 0, 0)).moments[1])
 
-    s.path([(n / 40, 0, I_yy(n / 40)) for n in range(41)])
+    s.path([(x, 0, I_yy(x)) for x in evenly(0, h, 41)])
     s.axes(O, ground, 1.1, ["$d$", "", "$I$"])
     for x, name in ((0.0, "apex"), (3 * h / 4, "G"), (h, "base")):
         s.line((x, 0, 0), (x, 0, I_yy(x)), style="dotted")
@@ -197,7 +199,7 @@ def cone_axes(axes, d):
     axes[1].set_title(f"axis at d = {d:.2f} m: I = {I_yy(d):.4f} kg m²", fontsize=11)
 
 
-def top():
+def top() -> None:
     """Figure B.8: a top of cone, disk and stem, cut along its axis, which points up."""
     ground = Frame("ground")
     fig, ax = plt.subplots(figsize=(4.4, 4.8))
@@ -218,8 +220,8 @@ def top():
     )
 
 
-def exact_cone(a, h):
+def exact_cone(a: float, h: float) -> list[Fraction]:
     """The moments of a cone of 1 kg about its apex, as fractions of exact decimal numbers."""
-    a, h = Fraction(a), Fraction(h)
-    across = Fraction(3, 5) * (a**2 / 4 + h**2)
-    return [Fraction(3, 10) * a**2, across, across]
+    square = Fraction(a) ** 2
+    across = Fraction(3, 5) * (square / 4 + Fraction(h) ** 2)
+    return [Fraction(3, 10) * square, across, across]

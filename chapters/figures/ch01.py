@@ -3,18 +3,25 @@ the clocks that flew round the Earth.
 """
 
 import math
+from collections.abc import Callable
+from typing import TypeAlias
 
-from newton_euler import Frame
+from newton_euler import Frame, Point
+from newton_euler.algebra.scalars import Triple
 from newton_euler.classroom import Slider, interactive_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 
+from .curves import evenly, parts
 from .sliding import with_sliders
 
 O = (0, 0, 0)
+TURN = 2 * math.pi / 0.6  # s, of the merry-go-round
+# ground, platform, horse and its nose at a time
+MerryGoRound: TypeAlias = Callable[[float], tuple[Frame, Frame, Frame, Point]]
 
 
-def curve(t):
+def curve(t: float) -> Triple:
     """A place on the curve of figure 1.1."""
     return 0.5 + 0.35 * t, 0.6 + 0.9 * math.sin(0.8 * t), 0.5 + 0.25 * t - 0.06 * t * t
 
@@ -26,14 +33,14 @@ def curve(t):
     "tangent of the curve at P as the time between the instants gets shorter.",
     size=(6.8, 4.6),
 )
-def position_and_velocity(ax, dt):
+def position_and_velocity(ax: AnyAxes, dt: float) -> None:
     """Figure 1.1: position at two instants, displacement and tangent."""
     ground = Frame("ground")
     P, later = curve(1.0), curve(1.0 + dt)
-    rate = [(b - a) / 1e-6 for a, b in zip(P, curve(1.0 + 1e-6), strict=True)]
+    rate = tuple((b - a) / 1e-6 for a, b in zip(P, curve(1.0 + 1e-6), strict=True))
     s = Sketch(ax, ground, azimuth=35, elevation=22)
     s.axes(O, ground, length=0.5, labels=["x", "y", "z"])
-    s.path([curve(0.1 * n) for n in range(41)])
+    s.path([curve(t) for t in evenly(0, 4, 41)])
     s.arrow(O, P, r"$\mathbf{r}(t)$")
     s.arrow(O, later, r"$\mathbf{r}(t+\Delta t)$")
     s.arrow(P, later, r"$\Delta\mathbf{r}$", kind="velocity")
@@ -43,26 +50,25 @@ def position_and_velocity(ax, dt):
     s.label(curve(4.0), "C", bold=False)
 
 
-def places(build, observer, times):
-    """The nose at many times, as the observer (by its number) sees it."""
+def places(build: MerryGoRound, observer: int) -> list[Triple]:
+    """The nose during one turn, as the observer (by its number) sees it."""
     found = []
-    for t in times:
+    for t in evenly(0, TURN, 121):
         *frames, nose = build(t)
-        found.append(tuple(map(float, nose.position(frames[observer]))))
+        found.append(parts(nose.position(frames[observer])))
     return found
 
 
-def three_observers(build):
+def three_observers(build: MerryGoRound) -> None:
     """Figure 1.2: the nose of the horse for three observers, from ``build(t)``."""
-    times = [2 * math.pi / 0.6 * n / 120 for n in range(121)]
-    paths = [places(build, observer, times) for observer in range(3)]
+    paths = [places(build, observer) for observer in range(3)]
 
     def draw(axes, t):
         *frames, nose = build(t)
         for ax, n, who in zip(axes, (2, 1, 0), ("rider", "platform", "ground"), strict=True):
             own = Frame("own")  # the observer, at rest in the picture
-            place = tuple(map(float, nose.position(frames[n])))
-            v = tuple(map(float, nose.velocity(frames[n]).components(frames[n])))
+            place = parts(nose.position(frames[n]))
+            v = parts(nose.velocity(frames[n]).components(frames[n]))
             s = Sketch(ax, own, azimuth=50, elevation=24, arrows=60)
             s.axes(O, own, length=1.0)
             _surroundings(s, own, n, t)
@@ -107,10 +113,9 @@ def _horse(s, frame):
     s.plate([frame.point("", 0, ahead, up) for ahead, up in HORSE], thickness=0.2, shade="dark")
 
 
-def merry_go_round_film(build):
+def merry_go_round_film(build: MerryGoRound) -> Animation:
     """A film: the merry-go-round, seen from the ground."""
-    time = 2 * math.pi / 0.6
-    ring = places(build, 0, [time * n / 120 for n in range(121)])
+    ring = places(build, 0)
 
     def draw(t, ax):
         ground, platform, horse, nose = build(t)
@@ -125,7 +130,7 @@ def merry_go_round_film(build):
 
     return animate(
         draw,
-        [time * n / 30 for n in range(31)],
+        evenly(0, TURN, 31),
         alt="The merry-go-round turns once, the horse goes up and down; its nose follows a wavy "
         "ring, and its velocity is tangent to it at every instant.",
     )
@@ -155,7 +160,9 @@ def _clocks_in_words(speed):
     alt=_clocks_in_words,
     size=(6.4, 5.2),
 )
-def clocks(ax, build, speed):
+def clocks(
+    ax: AnyAxes, build: Callable[[float], tuple[Frame, Frame, Point, Point, Point]], speed: float
+) -> None:
     """Figure 1.3: the velocities of three clocks, seen from the stars, from ``build(speed)``."""
     stars, _, *three = build(speed)
     s = Sketch(ax, stars, azimuth=-90, elevation=90)
@@ -165,8 +172,8 @@ def clocks(ax, build, speed):
     for name, angle, clock in zip(names, (1.6, 3.7, 5.8), three, strict=True):
         here = stars.rotate("here", "z", angle)  # drawn apart, though they start together
         place, v = clock.position(stars), clock.velocity(stars)
-        at = here.vector(*map(float, place.components(stars))).expressed_in(stars)
-        along = here.vector(*map(float, v.components(stars))).expressed_in(stars)
+        at = here.vector(*parts(place.components(stars))).expressed_in(stars)
+        along = here.vector(*parts(v.components(stars))).expressed_in(stars)
         P = stars.point(name, at.x, at.y, 0)
         s.dot(P)
         s.vector(P, along, name, size="m/s")

@@ -1,32 +1,33 @@
 """The figures of chapter 2: motion in a plane, its components, and frames that turn."""
 
 import math
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
 
-from newton_euler import Frame, cos, frenet, moving, sin
+from newton_euler import Frame, Point, cos, frenet, moving, sin
+from newton_euler.algebra.scalars import Scalar, Triple
 from newton_euler.algebra.vectors import named_sum
 from newton_euler.classroom import Slider, interactive_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.kinematics.paths import along
 from newton_euler.scenes.closed_forms.harmonic import rotated
 
+from .curves import evenly, parts
 from .sliding import with_sliders
 
 O = (0, 0, 0)
+Jet: TypeAlias = Callable[[Scalar, float, float, float], Triple]  # (t, speed, elevation, g)
+Truck: TypeAlias = Callable[..., tuple[Frame, Frame, Point]]  # ground, turntable, car on it
 FEET = math.radians(35), 25.0, 32.2  # the jet of sections 2.2 and 2.4
 
 
-def wave(t):
+def wave(t: Scalar) -> Triple:
     return 1.2 * t, 0.8 * sin(1.6 * t), 0
 
 
-def wave_path():
-    return [tuple(map(float, wave(n / 20))) for n in range(83)]
-
-
-def parts(v):
-    """The components of a vector as floats."""
-    return tuple(map(float, v))
+def wave_path() -> list[Triple]:
+    return [parts(wave(t)) for t in evenly(0, 4.1, 83)]
 
 
 STRAIGHT, INNER, LANE = 84.39, 36.50, 1.22  # m, of a standard track
@@ -35,7 +36,7 @@ SPEEDS = 100 / 10.7, 100 / 9.8, 100 / 10.5, 100 / 12.03  # m/s, one for each hun
 
 def _bend(centre, radius, start, angle=math.pi):
     """Places on a bend about (centre, 0), from the direction ``start`` through ``angle``."""
-    angles = [start + angle * n / 40 for n in range(41)]
+    angles = evenly(start, start + angle, 41)
     return [(centre + radius * math.cos(u), radius * math.sin(u), 0) for u in angles]
 
 
@@ -68,7 +69,7 @@ def _runner(ground, rho, first, run):
     "acceleration a points to the middle of the bend; on a straight it is zero.",
     size=(7.4, 4.6),
 )
-def lap(ax, rho, first, run):
+def lap(ax: AnyAxes, rho: float, first: float, run: float) -> None:
     """Figure 2.1: a runner in a lane with bends of the radius ``rho``, the first ``first`` m long."""
     ground = Frame("ground")
     P, in_bend = _runner(ground, rho, first, run)
@@ -97,7 +98,7 @@ def lap(ax, rho, first, run):
     size=(8.6, 4),
     panels=(1, 2),
 )
-def two_limits(axes, dt):
+def two_limits(axes: Sequence[AnyAxes], dt: float) -> None:
     """Figure 2.2: displacement and change of velocity in a time that shrinks."""
     ground = Frame("ground")
     t = 0.7
@@ -121,11 +122,11 @@ def two_limits(axes, dt):
     axes[1].set_title("velocities", fontsize=11)
 
 
-def flight(jet, elevation):
+def flight(jet: Jet, elevation: float) -> tuple[float, list[Triple]]:
     """Time of flight and the places of the jet from ``jet(t, speed, elevation, g)``."""
     _, speed, g = FEET
     time = 2 * speed * math.sin(elevation) / g
-    return time, [parts(jet(time * n / 40, speed, elevation, g)) for n in range(41)]
+    return time, [parts(jet(t, speed, elevation, g)) for t in evenly(0, time, 41)]
 
 
 @with_sliders(
@@ -136,7 +137,7 @@ def flight(jet, elevation):
     "has the same length and points straight down at every place.",
     size=(7.4, 4.4),
 )
-def jet(ax, build, elevation, percent):
+def jet(ax: AnyAxes, build: Jet, elevation: float, percent: float) -> None:
     """Figure 2.3: the jet, from ``build(t, speed, elevation, g)``, its path."""
     _, speed, g = FEET
     ground, up = Frame("ground"), math.radians(elevation)
@@ -162,7 +163,7 @@ def jet(ax, build, elevation, percent):
     "right for a turn to the right, and is nearly as long as the angle.",
     size=(5.6, 4.6),
 )
-def turning_tangent(ax, turn):
+def turning_tangent(ax: AnyAxes, turn: float) -> None:
     """Figure 2.4: the unit tangent before and after a small turn, to the left or the right."""
     ground = Frame("ground")
     gamma, angle = math.radians(25), math.radians(turn)
@@ -189,7 +190,7 @@ def turning_tangent(ax, turn):
     "when the particle is at the top. Tangential and normal acceleration are drawn.",
     size=(6.4, 6),
 )
-def curvature_of_the_jet(ax, build, percent):
+def curvature_of_the_jet(ax: AnyAxes, build: Jet, percent: float) -> None:
     """Figure 2.5: the jet and its circle of curvature, from ``build(t, speed, elevation, g)``."""
     up, speed, g = FEET
     ground = Frame("ground")
@@ -200,7 +201,7 @@ def curvature_of_the_jet(ax, build, percent):
     centre = moved(place, 1, out)
     s = Sketch(ax, ground, plane="xy", arrows=90)
     s.path(places)
-    start = moved(centre, 1, (*rotated(*out[:2], math.pi + 0.5), 0))
+    start = moved(centre, 1, (*rotated(out[0], out[1], math.pi + 0.5), 0))
     s.path(s.around(centre, start, (0, 0, -1), 1.0), style="dashed")
     s.line(place, centre)
     s.dot(centre)
@@ -217,7 +218,7 @@ def curvature_of_the_jet(ax, build, percent):
     "the total acceleration, obliquely forward and inward.",
     size=(6.8, 4.8),
 )
-def car_in_a_curve(ax, v):
+def car_in_a_curve(ax: AnyAxes, v: float) -> None:
     """Figure 2.6: a car in a curve and the two components of its acceleration."""
     rho, rate = 250.0, 2.0
     ground = Frame("ground")
@@ -244,7 +245,7 @@ def car_in_a_curve(ax, v):
     size=(8.8, 4.2),
     panels=(1, 2),
 )
-def polar_axes(axes, t, turn):
+def polar_axes(axes: Sequence[AnyAxes], t: float, turn: float) -> None:
     """Figure 2.7: polar components of a velocity; the turning of their unit vectors."""
     ground = Frame("ground")
     P = ground.point("P", *along(wave, t))
@@ -305,7 +306,9 @@ def _boom_in_words(length_rate, rate):
 
 
 @with_sliders(*BOOM, alt=_boom_in_words, size=(7.4, 4.8))
-def boom(ax, build, length_rate, rate):
+def boom(
+    ax: AnyAxes, build: Callable[[Frame, float, float], Point], length_rate: float, rate: float
+) -> None:
     """Figure 2.8: the boom, from ``build(ground, length_rate, rate)``, its end P."""
     ground = Frame("ground")
     P = build(ground, length_rate, rate)
@@ -332,7 +335,7 @@ def boom(ax, build, length_rate, rate):
     "zero. The sum closes the chain.",
     size=(7.4, 4.8),
 )
-def boom_terms(ax, length_rate, rate):
+def boom_terms(ax: AnyAxes, length_rate: float, rate: float) -> None:
     """Figure 2.13: the terms of the acceleration of the end of the boom."""
     ground = Frame("ground")
     frame = ground.rotate("boom", "z", angle=math.radians(30), rate=rate)
@@ -356,7 +359,7 @@ def boom_terms(ax, length_rate, rate):
     size=(8.6, 4.4),
     panels=(1, 2),
 )
-def two_turns(axes, first, second):
+def two_turns(axes: Sequence[AnyAxes], first: float, second: float) -> None:
     """Figure 2.9: two turns in the plane, made in both orders."""
     a, b = math.radians(first), math.radians(second)
     for ax, middle in zip(axes, ((a, 0.0), (0.0, b)), strict=True):
@@ -375,7 +378,7 @@ def two_turns(axes, first, second):
     axes[1].set_title("arm 2 first (dashed: in between)", fontsize=11)
 
 
-def ferris_wheel():
+def ferris_wheel() -> Animation:
     """A film: a wheel with a cabin that stays level, and one that is bolted to it."""
 
     def draw(t, ax):
@@ -397,7 +400,7 @@ def ferris_wheel():
 
     return animate(
         draw,
-        [20 * math.pi * n / 24 for n in range(25)],
+        evenly(0, 20 * math.pi, 25),
         size=(4.6, 4.6),
         alt="A Ferris wheel turns once; one cabin stays level all the way round, the other is bolted "
         "to the wheel and turns over with it.",
@@ -412,7 +415,7 @@ def ferris_wheel():
     "same as the arrow Delta theta k cross Q along the tangent.",
     size=(6, 4.8),
 )
-def seen_from_two_frames(ax, direction, turn):
+def seen_from_two_frames(ax: AnyAxes, direction: float, turn: float) -> None:
     """Figure 2.10: a vector fixed in a turning frame."""
     ground = Frame("ground")
     angle = math.radians(turn)
@@ -438,7 +441,7 @@ def seen_from_two_frames(ax, direction, turn):
     "velocity lies along the track; the velocity of the place under A points elsewhere.",
     size=(7.4, 4.8),
 )
-def relative_position(ax, build, angle, out):
+def relative_position(ax: AnyAxes, build: Truck, angle: float, out: float) -> None:
     """Figure 2.11: the truck with its turntable, from ``build(angle=…, out=…)``."""
     ground, table, A = build(angle=math.radians(angle), out=out)
     B = table.origin
@@ -463,7 +466,7 @@ def relative_position(ax, build, angle, out):
     "with its name, and the sum as the broad arrow that closes the chain.",
     size=(7.4, 5.2),
 )
-def five_terms(ax, build, rate, out_rate):
+def five_terms(ax: AnyAxes, build: Truck, rate: float, out_rate: float) -> None:
     """Figure 2.12: the terms of the acceleration of the car, head to tail."""
     ground, table, A = build(rate=rate, out_rate=out_rate)
     s = Sketch(ax, ground, plane="xy", arrows=190)
@@ -483,11 +486,10 @@ def _truck_and_table(s, ground, table):
     s.line(table.point("", -1.45, 0.5, 0), table.point("", 1.45, 0.5, 0), style="solid")
 
 
-def two_cars(build):
+def two_cars(build: Callable[[float], tuple[Frame, Frame, Point]]) -> None:
     """Figure 2.14: both cars from the ground and from car B, from ``build(t)``."""
-    times = [n / 10 for n in range(-15, 16)]
     road, curve, seen = [], [], []
-    for t in times:
+    for t in evenly(-1.5, 1.5, 31):
         ground, B, A = build(t)
         road.append(parts(A.position(ground)))
         curve.append(parts(B.origin.position(ground)))

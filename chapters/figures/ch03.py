@@ -3,23 +3,24 @@
 import math
 
 from newton_euler import Frame, at, cylindrical, spherical
-from newton_euler.algebra.late import mpmath
+from newton_euler.algebra.scalars import Scalar
 from newton_euler.chapters.examples.ch03 import Spring, screw_jack_ball, screw_jack_time
 from newton_euler.classroom import Slider
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.kinematics import frenet_along
-from newton_euler.kinematics.paths import along
+from newton_euler.kinematics.paths import Path, along
 
+from .curves import evenly, second_derivative
 from .sliding import with_sliders
 
 O = (0, 0, 0)
 TRIAD = [r"$\hat e_t$", r"$\hat e_n$", r"$\hat e_b$"]
 
 
-def _curve(path, low, high, count=60):
+def _curve(path, low, high, count=61):
     """Places along ``path`` between two values of its parameter."""
-    return [path(low + (high - low) * n / count) for n in range(count + 1)]
+    return [path(q) for q in evenly(low, high, count)]
 
 
 @with_sliders(
@@ -29,7 +30,7 @@ def _curve(path, low, high, count=60):
     "inside of the bend.",
     size=(6.4, 4.6),
 )
-def space_curve(ax, path, q):
+def space_curve(ax: AnyAxes, path: Path, q: float) -> None:
     """Figure 3.1: a point on a space curve, from ``path(q)``, at constant speed in q."""
     ground = Frame("ground")
     P = ground.point("P", *along(path, at(lambda t: q + t, 0.0)))
@@ -49,23 +50,15 @@ def space_curve(ax, path, q):
     "rho along e_n.",
     size=(6.4, 4.8),
 )
-def triad(ax, path, q):
+def triad(ax: AnyAxes, path: Path, q: float) -> None:
     """Figure 3.2: the triad e_t, e_n, e_b and the circle of curvature at a point of ``path``."""
     ground = Frame("ground")
     here = frenet_along(path, at(lambda t: q + t, 0.0), ground)
     P, rho = path(q), here.radius
-    e_t, e_n = (e.components(ground) for e in (here.e_t, here.e_n))
-    centre = moved(P, rho, e_n)
+    centre = moved(P, rho, here.e_n.components(ground))
     s = Sketch(ax, ground, azimuth=-60, elevation=25)
     s.path(_curve(path, -1.0, 1.0))
-    circle = [
-        tuple(
-            c + rho * (math.sin(a) * t - math.cos(a) * n)
-            for c, t, n in zip(centre, e_t, e_n, strict=True)
-        )
-        for a in (2 * math.pi * k / 60 for k in range(61))
-    ]
-    s.path(circle, style="dashed")
+    s.path([*s.around(centre, P, here.e_b), P], style="dashed")
     s.dot(centre)
     s.line(P, centre)
     s.axes(P, here.frame, length=0.7, labels=TRIAD)
@@ -79,7 +72,7 @@ def triad(ax, path, q):
     "radius of the coil: the flexure falls towards zero and the torsion grows to a finite limit.",
     size=(5.6, 5.2),
 )
-def spring(ax, slope):
+def spring(ax: AnyAxes, slope: float) -> None:
     """Figure 3.3: a spring that is drawn out, from flat to nearly straight."""
     ground = Frame("ground")
     wire = Spring.drawn_out(0.2, math.radians(slope))
@@ -89,7 +82,7 @@ def spring(ax, slope):
         first = math.radians(-60) + math.pi * (half - 0.5)
         low, high = max(0.0, first), min(turns, first + math.pi)
         if low < high:
-            piece = _curve(wire.path, low, high, 40)
+            piece = _curve(wire.path, low, high, 41)
             s.path(piece, style="dashed") if half % 2 else s.wire(piece)
     s.line(O, (0, 0, 1.2 * turns * wire.rise + 0.1), style="centre")
     here = wire.intrinsic(at(lambda t: 1.0 + t, 0.0), ground)
@@ -104,7 +97,7 @@ def spring(ax, slope):
     "more turns, the larger the ratio of the two pulls.",
     size=(6.4, 4.6),
 )
-def bollard(ax, turns):
+def bollard(ax: AnyAxes, turns: float) -> None:
     """Figure 3.4: a rope round a bollard, between a ship and a hand."""
     ground, radius, rise, start = Frame("ground"), 0.2, 0.012, -math.pi / 2
     s = Sketch(ax, ground, azimuth=-60, elevation=25)
@@ -136,13 +129,13 @@ def bollard(ax, turns):
     "which the load p ds balances.",
     size=(6.4, 3.6),
 )
-def cable_element(ax, angle):
+def cable_element(ax: AnyAxes, angle: float) -> None:
     """Figure 3.5: an element of a cable with the tensions at its ends."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
     half = math.radians(angle) / 2
     ends = [(math.sin(a), math.cos(a) - 1, 0) for a in (-half, half)]
-    angles = [-half + 2 * half * n / 30 for n in range(31)]
+    angles = evenly(-half, half, 31)
     s.wire([(math.sin(a), math.cos(a) - 1, 0) for a in angles])
     for end, a, sign, label in (
         (ends[0], -half, -1, r"$-T\,\hat{e}_t$"),
@@ -163,7 +156,7 @@ def cable_element(ax, angle):
     "the first two turn with theta.",
     size=(6.2, 4.6),
 )
-def cylindrical_axes(ax, theta, z):
+def cylindrical_axes(ax: AnyAxes, theta: float, z: float) -> None:
     """Figure 3.6: cylindrical coordinates and axes."""
     ground = Frame("ground")
     P = cylindrical(ground, "P", 0.9, math.radians(theta), z)
@@ -198,7 +191,7 @@ def _jack(ax, ground, A, arrows):
     "tangent to the helix; the acceleration soon points almost to the axis.",
     size=(6.2, 5.0),
 )
-def screw_jack(ax, turns):
+def screw_jack(ax: AnyAxes, turns: float) -> None:
     """Figure 3.7: the ball of a screw-jack."""
     b, K, lead = 0.3, 2.0, 0.15
     ground = Frame("ground")
@@ -219,7 +212,7 @@ def screw_jack(ax, turns):
     "along the circle of latitude, e_phi upward along the meridian.",
     size=(6.2, 4.8),
 )
-def spherical_axes(ax, theta, phi):
+def spherical_axes(ax: AnyAxes, theta: float, phi: float) -> None:
     """Figure 3.8: spherical coordinates and axes."""
     ground = Frame("ground")
     P = spherical(ground, "P", 1.0, math.radians(theta), math.radians(phi))
@@ -246,7 +239,7 @@ def spherical_axes(ax, theta, phi):
     "change and Q does not.",
     size=(6.4, 4.8),
 )
-def one_vector(ax, theta, phi):
+def one_vector(ax: AnyAxes, theta: float, phi: float) -> None:
     """Figure 3.9: one vector and its components along spherical axes."""
     ground = Frame("ground")
     P = spherical(ground, "P", 1.0, math.radians(theta), math.radians(phi))
@@ -268,7 +261,7 @@ def one_vector(ax, theta, phi):
     ax.set_title(rf"$(Q_R,Q_\theta,Q_\phi)$ = ({text}); $|Q|$ = {Q.norm():.2f}", fontsize=11)
 
 
-def screw_film():
+def screw_film() -> Animation:
     """A film: the first turn of the screw-jack, from rest."""
     b, K, lead = 0.3, 2.0, 0.15
 
@@ -279,16 +272,14 @@ def screw_film():
         s.vector(A, A.velocity(ground), r"$\mathbf{v}$")
         s.vector(A, A.acceleration(ground), r"$\mathbf{a}$", kind="acceleration")
 
-    end = screw_jack_time(1, K)
     return animate(
         draw,
-        [end * n / 40 for n in range(41)],
+        evenly(0, screw_jack_time(1, K), 41),
         alt="The ball of a screw-jack starts from rest. At first its acceleration points along the "
         "path; within half a turn it swings round almost to the axis.",
     )
 
 
-def exact_acceleration(path, t):
-    """The second derivative of each coordinate of ``path`` at t, from 40 digits."""
-    with mpmath.workdps(40):
-        return [mpmath.diff(lambda s, n=n: path(s)[n], mpmath.mpf(t), 2) for n in range(3)]
+def exact_acceleration(path: Path, t: float) -> list[Scalar]:
+    """The second derivative of each coordinate of ``path`` at t."""
+    return second_derivative(path, t)

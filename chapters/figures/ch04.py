@@ -1,17 +1,27 @@
 """The figures of chapter 4: frames, turns, angular velocities and the terms of an acceleration."""
 
 import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeAlias
 
-from newton_euler import Frame, axis_angle, euler_frame, rotation_matrix
-from newton_euler.algebra.late import mpmath, np, plt
+from newton_euler import Frame, Point, axis_angle, euler_frame, rotation_matrix
+from newton_euler.algebra.late import np, plt
+from newton_euler.algebra.scalars import Scalar
 from newton_euler.classroom import Slider, show_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
+from newton_euler.drawing.page.paper import Panels
 from newton_euler.drawing.page.projection import moved
+from newton_euler.kinematics.paths import Path
 from newton_euler.kinematics.rotations import apply
 
+from .colours import BLUE, GREY, ORANGE
+from .curves import evenly
+from .curves import second_derivative as second_derivative  # for the notebook
 from .sliding import with_sliders
 
 O = (0, 0, 0)
+Cone: TypeAlias = Callable[..., tuple[Frame, Frame, Frame, Frame]]  # ground, carriage, axle, cone
+Crane: TypeAlias = Callable[..., tuple[Frame, Frame, Frame, Point]]  # ground, column, boom, A
 
 
 @with_sliders(
@@ -21,7 +31,7 @@ O = (0, 0, 0)
     "A, the relative velocity v_r along the rod, and the angular velocity omega.",
     size=(6.4, 4.2),
 )
-def moving_frame(ax, theta):
+def moving_frame(ax: AnyAxes, theta: float) -> None:
     """Figure 4.2: a bead on a turning rod, with B, r, v_r and omega."""
     ground = Frame("ground")
     B = ground.point("B", 0.25, 0.15, 0)
@@ -64,7 +74,7 @@ def _one_turn_in_words(**angles):
     alt=_one_turn_in_words,
     size=(6.6, 4.8),
 )
-def eulers_theorem(ax, psi, theta, phi):
+def eulers_theorem(ax: AnyAxes, psi: float, theta: float, phi: float) -> None:
     """Figure 4.3: three turns and the one turn that does the same."""
     ground, body, axis, angle = _one_turn(psi, theta, phi)
     s = Sketch(ax, ground, azimuth=35, elevation=25)
@@ -74,7 +84,7 @@ def eulers_theorem(ax, psi, theta, phi):
         ax.set_title("not turned", fontsize=11)
         return
     for start in (ground.i, ground.j, ground.k):
-        s.path([apply(rotation_matrix(axis, angle * n / 40), start) for n in range(41)])
+        s.path([apply(rotation_matrix(axis, a), start) for a in evenly(0, angle, 41)])
     end = tuple(1.3 * x for x in axis)
     s.line(tuple(-x for x in end), end, style="centre")
     s.turn(end, axis, label=r"$\theta_e$")
@@ -98,7 +108,7 @@ def _orders_in_words(a, b):
     size=(8.4, 5.2),
     panels=(2, 3),
 )
-def two_orders(axes, a, b):
+def two_orders(axes: Panels, a: float, b: float) -> None:
     """Figure 4.4: a brick turned about X and Y in both orders."""
     ground = Frame("ground")
     a, b = math.radians(a), math.radians(b)
@@ -118,14 +128,14 @@ def two_orders(axes, a, b):
         ax.set_title(title, fontsize=10)
 
 
-def shrinking_gap(gap):
+def shrinking_gap(gap: Callable[[float], float]) -> None:
     """Figure 4.5: the gap between the two orders, ``gap(angle)``, against the angle."""
     angles = np.geomspace(1e-3, math.pi / 2, 25)
     fig, ax = plt.subplots(figsize=(6, 3.4))
     gaps = [gap(a) for a in angles]
-    ax.loglog(angles, gaps, "o", color="#0072B2", label="gap between the orders")
-    ax.loglog(angles, angles, color="#555555", ls=":", label="the angle itself")
-    ax.loglog(angles, angles**2, color="#D55E00", label="square of the angle")
+    ax.loglog(angles, gaps, "o", color=BLUE, label="gap between the orders")
+    ax.loglog(angles, angles, color=GREY, ls=":", label="the angle itself")
+    ax.loglog(angles, angles**2, color=ORANGE, label="square of the angle")
     ax.set(xlabel="angle of both turns (rad)", ylabel="gap (rad)")
     ax.legend(frameon=False)
     show_figure(
@@ -143,7 +153,7 @@ def shrinking_gap(gap):
     "e cross r, differ less and less as the angle shrinks.",
     size=(6.4, 4.4),
 )
-def small_turn(ax, turn):
+def small_turn(ax: AnyAxes, turn: float) -> None:
     """Figure 4.6: a small turn moves the tip of r by the cross product."""
     ground = Frame("ground")
     r, angle = (0.75, 0, 0.8), math.radians(turn)
@@ -172,7 +182,7 @@ def small_turn(ax, turn):
     "velocity of the highest point P is twice that of the centre B, in the same direction; "
     "omega lies along the line of contact OC, alpha lies in the plane at right angles to it.",
 )
-def rolling_cone(ax, build, r, azimuth):
+def rolling_cone(ax: AnyAxes, build: Cone, r: float, azimuth: float) -> None:
     """Figure 4.7: the cone, from ``build(h, r, nu, azimuth)``, its frames."""
     h, nu = 0.4, 0.6
     ground, carriage, axle, cone = build(h, r, nu, math.radians(azimuth))
@@ -194,7 +204,7 @@ def rolling_cone(ax, build, r, azimuth):
         s.label(place, name)
 
 
-def cone_film(build):
+def cone_film(build: Cone) -> Animation:
     """A film: the cone rolls once round Z."""
     h, r, nu = 0.4, 0.3, 0.6
     time = 2 * math.pi * h**2 / (nu * math.hypot(h, r))
@@ -215,7 +225,7 @@ def cone_film(build):
 
     return animate(
         draw,
-        [time * n / 40 for n in range(41)],
+        evenly(0, time, 41),
         alt="The cone rolls once round the vertical axis; omega turns with the line of contact.",
     )
 
@@ -227,7 +237,7 @@ def cone_film(build):
     "each is as long as the angle in radians, nearly.",
     size=(5.6, 4.6),
 )
-def turning_unit_vector(ax, turn):
+def turning_unit_vector(ax: AnyAxes, turn: float) -> None:
     """Figure 4.8: two unit vectors of a frame that turns about the third."""
     ground = Frame("ground")
     angle = math.radians(turn)
@@ -253,7 +263,7 @@ def turning_unit_vector(ax, turn):
     "runs out along the boom. Velocity and acceleration of A, seen from the ground, are drawn "
     "as arrows with their magnitudes.",
 )
-def crane(ax, build, tilt, speed):
+def crane(ax: AnyAxes, build: Crane, tilt: float, speed: float) -> None:
     """Figure 4.1: the crane, from ``build(tilt=…)``: ground, column, boom, A."""
     ground, column, boom, A = build(tilt=tilt, speed=speed)
     B, foot = boom.origin, column.point("", 0, 0, 0)
@@ -282,7 +292,7 @@ def _column_and_boom(s, column, boom, A):
     s.box((x, y, z - 0.82), s.frame, (0.3, 0.3, 0.24))
 
 
-def two_sources():
+def two_sources() -> None:
     """Figure 4.9: where the two halves of the Coriolis term come from, seen along omega."""
     ground = Frame("ground")
     angle, r, dr = math.radians(28), 1.0, 0.45
@@ -326,7 +336,7 @@ def two_sources():
     "acceleration are laid head to tail, with their names; the sum closes the chain.",
     size=(7.5, 5.5),
 )
-def acceleration_terms(ax, build, tilt, speed):
+def acceleration_terms(ax: AnyAxes, build: Crane, tilt: float, speed: float) -> None:
     """Figure 4.10: the terms of the crane's acceleration, head to tail."""
     ground, column, boom, A = build(tilt=tilt, speed=speed)
     s = Sketch(ax, ground, azimuth=20, elevation=18, arrows=260)
@@ -341,7 +351,7 @@ def acceleration_terms(ax, build, tilt, speed):
     "Its tip moves along a circle, in the direction of omega 2/1 cross omega 3/2.",
     size=(6.4, 4.2),
 )
-def carried_round(ax, turn):
+def carried_round(ax: AnyAxes, turn: float) -> None:
     """Figure 4.11: omega_3/2 is carried round by frame 2; its change is the cross product."""
     ground = Frame("ground")
     w21, w32 = 0.8, 1.0
@@ -367,7 +377,12 @@ def carried_round(ax, turn):
     "and the acceleration of the rim point A are drawn with their magnitudes.",
     size=(7, 4.8),
 )
-def disk_on_shaft(ax, build, phi, p):
+def disk_on_shaft(
+    ax: AnyAxes,
+    build: Callable[..., tuple[Frame, Frame, Frame, Frame, Point]],
+    phi: float,
+    p: float,
+) -> None:
     """Figure 4.12: the disk on the inclined shaft, from ``build(phi, R, r, omega, p, …)``."""
     ground, _, spindle, disk, A = build(math.radians(phi), 0.5, 0.2, 1.2, p, 0.5, 1.0)
     B, foot = disk.origin, ground.point("", 0, 0, -0.3)
@@ -386,10 +401,10 @@ def disk_on_shaft(ax, build, phi, p):
         s.label(place, name)
 
 
-def step_sizes(steps, errors, floor):
+def step_sizes(steps: Sequence[float], errors: Mapping[str, Sequence[float]], floor: float) -> None:
     """Figure 4.13: the error of each quotient against its step; ``floor``: that of (4.18)."""
     fig, ax = plt.subplots(figsize=(6.4, 3.8))
-    looks = ("#0072B2", "o"), ("#D55E00", "s")
+    looks = (BLUE, "o"), (ORANGE, "s")
     for (name, found), (colour, marker) in zip(errors.items(), looks, strict=True):
         ax.loglog(steps, found, color=colour, marker=marker, ms=5, label=name)
     ax.axhline(1e-3, color="#777777", ls=":", label="good enough for a sensor")
@@ -406,19 +421,13 @@ def step_sizes(steps, errors, floor):
     )
 
 
-def central(path, t, h):
+def central(path: Path, t: float, h: float) -> list[Scalar]:
     """The second central difference of each coordinate of ``path`` at t, with the step h."""
     around = zip(path(t - h), path(t), path(t + h), strict=True)
     return [(a - 2 * b + c) / h**2 for a, b, c in around]
 
 
-def five_points(path, t, h):
+def five_points(path: Path, t: float, h: float) -> list[Scalar]:
     """The second difference of each coordinate over five points: an error of the order h**4."""
     around = zip(*(path(t + n * h) for n in (-2, -1, 0, 1, 2)), strict=True)
     return [(-a + 16 * b - 30 * c + 16 * d - e) / (12 * h**2) for a, b, c, d, e in around]
-
-
-def second_derivative(path, t):
-    """The second derivative of each coordinate of ``path`` at t, from 50 digits."""
-    with mpmath.workdps(50):
-        return [mpmath.diff(lambda s, n=n: path(s)[n], mpmath.mpf(t), 2) for n in range(3)]

@@ -1,15 +1,18 @@
 """The figures of chapter 5: centres of mass, a shell that bursts, frames fixed in a body, freedom."""
 
 import math
+from collections.abc import Callable, Iterable, Sequence
 
-from newton_euler import Frame
+from newton_euler import Body, Frame
 from newton_euler.algebra.late import np, plt
-from newton_euler.chapters.examples.ch05 import END, HEAD, hammer
+from newton_euler.algebra.scalars import Triple
+from newton_euler.chapters.examples.ch05 import END, HEAD, BurstingProjectile, hammer
 from newton_euler.classroom import Slider, interactive_figure, show_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics import gravity_at_height
 
+from .colours import BLUE, GREY, ORANGE
 from .curves import evenly
 from .sliding import with_sliders
 
@@ -24,7 +27,7 @@ EARTH = 6.371e6  # m
     "along the line that joins them. If one is heavier, it moves less; the centre of mass G stays.",
     size=(7, 2.6),
 )
-def two_skaters(ax, pushed, ratio):
+def two_skaters(ax: AnyAxes, pushed: float, ratio: float) -> None:
     """Figure 5.1: action and reaction, and the centre of mass that does not move."""
     ground = Frame("ground")
     light, heavy = 0.3 + pushed, -(0.3 + pushed) / ratio
@@ -53,7 +56,7 @@ def _hammer(s, t):
     return G
 
 
-def thrown_hammer():
+def thrown_hammer() -> Animation:
     """A film: a hammer is thrown; its centre of mass flies on a parabola."""
     path = [(1.2 * u, 0, 1.5 + 4.9 * u - 4.905 * u**2) for u in evenly(0, 1, 60)]
 
@@ -77,7 +80,7 @@ def thrown_hammer():
     "handle through all pictures. Marks near the head or the end move on looped or wavy paths.",
     size=(5.6, 4.8),
 )
-def marked_hammer(ax, film, share):
+def marked_hammer(ax: AnyAxes, film: Sequence[Sequence[float]], share: float) -> None:
     """Figure 5.2: the path of a mark on the handle; ``film``: rows of t, x, z, x, z."""
     s = Sketch(ax, Frame("ground"), plane="xz")
     for row in film[::3]:
@@ -90,7 +93,7 @@ def marked_hammer(ax, film, share):
     ax.set_title(f"mark at {share:.2f} of the way from head to end", fontsize=11)
 
 
-def burst(shell):
+def burst(shell: BurstingProjectile) -> None:
     """Figure 5.3: the three pieces after the burst, each until it lands, and their centre of mass.
     ``shell``: a BurstingProjectile in feet and seconds.
     """
@@ -145,7 +148,9 @@ def burst(shell):
     "outside the rods.",
     size=(5.6, 4.6),
 )
-def three_rods(ax, body, rods, azimuth):
+def three_rods(
+    ax: AnyAxes, body: Body, rods: Iterable[tuple[Triple, Triple]], azimuth: float
+) -> None:
     """Figure 5.4: three rods and their centre of mass; ``rods``: pairs of ends."""
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=azimuth, elevation=22)
@@ -162,7 +167,9 @@ def three_rods(ax, body, rods, azimuth):
     "rectangle. Its centre of mass G lies on the axis of symmetry.",
     size=(5.6, 4.4),
 )
-def machine_part(ax, build, h, hole):
+def machine_part(
+    ax: AnyAxes, build: Callable[[float, float, float], Body], h: float, hole: float
+) -> None:
     """Figure 5.5: a sheet with a round end and a hole, from ``build(r, h, s)``; its centre."""
     part = build(0.3, h, hole)
     ground = Frame("ground")
@@ -183,7 +190,7 @@ def machine_part(ax, build, h, hole):
     "moving axes.",
     size=(6.4, 4.8),
 )
-def body_frame(ax, angle, shift):
+def body_frame(ax: AnyAxes, angle: float, shift: float) -> None:
     """Figure 5.6: a body with a frame fixed in it; a particle at r_B + d."""
     ground = Frame("ground")
     B = ground.point("B", 0.3, 0.8 + shift, 0.45)
@@ -207,7 +214,7 @@ def body_frame(ax, angle, shift):
     "angle.",
     size=(6.4, 4.4),
 )
-def two_body_frames(ax, angle):
+def two_body_frames(ax: AnyAxes, angle: float) -> None:
     """Figure 5.7: two frames fixed in one body turn by the same angle."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
@@ -223,14 +230,14 @@ def two_body_frames(ax, angle):
     ax.set_title(f"both frames have turned by {angle:.0f}°", fontsize=11)
 
 
-def gravity_and_height():
+def gravity_and_height() -> None:
     """Figure 5.8: how g falls with height."""
     heights = np.geomspace(1e2, 1e8, 100)
     falls = [1 - gravity_at_height(h, EARTH) / gravity_at_height(0.0, EARTH) for h in heights]
     fig, ax = plt.subplots(figsize=(6, 3.4), layout="constrained")
-    ax.loglog(heights, falls, color="#0072B2", label="1 - (R/(R + h))²")
-    ax.loglog(heights, 2 * heights / EARTH, color="#D55E00", ls="--", label="2h/R")
-    ax.axhline(1, color="#555555", ls=":")
+    ax.loglog(heights, falls, color=BLUE, label="1 - (R/(R + h))²")
+    ax.loglog(heights, 2 * heights / EARTH, color=ORANGE, ls="--", label="2h/R")
+    ax.axhline(1, color=GREY, ls=":")
     ax.set(xlabel="height h (m)", ylabel="loss of g, relative", ylim=(1e-5, 20))
     ax.legend(frameon=False)
     show_figure(
@@ -248,7 +255,7 @@ def gravity_and_height():
     "theta of the pendulum, fix where everything is, and each can be changed alone.",
     size=(6.4, 4.0),
 )
-def pendulum_on_cart(ax, x, theta):
+def pendulum_on_cart(ax: AnyAxes, x: float, theta: float) -> None:
     """Figure 5.9: a cart with a pendulum has two degrees of freedom."""
     ground = Frame("ground")
     cart = ground.point("C", x, 0, 0)

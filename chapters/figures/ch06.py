@@ -3,8 +3,10 @@ by observers who are carried round.
 """
 
 import math
+from collections.abc import Callable, Sequence
 
-from newton_euler import Frame, at, cylindrical, integrate, moving, polar, spherical
+from newton_euler import Frame, Model, cylindrical, integrate, moving, polar, spherical
+from newton_euler.algebra.scalars import Scalar
 from newton_euler.applications.earth import (
     coriolis_acceleration,
     earth_frame,
@@ -15,18 +17,19 @@ from newton_euler.applications.earth import (
     range_error,
 )
 from newton_euler.classroom import Slider, interactive_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics.newton import acceleration_by, reaction, resultant_force
+from newton_euler.kinematics.paths import along
 from newton_euler.scenes.particles.low_pressure import air_near_low
 
+from .colours import BLUE, GREEN, GREY, ORANGE
 from .curves import evenly, states_over
 from .sliding import with_sliders
 
 O = (0, 0, 0)
 G = 9.81
 OMEGA_E = 0.727e-4
-BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#555555"
 
 
 @with_sliders(
@@ -37,7 +40,7 @@ BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#555555"
     size=(8.4, 4.2),
     panels=(1, 2),
 )
-def sledge(axes, pull):
+def sledge(axes: Sequence[AnyAxes], pull: float) -> None:
     """Figure 6.1: a sledge, the forces on it, and their sum."""
     m, rope, friction = 20.0, math.radians(30), 0.3
     ground = Frame("ground")
@@ -61,19 +64,19 @@ def sledge(axes, pull):
     axes[1].set_title(f"a = {total.x / m:.2f} m/s²", fontsize=11)
 
 
-def hammer_film():
+def hammer_film() -> Animation:
     """A film: a hammer thrown, its centre of mass on a parabola."""
-    up, along, spin, time = 6.0, 3.0, 8.9, 1.2
+    up, ahead, spin, time = 6.0, 3.0, 8.9, 1.2
 
     def place(t):
-        return along * t, 0, up * t - G * t * t / 2
+        return ahead * t, 0, up * t - G * t * t / 2
 
     def end(t):
         return moved(place(t), 0.75, (-math.cos(spin * t), 0, math.sin(spin * t)))
 
     def draw(t, ax):
         ground = Frame("ground")
-        past = [time * n / 60 for n in range(61) if time * n / 60 <= t + 1e-9]
+        past = [q for q in evenly(0, time, 61) if q <= t + 1e-9]
         hammer = ground.rotate("hammer", "y", angle=spin * t, origin=ground.point("G", *place(t)))
         s = Sketch(ax, ground, plane="xz")
         if len(past) > 1:
@@ -85,7 +88,7 @@ def hammer_film():
 
     return animate(
         draw,
-        [time * n / 30 for n in range(31)],
+        evenly(0, time, 31),
         speed=0.3,
         alt="A hammer is thrown and tumbles. Its centre of mass G draws a parabola, the end of its "
         "handle draws loops about it.",
@@ -100,10 +103,10 @@ def hammer_film():
     size=(9.6, 4.0),
     panels=(1, 3),
 )
-def three_components(axes, t):
+def three_components(axes: Sequence[AnyAxes], t: float) -> None:
     """Figure 6.2: one force, resolved in three ways."""
     ground = Frame("ground")
-    r, theta = at(lambda q: 0.6 + 0.5 * q, t), at(lambda q: 0.2 + 0.7 * q + 0.1 * q * q, t)
+    r, theta, _ = along(_spiral, t)
     P = polar(ground, "P", r, theta)
     F = resultant_force(1.0, P.acceleration(ground)).expressed_in(ground)
     e_t = P.velocity(ground).expressed_in(ground).direction()
@@ -119,7 +122,7 @@ def three_components(axes, t):
         parts = {f"$F_{{{first}}}$": F.dot(e) * e, f"$F_{{{second}}}$": F.dot(n) * n}
         s = Sketch(ax, ground, plane="xy", arrows=100)
         s.axes(O, ground, length=0.5, labels=["x", "y", ""])
-        s.path([_spiral(1.8 * q / 40) for q in range(41)], style="dashed")
+        s.path([_around(O, *_spiral(q)[:2]) for q in evenly(0, 1.8, 41)], style="dashed")
         if first == "r":
             s.line(O, P)
         s.sum(P, acceleration_by(1.0, **parts), kind="force", label="F")
@@ -128,8 +131,13 @@ def three_components(axes, t):
 
 
 def _spiral(t):
-    r, theta = 0.6 + 0.5 * t, 0.2 + 0.7 * t + 0.1 * t * t
-    return r * math.cos(theta), r * math.sin(theta), 0
+    """Distance, angle and height at the time t."""
+    return 0.6 + 0.5 * t, 0.2 + 0.7 * t + 0.1 * t * t, 0
+
+
+def _around(C, r, angle):
+    """The place at the distance r from C, in this direction from x."""
+    return C[0] + r * math.cos(angle), C[1] + r * math.sin(angle), 0
 
 
 @with_sliders(
@@ -139,12 +147,12 @@ def _spiral(t):
     "m/s and points down beyond.",
     size=(6.4, 4.4),
 )
-def guide(ax, v):
+def guide(ax: AnyAxes, v: float) -> None:
     """Figure 6.3: the mass at the top of a guide."""
     m, rho = 2.0, 0.5
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xz", arrows=120)
-    angles = [q / 20 for q in range(-20, 21)]
+    angles = evenly(-1, 1, 41)
     for r in (rho - 0.035, rho + 0.035):
         s.wire([(r * math.sin(q), 0, r * math.cos(q) - rho) for q in angles])
     s.line((0, 0, -rho), O, style="centre")
@@ -171,7 +179,7 @@ def _aeroplane(s, frame, size=1.0):
     "weight W down.",
     size=(6.4, 4.8),
 )
-def aircraft_forces(ax, gamma):
+def aircraft_forces(ax: AnyAxes, gamma: float) -> None:
     """Figure 6.4: the forces on an aircraft that climbs steadily."""
     ground, angle = Frame("ground"), math.radians(gamma)
     path = ground.rotate("path", "-y", angle)
@@ -189,7 +197,9 @@ def aircraft_forces(ax, gamma):
     s.vector(O, -ground.k, "W", kind="force")
 
 
-def phugoid(vertical_flight, lift, trim):
+def phugoid(
+    vertical_flight: Callable[..., Model], lift: Callable[..., Scalar], trim: float
+) -> None:
     """Figure 6.5: the path of a glider let go level at a speed that is not the trim speed."""
     glider = vertical_flight(m=300.0, g=G, lift=lift)
 
@@ -221,7 +231,7 @@ def phugoid(vertical_flight, lift, trim):
     size=(9, 4.6),
     panels=(1, 2),
 )
-def coordinates_in_space(axes, theta, phi):
+def coordinates_in_space(axes: Sequence[AnyAxes], theta: float, phi: float) -> None:
     """Figure 6.6: cylindrical and spherical unit vectors at one point."""
     ground = Frame("ground")
     th, ph = math.radians(theta), math.radians(phi)
@@ -233,7 +243,7 @@ def coordinates_in_space(axes, theta, phi):
     )
     for ax, (P, labels, title) in zip(axes, points, strict=True):
         s = Sketch(ax, ground, azimuth=25, elevation=22)
-        foot = (r * math.cos(th), r * math.sin(th), 0)
+        foot = _around(O, r, th)
         s.axes(O, ground, length=1.15)
         s.ring(O, ground.k, 1.0)
         s.line(O, foot)
@@ -257,7 +267,7 @@ def coordinates_in_space(axes, theta, phi):
     size=(9, 4.8),
     panels=(1, 2),
 )
-def screw_jack(axes, turns):
+def screw_jack(axes: Sequence[AnyAxes], turns: float) -> None:
     """Figure 6.7: the ball of the screw-jack, and its force components over the turns."""
     m, a, K, rise = 0.2, 0.1, 10.0, 0.5 / (2 * math.pi)
     ground, theta = Frame("ground"), 2 * math.pi * turns
@@ -291,7 +301,7 @@ def screw_jack(axes, turns):
     size=(9, 4.2),
     panels=(1, 2),
 )
-def wagon(axes, a):
+def wagon(axes: Sequence[AnyAxes], a: float) -> None:
     """Figure 6.8: a lamp in a wagon that speeds up, seen by two observers."""
     m, length = 2.0, 1.1
     ground = Frame("ground")
@@ -328,7 +338,7 @@ def _wagon_body(s, ground):
     "faster rim; the acceleration stays 9.81 m/s².",
     size=(5.6, 5.2),
 )
-def station(ax, r):
+def station(ax: AnyAxes, r: float) -> None:
     """Figure 6.9: velocity and acceleration at the rim of a station that turns clockwise."""
     ground, omega = Frame("ground"), math.sqrt(G / r)
     s = Sketch(ax, ground, plane="xy", arrows=85)
@@ -346,12 +356,8 @@ def _rim(s, C, r, turned):
     """The rim and four spokes of a station about C, turned clockwise."""
     s.ring(C, (0, 0, 1), r)
     for n in range(4):
-        a = n * math.pi / 2 - turned + math.pi / 4
-        s.line(C, (C[0] + r * math.cos(a), C[1] + r * math.sin(a), 0), style="dotted")
-
-
-def _rim_place(C, r, angle):
-    return C[0] + r * math.cos(angle), C[1] + r * math.sin(angle), 0
+        spoke = _around(C, r, n * math.pi / 2 - turned + math.pi / 4)
+        s.line(C, spoke, style="dotted")
 
 
 def _flight(r, u):
@@ -376,19 +382,19 @@ def _throw_scene(s, C, r, u, t, inside):
     turned = 0.0 if inside else omega * t
     _rim(s, C, r, turned)
     for angle, name in ((0.0, "thrower"), (math.pi, "friend")):
-        place = _rim_place(C, r, angle - turned)
+        place = _around(C, r, angle - turned)
         s.dot(place)
         inward = math.cos(angle - turned), math.sin(angle - turned)
         s.label(place, name, offset=(-38 * inward[0], 10 - 20 * inward[1]), bold=False)
-    s.line(_rim_place(C, r, 0.0), _rim_place(C, r, math.pi))  # the aim
+    s.line(_around(C, r, 0.0), _around(C, r, math.pi))  # the aim
     parts = 20 if inside else 1  # from the stars it is a straight line
-    past = [t * n / parts for n in range(parts + 1)]
+    past = evenly(0, t, parts + 1)
     if t:
         s.path([_ball(C, r, u, q, omega * q if inside else 0.0) for q in past])
     s.sphere(_ball(C, r, u, t, omega * t if inside else 0.0), 0.05 * r)
 
 
-def throw_film():
+def throw_film() -> Animation:
     """A film: a throw through the axis, from the stars and from the station."""
     r, u = 100.0, 60.0
     _, time = _flight(r, u)
@@ -405,7 +411,7 @@ def throw_film():
 
     return animate(
         draw,
-        [time * n / 24 for n in range(25)],
+        evenly(0, time, 25),
         speed=time / 5,
         size=(7, 3.3),
         alt="A ball is thrown across a station that turns clockwise, seen twice. From the stars it "
@@ -423,7 +429,7 @@ def throw_film():
     size=(8.6, 4.6),
     panels=(1, 2),
 )
-def throw(axes, u, part):
+def throw(axes: Sequence[AnyAxes], u: float, part: float) -> None:
     """Figure 6.10: the throw with its speed and the time on sliders."""
     r = 100.0
     ground, (_, time) = Frame("ground"), _flight(r, u)
@@ -442,7 +448,7 @@ def throw(axes, u, part):
     "to the axis: N is shorter and leans from the radius towards the axis.",
     size=(6.2, 5.2),
 )
-def plumb_line(ax, latitude):
+def plumb_line(ax: AnyAxes, latitude: float) -> None:
     """Figure 6.11: why the support does not point away from the centre; drawn too large."""
     share, long = 100 * 0.00344, 0.75
     ground, lam = Frame("ground"), math.radians(latitude)
@@ -476,7 +482,7 @@ def _site(latitude):
     "to both, the Coriolis acceleration, to the right of the velocity in the north.",
     size=(6.8, 4.8),
 )
-def coriolis_on_the_ground(ax, latitude, azimuth):
+def coriolis_on_the_ground(ax: AnyAxes, latitude: float, azimuth: float) -> None:
     """Figure 6.12: the Coriolis acceleration of a horizontal velocity."""
     omega, th = earth_rate(_site(latitude)).components(), math.radians(azimuth)
     ground = Frame("ground")
@@ -515,7 +521,7 @@ def _swing_in_words(hours, latitude):
     alt=_swing_in_words,
     size=(5.4, 5.2),
 )
-def foucault(ax, hours, latitude):
+def foucault(ax: AnyAxes, hours: int, latitude: float) -> None:
     """Figure 6.13: the swings of Foucault's pendulum, hour by hour, on the floor below."""
     angles = evenly(0, 2 * math.pi, 121)
     ring = zip(*((3.2 * math.cos(a), 3.2 * math.sin(a)) for a in angles), strict=True)
@@ -543,7 +549,7 @@ def foucault(ax, hours, latitude):
     "the right, in the south to the left.",
     size=(5.8, 5.6),
 )
-def shot(ax, azimuth, latitude):
+def shot(ax: AnyAxes, azimuth: float, latitude: float) -> None:
     """Figure 6.14: a shot from above, what the rotation does to it magnified."""
     v0, elevation, magnified = 300.0, math.pi / 4, 100
     lam, th = math.radians(latitude), math.radians(azimuth)
@@ -581,7 +587,7 @@ def shot(ax, azimuth, latitude):
     "has the opposite sign.",
     size=(6.6, 4.0),
 )
-def range_errors(ax, v0):
+def range_errors(ax: AnyAxes, v0: float) -> None:
     """Figure 6.15: the error of the range without rotation, against the elevation."""
     elevations = evenly(2, 84, 120)
     east = [100 * range_error(v0, math.radians(x), G, OMEGA_E) for x in elevations]
@@ -614,7 +620,7 @@ def _turned(xy, angle):
     return [[*side] for side in zip(*turned, strict=True)]
 
 
-def low_film():
+def low_film() -> Animation:
     """A film: a ring of air round a low at 45 degrees north."""
     place = _air(45, 4e-5)
 
@@ -632,7 +638,7 @@ def low_film():
 
     return animate(
         draw,
-        [5000.0 * n for n in range(22)],
+        evenly(0, 105e3, 22),
         alt="Eight parcels of air on a ring start towards a low in the middle. Their paths bend to "
         "the right, keep the low on their left, and wind round it counterclockwise.",
     )
@@ -646,7 +652,7 @@ def low_film():
     size=(9, 4.8),
     panels=(1, 2),
 )
-def low(axes, latitude):
+def low(axes: Sequence[AnyAxes], latitude: float) -> None:
     """Figure 6.16: the paths of air near a low, without and with friction."""
     for ax, friction in zip(axes, (0.0, 4e-5), strict=True):
         path = _air(latitude, friction)(evenly(0, 2 * 86400, 200))
@@ -657,8 +663,8 @@ def low(axes, latitude):
         for x, y in around:
             ax.plot(x[0], y[0], "o", ms=4, color=BLUE)
             way = x[17] - x[16], y[17] - y[16]
-            along = [[step / math.hypot(*way)] for step in way]
-            ax.quiver([x[16]], [y[16]], *along, scale=18, width=0.009, zorder=3)
+            towards = [[step / math.hypot(*way)] for step in way]
+            ax.quiver([x[16]], [y[16]], *towards, scale=18, width=0.009, zorder=3)
         ax.plot(0, 0, "k+", ms=10)
         ax.set(xlim=(-3.3, 3.3), ylim=(-3.3, 3.3), xlabel="east (100 km)")
         ax.set_title("with friction" if friction else "without friction", fontsize=11)
@@ -677,7 +683,7 @@ def low(axes, latitude):
     size=(9.6, 4.0),
     panels=(1, 3),
 )
-def banked(axes, bank):
+def banked(axes: Sequence[AnyAxes], bank: float) -> None:
     """Figure 6.17: heading and path angle, a banked aircraft from behind, its path from above."""
     v = 60.0
     ground, angle = Frame("ground"), math.radians(bank)

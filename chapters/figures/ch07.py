@@ -1,37 +1,45 @@
 """The figures of chapter 7: angular momentum, moments of inertia, principal axes, other points."""
 
 import math
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
 
-from newton_euler import Frame, composite, particle
+from newton_euler import Body, Frame, Vector, composite, particle
 from newton_euler.algebra.late import plt
 from newton_euler.bodies import plate
 from newton_euler.chapters.examples.ch07 import three_rods
 from newton_euler.classroom import Slider, interactive_figure, show_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 
+from .colours import BLUE, GREEN, ORANGE
 from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
-BLUE, RED, GREEN = "#0072B2", "#D55E00", "#009E73"
+Dumbbell: TypeAlias = Callable[[float, float], tuple[Frame, Frame, Body]]  # ground, axle, body
 RODS = (((-0.5, 0, 0), (-0.5, 0, 1)), ((-0.5, 0, 0), (0.5, 0, 0)), ((0.5, 0, 0), (0.5, 1, 0)))
 
 
-def angle_between(v, w):
+def angle_between(v: Vector, w: Vector) -> float:
     """The angle between two Vectors, in degrees."""
     return math.degrees(math.atan2(float(v.cross(w).norm()), float(v.dot(w))))
 
 
-def _dumbbell(s, ground, axle, body):
-    """Draw the shaft, the rod and the balls, and omega and H at O."""
-    places = [part.centre for part in body.parts]
+def draw_dumbbell(s: Sketch, body: Body) -> None:
+    """The shaft, the rod and the balls."""
+    one, other = (part.centre for part in body.parts)
     s.shaft((0, 0, -0.55), (0, 0, 0.55))
-    s.rod(*places)
-    for place in places:
-        s.sphere(place, 0.06)
-    s.vector(O, axle.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
-    s.vector(O, body.angular_momentum(ground), r"$\mathbf{H}$", kind="plain", size="kg m²/s")
+    s.rod(one, other)
+    s.sphere(one, 0.06)
+    s.sphere(other, 0.06)
+
+
+def _dumbbell(s, axle, body):
+    """Draw the dumbbell, and omega and H at O."""
+    draw_dumbbell(s, body)
+    s.vector(O, axle.angular_velocity(s.frame), r"$\omega$", kind="rate", size="rad/s")
+    s.vector(O, body.angular_momentum(s.frame), r"$\mathbf{H}$", kind="plain", size="kg m²/s")
     s.label(O, "O")
 
 
@@ -43,17 +51,17 @@ def _dumbbell(s, ground, axle, body):
     "angles to the rod, and goes round with it.",
     size=(6.4, 4.8),
 )
-def turning_dumbbell(ax, build, tilt, turn):
+def turning_dumbbell(ax: AnyAxes, build: Dumbbell, tilt: float, turn: float) -> None:
     """Figure 7.1: omega and H of a dumbbell, from ``build(tilt, turn)``."""
     ground, axle, body = build(math.radians(tilt), math.radians(turn))
     s = Sketch(ax, ground, azimuth=-65, elevation=18, arrows=90)
-    _dumbbell(s, ground, axle, body)
+    _dumbbell(s, axle, body)
     s.arc(O, (0, 0, 1), body.parts[0].centre, r"$\beta$")
     omega, H = axle.angular_velocity(ground), body.angular_momentum(ground)
     ax.set_title(f"angle between ω and H: {angle_between(omega, H):.0f}°", fontsize=11)
 
 
-def dumbbell_film(build):
+def dumbbell_film(build: Dumbbell) -> Animation:
     """A film: H goes round with the rod."""
 
     def draw(t, ax):
@@ -61,11 +69,11 @@ def dumbbell_film(build):
         s = Sketch(ax, ground, azimuth=-65, elevation=18, arrows=90)
         tip = axle.vector(-math.cos(math.radians(35)), 0, math.sin(math.radians(35))) * 0.42
         s.ring((0, 0, float(tip.expressed_in(ground).z)), ground.k, 0.42 * math.cos(0.611))
-        _dumbbell(s, ground, axle, body)
+        _dumbbell(s, axle, body)
 
     return animate(
         draw,
-        [math.pi * n / 24 for n in range(25)],
+        evenly(0, math.pi, 25),
         alt="The dumbbell turns about the shaft; omega stays where it is, H runs round on a cone.",
     )
 
@@ -78,7 +86,7 @@ def dumbbell_film(build):
     size=(8.4, 3.9),
     panels=(1, 2),
 )
-def two_balls(axes, turn):
+def two_balls(axes: Sequence[AnyAxes], turn: float) -> None:
     """Figure 7.2: two balls in the plane, and their moments and product of inertia."""
     ground, a = Frame("ground"), math.radians(turn)
     A, B = (math.cos(a), math.sin(a), 0), (-math.cos(a), -math.sin(a), 0)
@@ -92,19 +100,23 @@ def two_balls(axes, turn):
     degrees = range(0, 361, 3)
     for label, f, colour, style in (
         ("$I_{xx}$", lambda a: math.sin(a) ** 2, BLUE, "-"),
-        ("$I_{yy}$", lambda a: math.cos(a) ** 2, RED, "--"),
+        ("$I_{yy}$", lambda a: math.cos(a) ** 2, ORANGE, "--"),
         ("$I_{xy}$", lambda a: math.sin(a) * math.cos(a), GREEN, "-."),
     ):
-        values = [f(math.radians(x)) for x in degrees]
-        axes[1].plot(degrees, values, style, color=colour, label=label)
-        axes[1].plot([turn], [f(a)], "o", color=colour)
+        _curve(axes[1], degrees, f, turn, style, colour, label)
     axes[1].axhline(0, color="black", lw=0.8)
     axes[1].set(xlabel="angle from x to the rod (°)", xticks=range(0, 361, 90))
     axes[1].set(ylabel="in units of m d²", ylim=(-0.65, 1.1))
     axes[1].legend(frameon=False, ncol=3, loc="lower center", fontsize=9)
 
 
-def racket():
+def _curve(ax, degrees, f, now, style, colour, label):
+    """A function of an angle, with a dot at the angle ``now``."""
+    ax.plot(degrees, [f(math.radians(x)) for x in degrees], style, color=colour, label=label)
+    ax.plot([now], [f(math.radians(now))], "o", color=colour)
+
+
+def racket() -> None:
     """Figure 7.3: a racket that hangs from a nail, with its axes, its centre of mass and the hand."""
     page = Frame("page")
     fig, ax = plt.subplots(figsize=(6.4, 3.4))
@@ -116,7 +128,7 @@ def racket():
         s.line((0.51 - reach, y, 0), (0.51 + reach, y, 0), style="solid")
     s.rod((0, 0, 0), (0.34, 0, 0))
     s.axes(O, page, length=0.16, labels=["x", "y", ""])
-    s.ring(O, page.k, 0.012)  # with the dot on the nail: z, towards the reader
+    s.ring(O, page.k, 0.012)  # a dot in a ring: z points at the reader
     s.label(O, "$z$", offset=(-13, 0), bold=False)
     for x, name in ((0.0, "nail"), (0.1, "hand"), (0.32, "G")):
         s.dot((x, 0, 0))
@@ -139,7 +151,7 @@ def racket():
     size=(8.4, 3.4),
     panels=(1, 2),
 )
-def rod_and_point(axes, b):
+def rod_and_point(axes: Sequence[AnyAxes], b: float) -> None:
     """Figure 7.4: the thin rod, the point B on its line, and the integrand of I_yy."""
     ground = Frame("ground")
     B = (b, 0, 0)
@@ -164,20 +176,21 @@ def rod_and_point(axes, b):
     "its end at positive x.",
     size=(6, 4.4),
 )
-def three_rods_view(ax, view):
+def three_rods_view(ax: AnyAxes, view: float) -> None:
     """Figure 7.5: the three rods, from all sides."""
     ground = Frame("ground")
     s = Sketch(ax, ground, azimuth=view, elevation=22)
-    _rods(s)
+    draw_rods(s, ground)
     s.axes(O, ground, length=0.75)
     for place, name in (((-0.5, 0, 0.6), "1"), ((-0.25, 0, 0), "2"), ((0.5, 0.6, 0), "3")):
         s.label(place, name, bold=False)
     s.label(O, "B")
 
 
-def _rods(s):
+def draw_rods(s: Sketch, frame: Frame) -> None:
+    """The three rods, with B at the origin of a frame."""
     for A, B in RODS:
-        s.rod(A, B)
+        s.rod(frame.point("", *A), frame.point("", *B))
 
 
 @with_sliders(
@@ -190,7 +203,7 @@ def _rods(s):
     size=(8.8, 4.2),
     panels=(1, 2),
 )
-def plate_and_ellipse(axes, turn, b):
+def plate_and_ellipse(axes: Sequence[AnyAxes], turn: float, b: float) -> None:
     """Figure 7.6: a plate, an axis in its plane, omega and H, and the ellipse of inertia."""
     ground, a = Frame("ground"), 1.2
     I = plate(a, b, ground, "z", mass=12.0).about(ground)
@@ -225,26 +238,22 @@ def _moments_over_angle(ax, I, here):
     """The moment about an axis of the plane, and the product with the axis across it."""
     xx, yy, _ = I.moments
 
-    def both(degrees):
-        s, c = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
-        return xx * c * c + yy * s * s, (yy - xx) * s * c
+    def moment(a):
+        return xx * math.cos(a) ** 2 + yy * math.sin(a) ** 2
+
+    def product(a):
+        return (yy - xx) * math.sin(a) * math.cos(a)
 
     degrees = range(0, 181, 2)
-    looks = (
-        ("moment about the axis", BLUE, "-"),
-        ("product with the axis across", RED, "--"),
-    )
-    curves = zip(*map(both, degrees), strict=True)
-    for values, (label, colour, style), now in zip(curves, looks, both(here), strict=True):
-        ax.plot(degrees, values, style, color=colour, label=label)
-        ax.plot([here], [now], "o", color=colour)
+    _curve(ax, degrees, moment, here, "-", BLUE, "moment about the axis")
+    _curve(ax, degrees, product, here, "--", ORANGE, "product with the axis across")
     ax.axhline(0, color="black", lw=0.8)
     ax.set(xlabel="angle of the axis (°)", xticks=range(0, 181, 45), ylabel="kg m²")
     ax.set(ylim=(-0.9, 2.2))
     ax.legend(frameon=False, fontsize=9, loc="upper right")
 
 
-def rods_and_axis():
+def rods_and_axis() -> None:
     """Figure 7.7: the axis of turning goes from x to the three principal axes one after another."""
     ground = Frame("ground")
     I = three_rods(12.0, 1.0, ground).about(ground)
@@ -262,7 +271,7 @@ def rods_and_axis():
     def draw(axes, at):
         n = direction(at)
         s = Sketch(axes[0], ground, azimuth=30, elevation=22, arrows=85)
-        _rods(s)
+        draw_rods(s, ground)
         s.axes(O, ground, length=0.75)
         for e, name in zip(stops[1:], ("5", "11", "14"), strict=True):
             s.line(-0.7 * e, 0.7 * e, style="centre")
@@ -272,7 +281,7 @@ def rods_and_axis():
         angle = angle_between(n, I.times(n))
         axes[0].set_title(f"angle between ω and H: {angle:.1f}°", fontsize=11)
         axes[1].plot(way, moments, color=BLUE, label="moment (units of $m\\ell^2/12$)")
-        axes[1].plot(way, apart, "--", color=RED, label="angle between ω and H (°)")
+        axes[1].plot(way, apart, "--", color=ORANGE, label="angle between ω and H (°)")
         axes[1].axvline(at, color="black", lw=0.8)
         axes[1].set(xticks=range(4), ylim=(0, 36))
         axes[1].set_xticklabels(["x", "(2, 1, −1)", "(0, 1, 1)", "(1, −1, 1)"])
@@ -299,24 +308,22 @@ def rods_and_axis():
     size=(8.4, 3.9),
     panels=(1, 2),
 )
-def propeller(axes, blades, turn):
+def propeller(axes: Sequence[AnyAxes], blades: float, turn: float) -> None:
     """Figure 7.8: a propeller with n blades, and its moment about a fixed axis in its plane."""
     blades, ground = round(blades), Frame("ground")
 
-    def angles(turn):
-        return [math.radians(turn) + 2 * math.pi * n / blades for n in range(blades)]
+    def angles(turned):
+        return [turned + 2 * math.pi * n / blades for n in range(blades)]
 
-    def moment(turn):
-        return sum(math.sin(a) ** 2 for a in angles(turn)) / blades
+    def moment(turned):
+        return sum(math.sin(a) ** 2 for a in angles(turned)) / blades
 
     s = Sketch(axes[0], ground, plane="xy")
     s.axes(O, ground, length=1.2, labels=["x", "y", ""])
-    for a in angles(turn):
+    for a in angles(math.radians(turn)):
         s.rod(O, (math.cos(a), math.sin(a), 0))
     s.hinge(O)
-    turns = range(0, 181, 2)
-    axes[1].plot(turns, [moment(x) for x in turns], color=BLUE, label="$I_{xx}$")
-    axes[1].plot([turn], [moment(turn)], "o", color=BLUE)
+    _curve(axes[1], range(0, 181, 2), moment, turn, "-", BLUE, "$I_{xx}$")
     axes[1].set(ylim=(-0.05, 1.05), xlabel="turned by (°)", xticks=range(0, 181, 45))
     axes[1].set(ylabel="$I_{xx}/I_{zz}$")
 
@@ -328,7 +335,7 @@ def propeller(axes, blades, turn):
     "the particle.",
     size=(6, 3.8),
 )
-def vectors_to_particle(ax, place):
+def vectors_to_particle(ax: AnyAxes, place: float) -> None:
     """Figure 7.9: B, G and a particle, with d, rho_i and d_i."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")
@@ -344,7 +351,7 @@ def vectors_to_particle(ax, place):
         s.dot(point, name)
 
 
-def shifted_axis(build):
+def shifted_axis(build: Callable[[], Body]) -> None:
     """Figure 7.10: the moment of the three rods about axes parallel to x, from ``build()``."""
     body = build()
     frame, mass, G = body.frame, float(body.mass), body.centre
@@ -356,14 +363,14 @@ def shifted_axis(build):
         P = frame.point("P", 0, 1 / 6 + y, 1 / 6 + z)
         moment = float(body.about(P).moments[0])
         s = Sketch(axes[0], frame, plane="yz")
-        _rods(s)
+        draw_rods(s, frame)
         s.axes(O, frame, length=0.45, labels=["", "y", "z"])
         s.ring(G, frame.i, away or 1e-3)
         s.line(G, P)
         for place, name in ((O, "B"), (G, "G"), (P, "P")):
             s.dot(place, name)
         axes[1].plot(far, [least + mass * x * x for x in far], color=BLUE)
-        axes[1].plot([away], [moment], "o", color=RED)
+        axes[1].plot([away], [moment], "o", color=ORANGE)
         axes[1].axhline(least, color="black", lw=0.8, ls="--", label="about G")
         axes[1].set(xlabel="distance of the axis from G (m)", ylabel="moment (kg m²)")
         axes[1].set(xlim=(0, 0.9), ylim=(0, least + mass * 0.8))
@@ -387,7 +394,7 @@ def shifted_axis(build):
     "B whose radius is the radius of gyration; the centre of mass of the rod is always inside.",
     size=(5.6, 4.6),
 )
-def ring_of_gyration(ax, b):
+def ring_of_gyration(ax: AnyAxes, b: float) -> None:
     """Figure 7.11: a rod about an axis across it, and the ring of the same mass and moment."""
     ground, k = Frame("ground"), math.sqrt(1 / 12 + (b - 0.5) ** 2)
     s = Sketch(ax, ground, plane="xy")
@@ -408,7 +415,9 @@ def ring_of_gyration(ax, b):
     "r below. The centre of mass G lies on the z axis.",
     size=(5.6, 5),
 )
-def machine_part(ax, build, h, s):
+def machine_part(
+    ax: AnyAxes, build: Callable[[float, float, float], Body], h: float, s: float
+) -> None:
     """Figure 7.12: the machine part, from ``build(r, h, s)``."""
     r = 0.1
     body = build(r, h, s)
@@ -427,7 +436,7 @@ def machine_part(ax, build, h, s):
     ax.set_title(moments, fontsize=11)
 
 
-def particles_along(length, count, mass, frame, start):
+def particles_along(length: float, count: int, mass: float, frame: Frame, start: float) -> Body:
     """``count`` equal particles, in the middles of equal parts of a rod along x from ``start``."""
     step = length / count
     places = (frame.point("", start + (n + 0.5) * step, 0, 0) for n in range(count))

@@ -1,12 +1,16 @@
 """The figures of chapter 8: the moment that a motion needs, planar motion, forces that are moved."""
 
 import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeAlias
 
-from newton_euler import Frame, axis_angle
+from newton_euler import Body, Frame, Point, axis_angle
 from newton_euler.algebra.late import np, plt
+from newton_euler.algebra.linear import Solution
+from newton_euler.algebra.scalars import Triple
 from newton_euler.chapters.examples.ch08 import rolling_begins, sphere_at
 from newton_euler.classroom import Slider, interactive_figure, show_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved
 from newton_euler.dynamics import angular_momentum, resultant_moment
 from newton_euler.kinematics.rotations import (
@@ -15,11 +19,13 @@ from newton_euler.kinematics.rotations import (
     quaternion_product,
 )
 
-from .ch07 import BLUE, GREEN, RED, RODS
+from .ch07 import draw_dumbbell, draw_rods
+from .colours import BLUE, GREEN, ORANGE
 from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
+TurningRods: TypeAlias = Callable[..., tuple[Frame, Body, Point]]  # ground, body, point on the axis
 
 
 @with_sliders(
@@ -31,15 +37,17 @@ O = (0, 0, 0)
     "right angles to the plane of shaft and rod, the way the tip of H moves.",
     size=(6.4, 4.6),
 )
-def dumbbell(ax, build, tilt, rate, acceleration):
+def dumbbell(
+    ax: AnyAxes,
+    build: Callable[[float, float, float], tuple[Frame, Frame, Body]],
+    tilt: float,
+    rate: float,
+    acceleration: float,
+) -> None:
     """Figure 8.1: omega, H and M of a dumbbell, from ``build(tilt, rate, acceleration)``."""
     ground, axle, body = build(math.radians(tilt), rate, acceleration)
-    places = [part.centre for part in body.parts]
     s = Sketch(ax, ground, azimuth=-28, elevation=22, arrows=115)
-    s.shaft((0, 0, -0.55), (0, 0, 0.55))
-    s.rod(*places)
-    for place in places:
-        s.sphere(place, 0.06)
+    draw_dumbbell(s, body)
     s.vector(O, axle.angular_velocity(ground), r"$\omega$", kind="rate")
     s.vector(O, body.angular_momentum(ground), r"$\mathbf{H}$", kind="plain")
     s.vector(O, resultant_moment(body, ground), r"$\mathbf{M}$", kind="force", size="N m")
@@ -52,7 +60,7 @@ def dumbbell(ax, build, tilt, rate, acceleration):
     "cancel; if they are turned away from it a couple is left.",
     size=(6, 4),
 )
-def internal_forces(ax, off):
+def internal_forces(ax: AnyAxes, off: float) -> None:
     """Figure 8.2: two particles that pull at each other, along their line or not."""
     ground = Frame("ground")
     P, Q, F = (1.1, 0.35, 0), (2.0, 1.25, 0), 0.6
@@ -77,7 +85,9 @@ def internal_forces(ax, off):
     "must give a moment; leaning forward at the angle whose tangent is a over g it needs none.",
     size=(6.4, 4.2),
 )
-def pole_on_truck(ax, build, a, tilt):
+def pole_on_truck(
+    ax: AnyAxes, build: Callable[[float, float], tuple[Frame, Body, Point]], a: float, tilt: float
+) -> None:
     """Figure 8.3: a pole on a truck, from ``build(a, tilt)``: ground, pole, foot."""
     ground, pole, foot = build(a, math.radians(tilt))
     mass, up = float(pole.mass), ground.vector(0, 0, 9.81)
@@ -99,10 +109,10 @@ def pole_on_truck(ax, build, a, tilt):
     ax.set_title(f"moment that the foot must give: {moment:.1f} N m", fontsize=11)
 
 
-def three_spins(times, runs):
+def three_spins(times: Sequence[float], runs: Mapping[str, "np.ndarray"]) -> None:
     """Figure 8.4: omega over time for spins about the three principal axes, disturbed a little."""
     fig, axes = plt.subplots(1, 3, figsize=(9.6, 3.4), sharey=True, layout="constrained")
-    looks = ("x", BLUE, "-"), ("y", RED, "--"), ("z", GREEN, "-.")
+    looks = ("x", BLUE, "-"), ("y", ORANGE, "--"), ("z", GREEN, "-.")
     for ax, (name, rates) in zip(axes, runs.items(), strict=True):
         for values, (label, colour, style) in zip(np.transpose(rates), looks, strict=True):
             ax.plot(times, values, style, color=colour, label=rf"$\omega_{label}$")
@@ -118,7 +128,7 @@ def three_spins(times, runs):
     )
 
 
-def attitudes(times, rates):
+def attitudes(times: "np.ndarray", rates: "np.ndarray") -> list[tuple[Triple, float]]:
     """The attitude of a body at these times, as (axis, angle), from the components of omega on its
     own axes: in each step it turns about the mean omega.
     """
@@ -131,7 +141,9 @@ def attitudes(times, rates):
     return found
 
 
-def flipping_handle(times, rates, bar=0.12, stem=0.08, every=15):
+def flipping_handle(
+    times: "np.ndarray", rates: "np.ndarray", bar: float = 0.12, stem: float = 0.08, every: int = 15
+) -> Animation:
     """A film: a T-handle spins about its stem, flips over, flips back; ``rates``: its omega."""
     shift = stem / 8  # G is a quarter of the way from the bar to the middle of the stem
     turned = dict(zip(times, attitudes(times, rates), strict=True))
@@ -157,12 +169,9 @@ def flipping_handle(times, rates, bar=0.12, stem=0.08, every=15):
     )
 
 
-def _rods(s, frame):
-    for A, B in RODS:
-        s.rod(frame.point("", *A), frame.point("", *B))
-
-
-def turning_rods(build, words, azimuth=-60, acceleration=0.0):
+def turning_rods(
+    build: TurningRods, words: str, azimuth: float = -60, acceleration: float = 0.0
+) -> None:
     """Figures 8.5 to 8.7: the three rods with omega, H and M, from ``build(rate, acceleration)``:
     ground, body, point; ``words`` names the axis, ``azimuth`` is the direction of view,
     ``acceleration`` the rate of omega at the start.
@@ -173,7 +182,7 @@ def turning_rods(build, words, azimuth=-60, acceleration=0.0):
         frame = body.frame
         s = Sketch(ax, ground, azimuth=azimuth, elevation=22, arrows=110)
         s.axes(P, frame, length=0.35)
-        _rods(s, frame)
+        draw_rods(s, frame)
         axis = frame.angular_velocity(ground)
         unit = axis / max(float(axis.norm()), 1e-9)
         line = [(P - frame.origin).expressed_in(ground) + unit * x for x in (-0.8, 0.8)]
@@ -202,7 +211,9 @@ def turning_rods(build, words, azimuth=-60, acceleration=0.0):
     "shaft that grows with the square of the rate.",
     size=(6.2, 4.4),
 )
-def unbalanced_wheel(ax, build, apart, rate):
+def unbalanced_wheel(
+    ax: AnyAxes, build: Callable[[float, float], tuple[Frame, Body]], apart: float, rate: float
+) -> None:
     """Figure 8.8: a wheel with two small weights, from ``build(apart, rate)``: ground, body."""
     ground, body = build(math.radians(apart), rate)
     s = Sketch(ax, ground, azimuth=-60, elevation=16, arrows=90)
@@ -226,7 +237,7 @@ def unbalanced_wheel(ax, build, apart, rate):
     "smaller the acceleration.",
     size=(5, 4.6),
 )
-def drum_and_load(ax, solve, drum):
+def drum_and_load(ax: AnyAxes, solve: Callable[[float], Solution], drum: float) -> None:
     """Figure 8.9: a drum lowers a load on a rope, from ``solve(drum)``: a and T for its mass."""
     found = solve(drum)
     ground, C, r = Frame("ground"), (0, 0, 1.0), 0.3
@@ -252,7 +263,9 @@ def drum_and_load(ax, solve, drum):
     size=(8.8, 3.8),
     panels=(1, 2),
 )
-def sphere(axes, v0, mu, g, radius, t, spin):
+def sphere(
+    axes: Sequence[AnyAxes], v0: float, mu: float, g: float, radius: float, t: float, spin: float
+) -> None:
     """Figure 8.10: the sphere at a time, and its speeds over time."""
     slip0 = v0 + spin * radius
     given = (v0, mu, g, radius, spin, None, 1 if slip0 >= 0 else -1)
@@ -271,7 +284,7 @@ def sphere(axes, v0, mu, g, radius, t, spin):
     times = 0.0, min(float(rolling_begins(*given).t), 2.0), 2.0  # the lines are straight between
     _, speeds, rates = zip(*(sphere_at(x, *given) for x in times), strict=True)
     axes[1].plot(times, speeds, color=BLUE, label="$v$")
-    axes[1].plot(times, [-x * radius for x in rates], "--", color=RED, label=r"$-\omega r$")
+    axes[1].plot(times, [-x * radius for x in rates], "--", color=ORANGE, label=r"$-\omega r$")
     axes[1].axvline(t, color="black", lw=0.8)
     axes[1].axhline(0, color="black", lw=0.5)
     axes[1].set(xlabel="time (s)", ylabel="m/s", xlim=(0, 2), ylim=(-21, 11))
@@ -293,7 +306,7 @@ def _turned(t, given):
     "rod is pushed.",
     size=(6.4, 3.6),
 )
-def pushed_rod(ax, b):
+def pushed_rod(ax: AnyAxes, b: float) -> None:
     """Figure 8.11: a rod on ice that is pushed, and the accelerations of its points."""
     ground, m, length, F = Frame("ground"), 2.0, 1.0, 10.0
     a, alpha = F / m, F * b / (m * length**2 / 12)
@@ -307,11 +320,13 @@ def pushed_rod(ax, b):
     ax.set_title(f"no acceleration at {rest}; at G {a:.1f} m/s²", fontsize=11)
 
 
-def chatter(times, slips, exact):
+def chatter(times: Sequence[float], slips: Sequence[float], exact: Sequence[float]) -> None:
     """Figure 8.12: the slip of the sphere by equal steps of one rule with sign(slip)."""
     fig, ax = plt.subplots(figsize=(6.4, 3.3))
     ax.plot(times, exact, color="black", label="exact")
-    ax.plot(times, slips, "o-", ms=3, lw=0.8, color=RED, label="one rule with the sign of the slip")
+    ax.plot(
+        times, slips, "o-", ms=3, lw=0.8, color=ORANGE, label="one rule with the sign of the slip"
+    )
     ax.set(xlabel="time (s)", ylabel="slip (m/s)", xlim=(0.3, 0.8), ylim=(-1.5, 4))
     ax.legend(frameon=False)
     show_figure(
@@ -321,14 +336,14 @@ def chatter(times, slips, exact):
     )
 
 
-def rods_film(build):
+def rods_film(build: TurningRods) -> Animation:
     """A film: the three rods turn about x at a constant rate; M goes round with them."""
 
     def draw(t, ax):
         ground, body, about = build(1.0, 0.0, angle=t)
         frame = body.frame
         s = Sketch(ax, ground, azimuth=-60, elevation=22, arrows=80)
-        _rods(s, frame)
+        draw_rods(s, frame)
         s.line((-0.9, 0, 0), (0.9, 0, 0), style="centre")
         s.vector(about, frame.angular_velocity(ground), r"$\omega$", kind="rate")
         s.vector(about, angular_momentum(body, ground, about), r"$\mathbf{H}$", kind="plain")
@@ -336,6 +351,6 @@ def rods_film(build):
 
     return animate(
         draw,
-        [2 * math.pi * n / 24 for n in range(25)],
+        evenly(0, 2 * math.pi, 25),
         alt="The three rods turn about x; H and the moment M go round with them at right angles.",
     )

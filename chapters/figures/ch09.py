@@ -6,20 +6,26 @@ bearings A and B, and the body.
 """
 
 import math
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
 
-from newton_euler import Frame, composite, particle
+from newton_euler import Body, Frame, Point, Vector, composite, particle
 from newton_euler.algebra.late import plt
+from newton_euler.algebra.scalars import Triple
 from newton_euler.applications.rotors import balancing_masses, reactions
 from newton_euler.classroom import Slider, show_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 
+from .colours import BLUE, ORANGE
+from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
+Rotor: TypeAlias = Callable[..., tuple[Frame, Frame, Point, Point, Body]]
 PSI = Slider("psi", 40, 0, 360, 10, label="ψ", unit="°")
 
 
-def in_bearings(ax, ground, shaft, A, B):
+def in_bearings(ax: AnyAxes, ground: Frame, shaft: Frame, A: Point, B: Point) -> Sketch:
     """A sketch of the shaft from the bearing A, left, to B, right, with its rate omega."""
     s = Sketch(ax, ground, up="y", azimuth=-38, elevation=18, arrows=90)
     a, b = (P.position(shaft).x for P in (A, B))
@@ -31,16 +37,17 @@ def in_bearings(ax, ground, shaft, A, B):
     return s
 
 
-def bearing_forces(s, A, B, found):
-    """The arrows of both bearing forces with their sizes."""
+def bearing_forces(s: Sketch, body: Body, A: Point, B: Point) -> None:
+    """The arrows of both bearing forces on a rotor, with their sizes."""
+    found = reactions(body, A, B, s.frame)
     for P, force, name in ((A, found.A, "A"), (B, found.B, "B")):
         some = force * (force.norm() > 1e-9)  # less is round-off
         s.vector(P, some, rf"$\mathbf{{{name}}}$", kind="force", size="N")
 
 
-def wheel(s, ground, shaft, G, normal, radius=0.1):
+def wheel(s: Sketch, shaft: Frame, G: Point, normal: Vector, radius: float = 0.1) -> None:
     """A disk with a spoke along z of the shaft, which lies in the planes of all our disks."""
-    s.disk(G, normal, radius, spoke=G.position(ground) + shaft.k * radius)
+    s.disk(G, normal, radius, spoke=G.position(s.frame) + shaft.k * radius)
 
 
 @with_sliders(
@@ -49,7 +56,7 @@ def wheel(s, ground, shaft, G, normal, radius=0.1):
     "whose centre G is off the axis. Drawn: the fixed axes Y and Z, the axes x, y, z that turn "
     "with the shaft, the angle psi from Y to y, and the distances a and b of the bearings.",
 )
-def symbols_of_a_rotor(ax, build, psi):
+def symbols_of_a_rotor(ax: AnyAxes, build: Rotor, psi: float) -> None:
     """Figure 9.1: the frames, the bearings, the angle psi and the distance of G."""
     ground, shaft, A, B, body = build(psi=math.radians(psi))
     s = in_bearings(ax, ground, shaft, A, B)
@@ -63,7 +70,7 @@ def symbols_of_a_rotor(ax, build, psi):
     s.dimension(O, B, "b", offset=-0.17)
 
 
-def lever():
+def lever() -> None:
     """Figure 9.2: side view of the off-centre disk with the forces and m a."""
     ground = Frame("ground")
     fig, ax = plt.subplots(figsize=(6.4, 3))
@@ -95,28 +102,28 @@ def lever():
     "shaft points from the axis away from G. Both forces are parallel, turn with the shaft, and the one at the "
     "nearer bearing A is larger.",
 )
-def turning_forces(ax, build, psi, omega):
+def turning_forces(ax: AnyAxes, build: Rotor, psi: float, omega: float) -> None:
     """Figure 9.3: the forces on the shaft of an off-centre disk."""
     ground, shaft, A, B, body = build(psi=math.radians(psi), omega=omega)
     s = in_bearings(ax, ground, shaft, A, B)
-    wheel(s, ground, shaft, body.centre, shaft.i)
+    wheel(s, shaft, body.centre, shaft.i)
     s.line(O, body.centre, style="solid")
     s.label(body.centre, "G")
-    bearing_forces(s, A, B, reactions(body, A, B, ground))
+    bearing_forces(s, body, A, B)
 
 
-def off_centre_film(build):
+def off_centre_film(build: Rotor) -> Animation:
     """A film: the forces turn with the off-centre disk."""
 
     def draw(t, ax):
         ground, shaft, A, B, body = build(psi=20.0 * t)
         s = in_bearings(ax, ground, shaft, A, B)
-        wheel(s, ground, shaft, body.centre, shaft.i)
-        bearing_forces(s, A, B, reactions(body, A, B, ground))
+        wheel(s, shaft, body.centre, shaft.i)
+        bearing_forces(s, body, A, B)
 
     return animate(
         draw,
-        [math.pi / 10 * n / 18 for n in range(19)],
+        evenly(0, math.pi / 10, 19),
         alt="The off-centre disk turns once; the bearing forces keep their size and turn with it, "
         "always away from the centre G of the disk.",
     )
@@ -130,32 +137,32 @@ def off_centre_film(build):
     "forces are equal and opposite, a couple that turns with the shaft; at 0 and 90 degrees there "
     "is none.",
 )
-def bent_disk(ax, build, beta, psi):
+def bent_disk(ax: AnyAxes, build: Rotor, beta: float, psi: float) -> None:
     """Figure 9.4: the bent disk with omega, H, dH/dt and the bearing forces."""
     ground, shaft, A, B, body = build(beta=math.radians(beta), psi=math.radians(psi))
     s = in_bearings(ax, ground, shaft, A, B)
-    wheel(s, ground, shaft, body.centre, body.frame.i, 0.12)
+    wheel(s, shaft, body.centre, body.frame.i, 0.12)
     H = body.angular_momentum(ground)
     s.vector(O, H, r"$\mathbf{H}$", kind="velocity")
     rate = H.rate(ground)
     if rate.norm() > 1e-9:  # not at 90°, where rounding leaves a residue
         s.vector(O, rate, r"$\dot{\mathbf{H}}$", kind="rate")
-    bearing_forces(s, A, B, reactions(body, A, B, ground))
+    bearing_forces(s, body, A, B)
 
 
-def bent_disk_film(build):
+def bent_disk_film(build: Rotor) -> Animation:
     """A film: H goes round the shaft on a cone."""
 
     def draw(t, ax):
         ground, shaft, A, B, body = build(psi=20.0 * t)
         s = in_bearings(ax, ground, shaft, A, B)
-        wheel(s, ground, shaft, body.centre, body.frame.i, 0.12)
+        wheel(s, shaft, body.centre, body.frame.i, 0.12)
         s.vector(O, body.angular_momentum(ground), r"$\mathbf{H}$")
-        bearing_forces(s, A, B, reactions(body, A, B, ground))
+        bearing_forces(s, body, A, B)
 
     return animate(
         draw,
-        [math.pi / 10 * n / 18 for n in range(19)],
+        evenly(0, math.pi / 10, 19),
         alt="The bent disk turns once; its angular momentum H goes round the shaft on a cone, and "
         "the couple of the bearing forces turns with it.",
     )
@@ -170,9 +177,11 @@ def bent_disk_film(build):
     "The bearing forces are drawn with their sizes; they vanish when both weights have the right "
     "mass and angle.",
 )
-def balance_by_hand(ax, build, m1, angle1, m2, angle2):
+def balance_by_hand(
+    ax: AnyAxes, build: Rotor, m1: float, angle1: float, m2: float, angle2: float
+) -> None:
     """Figure 9.5: two weights on a rotor, moved by the reader until the forces vanish."""
-    ground, shaft, A, B, body = build(psi=-0.7)  # its forces in the plane of the page
+    ground, shaft, A, B, body = build(psi=-0.7)  # its forces lie in the plane of the page
     weights = [
         particle(m / 1000, spot(shaft, x, angle), f"weight {n}")
         for n, m, angle, x in ((1, m1, angle1, -0.1), (2, m2, angle2, 0.2))
@@ -180,16 +189,18 @@ def balance_by_hand(ax, build, m1, angle1, m2, angle2):
     ]
     s = in_bearings(ax, ground, shaft, A, B)
     draw_masses(s, shaft, body.parts, (-0.1, 0.2), weights)
-    bearing_forces(s, A, B, reactions(composite("all", [body, *weights]), A, B, ground))
+    bearing_forces(s, composite("all", [body, *weights]), A, B)
 
 
-def spot(shaft, x, degrees):
+def spot(shaft: Frame, x: float, degrees: float) -> Point:
     """A place 0.1 m from the axis, at this angle from y."""
     angle = math.radians(degrees)
     return shaft.point("", x, 0.1 * math.cos(angle), 0.1 * math.sin(angle))
 
 
-def draw_masses(s, shaft, spots, planes, weights):
+def draw_masses(
+    s: Sketch, shaft: Frame, spots: Sequence[Body], planes: Sequence[float], weights: Sequence[Body]
+) -> None:
     """The heavy spots as large balls, the balancing weights as small ones on their rings."""
     for x in planes:
         s.ring((x, 0, 0), shaft.i, 0.1)
@@ -207,9 +218,9 @@ def draw_masses(s, shaft, spots, planes, weights):
     alt="The rotor with its two heavy spots and the two balancing weights, one in each plane, "
     "drawn larger the heavier they are. The weight of a plane that is moved away becomes smaller.",
 )
-def balancing(ax, build, x1, x2):
+def balancing(ax: AnyAxes, build: Rotor, x1: float, x2: float) -> None:
     """Figure 9.6: where the balancing masses go, for two planes that the reader moves."""
-    ground, shaft, A, B, body = build(psi=-0.7)  # its forces in the plane of the page
+    ground, shaft, A, B, body = build(psi=-0.7)  # its forces lie in the plane of the page
     planes = [(x - 100 * A.position(shaft).x) / 100 for x in (x1, x2)]
     weights = balancing_masses(body, A, B, planes, radius=0.1)
     s = in_bearings(ax, ground, shaft, A, B)
@@ -217,7 +228,7 @@ def balancing(ax, build, x1, x2):
     ax.set_title(", ".join(f"{w.name}: {1000 * w.mass:.0f} g" for w in weights), fontsize=11)
 
 
-def balancing_machine():
+def balancing_machine() -> None:
     """Figure 9.7: the wheel with the coin on a balancing machine, cut along its shaft."""
     ground = Frame("ground")
     fig, ax = plt.subplots(figsize=(6.4, 3.6))
@@ -251,7 +262,7 @@ def balancing_machine():
     size=(8.4, 4.4),
     panels=(1, 2),
 )
-def general_rotor(axes, build, psi):
+def general_rotor(axes: Sequence[AnyAxes], build: Rotor, psi: float) -> None:
     """Figure 9.8: an end view of any body on a level shaft, X downward, and a side view."""
     ground, shaft, A, B, body = build(psi=math.radians(psi))
     page = ground.rotate("page", "y", -math.pi / 2)  # its z points up, its x along the shaft
@@ -282,13 +293,13 @@ def general_rotor(axes, build, psi):
     "exceeds the share of the weight, the force points downward for a part of the turn.",
     size=(5.6, 5.2),
 )
-def force_over_a_turn(ax, build, omega):
+def force_over_a_turn(ax: AnyAxes, build: Rotor, omega: float) -> None:
     """Figure 9.9: the tip of the force of bearing A during one turn."""
-    forces = [force_at_A(build, math.radians(10 * n), omega) for n in range(37)]
+    forces = [force_at_A(build, psi, omega) for psi in evenly(0, 2 * math.pi, 37)]
     tips = [(Y, -X) for X, Y, _ in forces]
     weight = force_at_A(build, 0.0, 0.0)
-    ax.plot(*zip(*tips, strict=True), color="#0072B2", label="tip of the force during one turn")
-    ax.plot(weight[1], -weight[0], "s", color="#D55E00", label="share of the weight")
+    ax.plot(*zip(*tips, strict=True), color=BLUE, label="tip of the force during one turn")
+    ax.plot(weight[1], -weight[0], "s", color=ORANGE, label="share of the weight")
     ax.plot(0, 0, "k+", markersize=12, label="no force")
     ax.annotate("", tips[4], (0, 0), arrowprops={"arrowstyle": "->", "color": "k"})
     ax.set(xlim=(-17, 17), ylim=(-9, 25), aspect="equal")
@@ -296,7 +307,7 @@ def force_over_a_turn(ax, build, omega):
     ax.legend(frameon=False, fontsize=9, loc="upper right")
 
 
-def force_at_A(build, psi, omega):
+def force_at_A(build: Rotor, psi: float, omega: float) -> Triple:
     """Components on X, Y, Z of the force of the bearing A, with the weight."""
     ground, _, A, B, body = build(psi=psi, omega=omega)
     return reactions(body, A, B, ground, 9.81 * ground.i).A.components(ground)

@@ -6,9 +6,12 @@ the frame of the body, whose parent is the frame {i, j, k} that does not spin.
 """
 
 import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import TypeAlias
 
-from newton_euler import Frame, euler_frame
+from newton_euler import Frame, Point, Vector, euler_frame
 from newton_euler.algebra.late import np, plt
+from newton_euler.algebra.scalars import Triple
 from newton_euler.applications.gyroscopes import (
     free_precession,
     gyro_momentum,
@@ -17,22 +20,32 @@ from newton_euler.applications.gyroscopes import (
 )
 from newton_euler.applications.nutation import nutation
 from newton_euler.classroom import Slider, show_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
+from newton_euler.drawing.page.primitives import Kind
 from newton_euler.scenes.spatial.gyrocompass import gyrocompass
 from newton_euler.scenes.spatial.top import euler
 
+from .colours import BLUE, ORANGE
 from .curves import evenly, states_over
 from .sliding import with_sliders
 
 O = (0, 0, 0)
-BLUE, ORANGE, GREEN = "#0072B2", "#D55E00", "#009E73"
+Top: TypeAlias = Callable[..., tuple[Frame, Frame]]
 
 
-def sketch(ax, ground, azimuth=30, elevation=20, arrows=80):
+def sketch(
+    ax: AnyAxes, ground: Frame, azimuth: float = 30, elevation: float = 20, arrows: float = 80
+) -> Sketch:
     return Sketch(ax, ground, azimuth=azimuth, elevation=elevation, arrows=arrows)
 
 
-def draw_top(s, body, length=0.75, radius=0.32):
+def axes_of(body: Frame) -> Frame:
+    """The frame {i, j, k} of a body, which does not spin."""
+    assert body.parent is not None
+    return body.parent
+
+
+def draw_top(s: Sketch, body: Frame, length: float = 0.75, radius: float = 0.32) -> None:
     """A cone that stands on its apex, with a radius painted on its base, and its axle."""
     middle = body.point("", 0, 0, length)
     s.cone(O, body.k, length, radius)
@@ -55,7 +68,7 @@ def _line_at_rest_in_words(spin, precession):
     Slider("precession", 4, 0.5, 6, 0.5, label="precession", unit="rad/s"),
     alt=_line_at_rest_in_words,
 )
-def points_at_rest(ax, build, spin, precession):
+def points_at_rest(ax: AnyAxes, build: Top, spin: float, precession: float) -> None:
     """Figure 10.1: the velocities of some points of a top, and the line of those at rest."""
     ground, body = build(precession=precession, spin=spin)
     omega = body.angular_velocity(ground)
@@ -81,11 +94,12 @@ def points_at_rest(ax, build, spin, precession):
     "from Z to z, and phi in the plane of the disk from x to x'.",
     size=(7, 5),
 )
-def eulers_angles(ax, psi, theta, phi):
+def eulers_angles(ax: AnyAxes, psi: float, theta: float, phi: float) -> None:
     """Figure 10.2: the three angles, with the axes of all frames."""
     ground = Frame("ground")
-    body = euler_frame(ground, "body", *map(math.radians, (psi, theta, phi)))
-    between = body.parent
+    psi, theta, phi = (math.radians(x) for x in (psi, theta, phi))
+    body = euler_frame(ground, "body", psi, theta, phi)
+    between = axes_of(body)
     s = sketch(ax, ground)
     s.disk(O, body.k, 0.6)
     s.axes(O, ground, length=1, labels="XYZ")
@@ -97,7 +111,7 @@ def eulers_angles(ax, psi, theta, phi):
     s.arc(O, between.i, body.i, r"$\phi$", radius=0.6)
 
 
-def angles_film():
+def angles_film() -> Animation:
     """A film: first precession alone, then nutation, then spin."""
 
     def draw(t, ax):
@@ -108,11 +122,12 @@ def angles_film():
         s = sketch(ax, ground)
         s.axes(O, ground, length=0.9, labels="XYZ")
         draw_top(s, body, 0.6, 0.4)
-        s.line(body.parent.i * -0.8, body.parent.i * 0.8, style="centre")
+        nodes = axes_of(body).i
+        s.line(nodes * -0.8, nodes * 0.8, style="centre")
 
     return animate(
         draw,
-        [3 * n / 24 for n in range(25)],
+        evenly(0, 3, 25),
         alt="A top turns first about the vertical, then tips about the level line of nodes, then spins "
         "about its own axis: psi, theta and phi one after the other.",
     )
@@ -126,7 +141,13 @@ def angles_film():
     "the bar, its angular momentum H has none: H is at right angles to the bar, however the "
     "bar is turned about itself.",
 )
-def pendulum(ax, momentum, theta, phi, spin):
+def pendulum(
+    ax: AnyAxes,
+    momentum: Callable[[float, float, float], tuple[Frame, Frame, Vector]],
+    theta: float,
+    phi: float,
+    spin: float,
+) -> None:
     """Figure 10.3: the bar on a ball joint with omega and H, from ``momentum(theta, phi, …)``."""
     ground, bar, H = momentum(math.radians(theta), math.radians(phi), spin)
     s = sketch(ax, ground, arrows=130)
@@ -147,14 +168,16 @@ def pendulum(ax, momentum, theta, phi, spin):
     "Drawn: the angular velocity Omega of these axes along Z, omega of the body, which has the "
     "spin in addition, and the angular momentum H, all in the plane of y and z.",
 )
-def spinning_top(ax, build, I0, I, spin, precession):
+def spinning_top(
+    ax: AnyAxes, build: Top, I0: float, I: float, spin: float, precession: float
+) -> None:
     """Figure 10.4: a top with Omega, omega and H; small, so that the arrows are long beside it."""
     ground, body = build(precession=precession, spin=spin)
     s = sketch(ax, ground, azimuth=-15, arrows=260)
     draw_top(s, body, 0.3, 0.14)
     s.axes(O, ground, length=0.5, labels=["", "", "Z"])
-    s.axes(O, body.parent, length=0.5)
-    s.vector(O, body.parent.angular_velocity(ground), r"$\Omega$", kind="rate")
+    s.axes(O, axes_of(body), length=0.5)
+    s.vector(O, axes_of(body).angular_velocity(ground), r"$\Omega$", kind="rate")
     s.vector(O, body.angular_velocity(ground), r"$\omega$", kind="rate", size="rad/s")
     s.vector(O, gyro_momentum(body, ground, I0, I), r"$\mathbf{H}_B$")
 
@@ -162,13 +185,13 @@ def spinning_top(ax, build, I0, I, spin, precession):
 TOP = {"I0": 0.02, "I": 0.01, "mgr": 0.5, "omega_z": 30.0}
 
 
-def nutating(precession, time, pictures):
+def nutating(precession: float, time: float, pictures: int) -> list[Triple]:
     """Euler's angles of the top, let go at 0.6 rad with this rate of precession."""
     states = states_over(euler(**TOP), time, (0.0, 0.6, 0.0, precession, 0.0), pictures)
     return [state[:3] for state in states]
 
 
-def path_of_axis(precession, time, pictures):
+def path_of_axis(precession: float, time: float, pictures: int) -> list[Triple]:
     """The path of the tip of its axis, 1 m from the fixed point."""
     return [
         (math.sin(theta) * math.sin(psi), -math.sin(theta) * math.cos(psi), math.cos(theta))
@@ -183,7 +206,7 @@ def path_of_axis(precession, time, pictures):
     "loops, with a slow start along it waves. The pole and the start of the path are marked.",
     size=(6.4, 4.8),
 )
-def nutation_paths(ax, precession):
+def nutation_paths(ax: AnyAxes, precession: float) -> None:
     """Figure 10.5: the path of the axis on a sphere, for each start."""
     s = sketch(ax, Frame("ground"), azimuth=-60, elevation=50)
     s.sphere(O, 1)
@@ -196,7 +219,7 @@ def nutation_paths(ax, precession):
     ax.set_title(f"{limits.kind}: θ from {low:.1f}° to {high:.1f}°", fontsize=11)
 
 
-def top_film():
+def top_film() -> Animation:
     """A film: a top let go at rest, in space, with its path."""
     time, pictures = 1.2, 28
     times = evenly(0.0, time, pictures)
@@ -228,7 +251,7 @@ def top_film():
     "of the weight is level and at right angles to it, and so the tip of H moves sideways, "
     "round the vertical, and not down.",
 )
-def steady_top(ax, build, I0, I, theta, spin):
+def steady_top(ax: AnyAxes, build: Top, I0: float, I: float, theta: float, spin: float) -> None:
     """Figure 10.6: H, its rate and the moment in a steady precession."""
     theta = math.radians(theta)
     rate = steady_precession(I0, I, theta, spin=spin, mgr=0.5).slow
@@ -243,7 +266,7 @@ def steady_top(ax, build, I0, I, theta, spin):
     s.line(O, ground.k, style="centre")
 
 
-def both_rates(I0, I, theta, mgr):
+def both_rates(I0: float, I: float, theta: float, mgr: float) -> None:
     """Figure 10.7: slow and fast precession against the spin, with the approximations."""
     least = least_spin(I0, I, theta, mgr=mgr)
     spins = least * np.geomspace(1.0001, 12, 120)
@@ -272,7 +295,7 @@ def both_rates(I0, I, theta, mgr):
     size=(8.4, 4),
     panels=(1, 2),
 )
-def hanging_rod(axes, angle, omega):
+def hanging_rod(axes: Sequence[AnyAxes], angle: Callable[[float], float], omega: float) -> None:
     """Figure 10.8: the rod on its shaft at ``angle(omega)``, and its effective potential."""
     w0 = math.sqrt(1.5 * 9.81)
     left, right = axes
@@ -296,8 +319,9 @@ def hanging_rod(axes, angle, omega):
     right.set(ylabel="effective potential / (mgL/2)")
 
 
-def draw_cones(s, ground, ratio, theta, psi, phi):
+def draw_cones(s: Sketch, ratio: float, theta: float, psi: float) -> None:
     """Body cone and space cone of a free symmetric body with I/I0 = ratio, at these angles."""
+    ground, phi = s.frame, psi * (1 - ratio) * math.cos(theta) / ratio  # the cones roll
     body = euler_frame(ground, "body", psi, theta, phi)
     found = free_precession(1.0, ratio, theta, 1.0) if ratio != 1 else None
     tilt = found.body_cone if found else theta
@@ -306,7 +330,7 @@ def draw_cones(s, ground, ratio, theta, psi, phi):
         s.cone(O, ground.k, math.cos(space), math.sin(space), open=True)
     s.cone(O, body.k, math.cos(tilt), math.sin(tilt), open=True)
     s.line(O, body.point("", math.sin(tilt), 0, math.cos(tilt)), style="solid")
-    omega = body.parent.vector(0, math.sin(tilt), math.cos(tilt))
+    omega = axes_of(body).vector(0, math.sin(tilt), math.cos(tilt))
     s.vector(O, omega * 1.3, r"$\omega$", kind="rate")
     s.line(O, ground.k * 1.3, style="centre")
     s.line(O, body.k * 1.3, style="centre")
@@ -323,26 +347,24 @@ def draw_cones(s, ground, ratio, theta, psi, phi):
     "slender body the body cone rolls on the outside of the space cone.",
     size=(6.4, 4.8),
 )
-def cones(ax, ratio, theta, precession):
+def cones(ax: AnyAxes, ratio: float, theta: float, precession: float) -> None:
     """Figure 10.9: the body cone rolls on the space cone."""
-    ground, theta, psi = Frame("ground"), math.radians(theta), math.radians(precession)
-    phi = psi * (1 - ratio) * math.cos(theta) / ratio
-    draw_cones(sketch(ax, ground, elevation=32), ground, ratio, theta, psi, phi)
+    s = sketch(ax, Frame("ground"), elevation=32)
+    draw_cones(s, ratio, math.radians(theta), math.radians(precession))
     sense = "direct" if ratio < 1 else "retrograde" if ratio > 1 else "a fixed axis"
     ax.set_title(sense, fontsize=11)
 
 
-def cones_film(ratio, theta):
+def cones_film(ratio: float, theta: float) -> Animation:
     """A film: the body cone rolls once round, for this I/I0."""
 
     def draw(t, ax):
-        ground, psi = Frame("ground"), 2 * math.pi * t / 4
-        phi = psi * (1 - ratio) * math.cos(theta) / ratio
-        draw_cones(sketch(ax, ground, elevation=32), ground, ratio, theta, psi, phi)
+        s = sketch(ax, Frame("ground"), elevation=32)
+        draw_cones(s, ratio, theta, 2 * math.pi * t / 4)
 
     return animate(
         draw,
-        [4 * n / 20 for n in range(21)],
+        evenly(0, 4, 21),
         alt=f"For I/I0 = {ratio:g} the body cone rolls without slipping on the space cone, once "
         "round the angular momentum H; a line painted on it shows its spin.",
     )
@@ -354,10 +376,10 @@ def cones_film(ratio, theta):
     alt="A wheel with a level axle. The spin points along the axle, the precession upward, and "
     "the moment that the wheel needs along the third, level direction: precession cross spin.",
 )
-def three_at_right_angles(ax, build, spin, precession):
+def three_at_right_angles(ax: AnyAxes, build: Top, spin: float, precession: float) -> None:
     """Figure 10.10: spin, precession and moment for theta = 90 degrees."""
     ground, body = build(theta=math.pi / 2, precession=precession, spin=spin)
-    between = body.parent
+    between = axes_of(body)
     s = sketch(ax, ground, azimuth=70)
     s.disk(O, body.k, 0.5, spoke=body.point("", 0.5, 0, 0))
     s.rod(between.point("", 0, 0, -0.4), between.point("", 0, 0, 0.5))
@@ -374,10 +396,15 @@ def three_at_right_angles(ax, build, spin, precession):
     size=(7.6, 4.2),
     panels=(1, 2),
 )
-def rim(axes, build, angle):
+def rim(
+    axes: Sequence[AnyAxes],
+    build: Callable[[], tuple[Frame, Iterable[tuple[float, Point, Vector, Vector]]]],
+    angle: float,
+) -> None:
     """Figure 10.11: forces and velocities along the axle of the particles of a rim."""
     ground, particles = build()
-    for panel, kind in zip(axes, ("force", "velocity"), strict=True):
+    kinds: tuple[Kind, Kind] = "force", "velocity"
+    for panel, kind in zip(axes, kinds, strict=True):
         s = Sketch(panel, ground, azimuth=25, elevation=15, arrows=70)
         s.disk(O, (0, 1, 0), 0.3)
         for past_the_top, P, force, velocity in particles:
@@ -395,7 +422,7 @@ def rim(axes, build, angle):
     "on the outer wheels, on the right; with the rotor at 1000 rad/s both sides carry half.",
     size=(6.2, 4.4),
 )
-def car(ax, loads, rotor):
+def car(ax: AnyAxes, loads: Callable[[float], tuple[float, float]], rotor: float) -> None:
     """Figure 10.12: a car in a left turn from behind, its rotor, and the forces of the road."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="yz", arrows=90)
@@ -424,7 +451,9 @@ def car(ax, loads, rotor):
     "swings more slowly.",
     size=(6.4, 3.6),
 )
-def compass_swings(ax, I0, I, omega_z, earth_rate, latitude):
+def compass_swings(
+    ax: AnyAxes, I0: float, I: float, omega_z: float, earth_rate: float, latitude: float
+) -> None:
     """Figure 10.13: azimuth of a gyrocompass against time, for a latitude."""
     model = gyrocompass(I0, I, omega_z, earth_rate, math.radians(latitude))
     azimuths = [math.degrees(x) for x, _ in states_over(model, 120.0, (1.0, 0.0), 400)]

@@ -1,28 +1,35 @@
 """The figures of chapter 11: work as an area, energies as bars beside what moves."""
 
 import math
+from collections.abc import Callable, Mapping, Sequence
 from itertools import accumulate, pairwise
 
 from newton_euler import Frame, integrate, prepare, sin, work_along
 from newton_euler.algebra.late import np, plt
+from newton_euler.algebra.ledger import Amount
 from newton_euler.classroom import Slider, interactive_figure, show_figure
-from newton_euler.drawing import Sketch, animate
+from newton_euler.drawing import Animation, AnyAxes, Sketch, animate
 from newton_euler.drawing.page.projection import moved, on_circle, on_plane
 from newton_euler.dynamics.energy import gyroscope_energy
+from newton_euler.dynamics.work import Field
+from newton_euler.kinematics.paths import Path
 from newton_euler.scenes.planar.pendulum import physical_pendulum
 from newton_euler.scenes.spatial.top import euler
 
+from .colours import BLUE, GREEN, GREY, ORANGE
 from .curves import evenly
 from .sliding import with_sliders
 
 O = (0, 0, 0)
 G_SI = 9.81
-COLOURS = "#0072B2", "#D55E00", "#009E73", "#555555"
+COLOURS = BLUE, ORANGE, GREEN, GREY
 HATCHES = "", "//", "..", ""
 STYLES = "-", "--", ":", "-."
 
 
-def bars(ax, energies, low, high, unit="J"):
+def bars(
+    ax: AnyAxes, energies: Mapping[str, float], low: float, high: float, unit: str = "J"
+) -> None:
     """Draw energies by name as bars, with their values; ``low`` to ``high`` is the scale."""
     for n, x in enumerate(energies.values()):
         ax.bar(n, x, 0.6, color=COLOURS[n], hatch=HATCHES[n], edgecolor="white")
@@ -46,7 +53,7 @@ def _name_scale(ax, name):
 # -- work
 
 
-def tug(pull, track, winch):
+def tug(pull: Field, track: Path, winch: tuple[float, float]) -> None:
     """Figure 11.1: a sledge pulled towards a winch, and the work as an area."""
     ground, q = Frame("ground"), evenly(0, 8, 241)
     places = [ground.vector(*track(x)) for x in q]
@@ -86,7 +93,7 @@ def _area(ax, s, F_t, n):
     """Plot F_t against s, filled as far as the place number n."""
     ax.plot(s, F_t, color="black")
     part, force = s[: n + 1], F_t[: n + 1]
-    for sign, colour, hatch in ((1, COLOURS[0], ""), (-1, COLOURS[1], "//")):
+    for sign, colour, hatch in ((1, BLUE, ""), (-1, ORANGE, "//")):
         where = [sign * F >= 0 for F in force]
         ax.fill_between(part, force, where=where, color=colour, alpha=0.4, hatch=hatch, lw=0)
     ax.axhline(0, color="black", lw=0.8)
@@ -101,7 +108,7 @@ def _area(ax, s, F_t, n):
     "angles to r.",
     size=(6.4, 4.2),
 )
-def couple(ax, angle):
+def couple(ax: AnyAxes, angle: float) -> None:
     """Figure 11.2: the two forces of a couple, and the velocities of the points they act on."""
     ground = Frame("ground")
     C = ground.point("C", 0.2, 0, 0)
@@ -133,7 +140,14 @@ def couple(ax, angle):
     size=(8.6, 4.2),
     panels=(1, 2),
 )
-def pendulum_with_pin(axes, speed, cord, pin, angle, way):
+def pendulum_with_pin(
+    axes: Sequence[AnyAxes],
+    speed: Callable[[float], float],
+    cord: float,
+    pin: float,
+    angle: float,
+    way: float,
+) -> None:
     """Figure 11.3: the ball on its two arcs; ``speed`` is a function of the depth."""
     rest = cord - pin
     first = cord * angle / (cord * angle + rest * math.pi / 2)
@@ -149,9 +163,9 @@ def pendulum_with_pin(axes, speed, cord, pin, angle, way):
     ball, direction = place(way / 100)
     v, B = speed(-ball[1]), (0, -pin, 0)
     sketch = Sketch(axes[0], Frame("ground"), plane="xy")
-    sketch.path([place(n / 60)[0] for n in range(61)], style="dotted")
-    for stops in [(O, ball)] if way / 100 < first else [(O, B), (B, ball)]:
-        sketch.line(*stops, style="solid")
+    sketch.path([place(x)[0] for x in evenly(0, 1, 61)], style="dotted")
+    for start, end in [(O, ball)] if way / 100 < first else [(O, B), (B, ball)]:
+        sketch.line(start, end, "solid")
     for nail in (O, B):
         sketch.hinge(nail)
     sketch.sphere(ball, 0.03)
@@ -171,9 +185,9 @@ def pendulum_with_pin(axes, speed, cord, pin, angle, way):
     size=(9, 3.9),
     panels=(1, 2),
 )
-def two_works(axes, forces, bulge):
+def two_works(axes: Sequence[AnyAxes], forces: Mapping[str, Field], bulge: float) -> None:
     """Figure 11.4: the work of each of two forces on paths from A to B that bulge differently."""
-    grid = [n / 3 for n in range(-4, 11)]
+    grid = evenly(-4 / 3, 10 / 3, 15)
     works = {
         name: work_along(F, lambda q: _bulging(q, bulge), 0.0, 1.0).value
         for name, F in forces.items()
@@ -181,7 +195,7 @@ def two_works(axes, forces, bulge):
     ax = axes[0]
     around = list(forces.values())[1]
     swirl = [(x, y, *around(x, y, 0)[:2]) for x in grid for y in grid]
-    ax.quiver(*zip(*swirl, strict=True), color=COLOURS[1], width=0.007, scale=300, pivot="mid")
+    ax.quiver(*zip(*swirl, strict=True), color=ORANGE, width=0.007, scale=300, pivot="mid")
     places = [_bulging(q, bulge)[:2] for q in evenly(0, 1, 61)]
     ax.plot(*zip(*places, strict=True), color="black", lw=2)
     for name, (x, y) in {"A": (0, 0), "B": (2, 1)}.items():
@@ -204,7 +218,14 @@ def _bulging(q, bulge):
     size=(9, 4),
     panels=(1, 2),
 )
-def satellite(axes, speed, mu, nearest, farthest, round_):
+def satellite(
+    axes: Sequence[AnyAxes],
+    speed: Callable[[float], float],
+    mu: float,
+    nearest: float,
+    farthest: float,
+    round_: float,
+) -> None:
     """Figure 11.5: a satellite on an ellipse and its energies; ``speed`` of the distance, SI."""
     e = (farthest - nearest) / (farthest + nearest)
 
@@ -217,7 +238,7 @@ def satellite(axes, speed, mu, nearest, farthest, round_):
     r, P, direction = at(round_)
     v = speed(r)
     sketch = Sketch(axes[0], Frame("space"), plane="xy")
-    sketch.path([at(3 * n)[1] for n in range(121)], style="dotted")
+    sketch.path([at(angle)[1] for angle in evenly(0, 360, 121)], style="dotted")
     sketch.sphere(O, 6.4)
     sketch.line(O, P)
     sketch.dot(P)
@@ -229,23 +250,26 @@ def satellite(axes, speed, mu, nearest, farthest, round_):
     bars(axes[1], {"T": T, "V": V, "T + V": T + V}, -70, 60, "MJ/kg")
 
 
-def sliding_block(m, slope, mu, length):
+def _incline(slope):
+    """The unit vectors down an incline, and at right angles to it, up."""
+    return (math.cos(slope), -math.sin(slope), 0), (math.sin(slope), math.cos(slope), 0)
+
+
+def sliding_block(m: float, slope: float, mu: float, length: float) -> None:
     """Figure 11.6: a block that slides down against friction, and where the energy goes."""
-    down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
+    down, normal = _incline(slope)
     a = G_SI * (math.sin(slope) - mu * math.cos(slope))
     top = m * G_SI * length * math.sin(slope)
 
     def draw(axes, s):
-        G = tuple(s * d + 0.2 * n for d, n in zip(down, normal, strict=True))
-        ground = Frame("ground")
+        ground, G = Frame("ground"), on_plane(O, s, down, 0.2, normal)
         sketch = Sketch(axes[0], ground, plane="xy")
-        sketch.road([tuple(x * d for d in (*down, 0)) for x in (-0.4, length + 0.4)])
-        sketch.box((*G, 0), ground.rotate("slope", "-z", slope), (0.6, 0.4, 0.4))
+        sketch.road([moved(O, -0.4, down), moved(O, length + 0.4, down)])
+        sketch.box(G, ground.rotate("slope", "-z", slope), (0.6, 0.4, 0.4))
         weight = m * G_SI
         friction = mu * weight * math.cos(slope)
-        sketch.vector((*G, 0), (0, -weight, 0), r"$m\mathbf{g}$", kind="force")
-        foot = (s * down[0], s * down[1], 0)
-        sketch.vector(foot, tuple(-friction * d for d in (*down, 0)), "friction", kind="force")
+        sketch.vector(G, (0, -weight, 0), r"$m\mathbf{g}$", kind="force")
+        sketch.vector(moved(O, s, down), moved(O, -friction, down), "friction", kind="force")
         T, lost = m * a * s, friction * s
         V = top - weight * s * math.sin(slope)
         bars(axes[1], {"T": T, "V": V, "internal": lost, "sum": T + V + lost}, 0, 1.2 * top)
@@ -261,7 +285,7 @@ def sliding_block(m, slope, mu, length):
     )
 
 
-def weight_on_spring(m, stiffness):
+def weight_on_spring(m: float, stiffness: float) -> None:
     """Figure 11.7: a weight let go on a spring without load, and its potential energies."""
     lowest = 2 * m * G_SI / stiffness
     x = evenly(-0.1 * lowest, 1.15 * lowest, 121)
@@ -287,8 +311,8 @@ def weight_on_spring(m, stiffness):
         for (name, V), colour, style in zip(potentials.items(), COLOURS, STYLES[1:], strict=False):
             ax.plot(cm, [*map(V, x)], color=colour, ls=style, label=f"V of the {name}")
         ax.plot(cm, [*map(total, x)], color="black", label="V, the sum")
-        ax.axhline(0, color="#555555", ls="-.", label="E = 0")
-        ax.plot([stretch] * 2, [total(now), 0], color=COLOURS[2], lw=5, label="T = E − V")
+        ax.axhline(0, color=GREY, ls="-.", label="E = 0")
+        ax.plot([stretch] * 2, [total(now), 0], color=GREEN, lw=5, label="T = E − V")
         ax.set(xlabel="x (cm)", ylabel="J", xlim=(cm[0], cm[-1]))
         ax.legend(frameon=False, fontsize=9, loc="upper left")
 
@@ -312,7 +336,7 @@ def weight_on_spring(m, stiffness):
     "components along the line from i to j, drawn as shorter arrows, are equal.",
     size=(6.4, 4.4),
 )
-def pair_in_a_body(ax, turn):
+def pair_in_a_body(ax: AnyAxes, turn: float) -> None:
     """Figure 11.8: the velocities of two points of a rigid body and their parts along the line."""
     ground = Frame("ground")
     body = ground.rotate("body", "z", angle=math.radians(turn), rate=1.0)
@@ -322,7 +346,7 @@ def pair_in_a_body(ax, turn):
     sketch = Sketch(ax, ground, plane="xy")
     corners = ((-1, -0.5), (1, -0.5), (1, 0.55), (-1, 0.55))
     sketch.plate([body.point("", x, y, 0) for x, y in corners], shade="light")
-    sketch.line(*ends.values())
+    sketch.line(ends["i"], ends["j"])
     for name, P in ends.items():
         v = P.velocity(ground) + drift
         along = v.dot(line)
@@ -340,7 +364,7 @@ def pair_in_a_body(ax, turn):
     "particle and cancels over the whole body.",
     size=(6.6, 4.2),
 )
-def particle_of_a_body(ax, turn):
+def particle_of_a_body(ax: AnyAxes, turn: float) -> None:
     """Figure 11.9: a particle of a rigid body from the centre of mass, and its velocity."""
     ground = Frame("ground")
     G = (1.2, 0.7, 0)
@@ -368,11 +392,19 @@ def particle_of_a_body(ax, turn):
     size=(9, 3.9),
     panels=(1, 2),
 )
-def rolling_sphere(axes, energy, speed, m, R, slope, s):
+def rolling_sphere(
+    axes: Sequence[AnyAxes],
+    energy: Callable[[float], Amount],
+    speed: Callable[[float], float],
+    m: float,
+    R: float,
+    slope: float,
+    s: float,
+) -> None:
     """Figure 11.10: a sphere rolls down 1 m; ``energy(v)`` has terms, ``speed`` is that after a
     drop.
     """
-    down, normal = (math.cos(slope), -math.sin(slope), 0), (math.sin(slope), math.cos(slope), 0)
+    down, normal = _incline(slope)
     weight, drop = m * G_SI, s * math.sin(slope)
     v, C = speed(drop), moved(O, s, down)
     G = moved(C, R, normal)
@@ -390,10 +422,12 @@ def rolling_sphere(axes, energy, speed, m, R, slope, s):
     bars(axes[1], values, 0, 1.2 * weight * math.sin(slope))
 
 
-def race(speeds, slope, length=2.0):
+def race(
+    speeds: Mapping[str, Callable[[float], float]], slope: float, length: float = 2.0
+) -> Animation:
     """A film: bodies start together on equal inclines; ``speeds``: by name, after a drop."""
     R = 0.1
-    down, normal = (math.cos(slope), -math.sin(slope)), (math.sin(slope), math.cos(slope))
+    down, normal = _incline(slope)
     end = length * math.sin(slope)
     accelerations = {name: speed(end) ** 2 / (2 * length) for name, speed in speeds.items()}
     time = math.sqrt(2 * length / min(accelerations.values()))
@@ -402,29 +436,25 @@ def race(speeds, slope, length=2.0):
         ground = Frame("ground")
         sketch = Sketch(ax, ground, plane="xy")
         for n, (name, a) in enumerate(accelerations.items()):
-            s, low = min(a * t * t / 2, length), -0.5 * n
-
-            def place(x, y, low=low):
-                return x * down[0] + y * normal[0], low + x * down[1] + y * normal[1], 0
-
-            sketch.road([place(-0.15, 0), place(length + 0.15, 0)])
+            s, start = min(a * t * t / 2, length), (0, -0.5 * n, 0)
+            top, C = moved(start, -0.15, down), on_plane(start, s, down, R, normal)
+            sketch.road([top, moved(start, length + 0.15, down)])
             if name == "block":
-                sketch.box(place(s, R), ground.rotate("slope", "-z", slope), (2 * R, 2 * R, R))
+                sketch.box(C, ground.rotate("slope", "-z", slope), (2 * R, 2 * R, R))
             else:
                 hole = 0.8 * R if name == "hoop" else 0
-                rim = place(s + R * math.sin(s / R), R + R * math.cos(s / R))
-                sketch.disk(place(s, R), (0, 0, 1), R, spoke=rim, hole=hole)
-            sketch.label(place(-0.15, 0), name, offset=(-26, 4))
+                sketch.disk(C, (0, 0, 1), R, on_circle(C, normal, down, R, s / R), hole=hole)
+            sketch.label(top, name, offset=(-26, 4))
 
     return animate(
         draw,
-        [time * n / 24 for n in range(25)],
+        evenly(0, time, 25),
         alt="A block without friction, a sphere, a cylinder and a hoop start together down equal "
         "inclines. The block is first, then the sphere, the cylinder, and last the hoop.",
     )
 
 
-def top_energies(I0, I, mgr, spin):
+def top_energies(I0: float, I: float, mgr: float, spin: float) -> None:
     """Figure 11.11: the terms of the energy of a top that is let go with its axis at rest."""
     motion = integrate(euler(I0, I, mgr, spin), 1.0, (0.0, 0.6, 0.0, 0.0, 0.0), samples=201)
     s = motion.states
@@ -447,7 +477,7 @@ def top_energies(I0, I, mgr, spin):
     )
 
 
-def pendulum_levels(m, I, l):
+def pendulum_levels(m: float, I: float, l: float) -> None:
     """Figure 11.12: the potential of a pendulum, a level of its energy, and the motion there."""
     swing = prepare(physical_pendulum(m, I, l, G_SI))
     angles = evenly(-180, 180, 181)
@@ -457,15 +487,15 @@ def pendulum_levels(m, I, l):
         E = (I + m * l * l) * omega0**2 / 2 - depth
         top = 2000 if depth < E else 200
         V = [-depth * math.cos(math.radians(x)) for x in angles]
-        axes[0].plot(angles, V, color=COLOURS[0], label="V")
+        axes[0].plot(angles, V, color=BLUE, label="V")
         axes[0].axhline(E, color="black", ls="--", label="E")
-        look = {"color": COLOURS[2], "alpha": 0.3, "label": "T = E − V"}
+        look = {"color": GREEN, "alpha": 0.3, "label": "T = E − V"}
         axes[0].fill_between(angles, V, E, where=[x < E for x in V], **look)
         axes[0].set(xlabel="θ (°)", ylabel="J", xlim=(-180, 180), ylim=(-1.3 * depth, 3.6 * depth))
         axes[0].legend(frameon=False, fontsize=9, loc="upper left", ncols=3)
         t = evenly(0, 4, 161)
         theta = [math.degrees(swing(x, (0.0, omega0))[0]) for x in t]
-        axes[1].plot(t, theta, color=COLOURS[0])
+        axes[1].plot(t, theta, color=BLUE)
         axes[1].set(xlabel="t (s)", ylabel="θ (°)", ylim=(-200, top))
 
     interactive_figure(
@@ -490,7 +520,12 @@ def pendulum_levels(m, I, l):
     size=(9, 3.6),
     panels=(1, 2),
 )
-def two_carts(axes, carts, period, t):
+def two_carts(
+    axes: Sequence[AnyAxes],
+    carts: Callable[[float], tuple[float, float, Mapping[str, float]]],
+    period: float,
+    t: float,
+) -> None:
     """Figure 11.13: two carts pushed apart by a spring; ``carts(t)`` gives x1, x2 and energies."""
     x1, x2, energies = carts(0.01 * t * period)
     ground = Frame("ground")
@@ -513,7 +548,9 @@ def two_carts(axes, carts, period, t):
     "cube; the sum is the heavy line.",
     size=(7, 4.2),
 )
-def powers_of_a_car(ax, powers, a, slope):
+def powers_of_a_car(
+    ax: AnyAxes, powers: Callable[[float, float, float], Amount], a: float, slope: float
+) -> None:
     """Figure 11.14: the power at the wheels against the speed, from ``powers(v, a, slope)``."""
     v = evenly(0.5, 40, 80)
     found = [powers(x, a, math.atan(slope / 100)) for x in v]

@@ -1,10 +1,13 @@
 """Places along a curve, and states along a motion, for figures that a browser draws without NumPy."""
 
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from newton_euler import Model, integrate
+from newton_euler.algebra.late import mpmath
+from newton_euler.algebra.scalars import Scalar, Triple
+from newton_euler.kinematics.paths import Path
 
 
 def evenly(first: float, last: float, count: int) -> list[float]:
@@ -14,6 +17,11 @@ def evenly(first: float, last: float, count: int) -> list[float]:
     [0.0, 0.25, 0.5, 0.75, 1.0]
     """
     return [first + (last - first) * n / (count - 1) for n in range(count)]
+
+
+def parts(v: Iterable[Scalar]) -> Triple:
+    """The components of a vector, or the coordinates of a place, as floats."""
+    return tuple(map(float, v))
 
 
 def states_over(model: Model, time: float, start: tuple[float, ...], count: int) -> list[tuple]:
@@ -26,6 +34,12 @@ def states_over(model: Model, time: float, start: tuple[float, ...], count: int)
     motion: Any = integrate(model, time, start)
     state_at = motion.segments[0].stepper.state_at
     return [state_at(t) for t in evenly(0.0, time, count)]
+
+
+def second_derivative(path: Path, t: float) -> list[Scalar]:
+    """The second derivative of each coordinate of ``path`` at t, from 50 digits."""
+    with mpmath.workdps(50):
+        return [mpmath.diff(lambda s, n=n: path(s)[n], mpmath.mpf(t), 2) for n in range(3)]
 
 
 def level_lines(

@@ -2,17 +2,26 @@
 
 from collections.abc import Callable
 from functools import update_wrapper
-from typing import Any
+from typing import Any, Protocol
 
 from newton_euler.classroom import Slider, interactive_figure
 
 
-def with_sliders(*sliders: Slider, **options: Any) -> Callable:
-    """A decorator of ``draw(ax, *given, **values)``: the function that it makes takes what is
-    ``given``, as a mechanism that the notebook builds, and shows an interactive figure.
+class SliderFigure(Protocol):
+    """A function that shows ``draw(ax, *given, **values)`` as an interactive figure, from what is
+    ``given``, as a mechanism that the notebook builds.
+    """
 
-    Arguments and options are those of :func:`newton_euler.classroom.interactive_figure`. The figure
-    keeps them as attributes: ``draw``, ``sliders``, ``options``.
+    draw: Callable[..., None]
+    sliders: tuple[Slider, ...]
+    options: dict[str, Any]  # those of :func:`newton_euler.classroom.interactive_figure`
+
+    def __call__(self, *given: object, **named: object) -> None: ...
+
+
+def with_sliders(*sliders: Slider, **options: Any) -> Callable[[Callable[..., None]], SliderFigure]:
+    """A decorator of ``draw(ax, *given, **values)``, which makes a :class:`SliderFigure` of it.
+    Arguments and options are those of :func:`newton_euler.classroom.interactive_figure`.
 
     >>> @with_sliders(Slider("tilt", 30, 0, 90, 5), alt="a boom that is raised")
     ... def crane(ax, build, tilt):

@@ -56,8 +56,6 @@ def follow_in_base(p: Problem, key: str, g: Givens, earlier: Mapping[str, Sequen
 
 def _nested(p, name, numbers, frame):
     kind = p.answer(name).kind
-    if kind.is_word:
-        return numbers[0]
     return frame.vector(*numbers) if kind.is_vector else kind.nested(numbers)
 
 

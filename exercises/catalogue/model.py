@@ -7,7 +7,7 @@ import importlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Protocol, cast
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, cast
 
 from newton_euler.algebra.late import sympy
 from newton_euler.algebra.scalars import Scalar, integer_like, is_numeric, scalar
@@ -141,21 +141,29 @@ class Givens:
         return unit(self._units[name]).from_base(self._values[name], self._system)
 
 
+# {answer: a scalar, Vector, matrix, pair or word, or a function that returns a word}
+Answers: TypeAlias = dict[str, Any]
+Mistakes: TypeAlias = dict[str, Answers]  # {mistake: the wrong answers that it gives}
+Follows: TypeAlias = dict[str, Callable[..., Any]]  # {later answer: function of g, earlier answers}
+Solve: TypeAlias = Callable[[Givens], Answers]  # or prove
+Draw: TypeAlias = Callable[[Givens, "AnyAxes"], None]
+
+
 class Code(Protocol):
     """The functions of a problem's module, over scalars of any kind; ``steps(g)`` and ``follows``
     are optional, and ``draw`` goes with a figure.
     """
 
-    follows: Mapping[str, Callable[..., Any]]
+    follows: Follows
 
-    def solve(self, g: Givens) -> dict[str, Any]:
+    def solve(self, g: Givens) -> Answers:
         """The answers, by the engine."""
 
-    def prove(self, g: Givens) -> dict[str, Any]:
+    def prove(self, g: Givens) -> Answers:
         """The answers, and perhaps steps, in another way."""
 
-    def mistakes(self, g: Givens) -> dict[str, dict[str, Any]]:
-        """{mistake: the wrong answers that it gives}."""
+    def mistakes(self, g: Givens) -> Mistakes:
+        """The wrong answers, by mistake."""
 
     def draw(self, g: Givens, ax: "AnyAxes") -> None:
         """The figure."""
@@ -285,12 +293,12 @@ class Problem:
         pure = self.base(dict.fromkeys(self.units, 1.0))
         return pure.but(**{n: unit(u).dimension for n, u in self.units.items()})
 
-    def in_units(self, results: Mapping[str, Any]) -> dict[str, Any]:
+    def in_units(self, results: Mapping[str, Any]) -> Answers:
         """Results of the code in the units of the answers; Vectors keep terms, functions stay."""
         form = lambda key: self.answer(key).form
         return {key: in_unit(x, form(key), self.system) for key, x in results.items()}
 
-    def solve(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> dict[str, Any]:
+    def solve(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> Answers:
         """The answers, by the engine, for ``values`` in the units of the text: {key: number,
         Vector, matrix, pair or word}; ``one`` as for :meth:`base`.
         """
@@ -304,7 +312,7 @@ class Problem:
         (found,) = self._with_words(lambda g: [self.code.solve(g)], [results], values, one)
         return found
 
-    def wrong(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> dict[str, dict[str, Any]]:
+    def wrong(self, values: Mapping[str, Scalar], one: Scalar = 1.0) -> Mistakes:
         """The answers by each listed mistake: {mistake: {key: as from :meth:`solve`}}."""
         results = self.code.mistakes(self.base(values, one))
         compute = lambda g: self.code.mistakes(g).values()
@@ -334,7 +342,7 @@ class Problem:
             if self.answer(k).kind.is_word
         }
 
-    def formulas(self) -> dict[str, Any]:
+    def formulas(self) -> Answers:
         """The answers with SymPy symbols and the book's givens, exact (3/2) for a formula."""
         given = self.book_values
         if self.symbolic:

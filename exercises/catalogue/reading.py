@@ -4,7 +4,8 @@ import contextlib
 import importlib
 import re
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextvars import ContextVar
 from functools import cache
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from .errors import meant
 from .format import read_chapter, read_problem
 from .loading import load, not_yaml
 from .model import CatalogueError, Chapter, Problem, folder_and_file
-from .places import EXERCISES, changes, files_at, home, homes
+from .places import EXERCISES, changes, files_at, home, homes, of_the_book
 from .translations import translated, translated_chapter
 
 
@@ -58,9 +59,31 @@ def problem(problem_id: str) -> Problem:
     """The problem ``problem("4/16")``, in the reader's language; only its own file is read. It is
     the same object until one of its files changes, so what is computed of it is kept by the object.
     """
+    known, number = _known.get({}), str(problem_id)
+    if number not in known:
+        known[number] = _found(number)
+    return translated(known[number])
+
+
+_known: ContextVar[dict[str, Problem]] = ContextVar("problems read so far")
+
+
+@contextlib.contextmanager
+def read_once() -> Iterator[None]:
+    """Within it, and in its thread, a change of a problem's files is not noticed: all that is done
+    is by the files of one moment, and they are looked at once.
+    """
+    token = _known.set({})
+    try:
+        yield
+    finally:
+        _known.reset(token)
+
+
+def _found(problem_id):
     name, stem = folder_and_file(problem_id)
     if (home(name) / f"{stem}.yaml").exists():
-        return translated(_problem_at(name, stem))
+        return _problem_at(name, stem)
     if name in chapters():
         raise CatalogueError(
             f"there is no problem {problem_id}; {name} has {problems(name)[0].id} to "
@@ -110,7 +133,7 @@ def _selected(name):
 
 def forget() -> None:
     """Clear the caches, so that files are read again."""
-    for kept in (homes, _chapter, _read_problem):
+    for kept in (of_the_book, homes, _chapter, _read_problem):
         kept.cache_clear()
 
 
@@ -137,11 +160,11 @@ def _read_problem(path: Path, files: tuple) -> Problem:
 def _forget_code(name, stem):
     """Let the code of a problem be imported again, and what the chapter of a course shares."""
     chapter = f"exercises.{name}"
-    of_the_book = home(name).parent == EXERCISES
+    of_a_course = home(name).parent != EXERCISES
     importlib.invalidate_caches()
     for module in list(sys.modules):
         if module == f"{chapter}.{stem}" or (
-            not of_the_book and f"{module}.".startswith(f"{chapter}.")
+            of_a_course and f"{module}.".startswith(f"{chapter}.")
         ):
             del sys.modules[module]
 

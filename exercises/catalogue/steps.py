@@ -15,10 +15,10 @@ steps too, by their keys.
 """
 
 import random
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any
+from typing import Any, TypeAlias
 
 from newton_euler.algebra import scalars
 from newton_euler.algebra.language import Words
@@ -31,7 +31,7 @@ from newton_euler.answers.kinds import KINDS, Kind
 
 from .book_equations import own_number
 from .errors import meant
-from .model import CatalogueError, Givens, Problem
+from .model import CatalogueError, Draw, Givens, Problem, Solve
 from .variants import drawn_value, flat, symbol_values
 from .wording import term_text
 from .words import word
@@ -84,9 +84,12 @@ class Step:
         return len(flat(self.value)) == self.kind.length and not isinstance(self.value, str)
 
 
-def terms(
-    vector: Vector, key: str, stated_in: str, section: str = "", number: str = ""
-) -> Iterator[Step]:
+Steps: TypeAlias = Iterable[Step]  # in the order of the solution
+StepsOf: TypeAlias = Callable[[Givens], Steps]
+Functions: TypeAlias = tuple[Solve, StepsOf, Solve, Draw]  # solve, steps, prove and draw
+
+
+def terms(vector: Vector, key: str, stated_in: str, section: str = "", number: str = "") -> Steps:
     """The nonzero named terms of a velocity, an acceleration or another sum as steps
     ``a_D_coriolis`` and so on. ``number``: of the equation, where the chapter's differs from the
     engine's, as (2.25) for (4.18).

@@ -1,10 +1,14 @@
 """The ride of 3/19 to 3/24: cars on hinged arms R and a wavy track (h/2)(1 - cos(2 theta))."""
 
+from collections.abc import Sequence
+
+from exercises.annotations import AnyAxes, Functions, Givens, Number, Path, Scalar, Steps, Triple
 from exercises.tools import Sketch, Step, mp, proofs, rate, second_rate, size, terms
 from newton_euler import Frame, asin, cos, cylindrical, moving, pi, sin, spherical, sqrt
+from newton_euler.kinematics.coordinates import CoordinatePoint
 
 
-def problem_of(key, names, in_spherical=False):
+def problem_of(key: str, names: Sequence[str], in_spherical: bool = False) -> Functions:
     """``solve``, ``steps``, ``prove`` and ``draw`` of the velocity "v" or acceleration "a" of the
     car, in cylindrical or spherical components; ``names``: of the :func:`steps`.
     """
@@ -29,7 +33,7 @@ def problem_of(key, names, in_spherical=False):
     return solve, all_steps, prove, lambda g, ax: figure(g, ax, in_spherical)
 
 
-def coordinates(g):
+def coordinates(g: Givens) -> tuple[Scalar, Scalar, Scalar, Scalar]:
     """r, theta, z and phi of the car at theta = pi/4, moving: r^2 + z^2 = R^2, R sin(phi) = z."""
     theta = moving(pi(g.R) / 4, rate=g.omega)
     z = g.h / 2 * (1 - cos(2 * theta))
@@ -42,14 +46,14 @@ def coordinates(g):
     return moving(r, r_dot, r_ddot), theta, z, moving(phi, phi_dot, phi_ddot)
 
 
-def car(g):
+def car(g: Givens) -> tuple[Frame, CoordinatePoint, CoordinatePoint]:
     """Ground, with z up, and the car in cylindrical and in spherical coordinates."""
     ground = Frame("ground")
     r, theta, z, phi = coordinates(g)
     return (ground, cylindrical(ground, "P", r, theta, z), spherical(ground, "P", g.R, theta, phi))
 
 
-def steps(g, section, *names):
+def steps(g: Givens, section: str, *names: str) -> Steps:
     """The named ones of r, z, phi and their rates as steps."""
     r, _, z, phi = coordinates(g)
     means = {
@@ -75,7 +79,7 @@ def steps(g, section, *names):
         yield Step(name, *means[name], section, "3.24" if name == "sin_phi" else "")
 
 
-def car_in_time(g):
+def car_in_time(g: Givens) -> Path:
     """Proof: position of the car over time, theta = pi/4 at t = 0."""
 
     def P(t):
@@ -87,10 +91,10 @@ def car_in_time(g):
     return P
 
 
-def proved_steps(g, *names):
+def proved_steps(g: Givens, *names: str) -> dict[str, Number]:
     """Proof: the named ones of r, z, phi and their rates."""
     P = car_in_time(g)
-    found = {}
+    found: dict[str, Number] = {}
     for name, of in {
         "r": lambda place: mp.hypot(place[0], place[1]),
         "z": lambda place: place[2],
@@ -102,14 +106,14 @@ def proved_steps(g, *names):
     return {name: found[name] for name in names}
 
 
-def on_track(g, theta):
+def on_track(g: Givens, theta: Scalar) -> Triple:
     """A place on the track."""
     z = g.h / 2 * (1 - cos(2 * theta))
     r = sqrt(g.R**2 - z**2)
     return r * cos(theta), r * sin(theta), z
 
 
-def figure(g, ax, elevation_angle):
+def figure(g: Givens, ax: AnyAxes, elevation_angle: bool) -> None:
     """The ride, its track, theta, and the height of a car or the elevation of its arm."""
     ground, C, P = car(g)
     s = Sketch(ax, ground, azimuth=12, elevation=33)
@@ -139,7 +143,7 @@ def figure(g, ax, elevation_angle):
     s.label(O, "O")
 
 
-def section(g, ax):
+def section(g: Givens, ax: AnyAxes) -> None:
     """The vertical plane of a car's arm, with the unit vectors of both coordinate systems."""
     ground, C, P = car(g)
     s = Sketch(ax, C.local, plane="xz")

@@ -4,30 +4,40 @@ A machine is a pulley: its name, its radius, and for each end of its rope the le
 its load, the name of a mass or another pulley.
 """
 
-from exercises.tools import Step
+from collections.abc import Callable, Collection, Iterable, Sequence
+from typing import TypeAlias
+
+from exercises.annotations import Mistakes, Scalar, Steps
+from exercises.tools import Sketch, Step
+from newton_euler import Frame
+from newton_euler.answers.kinds import KINDS
 from newton_euler.dynamics import degrees_of_freedom
+from newton_euler.dynamics.constraints import Freedom
+
+Machine: TypeAlias = tuple[str, Scalar, "Run", "Run"]
+Run: TypeAlias = tuple[Scalar, str | Machine]
 
 SIZE = 0.45  # size of a mass
 
 
-def rope(pulley, left, right):
+def rope(pulley: Sequence[Scalar], left: Sequence[Scalar], right: Sequence[Scalar]) -> Scalar:
     """A constraint for ``degrees_of_freedom``: the rope keeps its length."""
     return left[0] + right[0] - 2 * pulley[0]
 
 
-def count(names, **ropes):
+def count(names: Iterable[str], **ropes: Callable[..., Scalar]) -> Freedom:
     """Degrees of freedom of the named parts, which move vertically, with these ropes."""
     return degrees_of_freedom(dict.fromkeys(names, 1), ropes)
 
 
-def steps_to_count(heights, ropes, phrase):
+def steps_to_count(heights: Iterable[str], ropes: Collection[str], phrase: str) -> Steps:
     """Heights and ropes; ``phrase`` describes the heights."""
-    yield Step("heights", count(heights).unknowns, "1", phrase, "5.11", kind="count")
+    yield Step("heights", count(heights).unknowns, "1", phrase, "5.11", kind=KINDS["count"])
     yield Step("ropes", len(ropes), "1", "constraints: each rope keeps its length", "5.11", "5.28",
-               kind="count")  # fmt: skip
+               kind=KINDS["count"])  # fmt: skip
 
 
-def miscounts(masses, heights, ropes):
+def miscounts(masses: Iterable[str], heights: Iterable[str], ropes: Collection[str]) -> Mistakes:
     """Wrong counts of degrees of freedom."""
     return {
         "no_pulleys": {"dof": count(masses).count - len(ropes)},
@@ -36,7 +46,7 @@ def miscounts(masses, heights, ropes):
     }
 
 
-def draw_machine(s, frame, machine):
+def draw_machine(s: Sketch, frame: Frame, machine: Machine) -> None:
     """The machine in the (x, z) plane of ``frame``, under a ceiling."""
     radius = machine[1]
     z = 1.6 * radius

@@ -1,12 +1,17 @@
 """The bar of 4/12 and 4/13, on a rod that moves about a ball joint at its foot."""
 
 import math
+from collections.abc import Callable
+from typing import TypeAlias
 
+from exercises.annotations import Answers, AnyAxes, Givens, Mistakes, Scalar, Steps
 from exercises.tools import Sketch, Step, in_frame, minus, mp, rate, rot, size, times
-from newton_euler import Frame, solve_rates
+from newton_euler import Frame, Point, Vector, solve_rates
+
+Assembly: TypeAlias = tuple[Frame, Frame, Point, Point]  # ground, body, A, D
 
 
-def assembly(g, omega_y, omega_z):
+def assembly(g: Givens, omega_y: Scalar, omega_z: Scalar) -> Assembly:
     """Ground with y up, the body with its three rates at the instant, and its points A and D."""
     ground = Frame("ground")
     body = ground
@@ -16,7 +21,7 @@ def assembly(g, omega_y, omega_z):
     return ground, body, A, D
 
 
-def moving_so_that(g, conditions):
+def moving_so_that(g: Givens, conditions: Callable[[Vector], tuple[Scalar, Scalar]]) -> Assembly:
     """The assembly with the rates about y and z at which the ``conditions`` on v_A vanish."""
 
     def violated(omega_y, omega_z):
@@ -26,28 +31,28 @@ def moving_so_that(g, conditions):
     return assembly(g, *solve_rates(violated, 2))
 
 
-def joint_motion(g):
+def joint_motion(g: Givens) -> Assembly:
     """The assembly with the given x and y components of the velocity of A."""
     return moving_so_that(g, lambda v_A: (v_A.x - g.v_Ax, v_A.y - g.v_Ay))
 
 
-def answers(ground, body, A, D):
+def answers(ground: Frame, body: Frame, A: Point, D: Point) -> Answers:
     """The answers of both problems, for this motion."""
     return in_frame(ground, {"omega": body.angular_velocity(ground), "v_D": D.velocity(ground)})
 
 
-def solve(g):
+def solve(g: Givens) -> Answers:
     return answers(*joint_motion(g))
 
 
-def v_D(g, omega):
+def v_D(g: Givens, omega: Vector) -> Vector:
     return omega.cross(omega.frame.vector(-g.x_A / 2, g.h, -g.z_A / 2))
 
 
 follows = {"v_D": v_D}
 
 
-def steps(g):
+def steps(g: Givens) -> Steps:
     """The components of v_A = omega x r_A, one by one."""
     ground, body, A, D = joint_motion(g)
     omega = body.angular_velocity(ground).expressed_in(ground)
@@ -59,7 +64,7 @@ def steps(g):
     yield Step("r_D", D.position(body).expressed_in(ground), "in", "position of D from O", "4.4")
 
 
-def prove(g):
+def prove(g: Givens) -> Answers:
     """A steady rotation about one axis; two rates follow from numerical velocities."""
     A, D = [g.x_A, g.h, g.z_A], [-g.x_A / 2, g.h, -g.z_A / 2]
 
@@ -78,7 +83,7 @@ def prove(g):
     return {"omega": [g.omega_x, y, z], "v_D": velocity(D, y, z)} | found
 
 
-def mistakes(g):
+def mistakes(g: Givens) -> Mistakes:
     reverse = solve(g.but(v_Ax=-g.v_Ax, v_Ay=-g.v_Ay))  # r x omega = v_A
     return {
         "r_cross_omega": {"omega": reverse["omega"], "v_D": -reverse["v_D"]},
@@ -87,7 +92,7 @@ def mistakes(g):
     }
 
 
-def draw(g, ax):
+def draw(g: Givens, ax: AnyAxes) -> None:
     ground, body, A, D = joint_motion(g)
     O, B = body.point("O", 0, 0, 0), body.point("B", 0, g.h, 0)
     corner = ground.point("", g.x_A, g.h, 0)

@@ -1,13 +1,16 @@
 """The plate of 5/14 and 7/14, bent along y at O, with a hole and a round top."""
 
+from exercises.annotations import AnyAxes, Givens, Scalar
 from exercises.tools import Sketch
-from newton_euler import Frame
+from newton_euler import Body, Frame
 from newton_euler.bodies import disk, half_disk, plate
 
 PART = Frame("part")
 
 
-def parts(g, radius=None, foot=None):
+def parts(
+    g: Givens, radius: Scalar | None = None, foot: Scalar | None = None
+) -> tuple[list[Body], list[Body]]:
     """Two rectangles and the half disk, of ``radius`` with its edge at ``foot``; and the hole."""
     radius, foot = g.w / 2 if radius is None else radius, g.h_v if foot is None else foot
     middle = PART.point("middle", g.l_h / 2, g.w / 2, 0)
@@ -24,7 +27,7 @@ def parts(g, radius=None, foot=None):
     )
 
 
-def figure(g, ax):
+def figure(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, PART, azimuth=35, elevation=22)
     O, along, thick = (0, 0, 0), (0, g.w, 0), 0.04 * g.w
     end, far = (g.l_h, 0, 0), (g.l_h, g.w, 0)

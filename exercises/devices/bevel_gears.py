@@ -3,6 +3,7 @@
 The functions are those of both problems; C turns at n_C if it is given.
 """
 
+from exercises.annotations import Answers, AnyAxes, Givens, Steps
 from exercises.tools import Sketch, Step, in_frame, minus, proofs, rot, terms, times
 from newton_euler import Frame, atan, cos, sin, solve_rates
 
@@ -10,7 +11,7 @@ from newton_euler import Frame, atan, cos, sin, solve_rates
 follows = {"alpha_B": lambda g, omega_B: (g.n * omega_B.frame.k).cross(omega_B)}
 
 
-def gears(g):
+def gears(g: Givens) -> tuple[Frame, Frame, Frame]:
     """Ground, the arm turning about z with OA along its y, and gear B, which does not slip on C."""
     ground = Frame("ground")
     arm = ground.rotate("OA", "z", rate=g.n)
@@ -27,14 +28,14 @@ def gears(g):
     return ground, arm, arm.rotate("B", "y", rate=spin)
 
 
-def solve(g):
+def solve(g: Givens) -> Answers:
     """The answers, along the axes of the arm."""
     ground, arm, B = gears(g)
     omega, alpha = B.angular_velocity(ground), B.angular_acceleration(ground)
     return in_frame(arm, {"omega_B": omega, "alpha_B": alpha})
 
 
-def steps(g):
+def steps(g: Givens) -> Steps:
     """The rotation of B on its arm without slip on C."""
     ground, arm, B = gears(g)
     rolling = r"(n_C - n) \tan\gamma" if hasattr(g, "n_C") else r"-n \tan\gamma"
@@ -48,7 +49,7 @@ def steps(g):
     yield from terms(alpha, "alpha_B", "rad/s^2", "4.9")
 
 
-def prove(g):
+def prove(g: Givens) -> Answers:
     """Equal arcs on the pitch circles of B and C, whose radii are as 1 to tan(gamma)."""
 
     def gear_B(t):
@@ -61,7 +62,7 @@ def prove(g):
     return {"omega_B": omega, "alpha_B": proofs.angular_acceleration(gear_B)} | found
 
 
-def draw(g, ax):
+def draw(g: Givens, ax: AnyAxes) -> None:
     """The gears, with a line of contact of length 1, viewed almost normal to their plane."""
     gamma = atan(g.tan_gamma)
     ground = Frame("ground")

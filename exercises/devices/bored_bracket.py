@@ -1,19 +1,20 @@
 """The bracket of 5/9 and 7/9: an L-shaped block with a corner at O, and a bore in its base."""
 
+from exercises.annotations import AnyAxes, Givens, Scalar
 from exercises.tools import Sketch
-from newton_euler import Frame
+from newton_euler import Body, Frame
 from newton_euler.bodies import box, cylinder
 
 BRACKET = Frame("bracket")
 
 
-def block(g, name, x, low, high, density=1):
+def block(g: Givens, name: str, x: Scalar, low: Scalar, high: Scalar, density: Scalar = 1) -> Body:
     """A block from 0 to x, of full width, between two heights."""
     middle = BRACKET.point(name, x / 2, g.l_y / 2, (low + high) / 2)
     return box(x, g.l_y, high - low, middle, "x", density=density, name=name)
 
 
-def parts(g, density=1):
+def parts(g: Givens, density: Scalar = 1) -> tuple[list[Body], list[Body]]:
     axis = BRACKET.point("axis", g.x_h, g.l_y / 2, g.h_b / 2)
     return (
         [
@@ -24,7 +25,7 @@ def parts(g, density=1):
     )
 
 
-def figure(g, ax):
+def figure(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, BRACKET, azimuth=-113, elevation=28)
     O, high = (0, 0, 0), g.h_b + g.h_w
     end, top = (g.l_x, 0, 0), (g.x_h, g.l_y / 2, g.h_b)

@@ -1,11 +1,24 @@
 """The bracket of 4/18, 4/19 turns about the horizontal arm EG, which turns about the vertical."""
 
+from collections.abc import Callable
+
+from exercises.annotations import (
+    Answers,
+    AnyAxes,
+    Givens,
+    Mistakes,
+    Number,
+    Scalar,
+    Solve,
+    Steps,
+    StepsOf,
+)
 from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.tools import Sketch, in_frame, mp, rate, second_rate, terms
-from newton_euler import Frame
+from newton_euler import Frame, Point
 
 
-def arm_and_bracket(g):
+def arm_and_bracket(g: Givens) -> tuple[Frame, Frame, Frame]:
     """Ground with y up; DEG, about y; the bracket, about x along EG, with its origin at C."""
     ground = Frame("ground")
     arm = ground.rotate("DEG", "y", rate=g.omega_2)
@@ -13,7 +26,9 @@ def arm_and_bracket(g):
     return ground, arm, bracket
 
 
-def problem_of(name, out):
+def problem_of(
+    name: str, out: Callable[[Givens], Scalar]
+) -> tuple[Callable[[Givens], tuple[Point, Frame, Frame]], Solve, StepsOf, Solve]:
     """The point ``name`` as a function of g, and ``solve``, ``steps`` and ``prove`` for it; it is
     b up and ``out(g)`` along from C.
     """
@@ -30,13 +45,13 @@ def problem_of(name, out):
     )
 
 
-def motion_by_way_of_arm(P, ground, arm):
+def motion_by_way_of_arm(P: Point, ground: Frame, arm: Frame) -> Answers:
     """The answers for the point P of the bracket."""
     v, a = P.velocity(ground, via=arm), P.acceleration(ground, via=arm)
     return in_frame(ground, {f"v_{P.name}": v, f"a_{P.name}": a})
 
 
-def motion_steps(P, ground, arm):
+def motion_steps(P: Point, ground: Frame, arm: Frame) -> Steps:
     """The motion of P, a point of the bracket, relative to DEG, then the terms of the answers."""
     yield from turning_of(arm, ground, ground, "DEG", "the moving frame, fixed in DEG,")
     yield from seen_in(arm, P, ground, "mm", "DEG", "E")
@@ -45,7 +60,7 @@ def motion_steps(P, ground, arm):
     yield from terms(a, f"a_{P.name}", "mm/s^2", "4.8")
 
 
-def common_mistakes(P, ground):
+def common_mistakes(P: Point, ground: Frame) -> Mistakes:
     """The mistakes of both problems; here the moving frame is the bracket."""
     v, a = P.velocity(ground), P.acceleration(ground)
     return in_frame(ground, {
@@ -55,7 +70,7 @@ def common_mistakes(P, ground):
     })  # fmt: skip
 
 
-def prove(g, name, out):
+def prove(g: Givens, name: str, out: Number) -> Answers:
     """The point goes round the arm, then round y."""
 
     def seen(t):
@@ -72,7 +87,7 @@ def prove(g, name, out):
     return {f"v_{name}": rate(place), f"a_{name}": second_rate(place)} | found
 
 
-def sketch(g, ax, a):
+def sketch(g: Givens, ax: AnyAxes, a: Scalar) -> tuple[Sketch, Point, Point]:
     """The figure of both problems, with the length ``a`` of BA."""
     ground, arm, bracket = arm_and_bracket(g)
     E, C, G, D = (

@@ -5,28 +5,35 @@ The pin is the origin of the ground, x to the right and y up. A ``shape`` makes 
 that turns about the pin.
 """
 
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
+
+from exercises.annotations import Givens, Number, Path, Points, Scalar, Steps
 from exercises.tools import Step, force_needed, kinetic_energy, let_go, mean, rot, times
-from newton_euler import Frame, equations_of_motion, solve_linear
+from newton_euler import Body, Frame, Vector, equations_of_motion, solve_linear
+from newton_euler.algebra import Solution
 from newton_euler.dynamics import mass_from_weight, reaction, weight
 
+Shape: TypeAlias = Callable[[Frame], Body]
 
-def turned(alpha):
+
+def turned(alpha: Scalar) -> tuple[Frame, Frame]:
     """The ground, and the frame of the body, at rest at the instant."""
     ground = Frame("ground")
     return ground, ground.rotate("body", "z", acceleration=alpha)
 
 
-def acceleration_of(place, alpha):
+def acceleration_of(place: Sequence[Scalar], alpha: Scalar) -> Vector:
     """Acceleration in the ground of a point of the body."""
     ground, frame = turned(alpha)
     return frame.point("P", *place).acceleration(ground).expressed_in(ground)
 
 
-def mass(g):
+def mass(g: Givens) -> Scalar:
     return mass_from_weight(g.W, g.g)
 
 
-def falls(g, shape):
+def falls(g: Givens, shape: Shape) -> Solution:
     """alpha about z, and the force R_x, R_y of the pin: a solution of ``solve_linear``."""
 
     def laws(alpha, R_x, R_y):
@@ -41,14 +48,14 @@ def falls(g, shape):
     return solve_linear(laws)
 
 
-def moment_of_weight(g, shape):
+def moment_of_weight(g: Givens, shape: Shape) -> Scalar:
     """The moment of the weight about z through the pin."""
     ground = Frame("ground")
     body = shape(ground)
     return body.centre.position(ground).cross(weight(body, ground.j, g.g)).z
 
 
-def pin_force(g, shape, alpha):
+def pin_force(g: Givens, shape: Shape, alpha: Scalar) -> Vector:
     """The force of the pin on the body for this ``alpha``."""
     ground, frame = turned(alpha)
     body = shape(frame)
@@ -56,7 +63,7 @@ def pin_force(g, shape, alpha):
     return reaction(body.mass, a_G, weight=weight(body, ground.j, g.g))
 
 
-def fall_steps(g, shape, pin):
+def fall_steps(g: Givens, shape: Shape, pin: str) -> Steps:
     """The steps to alpha and to the force of the pin, whose letter is ``pin``."""
     ground, frame = turned(falls(g, shape).alpha)
     body = shape(frame)
@@ -69,7 +76,9 @@ def fall_steps(g, shape, pin):
                "4.8", "4.18")  # fmt: skip
 
 
-def by_energy(g, points, *places):
+def by_energy(
+    g: Givens, points: Points, *places: Sequence[Number]
+) -> tuple[Number, list[Number], *tuple[Path, ...]]:
     """Proof: alpha by energy, the pin force by momentum of ``points``, and ``places`` over time."""
 
     def energy(q, t):
@@ -84,7 +93,7 @@ def by_energy(g, points, *places):
     return alpha, [F_x, F_y + g.W, 0], *map(moves, places)
 
 
-def sums(g, points, pin):
+def sums(g: Givens, points: Points, pin: str) -> dict[str, Number]:
     """Proof: the steps, as sums over the mass points."""
     return {
         f"I_{pin}": g.W / g.g * mean(lambda r: r[0] ** 2 + r[1] ** 2, points),

@@ -1,10 +1,17 @@
 """The collar A on a rod OB that turns in a plane about O (2/19, 2/20), r(t) and theta(t) given."""
 
+from collections.abc import Callable
+from typing import TypeAlias
+
+from exercises.annotations import Answers, AnyAxes, Functions, Givens, Mistakes, Scalar, Steps
 from exercises.tools import Sketch, Step, mp, rate, rot, second_rate, terms, times
 from newton_euler import Frame, moving, polar
+from newton_euler.kinematics.coordinates import CoordinatePoint
+
+InTime: TypeAlias = Callable[[Givens, Scalar], Scalar]  # a coordinate
 
 
-def moving_by(r, theta):
+def moving_by(r: InTime, theta: InTime) -> Functions:
     """``solve``, ``steps``, ``prove`` and ``draw`` for functions ``r``, ``theta`` of (g, t)."""
     return (
         lambda g: motion(g, r, theta),
@@ -14,32 +21,32 @@ def moving_by(r, theta):
     )
 
 
-def collar(g, r, theta):
+def collar(g: Givens, r: InTime, theta: InTime) -> tuple[Frame, CoordinatePoint]:
     """Ground and collar at the time t_1."""
     ground, t = Frame("ground"), moving(g.t_1, rate=1)
     return ground, polar(ground, "A", r(g, t), theta(g, t))
 
 
-def motion(g, r, theta):
+def motion(g: Givens, r: InTime, theta: InTime) -> Answers:
     """The answers, along e_r, e_theta."""
     ground, A = collar(g, r, theta)
     return {"v": A.velocity(ground), "a": A.acceleration(ground)}
 
 
-def steps(g, r, theta):
+def steps(g: Givens, r: InTime, theta: InTime) -> Steps:
     """The coordinates and their rates, then the terms of the answers."""
     ground, A = collar(g, r, theta)
-    r, theta = A.coordinates
-    yield Step("r", r.value, "m", "distance of the collar from O", "2.6")
-    yield Step("r_dot", r.rate, "m/s", "its rate", "2.6")
-    yield Step("r_ddot", r.acceleration, "m/s^2", "its second rate", "2.6")
-    yield Step("theta_dot", theta.rate, "rad/s", "rate of the angle", "2.6")
-    yield Step("theta_ddot", theta.acceleration, "rad/s^2", "its second rate", "2.6")
+    distance, angle = A.coordinates
+    yield Step("r", distance.value, "m", "distance of the collar from O", "2.6")
+    yield Step("r_dot", distance.rate, "m/s", "its rate", "2.6")
+    yield Step("r_ddot", distance.acceleration, "m/s^2", "its second rate", "2.6")
+    yield Step("theta_dot", angle.rate, "rad/s", "rate of the angle", "2.6")
+    yield Step("theta_ddot", angle.acceleration, "rad/s^2", "its second rate", "2.6")
     yield from terms(A.velocity(ground), "v", "m/s", "2.6")
     yield from terms(A.acceleration(ground), "a", "m/s^2", "2.6")
 
 
-def prove(g, r, theta):
+def prove(g: Givens, r: InTime, theta: InTime) -> Answers:
     """The path in fixed axes, differentiated, then resolved along and across the rod."""
     place = lambda t: times(rot("z", theta(g, t)), [r(g, t), 0, 0])
     along_rod = lambda vector: times(rot("z", -theta(g, g.t_1)), vector)
@@ -51,7 +58,7 @@ def prove(g, r, theta):
     }
 
 
-def common_mistakes(g, r, theta):
+def common_mistakes(g: Givens, r: InTime, theta: InTime) -> Mistakes:
     a = motion(g, r, theta)["a"]
     return {
         "no_coriolis": {"a": a.without("coriolis")},
@@ -60,11 +67,11 @@ def common_mistakes(g, r, theta):
     }
 
 
-def sketch(g, ax, r):
+def sketch(g: Givens, ax: AnyAxes, r: InTime) -> None:
     """The rod at 35 degrees, with the collar at its distance at t_1."""
     ground, size = Frame("ground"), r(g, g.t_1)
     rod = ground.rotate("rod", "z", 0.6)
-    O, A, B = (rod.point(*P, 0, 0) for P in (("O", 0), ("A", size), ("B", 1.7 * size)))
+    O, A, B = (rod.point(name, x, 0, 0) for name, x in (("O", 0), ("A", size), ("B", 1.7 * size)))
     s = Sketch(ax, ground, plane="xy")
     s.line(O, (1.3 * size, 0, 0))
     x, y = 0.13 * size, 0.07 * size

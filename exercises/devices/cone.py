@@ -2,23 +2,24 @@
 
 import math
 
+from exercises.annotations import AnyAxes, Givens, Number, Scalar
 from exercises.tools import Sketch, mp
 from newton_euler import Frame
 
 CONE = Frame("cone")
 
 
-def radius(g, z):
+def radius(g: Givens, z: Scalar) -> Scalar:
     return g.r * z / g.h
 
 
-def tube(g, s):
+def tube(g: Givens, s: Number) -> tuple[Number, Number, Number]:
     """Proof, for the thin tube of radius s: volume per ds, height of its lower end, length."""
     low = g.h * s / g.r
     return 2 * mp.pi * s * (g.h - low), low, g.h - low
 
 
-def figure(g, ax):
+def figure(g: Givens, ax: AnyAxes) -> None:
     """The cone in outline, with the disk in it visible."""
     azimuth, elevation = -60, 18
     s = Sketch(ax, CONE, azimuth=azimuth, elevation=elevation)

@@ -5,21 +5,36 @@ at P about +y, the bracket at omega about +z; the disk's centre is on the axle, 
 the rim, A is at the top and B at the side on +x.
 """
 
+from typing import TypeAlias
+
+from exercises.annotations import (
+    Answers,
+    AnyAxes,
+    Follows,
+    Functions,
+    Givens,
+    Mistakes,
+    Number,
+    Scalar,
+    Steps,
+)
 from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, spun, terms
-from newton_euler import Frame
+from newton_euler import Frame, Point, Vector
+
+Frames: TypeAlias = tuple[Frame, Frame, Frame]  # ground, bracket, disk
 
 # on the rim: at the top, and at the side on +x; C and D are those of 4/42 and 4/43
 PLACES = {"A": (0, 0, 1), "B": (1, 0, 0), "C": (0, 0, 1), "D": (1, 0, 0)}
 
 
-def data(g):
+def data(g: Givens) -> tuple[tuple[Scalar, Scalar], tuple[Scalar, Scalar], Scalar]:
     """(rate, acceleration) of the bracket and of the disk, and the offset b; zero if not given."""
     omega = g.omega_b if hasattr(g, "omega_b") else g.omega
     return (omega, getattr(g, "omega_dot", 0)), (g.P, getattr(g, "P_dot", 0)), getattr(g, "b", 0)
 
 
-def disk_in_bracket(g):
+def disk_in_bracket(g: Givens) -> Frames:
     """The frames (ground, bracket, disk); the origin of the disk is its centre."""
     (omega, omega_dot), (P, P_dot), b = data(g)
     ground = Frame("ground")
@@ -28,7 +43,7 @@ def disk_in_bracket(g):
     return ground, bracket, bracket.rotate("disk", "y", rate=P, acceleration=P_dot, origin=C)
 
 
-def rim_problem(name):
+def rim_problem(name: str) -> Functions:
     """``solve``, ``steps``, ``prove`` and ``draw`` of the motion of A or B."""
     return (
         lambda g: rim_motion(disk_in_bracket(g), name, g.r),
@@ -38,7 +53,7 @@ def rim_problem(name):
     )
 
 
-def whole_problem(name):
+def whole_problem(name: str) -> tuple[*Functions, Follows]:
     """The same, and ``follows``, of the motion of the disk and of A or B."""
     return (
         lambda g: all_motion(disk_in_bracket(g), name, g.r),
@@ -49,24 +64,24 @@ def whole_problem(name):
     )
 
 
-def from_centre(name, r):
+def from_centre(name: str, r: Scalar) -> list[Scalar]:
     """The components from the centre to a point of the rim."""
     return [r if e else 0 for e in PLACES[name]]
 
 
-def rim_point(disk, name, r):
+def rim_point(disk: Frame, name: str, r: Scalar) -> Point:
     """The point of the rim, fixed in the disk."""
     return disk.point(name, *from_centre(name, r))
 
 
-def turning(frames):
+def turning(frames: Frames) -> Answers:
     """The disk's angular velocity and acceleration in the ground, along the bracket's axes."""
     ground, bracket, disk = frames
     omega, alpha = disk.angular_velocity(ground), disk.angular_acceleration(ground)
     return in_frame(bracket, {"omega_disk": omega, "alpha_disk": alpha})
 
 
-def rim_motion(frames, name, r):
+def rim_motion(frames: Frames, name: str, r: Scalar) -> Answers:
     """Velocity and acceleration of A or B, along the bracket's axes, via the bracket."""
     ground, bracket, disk = frames
     S = rim_point(disk, name, r)
@@ -74,21 +89,21 @@ def rim_motion(frames, name, r):
     return {f"v_{name}": v, f"a_{name}": a}
 
 
-def all_motion(frames, name, r):
+def all_motion(frames: Frames, name: str, r: Scalar) -> Answers:
     return turning(frames) | rim_motion(frames, name, r)
 
 
-def solve_turning(g):
+def solve_turning(g: Givens) -> Answers:
     return turning(disk_in_bracket(g))
 
 
-def turning_steps(g):
+def turning_steps(g: Givens) -> Steps:
     omega, alpha = solve_turning(g).values()
     yield from terms(omega, "omega_disk", "rad/s", "4.9")
     yield from terms(alpha, "alpha_disk", "rad/s^2", "4.9")
 
 
-def rim_steps(g, name):
+def rim_steps(g: Givens, name: str) -> Steps:
     """The motion of A or B relative to the bracket, then the terms of velocity and acceleration."""
     ground, bracket, disk = frames = disk_in_bracket(g)
     length, start = ("mm", "O") if hasattr(g, "b") else ("m", "the disk's centre")
@@ -101,14 +116,14 @@ def rim_steps(g, name):
     yield from terms(a, f"a_{name}", f"{length}/s^2", "4.8")
 
 
-def alpha_disk(g, omega_disk):
+def alpha_disk(g: Givens, omega_disk: Vector) -> Vector:
     """alpha from omega, along the axes of the bracket, which turn about z."""
     (omega, omega_dot), (_, P_dot), _ = data(g)
     frame = omega_disk.frame
     return frame.vector(0, P_dot, omega_dot) + (omega * frame.k).cross(omega_disk)
 
 
-def rim_from_turning(name):
+def rim_from_turning(name: str) -> Follows:
     """``follows`` of the velocity and the acceleration of A or B, by the disk as a rigid body."""
     r = lambda g, frame: frame.vector(*from_centre(name, g.r))
 
@@ -126,7 +141,7 @@ def rim_from_turning(name):
     return {f"v_{name}": v, f"a_{name}": a}
 
 
-def wrong_accelerations_of_B(g, a):
+def wrong_accelerations_of_B(g: Givens, a: Vector) -> Mistakes:
     """Two mistakes in the acceleration ``a`` of B, in each of its problems."""
     (omega, _), (P, _), _ = data(g)
     mixed = 2 * P * omega * g.r
@@ -136,14 +151,14 @@ def wrong_accelerations_of_B(g, a):
     }
 
 
-def in_time(g, t):
+def in_time(g: Givens, t: Number) -> tuple[Number, Number, list[Number]]:
     """Proof: angles of bracket and disk, and the direction of the axle."""
     (omega, omega_dot), (P, P_dot), _ = data(g)
     theta, phi = omega * t + omega_dot * t**2 / 2, P * t + P_dot * t**2 / 2
     return theta, phi, [-mp.sin(theta), mp.cos(theta), 0]
 
 
-def prove_turning(g):
+def prove_turning(g: Givens) -> Answers:
     """Proof: angular velocity and acceleration from the disk's orientation over time."""
 
     def disk(t):
@@ -154,7 +169,7 @@ def prove_turning(g):
     return {"omega_disk": omega, "alpha_disk": alpha}
 
 
-def prove_rim(g, name):
+def prove_rim(g: Givens, name: str) -> Answers:
     """Proof: motion of A or B from its position over time, the rim turning from +z toward +x."""
     start = {"A": 0, "B": mp.pi / 2}[name]
     phi = lambda t: start + in_time(g, t)[1]
@@ -169,7 +184,7 @@ def prove_rim(g, name):
     return {f"v_{name}": rate(place), f"a_{name}": proofs.second_rate(place)} | found
 
 
-def figure(g, ax, rim="", omega_name=r"\omega"):
+def figure(g: Givens, ax: AnyAxes, rim: str = "", omega_name: str = r"\omega") -> None:
     """The figure, with the points ``rim``; rates that grow are labelled with their derivatives."""
     ground, bracket, disk = disk_in_bracket(g)
     s = Sketch(ax, ground, azimuth=50, elevation=18)

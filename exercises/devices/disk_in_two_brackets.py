@@ -6,13 +6,27 @@ the axis of the disk in A. The three axes meet at the disk's centre. On the rim,
 D at the side on +x.
 """
 
+from typing import TypeAlias
+
+from exercises.annotations import (
+    Answers,
+    AnyAxes,
+    Follows,
+    Functions,
+    Givens,
+    Mistakes,
+    Number,
+    Steps,
+)
 from exercises.devices.disk_in_bracket import from_centre, rim_point
 from exercises.devices.moving_frame import seen_in
 from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, scaled, terms
-from newton_euler import Frame
+from newton_euler import Frame, Point, Vector
+
+Frames: TypeAlias = tuple[Frame, Frame, Frame, Frame]  # ground, B, A, disk
 
 
-def disk_in_two_brackets(g):
+def disk_in_two_brackets(g: Givens) -> Frames:
     """The frames (ground, B, A, disk), all with the origin at the disk's centre."""
     ground = Frame("ground")
     B = ground.rotate("B", "z", rate=g.omega_1)
@@ -20,7 +34,7 @@ def disk_in_two_brackets(g):
     return ground, B, A, A.rotate("disk", "y", rate=g.omega_3)
 
 
-def rim_problem(name):
+def rim_problem(name: str) -> Functions:
     """``solve``, ``steps``, ``prove`` and ``draw`` of the motion of C or D."""
     return (
         lambda g: answers(*frames_and_point(g, name)),
@@ -30,12 +44,12 @@ def rim_problem(name):
     )
 
 
-def frames_and_point(g, name):
+def frames_and_point(g: Givens, name: str) -> tuple[Frames, Point]:
     frames = disk_in_two_brackets(g)
     return frames, rim_point(frames[-1], name, g.r)
 
 
-def answers(frames, S):
+def answers(frames: Frames, S: Point) -> Answers:
     """The answers for the rim point S, along the axes of B."""
     ground, B, _, disk = frames
     omega, alpha = disk.angular_velocity(ground), disk.angular_acceleration(ground)
@@ -44,7 +58,7 @@ def answers(frames, S):
     return in_frame(B, {**turning, f"v_{S.name}": v, f"a_{S.name}": a})
 
 
-def rim_steps(g, name):
+def rim_steps(g: Givens, name: str) -> Steps:
     """The rotation of the disk, then the motion of C or D."""
     frames, S = frames_and_point(g, name)
     _, B, _, disk = frames
@@ -57,7 +71,7 @@ def rim_steps(g, name):
     yield from terms(a, f"a_{name}", "m/s^2", "4.8")
 
 
-def rim_from_turning(name):
+def rim_from_turning(name: str) -> Follows:
     """``follows`` of v and a of C or D: the disk is rigid, its centre at rest."""
     r = lambda g, frame: frame.vector(*from_centre(name, g.r))
     v = lambda g, omega_disk: omega_disk.cross(r(g, omega_disk.frame))
@@ -68,14 +82,16 @@ def rim_from_turning(name):
     return {f"v_{name}": v, f"a_{name}": a}
 
 
-def pin_and_axis(gone_round, risen):
+def pin_and_axis(gone_round: Number, risen: Number) -> tuple[list[Number], list[Number]]:
     """Proof: the pin of A in B after B has turned, and the disk's axis after A has turned."""
     pin = [mp.cos(gone_round), mp.sin(gone_round), 0]
     level = [-mp.sin(gone_round), mp.cos(gone_round), 0]
     return pin, plus(scaled(mp.cos(risen), level), [0, 0, mp.sin(risen)])
 
 
-def prove_turning(omega_1, omega_2, omega_3):
+def prove_turning(
+    omega_1: Number, omega_2: Number, omega_3: Number
+) -> tuple[list[Number], list[Number]]:
     """Proof: the disk's angular velocity and acceleration, from its orientation over time."""
 
     def disk(t):
@@ -85,7 +101,7 @@ def prove_turning(omega_1, omega_2, omega_3):
     return proofs.angular_velocity(disk), proofs.angular_acceleration(disk)
 
 
-def prove_rim(g, name):
+def prove_rim(g: Givens, name: str) -> Answers:
     """Proof: the top of the rim moves toward +x, the side on +x moves down."""
 
     def place(t):
@@ -104,7 +120,7 @@ def prove_rim(g, name):
     }
 
 
-def wrong_alphas(alpha):
+def wrong_alphas(alpha: Vector) -> Mistakes:
     """The mistakes of both problems in the angular acceleration."""
     reversed_products = {name: -1 for name in alpha.terms if " x " in name}
     return {
@@ -113,7 +129,7 @@ def wrong_alphas(alpha):
     }
 
 
-def draw_two_brackets(g, ax, name):
+def draw_two_brackets(g: Givens, ax: AnyAxes, name: str) -> None:
     ground, B, A, disk = disk_in_two_brackets(g)
     s = Sketch(ax, ground, azimuth=50, elevation=20)
     ring, arm, low = 1.3 * g.r, 1.6 * g.r, -1.6 * g.r

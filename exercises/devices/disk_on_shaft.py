@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from exercises.annotations import Motion, Number, Points, Scalar
 from exercises.tools import disk, mp, plus, proofs, rot, times
 from newton_euler import Frame, Point, solve_rates
 
@@ -16,7 +17,7 @@ class OnShaft:
     C: Point
 
 
-def spinning(Omega, spin, L, *rise):
+def spinning(Omega: Scalar, spin: Scalar, L: Scalar, *rise: Scalar) -> OnShaft:
     """The body at C, a distance L along the shaft from the origin; the shaft turns about the
     vertical at Omega, inclined upward by the sum of the angles ``rise``, and the body on it at
     ``spin``.
@@ -29,12 +30,12 @@ def spinning(Omega, spin, L, *rise):
     return OnShaft(ground, shaft, shaft.rotate("disk", "x", rate=spin, origin=C), C)
 
 
-def contact(d, radius):
+def contact(d: OnShaft, radius: Scalar) -> Point:
     """The lowest point of the rim, in the vertical plane of the shaft."""
     return d.body.point("P", 0, 0, -radius)
 
 
-def rolling(Omega, radius, L, *rise):
+def rolling(Omega: Scalar, radius: Scalar, L: Scalar, *rise: Scalar) -> OnShaft:
     """:func:`spinning`, with the spin for which the contact is at rest."""
 
     def slip(spin):
@@ -45,7 +46,7 @@ def rolling(Omega, radius, L, *rise):
     return spinning(Omega, spin, L, *rise)
 
 
-def carried(points, Omega, spin, L, rise=0):
+def carried(points: Points, Omega: Number, spin: Number, L: Number, rise: Number = 0) -> Motion:
     """Proof: the motion of mass points, given relative to C along the axes of the shaft."""
     tilt = rot("y", -rise)
 
@@ -56,13 +57,15 @@ def carried(points, Omega, spin, L, rise=0):
     return motion
 
 
-def unrolled(Omega, radius, path):
+def unrolled(Omega: Number, radius: Number, path: Number) -> Number:
     """Proof: the spin of a rim that rolls along a circle of radius ``path``, by equal arcs."""
     turn = 2 * mp.pi / Omega  # time
     return -2 * mp.pi * path / radius / turn
 
 
-def energy_of_disk(m, radius, Omega, spin, L, rise=0):
+def energy_of_disk(
+    m: Number, radius: Number, Omega: Number, spin: Number, L: Number, rise: Number = 0
+) -> Number:
     """Proof: kinetic energy of the mass points of a thin disk."""
     points = proofs.along_x(disk(radius, order=2))
     return proofs.kinetic_energy(m, carried(points, Omega, spin, L, rise))

@@ -1,10 +1,11 @@
 """The elbow arm of 4/16, 4/17: rod CD, hinged at C to an arm BC turning about the vertical."""
 
+from exercises.annotations import Answers, AnyAxes, Givens, Mistakes, Steps
 from exercises.tools import Sketch, Step, in_frame, mp, proofs, rate, rot, terms, times, transposed
-from newton_euler import Frame, cos, sin
+from newton_euler import Frame, Point, Vector, cos, sin
 
 
-def arm_and_rod(g):
+def arm_and_rod(g: Givens) -> tuple[Frame, Frame, Frame, Point]:
     """Ground with Z up; the arm turns about Z; the rod about the arm's -x axis, as beta grows."""
     ground = Frame("ground")
     arm = ground.rotate("BC", "z", rate=g.omega)
@@ -13,17 +14,17 @@ def arm_and_rod(g):
     return ground, arm, rod, rod.point("D", 0, -g.L, 0)  # at beta = 0 the rod lies on CB
 
 
-def motion(D, ground, **via):
+def motion(D: Point, ground: Frame, **via: Frame) -> Answers:
     return {"v_D": D.velocity(ground, **via), "a_D": D.acceleration(ground, **via)}
 
 
-def solve(g):
+def solve(g: Givens) -> Answers:
     ground, arm, rod, D = arm_and_rod(g)
     alpha = rod.angular_acceleration(ground)
     return in_frame(ground, {"alpha_CD": alpha, **motion(D, ground, via=arm)})
 
 
-def steps(g):
+def steps(g: Givens) -> Steps:
     """The rod's angular velocity, D's velocity relative to the arm, the terms of the answers."""
     ground, arm, rod, D = arm_and_rod(g)
     omega, v_r = rod.angular_velocity(ground).expressed_in(ground), D.velocity(arm)
@@ -34,7 +35,7 @@ def steps(g):
         yield from terms(value, key, {"alpha_CD": "rad/s^2", "v_D": "mm/s"}.get(key, "mm/s^2"))
 
 
-def a_D(g, alpha_CD):
+def a_D(g: Givens, alpha_CD: Vector) -> Vector:
     """The acceleration of D from the rod's angular acceleration."""
     right, vector = solve(g), alpha_CD.frame.vector
     CD = vector(0, -g.L * cos(g.beta_1), g.L * sin(g.beta_1))
@@ -44,7 +45,7 @@ def a_D(g, alpha_CD):
 follows = {"a_D": a_D}
 
 
-def prove(g):
+def prove(g: Givens) -> Answers:
     """The direction of CD in the turning vertical plane, raised by beta from CB."""
 
     beta = lambda t: g.beta_1 + g.b_dot * t
@@ -61,7 +62,7 @@ def prove(g):
     return answers | {"omega_CD": proofs.angular_velocity(rod), "v_r": rate(in_arm)}
 
 
-def common_mistakes(g):
+def common_mistakes(g: Givens) -> Mistakes:
     ground, arm, rod, D = arm_and_rod(g)
     return in_frame(ground, {
         "no_cross_product": {"alpha_CD": rod.angular_acceleration(ground).without("BC x CD")},
@@ -70,7 +71,7 @@ def common_mistakes(g):
     })  # fmt: skip
 
 
-def draw(g, ax):
+def draw(g: Givens, ax: AnyAxes) -> None:
     ground, arm, _, D = arm_and_rod(g)
     B, C = arm.point("B", 0, 0, 0), arm.point("C", 0, g.b, 0)
     A = arm.point("A", 0, 0, -g.b)

@@ -1,30 +1,31 @@
 """The particles of 5/15 and 7/15: four on a chain of light rods from O, along x, y and z."""
 
+from exercises.annotations import AnyAxes, Givens, Scalar, Triple
 from exercises.tools import Sketch
-from newton_euler import Frame
+from newton_euler import Frame, Point
 
 
-def places(g):
+def places(g: Givens) -> tuple[Triple, ...]:
     return (0, 0, 0), (g.a, 0, 0), (g.a, g.b, 0), (g.a, g.b, g.c)
 
 
-def masses(g):
+def masses(g: Givens) -> tuple[Scalar, ...]:
     return g.m1, g.m2, g.m3, g.m4
 
 
-def rods(g):
+def rods(g: Givens) -> tuple[Triple, ...]:
     """The vectors from each particle to the next, for the mistake of taking them as positions."""
     return (g.a, 0, 0), (0, g.b, 0), (0, 0, g.c)
 
 
-def particles(g):
+def particles(g: Givens) -> tuple[Frame, list[tuple[Scalar, Point]]]:
     """The frame, and a pair (mass, point) for each particle, the one at O first."""
     ground = Frame("ground")
     points = [ground.point(f"P_{n}", *at) for n, at in enumerate(places(g), 1)]
     return ground, list(zip(masses(g), points, strict=True))
 
 
-def figure(g, ax):
+def figure(g: Givens, ax: AnyAxes) -> None:
     ground, parts = particles(g)
     s = Sketch(ax, ground, azimuth=-60, elevation=22)
     x, z = ground.i, ground.k

@@ -1,26 +1,27 @@
 """The disk of 10/1 and 10/2 on a light rod AB that hangs from a ball joint at A."""
 
+from exercises.annotations import Answers, AnyAxes, Givens, Mistakes, Scalar, Steps
 from exercises.devices import steady_precession
 from exercises.tools import Sketch, Step, angular_velocity, mean, mp, plus, proofs, times, vanishing
-from newton_euler import bodies, cos, pi, sin
+from newton_euler import Body, Frame, bodies, cos, pi, sin
 from newton_euler.applications.gyroscopes import steady_spin
 
 
-def hanging(g, psi=0):
+def hanging(g: Givens, psi: Scalar = 0) -> tuple[Frame, Frame, Body, Scalar]:
     """Ground, axes at A that precess without spinning, k from A to B, the disk and theta."""
     theta = pi(g.beta) - g.beta
     ground, axes = steady_precession.frames(theta, psi, name="disk")
     return ground, axes, bodies.disk(g.D / 2, axes.point("B", 0, 0, g.L), "z", mass=g.m), theta
 
 
-def data(g):
+def data(g: Givens) -> tuple[Scalar, Scalar, Scalar]:
     """The transverse and the axial moment of inertia about A, and the moment of the weight."""
     ground, axes, disk, _ = hanging(g)
     I_0, _, I_z = disk.about(axes).moments
     return I_0, I_z, steady_precession.weight_moment(g.m, g.g, ground, axes, g.L)
 
 
-def spin(g, transverse=None, theta=None):
+def spin(g: Givens, transverse: Scalar | None = None, theta: Scalar | None = None) -> Scalar:
     """The spin, with wrong values where a mistake gives them."""
     I_0, I_z, M = data(g)
     transverse = I_0 if transverse is None else transverse
@@ -28,18 +29,18 @@ def spin(g, transverse=None, theta=None):
     return steady_spin(transverse, I_z, theta, g.psi_dot, moment=M)
 
 
-def total(g):
+def total(g: Givens) -> Scalar:
     """The total rate about AB in steady precession (10.31)."""
     I_0, I_z, M = data(g)
     theta = pi(g.beta) - g.beta
     return (M / (g.psi_dot * sin(theta)) + I_0 * g.psi_dot * cos(theta)) / I_z
 
 
-def solve(g):
+def solve(g: Givens) -> Answers:
     return {"phi_dot": total(g) - g.psi_dot * cos(pi(g.beta) - g.beta)}
 
 
-def steps(g):
+def steps(g: Givens) -> Steps:
     I_0, I_z, M = data(g)
     yield Step("I", I_z, "kg*m^2", "moment of inertia about AB", "10.5", "10.17")
     yield Step("I_0", I_0, "kg*m^2", "moment of inertia about an axis through A at right "
@@ -50,7 +51,7 @@ def steps(g):
                r"precession with $\theta = 180^\circ - \beta$", "10.6", "10.31")  # fmt: skip
 
 
-def prove(g):
+def prove(g: Givens) -> Answers:
     """The spin for which the mass points need exactly the moment of their weights."""
     theta = mp.pi - g.beta
     points = [(share, plus(r, [0, 0, g.L])) for share, r in proofs.disk(g.D / 2, order=2)]
@@ -68,7 +69,7 @@ def prove(g):
     }
 
 
-def mistakes(g):
+def mistakes(g: Givens) -> Mistakes:
     _, _, disk, _ = hanging(g)
     _, I_z, _ = data(g)
     return {
@@ -80,7 +81,7 @@ def mistakes(g):
     }
 
 
-def draw(g, ax):
+def draw(g: Givens, ax: AnyAxes) -> None:
     ground, axes, disk, _ = hanging(g, psi=pi(g.beta) / 2)
     s = Sketch(ax, ground, azimuth=-108, elevation=16)
     A, B, C = axes.origin, disk.centre, (0, 0, -1.1 * g.L)
@@ -96,7 +97,7 @@ def draw(g, ax):
     s.line(B, axes.point("", 0, 0, g.L + 0.68 * g.D), style="centre")
     s.dimension(A, B, label="L")
     ends = [axes.point("", 0, side * g.D / 2, g.L) for side in (-1, 1)]
-    s.dimension(*ends, label="D", offset=axes.k * (0.2 * g.D))
+    s.dimension(ends[0], ends[1], label="D", offset=axes.k * (0.2 * g.D))
     s.label(A, "A")
     s.dot(B, "B")
     s.label(C, "C")

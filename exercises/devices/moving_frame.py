@@ -1,11 +1,13 @@
 """The steps before (4.17), (4.18): rotation of a frame, and motion of a point relative to it."""
 
+from exercises.annotations import Steps
 from exercises.catalogue.steps import is_zero
 from exercises.catalogue.wording import body_text
 from exercises.tools import Step, terms
+from newton_euler import Frame, Point
 
 
-def turning_of(frame, ground, axes, name, phrase):
+def turning_of(frame: Frame, ground: Frame, axes: Frame, name: str, phrase: str) -> Steps:
     """omega and nonzero alpha of the frame called ``phrase`` ("the arm"), along ``axes``."""
     omega = frame.angular_velocity(ground).expressed_in(axes)
     alpha = frame.angular_acceleration(ground).expressed_in(axes)
@@ -17,7 +19,16 @@ def turning_of(frame, ground, axes, name, phrase):
         yield Step(f"alpha_{name}", alpha, "rad/s^2", means, "4.9", "4.25")
 
 
-def seen_in(frame, P, axes, length, phrase, start, r="r", acceleration=True):
+def seen_in(
+    frame: Frame,
+    P: Point,
+    axes: Frame,
+    length: str,
+    phrase: str,
+    start: str,
+    r: str = "r",
+    acceleration: bool = True,
+) -> Steps:
     """Position, velocity and, if needed, acceleration of P relative to a frame with its origin at
     ``start``, along ``axes``, where not zero; ``length`` is the unit of length.
     """
@@ -33,7 +44,9 @@ def seen_in(frame, P, axes, length, phrase, start, r="r", acceleration=True):
         yield Step("a_r", a, f"{length}/s^2", means, "4.8", "4.18")
 
 
-def motion_via(frame, P, ground, key, phrase, start, moved="P"):
+def motion_via(
+    frame: Frame, P: Point, ground: Frame, key: str, phrase: str, start: str, moved: str = "P"
+) -> Steps:
     """Rotation of the frame in ``phrase``, motion of P in it, terms of (4.17), (4.18), in m."""
     yield from turning_of(frame, ground, frame, key, f"the moving frame, fixed in {phrase},")
     yield from seen_in(frame, P, frame, "m", phrase, start)
@@ -44,6 +57,6 @@ def motion_via(frame, P, ground, key, phrase, start, moved="P"):
     yield Step("a_P", a, "m/s^2", f"acceleration of {moved} in the ground", "4.8", "4.18")
 
 
-def body(frame):
+def body(frame: Frame) -> str:
     """A frame in a sentence: "the ground", but "space"."""
     return "space" if frame.name == "space" else f"the {frame.name}"

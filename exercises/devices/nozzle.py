@@ -1,10 +1,11 @@
 """The nozzle of 4/2 (and 3/14), turning about the vertical through O, with outward flow."""
 
+from exercises.annotations import AnyAxes, Givens, Path
 from exercises.tools import Sketch, mp, rot, times
-from newton_euler import Frame, moving
+from newton_euler import Frame, Point, moving
 
 
-def nozzle_and_particle(g):
+def nozzle_and_particle(g: Givens) -> tuple[Frame, Frame, Point]:
     """Ground with Z up; a frame turning with the nozzle, x outward; the particle, z along it."""
     ground = Frame("ground")
     turning = ground.rotate("turning", "z", rate=g.omega)
@@ -12,13 +13,13 @@ def nozzle_and_particle(g):
     return ground, turning, nozzle.point("P", 0, 0, moving(g.d, rate=g.nu))
 
 
-def particle_in_time(g):
+def particle_in_time(g: Givens) -> Path:
     """Proof: position of the particle over time."""
     d = lambda t: g.d + g.nu * t
     return lambda t: times(rot("z", g.omega * t), [d(t) * mp.sin(g.tilt), 0, d(t) * mp.cos(g.tilt)])
 
 
-def figure(g, ax, ground, turning, P):
+def figure(g: Givens, ax: AnyAxes, ground: Frame, turning: Frame, P: Point) -> Sketch:
     """The figure without axes; returns the sketch."""
     nozzle, O = P.frame, (0, 0, 0)
     up = ground.point("up", 0, 0, 1.3 * g.d)

@@ -1,9 +1,10 @@
 """Proof for a point at constant speed on a plane curve, as in 2/1 and 2/2."""
 
+from exercises.annotations import Number, Path
 from exercises.tools import plus, rate, scaled, second_rate, size
 
 
-def at_constant_speed(curve, q, speed):
+def at_constant_speed(curve: Path, q: Number, speed: Number) -> tuple[list[Number], list[Number]]:
     """Velocity and acceleration at ``q`` of a point that runs along ``curve(q)``, a list of three,
     in the direction of increasing q.
 

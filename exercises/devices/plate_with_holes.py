@@ -1,17 +1,18 @@
 """The plate of 5/5 and 7/5: a rectangle with a corner at O and six holes in two rows."""
 
+from exercises.annotations import AnyAxes, Givens, Scalar
 from exercises.tools import Sketch
-from newton_euler import Frame
+from newton_euler import Body, Frame
 from newton_euler.bodies import disk, plate
 
 PLATE = Frame("plate")
 
 
-def places(g):
+def places(g: Givens) -> list[tuple[Scalar, Scalar]]:
     return [(x, y) for y in (g.y1, g.y2) for x in (g.x1, g.x2, g.x3)]
 
 
-def parts(g, density=1):
+def parts(g: Givens, density: Scalar = 1) -> tuple[list[Body], list[Body]]:
     """The full plate, in a list, and the holes."""
     middle = PLATE.point("middle", g.a / 2, g.b / 2, 0)
     full = plate(g.a, g.b, middle, "z", density=density, name="full plate")
@@ -20,7 +21,7 @@ def parts(g, density=1):
     return [full], [hole(n, C) for n, C in enumerate(centres, 1)]
 
 
-def figure(g, ax):
+def figure(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, PLATE, plane="xy")
     O, A, B, C = (0, 0, 0), (g.a, 0, 0), (0, g.b, 0), (g.a, g.b, 0)
     rims = [s.around((x, y, 0), (x + g.r, y, 0), PLATE.k) for x, y in places(g)]

@@ -1,9 +1,16 @@
 """A point in polar coordinates, the magnitude of whose acceleration is asked for: 2/17, 2/22."""
 
+from collections.abc import Callable
+
+from exercises.annotations import Givens, Mistakes, Solve, Steps, StepsOf
 from exercises.tools import Step, terms
+from newton_euler import Frame, Point, Vector
+from newton_euler.algebra import Moving
 
 
-def problem_of(point):
+def problem_of(
+    point: Callable[[Givens], tuple[Frame, Moving, Point]],
+) -> tuple[Solve, StepsOf, Callable[[Givens], Mistakes]]:
     """``solve``, ``steps`` and ``mistakes``; ``point(g)``: ground, distance and point."""
 
     def acceleration(g):
@@ -17,7 +24,7 @@ def problem_of(point):
     )
 
 
-def steps(r, a):
+def steps(r: Moving, a: Vector) -> Steps:
     """The rates of the distance r, then the acceleration and its terms."""
     yield Step("r_dot", r.rate, "m/s", "rate of the distance", "2.6")
     yield Step("r_ddot", r.acceleration, "m/s^2", "its second rate", "2.6")
@@ -25,7 +32,7 @@ def steps(r, a):
     yield from terms(a, "a_P", "m/s^2", "2.6")
 
 
-def mistakes(a):
+def mistakes(a: Vector) -> Mistakes:
     return {
         "no_coriolis": {"a": a.without("coriolis").norm()},
         "no_r_ddot": {"a": a.without("radial").norm()},

@@ -1,29 +1,48 @@
 """Centres of composite bodies, with parts cut out; proofs by slices and wires."""
 
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+from exercises.annotations import Answers, Givens, Number, Path, Scalar, Solve, Steps, StepsOf
 from exercises.tools import Step, mp, proofs
-from newton_euler import centre_of_mass
+from newton_euler import Body, Frame, Point, centre_of_mass
 
 SYMBOLS = {"length": "l", "area": "A", "volume": "V", "mass": "m"}
 POWERS = {"length": 1, "area": 2, "volume": 3}
 
 
-def centre(frame, parts, removed=()):
+def centre(frame: Frame, parts: Iterable[Body], removed: Iterable[Body] = ()) -> Answers:
     """The answer: the centre of mass of bodies."""
     return {"d": centre_of_mass([*parts, *(-hole for hole in removed)], frame).position(frame)}
 
 
-def problem_of(frame, parts, holes=False, **units):
+def problem_of(
+    frame: Frame,
+    parts: Callable[[Givens], Sequence[Body]]
+    | Callable[[Givens], tuple[Sequence[Body], Sequence[Body]]],
+    holes: bool = False,
+    **units: Any,
+) -> tuple[Solve, StepsOf]:
     """``solve`` and ``steps`` for ``parts(g)``; with ``holes``, a pair of parts and holes."""
     bodies = lambda g: parts(g) if holes else (parts(g),)
     return (lambda g: centre(frame, *bodies(g)), lambda g: steps_of(frame, *bodies(g), **units))
 
 
-def unweighed(frame, one, points):
+def unweighed(frame: Frame, one: Scalar, points: Iterable[Point]) -> Answers:
     """The mistake of an unweighted mean of points; ``one`` is g.one."""
     return {"d": centre_of_mass([(one, P) for P in points], frame).position(frame)}
 
 
-def steps_of(frame, parts, removed=(), *, content, length, mass="", given=()):
+def steps_of(
+    frame: Frame,
+    parts: Sequence[Body],
+    removed: Sequence[Body] = (),
+    *,
+    content: str,
+    length: str,
+    mass: str = "",
+    given: Sequence[str] = (),
+) -> Steps:
     """The content (one of SYMBOLS, unless ``given``) and centre of each part, with the first word
     of its name as index, then the sums. ``length`` and ``mass`` are units.
     """
@@ -38,7 +57,7 @@ def steps_of(frame, parts, removed=(), *, content, length, mass="", given=()):
     yield from sums(frame, parts, removed, content=content, length=length, mass=mass)
 
 
-def units(content, length, mass):
+def units(content: str, length: str, mass: str) -> tuple[str, str]:
     """The units of the content and of its first moment."""
     if content == "mass":
         return mass, f"{mass}*{length}"
@@ -46,7 +65,16 @@ def units(content, length, mass):
     return f"{length}^{n}".removesuffix("^1"), f"{length}^{n + 1}"
 
 
-def sums(frame, parts, removed=(), *, content, length, mass="", equal_parts=False):
+def sums(
+    frame: Frame,
+    parts: Iterable[Body],
+    removed: Iterable[Body] = (),
+    *,
+    content: str,
+    length: str,
+    mass: str = "",
+    equal_parts: bool = False,
+) -> Steps:
     """The content of the whole and its first moment, as steps."""
     unit, unit_of_moment = units(content, length, mass)
     first, *others = (*parts, *(-hole for hole in removed))
@@ -60,12 +88,18 @@ def sums(frame, parts, removed=(), *, content, length, mass="", equal_parts=Fals
     yield Step("Q", Q, unit_of_moment, means, "5.4", "5.11", of_givens=equal_parts)
 
 
-def proved(content, whole, first):
+def proved(content: str, whole: Number, first: Iterable[Number]) -> Answers:
     """The result of a proof, from the total content and its first moment."""
     return {"d": [m / whole for m in first], SYMBOLS[content]: whole, "Q": list(first)}
 
 
-def sliced(content, slice_at, start, end, breaks):
+def sliced(
+    content: str,
+    slice_at: Callable[[Number], Sequence[Number]],
+    start: Number,
+    end: Number,
+    breaks: Sequence[Number],
+) -> Answers:
     """Proof by slices at x: ``slice_at(x)`` is the content per dx and its first moments in y, z."""
 
     def moments(x):
@@ -76,11 +110,11 @@ def sliced(content, slice_at, start, end, breaks):
     return proved(content, whole, first)
 
 
-def chord(distance, radius):
+def chord(distance: Number, radius: Number) -> Number:
     """Proof: length of the chord of a circle at this distance from its centre; 0 outside."""
     return 2 * mp.sqrt(max(radius**2 - distance**2, 0))
 
 
-def walked(path, length, breaks):
+def walked(path: Path, length: Number, breaks: Sequence[Number]) -> Answers:
     """Proof for a wire: the mean of ``path(s)`` over arc length s, with corners at ``breaks``."""
     return proved("length", length, proofs.integral(path, 0, length, breaks))

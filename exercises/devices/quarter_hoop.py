@@ -1,23 +1,28 @@
 """A collar on a smooth quarter hoop (11/4, 11/5): O the origin, y up; A left, B below."""
 
+from collections.abc import Callable
+
+from exercises.annotations import AnyAxes, Givens, Number, Scalar
 from exercises.tools import Sketch, mp, plus, until
-from newton_euler import Frame, pi
+from newton_euler import Frame, Point, pi
 from newton_euler.dynamics import constant_force_work, weight
 
 
-def hoop(g):
+def hoop(g: Givens) -> tuple[Frame, Point, Point, Point]:
     """The ground, O, and the ends A and B."""
     ground = Frame("ground")
     A, B = ground.point("A", -g.R, 0, 0), ground.point("B", 0, -g.R, 0)
     return ground, ground.origin, A, B
 
 
-def work_of_weight(g):
+def work_of_weight(g: Givens) -> Scalar:
     ground, _, A, B = hoop(g)
     return constant_force_work(weight(g.m, ground.j, g.g), A, B).value
 
 
-def slides(g, pull=lambda place: [0, 0]):
+def slides(
+    g: Givens, pull: Callable[[list[Number]], list[Number]] = lambda place: [0, 0]
+) -> tuple[Number, Number]:
     """Proof: (time, speed at B) after release at A; ``pull(place)`` is a further force."""
 
     def rates(state):
@@ -31,7 +36,7 @@ def slides(g, pull=lambda place: [0, 0]):
     return t, u * g.R
 
 
-def sketch(g, ax):
+def sketch(g: Givens, ax: AnyAxes) -> tuple[Sketch, tuple[Frame, Point, Point, Point]]:
     """The ground, the hoop with the collar at A, and R; returns the sketch and the points."""
     ground, O, A, B = points = hoop(g)
     s = Sketch(ax, ground, plane="xy")

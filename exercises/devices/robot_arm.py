@@ -1,17 +1,18 @@
 """The robot arm of 4/3, 3/25: perpendicular links OA, AP in a plane that turns with the base."""
 
+from exercises.annotations import AnyAxes, Givens, Path
 from exercises.devices.boom import turning_boom
 from exercises.tools import Sketch, mp, rot, times
-from newton_euler import moving
+from newton_euler import Frame, Point, moving
 
 
-def robot(g):
+def robot(g: Givens) -> tuple[Frame, Frame, Point]:
     """Ground with Z up; the base, x outward; P in their frame: OA along z, AP along x."""
     ground, base, arms = turning_boom(g.omega, moving(g.beta_1, g.b_dot, g.b_ddot))
     return ground, base, arms.point("P", g.l_AP, 0, g.l_OA)
 
 
-def tip_in_time(g):
+def tip_in_time(g: Givens) -> Path:
     """Proof: position of P over time."""
 
     def P(t):
@@ -22,7 +23,7 @@ def tip_in_time(g):
     return P
 
 
-def figure(g, ax, ground, base, P):
+def figure(g: Givens, ax: AnyAxes, ground: Frame, base: Frame, P: Point) -> Sketch:
     """The figure without axes; returns the sketch."""
     O, A = ground.point("O", 0, 0, 0), P.frame.point("A", 0, 0, g.l_OA)
     up, foot = (0, 0, 0.8 * g.l_OA), (0, 0, -0.5 * g.l_OA)

@@ -5,13 +5,24 @@ Axes: x along the surface, y out of it, z = x cross y; the contact C is at -r y 
 and ``N`` the forces of the surface on the body along x and y.
 """
 
+from collections.abc import Callable, Sequence
+
+from exercises.annotations import Number, Points, Scalar
 from exercises.tools import disk as points_of_disk
 from exercises.tools import plus, rot, times
-from newton_euler import Frame, equations_of_motion, moving, solve_linear
+from newton_euler import Body, Frame, equations_of_motion, moving, solve_linear
+from newton_euler.algebra import Solution
 from newton_euler.bodies import disk
 
 
-def rolls(m, r, gravity, surface=0, shape=disk, no_slip=None):
+def rolls(
+    m: Scalar,
+    r: Scalar,
+    gravity: Sequence[Scalar],
+    surface: Scalar = 0,
+    shape: Callable[..., Body] = disk,
+    no_slip: Callable[[Scalar, Scalar], Scalar] | None = None,
+) -> Solution:
     """a, alpha, F and N without slip: a solution of ``solve_linear``.
 
     gravity : components of the acceleration of gravity along x and y
@@ -26,7 +37,7 @@ def rolls(m, r, gravity, surface=0, shape=disk, no_slip=None):
     return solve_linear(laws)
 
 
-def slips(m, r, gravity, f):
+def slips(m: Scalar, r: Scalar, gravity: Sequence[Scalar], f: Scalar) -> Solution:
     """a, alpha and N with the friction f N, along x."""
     return solve_linear(lambda a, alpha, N: _equations(m, r, gravity, disk, a, alpha, f * N, N)[0])
 
@@ -45,7 +56,7 @@ def _equations(m, r, gravity, shape, a, alpha, F, N):
     return equations_of_motion(body, forces, ground), a_C
 
 
-def rolled(r, q):
+def rolled(r: Number, q: Number) -> Points:
     """Proof: the mass points when the centre has moved by q, on a surface at rest."""
     turned = rot("z", -q / r)
     return [(u, plus([q, 0, 0], times(turned, p))) for u, p in points_of_disk(r, order=2)]

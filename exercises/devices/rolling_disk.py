@@ -1,15 +1,16 @@
 """The disk of 4/22, 4/23, 4/30 rolls upright round a circle, its axle to the vertical y axis."""
 
+from exercises.annotations import Answers, AnyAxes, Givens, Orientation, Path, Scalar, Steps
 from exercises.tools import Sketch, Step, minus, mp, plus, proofs, rate, rot, scaled, times
-from newton_euler import Frame, pi, solve_rates
+from newton_euler import Frame, Point, pi, solve_rates
 
 
-def turning(g):
+def turning(g: Givens) -> Scalar:
     """Rate of the axle about y."""
     return 2 * pi(g.T) / g.T
 
 
-def axle_and_disk(g, spin=None):
+def axle_and_disk(g: Givens, spin: Scalar | None = None) -> tuple[Frame, Frame, Frame, Point]:
     """Axes that turn about y with the axle; the disk, about z, outward, rolling by default; A on
     its rim.
     """
@@ -21,7 +22,7 @@ def axle_and_disk(g, spin=None):
     return ground, axle, disk, disk.point("A", g.r, 0, 0)
 
 
-def rolling_spin(g):
+def rolling_spin(g: Givens) -> Scalar:
     """The rate of the disk on its axle that keeps its point of contact at rest."""
 
     def slip(spin):
@@ -33,7 +34,7 @@ def rolling_spin(g):
     return spin
 
 
-def rolling_steps(g):
+def rolling_steps(g: Givens) -> Steps:
     """The rotation of the axle and the condition of rolling."""
     ground, axle, disk, _ = axle_and_disk(g)
     omega = axle.angular_velocity(ground).expressed_in(axle)
@@ -47,7 +48,7 @@ def rolling_steps(g):
     yield Step("omega_spin", spin, "rad/s", means, "4.4", "4.11")
 
 
-def proved_steps(g):
+def proved_steps(g: Givens) -> Answers:
     """Proof: two of these steps, from the motion."""
     outward = lambda t: times(rot("y", 2 * mp.pi * t / g.T), [0, 0, g.R])
     turning = [0, 2 * mp.pi / g.T, 0]
@@ -55,14 +56,14 @@ def proved_steps(g):
     return {"v_C": rate(outward), "omega_spin": spin}
 
 
-def orientation(g):
+def orientation(g: Givens) -> Orientation:
     """Proof, over time: centre and rim both cover the arc R theta; A starts at the bottom."""
 
     theta = lambda t: 2 * mp.pi * t / g.T
     return lambda t: times(rot("y", theta(t)), rot([0, 0, -1], g.R * theta(t) / g.r))
 
 
-def rim_point(g):
+def rim_point(g: Givens) -> Path:
     """Proof: position of A over time, from the directions of travel and of the vertical."""
 
     def A(t):
@@ -75,7 +76,7 @@ def rim_point(g):
     return A
 
 
-def sketch(g, ax, with_A=True):
+def sketch(g: Givens, ax: AnyAxes, with_A: bool = True) -> None:
     ground, axle, _, A = axle_and_disk(g)
     C = axle.point("C", 0, 0, 0)
     origin = ground.point("origin", 0, 0, 0)

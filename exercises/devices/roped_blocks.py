@@ -4,9 +4,11 @@ up.
 The rope pulls each block along a line toward the pulley.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
+from exercises.annotations import AnyAxes, Givens, Number, Path, Scalar, Steps
 from exercises.tools import Sketch, Step, minus, rate, root
 from newton_euler import Frame, cos, pi, sin, tan
 from newton_euler.algebra.vectors import Vector
@@ -18,25 +20,25 @@ class Block:
     """A block that the rope pulls along ``line``; ``on_face``: of a wedge."""
 
     name: str
-    W: Any
-    m: Any
+    W: Scalar
+    m: Scalar
     line: Vector
     on_face: bool = False
     pulls: int = 1  # parts of the rope that pull on it
     runs: int = 1  # parts that shorten as it moves along its line
 
     @property
-    def W_t(self):
+    def W_t(self) -> Scalar:
         """The component of its weight against the pull of the rope."""
         return self.W * self.line.y
 
 
-def hanging(g, name, W, parts=1):
+def hanging(g: Givens, name: str, W: Scalar, parts: int = 1) -> Block:
     """A block of this weight on this many parts of the rope."""
     return Block(name, W, mass_from_weight(W, g.g), Frame("ground").j, False, parts, parts)
 
 
-def on_face(g, name, W, angle, toward=1):
+def on_face(g: Givens, name: str, W: Scalar, angle: Scalar, toward: int = 1) -> Block:
     """On a smooth face that rises at ``angle``, to the right, or with ``toward`` -1 to the left."""
     line = Frame("ground").vector(toward * cos(angle), sin(angle), 0)
     return Block(name, W, mass_from_weight(W, g.g), line, on_face=True)
@@ -45,12 +47,12 @@ def on_face(g, name, W, angle, toward=1):
 class Motion(NamedTuple):
     """Accelerations of two blocks along the pull of the rope, and its tension."""
 
-    first: Any
-    second: Any
-    T: Any
+    first: Scalar
+    second: Scalar
+    T: Scalar
 
 
-def motion(A, B):
+def motion(A: Block, B: Block) -> Motion:
     """The :class:`Motion` of A and B: pulls*T - W_t = m*a for each, and a rope of fixed length."""
     F, M = without_tension(A, B)
     a = F / M
@@ -58,13 +60,13 @@ def motion(A, B):
     return Motion(B.runs * a, -A.runs * a, T)
 
 
-def without_tension(A, B):
+def without_tension(A: Block, B: Block) -> tuple[Scalar, Scalar]:
     """(F, M): net force and effective mass without T; a_A = B.runs F/M and a_B = -A.runs F/M."""
     F = A.pulls * B.W_t - B.pulls * A.W_t
     return F, A.m * (B.runs * B.pulls) + B.m * (A.runs * A.pulls)
 
 
-def block_steps(A, B, laws):
+def block_steps(A: Block, B: Block, laws: str) -> Steps:
     """The masses, the components of the weights along the rope, and the equation of motion after T
     is eliminated from ``laws``, the equations in words, for the acceleration of ``A`` toward its
     pulley.
@@ -81,7 +83,9 @@ def block_steps(A, B, laws):
     yield Step("M", M, "slug", f"mass that it accelerates: F = M*a_{A.name}", "6.1", "6.4")
 
 
-def by_energy(g, W_A, W_B, places, reach):
+def by_energy(
+    g: Givens, W_A: Number, W_B: Number, places: Sequence[Path], reach: Number
+) -> tuple[Number, Number]:
     """Proof: the second rate of the length of rope at B, and its tension, from the energy.
 
     places : functions of the displacement s of B away from its pulley: positions of A and B
@@ -103,7 +107,9 @@ def by_energy(g, W_A, W_B, places, reach):
     return a, -gain(W_B, places[1], a) / (a / 2)  # B's loss of energy is its work against the rope
 
 
-def draw_wedge(ax, left, right=None):
+def draw_wedge(
+    ax: AnyAxes, left: tuple[Scalar, str], right: tuple[Scalar, str] | None = None
+) -> None:
     """A wedge with A on its left, B on its right face or hanging; angles with their labels."""
     ground = Frame("ground")
     s = Sketch(ax, ground, plane="xy")

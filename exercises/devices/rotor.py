@@ -1,10 +1,24 @@
 """A body on a shaft in two bearings (9/1 to 9/6): H, its rate, forces, balance; x from A to B."""
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
+from exercises.annotations import (
+    Answers,
+    AnyAxes,
+    Follows,
+    Givens,
+    Number,
+    Points,
+    Scalar,
+    Solve,
+    Steps,
+    StepsOf,
+)
 from exercises.tools import Sketch, Step, in_frame, mpf, proofs, rate, rot, size, terms
 from newton_euler import Body, Frame, Point, composite, dynamics
 from newton_euler.applications import balance, reactions
+from newton_euler.applications.rotors import Reactions
 
 SMALL = mpf(10) ** -25  # a sum over mass points below this, with terms of about 1, is zero
 
@@ -21,24 +35,24 @@ class Rotor:
     B: Point
 
 
-def turning_shaft(g):
+def turning_shaft(g: Givens) -> tuple[Frame, Frame]:
     """Ground, and the shaft that turns in it about x."""
     ground = Frame("ground")
     return ground, ground.rotate("shaft", "x", rate=g.omega)
 
 
-def in_bearings(shaft, parts, a, b):
+def in_bearings(shaft: Frame, parts: Iterable[Body], a: Scalar, b: Scalar) -> Rotor:
     """The parts as one body along the shaft's axes, bearings at x = a and x = b, about O at 0."""
     body = composite("rotor", parts, frame=shaft)
     A, B = shaft.point("A", a, 0, 0), shaft.point("B", b, 0, 0)
-    return Rotor(shaft.parent, shaft, body, shaft.point("O", 0, 0, 0), A, B)
+    return Rotor(shaft.tree[0], shaft, body, shaft.point("O", 0, 0, 0), A, B)
 
 
-def forces(r):
+def forces(r: Rotor) -> Reactions:
     return reactions(r.body, r.A, r.B, r.ground, about=r.O)
 
 
-def answers(r):
+def answers(r: Rotor) -> Answers:
     H, found = dynamics.angular_momentum(r.body, r.ground, r.O).expressed_in(r.shaft), forces(r)
     return in_frame(r.shaft, {
         "H_O": H,
@@ -52,14 +66,16 @@ def answers(r):
 # -- steps
 
 
-def principal_steps(body, *axes):
+def principal_steps(body: Body, *axes: tuple[str, str, str]) -> Steps:
     """The relevant moments of inertia about the centre; ``axes``: (key, body axis, description)."""
     for key, axis, which in axes:
         means = f"moment of inertia {which}"
         yield Step(key, body.inertia.moment(axis), "kg*m^2", means, "7.6")
 
 
-def shaft_steps(r, products="xy", from_principal=False, particles=False):
+def shaft_steps(
+    r: Rotor, products: str = "xy", from_principal: bool = False, particles: bool = False
+) -> Steps:
     """The moment and the non-zero ``products`` of inertia in H_O, and by which formula."""
     found = ("7.4", "") if from_principal else ("7.2", "7.9" if particles else "7.10")
     added = "the sum of m*{}*{}" if particles else "the integral of {}*{}*dm"
@@ -72,7 +88,7 @@ def shaft_steps(r, products="xy", from_principal=False, particles=False):
         yield Step(f"I_{name}", product, "kg*m^2", means, *found)
 
 
-def force_steps(r):
+def force_steps(r: Rotor) -> Steps:
     """Steps for G off the axis: its acceleration, and the terms of each bearing force."""
     a_G = r.body.centre.acceleration(r.ground).expressed_in(r.shaft)
     yield Step("a_G", a_G, "m/s^2", "acceleration of the centre of mass", "4.8", "4.18")
@@ -83,7 +99,7 @@ def force_steps(r):
 # -- a later answer from an earlier one
 
 
-def following(rotor_of):
+def following(rotor_of: Callable[[Givens], Rotor]) -> Follows:
     """``follows`` of a problem whose :class:`Rotor` is ``rotor_of(g)``."""
     Hdot_O = lambda g, H_O: (H_O.frame.i * g.omega).cross(H_O)
 
@@ -97,17 +113,22 @@ def following(rotor_of):
         right, axes = answers(rotor_of(g)), F_A.frame
         return axes.vector(*right["F_A"]) + axes.vector(*right["F_B"]) - F_A
 
-    def state(g, Hdot_O, F_A, F_B):
+    def balanced(g, Hdot_O, F_A, F_B):
         """Forces written in few digits leave a sum that is not quite zero."""
         near = (F_A.norm() + F_B.norm()) / 100
         small = answers(rotor_of(g))["H_O"].norm() * g.omega / 10**9
-        static, dynamic = (F_A + F_B).norm() <= near, Hdot_O.norm() <= small
-        return ("both" if dynamic else "static") if static else "dynamic" if dynamic else "neither"
+        return state((F_A + F_B).norm() <= near, Hdot_O.norm() <= small)
 
-    return {"Hdot_O": Hdot_O, "F_A": F_A, "F_B": F_B, "balance": state}
+    return {"Hdot_O": Hdot_O, "F_A": F_A, "F_B": F_B, "balance": balanced}
 
 
-def problem_of(rotor_of, *axes, products="xy", off_axis=False, particles=False):
+def problem_of(
+    rotor_of: Callable[[Givens], Rotor],
+    *axes: tuple[str, str, str],
+    products: str = "xy",
+    off_axis: bool = False,
+    particles: bool = False,
+) -> tuple[Solve, StepsOf, Follows]:
     """``solve``, ``steps`` and ``follows`` of a problem whose :class:`Rotor` is ``rotor_of(g)``.
 
     axes : for :func:`principal_steps`, of a body of one part
@@ -127,7 +148,7 @@ def problem_of(rotor_of, *axes, products="xy", off_axis=False, particles=False):
 # -- mistakes
 
 
-def with_inertia(r, moment=1, product=1):
+def with_inertia(r: Rotor, moment: Scalar = 1, product: Scalar = 1) -> Answers:
     """The answers with wrong factors on the shaft's moment of inertia and on the products."""
     right, found = answers(r), forces(r)
     H, change = right["H_O"], product - 1
@@ -140,12 +161,12 @@ def with_inertia(r, moment=1, product=1):
     })  # fmt: skip
 
 
-def only(answers, *keys):
+def only(answers: Answers, *keys: str) -> Answers:
     """These answers; all but the word by default."""
     return {key: answers[key] for key in keys or ("H_O", "Hdot_O", "F_A", "F_B")}
 
 
-def pure_couple(r):
+def pure_couple(r: Rotor) -> Answers:
     """The mistake of bearing forces without m a_G."""
     found = forces(r)
     wrong = {"F_A": found.A.without("static"), "F_B": found.B.without("static")}
@@ -155,7 +176,9 @@ def pure_couple(r):
 # -- proof
 
 
-def prove(g, points, a, b, extra=("I_xx", "I_xy")):
+def prove(
+    g: Givens, points: Points, a: Number, b: Number, extra: Iterable[str] = ("I_xx", "I_xy")
+) -> Answers:
     """The answers from rotating mass points, pairs (mass, place in the shaft): their angular
     momentum about O, its rate, and the moments that the motion needs about the bearings. A force
     has no moment about its own bearing, so each follows from the moment about the other. ``extra``
@@ -186,7 +209,7 @@ def prove(g, points, a, b, extra=("I_xx", "I_xy")):
     } | {key: steps[key] for key in extra}
 
 
-def state(static, dynamic):
+def state(static: bool, dynamic: bool) -> str:
     """The answer on the balance."""
     if static and dynamic:
         return "both"
@@ -196,7 +219,7 @@ def state(static, dynamic):
 # -- figure
 
 
-def sketch(ax, r, azimuth=-28, elevation=18):
+def sketch(ax: AnyAxes, r: Rotor, azimuth: float = -28, elevation: float = 18) -> Sketch:
     """The shaft in its bearings with the rate omega."""
     s = Sketch(ax, r.shaft, up="y", azimuth=azimuth, elevation=elevation)
     a, b = (P.position(r.shaft).x for P in (r.A, r.B))

@@ -1,12 +1,17 @@
 """The satellite of 5/2 and 7/2: two touching spheres, the larger about O, x through both."""
 
+from collections.abc import Callable
+
+from exercises.annotations import AnyAxes, Givens, Number, Points, Scalar
 from exercises.tools import Sketch, proofs
-from newton_euler import Frame, bodies
+from newton_euler import Body, Frame, bodies
 
 SATELLITE = Frame("satellite")
 
 
-def parts(g, distance=None, shape=bodies.sphere):
+def parts(
+    g: Givens, distance: Scalar | None = None, shape: Callable[..., Body] = bodies.sphere
+) -> list[Body]:
     far = SATELLITE.point("centre", g.R1 + g.R2 if distance is None else distance, 0, 0)
     return [
         shape(g.R1, SATELLITE, mass=g.m1, name="larger sphere"),
@@ -14,7 +19,7 @@ def parts(g, distance=None, shape=bodies.sphere):
     ]
 
 
-def spheres(g):
+def spheres(g: Givens) -> list[tuple[Number, Points, list[Number]]]:
     """Proof: mass, mass points and centre of each sphere."""
     return [
         (g.m1, proofs.ball(g.R1, order=2), [0, 0, 0]),
@@ -22,7 +27,7 @@ def spheres(g):
     ]
 
 
-def figure(g, ax):
+def figure(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, SATELLITE, plane="xz")
     O, C = (0, 0, 0), (g.R1 + g.R2, 0, 0)
     s.sphere(O, g.R1)

@@ -1,27 +1,28 @@
 """The screw-jack of 4/1 (and 3/12), which rises by one lead per turn; A ends its handle."""
 
+from exercises.annotations import AnyAxes, Givens, Path, Scalar
 from exercises.tools import Sketch, at_angle, mp
-from newton_euler import Frame, cos, moving, pi, sin
+from newton_euler import Frame, Point, cos, moving, pi, sin
 
 
-def rise(g):
+def rise(g: Givens) -> Scalar:
     """Axial speed of the screw."""
     return g.lead * g.n / (2 * pi(g.n))
 
 
-def screw_in_nut(g, rise, n):
+def screw_in_nut(g: Givens, rise: Scalar, n: Scalar) -> tuple[Frame, Frame, Point]:
     """Ground with Z up; a frame at B that rises with the screw; A, which turns in it."""
     ground = Frame("ground")
     rising = ground.translate("rising", ground.point("B", 0, 0, moving(0, rate=rise)))
     return ground, rising, rising.rotate("screw", "z", rate=n).point("A", g.a, 0, 0)
 
 
-def handle_in_time(g):
+def handle_in_time(g: Givens) -> Path:
     """Proof: position of A over time, a circle about the axis and the lead times the turns."""
     return lambda t: at_angle(g.a, g.n * t, g.lead * g.n * t / (2 * mp.pi))
 
 
-def figure(g, ax, ground, rising, A):
+def figure(g: Givens, ax: AnyAxes, ground: Frame, rising: Frame, A: Point) -> Sketch:
     """The figure without axes; returns the sketch."""
     B, thick, low = rising.origin, 0.15 * g.a, -0.3 * g.a - 2.5 * g.lead
     s = Sketch(ax, ground, azimuth=-110, elevation=18)

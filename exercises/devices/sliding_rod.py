@@ -3,12 +3,15 @@
 omega grows at alpha (clockwise), and u falls at dec, if they are given.
 """
 
+from collections.abc import Callable
+
+from exercises.annotations import Answers, AnyAxes, Functions, Givens, Mistakes, Number, Scalar
 from exercises.devices.turning_plate import motion, motion_steps, proof, turning
 from exercises.tools import Sketch, in_frame
-from newton_euler import moving
+from newton_euler import Frame, Point, moving
 
 
-def about(name, side):
+def about(name: str, side: int) -> tuple[Callable[[Givens], tuple[Frame, Point]], *Functions]:
     """The end ``name`` as a function of g, and ``solve``, ``steps``, ``prove`` and ``draw`` for it;
     ``side``: -1 or 1, along i from A.
     """
@@ -23,18 +26,18 @@ def about(name, side):
     )
 
 
-def second_rates(g):
+def second_rates(g: Givens) -> tuple[Scalar, Scalar]:
     """The clockwise rate of omega, and that of u."""
     return getattr(g, "alpha", 0), -getattr(g, "dec", 0)
 
 
-def end(g, name, x, y):
+def end(g: Givens, name: str, x: Scalar, y: Scalar) -> tuple[Frame, Point]:
     alpha, a_r = second_rates(g)
     ground, bracket = turning("bracket", -g.omega, -alpha)
     return ground, bracket.point(name, moving(x, rate=g.u, acceleration=a_r), y, 0)
 
 
-def prove(g, name, x, y):
+def prove(g: Givens, name: str, x: Number, y: Number) -> Answers:
     """Proof by the explicit path of the end."""
     alpha, a_r = second_rates(g)
     return proof(
@@ -46,12 +49,12 @@ def prove(g, name, x, y):
     )
 
 
-def without(ground, P, *names):
+def without(ground: Frame, P: Point, *names: str) -> Answers:
     """The answer for the acceleration of P without these terms."""
     return in_frame(ground, {f"a_{P.name}": P.acceleration(ground).without(*names)})
 
 
-def common_mistakes(g, scene, x):
+def common_mistakes(g: Givens, scene: Callable[[Givens], tuple[Frame, Point]], x: str) -> Mistakes:
     """The mistakes of 2/36 and 2/39; ``scene(g)`` is the end, ``x`` names its distance from A."""
     return {
         "counterclockwise": motion(*scene(g.but(omega=-g.omega))),
@@ -60,7 +63,7 @@ def common_mistakes(g, scene, x):
     }
 
 
-def draw(g, ax, name, x, y):
+def draw(g: Givens, ax: AnyAxes, name: str, x: Scalar, y: Scalar) -> None:
     """The figure; the rod extends equally far on both sides of A. A wider arc is alpha."""
     ground, P = end(g, name, x, y)
     bracket, side, far = P.frame, x / abs(x), abs(x)

@@ -1,26 +1,30 @@
 """The slotted arm of 2/24, 2/25, turning about O, with the pin P of a crank CP in it; OC = CP."""
 
+from collections.abc import Sequence
+
+from exercises.annotations import AnyAxes, Givens, Number, Path
 from exercises.tools import Sketch, at_angle, plus, rot, times
 from newton_euler import Frame, cos, moving, sin
+from newton_euler.algebra import Moving
 
 
-def turning(g):
+def turning(g: Givens) -> tuple[Moving, Moving]:
     """The angle of the arm and the distance OP, with their rates."""
     theta = moving(g.theta, rate=g.omega)
     return theta, 2 * g.b * cos(theta)
 
 
-def crank(g):
+def crank(g: Givens) -> Path:
     """Proof: P over time; the angle at the centre is twice that at the circumference."""
     return lambda t: plus([g.b, 0, 0], at_angle(g.b, 2 * (g.theta + g.omega * t)))
 
 
-def in_arm(g, vector, t=0):
+def in_arm(g: Givens, vector: list[Number], t: Number = 0) -> list[Number]:
     """Proof: components along the arm and across it."""
     return times(rot("z", -g.theta - g.omega * t), vector)
 
 
-def sketch(g, ax, labels):
+def sketch(g: Givens, ax: AnyAxes, labels: Sequence[str]) -> None:
     """The figure of both problems; ``labels``: of the axes along the arm."""
     ground = Frame("ground")
     arm = ground.rotate("arm", "z", g.theta)

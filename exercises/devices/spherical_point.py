@@ -1,27 +1,34 @@
 """A point in spherical coordinates (3/15, 3/16; a proof for others); phi is the elevation."""
 
+from collections.abc import Callable
+
+from exercises.annotations import AnyAxes, Givens, Number, Path
 from exercises.tools import Sketch, at_angle, elevation, mp, second_rate, spherical_axes, times
 from newton_euler import Frame, cos, kinematics, sin
 
 
-def place_in_time(R, theta, phi):
+def place_in_time(
+    R: Callable[[Number], Number],
+    theta: Callable[[Number], Number],
+    phi: Callable[[Number], Number],
+) -> Path:
     """Proof: position over time from coordinates over time."""
     across = lambda t: R(t) * mp.cos(phi(t))
     up = lambda t: R(t) * mp.sin(phi(t))
     return lambda t: at_angle(across(t), theta(t), up(t))
 
 
-def local_acceleration(A, t=0):
+def local_acceleration(A: Path, t: Number = 0) -> list[Number]:
     """Proof: acceleration of A, a position over time, along e_R, e_theta, e_phi."""
     return times(spherical_axes(A(t)), second_rate(A, t))
 
 
-def elevation_in_time(A):
+def elevation_in_time(A: Path) -> Callable[[Number], Number]:
     """Proof: elevation of A, a position over time."""
     return lambda t: elevation(A(t))
 
 
-def figure(g, ax, distance="", theta=0.9):
+def figure(g: Givens, ax: AnyAxes, distance: str = "", theta: float = 0.9) -> None:
     """The figure, with the elevation of g and ``distance``, a label for OP; any azimuth will do."""
     ground = Frame("ground")
     axes = kinematics.spherical_frame(ground, theta, g.phi)

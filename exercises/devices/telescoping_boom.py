@@ -1,23 +1,30 @@
 """The telescoping boom OA of 3/17 and 3/18, on a turning vertical shaft."""
 
+from collections.abc import Callable
+
+from exercises.annotations import AnyAxes, Number, Path, Scalar
 from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, moving, pi, spherical
+from newton_euler.algebra import Moving
+from newton_euler.kinematics.coordinates import CoordinatePoint
 
 
-def boom_end(omega, beta, length):
+def boom_end(omega: Scalar, beta: Moving, length: Scalar) -> tuple[Frame, CoordinatePoint]:
     """Ground, and the end A, for moving ``beta``, from the upward vertical, and ``length``."""
     ground = Frame("ground")
     elevation = pi(beta.value) / 2 - beta
     return ground, spherical(ground, "A", length, moving(0, rate=omega), elevation)
 
 
-def end_in_time(omega, beta, length):
+def end_in_time(
+    omega: Number, beta: Callable[[Number], Number], length: Callable[[Number], Number]
+) -> Path:
     """Proof: position of A over time, from functions ``beta`` and ``length`` of time."""
     along = lambda t: [length(t) * mp.sin(beta(t)), 0, length(t) * mp.cos(beta(t))]
     return lambda t: times(rot("z", omega * t), along(t))
 
 
-def figure(ax, ground, A):
+def figure(ax: AnyAxes, ground: Frame, A: CoordinatePoint) -> Sketch:
     """The figure of this point; returns the sketch."""
     O, l, axes = ground.point("O", 0, 0, 0), A.coordinates[0].value, A.local
     end, sleeve = A.position(ground), axes.i * 0.6

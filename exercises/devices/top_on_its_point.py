@@ -1,11 +1,13 @@
 """The top of 10/3 and 10/5, which spins on its point O: its data, proof and figure."""
 
+from exercises.annotations import Answers, AnyAxes, Givens, Number, Points, Scalar, Steps
 from exercises.devices.steady_precession import frames, of_weights, two_rings, weight_moment
 from exercises.tools import Sketch, Step, mean
 from newton_euler import dynamics, pi, sqrt
+from newton_euler.applications.gyroscopes import FastSpin, SteadyPrecession
 
 
-def data(g):
+def data(g: Givens) -> dict[str, Scalar]:
     """Moments of inertia about O and the moment of the weight, named as in the engine."""
     m = dynamics.mass_from_weight(g.W, g.g)
     ground, axes = frames(g.theta)
@@ -13,17 +15,17 @@ def data(g):
     return {"I0": m * g.k_x**2, "I": m * g.k_z**2, "theta": g.theta, "moment": M}
 
 
-def top(g, **wrong):
+def top(g: Givens, **wrong: Scalar) -> dict[str, Scalar]:
     """Arguments for the engine's functions, with wrong ones for a mistake."""
     return data(g) | {"spin": g.phi_dot} | wrong
 
 
-def two(found):
+def two(found: FastSpin | SteadyPrecession) -> Answers:
     """The answers, from the engine's slow and fast precession."""
     return {"psi_slow": found.slow, "psi_fast": found.fast}
 
 
-def data_steps(g):
+def data_steps(g: Givens) -> Steps:
     found = data(g)
     yield Step("I", found["I"], "slug*ft^2", "moment of inertia about the axis of the top, "
                "$W k_z^2/g$", "10.5", "10.17")  # fmt: skip
@@ -33,7 +35,7 @@ def data_steps(g):
                "10.6", "10.30")  # fmt: skip
 
 
-def proof_data(g):
+def proof_data(g: Givens) -> tuple[tuple[Number, Points, Number, Number, Number], Answers]:
     """Arguments for the proof, with mass points, and the steps found from these."""
     m, points = g.W / g.g, two_rings(g.k_z, g.k_x, g.c)
     M = of_weights(m, g.g, points, g.theta)
@@ -45,7 +47,7 @@ def proof_data(g):
     return (m, points, g.theta, g.phi_dot, M), found
 
 
-def draw(g, ax):
+def draw(g: Givens, ax: AnyAxes) -> None:
     """The top as a wheel of radius k_z about G, on a thin axle."""
     ground, axes = frames(g.theta, pi(g.theta) / 2)
     s = Sketch(ax, ground, azimuth=-68, elevation=18)

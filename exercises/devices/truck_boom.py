@@ -4,19 +4,20 @@ The functions are those of all four problems; rates that are not given are zero,
 only where the truck moves.
 """
 
+from exercises.annotations import Answers, AnyAxes, Givens, Scalar, Steps
 from exercises.tools import Sketch, Step, at_angle, in_frame, plus, proofs, rate, rot, terms
-from newton_euler import Frame, moving, pi
+from newton_euler import Frame, Point, moving, pi
 
 UNITS = {"v_B": "ft/s", "a_B": "ft/s^2"}
 
 
-def data(g):
+def data(g: Givens) -> tuple[Scalar, Scalar, Scalar, Scalar]:
     """The second rates of the length and of theta, and the truck's velocity and acceleration."""
     L_ddot, alpha, v, a = (getattr(g, name, 0) for name in ("L_ddot", "alpha", "v", "a"))
     return L_ddot, -alpha, v, a
 
 
-def boom(g, theta=0):
+def boom(g: Givens, theta: Scalar = 0) -> tuple[Frame, Frame, Point]:
     """Ground, x forward and y up; the boom, with i from A to B; B."""
     L_ddot, alpha, v, a = data(g)
     ground = Frame("ground")
@@ -27,14 +28,14 @@ def boom(g, theta=0):
     return ground, arm, B
 
 
-def solve(g):
+def solve(g: Givens) -> Answers:
     """The answers, in the axes of the boom."""
     ground, arm, B = boom(g)
     v, a = B.velocity(ground, via=arm), B.acceleration(ground, via=arm)
     return in_frame(arm, {"v_B": v, "a_B": a})
 
 
-def steps(g):
+def steps(g: Givens) -> Steps:
     """The rotation of the boom, the motion of B relative to it, then the terms of the answers."""
     ground, arm, B = boom(g)
     omega, alpha = arm.angular_velocity(ground), arm.angular_acceleration(ground)
@@ -49,7 +50,7 @@ def steps(g):
         yield from terms(value, key, UNITS[key], "2.10", {"v_B": "2.24", "a_B": "2.25"}[key])
 
 
-def prove(g):
+def prove(g: Givens) -> Answers:
     """B over time, forward and up; along the boom, the answers do not depend on theta."""
     (L_ddot, alpha, v, a), theta = data(g), getattr(g, "theta", 1)
     elevation = lambda t: theta - g.omega * t + alpha * t**2 / 2
@@ -68,7 +69,7 @@ def prove(g):
     }
 
 
-def draw(g, ax):
+def draw(g: Givens, ax: AnyAxes) -> None:
     """The truck, the boom, omega and the axes of the answers; theta is 35 degrees by default."""
     ground, arm, B = boom(g, theta=7 * pi(g.L) / 36)
     size = g.L
@@ -92,6 +93,7 @@ def draw(g, ax):
     s.axes(arm.point("foot", 0.6 * size, 0, 0), arm, length=0.14 * size, labels=["i", "j", ""])
     s.label(A, "A", offset=(-12, -4))
     s.label(B, "B", offset=(-3, 12))
-    for name, up, kind in (("v", -0.2, "velocity"), ("a", -0.1, "acceleration")):
-        if hasattr(g, name):
-            s.vector((0.26 * size, up * size, 0), (1, 0, 0), name, kind=kind)
+    if hasattr(g, "v"):
+        s.vector((0.26 * size, -0.2 * size, 0), (1, 0, 0), "v")
+    if hasattr(g, "a"):
+        s.vector((0.26 * size, -0.1 * size, 0), (1, 0, 0), "a", kind="acceleration")

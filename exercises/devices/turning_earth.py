@@ -1,19 +1,22 @@
 """Motion on the turning Earth, 6/18 to 6/23: i east, j north, k up; proofs from the stars."""
 
+from collections.abc import Callable, Sequence
+
+from exercises.annotations import AnyAxes, Givens, Matrix, Number, Scalar
 from exercises.tools import Sketch, minus, mp, mpf, plus, rate, rot, scaled, times, transposed
-from newton_euler import Frame, cos, sin
+from newton_euler import Frame, Vector, cos, sin
 from newton_euler.applications import earth_frame, earth_rate, ground_frame, projectile_position
 
 # m, of the Earth in proofs, which to first order in its rate do not depend on it
 RADIUS = mpf(6_400_000)
 
 
-def ground_axes(g):
+def ground_axes(g: Givens) -> Frame:
     """The ground at the latitude of g, on the turning Earth."""
     return ground_frame(earth_frame(Frame("stars"), g.omega_e), g.lat)
 
 
-def shot(g, t, launch, omega=None):
+def shot(g: Givens, t: Scalar, launch: Vector, omega: Vector | None = None) -> Vector:
     """Position of a shot at time t, with named terms; ``omega`` is the Earth's by default."""
     ground = launch.frame
     return projectile_position(t, launch, -g.g * ground.k, omega or earth_rate(ground))
@@ -22,12 +25,14 @@ def shot(g, t, launch, omega=None):
 # -- proofs
 
 
-def axes_turned(g, angle):
+def axes_turned(g: Givens, angle: Number) -> Matrix:
     """The ground axes as columns, along the initial ones, after the Earth has turned."""
     return rot([0, mp.cos(g.lat), mp.sin(g.lat)], angle)
 
 
-def flight(g, velocity, height=0):
+def flight(
+    g: Givens, velocity: Sequence[Number], height: Number = 0
+) -> Callable[[Number, Number], list[Number]]:
     """Position relative to the ground, as a function of time and of a share of the Earth's rate, of
     a body that leaves ``height`` with a velocity relative to the ground. In the inertial frame it
     also has the velocity of the ground, and falls along the turning vertical.
@@ -48,7 +53,7 @@ def flight(g, velocity, height=0):
     return place
 
 
-def to_first_order(f):
+def to_first_order(f: Callable[[Number], list[Number]]) -> list[Number]:
     """The vector f(share of the Earth's rate), to first order in the share, at the full rate."""
     return plus(f(mpf(0)), rate(f))
 
@@ -56,7 +61,7 @@ def to_first_order(f):
 # -- figures
 
 
-def globe(g, ax):
+def globe(g: Givens, ax: AnyAxes) -> tuple[Sketch, Frame]:
     """The Earth with its axis, and the ground axes at the latitude of g."""
     stars = Frame("stars")
     ground = ground_frame(earth_frame(stars, 1), g.lat, radius=1)
@@ -74,7 +79,7 @@ def globe(g, ax):
     return s, ground
 
 
-def from_above(ground, ax):
+def from_above(ground: Frame, ax: AnyAxes) -> Sketch:
     """A sketch of the ground, with the axes i and j at its corner."""
     s = Sketch(ax, ground, plane="xy")
     s.axes((-2, -1.6, 0), ground, length=0.8, labels=["i, east", "j, north", ""])

@@ -1,22 +1,25 @@
 """A body sliding along i on a plate that turns about A: the welder, the rod of 2/36."""
 
+from collections.abc import Callable
+
+from exercises.annotations import Answers, Number, Scalar, Steps
 from exercises.tools import Step, in_frame, mp, proofs, rate, rot, second_rate, terms
-from newton_euler import Frame
+from newton_euler import Frame, Point, Vector
 
 
-def turning(name, omega, alpha=0):
+def turning(name: str, omega: Scalar, alpha: Scalar = 0) -> tuple[Frame, Frame]:
     """Ground with z out of the plane; the plate, about A, at the instant parallel to the ground."""
     ground = Frame("ground")
     return ground, ground.rotate(name, "z", rate=omega, acceleration=alpha)
 
 
-def motion(ground, P):
+def motion(ground: Frame, P: Point) -> Answers:
     """Velocity and acceleration of P, which moves in the plate, with their terms."""
     v, a = P.velocity(ground), P.acceleration(ground)
     return in_frame(ground, {f"v_{P.name}": v, f"a_{P.name}": a})
 
 
-def motion_steps(ground, P, length):
+def motion_steps(ground: Frame, P: Point, length: str) -> Steps:
     """The quantities in (2.24) and (2.25), then the terms; ``length`` is the unit of length."""
     plate, name = P.frame, P.frame.name
     omega, alpha = plate.angular_velocity(ground), plate.angular_acceleration(ground)
@@ -32,7 +35,13 @@ def motion_steps(ground, P, length):
     yield from terms(a, f"a_{P.name}", f"{length}/s^2", "2.10", "2.25")
 
 
-def proof(name, plate, theta, x, y):
+def proof(
+    name: str,
+    plate: str,
+    theta: Callable[[Number], Number],
+    x: Callable[[Number], Number],
+    y: Callable[[Number], Number],
+) -> Answers:
     """Proof by the explicit path; ``theta``, ``x`` and ``y`` are functions of time."""
 
     def P(t):
@@ -50,7 +59,7 @@ def proof(name, plate, theta, x, y):
     }
 
 
-def acceleration_from(ground, P, v):
+def acceleration_from(ground: Frame, P: Point, v: Vector) -> Vector:
     """Acceleration from v = v_r + omega x r: a = omega x (v + v_r) + alpha x r + a_r."""
     right = motion(ground, P)
     off = ground.vector(*v) - right[f"v_{P.name}"]

@@ -4,16 +4,19 @@
 and that of B falls at c_B, if they are given.
 """
 
+from collections.abc import Callable
+
+from exercises.annotations import Answers, AnyAxes, Givens, Scalar, Steps
 from exercises.tools import Sketch, Step, minus, mp, proofs, rate, rot, second_rate, times
-from newton_euler import Frame, cos, moving, sin
+from newton_euler import Frame, Point, Vector, cos, moving, sin
 
 
-def rates(g):
+def rates(g: Givens) -> tuple[Scalar, Scalar]:
     """The rates of the speeds of A and B."""
     return getattr(g, "c_A", 0), -getattr(g, "c_B", 0)
 
 
-def cars(g):
+def cars(g: Givens) -> tuple[Frame, Frame, Point]:
     """Ground, at the instant parallel to car A; the frame of car A; B."""
     ground, (a_A, a_B) = Frame("ground"), rates(g)
     # both turn counterclockwise: each car has the centre of its curve on its left
@@ -25,7 +28,7 @@ def cars(g):
     return ground, car, second.point("B", -g.R, 0, 0)
 
 
-def place(ground, car, B, seen=None):
+def place(ground: Frame, car: Frame, B: Point, seen: Vector | None = None) -> Point:
     """A point of car A at the position of B, moving in the car at the velocity ``seen``, if any."""
     r = B.position(car)
     if seen is None:
@@ -34,13 +37,17 @@ def place(ground, car, B, seen=None):
     return car.point("Q", *(moving(x, rate=v) for x, v in zip(r, rates, strict=True)))
 
 
-def seen_velocity(ground, car, B, change=lambda v: v):
+def seen_velocity(
+    ground: Frame, car: Frame, B: Point, change: Callable[[Vector], Vector] = lambda v: v
+) -> Vector:
     """v_B - (v_A + omega x r), (2.24); ``change`` falsifies the sum in brackets."""
     v = place(ground, car, B).velocity(ground)
     return B.velocity(ground).expressed_in(ground) - change(v)
 
 
-def seen_acceleration(ground, car, B, *missing, seen=None):
+def seen_acceleration(
+    ground: Frame, car: Frame, B: Point, *missing: str, seen: Vector | None = None
+) -> Vector:
     """a_B - (a_A + alpha x r + 2 omega x v_rel + omega x (omega x r)), (2.25), without the missing
     terms of the sum in brackets; ``seen``: a wrong relative velocity.
     """
@@ -49,11 +56,11 @@ def seen_acceleration(ground, car, B, *missing, seen=None):
     return B.acceleration(ground).expressed_in(ground) - a.without(*missing)
 
 
-def solve(g):
+def solve(g: Givens) -> Answers:
     return {"a_rel": seen_acceleration(*cars(g))}
 
 
-def velocity_steps(ground, car, B):
+def velocity_steps(ground: Frame, car: Frame, B: Point) -> Steps:
     """The quantities in (2.24)."""
     v = place(ground, car, B).velocity(ground).expressed_in(ground)
     omega = car.angular_velocity(ground)
@@ -64,7 +71,7 @@ def velocity_steps(ground, car, B):
     yield Step("v_rotation", v.terms["rotation"], "m/s", "the term omega x r", "2.10", "2.24")
 
 
-def steps(g):
+def steps(g: Givens) -> Steps:
     """The quantities in (2.25)."""
     ground, car, B = cars(g)
     yield from velocity_steps(ground, car, B)
@@ -87,13 +94,13 @@ def steps(g):
         yield Step(f"a_{name}", terms[name], "m/s^2", means, "2.10", "2.25")
 
 
-def proved_velocities(g):
+def proved_velocities(g: Givens) -> Answers:
     """Proof: what concerns the velocities, by :func:`prove`."""
     found = prove(g)
     return {key: found[key] for key in ("v_rel", "omega_A", "r", "v_A", "v_B")}
 
 
-def prove(g):
+def prove(g: Givens) -> Answers:
     """Both cars over time, and the rates of B's coordinates along the turning axes of A."""
     angle = lambda a: lambda t: (g.v * t + a * t**2 / 2) / g.R
 
@@ -117,7 +124,7 @@ def prove(g):
     }
 
 
-def draw(g, ax):
+def draw(g: Givens, ax: AnyAxes) -> None:
     ground, _, _ = cars(g)
     s = Sketch(ax, ground, plane="xy")
     far, A, B = 1.3 * g.x / (g.R + 0.3 * g.x), (0, 0, 0), (g.x, 0, 0)

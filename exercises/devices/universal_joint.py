@@ -1,10 +1,11 @@
 """The joint of 4/21 and 4/29: a shaft spinning in a block that tilts in a turning fork."""
 
+from exercises.annotations import AnyAxes, Givens, Orientation
 from exercises.tools import Sketch, Step, in_frame, mp, rot, spun, times
-from newton_euler import Frame
+from newton_euler import Frame, Vector
 
 
-def fork_and_shaft(g):
+def fork_and_shaft(g: Givens) -> tuple[Frame, Frame, Frame]:
     """Ground, z up; the fork, about z; the block, about its -x; the shaft, about e."""
     ground = Frame("ground")
     fork = ground.rotate("fork", "z", rate=g.Omega)
@@ -12,26 +13,26 @@ def fork_and_shaft(g):
     return ground, fork, block.rotate("shaft", "z", rate=g.omega)
 
 
-def angular_velocity(g):
+def angular_velocity(g: Givens) -> Vector:
     """The shaft's angular velocity in the ground, along the axes of the fork."""
     ground, fork, shaft = fork_and_shaft(g)
     return in_frame(fork, shaft.angular_velocity(ground))
 
 
-def angular_acceleration(g):
+def angular_acceleration(g: Givens) -> Vector:
     """The shaft's angular acceleration in the ground, along the axes of the fork."""
     ground, fork, shaft = fork_and_shaft(g)
     return in_frame(fork, shaft.angular_acceleration(ground))
 
 
-def direction(g):
+def direction(g: Givens) -> Step:
     """The direction of the shaft along the axes of the fork, as a step."""
     _, fork, shaft = fork_and_shaft(g)
     means = "direction of the shaft, $\\sin\\gamma$ along y and $\\cos\\gamma$ along z"
     return Step("e", shaft.k.expressed_in(fork), "1", means)
 
 
-def orientation(g):
+def orientation(g: Givens) -> Orientation:
     """Proof, over time: rotation about e, starting at the pin, then rotation with the fork."""
 
     def shaft(t):
@@ -42,7 +43,7 @@ def orientation(g):
     return shaft
 
 
-def draw(g, ax):
+def draw(g: Givens, ax: AnyAxes) -> None:
     ground, fork, shaft = fork_and_shaft(g)
     centre, up = fork.point("centre", 0, 0, 0), fork.point("up", 0, 0, 1)
     foot, middle = fork.point("foot", 0, 0, -1.3), fork.point("middle", 0, 0, -0.7)

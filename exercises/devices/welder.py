@@ -1,11 +1,23 @@
 """The welder of 2/34, 2/35: a bracket with tips D and E, sliding on a plate that turns about A."""
 
+from collections.abc import Callable
+
+from exercises.annotations import AnyAxes, Draw, Givens, Mistakes, Scalar, Solve, StepsOf
 from exercises.devices.turning_plate import motion, motion_steps, proof, turning
 from exercises.tools import Sketch, in_frame
-from newton_euler import moving
+from newton_euler import Frame, Point, moving
 
 
-def about(name, side):
+def about(
+    name: str, side: int
+) -> tuple[
+    Callable[[Givens], tuple[Frame, Point]],
+    Solve,
+    StepsOf,
+    Solve,
+    Callable[[Givens], Mistakes],
+    Draw,
+]:
     """The tip as a function of g, solve, steps, prove, mistakes, draw; ``side`` is 1 above A."""
     place = lambda g: (getattr(g, f"x_{name}"), side * getattr(g, f"y_{name}"))
     this_tip = lambda g: tip(g, name, *place(g))
@@ -24,13 +36,13 @@ def about(name, side):
     )
 
 
-def tip(g, name, x, y):
+def tip(g: Givens, name: str, x: Scalar, y: Scalar) -> tuple[Frame, Point]:
     """Ground, and the tip at x, y from A, moving along i in the plate."""
     ground, plate = turning("plate", g.omega)
     return ground, plate.point(name, moving(x, rate=g.u), y, 0)
 
 
-def mistakes(g, name, x, y):
+def mistakes(g: Givens, name: str, x: Scalar, y: Scalar) -> Mistakes:
     """No Coriolis term; the tip at the level of A; the other tip."""
     ground, P = tip(g, name, x, y)
     return {
@@ -40,7 +52,7 @@ def mistakes(g, name, x, y):
     }
 
 
-def draw(g, ax, name, x, y):
+def draw(g: Givens, ax: AnyAxes, name: str, x: Scalar, y: Scalar) -> None:
     """The figure, with both tips equally far from the level of A."""
     ground, P = tip(g, name, x, y)
     plate, h, side = P.frame, abs(y), y / abs(y)

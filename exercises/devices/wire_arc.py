@@ -1,18 +1,21 @@
 """The wire of 5/7 and 7/7: an arc about O, from the angle -alpha to alpha."""
 
-from exercises.catalogue.proofs.digits import weighted
+from collections.abc import Callable
+
+from exercises.annotations import AnyAxes, Givens, Number, Scalar
+from exercises.catalogue.proofs.digits import Value, weighted
 from exercises.tools import Sketch, mp, proofs
 from newton_euler import Frame, cos, integral, sin
 
 WIRE = Frame("wire")
 
 
-def over(g, f, start=None):
+def over(g: Givens, f: Callable[[Scalar], Scalar], start: Scalar | None = None) -> Scalar:
     """The integral of f(theta) R dtheta along the wire."""
     return integral(lambda theta: f(theta) * g.R, -g.alpha if start is None else start, g.alpha)
 
 
-def along(g, f):
+def along(g: Givens, f: Callable[[list[Number]], Value]) -> Value:
     """Proof: the integral of f(place) ds along the wire, f a list or matrix, over the slope u =
     y/(R + x) of the line from (-R, 0), a rational parametrization of the circle.
     """
@@ -23,7 +26,7 @@ def along(g, f):
     return proofs.integral(per_slope, -steepest, steepest)
 
 
-def figure(g, ax):
+def figure(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, WIRE, plane="xy")
     O = (0, 0, 0)
     low = (g.R * cos(g.alpha), -g.R * sin(g.alpha), 0)

@@ -1,13 +1,14 @@
 """The wire of 5/10, 7/10, 8/14: a half circle about O, its diameter along x, a leg at its left."""
 
+from exercises.annotations import AnyAxes, Givens, Number, Path, Scalar
 from exercises.tools import Sketch, at_angle, mp
-from newton_euler import Frame
+from newton_euler import Body, Frame
 from newton_euler.bodies import half_ring, rod
 
 WIRE = Frame("wire")
 
 
-def parts(g, density=1, side=-1):
+def parts(g: Givens, density: Scalar = 1, side: int = -1) -> list[Body]:
     """Half circle, diameter, leg, which is at ``side``."""
     leg = WIRE.point("leg", side * g.r, 0, g.c / 2)
     return [
@@ -17,7 +18,7 @@ def parts(g, density=1, side=-1):
     ]
 
 
-def path(g):
+def path(g: Givens) -> tuple[Path, Number, tuple[Number, Number]]:
     """Proof, leg to half circle: position at arc length s, total length, and corners."""
     foot, bend = g.c, g.c + 2 * g.r
 
@@ -31,7 +32,7 @@ def path(g):
     return place, bend + mp.pi * g.r, (foot, bend)
 
 
-def figure(g, ax):
+def figure(g: Givens, ax: AnyAxes) -> Sketch:
     """The figure of the wire; returns the sketch."""
     s = Sketch(ax, WIRE, azimuth=-60, elevation=25)
     O, left, right = (0, 0, 0), (-g.r, 0, 0), (g.r, 0, 0)

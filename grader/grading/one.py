@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from exercises.catalogue.reading import read_once
+
 from ..assignment.attempts import earlier_attempts, is_work_of_earlier
 from ..assignment.cells import Notebook, Sources, kind, nbgrader_metadata
 from ..assignment.released import personal_path
@@ -84,28 +86,29 @@ def grade_one(
         return GradingResult(graded_from_json(entry), changed, True)
     ran = entry.get("ran") == state["ran"]
     notebook: Notebook | None = None
-    if ran and as_built:
-        work = Work(**entry["work"])
-    else:
-        notebook, work = rebuild(
-            sheet.master, parse_notebook(submitted.name, content), sheet.places
-        )
-    if ran:
-        executed = RunResults(**entry["executed"])
-    else:
-        assert notebook  # rebuilt above, since no run is kept
-        executed = execute(harvester, sheet, notebook)
-    scores = graded_from_json(entry).scores if ran else {}
-    kept = {i: s for i, s in scores.items() if entry["scored"].get(i) == state["scored"].get(i)}
-    graded = grade_notebook(sheet, work, executed, kept)
-    graded.note = "; ".join(filter(None, [remark, graded.note]))
-    now = graded_as_json(graded)
-    if notebook is None and any(entry[key] != now[key] for key in now):
-        notebook = load_json(annotated.read_bytes())
-    if notebook is not None:
-        earlier = entry["note"] if as_built else ""
-        write_notebook(annotated, annotate(notebook, graded, sources, earlier))
-        _copy_nbgraders_files(submitted.parent, annotated.parent)
+    with read_once():  # after the hashes: what is edited meanwhile is graded again the next time
+        if ran and as_built:
+            work = Work(**entry["work"])
+        else:
+            notebook, work = rebuild(
+                sheet.master, parse_notebook(submitted.name, content), sheet.places
+            )
+        if ran:
+            executed = RunResults(**entry["executed"])
+        else:
+            assert notebook  # rebuilt above, since no run is kept
+            executed = execute(harvester, sheet, notebook)
+        scores = graded_from_json(entry).scores if ran else {}
+        kept = {i: s for i, s in scores.items() if entry["scored"].get(i) == state["scored"].get(i)}
+        graded = grade_notebook(sheet, work, executed, kept)
+        graded.note = "; ".join(filter(None, [remark, graded.note]))
+        now = graded_as_json(graded)
+        if notebook is None and any(entry[key] != now[key] for key in now):
+            notebook = load_json(annotated.read_bytes())
+        if notebook is not None:
+            earlier = entry["note"] if as_built else ""
+            write_notebook(annotated, annotate(notebook, graded, sources, earlier))
+            _copy_nbgraders_files(submitted.parent, annotated.parent)
     parts = {"executed": vars(executed), "work": vars(work)}
     record["notebooks"][name] = {**state, **parts, **now}
     write_record(path, record)

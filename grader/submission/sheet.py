@@ -55,10 +55,8 @@ def student_sheet(
     """The :class:`Sheet` of a student."""
     notebook = released(course, assignment)[name]
     values = sheet_numbers(course, assignment, student) if notebook.tasks else {}
-    problems = [task.exercise for task in notebook.tasks.values()]
-    earlier = [
-        numbers_in(folder / "numbers.json", problems)
-        for folder in earlier_attempts(course, assignment, student).values()
-    ]
+    folders = earlier_attempts(course, assignment, student).values()
+    problems = [task.exercise for task in notebook.tasks.values()] if folders else []
+    earlier = [numbers_in(folder / "numbers.json", problems) for folder in folders]
     by_problem = {i: [sheet[i] for sheet in earlier if i in sheet] for i in notebook.tasks}
     return Sheet(course, assignment, student, name, notebook, values, sources, by_problem)

@@ -78,7 +78,7 @@ class Body:
         total._terms = terms
         return total
 
-    def __neg__(self):
+    def __neg__(self) -> "Body":
         """The body with negative mass, as a hole."""
         parts = [-part for part in self.parts]
         return Body(self.name, -self.mass, self.centre, -self._inertia, self.frame, parts)

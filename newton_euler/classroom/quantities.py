@@ -8,7 +8,7 @@ from ..algebra.vectors import Vector
 
 NOISE = 1e-12  # share of the largest value of the same unit; less is the round-off of a zero
 ALONE = 1e-14  # NOISE for a value that stands alone, in its unit
-PLAIN = 1e-4, 1e7  # between these without a power of ten
+PLAIN = 1e-4, 1e7  # numbers between these have no power of ten
 MOST = 8  # numbers of an array that are printed
 
 

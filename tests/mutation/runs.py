@@ -84,7 +84,7 @@ class Watch:
 
 class Target:
     """One module and the tests that are to find its mutants: ``tree`` of its source, ``reached`` by
-    each test as a set of lines, ``seconds`` that each takes.
+    each test as a set of lines, ``seconds`` that each takes, and those to ``start`` them.
 
     Raises :class:`TestsFailError` if they fail without any change.
     """
@@ -100,11 +100,13 @@ class Target:
                     f"the tests {' '.join(tests)} do not pass as they are: pytest returns {code}"
                 )
             file.seek(0)
-            self.reached, self.seconds = pickle.load(file)
+            self.reached, self.seconds, self.start = pickle.load(file)
 
     def _watched(self, watch, file):
+        begun = time.perf_counter()
         code = pytest.main([*self.tests, *OPTIONS], plugins=[watch])
-        pickle.dump((watch.reached, watch.seconds), file)
+        start = time.perf_counter() - begun - sum(watch.seconds.values())
+        pickle.dump((watch.reached, watch.seconds, start), file)
         file.flush()
         return code
 
@@ -125,7 +127,8 @@ class Target:
             sys.meta_path.insert(0, loader)
             return pytest.main([*tests, *OPTIONS])
 
-        usual = sum(self.seconds[test] for test in tests)
+        # on a busy machine the imports alone take longer than many tests
+        usual = self.start + sum(self.seconds[test] for test in tests)
         code = _forked(run, min(limit, 5.0 + 10 * usual))
         return None if code == LATE and limit < 5.0 + 10 * usual else code != 0
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 
 from mpmath import mp, mpf
 
-from .digits import DIGITS, Matrix, Number, Triple, Value, weighted
+from .digits import DIGITS, Matrix, Number, Orientation, Triple, Value, weighted
 from .vectors import cross, plus, scaled, times, transposed
 
 # five-point rules at 50 digits: truncation 1e-36 times the fifth derivative, rounding 1e-32
@@ -38,14 +38,14 @@ def second_rate(f: Callable[[Number], Value], t: Number = 0) -> Value:
         return weighted([w / (12 * h * h) for w in (-1, 16, -30, 16, -1)], values)
 
 
-def angular_velocity(R: Callable[[Number], Matrix], t: Number = 0) -> Triple:
+def angular_velocity(R: Orientation, t: Number = 0) -> Triple:
     """omega of a body with the orientation R(t) in the ground: the vector of R' R^T."""
     with mp.workdps(DIGITS):
         W = times(rate(R, t), transposed(R(mpf(t))))
         return [(W[2][1] - W[1][2]) / 2, (W[0][2] - W[2][0]) / 2, (W[1][0] - W[0][1]) / 2]
 
 
-def angular_acceleration(R: Callable[[Number], Matrix], t: Number = 0) -> Triple:
+def angular_acceleration(R: Orientation, t: Number = 0) -> Triple:
     """alpha of the same body: the skew part of R'' R^T, whose symmetric part drops out."""
     with mp.workdps(DIGITS):
         W = times(second_rate(R, t), transposed(R(mpf(t))))

@@ -10,12 +10,12 @@ from collections.abc import Callable, Sequence
 
 from mpmath import mp, mpf
 
-from .digits import DIGITS, Matrix, Motion, Number, Points, Triple, weighted
+from .digits import DIGITS, Motion, Number, Orientation, Points, Triple, weighted
 from .motions import rate, second_rate
 from .vectors import cross, minus, times
 
 
-def carried(points: Points, orientation: Callable[[Number], Matrix]) -> Motion:
+def carried(points: Points, orientation: Orientation) -> Motion:
     """The motion of mass points, given along the axes of a body that turns about the origin."""
 
     def motion(t):

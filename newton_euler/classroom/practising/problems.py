@@ -371,7 +371,7 @@ class PracticeProblem(Guided):
         return Message("\n".join(lines), self._variant["solution"])
 
 
-# where there is none, where none is written, where another is
+# said if a problem has none, if none is given, if it has no such one
 _OF_ANSWERS = (
     Words("{problem} has no answers to check in this practice file"),
     Words("write a value for an answer: {names}"),

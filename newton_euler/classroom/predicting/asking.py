@@ -12,7 +12,7 @@ from . import kept
 from .page import STATIC, opened, plain
 from .question import LETTERS, Judgement, Question, question
 
-ID = re.compile(r"[a-zA-Z0-9_-]{1,64}")  # of a cell, by the format of notebooks
+ID = re.compile(r"[a-zA-Z0-9_-]{1,64}")  # a cell's, by the format of notebooks
 # {(question, cell, how many equal ones that run of the cell asked before): prediction}, in the
 # order of asking
 _asked: dict[tuple[str, str, int], "Prediction"] = {}

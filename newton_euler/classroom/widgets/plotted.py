@@ -23,7 +23,7 @@ class Plotted:
     def clear(self, title: str) -> None:
         """Empty the axes, under this title; until they are laid out, of their artists only."""
         self.figure.suptitle(title, fontsize=11)
-        ax: Any  # for the types of Matplotlib do not say that a locator may be None
+        ax: Any  # the types of Matplotlib do not say that a locator may be None
         for ax in self.figure.axes:
             ax.set_axes_locator(None)
             if self._laid_out:

@@ -31,7 +31,7 @@ class Measures(Recorder):
         a, b = unit3(a), unit3(b)
         normal = cross3(a, b)
         angle = math.atan2(norm3(normal), dot3(a, b))
-        # at 0 and at 180 degrees the cross product has no direction: the plane that faces the eye
+        # the cross product has no direction at 0 and at 180 degrees: take the plane facing the eye
         if norm3(normal) <= 1e-9:
             normal = perpendicular_towards(a, self.view.eye)
         side = unit3(cross3(normal, a))

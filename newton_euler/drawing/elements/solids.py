@@ -36,7 +36,7 @@ class Solids(Recorder):
         near = thickness / 2 if self.view.depth(normal) > 0 else -thickness / 2
         spoke = None if spoke is None else moved(self._place(spoke), near, normal)
         front = moved(C, near, normal)
-        self._rim(moved(C, thickness / 2, normal), normal, r)  # for the extent
+        self._rim(moved(C, thickness / 2, normal), normal, r)  # the extent holds both rims
         rim = self._rim(back, normal, r)
         holes = [circle(back, normal, hole)] if hole else []
 

@@ -60,7 +60,7 @@ def _cheapest(note, place, half, covered, taken, edges, last):
     least, best = math.inf, 0
     for n in _CHEAP_FIRST:
         cost = _PLACES[n][2]
-        if cost > least:  # as are all after it
+        if cost > least:  # the places after it cost no less
             break
         box = low, high = _box(place, _shift(note, half, n), half)
         # weights by trial, on the figures of chapter 4

@@ -111,7 +111,7 @@ def perpendicular_towards(axis: Triple, target: Triple) -> Triple:
 
 def perpendiculars(axis: Triple) -> tuple[Triple, Triple]:
     """Two unit vectors that form a right-handed triple with ``axis``."""
-    # from the axis of the ground that is farthest from parallel
+    # the ground axis farthest from parallel gives the first
     least = min(range(3), key=lambda n: abs(axis[n]))
     e1 = perpendicular_towards(axis, tuple(float(n == least) for n in range(3)))
     return e1, cross3(axis, e1)

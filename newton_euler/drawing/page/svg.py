@@ -47,7 +47,7 @@ def svg(page: Page, alt: str = "") -> str:
     """
     width, height = page.width, page.height
     label = f' aria-label="{escape(" ".join(alt.split()))}"' if alt else ""
-    kind = "sketch wide" if width > 1.7 * height else "sketch"  # which a phone lets one push aside
+    kind = "sketch wide" if width > 1.7 * height else "sketch"  # phones scroll a wide one
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" class="{kind}" viewBox="0 0 {width:g} {height:g}"'
         f' width="{width / 0.72:g}" height="{height / 0.72:g}" role="img"{label}'

@@ -7,6 +7,7 @@ import pytest
 
 from exercises import problem
 from exercises.catalogue import problems
+from exercises.catalogue.reading import read_once
 from grader.grading.records import problem_state
 from grader.scoring import score_receipt
 from grader.scoring.computation import followed, sizes_of
@@ -67,3 +68,11 @@ def test_what_a_problem_computes_is_kept_by_the_problem_not_by_its_number(bead):
     assert all(x is y for x, y in zip(first, kept(before), strict=True))
     edit(bead("p01.py"), *EDITS["p01.py"])
     assert not any(x is y for x, y in zip(first, kept(problem("bead/1")), strict=True))
+
+
+def test_a_problem_that_is_edited_while_one_submission_is_graded_counts_from_the_next(bead):
+    with read_once():
+        before = problem("bead/1")
+        edit(bead("p01.yaml"), *EDITS["p01.yaml"])
+        assert problem("bead/1") is before
+    assert problem("bead/1") is not before

@@ -12,7 +12,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame, at, cos, cross, dot, moving, sin
-from newton_euler.algebra import ZERO, Explanation, FrameError, TermError, same
+from newton_euler.algebra import ZERO, Explanation, FrameError, ScalarError, TermError, same
 from newton_euler.algebra.trace import Trace
 from newton_euler.algebra.vectors import named_sum
 from tests.kinds import KINDS, close, every_kind, numbers, within
@@ -88,11 +88,23 @@ def test_to_array_has_shape_3_or_3_by_n():
     (lambda a: a.dot((1, 2, 3)), r"cannot take the dot product of .* and \(1, 2, 3\)"),
     (lambda a: a.cross(3), "cannot take the cross product of the vector .* and 3"),
     (lambda a: np.zeros(3) + a, "both must be vectors"),
+    (lambda a: a.angle_to(0 * a), "a zero vector makes no angle"),
     (lambda a: a.explain(), "was not computed as a named sum"),
 ])  # fmt: skip
 def test_mistakes_with_vectors_are_refused_in_words(wrong, message):
     with pytest.raises(FrameError, match=message):
         wrong(ground.vector(1.0, 2.0, 3.0))
+
+
+@pytest.mark.parametrize("wrong", [lambda a: a * "2", lambda a: a / "2", lambda a: a.rounded("0")])
+def test_a_factor_that_is_no_number_is_refused(wrong):
+    with pytest.raises(ScalarError, match="write numbers without quotation marks"):
+        wrong(ground.vector(1.0, 2.0, 3.0))
+
+
+def test_a_plain_vector_is_subtracted_from_a_velocity_and_from_it():
+    v = named_sum("velocity", "P/ground", {"relative": 2.0 * ground.i}, ground)
+    assert v - ground.i == -(ground.i - v) == ground.i
 
 
 def test_equal_vectors_are_equal_and_others_are_not():
@@ -128,6 +140,10 @@ def test_alike_compares_relative_to_the_larger():
     assert same(a, a.expressed_in(turned))
     assert same(ground.vector(0, 0, 0), turned.vector(0, 0, 0))
     assert not same(ground.vector(math.inf, 0, 0), a)
+    assert same(a, 2 * a, 0.5)
+    assert same(2 * a, a, 0.5)
+    with pytest.raises(ScalarError, match="components without values"):
+        same(a, ground.vector(sympy.nan, 0, 0))
 
 
 def test_symbols_that_share_a_name_are_not_the_same():
@@ -137,7 +153,7 @@ def test_symbols_that_share_a_name_are_not_the_same():
         assert ground.vector(one - other, 0, 0).cleared().x != 0
 
 
-@pytest.mark.parametrize("size", [5e-324, 1e-300, 1e-160, 1e160, 8e307])
+@pytest.mark.parametrize("size", [5e-324, 1e-300, 1e-160, 1e160, 8.9e307])
 def test_directions_and_angles_of_the_smallest_and_largest_vectors(size):
     a, b = ground.vector(size, 2 * size, 0), ground.vector(2 * size, -size, 0)
     assert close(a.direction(), ground.vector(1.0, 2.0, 0).direction(), 1e-15)
@@ -242,6 +258,7 @@ def test_a_component_that_is_round_off_is_printed_as_zero_and_kept():
     ("components", "latex"),
     [
         ((1.5, -2e-7, 0), r"\left(1.5\,\hat{\imath}-2\times10^{-7}\,\hat{\jmath}\right)_{\text{ground}}"),
+        ((12345.678, 0, 0), r"\left(12346\,\hat{\imath}\right)_{\text{ground}}"),
         ((0, 0, 0), r"\mathbf{0}"),
         ((0, sympy.Symbol("a") + 1, 0), r"\left(\left(a + 1\right)\,\hat{\jmath}\right)_{\text{ground}}"),
     ],
@@ -350,6 +367,7 @@ def test_eqn_A_17_to_A_21_rates_and_product_rules(kind):
     assert close((p + q).rate(ground), written_out(lambda n: lambda s: P[n](s) + Q[n](s)), tiny)
     assert close((v * p).rate(ground), written_out(lambda n: lambda s: u(s) * P[n](s)), tiny)
     assert close((v * p).rate(ground), v.value * dp + v.rate * p, tiny)
+    assert close((p / v).rate(ground), written_out(lambda n: lambda s: P[n](s) / u(s)), tiny)
     product = at(lambda s: P[0](s) * Q[0](s) + P[1](s) * Q[1](s) + P[2](s) * Q[2](s), t)
     assert close(p.dot(dq) + q.dot(dp), product.rate, small(kind))
 

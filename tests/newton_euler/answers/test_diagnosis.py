@@ -223,6 +223,18 @@ def test_nothing_is_taken_for_another_answer_that_is_right(name, is_named):
     assert (slip in found) == is_named
 
 
+def test_a_slip_in_a_small_term_is_named_though_it_is_near_the_key():
+    slip = causes.computed("term", "leaves out the small term")
+    near = lambda fit, kind: [(2, slip, ((5.0432,),))]
+    assert diagnose(((5.043,),), ((5.0,),), [], KINDS["number"], slips=near) == (slip,)
+
+
+def test_three_figures_are_what_is_asked_for_and_not_called_rounded():
+    key = ((101.49, 1.49, 1.49),)
+    assert causes.ROUNDED not in diagnose(((101.0, 1.0, 1.0),), key, [])
+    assert diagnose(((100.0, 1.0, 1.0),), key, []) == (causes.ROUNDED,)
+
+
 def test_of_equal_causes_the_one_that_explains_another_wrong_part_is_named():
     other = OtherParts(
         lambda: [part(False, MODEL, [(causes.listed("mirrors", "reworded"), MODEL)])]
@@ -284,6 +296,8 @@ def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
     [
         ("vector", ((3.0, 4.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([2], (1, 2, 3))),
         ("vector", ((3.0, 4.0, 1.0),), ((0.0, 0.0, 1.5),), None),
+        ("vector", ((1.40012, 4.80031, 0.0),), KEY, causes.DIRECTION),
+        ("vector", ((1.40012, 4.8021, 0.0),), KEY, None),
         ("vector", ((3.0, 7.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([1, 2], (1, 2, 3))),
         ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 1),), INERTIA, causes.right_but([8], INERTIA[0])),
         ("matrix", ((4, 1, 1, 1, 1, 1, 1, 1, 1),), INERTIA, None),  # in more places than are read

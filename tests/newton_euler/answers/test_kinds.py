@@ -7,6 +7,7 @@ import pickle
 import pytest
 
 from newton_euler import Frame
+from newton_euler.answers import tolerance
 from newton_euler.answers.causes import NEAR, exchanged_components
 from newton_euler.answers.diagnosis import diagnose
 from newton_euler.answers.forms import AnswerError, Form
@@ -83,6 +84,11 @@ def test_a_key_with_a_component_that_could_be_left_out_is_unfit(point, words):
     assert KINDS["vector"].unfit((point,)) == words
 
 
+def test_a_component_of_just_the_least_share_may_be_asked_for(monkeypatch):
+    monkeypatch.setattr(tolerance, "COMPONENT", 0.6)
+    assert KINDS["vector"].unfit(((3.0, 4.0),)) is None
+
+
 def test_a_formula_is_unfit_where_it_is_real_at_fewer_than_half_of_its_points():
     real, nan = (1.0,), (math.nan,)
     assert KINDS["expression"].unfit((real, nan)) is None
@@ -97,10 +103,10 @@ def test_a_form_that_names_no_kind_or_a_choice_without_words_is_refused(text):
 
 def test_components_in_two_frames_of_unlike_size_are_those_of_two_vectors():
     vector, form = KINDS["vector"], Form(KINDS["vector"])
-    same = {"arm": [3.0, 4.0, 0.0], "ground": [0.0, 0.0, 5.0]}
+    same = {"arm": [3.0, 4.0, 0.0], "ground": [0.0, 0.0, 5.000004]}
     assert len(vector.readings(same, form, {}, [100])) == 2
     with pytest.raises(TreeError, match="those of two vectors"):
-        vector.readings(same | {"ground": [0.0, 0.0, 5.1]}, form, {}, [100])
+        vector.readings(same | {"ground": [0.0, 0.0, 5.000008]}, form, {}, [100])
 
 
 # -- direction

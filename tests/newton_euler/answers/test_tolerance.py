@@ -44,6 +44,8 @@ def test_the_limits_themselves_are_right():
     assert verdict("number", 0.0, (1e-3,), atol=1e-3) == "right"
     assert verdict("number", 2e-3, (1e-3,), atol=1e-3) == "right"
     assert verdict("vector", [1.5, 1000.0, 0], (1.0, 1000.0, 0.0)) == "right"
+    assert verdict("number", 1005.0, (1000.0,)) == "right"
+    assert formula_is_near(((2e-3,),), ((1e-3,),), 1e-3)
 
 
 @pytest.mark.parametrize(
@@ -75,14 +77,14 @@ def test_the_absolute_tolerance_of_a_problem_is_used_where_the_key_is_zero():
     assert verdict("number", 5.09, (5.0,), atol=0.1) == "wrong"
 
 
-@pytest.mark.parametrize("n", [0, 1])
+@pytest.mark.parametrize(("n", "small"), [(0, 0.5), (1, 0.5), (1, -0.5)])
 @pytest.mark.parametrize(
     ("share", "expected"), [(0.6, "right"), (0.4, "wrong"), (0, "wrong"), (-1, "wrong")]
 )
-def test_a_small_component_may_be_off_by_half_of_itself_and_no_more(n, share, expected):
+def test_a_small_component_may_be_off_by_half_of_itself_and_no_more(n, small, share, expected):
     """Rounding the terms of a small difference is fine; losing it or its sign is not."""
     key = [1000.0, 1000.0]
-    key[n] = 0.5
+    key[n] = small
     tree = [*key, 0]
     tree[n] *= share
     assert verdict("vector", tree, (*key, 0.0)) == expected
@@ -149,6 +151,7 @@ def test_a_distance_is_relative_to_the_size_of_the_second_point():
 
 @pytest.mark.parametrize(("model", "key", "apart"), [
     (((1.021,),), ((1.0,),), True), (((1.019,),), ((1.0,),), False),
+    (((51.0,),), ((50.0,),), True),
     (((1e-9,),), ((0.0,),), True),  # from zero any number is far
     (((2.0,), (1.0,)), ((1.0,), (1.0,)), True),  # at half of the points
     (((2.0,), (1.0,), (1.0,)), ((1.0,), (1.0,), (1.0,)), False),
@@ -167,3 +170,8 @@ def test_a_formula_near_a_zero_of_its_own_is_measured_by_its_mean():
 
 def test_the_absolute_tolerance_is_not_that_of_a_zero_component():
     assert not formula_is_near(((5.0, 0.0005),), ((5.0, 0.0),), 0.001)
+
+
+def test_round_off_of_a_zero_component_is_as_large_as_the_others_make_it():
+    assert formula_is_near(((1000.0, 5e-7),), ((1000.0, 0.0),), 0.0)
+    assert not formula_is_near(((1000.0, 2e-6),), ((1000.0, 0.0),), 0.0)

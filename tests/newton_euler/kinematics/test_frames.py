@@ -559,6 +559,9 @@ THREE, FOUR = np.zeros(3), np.zeros(4)
       for axis in ("w", "--z", (1, 2), None, ("a", "b", "c"), (moving(1.0, 2.0), 0, 0))],
     (lambda f: f.rotate("rod", "x", origin=(1, 2, 3)), NO_ORIGIN + r"\(1, 2, 3\)"),
     (lambda f: f.translate("rod", f.i), NO_ORIGIN),
+    (lambda f: Frame(f), "a frame has a name, as Frame"),
+    (lambda f: Frame("arm", "ground"), "the parent of arm is a Frame or None; got 'ground'"),
+    (lambda f: Frame("arm", f, "z", 0.3), "takes the angle of arm, a moving number; got 0.3"),
     (lambda f: f.rotate("arm", "z", 0.1).rotate("rod", "x", origin=f.point("C", 1, 0, 0)),
      "the origin C is a point of ground; give it as a point of arm"),
 ])  # fmt: skip
@@ -689,7 +692,7 @@ def test_section_2_8_plane_rotations_commute_and_angular_velocities_add():
     assert close(both.angular_velocity(ground).components(ground), (0, 0, 0.3), 1e-15)
 
 
-@pytest.mark.parametrize("angle", [30, 90.0, -45, 180, 7, 360, np.float64(60.0)])
+@pytest.mark.parametrize("angle", [30, 90.0, -45, 145.0, 7, 360, np.float64(60.0)])
 def test_a_whole_number_beyond_a_turn_asks_whether_degrees_are_meant(angle):
     with pytest.warns(AngleWarning, match=r"boom is .* rad.*degrees\? Write radians") as found:
         boom = Frame("ground").rotate("boom", "z", angle)
