@@ -125,7 +125,7 @@ def diagnose(
     doubtful = (_says_little(h.cause, kind) or elsewhere.contradicts(h.cause) for h in general)
     is_doubtful = all(doubtful)  # or else listed mistakes cost less to try
     computed: list[Hit] = []
-    by_factor = _first(of_components(fit), fit, least)  # in plain words
+    by_factor = _first(of_components(fit), fit, least)  # plain words
     if slips and (is_doubtful or elsewhere.has_more(h.cause for h in general)):
         computed = _simplest(fit, slips(fit, kind), elsewhere)
         if general:  # which says in words of the problem what a slip says of earlier components
