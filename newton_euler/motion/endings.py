@@ -138,4 +138,5 @@ def _spelled(x, system):
     return f"s.{name}" if name in system.model.states else f"p.{name}"
 
 
+# in the order in which they are tried
 _REASONS = (NoValueError, _without_value), (StickingError, _sticking), (MotionError, _hidden)

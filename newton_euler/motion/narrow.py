@@ -227,7 +227,7 @@ class _Path:
             # towards zero at one end, or away from it, and on the whole the other way
             turns = (k * m <= 0) | ((k * change < 0) & (k * a < 0))
             turns |= (m * change < 0) & (m * b > 0)
-            turns[:, [0, -1]] |= (a * b > 0)[:, [0, -1]]  # not known
+            turns[:, [0, -1]] |= (a * b > 0)[:, [0, -1]]  # unknown there
             much &= ~of.jumps | (crossed.sum(axis=0) > 1) | turns
             much |= crossed & much.any(axis=0)
         return much | (much & of.phases).any(axis=0)
