@@ -55,7 +55,7 @@ def use(folder: str | Path) -> list[str]:
 @cache
 def homes() -> dict[str, Path]:
     """{chapter: its folder}: those of the book, then those of courses by name and number."""
-    found = dict(_of_the_book())
+    found = dict(of_the_book())
     own = [home for folder in [*_used(), *_of_packages()] for home in _of_a_course(folder)]
     for home in sorted(own, key=lambda home: natural_order(home.name)):
         if (EXERCISES / home.name).exists() or re.fullmatch(r"ch\d+|app[A-Za-z]|all", home.name):
@@ -75,11 +75,12 @@ def homes() -> dict[str, Path]:
 
 def home(chapter: str) -> Path:
     """The folder of a chapter, which need not exist."""
-    return _of_the_book().get(chapter) or homes().get(chapter, EXERCISES / chapter)
+    return of_the_book().get(chapter) or homes().get(chapter, EXERCISES / chapter)
 
 
 @cache
-def _of_the_book():
+def of_the_book() -> dict[str, Path]:
+    """:func:`homes` of the book's chapters alone."""
     return {folder.name: folder for folder in sorted(_with_problems(EXERCISES))}
 
 

@@ -15,7 +15,7 @@ from .errors import meant
 from .format import read_chapter, read_problem
 from .loading import load, not_yaml
 from .model import CatalogueError, Chapter, Problem, folder_and_file
-from .places import EXERCISES, changes, files_at, home, homes
+from .places import EXERCISES, changes, files_at, home, homes, of_the_book
 from .translations import translated, translated_chapter
 
 
@@ -133,7 +133,7 @@ def _selected(name):
 
 def forget() -> None:
     """Clear the caches, so that files are read again."""
-    for kept in (homes, _chapter, _read_problem):
+    for kept in (of_the_book, homes, _chapter, _read_problem):
         kept.cache_clear()
 
 
@@ -160,11 +160,11 @@ def _read_problem(path: Path, files: tuple) -> Problem:
 def _forget_code(name, stem):
     """Let the code of a problem be imported again, and what the chapter of a course shares."""
     chapter = f"exercises.{name}"
-    of_the_book = home(name).parent == EXERCISES
+    of_a_course = home(name).parent != EXERCISES
     importlib.invalidate_caches()
     for module in list(sys.modules):
         if module == f"{chapter}.{stem}" or (
-            not of_the_book and f"{module}.".startswith(f"{chapter}.")
+            of_a_course and f"{module}.".startswith(f"{chapter}.")
         ):
             del sys.modules[module]
 

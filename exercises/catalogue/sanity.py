@@ -46,7 +46,7 @@ def _magnitude(p, a, right):
     if min(sizes) < 0:
         return ""
     for b in p.answers:
-        if b.kind.length == 3 and b.unit == a.unit:
+        if b.kind.is_vector and b.unit == a.unit:
             others = [math.hypot(*point) for point in right[b.key]]
             if np.allclose(sizes, others, rtol=1e-9, atol=0.0):
                 return f"{MAGNITUDE} of {b.key}"

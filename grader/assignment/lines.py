@@ -17,7 +17,6 @@ from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.notation import (  # fmt: skip
     is_word,
     list_symbol,
-    matrix_symbol,
     number_symbol,
     six_digits,
     symbol,
@@ -83,7 +82,7 @@ class _Writer:
         self.p, self.latex = p, latex
         self.sheets = [symbol_values(p, random.Random(n)) for n in range(SHEETS)]
         self.steps = [s for s in quantities if s.key not in {a.key for a in p.answers}]
-        self.quantities = {s.key for s in quantities}
+        self.quantities = {s.key: s for s in quantities}
         self.derivations = derivations(p, values) if formulas else {}
         self.sums = {}  # {sum: keys of its terms}
         for s in quantities:
@@ -263,7 +262,7 @@ class _Writer:
             )
         ):
             return ""
-        return symbol(key, len(formulas) == 3) if self.latex else key
+        return symbol(key, self.quantities[key].kind.is_vector) if self.latex else key
 
     def _joined(self, parts, kind):
         return kind.typeset(parts) if self.latex else in_brackets(kind.nested(parts))
@@ -274,8 +273,10 @@ class _Writer:
             value = value.rounded(self._noise(s.unit))
         elif is_numeric(value) and abs(value) <= self._noise(s.unit):
             value = 0
-        write = latex_of if self.latex else formatted
-        return write(value, self.names, self.sheets) + self._unit(s)
+        if not self.latex:
+            return formatted(value, self.names, self.sheets) + self._unit(s)
+        parts = [latex_of(x, self.names, self.sheets) for x in flat(value)]
+        return s.kind.typeset(parts) + self._unit(s)
 
     def _unit(self, s):
         if self.latex:
@@ -322,9 +323,7 @@ def latex_of(value: Any, notation: Mapping[str, str], sheets: Sequence[Any] = ()
     """An answer in LaTeX, numbers with six significant digits, and names in the order of
     ``notation``, which is {name: LaTeX}; ``sheets`` as for :func:`as_drawn`.
     """
-    if isinstance(value, (tuple, list)) and all(isinstance(x, (tuple, list)) for x in value):
-        return matrix_symbol([[latex_of(x, notation, sheets) for x in row] for row in value])
-    if isinstance(value, (Vector, tuple, list)):
+    if isinstance(value, Vector):
         inside = list_symbol(latex_of(v, notation, sheets) for v in value)
         return rf"\left[{inside}\right]"
     if isinstance(value, str):

@@ -131,8 +131,8 @@ def statement(
 
 def frame_heading(p: Problem) -> str:
     """The heading of ``p.frame``: components, or a note in a problem without vectors."""
-    is_vector = any(a.kind.length > 2 for a in p.answers)
-    return _("Components") if is_vector else _("Note")
+    along_axes = any(a.kind.is_vector or len(a.kind.shape) == 2 for a in p.answers)
+    return _("Components") if along_axes else _("Note")
 
 
 def _asked(p, a):

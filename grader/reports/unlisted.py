@@ -105,8 +105,9 @@ def _gives(causes, asked, numbers, whole):
     """
     key, kind, exact = numbers.key[asked.key], asked.kind, whole[asked.key].given
     fit = Fit(exact, kind.like(key, exact), kind.rtol)
-    models = [*numbers.wrong(asked.key), *kind.slips(fit), *of_none(fit)]
-    models += [*multiples(fit, kind.factors(asked.unit)), *of_components(fit), *of_powers(fit)]
+    models = [*numbers.wrong(asked.key), *kind.slips(fit), *of_none(fit, kind.is_vector)]
+    models += multiples(fit, kind.factors(asked.unit))
+    models += [*of_components(fit, kind.is_vector), *of_powers(fit, kind.is_vector)]
     models += [(c, x) for c in causes for x in numbers.slips.of(asked.key, c)]
     # also those in some components alone
     models += [(c, x) for _, c, x in numbers.slips.near(asked.key, fit, kind)]

@@ -189,8 +189,9 @@ def by_formula(
     """The integrals by SymPy, where a limit or the function is an expression."""
     # SymEngine would lose a Dummy, and the assumptions of a symbol
     name = sympy.Symbol(f"_q{next(_NUMBERS)}")
+    values = f(name)
     try:
-        start, end, *values = map(_exact, (start, end, *f(name)))
+        start, end, *values = map(_exact, (start, end, *values))
         found = [_by_sympy(y.xreplace({name: _variable()}), start, end) for y in values]
     except (sympy.SympifyError, ScalarError) as problem:
         raise WorkError(

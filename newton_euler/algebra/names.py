@@ -8,7 +8,7 @@ from functools import wraps
 from importlib import import_module
 from importlib.util import find_spec
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, get_args, is_typeddict
 
 from .language import _
 from .places import note_place, package_of
@@ -206,4 +206,4 @@ def listed(names: Iterable[str]) -> str:
 
 def _keys(annotation):
     """The names that an unpacked TypedDict allows."""
-    return [k for kind in getattr(annotation, "__args__", ()) for k in kind.__annotations__]
+    return [k for kind in filter(is_typeddict, get_args(annotation)) for k in kind.__annotations__]

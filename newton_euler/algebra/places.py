@@ -45,11 +45,10 @@ def callers_places(error: BaseException) -> Iterator[tuple[FrameType, int]]:
 
 def callers_line(error: BaseException) -> str:
     """The line of a function of the caller in which an error arose, or ""."""
-    places = list(callers_places(error))
-    if not places:
-        return ""
-    frame, number = places[-1]
-    return linecache.getline(frame.f_code.co_filename, number, frame.f_globals).strip()
+    line = ""
+    for frame, number in callers_places(error):
+        line = linecache.getline(frame.f_code.co_filename, number, frame.f_globals).strip()
+    return line
 
 
 def raised_by_the_engine(error: BaseException) -> bool:
@@ -72,8 +71,7 @@ def note_place(error: Exception) -> bool:
     function = None if frame else _without_a_frame(error)
     if frame is None and function is None:
         return False
-    if "_place" not in vars(error):
-        add_place(error, f"This came up in {_described(frame) if frame else _text(function)}.")
+    add_place(error, f"This came up in {_described(frame) if frame else _text(function)}.")
     return True
 
 

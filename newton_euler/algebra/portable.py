@@ -90,16 +90,16 @@ class Steps:
 class _Asked:
     """Placeholder for states or parameters, which notes which of them a function asks for."""
 
-    def __init__(self, of, asked, trace):
-        self._of, self._asked, self._trace = of, asked, trace
+    def __init__(self, *noted):
+        vars(self)[""] = noted  # a name that no state and no parameter has
 
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        key = self._of, name
-        if key not in self._asked:
-            self._asked[key] = self._trace.new("argument", "_".join(key))
-        return self._asked[key]
+        of, asked, trace = vars(self)[""]
+        if (of, name) not in asked:
+            asked[of, name] = trace.new("argument", f"{of}_{name}")
+        return asked[of, name]
 
 
 class _Given:

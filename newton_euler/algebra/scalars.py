@@ -704,7 +704,12 @@ def is_finite(x: Scalar) -> bool:
 def max_abs(x: Scalar) -> float:
     """The largest absolute value in ``x``, as a float, to be compared with a tolerance."""
     largest = abs(without_rates(x))
-    return float(largest.max(initial=0)) if hasattr(largest, "max") else float(largest)
+    return _float(largest.max(initial=0) if hasattr(largest, "max") else largest)
+
+
+def _float(size):
+    """A size as a float, which is 0 only of 0."""
+    return float(size) or math.ulp(0.0) * (size != 0)
 
 
 def largest_abs(values: Iterable[Scalar]) -> float:
@@ -715,7 +720,7 @@ def largest_abs(values: Iterable[Scalar]) -> float:
 def min_abs(x: Scalar) -> float:
     """The smallest absolute value in ``x``, as a float: that of a divisor nearest to zero."""
     smallest = abs(without_rates(x))
-    return float(smallest.min(initial=math.inf)) if hasattr(smallest, "min") else float(smallest)
+    return _float(smallest.min(initial=math.inf) if hasattr(smallest, "min") else smallest)
 
 
 def where(condition: Scalar, a: Scalar, b: Scalar) -> Scalar:

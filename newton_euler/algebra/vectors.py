@@ -173,20 +173,9 @@ class Vector(Scaled, NamedTerms):
 
     # -- components
 
-    @property
-    def x(self) -> Scalar:
-        """The component along the first axis of its frame (A.7)."""
-        return to_plain(self.c[0])
-
-    @property
-    def y(self) -> Scalar:
-        """The component along the second axis of its frame (A.7)."""
-        return to_plain(self.c[1])
-
-    @property
-    def z(self) -> Scalar:
-        """The component along the third axis of its frame (A.7)."""
-        return to_plain(self.c[2])
+    x = property(lambda self: to_plain(self.c[0]), doc="the component along its first axis (A.7)")
+    y = property(lambda self: to_plain(self.c[1]), doc="the component along its second axis (A.7)")
+    z = property(lambda self: to_plain(self.c[2]), doc="the component along its third axis (A.7)")
 
     def __iter__(self):
         return iter(self.components())
@@ -394,12 +383,13 @@ class Vector(Scaled, NamedTerms):
         # an arc cosine of the dot product loses half of the digits near 0 and pi
         # (W. Kahan, How Futile are Mindless Assessments of Roundoff, 2006, section 12)
         across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
-        size = abs(across) + abs(along)
-        lost = isinstance(size, float) and not 1e-280 < size < math.inf  # digits of the squares
-        if lost and self.norm() > 0 and other.norm() > 0:
-            return self.direction().angle_to(other.direction())
-        if is_numeric(across) and is_numeric(along) and min_abs(abs(across) + abs(along)) == 0:
-            raise FrameError(f"a zero vector makes no angle, but one of {self} and {other} is zero")
+        if is_numeric(across) and is_numeric(along):
+            size = abs(across) + abs(along)
+            lost = not 1e-280 < min_abs(size) <= max_abs(size) < math.inf  # digits of the squares
+            if lost and min_abs(self.norm()) > 0 and min_abs(other.norm()) > 0:
+                return self.direction().angle_to(other.direction())
+            if min_abs(size) == 0:
+                raise FrameError(f"a zero vector makes no angle: one of {self} and {other} is zero")
         return atan2(across, along)
 
     # -- change in time

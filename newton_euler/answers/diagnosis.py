@@ -125,7 +125,7 @@ def diagnose(
     doubtful = (_says_little(h.cause, kind) or elsewhere.contradicts(h.cause) for h in general)
     is_doubtful = all(doubtful)  # or else listed mistakes cost less to try
     computed: list[Hit] = []
-    by_factor = _first(of_components(fit), fit, least)  # plain words
+    by_factor = _first(of_components(fit, kind.is_vector), fit, least)  # in plain words
     if slips and (is_doubtful or elsewhere.has_more(h.cause for h in general)):
         computed = _simplest(fit, slips(fit, kind), elsewhere)
         if general:  # which says in words of the problem what a slip says of earlier components
@@ -152,13 +152,13 @@ def diagnose(
     if found and all(c.group == "computed" and not elsewhere.explains(c) for c in found):
         found = *_first(bare(fit), fit, CLOSE), *found
     found = found or by_factor
-    found = found or (_first(of_powers(fit), fit, least) if slips else ())
+    found = found or (_first(of_powers(fit, kind.is_vector), fit, least) if slips else ())
     terms = [m for m in wrong if m[0].group in ("listed", "omitted", "term", "unit")]
     if not found and not any(map(any, given)) and any(map(any, key)):
         return (causes.GIVES_ZERO,)
     found = found or of_two(fit, kind, terms, singles, elsewhere.contradicts)
     found = found or (of_each_component(fit, kind, wrong, slips) if slips else ())
-    return found or tuple(cause for cause, x in of_none(fit) if fit(x))
+    return found or tuple(cause for cause, x in of_none(fit, kind.is_vector) if fit(x))
 
 
 def _says_little(cause, kind):

@@ -80,7 +80,7 @@ def _ratio(fit):
     return math.hypot(*given) / (size or math.inf)
 
 
-def of_powers(fit: Fit) -> Models:
+def of_powers(fit: Fit, is_vector: bool) -> Models:
     """A power of ten; the square, the root and the inverse of the key; a vector with components
     left out.
     """
@@ -88,7 +88,7 @@ def of_powers(fit: Fit) -> Models:
         return
     yield from _factors(fit, _ratio(fit), TENS)
     if len(fit.first[1]) > 2:
-        if len(fit.first[1]) == 3:
+        if is_vector:
             yield from left_out(fit)
             sizes = zip(fit.key, fit.sizes, strict=True)
             yield causes.UNIT_VECTOR, tuple(tuple(x / (n or 1) for x in k) for k, n in sizes)
@@ -104,9 +104,9 @@ def _power(x, power):
         return math.inf
 
 
-def of_components(fit: Fit) -> Models:
-    """A factor of some components, where the others are right."""
-    off = _off(fit)
+def of_components(fit: Fit, is_vector: bool) -> Models:
+    """A factor of some components of a vector, where the others are right."""
+    off = _off(fit) if is_vector and fit.index is not None else []
     if not off:
         return
     given, key, _ = fit.first
@@ -118,17 +118,15 @@ def of_components(fit: Fit) -> Models:
             yield causes.component_multiplied(off, words, factor, large), _signed(scales, fit.key)
 
 
-def of_none(fit: Fit) -> Models:
+def of_none(fit: Fit, is_vector: bool) -> Models:
     """Components where there are none, of a vector of which all others are right."""
-    off = _off(fit)
+    off = _off(fit) if is_vector and fit.index is not None else []
     if 0 < len(off) < 3 and all(abs(fit.first[1][n]) <= NOISE * fit.first[2] for n in off):
         yield causes.added_components(off), fit.given
 
 
 def _off(fit):
     """The components of a vector that are not those of the key, at the first point."""
-    if fit.index is None or len(fit.first[1]) != 3:
-        return []
     given, key, size = fit.first
     return [n for n in range(3) if abs(given[n] - key[n]) > fit.rtol * size]
 

@@ -20,13 +20,14 @@ from ..algebra.scalars import (
     is_numeric,
     is_positive,
     is_zero,
+    largest_abs,
     max_abs,
     scalar,
     sqrt,
     to_plain,
     where,
 )
-from ..algebra.vectors import Vector, add3, dot3, named_sum, scale3, sum3
+from ..algebra.vectors import Vector, add3, named_sum, scale3, sum3
 from ..bodies.body import Body
 from ..kinematics.frames import Frame, Point
 
@@ -130,8 +131,7 @@ def shaft_axis(A: Point, B: Point, frame: Frame | None = None) -> tuple[Vector, 
 
 
 def _extent(P):
-    c = P.position(P.frame).c
-    return max_abs(sqrt(dot3(c, c))) if all(map(is_numeric, c)) else 0.0
+    return largest_abs(P.position(P.frame).c)
 
 
 def _small(x, limit=0.0):

@@ -82,10 +82,12 @@ def check(I: Any, tolerance: float, slack: float) -> None:
 def _check_integrals(I, tolerance, slack):
     """The principal minors of J, I = tr(J) - J, are zero or positive, but for rounding."""
     largest = max(map(max_abs, I.moments + I.products))
-    small, largest = tolerance * largest + slack, max(slack, largest)
-    xx, yy, zz = I.moments
     if not all(map(is_finite, I.moments + I.products)):
         raise MassError(f"the inertia matrix {I.matrix} has an entry that is not finite")
+    if not 1e-90 < largest < 1e90 and largest > 1e-300:  # the determinant would leave the floats
+        I, slack, largest = I * (1 / largest), slack / largest, 1.0
+    small, largest = tolerance * largest + slack, max(slack, largest)
+    xx, yy, zz = I.moments
     a, b, c = squares = (yy + zz - xx) / 2, (zz + xx - yy) / 2, (xx + yy - zz) / 2
     for n, square in enumerate(squares):
         if _below(square, -small):

@@ -167,6 +167,8 @@ class Inertia(Scaled, NamedTerms):
         if isinstance(axis, str):
             return to_plain(self.moments[axis_index(axis)[0]])
         square = scalar(axis.dot(axis))
+        if type(square) is float and not 1e-280 < square < 1e280 and axis.norm():
+            return self.moment(axis.direction())
         if is_zero(square):
             raise MassError("the axis is a zero vector; give one with a direction")
         return to_plain(scalar(axis.dot(self.times(axis))) / square)

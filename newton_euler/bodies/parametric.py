@@ -200,7 +200,7 @@ def _parameters(limits, unit):
     """
     parameters, step = [], 1
     for (a, b), t in zip(limits, unit, strict=True):
-        a, b = (limit(*parameters) if callable(limit) else limit for limit in (a, b))
+        a, b = [limit(*parameters) if callable(limit) else limit for limit in (a, b)]
         step = step * abs(b - a) * (6 * t * (1 - t))
         parameters.append(a + (b - a) * (t * t * (3 - 2 * t)))
     return parameters, step
@@ -237,7 +237,7 @@ def _scales(sample, name):
 def _exact(position, limits, weigh, name):
     symbols = sympy.symbols(f"u0:{len(limits)}", real=True, cls=sympy.Dummy)
     bounds = [
-        tuple(sympy.sympify(x(*symbols[:n]) if callable(x) else x) for x in pair)
+        [sympy.sympify(x(*symbols[:n]) if callable(x) else x) for x in pair]
         for n, pair in enumerate(limits)
     ]
     place = [sympy.sympify(to_plain(scalar(x))) for x in position(*symbols)]

@@ -187,7 +187,7 @@ class _System:
 
     def _check_gradients(self, start, q):
         """Raises :class:`ConstraintError` where a gradient vanishes, as for x**2 + y**2 = 0."""
-        before, after = ([math.hypot(*row) for row in self.jacobian(p)] for p in (start, q))
+        before, after = [[math.hypot(*row) for row in self.jacobian(p)] for p in (start, q)]
         for (name, _), a, b in zip(self.values(q), before, after, strict=True):
             if b < 1e-5 * a:  # at a double zero it falls as the square root of the residual, 1e-13
                 raise ConstraintError(

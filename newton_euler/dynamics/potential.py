@@ -271,7 +271,7 @@ def _check_loop(force, loop, n, tolerance):
     gap = max(max_abs(scalar(a) - b) for a, b in zip(first, last, strict=True))
     if gap > 1e-9 * max(max_abs(scalar(x)) for p in places for x in p):
         raise WorkError(f"loop {n} is not closed: it leads from {first} to {last}")
-    strength = max(magnitude(f) for p in places for f in force(*p))
+    strength = max([magnitude(f) for p in places for f in force(*p)])
     steps = (zip(p, q, strict=True) for p, q in pairwise(places))
     length = sum(hypot(*(b - a for a, b in step)) for step in steps)
     U = work_along(lambda *place: tuple(map(probe, force(*place))), loop, 0.0, 1.0)

@@ -25,6 +25,7 @@ from ..algebra.scalars import (
     integer_like,
     is_numeric,
     is_zero,
+    largest_abs,
     scalar,
     to_plain,
 )
@@ -135,7 +136,7 @@ class Frenet:
     def acceleration(self) -> Vector:
         """a = nu' e_t + nu^2 f e_n (2.14), (3.13); terms ``tangential`` and ``normal``."""
         t = self.frame.vector(self.speed_rate, 0, 0)
-        n = self.frame.vector(0, self.speed * self.speed * self.flexure, 0)
+        n = self.frame.vector(0, self.speed * (self.speed * self.flexure), 0)
         return self._sum("acceleration", None, tangential=t, normal=n)
 
     def _sum(self, what, own_rate, **terms):
@@ -153,7 +154,7 @@ def speed_rate(v: Vector, a: Vector) -> Scalar:
     1.4
     """
     _check_speed(v.c, v.norm(), _round_off(v))
-    return v.dot(a) / v.norm()
+    return v.direction().dot(a)
 
 
 @checked
@@ -165,7 +166,8 @@ def flexure(v: Vector, a: Vector) -> Scalar:
     0.75
     """
     _check_speed(v.c, v.norm(), _round_off(v))
-    return v.cross(a).norm() / v.norm() ** 3
+    speed = v.norm()
+    return to_plain(hypot(*_turn(v.c, speed, a.expressed_in(v.frame).c)) / speed / speed)
 
 
 @checked
@@ -214,24 +216,32 @@ def frenet_along(path: Path, q: Scalar, ground: Frame, name: str = "path") -> Fr
 
 
 def _frenet(ground, v, a, jerk, name, v_noise, a_noise):
-    speed, turn = hypot(*v), cross3(v, a)
+    speed = hypot(*v)
     _check_speed(v, speed, v_noise)
-    area, size = hypot(*turn), hypot(*a)
+    e_t, turn = tuple(x / speed for x in v), _turn(v, speed, a)
+    across, size = hypot(*turn), hypot(*a)
     # the rounding of the cross product itself, with a margin of 8, and that of v and of a
-    rounding = 8 * epsilon(speed) * (speed * size) + speed * a_noise + size * v_noise
-    if is_zero(area) or (all(map(is_numeric, (*v, *a))) and below_roundoff(area, rounding)):
+    rounding = 8 * epsilon(speed) * size + a_noise + size * (v_noise / speed)
+    if is_zero(across) or (all(map(is_numeric, (*v, *a))) and below_roundoff(across, rounding)):
         raise SingularError(
             "the path is straight here, on a line or at an inflection: v x a is zero (within "
             "rounding), so e_n, e_b and the torsion do not exist and the radius of curvature is "
             "infinite; the tangential component is speed_rate(v, a), the flexure 0"
         )
-    e_t, e_b = tuple(x / speed for x in v), tuple(x / area for x in turn)
-    f = area / speed**3
-    tau = None if jerk is None else -dot3(turn, jerk) / (area * area)
+    e_b, f = tuple(x / across for x in turn), across / speed / speed
+    tau = None if jerk is None else -dot3(turn, jerk) / across / (across * speed)
     turning = None if tau is None else (lambda: ((-tau * speed, ZERO, f * speed), None))
     triad = Triad(f"e_t, e_n, e_b of {name}", ground, (e_t, cross3(e_b, e_t), e_b), turning)
     triad.hats = (r"\hat{e}_t", r"\hat{e}_n", r"\hat{e}_b")
-    return Frenet(triad, speed, to_plain(dot3(v, a) / speed), to_plain(f), tau)
+    return Frenet(triad, speed, to_plain(dot3(e_t, a)), to_plain(f), tau)
+
+
+def _turn(v, speed, a):
+    """e_t x a; by v x a, which is 0 of parallel vectors, where no product leaves the floats."""
+    several = any(not is_numeric(x) or getattr(x, "shape", ()) for x in (*v, *a))
+    if not several and 1e-280 < largest_abs(v) * largest_abs(a) < 1e300:
+        return tuple(x / speed for x in cross3(v, a))
+    return cross3(tuple(x / speed for x in v), a)
 
 
 def _check_speed(v, speed, noise):

@@ -6,7 +6,7 @@ from math import inf
 from typing import Any, NamedTuple, Protocol
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.places import callers_line, raised_by_the_engine
+from ..algebra.places import note_place, raised_by_the_engine
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
@@ -197,7 +197,7 @@ class Trajectory:
         except ModelError:
             raise
         except (ArithmeticError, ValueError) as error:
-            if callers_line(error) and not isinstance(error, NewtonEulerError):
+            if not isinstance(error, NewtonEulerError) and note_place(error):
                 raise  # the error of an event's function or of progress
             stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)

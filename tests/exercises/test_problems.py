@@ -16,9 +16,9 @@ from exercises.catalogue.overlooked import missing_in_figure
 from exercises.catalogue.places import home
 from exercises.catalogue.variants import flat, symbol_values
 from newton_euler import Frame, Vector
+from tests.by_chapter import by_chapter
 
 PROBLEMS = select(["all"])
-CHECKED = [(p, key) for p in PROBLEMS for key in p.checked]
 
 
 def named(p):
@@ -114,9 +114,14 @@ def is_the_same(p, x, y):
     return sympy.simplify(x**2 - y**2) == 0 and abs(sympy.N(difference)) < 1e-12
 
 
-@pytest.mark.parametrize(("p", "key"), CHECKED, ids=[f"{named(p)}-{key}" for p, key in CHECKED])
-def test_answer_is_the_one_found_by_hand(p, key):
-    """For the numbers of the book, or as a formula in the symbols of the text."""
+@by_chapter
+def test_answers_are_those_found_by_hand(p):
+    """For the numbers of the book, or as formulas in the symbols of the text."""
+    for key in p.checked:
+        check_by_hand(p, key)
+
+
+def check_by_hand(p, key):
     kind, found, by_hand = p.answer(key).kind, flat(formulas(p)[key]), flat(p.checked[key])
     if kind.is_word:
         assert found == by_hand
@@ -131,7 +136,7 @@ def test_answer_is_the_one_found_by_hand(p, key):
         )
 
 
-@by_id
+@by_chapter
 def test_a_mistake_is_worded_in_a_sentence_that_is_read(p):
     for text in p.mistakes.values():
         assert len(text.split()) <= 27  # 30 with "in this part"

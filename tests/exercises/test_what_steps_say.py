@@ -15,6 +15,7 @@ from exercises.catalogue.tracing import before
 from exercises.catalogue.variants import flat
 from newton_euler.algebra.trace import Step as Traced
 from newton_euler.algebra.trace import Trace
+from tests.by_chapter import by_chapter
 
 ALL = select(["all"])
 SEEDS = 1, 2, 3
@@ -64,7 +65,7 @@ def test_no_step_is_an_answer(p):
             ), f"the step {step} is the answer {key} but for its sign"
 
 
-@by_id
+@by_chapter
 def test_no_step_is_another_step(p):
     keys = list(sheets(p)[0][0])
     for n, one in enumerate(keys):
@@ -77,7 +78,7 @@ def test_no_step_is_another_step(p):
 FUNCTIONS = {"cosine": math.cos, "sine": math.sin, "tangent": math.tan, "square": lambda x: x * x}
 
 
-@by_id
+@by_chapter
 def test_no_step_leaves_only_a_key_of_the_calculator_to_press(p):
     """A step that is a function of one answer alone, such as its cosine, gives it away."""
     listed, asked = sheets(p)[0]
@@ -92,7 +93,7 @@ def test_no_step_leaves_only_a_key_of_the_calculator_to_press(p):
             assert not always(p, gives_away), f"the step {step} is the {name} of the answer {key}"
 
 
-@by_id
+@by_chapter
 def test_a_step_has_a_name_to_read(p):
     """A symbol or a word, not a formula stripped of its signs, such as BxC or dRdt."""
     for s in listed_steps(p, p.base(values(p, 1))):
@@ -106,7 +107,7 @@ def traced(x):
     return {part.number: part for part in parts if isinstance(part, Traced)}
 
 
-@by_id
+@by_chapter
 def test_no_step_is_computed_from_the_last_answer(p):
     """It may follow from an earlier answer, which leads to the next."""
     trace = Trace()

@@ -22,9 +22,7 @@ from exercises.catalogue import (
     select,
 )  # fmt: skip
 from newton_euler import Dimension, Frame
-
-PROBLEMS = select(["all"])
-by_id = pytest.mark.parametrize("p", PROBLEMS, ids=lambda p: p.id.replace("/", "_"))
+from tests.by_chapter import by_chapter
 
 SLIPS = yaml.safe_load(Path(__file__).with_name("slips_in_a_file.yaml").read_text(encoding="utf-8"))
 ENTRY = """
@@ -65,13 +63,13 @@ def test_chapter_has_a_title(name):
     assert re.match(r"(Chapter|Appendix) \w+: \w", chapter(name).title)
 
 
-@by_id
+@by_chapter
 def test_a_problem_is_the_same_whether_asked_for_alone_or_with_its_chapter(p):
     assert problem(p.id) in problems(p.chapter)
     assert problem(p.id) is problem(p.id)
 
 
-@by_id
+@by_chapter
 def test_a_text_names_what_the_problem_gives_and_all_that_its_answers_need(p):
     named = set(re.findall(r"{(\w+)}", p.text))
     assert set(p.symbols) <= named <= set(p.units)
@@ -80,7 +78,7 @@ def test_a_text_names_what_the_problem_gives_and_all_that_its_answers_need(p):
     assert p.symbols or not p.symbolic
 
 
-@by_id
+@by_chapter
 def test_mistakes_are_named_in_words(p):
     assert len(p.mistakes) >= 2
     for text in p.mistakes.values():

@@ -6,13 +6,12 @@ from pathlib import Path
 import pytest
 import yaml
 
-from exercises.catalogue import CatalogueError, select
+from exercises.catalogue import CatalogueError
 from exercises.catalogue.format import read_problem
 from exercises.catalogue.places import home
 from exercises.catalogue.reading import load
 from exercises.catalogue.specs import mistake_names, problem_yaml, write_chapter
-
-PROBLEMS = select(["all"])
+from tests.by_chapter import by_chapter
 
 SPEC = Path(__file__).with_name("spec.yaml").read_text(encoding="utf-8")
 
@@ -83,8 +82,8 @@ def test_a_problem_that_does_not_fit_the_format_is_reported_and_nothing_is_writt
     assert not (spec.parent / "to").exists()
 
 
-@pytest.mark.parametrize("p", PROBLEMS, ids=lambda p: p.id.replace("/", "_"))
-def test_a_spec_loses_nothing_that_a_problem_has(p, tmp_path):
+@by_chapter
+def test_a_spec_loses_nothing_that_a_problem_has(p):
     """Each problem of the book, as an entry of a spec, is written and read back unchanged."""
     path = home(p.chapter) / f"{p.name}.yaml"
     entry = load(path.read_text())

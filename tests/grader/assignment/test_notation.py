@@ -13,12 +13,11 @@ from grader.assignment.figures import drawing_values
 from grader.assignment.notebook import statement
 from newton_euler.answers.notation import is_word
 from newton_euler.drawing.page.recorder import sketches_on
+from tests.by_chapter import by_chapter
 from tests.grader.courses import REPOSITORY
 
-by_id = pytest.mark.parametrize("p", select(["all"]), ids=lambda p: p.id)
 
-
-@by_id
+@by_chapter
 def test_no_given_is_printed_as_a_word_and_no_two_alike(p):
     """ "The lead lead", and a rate of beta that is printed as that of a length b."""
     quantities = p.givens | p.symbols
@@ -26,7 +25,7 @@ def test_no_given_is_printed_as_a_word_and_no_two_alike(p):
     assert [n for n, k in Counter(p.notation[n] for n in quantities).items() if k > 1] == []
 
 
-@by_id
+@by_chapter
 def test_a_dot_stands_over_a_letter_that_the_problem_has(p):
     """b_dot is the rate of beta in a problem that speaks of beta."""
     for name in p.givens | p.symbols:
@@ -37,7 +36,7 @@ def test_a_dot_stands_over_a_letter_that_the_problem_has(p):
             )
 
 
-@by_id
+@by_chapter
 def test_a_statement_writes_out_no_greek_letter_and_no_power(p):
     text = re.sub(r"\$[^$]*\$|`[^`]*`|!\[.*\]\(.*\)|\]\(\S+\)", " ", statement(p, p.book_values))
     assert re.findall(r"\b(?:alpha|beta|gamma|theta|phi|psi|[oO]mega)\w*|\w+[_^*]\w+|\{\w+\}",

@@ -5,10 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from exercises.catalogue import problem, select
+from exercises.catalogue import problem
 from exercises.catalogue.sections import headings, section_line
 from grader.assignment.notebook import statement
 from newton_euler import chapters
+from tests.by_chapter import by_chapter
 
 NAMED = "*Section* 4.10 Summary of the method"
 LINKED = "*Section* [4.10 Summary of the method]"
@@ -37,7 +38,7 @@ def test_the_notebooks_of_the_links_are_there():
     assert all((folder / name).exists() for name, _ in headings().values())
 
 
-@pytest.mark.parametrize("p", select(["all"]), ids=lambda p: p.id.replace("/", "_"))
+@by_chapter
 def test_every_statement_ends_with_its_section(p):
     assert statement(p, p.book_values).endswith(section_line(p))
     assert p.section in section_line(p)

@@ -518,3 +518,12 @@ def test_a_formula_of_symbols_is_the_result(p):
 
 def at(formula, numbers):
     return float(formula.subs({x: numbers[x.name] for x in formula.free_symbols}).evalf())
+
+
+def test_an_answer_is_typeset_by_its_kind_with_symbols_and_with_numbers(monkeypatch):
+    (p,) = select(["2/4"])
+    (kind,) = {a.kind for a in p.answers if a.kind.name == "interval"}
+    monkeypatch.setattr(type(kind), "typeset", lambda self, parts: " until ".join(parts))
+    values = draw(p, b"one")
+    found = [line.equal[-1] for line in lines(p, {**p.sympy_symbols(), **values})]
+    assert any(" until " in text for text in found)

@@ -6,11 +6,11 @@ import re
 
 import pytest
 
-from exercises.catalogue import problem, select
+from exercises.catalogue import problem
 from grader.assignment.notebook import statement, typeset
 from newton_euler.answers.notation import typeset_names
+from tests.by_chapter import by_chapter
 
-by_id = pytest.mark.parametrize("p", select(["all"]), ids=lambda p: p.id)
 FORMULA = r"\$[^$]*\$"
 
 
@@ -22,7 +22,7 @@ def texts(p):
     return [p.text, p.figure, p.frame, *p.mistakes.values(), *(a.means for a in p.answers)]
 
 
-@by_id
+@by_chapter
 def test_no_formula_is_half_typeset(p):
     """As in "$I_x$' of", "$I_{yy}$/2", "k = $i x j$" and "($i x i$) x j"."""
     text = re.sub(r"`[^`]*`|!\[.*\]\(.*\)|\]\(\S+\)", " ", printed(p))
@@ -31,7 +31,7 @@ def test_no_formula_is_half_typeset(p):
     assert re.findall(r"\b[A-Za-z]\d\b(?! = )", re.sub(r"\b[A-Z]\d\b", " ", text)) == []
 
 
-@by_id
+@by_chapter
 def test_no_number_is_inside_a_sum_or_a_chain(p):
     """ "to h_b + h_w = 3.5 in" says that the sum is 3.5 in, "g = g = 32.2" says nothing."""
     for formula in re.findall(FORMULA, printed(p)):
@@ -42,20 +42,20 @@ def test_no_number_is_inside_a_sum_or_a_chain(p):
             assert len(set(sides)) == len(sides), formula
 
 
-@by_id
+@by_chapter
 def test_a_sentence_that_promises_numbers_has_them(p):
     """ "where R and d." in a problem that asks for formulas in R and d."""
     one = r"\$[^$=<>-]*\$(?: \(`\w+`\))?"
     assert re.findall(rf"\b(?:where|with) {one}(?:(?:, {one})*,? and {one})?[.;]", printed(p)) == []
 
 
-@by_id
+@by_chapter
 def test_a_text_stands_alone(p):
     output = " ".join(texts(p))
     assert re.findall(r"[Pp]roblems? (?:A|\d+)/\d+|(?:previous|preceding) problem", output) == []
 
 
-@by_id
+@by_chapter
 def test_the_alternative_text_is_what_the_catalogue_says_of_the_figure(p):
     shown = re.search(r"!\[Figure: (.*)\]\(attachment:figure.png\)", printed(p))
     output = " ".join(p.figure.split())
@@ -63,13 +63,13 @@ def test_the_alternative_text_is_what_the_catalogue_says_of_the_figure(p):
     assert "{" not in output
 
 
-@by_id
+@by_chapter
 def test_only_what_has_components_speaks_of_them(p):
     if "*Components:*" in printed(p):
         assert any(a.kind.length > 2 for a in p.answers)
 
 
-@by_id
+@by_chapter
 def test_a_slanted_fraction_has_one_reading(p):
     formulas = " ".join(re.findall(FORMULA, " ".join(texts(p))))
     assert re.findall(r"/\d+ ?\\pi|/\{\w+\} ?[\\{\w]", formulas) == []

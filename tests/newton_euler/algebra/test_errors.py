@@ -9,6 +9,7 @@ from typing import Literal
 
 import numpy as np
 import pytest
+import sympy
 
 from newton_euler import (
     Event,
@@ -16,10 +17,14 @@ from newton_euler import (
     Model,
     at,
     composite,
+    cos,
     integral,
     integrate,
+    moving,
+    polar,
     prepare,
     root,
+    sin,
     solve_linear,
     solve_rates,
 )
@@ -27,11 +32,14 @@ from newton_euler.accuracy import timed
 from newton_euler.algebra import NewtonEulerError, compiled
 from newton_euler.algebra.errors import ArgumentError, checked, checked_words
 from newton_euler.algebra.scalars import DivisionError, RangeError, Scalar, ScalarError
+from newton_euler.bodies import integrated
 from newton_euler.drawing import svg_of
 from newton_euler.dynamics import (
     Potential,
     audit,
+    coordinate_accelerations,
     degrees_of_freedom,
+    find_potential,
     work_along,
     work_in_time,
     work_integral,
@@ -62,6 +70,7 @@ CALLS = {
     "work_integral": lambda f: work_integral(f, 0.0, 1.0),
     "audit": lambda f: audit(f, 0.0, 1.0),
 }
+GROUND, SHEET = Frame("ground"), lambda u, v: (u, v, 0)
 LATE = lambda f: lambda s, p, t: f(s.h) if s.h < 0.8 else s.h
 FALL = Model("fall", {"g": 9.81}, ("h", "v"), lambda s, p, t: (s.v, -p.g))
 OTHERS = {
@@ -69,6 +78,8 @@ OTHERS = {
     "event that branches": lambda f: integrate(FALL, 1.0, (1.0, 0.0), events=Event(LATE(f))),
     "progress": lambda f: integrate(FALL, 1.0, (1.0, 0.0), progress=f),
     "constraint": lambda f: degrees_of_freedom({"P": 1}, {"wall": lambda P: f(P[0])}),
+    "limit": lambda f: integrated(SHEET, (0.0, 1.0), (0.0, f), frame=GROUND, density=1.0),
+    "exact limit": lambda f: integrated(SHEET, (0, 1), (0, f), frame=GROUND, density=1, exact=True),
     "numpy": lambda f: compiled(lambda x: np.apply_along_axis(f, 0, np.array([x, x]))),
 }
 
@@ -85,6 +96,56 @@ def test_an_error_of_the_users_function_arrives_as_raised_with_its_place(name, e
     assert "own" in [entry.name for entry in caught.traceback]
 
 
+CIRCLE = lambda q: (cos(6.283185307179586 * q), sin(6.283185307179586 * q), 0)
+LATER = {  # calls of a function that fails after it has been of use, and one that does not
+    "force round a loop": (
+        lambda f: find_potential(f, loops=[CIRCLE]), lambda x, y, z: (x, y, z)
+    ),
+    "constraint": (
+        lambda f: degrees_of_freedom({"P": 2}, {"rod": lambda P: f(*P)}),
+        lambda x, y: x * x + y * y - 1,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("call", "well"), LATER.values(), ids=LATER)
+def test_a_StopIteration_arrives_as_raised_at_whichever_call_it_comes_up(call, well):
+    def own(*x):
+        nonlocal left
+        left -= 1
+        if left == 0:
+            raise error
+        return well(*x)
+
+    left, error = 0, StopIteration("no more places")
+    call(own)
+    for n in {*range(1, -left, max(1, -left // 30)), -left}:
+        left = n
+        with pytest.raises(StopIteration) as caught:
+            call(own)
+        assert caught.value is error
+
+
+@pytest.mark.parametrize("name", ["event", "progress"])
+@pytest.mark.parametrize("kind", [ValueError, ZeroDivisionError, OverflowError])
+def test_an_error_of_a_function_whose_source_is_unknown_arrives_as_raised(name, kind):
+    space = {"error": kind("mine")}
+    exec("def own(x):\n    raise error", space)  # as in a console
+    with pytest.raises(kind) as caught:
+        OTHERS[name](space["own"])
+    assert caught.value is space["error"]
+
+
+@pytest.mark.parametrize("error", [sympy.SympifyError("mine"), ScalarError("mine")])
+def test_an_error_of_an_integrand_for_SymPy_arrives_as_raised(error):
+    def own(x):
+        raise error
+
+    with pytest.raises(type(error)) as caught:
+        work_integral(own, 0.0, 1.0, exact=True)
+    assert caught.value is error
+
+
 @pytest.mark.parametrize("space", [{"__name__": "wave"}, {}, {"__name__": None}], ids=str)
 def test_a_function_is_the_users_whatever_its_module_is_called(space):
     space = {**space}
@@ -98,6 +159,10 @@ def test_a_function_is_the_users_whatever_its_module_is_called(space):
 class Fixed(Exception):
     def __setattr__(self, name, value):
         raise RuntimeError(name)
+
+
+class Closed(Exception):
+    __dict__ = property(lambda self: 1 / 0)
 
 
 class Shy:
@@ -116,7 +181,18 @@ def fixed(x):
     raise Fixed
 
 
-SHY, GROUND = Shy(), Frame("ground")
+def closed(x):
+    raise Closed
+
+
+class Unlike(float):
+    def __rmul__(self, other):
+        raise TypeError("no product")
+
+    __mul__ = __truediv__ = __rtruediv__ = __rmul__
+
+
+SHY = Shy()
 EMPTY = {}.__getitem__
 OWN = {"E": lambda s, p, t: {}[s.h]}
 AXES = ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))
@@ -182,6 +258,14 @@ def test_an_error_of_the_users_function_has_a_note_of_the_place(call, error, pla
 def test_an_error_that_takes_no_note_arrives_as_raised():
     with pytest.raises(Fixed):
         integral(fixed, 0.0, 1.0)
+    with pytest.raises(Closed):
+        integral(closed, 0.0, 1.0)
+
+
+def test_names_that_a_function_takes_are_not_blamed_for_an_error_in_a_number():
+    P = polar(GROUND, "P", moving(2.0, rate=0.5), moving(0.0, rate=3.0))
+    with pytest.raises(TypeError, match="no product"):
+        coordinate_accelerations(Unlike(4.0), P, cord=(-72.0, 12.0, 0.0))
 
 
 def four(a, b, c, d):

@@ -409,3 +409,16 @@ def test_a_sum_by_another_equation_keeps_its_subject_and_terms_and_its_opposite_
     assert (v.equation.kind, ground.i.equation) == ("velocity", None)
     with pytest.raises(TermError, match="in m/s: it cannot be explained in 'N'"):
         (-v).explain("N")
+
+
+@pytest.mark.parametrize("size", [1e-290, 1e-170, 1.0, 1e170, 1e290, mp.mpf("1e-600")])
+def test_angles_do_not_depend_on_sizes_of_any_kind(size):
+    expected = math.pi / 4
+    for a, b in ((size, 1.0), (size, size), (1.0, size)):
+        one, other = (ground.vector(x, 0, 0) for x in (a, b))
+        turned = other + ground.vector(0, b, 0)
+        assert float(one.angle_to(turned)) == pytest.approx(expected, rel=1e-12)
+        if isinstance(size, float):
+            with np.errstate(all="ignore"):
+                several = ground.vector(np.array([a, 1.0]), 0, 0).angle_to(turned)
+            assert several == pytest.approx([expected] * 2, rel=1e-12)

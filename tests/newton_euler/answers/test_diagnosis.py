@@ -296,6 +296,8 @@ def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
     [
         ("vector", ((3.0, 4.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([2], (1, 2, 3))),
         ("vector", ((3.0, 4.0, 1.0),), ((0.0, 0.0, 1.5),), None),
+        ("vector", ((1.40012, 4.80031, 0.0),), KEY, causes.DIRECTION),
+        ("vector", ((1.40012, 4.8021, 0.0),), KEY, None),
         ("vector", ((3.0, 7.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([1, 2], (1, 2, 3))),
         ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 1),), INERTIA, causes.right_but([8], INERTIA[0])),
         ("matrix", ((4, 1, 1, 1, 1, 1, 1, 1, 1),), INERTIA, None),  # in more places than are read

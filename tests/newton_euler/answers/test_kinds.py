@@ -11,7 +11,7 @@ from newton_euler.answers import tolerance
 from newton_euler.answers.causes import NEAR, exchanged_components
 from newton_euler.answers.diagnosis import diagnose
 from newton_euler.answers.forms import AnswerError, Form
-from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.kinds import KINDS, Kind
 from newton_euler.answers.seals import opens, seal
 from newton_euler.answers.trees import TreeError
 from newton_euler.classroom import expect, receipt
@@ -40,9 +40,27 @@ def test_every_kind_reads_states_and_compares_its_own_answers(name):
     assert form.kind.unfit(key) is None
     assert form.kind.change(key, key) == 0
     assert len(key[0]) == form.kind.length == len(set(form.kind.places()))
+    # a platform that compares numbers cannot judge what several of them answer
+    assert bool(form.kind.many) == (len(form.kind.sealed(key[0])) > 1)
     if not form.kind.is_word:
         assert form.kind.nested(list(key[0])) == EXAMPLES[name]
         assert form.kind.typeset(["1"] * form.kind.length)
+
+
+class Roots(Kind):
+    """Three numbers that are no vector."""
+
+    name = "roots"
+    shape = (3,)
+
+
+@pytest.mark.parametrize("given", [(7.0, -4.0, 0.0), (0.84, -0.48, 0.36), (7.0, -8.0, 3.0)])
+def test_three_numbers_that_are_no_vector_have_no_components(given):
+    key, none = ((7.0, -4.0, 3.0),), lambda fit, kind: ()
+    unit = tuple(x / math.hypot(*key[0]) for x in key[0])
+    given = unit if given[0] < 1 else given
+    assert diagnose((given,), key, [], KINDS["vector"], slips=none)
+    assert not diagnose((given,), key, [], Roots(), slips=none)
 
 
 @pytest.mark.parametrize("name", KINDS)

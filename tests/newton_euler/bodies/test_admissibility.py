@@ -192,3 +192,22 @@ def test_a_hole_that_is_a_little_too_large_is_not_excused_as_round_off():
     assert composite("part", [whole], removed=[almost])
     with pytest.raises(MassError, match="do the removed parts lie inside of it"):
         composite("part", [whole], removed=[wide])
+
+
+@pytest.mark.parametrize("size", [1e-280, 1e-150, 1e-95, 1.0, 1e95, 1e160, 1e290])
+def test_an_inertia_is_judged_the_same_at_all_sizes(size):
+    def of(moments, products):
+        return Inertia(body, *([size * x for x in row] for row in (moments, products)))
+
+    body = Frame("body")
+    I = of((2.0, 3.0, 4.0), (0.5, 0.2, 0.1))
+    assert I.moment(body.vector(3.0 * size, 0, 4.0 * size)) == pytest.approx(
+        size * (0.36 * 2.0 + 0.64 * 4.0 - 2 * 0.48 * 0.1), rel=1e-12
+    )
+    for moments, products in (
+        ((2.0, 3.0, 4.0), (5.0, 0, 0)),
+        ((1.0, 1.0, 4.0), (0, 0, 0)),
+        ((2.0, 3.0, 4.0), (1.0, 1.0, 1.2)),
+    ):
+        with pytest.raises(MassError, match="no body has"):
+            of(moments, products)

@@ -308,7 +308,9 @@ def test_eqn_3_12_and_3_13_velocity_and_acceleration_in_the_osculating_plane(kin
     assert close(here.acceleration.components(ground), a, 10 * tight(kind))
     assert close(here.speed_rate, v.dot(a) / v.norm(), 10 * tight(kind))
     assert close(here.flexure, v.cross(a).norm() / v.norm() ** 3, 10 * tight(kind))
-    assert close(here.acceleration.terms["normal"], (0, here.speed**2 * here.flexure, 0), 0)
+    assert close(
+        here.acceleration.terms["normal"], (0, here.speed**2 * here.flexure, 0), tight(kind)
+    )
 
 
 @every_kind
@@ -316,3 +318,25 @@ def test_section_3_2_plane_curves_have_no_torsion(kind):
     t = numbers(kind, "0.6")
     tilted = frenet_along(lambda q: (q, q * q, 2 * q - 3 * q * q), t, ground)
     assert close(tilted.torsion, 0, tight(kind))
+
+
+@given(*[st.tuples(*[st.integers(-9, 9)] * 3)] * 2, *[st.floats(-280, 280)] * 2)
+@settings(max_examples=60, deadline=None)
+def test_tangential_acceleration_and_flexure_keep_their_digits_at_all_sizes(v, a, m, n):
+    exact = [[mp.mpf(x) * mp.mpf(10) ** k for x in c] for c, k in ((v, m), (a, n))]
+    slow = [ground.vector(*c) for c in exact]
+    fast = [ground.vector(*map(float, c)) for c in exact]
+    size = mp.sqrt(sum(x * x for x in exact[0]))
+    if not size:
+        return
+    assert fast[0].angle_to(fast[0]) < 1e-7
+    rate = float(sum(x * y for x, y in zip(*exact, strict=True)) / size)
+    assert float(speed_rate(*fast)) == pytest.approx(rate, abs=1e-14 * float(slow[1].norm()))
+    bent = float(slow[0].cross(slow[1]).norm() / size**3)
+    if bent == 0 or 1e-300 < bent < 1e300:
+        noise = 1e-15 * float(slow[1].norm() / size**2)
+        assert float(flexure(*fast)) == pytest.approx(bent, rel=1e-9, abs=noise)
+    if any(np.cross(v, a)) and 1e-150 < bent < 1e150:
+        found = frenet(*fast)
+        assert float(found.flexure) == pytest.approx(bent, rel=1e-9)
+        assert found.speed_rate == pytest.approx(rate, abs=1e-14 * float(slow[1].norm()))

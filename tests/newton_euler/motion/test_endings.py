@@ -72,6 +72,8 @@ def test_with_that_event_it_is_followed():
 
 NO_STICKING = {
     "pole": (lambda s, p, t: (s.x * s.x,), (1.0,), 2.0, "may be singular there", MotionError),
+    "pole beside a switch": (lambda s, p, t: (s.x * s.x + where(s.x < 0.5, 1.0, 0.0),), (1.0,), 2.0,
+                             "may be singular there", MotionError),
     "attraction": (lambda s, p, t: (-1 / s.x,), (1.0,), 2.0, "singular there", MotionError),
     "overflow at the start": (lambda s, p, t: (-exp(s.x),), (1e3,), 2.0, "range|singular", MotionError),
     "no root at the start": (lambda s, p, t: (exp(-s.x) + sqrt(s.x),), (-1.0,), 2.0,
@@ -130,3 +132,11 @@ def test_a_floor_far_from_the_origin_is_bounced_off_or_refused_for_the_last_digi
         assert not words or rtol < 1e-3
         assert "singular" not in words
         assert jumps or "could not be followed" not in words
+
+
+def test_a_border_known_to_its_last_digit_only_is_named():
+    rates = lambda s, p, t: (s.v, where(s.x < p.place, 20.0, -10.0))
+    model = Model("floor", {"place": 1e10}, ("x", "v"), rates)
+    words = r"the rates change at s\.x = p\.place, which is known to the last digit of 1e\+10 only"
+    with pytest.raises(MotionError, match=words):
+        integrate(model, 0.5, (1e10 + 0.1, 0.0), 1e-7)

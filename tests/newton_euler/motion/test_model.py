@@ -3,6 +3,7 @@ refusals in words.
 """
 
 import math
+import pickle
 import random
 import time
 from dataclasses import FrozenInstanceError
@@ -306,3 +307,10 @@ def test_rates_beyond_floats_are_named_with_their_place():
     spring = Model("spring", {"k": 1.5}, ("x", "v"), lambda s, p, t: (s.v, -p.k * s.x))
     with pytest.raises(OverflowError, match=r"(?s)too large.*spring has no rates at "):
         spring.derivative((10**400, 0.0))
+
+
+@pytest.mark.parametrize("name", ["_of", "_asked", "_trace", "name", "self", "items"])
+def test_a_pickled_model_has_states_of_any_name(name):
+    swing = Model("swing", {"k": 2.0}, (name, "v"), lambda s, p, t: (s.v, -p.k * getattr(s, name)))
+    again = pickle.loads(pickle.dumps(swing))
+    assert again.derivative((0.5, 1.0)) == swing.derivative((0.5, 1.0)) == (1.0, -1.0)
