@@ -234,7 +234,7 @@ def _both_ways(p, given, proof):
         right = {k: x for k, (x,) in at_points(p, here)[0].items()}
         if not all(map(_is_real, right.values())):
             continue
-        with mp.workdps(DIGITS), suppress(SingularError):  # as of the root of a negative number
+        with mp.workdps(DIGITS), suppress(SingularError):  # say the root of a negative number
             proved = {a.key: x for a, x in zip(p.answers, proof(here).values(), strict=False)}
             precise = p.in_units(p.code.solve(_precise(p, here)))
             proved = p.in_units(proved)

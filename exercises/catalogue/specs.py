@@ -13,7 +13,7 @@ from .loading import load, not_yaml
 from .model import CatalogueError, folder_and_file
 from .places import EXERCISES
 
-WIDTH = 160  # of a line of text
+WIDTH = 160  # letters in a line of text
 TEXTS = ("text", "figure", "frame")
 # the name of a mistake: its first words except these
 WORDS_OF_A_NAME = 4

@@ -78,7 +78,7 @@ def build_assignment(
         if update
         else new_course(course_path, name, exchange)
     )
-    # before the folder is made, so that a failure leaves nothing behind
+    # the figures before the folder, so that a failure leaves nothing behind
     figures = _figures(spec.problems, bar)
     with opened as course:
         if chapters is not None:

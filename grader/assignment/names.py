@@ -101,7 +101,7 @@ class Names:
         steps = [a for a in x.args if isinstance(a, Step)]
         is_plain = x.args and all(a.number in self.fixed for a in steps)
         if len(candidates) > 1 and len(same) != 1 and is_plain and (others or self.size > 1):
-            return None  # as b/2, of two bodies that lie side by side
+            return None  # b/2, say, of two bodies side by side
         same = [k for k in same if k in (key, *others)] or [
             k for k in (key, *others) if self.size == 3 and "xyz"[self.place] in k.split("_")[-1]
         ]

@@ -23,7 +23,7 @@ def with_seals(notebook: Notebook, values: SheetValues, unless_set: bool = True)
         if own.get("role") == "givens" and number in values and number in asked:
             p, forms = asked[number].exercise, asked[number].asked
             numbers = numbers_of(p, values[number])
-            # without answers whose form on the sheet is not today's
+            # no seal for answers whose form on the sheet is not today's
             same = [a for a in p.answers if forms is None or forms.get(a.key) == str(a.form)]
             seals = {a.key: _seal(a, numbers) for a in same}
             names = "".join(f", {n}={n}" for n in p.givens)

@@ -65,7 +65,7 @@ def _means(step, p):
 
 def _not_twice(means, formula):
     """A description without a formula at its end that is written after it anyway."""
-    shown = _names_in(formula.partition(r"\ \text")[0])  # without a unit
+    shown = _names_in(formula.partition(r"\ \text")[0])  # the unit left out
     return _BEHIND_COMMA.sub(lambda m: "" if _names_in(m[1]) == shown else m[0], means)
 
 

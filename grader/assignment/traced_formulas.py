@@ -208,7 +208,7 @@ class Writer:
         """Linear equations as pairs of sides; none if one is too long."""
         names = self._unknowns(equations)
         everything = self.unknowns
-        # without their own unknowns; for good if they are too long
+        # their own unknowns are left out; for good if they are too long
         self.unknowns = {n: x for n, x in everything.items() if x[0] is not equations}
         rows = []
         try:

@@ -33,7 +33,7 @@ class _Charts(click.Command):
     def main(self, args=None, prog_name=None, **more):
         """Run the command that the first word names, or else that of the charts."""
         words = sys.argv[1:] if args is None else list(args)
-        other = {HONESTY: honesty_main, ATLAS: atlas_main}.get(words[0] if words else "")
+        other = {HONESTY: _honesty_main, ATLAS: atlas_main}.get(words[0] if words else "")
         if other:
             return other.main(words[1:], f"{prog_name or self.name} {words[0]}", **more)
         return super().main(words, prog_name, **more)
@@ -167,9 +167,7 @@ def _picture(context, parameter, path):
     help="Seconds; a method whose run takes longer is asked for no more digits of that scene.",
 )  # fmt: skip
 @click.option("--quick", is_flag=True, help="Every other tolerance, and --longest 0.05.")
-def honesty_main(
-    scenes: list[str], methods: list[str], path: Path, longest: float, quick: bool
-) -> None:
+def _honesty_main(scenes, methods, path, longest, quick):
     """Measure and draw whether each method keeps its word, and what it costs.
 
     Every method is asked for tolerances from 1e-3 to 1e-12 on every scene that it can use, which

@@ -73,7 +73,7 @@ class LinearForm(Unordered, _Own):
     rank = 5
     advice = "the conditions must be linear in the unknowns"
 
-    @checked_but("value", "coefficients")  # with which every operation makes one
+    @checked_but("value", "coefficients")  # every operation makes one of these
     def __init__(self, value: Scalar, coefficients: Iterable[Scalar]):
         self.value, self.coefficients = value, tuple(coefficients)
 

@@ -27,8 +27,8 @@ def folded(formula: Compiled, count: int) -> tuple[Compiled, Compiled]:
     arguments, parameters = formula.parameters[:count], formula.parameters[count:]
     needed, rest, early = uses(formula.trace, formula.leaves), Trace(), Trace()
     chooses = any(s.op == "where" for s in formula.trace.steps if s.number in needed)
-    new: dict[int, Step] = {}  # by the numbers of the old ones
-    constants: dict[int, tuple[Step, Step]] = {}  # by the numbers of the early ones
+    new: dict[int, Step] = {}  # keys: numbers of the old ones
+    constants: dict[int, tuple[Step, Step]] = {}  # keys: numbers of the early ones
     letter = unused("h", formula.parameters)
 
     def renewed(x):

@@ -59,7 +59,7 @@ def raised_by_the_engine(error: BaseException) -> bool:
 
 def add_place(error: Exception, text: str) -> None:
     """Add a note of the place to an error, if the engine has not added one nearer to it."""
-    with suppress(Exception):  # of an error that cannot be changed
+    with suppress(Exception):  # some errors cannot be changed
         if "_place" not in vars(error):
             error._place = text  # type: ignore[attr-defined]
             error.add_note(text)

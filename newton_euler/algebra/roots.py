@@ -128,7 +128,7 @@ def _between(places, values, small, either):
     x, y = over(a - b, c - b), over(smaller - fb, fc - fb)
     t = over(fa, fb - fa) * over(fc, fb - fc)
     t = t + over(c - a, b - a) * over(smaller, fc - smaller) * over(fb, fc - fb)
-    # by a unit in the last place at least, so that the last step crosses the root
+    # steps of a unit in the last place at least, so that the last one crosses the root
     least = over(0.75 * small * abs(a), abs(b - a))
     least = either(least < 0.5, least, 0.5)
     t = either(t < least, least, either(t > 1 - least, 1 - least, t))

@@ -191,7 +191,7 @@ def _as_dimension(x):
     return Dimension()
 
 
-# by the international agreement of 1959, and the standard gravity of 1901: exact
+# exact by the international agreement of 1959, and the standard gravity of 1901
 _INCH, _POUND_MASS, _STANDARD_G = map(Fraction, ("0.0254", "0.45359237", "9.80665"))
 _POUND = _POUND_MASS * _STANDARD_G
 _LENGTH, _TIME, _MASS = Dimension(0, 1, 0), Dimension(0, 0, 1), Dimension(1, 0, 0)

@@ -151,7 +151,7 @@ class Vector(Scaled, NamedTerms):
 
     __slots__ = ("_ledger", "_own_rate", "c", "frame")
 
-    frame: Any  # with all that a Frame of the room above has, and not only what is asked here
+    frame: Any  # has all that a Frame of the room above has, and not only what is asked here
 
     def __init__(
         self,
@@ -191,7 +191,7 @@ class Vector(Scaled, NamedTerms):
                 f"the components of a vector are v[0], v[1], v[2]; got v[{clipped(n)}]"
             ) from None
 
-    # without __hash__: vectors that are equal up to round-off would need one hash for all
+    # no __hash__: vectors that are equal up to round-off would need one hash for all
     def __eq__(self, other: object) -> bool:
         """True if equal up to round-off (:func:`same`), in any frame; False if unknown."""
         if not isinstance(other, Vector):

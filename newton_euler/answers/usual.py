@@ -149,7 +149,7 @@ def _spelled(number):
 
 def _off(fit):
     """The components that are wrong, of a formula that is compared at several points."""
-    if fit.index is None or len(fit.key) == 1 or not is_here("numpy"):  # on a page of the site
+    if fit.index is None or len(fit.key) == 1 or not is_here("numpy"):  # a page of the site
         return []
     pairs = [*zip(fit.given, fit.key, fit.sizes, strict=True)]
     places = range(len(fit.key[0]))

@@ -256,7 +256,7 @@ def steady_precession(
     a, h, c = _quadratic(I0, I, theta, spin, omega_z, _over_sine(theta, mgr, moment))
     D = _discriminant(a, h, c, I, "spin" if omega_z is None else "omega_z")
     # the root without cancellation, as in Numerical Recipes (Press et al.), section 5.6
-    # with the sign of h, +1 for zero; an expression is taken as different from zero
+    # takes the sign of h, +1 for zero; an expression is taken as different from zero
     sense = where(to_plain(h) < 0, -1, 1) if is_numeric(h) else h / sqrt(h * h)
     q = (h + sense * sqrt(D)) / 2
     if is_numeric(q) and is_numeric(c) and anywhere(where(to_plain(q) == 0, abs(c), 0) > 0):

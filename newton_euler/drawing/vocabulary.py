@@ -32,9 +32,7 @@ def _entries():
     for section in sections:
         title, *items = re.split(r"^-- ", section, flags=re.MULTILINE)
         for item in items:
-            shows, view, code = re.fullmatch(
-                r"([^\n]*) \[([^\n]*)\]\n(.*)", item, re.DOTALL
-            ).groups()
+            shows, view, code = re.fullmatch(r"(.*) \[(.*)\]\n((?s:.*))", item).groups()
             lines = f"s = Sketch(ax, ground, {view})\n{code.strip()}"
             found.append(Entry(title.strip(), shows, lines))
     return re.sub(r"^#.*\n", "", preamble, flags=re.MULTILINE).strip(), tuple(found)

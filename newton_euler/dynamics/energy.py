@@ -221,7 +221,7 @@ class Audit:
         return in_columns("energy equation (11.29), J", rows)
 
 
-InTime: TypeAlias = Callable[[Scalar], Scalar | Amount]  # of the time
+InTime: TypeAlias = Callable[[Scalar], Scalar | Amount]  # takes the time
 
 
 @checked_but("kinetic")

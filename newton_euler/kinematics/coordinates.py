@@ -180,7 +180,7 @@ def spherical(ground: Frame, name: str, R: Scalar, theta: Scalar, phi: Scalar) -
     ((0, 6.0, 8.0), -32.0)
     """
     local = spherical_frame(ground, theta, phi, f"spherical axes of {name}")
-    turned = local.parent  # by theta
+    turned = local.parent  # turned by theta
     assert turned is not None
     (R,), theta, phi = built("coordinate", (moving(R),)), turned.angle, moving(phi)
     factors = 1, to_plain(R.value * cos(phi.value)), to_plain(R.value)

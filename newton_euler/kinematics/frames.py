@@ -588,7 +588,7 @@ def _origin_motion(via, observer, order):
     return Vector(sub3(turned, origin), seat)
 
 
-# for what is seen from a point's own frame, which is not a sum
+# what is seen from a point's own frame, which is not a sum
 _VELOCITY, _ACCELERATION = Ledger("velocity", "", None), Ledger("acceleration", "", None)
 
 

@@ -137,9 +137,8 @@ class _Many:
         except ValueError as error:
             given = [*zip(model.states, state, strict=True), *values.items()]
             shapes = ", ".join(f"{n} {np.shape(x)}" for n, x in given)
-            raise ModelError(
-                f"these arrays have lengths that do not fit together: {shapes}"
-            ) from error
+            what = f"these arrays have lengths that do not fit together: {shapes}"
+            raise ModelError(what) from error
         if arrays[0].ndim != 1:
             raise ModelError(f"many motions need arrays of one dimension, got {arrays[0].shape}")
         if not arrays[0].size:
@@ -319,7 +318,7 @@ def _clock_errors(system, t0, t1, ends, p, sizes, enough):
     later = t1 + 1e-6 * span
     with np.errstate(all="ignore"):
         beside, here = (rows_of(rates.on(np)(t, *ends, *p), count) for t in (later, t1))
-        # as if no state changed faster than once in the whole time
+        # a bound if no state changes faster than once in the whole time
         slope = abs((beside - here) / (later - t1) * t1) * span
         errors = TIME_SAFETY * ROUND_OFF * (slope / sizes).max(axis=0)
     for n in np.flatnonzero(~(errors <= enough)).tolist():

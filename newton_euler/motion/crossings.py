@@ -208,14 +208,12 @@ class Crossings:
         stepper, before = self.stepper, (self.stepper.t, self.stepper.x)
         room = max(self.room, self._last_digit())
         for rooms in WAYS if stepper.steps and self.tries < TRIES else ():
-            after = stepper.t + rooms * room
-            ahead = [
-                v + (after - stepper.t) * k for v, k in zip(before[1], stepper.rates, strict=True)
-            ]
-            parts = self._changed(before, (after, ahead)).values()
+            t = stepper.t + rooms * room
+            ahead = [v + (t - stepper.t) * k for v, k in zip(before[1], stepper.rates, strict=True)]
+            parts = self._changed(before, (t, ahead)).values()
             if parts:
-                stepper.pass_stop(after, min(parts))
-                stepper.step_times[-1] = after
+                stepper.pass_stop(t, min(parts))
+                stepper.step_times[-1] = t
                 stepper.resume()
                 return True
         return False

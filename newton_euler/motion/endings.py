@@ -34,18 +34,11 @@ def why(
         return (StickingError, words) if words else (LongError, "")
     if isinstance(error, StepError):
         with suppress(ArithmeticError):
-            for kind, found in (
-                (NoValueError, _without_value),
-                (StickingError, _sticking),
-                (MotionError, _hidden),
-            ):
-                words = found(system, t, x, span)
-                if words:
+            for kind, found in _REASONS:
+                if words := found(system, t, x, span):
                     return kind, words
-            return (
-                MotionError,
-                "; the coordinates may be singular there, or the motion leaves the model",
-            )
+            words = "; the coordinates may be singular there, or the motion leaves the model"
+            return MotionError, words
     if isinstance(error, ValueError) and not isinstance(error, ArithmeticError):
         return NoValueError, ""  # for example of a table, whose message says so
     if isinstance(error, OverflowError):
@@ -143,3 +136,7 @@ def _spelled(x, system):
     if x.op != "argument" or name == "t":
         return name if x.op == "argument" else None
     return f"s.{name}" if name in system.model.states else f"p.{name}"
+
+
+# in the order in which they are tried
+_REASONS = (NoValueError, _without_value), (StickingError, _sticking), (MotionError, _hidden)

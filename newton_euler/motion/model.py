@@ -18,6 +18,7 @@ from typing import Any, NoReturn
 from unicodedata import normalize
 from warnings import warn
 
+from ..algebra import scalars
 from ..algebra.compile import Compiled, Recording, compiled, content, recorded, text_of
 from ..algebra.errors import LONGEST_SEQUENCE, NewtonEulerError, checked
 from ..algebra.late import np
@@ -25,20 +26,7 @@ from ..algebra.names import guided, misfit
 from ..algebra.places import at_a_place, note_place, raised_by_the_engine
 from ..algebra.portable import Formula, Formulas, Portable, Values
 from ..algebra.reads import Reads
-from ..algebra.scalars import (
-    DivisionError,
-    RangeError,
-    Scalar,
-    ScalarError,
-    advice,
-    clipped,
-    is_comparable,
-    is_zero,
-    promote,
-    real_scalar,
-    scalar,
-    to_plain,
-)
+from ..algebra.scalars import Scalar, ScalarError, advice, clipped, real_scalar, scalar, to_plain
 from ..algebra.tables import Table
 
 # a state: its values in the order of the states, or by name
@@ -259,7 +247,8 @@ class Model(Portable):
         try:
             return self._value(f, state, t)
         except (ZeroDivisionError, OverflowError) as error:
-            kind = DivisionError if isinstance(error, ZeroDivisionError) else RangeError
+            divided = isinstance(error, ZeroDivisionError)
+            kind = scalars.DivisionError if divided else scalars.RangeError
             place = f"at t = {clipped(t)}, {clipped(state)}"
             at_a_place(error, kind, f"the {what} of {self.name!r} has no value {place}")
             raise
@@ -499,7 +488,7 @@ def is_law(x: object) -> bool:
 
 def is_absent(x: Scalar | Formula) -> bool:
     """True for a number that is 0, as a force that is neglected; False for a law."""
-    return not is_law(x) and is_zero(scalar(x))
+    return not is_law(x) and scalars.is_zero(scalar(x))
 
 
 def comparable(what: str, *values: Scalar) -> tuple[Scalar, ...]:
@@ -508,8 +497,8 @@ def comparable(what: str, *values: Scalar) -> tuple[Scalar, ...]:
 
     Raises :class:`ModelError` for expressions.
     """
-    values = promote(*values)
-    if not all(map(is_comparable, values)):
+    values = scalars.promote(*values)
+    if not all(map(scalars.is_comparable, values)):
         raise ModelError(f"the exact solution of the {what} needs numbers; put values in first")
     return values
 

@@ -79,10 +79,7 @@ def passage(stepper: Stepper, first: int) -> Passage | None:
             return None
         stepper = stepper.dense
         ends = np.array(stepper.step_times)
-        of = [
-            np.clip(np.searchsorted(ends, t, "right") - 1, first, len(ends) - 2)
-            for t in (times, knots)
-        ]
+        of = [first + np.searchsorted(ends[first + 1 : -1], t, "right") for t in (times, knots)]
         for n in np.unique(np.concatenate(of)).tolist():
             found = _difference(stepper, n, times[of[0] == n], knots[of[1] == n])
             if found:
@@ -216,7 +213,7 @@ class _Path:
         a, b = self.rows[:, :-1], self.rows[:, 1:]
         change = b - a
         slopes = change / self.lengths
-        # at the beginning and at the end of a step as in the steps next to it
+        # the slopes at the ends of a step are those of the steps next to it
         k = np.concatenate([slopes[:, :1], slopes[:, :-1]], axis=1)
         m = np.concatenate([slopes[:, 1:], slopes[:, -1:]], axis=1)
         sizes = abs(a), abs(b)
@@ -230,7 +227,7 @@ class _Path:
             # towards zero at one end, or away from it, and on the whole the other way
             turns = (k * m <= 0) | ((k * change < 0) & (k * a < 0))
             turns |= (m * change < 0) & (m * b > 0)
-            turns[:, [0, -1]] |= (a * b > 0)[:, [0, -1]]  # for all that is known
+            turns[:, [0, -1]] |= (a * b > 0)[:, [0, -1]]  # unknown there
             much &= ~of.jumps | (crossed.sum(axis=0) > 1) | turns
             much |= crossed & much.any(axis=0)
         return much | (much & of.phases).any(axis=0)
@@ -487,11 +484,10 @@ def within_reach(stepper: Stepper, error: float) -> float:
         farther = np.take_along_axis(np.array(across), most.argmax(axis=0)[None, None], axis=0)[0]
         of_kind, limit = [kinds == "jump", kinds == "ratio"], SLIGHT * abs(first)
         hit = (first < HIT) & (kinds == "largest")
+        nearer, across_it = first - least, most.max(axis=0) > first + limit
         much = [
-            np.select(
-                of_kind, [(least < 0) & ~inside, first - least > limit], first - least > SLIGHT
-            ),
-            np.select(of_kind, [inside, True], hit) & (most.max(axis=0) > first + limit),
+            np.select(of_kind, [(least < 0) & ~inside, nearer > limit], nearer > SLIGHT),
+            np.select(of_kind, [inside, True], hit) & across_it,
         ]
         for way, k in zip(*np.nonzero(much), strict=True):
             ends = max(begin, times[k] - longest), min(end, times[k] + longest)

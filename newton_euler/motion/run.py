@@ -10,6 +10,7 @@ from functools import partial
 from time import perf_counter
 from typing import Any
 
+from . import sizes, solution
 from .drives import driven
 from .error_estimates import ROUND_OFF_OF_RATES, error_by_comparison, relative_shift, reported_error
 from .events import EventError
@@ -19,29 +20,8 @@ from .methods.exact import estimated_error, within
 from .methods.table import METHODS, Method
 from .model import ModelError
 from .prepared import PreparedModel
-from .sizes import (
-    NATURAL_PART,
-    Sizes,
-    are_settled,
-    as_natural,
-    far_states,
-    forced_error,
-    reproduced,
-    round_off_over,
-    small,
-    without_round_off,
-    worst_ratio,
-)
-from .solution import (
-    AccuracyError,
-    Cost,
-    FarError,
-    LongError,
-    Motion,
-    MotionError,
-    StickingError,
-    UnfitError,
-)
+from .sizes import NATURAL_PART, Sizes, are_settled, forced_error, small, worst_ratio
+from .solution import AccuracyError, Cost, FarError, Motion, MotionError
 from .trajectory import Trajectory
 
 # seconds of integrating one right-hand side after which compiling with heyoka would have paid off
@@ -60,7 +40,7 @@ def usable(name: str, system: PreparedModel, t0: float = 0.0) -> Method:
     """The method of this name; :class:`UnfitError` if it does not suit this model and start."""
     why = METHODS[name].unusable_because(system, t0)
     if why:
-        raise UnfitError(f"method {name!r} cannot be used: {why}")
+        raise solution.UnfitError(f"method {name!r} cannot be used: {why}")
     return METHODS[name]
 
 
@@ -195,12 +175,9 @@ class Run:
     def closed(self, method: Method) -> Motion:
         """The motion by the exact solution."""
         trajectory = self.trajectory(method, self.rtol)
-        subject = f"the closed form of {self.system.model.name!r}"
-        for part in trajectory.segments:
-            if type(part.stepper) is not method.stepper:
-                raise ModelError(
-                    f"{subject} ends where it becomes a model without one; take method='auto'"
-                )
+        it = f"the closed form of {self.system.model.name!r}"
+        if any(type(part.stepper) is not method.stepper for part in trajectory.segments):
+            raise ModelError(f"{it} ends where it becomes a model without one; take method='auto'")
 
         def errors():
             for system, stepper, t0, t1, x1 in trajectory.segments:
@@ -210,7 +187,7 @@ class Run:
             if not known_accurate(system, method, self.rtol, t0, t1, stepper.start[1], x1):
                 motion = self.motion(trajectory, method, max(errors()))
                 raise AccuracyError(
-                    f"{subject} is not accurate here: its error is about {motion.error:.1g}, and "
+                    f"{it} is not accurate here: its error is about {motion.error:.1g}, and "
                     f"rtol = {self.rtol:g} was requested; take another method, or a larger rtol",
                     motion,
                 )
@@ -359,7 +336,8 @@ class Run:
     @staticmethod
     def ended(trajectory: Trajectory) -> bool:
         """True if what failed is the motion, which sticks or is too long, by whatever steps."""
-        return bool(trajectory.failed) and trajectory.refusal in (StickingError, LongError)
+        of_motions = solution.StickingError, solution.LongError
+        return bool(trajectory.failed) and trajectory.refusal in of_motions
 
     def far_error(self, method: Method, motion: Motion, known: Sizes) -> AccuracyError:
         """The error to be raised where round-off is too much for states that are small."""
@@ -388,19 +366,19 @@ class Run:
         again = self.compared(method, fine, fine, known, scaled)
         if known and not again.failed:
             ends = before.segments[-1].x1, again.segments[-1].x1
-            apart = [abs(u - v) for u, v in zip(*ends, strict=False)]
+            apart = tuple([abs(u - v) for u, v in zip(*ends, strict=False)])
             there = partial(driven, before, self.state)
-            sizes = reproduced(known, again.sizes(), apart, self.rtol, there)
-            if sizes != known[0]:
-                known = sizes, *known[1:]
+            found = sizes.reproduced(known, again.sizes(), apart, self.rtol, there)
+            if found != known[0]:
+                known = found, *known[1:]
                 before = self.compared(method, coarse, fine, known, scaled)
         return before, known
 
     def sizes(self, trajectory: Trajectory) -> Sizes:
         """The sizes of a trajectory by which the next ones take their steps."""
         there = partial(driven, trajectory, self.state)
-        known = without_round_off(trajectory.sizes(), there, self.rtol)
-        return known if self.own else as_natural(known)
+        known = sizes.without_round_off(trajectory.sizes(), there, self.rtol)
+        return known if self.own else sizes.as_natural(known)
 
     def briefly(self, run: Callable[..., Trajectory], *arguments: Any) -> Trajectory:
         """The trajectory ``run(*arguments)``, stopped if it takes many steps: it is ``long``."""
@@ -439,7 +417,7 @@ class Run:
         # not with events: the start may lie on the surface of one
         shift = 0.0 if self.events else relative_shift(fine / tolerance)
         if known and small(*known[:2]):  # their error is mostly round-off
-            shift *= min(round_off_over(self.last) / ROUND_OFF_OF_RATES, 1.0)
+            shift *= min(sizes.round_off_over(self.last) / ROUND_OFF_OF_RATES, 1.0)
         state = [x * (1 + (-shift if n % 2 else shift)) for n, x in enumerate(self.state)]
         shifted = replace(self, state=tuple(state))
         samples = SIZE_SAMPLES if method.series else None
@@ -457,18 +435,16 @@ class Run:
     def motion(self, trajectory: Trajectory, method: Method, error: Any) -> Motion:
         """The motion of a trajectory; raises :class:`MotionError` if that failed."""
         cost = Cost(perf_counter() - self.started, self.preparing, self.calls)
-        parts, occurrences = tuple(trajectory.segments), tuple(trajectory.occurrences)
+        parts, events = tuple(trajectory.segments), tuple(trajectory.occurrences)
         model, ended = self.system.model, trajectory.ended
-        motion = Motion(
-            model, parts, occurrences, method, self.rtol, ended, cost, self.samples, error
-        )
+        motion = Motion(model, parts, events, method, self.rtol, ended, cost, self.samples, error)
         if trajectory.failed:
             raise trajectory.refusal(f"{ended}; see .reached of this error", motion)
         return motion
 
     def far_refusal(self, motion: Motion, known: Sizes) -> str:
         """The message for a motion that is too far from the origin for the digits of a float."""
-        small_one, large = far_states(self.system, self.t0, self.state, *known[:2])
+        small_one, large = sizes.far_states(self.system, self.t0, self.state, *known[:2])
         place = f"{self.system.model._state(self.state)[large]:.6g}"
         return (
             f"{self.system.model.name}: {small_one} is small beside the round-off of {large} = "

@@ -95,9 +95,7 @@ def least_scales(sizes: Floats, natural: Floats, own: float) -> list[float]:
     return scales
 
 
-def reproduced(
-    known: Sizes, again: Sizes, apart: Sequence[float], rtol: float, there: There
-) -> Floats:
+def reproduced(known: Sizes, again: Sizes, apart: Floats, rtol: float, there: There) -> Floats:
     """The sizes ``known``, larger for a state that is all error: one that nothing drives whose size
     is that of round-off, or depends on the tolerance.
 

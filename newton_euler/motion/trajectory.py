@@ -334,7 +334,7 @@ class Trajectory:
             total += max([noise / (scale or 1.0) for noise, scale in rows])
         for system, stepper, begun, end, _ in self.segments if self.watched else ():
             if begun == end:
-                continue  # without a step
+                continue  # no step
             passed = system.traced.narrow and not stepper.resumable and passage(stepper, 0)
             if stepper.halved and system.traced.surprises:
                 total += unsettled(stepper, end)

@@ -18,11 +18,9 @@ class Verified:
     def __init__(self):
         self.runs: dict[float, tuple] = {}
 
-    def add(
-        self, rtol: float, t0: float, t1: float, start: Floats, end: Floats, error: float
-    ) -> None:
+    def add(self, rtol: float, t0: float, t1: float, x0: Floats, x1: Floats, error: float) -> None:
         """Record a run whose error is not above the rtol."""
-        self.runs[rtol] = (t0, t1), start, end, error
+        self.runs[rtol] = (t0, t1), x0, x1, error
 
     def covers(self, rtol: float, t0: float, t1: float, start: Floats, end: Floats) -> bool:
         """True if this run is the verified one; or so close to it that it has about the same error,

@@ -30,7 +30,7 @@ class Shell:
     """Runs cells in one namespace, ``names``, the module ``__main__`` of the student."""
 
     def __init__(self) -> None:
-        sys.path.insert(0, "")  # for modules that a cell has written
+        sys.path.insert(0, "")  # where a cell may have written modules
         module = types.ModuleType("__main__")
         sys.modules["__main__"] = module  # where dataclasses and pickle look names up
         self.names = module.__dict__
@@ -105,7 +105,7 @@ def _in_two(text, file):
     try:
         # the lines above are complete if they compile: what follows is not part of them
         first = compile(above, file, "exec", _FLAGS)
-        # on its own line, so that an error names that line
+        # it keeps its line, so that an error names that line
         code = compile("\n" * text.rstrip().count("\n") + last, file, mode, _FLAGS)
     except (SyntaxError, ValueError):  # _parse reports what is wrong, if anything is
         return None

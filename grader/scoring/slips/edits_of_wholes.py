@@ -37,7 +37,7 @@ def of_wholes(f: Facts) -> Iterator[Edit]:
                 continue  # would cancel the factor itself: a slip in the product
             words = _of_power(name, max(powers, key=abs), change)
             instead = {x.number: (op, x, f.number(step)) for x in components if x is not step}
-            # without a name in a pair: one that mends the units of another is not a mistake
+            # nameless in a pair: one that mends the units of another is not a mistake
             yield edit(LESS, f"whole {op} {name}", words, instead, RESCALED)
 
 

@@ -8,17 +8,9 @@ from typing import Any
 
 from ...algebra.late import EngFormatter
 from ...algebra.names import listed
+from ..measurements import measure
 from ..measurements.comparisons import Comparison, ComparisonPoint
-from ..measurements.measure import (
-    ALIKE,
-    EQUAL_WITHIN,
-    NEAR,
-    ROUND_OFF,
-    Measured,
-    cheapest,
-    of_equal_cost,
-    repeated,
-)
+from ..measurements.measure import ALIKE, EQUAL_WITHIN, NEAR, ROUND_OFF, Measured, of_equal_cost
 from .axes import COLOURS, MARKERS, chart, log_log
 from .words import about_times, agreed, seconds, two_digits
 
@@ -73,11 +65,11 @@ def ways_caption(points: Sequence[Measured]) -> str:
     """The cheapest and the most accurate of several ways to one result: as far as all repeats
     agree.
     """
-    return agreed(map(_of_ways, repeated(points)))
+    return agreed(map(_of_ways, measure.repeated(points)))
 
 
 def _of_ways(points):
-    best = cheapest(points, max(NEAR, EQUAL_WITHIN * min(p.error for p in points)))
+    best = measure.cheapest(points, max(NEAR, EQUAL_WITHIN * min(p.error for p in points)))
     yield from _of_best(best, points)
     yield from (_cheaper(points, best), _prepared(points), _beaten(points, best))
 
@@ -103,10 +95,8 @@ def _cheaper(points, best):
     if least in best:
         return ""
     alike = len(of_equal_cost([least, best[0]], ALIKE)) > 1
-    cost = (
-        "costs about the same" if alike else f"is {about_times(best[0].cost / least.cost)} faster"
-    )
-    return f"{least.method} {cost}, with an error of {two_digits(least.error)}."
+    how = "costs about the same" if alike else f"is {about_times(best[0].cost / least.cost)} faster"
+    return f"{least.method} {how}, with an error of {two_digits(least.error)}."
 
 
 def _prepared(points):
@@ -127,7 +117,7 @@ def comparison_caption(comparison: Comparison, points: Sequence[ComparisonPoint]
     """For each question the ways right at every setting, their cheapest, and where others fail."""
     return agreed(
         [s for q in comparison.questions for s in _answer(q, [p for p in again if p.question is q])]
-        for again in repeated(points)
+        for again in measure.repeated(points)
     )
 
 

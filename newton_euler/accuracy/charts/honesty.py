@@ -7,14 +7,7 @@ from statistics import median
 from typing import Any
 
 from ...algebra.late import EngFormatter, Line2D
-from ..measurements.honesty import (
-    CELLS,
-    REFUSED,
-    MethodResult,
-    Tally,
-    comparable,
-    tallies,
-)
+from ..measurements.honesty import CELLS, REFUSED, MethodResult, Tally, comparable, tallies
 
 # limits of true over asked, and of estimate over true; what lies beyond is drawn at the edge
 PROMISE, ESTIMATE = (1e-6, 1e3), (1e-4, 1e5)

@@ -274,14 +274,10 @@ def exact_inertia() -> Triple:
 
 
 INERTIAS = (
-    {
-        "random points": by_random_points,
-        "grid of points": by_grid,
-        "engine, quadrature": by_quadrature,
-        "engine, composition": by_composition,
-    },
+    {"random points": by_random_points, "grid of points": by_grid,
+     "engine, quadrature": by_quadrature, "engine, composition": by_composition},
     lambda found, n: relative_error(found, exact_inertia()),
-)
+)  # fmt: skip
 
 
 # -- the angle of a rotation

@@ -188,6 +188,6 @@ def final_state(scene: Scene) -> tuple[float, ...]:
 def state_sizes(scene: Scene) -> tuple[float, ...]:
     """The largest size of each state, at least 1e-6, to which errors are relative."""
     model, t, start = scene.motion
-    # without its exact solution, which gives no steps between
+    # not by its exact solution, which gives no steps between
     motion = integrate(replace(model, exact=None), t, start, 1e-6, "dop853")
     return tuple(max(float(abs(x).max()), SMALLEST_SCALE) for x in motion.states.values())

@@ -48,11 +48,8 @@ def advise(
     latest = sorted(done, key=lambda d: d.day, reverse=True)
     for d in latest:
         if d.open and d.day == today:
-            text, names = (
-                Words("{problem} is unfinished: {names} is not right yet."),
-                joined(d.open[:3]),
-            )
-            return Advice(d.problem, _(text, problem=d.problem, names=names))
+            text = Words("{problem} is unfinished: {names} is not right yet.")
+            return Advice(d.problem, _(text, problem=d.problem, names=joined(d.open[:3])))
     for d in sorted(done, key=lambda d: d.due):
         if d.due <= today and d.problem != now:
             return Advice(d.problem, _again(d, today))
@@ -100,12 +97,10 @@ def _why(d, today):
                 "{when} your {key} of {problem} fitted a solution that {cause}",
                 when=when, key=key, problem=d.problem, cause=cause[2],
             )  # fmt: skip
-    if d.missed:
-        names = joined(list(dict.fromkeys(key for key, _cause in d.missed))[:3])
-        return _(
-            "{when} you needed help, or more than one try, for {names}", when=when, names=names
-        )
-    return _("{when} all of it was right", when=when)
+    if not d.missed:
+        return _("{when} all of it was right", when=when)
+    names = joined(list(dict.fromkeys(key for key, _cause in d.missed))[:3])
+    return _("{when} you needed help, or more than one try, for {names}", when=when, names=names)
 
 
 def _alike(d, fresh, sections, may_err):

@@ -90,11 +90,9 @@ class Stage:
         return self._plotted.sketches()
 
     def _draw_on(self, axes, values):
-        returned = self.draw(axes, **values)
-        if returned is not None:
-            raise ArgumentError(
-                f"draw(ax, …) draws on its axes and returns nothing; got {returned!r}"
-            )
+        found = self.draw(axes, **values)
+        if found is not None:
+            raise ArgumentError(f"draw(ax, …) draws on its axes and returns nothing; got {found!r}")
 
 
 def in_words(values: Mapping[str, float]) -> str:

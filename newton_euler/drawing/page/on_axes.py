@@ -49,9 +49,7 @@ class OnAxes:
         ax.set_aspect("equal", adjustable="datalim")
         ax.set_axis_off()
         clip = TransformedPath(Path.unit_rectangle(), ax.transAxes)
-        self._artists = [
-            patch for stroke in canvas.strokes for patch in _patches(stroke, ax, canvas, clip)
-        ]
+        self._artists = [p for s in canvas.strokes for p in _patches(s, ax, canvas, clip)]
         self._artists += place_labels(ax, canvas, renderer, window.labels)
 
     def sketches(self) -> list:

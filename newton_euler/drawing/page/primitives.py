@@ -10,13 +10,8 @@ from ...algebra.vectors import add3, cross3, scale3, sub3
 from .projection import View, circle, convex_hull, mean, moved, on_plane, perpendiculars, unit3
 
 # colours that colour-blind readers can distinguish (after Okabe and Ito 2008); bodies are grey
-KINDS = {
-    "velocity": "#0072B2",
-    "acceleration": "#D55E00",
-    "rate": "#008060",
-    "force": "#B0408A",
-    "plain": "#000000",
-}
+KINDS = {"velocity": "#0072B2", "acceleration": "#D55E00", "rate": "#008060",
+         "force": "#B0408A", "plain": "#000000"}  # fmt: skip
 DARK, SHADED, MIDDLE, LIGHT, PALE = "#454a50", "#aab1b9", "#c9ced4", "#dde1e5", "#eef0f2"
 BLACK, WHITE = "#000000", "#ffffff"
 MOVED = "#8a5a00"  # axes of a frame that moves
@@ -24,12 +19,8 @@ Outline: TypeAlias = list[Triple]  # the places of a face, of a hole, of a rim, 
 Outlines: TypeAlias = Sequence[Outline]
 Kind: TypeAlias = Literal["velocity", "acceleration", "rate", "force", "plain"]
 Line: TypeAlias = Literal["solid", "dashed", "dotted", "centre"]
-DASHES = {
-    "solid": "-",
-    "dashed": (0, (5, 3)),
-    "dotted": (0, (1, 2)),
-    "centre": (0, (9, 2.5, 2, 2.5)),
-}
+DASHES = {"solid": "-", "dashed": (0, (5, 3)), "dotted": (0, (1, 2)),
+          "centre": (0, (9, 2.5, 2, 2.5))}  # fmt: skip
 FONT = 11  # points
 SQUARE = (1, 1), (-1, 1), (-1, -1), (1, -1)  # corners of a square
 
@@ -39,14 +30,8 @@ BODY, MARK, ARROW = range(3)
 
 def _style(edge, width, face="none", dashes="solid", ends="round"):
     """The keyword arguments of a matplotlib patch, with long names: short ones are slower."""
-    return {
-        "edgecolor": edge,
-        "facecolor": face,
-        "linewidth": width,
-        "linestyle": DASHES[dashes],
-        "capstyle": ends,
-        "joinstyle": "round",
-    }
+    return {"edgecolor": edge, "facecolor": face, "linewidth": width,
+            "linestyle": DASHES[dashes], "capstyle": ends, "joinstyle": "round"}  # fmt: skip
 
 
 STYLES = {

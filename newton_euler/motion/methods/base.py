@@ -26,7 +26,7 @@ MAX_STEPS = 5e6  # steps of one motion that are kept: those of DOP853 take minut
 
 
 Floats: TypeAlias = tuple[float, ...]
-FastRun: TypeAlias = Callable[[float, Floats], Floats | None]  # of the time and the start
+FastRun: TypeAlias = Callable[[float, Floats], Floats | None]  # takes the time and the start
 
 
 class TracedRates(Protocol):

@@ -9,7 +9,6 @@ of this model at all is checked by comparing its derivative in time with the rig
 """
 
 import math
-from collections.abc import Sequence
 from functools import cache
 from math import copysign, frexp, ldexp
 
@@ -77,13 +76,8 @@ def estimated_error(system: System, t: float, x0: Floats, x1: Floats) -> float:
     """
     try:
         size, pace = _size_and_pace(system, t, x0, x1)
-        rows = zip(
-            rounding(system, t, x0, x1, pace),
-            residual(system, t, x0, size, pace),
-            size,
-            strict=True,
-        )
-        worst = max((a + b) / s for a, b, s in rows)
+        errors = rounding(system, t, x0, x1, pace), residual(system, t, x0, size, pace)
+        worst = max((a + b) / s for a, b, s in zip(*errors, size, strict=True))
     except NO_VALUE:
         return UNKNOWN
     return worst if math.isfinite(worst) else UNKNOWN
@@ -140,7 +134,7 @@ def _size_and_pace(system, t, x0, x1):
     """The largest size of each state, and the largest rate in units of these, on the way."""
     times = (0.0, *(f * t for f in FRACTIONS), t)
     rows = [x0, *(system.solution(u, x0) for u in times[1:-1]), x1]
-    size = [max(map(abs, column)) or SMALLEST_SCALE for column in zip(*rows, strict=True)]
+    size = tuple([max(map(abs, column)) or SMALLEST_SCALE for column in zip(*rows, strict=True)])
     paces = [
         abs(r) / s
         for u, x in zip(times, rows, strict=True)
@@ -205,9 +199,7 @@ def _value(system, given):
     return system.solution(given[0], tuple(given[1 : len(system.model.states) + 1]))
 
 
-def residual(
-    system: System, t: float, x0: Floats, size: Sequence[float], pace: float
-) -> list[float]:
+def residual(system: System, t: float, x0: Floats, size: Floats, pace: float) -> list[float]:
     """The error of each state if the formula is not a solution of the model: its derivative in time
     less the right-hand side, times the whole time. Where that is no more than rounding it is the
     rounding of the values, which a difference over a short time shows: c^2 (sqrt(1 + u) - 1) is the
@@ -218,11 +210,8 @@ def residual(
     worst = [abs(u - v) for u, v in zip(system.solution(0.0, x0), x0, strict=True)]
     worst = [d if d > LEAST_RESIDUAL * s else 0.0 for d, s in zip(worst, size, strict=True)]
     early = 1 / pace
-    for u, least in (
-        (0.37 * early, LEAST_RESIDUAL),
-        (min(0.83 * t, 7.1 * early), LEAST_RESIDUAL),
-        (t, LEAST_LATE_RESIDUAL),
-    ):
+    limits = LEAST_RESIDUAL, LEAST_RESIDUAL, LEAST_LATE_RESIDUAL
+    for u, least in zip((0.37 * early, min(0.83 * t, 7.1 * early), t), limits, strict=True):
         x = system.solution(u, x0)
         try:
             rates = system.rates(u, x)

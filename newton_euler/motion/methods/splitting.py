@@ -31,17 +31,12 @@ _W8 = (
 )  # fmt: skip
 
 
-def _symmetric(*weights):
+def _mirror(*weights):
     """The weights w_m ... w_1 w_0 w_1 ... w_m from w_1 ... w_m; their sum is 1."""
     return *weights[::-1], 1 - 2 * sum(weights), *weights
 
 
-COMPOSITIONS = {
-    2: (1.0,),
-    4: _symmetric(1 / (2 - 2 ** (1 / 3))),
-    6: _symmetric(*_W6),
-    8: _symmetric(*_W8),
-}
+COMPOSITIONS = {2: (1.0,), 4: _mirror(1 / (2 - 2 ** (1 / 3))), 6: _mirror(*_W6), 8: _mirror(*_W8)}
 
 
 # -- which models have the structure

@@ -17,19 +17,8 @@ from math import exp, frexp, inf, isfinite, ldexp
 from typing import Any
 
 from ...algebra.late import np
-from .base import (
-    MAX_STALLED_STEPS,
-    MAX_STEPS,
-    STALLED_RATIO,
-    Demand,
-    FastRun,
-    Floats,
-    LengthError,
-    StepError,
-    Stepper,
-    System,
-    sample_times,
-)
+from . import base
+from .base import MAX_STALLED_STEPS, Demand, FastRun, Floats, LengthError, StepError, System
 
 # Heyoka's order is the least one above 1 - log(tolerance)/2; its steps barely depend on the
 # tolerance. These are the tolerances at which the order changes, from 3 to 19, down to a float's
@@ -102,7 +91,7 @@ def _power_of_two(x):
     return ldexp(1.0, frexp(x)[1] - 1) if x else 1.0
 
 
-class Taylor(Stepper):
+class Taylor(base.Stepper):
     """A run by Taylor series. Without events it is one call of heyoka; the steps are repeated if a
     state between them is needed.
     """
@@ -196,7 +185,7 @@ class Taylor(Stepper):
         _, _, longest, steps, *_ = done
         self.calls, self.taken = self.calls + steps * ta.order, self.taken + steps
         self.longest = max(self.longest, longest)
-        return ta.time - before < STALLED_RATIO * steps * self.longest
+        return ta.time - before < base.STALLED_RATIO * steps * self.longest
 
     def _begin_again(self):
         (self.t, self.x), self.series = self.start, []
@@ -204,7 +193,7 @@ class Taylor(Stepper):
 
     def _by_samples(self):
         """Go to the goal by heyoka's grid and keep the samples; False if that is impossible."""
-        times = sample_times(self.samples, self.t, self.goal)
+        times = base.sample_times(self.samples, self.t, self.goal)
         if not len(times) or (times[1:] <= times[:-1]).any():
             return False
         found = self._grid(times if times[-1] == self.goal else np.append(times, self.goal))
@@ -243,7 +232,7 @@ class Taylor(Stepper):
 
     def _by_steps(self, limit):
         """Take at most ``limit`` steps and keep their series."""
-        self.max_steps = min(self.max_steps, MAX_STEPS)
+        self.max_steps = min(self.max_steps, base.MAX_STEPS)
         with self._integrator() as ta:
             self._put(ta, self.t, self.x)
             while limit > 0 and self.t < self.goal:

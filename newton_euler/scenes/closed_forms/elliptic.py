@@ -6,21 +6,8 @@ Next to a separatrix a float does not hold k^2, which SciPy takes, but m1 to the
 
 from collections.abc import Sequence
 
-from ...algebra.scalars import (
-    Scalar,
-    Triple,
-    atan2,
-    cos,
-    epsilon,
-    exp,
-    is_numeric,
-    max_abs,
-    promote,
-    sin,
-    sqrt,
-    tanh,
-    where,
-)
+from ...algebra import scalars
+from ...algebra.scalars import Scalar, Triple, atan2, cos, epsilon, max_abs, sin, sqrt, tanh, where
 
 FEW, WIDE = 6, 1e-4  # levels that are enough for doubles m1 from 1e-4 to 1
 MANY = 12  # levels for any double; a traced formula cannot know how many it needs
@@ -35,15 +22,15 @@ def jacobi(u: Scalar, m1: Scalar) -> tuple[Scalar, ...]:
     >>> [round(x, 12) for x in jacobi(0.5, 0.0)]  # tanh, 1/cosh, 1/cosh
     [0.46211715726, 0.88681888397, 0.88681888397, 0.0]
     """
-    u, m1 = promote(u, m1)
+    u, m1 = scalars.promote(u, m1)
     wide, bound = m1 > WIDE, m1 > 0
     k1 = sqrt(where(bound, m1, 1))
     # hyperbolic functions where m1 is 0
     u0 = where(bound, 0, u)
-    e = exp(-where(abs(u0) < FAR, abs(u0), FAR))
+    e = scalars.exp(-where(abs(u0) < FAR, abs(u0), FAR))
     sech = 2 * e / (1 + e * e)
     end = tanh(u0), sech, sech, 0 * u0
-    if is_numeric(k1):
+    if scalars.is_numeric(k1):
         return tuple(where(bound, x, y) for x, y in zip(_landen(u, k1, None), end, strict=True))
     few, many = _landen(u, k1, FEW), _landen(u, k1, MANY)
     return tuple(where(wide, x, where(bound, y, z)) for x, y, z in zip(few, many, end, strict=True))
@@ -55,9 +42,8 @@ def _landen(u, k1, count):
     while True:
         levels.append((a, b))
         mean = (a + b) / 2
-        if len(levels) == count or (
-            count is None and max_abs((a - b) / a) <= sqrt(float(epsilon(a))) / 16
-        ):
+        close = count is None and max_abs((a - b) / a) <= sqrt(float(epsilon(a))) / 16
+        if close or len(levels) == count:
             break
         a, b = mean, sqrt(a * b)
     phase = u * mean

@@ -9,18 +9,8 @@ R^2/(2 r^4) towards the centre (5.5); ``oblateness`` is J2 R^2, in m^2.
 import math
 from dataclasses import replace
 
-from ...algebra.scalars import (
-    Scalar,
-    atan2,
-    cos,
-    epsilon,
-    is_finite,
-    is_numeric,
-    max_abs,
-    sin,
-    sqrt,
-    where,
-)
+from ...algebra import scalars
+from ...algebra.scalars import Scalar, atan2, cos, epsilon, is_numeric, max_abs, sin, sqrt, where
 from ...applications.earth import EARTH_GM
 from ...motion.model import Model, ModelError, Neglected, comparable
 from ..catalogue import scene
@@ -117,7 +107,7 @@ def _check(x, y, v_x, v_y, mu, t):
     state = x, y, v_x, v_y
     if not all(map(is_numeric, (*state, mu, t))):
         return  # it is being traced
-    if not all(map(is_finite, (*state, mu, t))) or max_abs(where(mu <= 0, 1, 0)):
+    if not all(map(scalars.is_finite, (*state, mu, t))) or max_abs(where(mu <= 0, 1, 0)):
         raise ModelError(f"an orbit needs finite numbers, mu > 0; got mu = {mu}, {state}, t = {t}")
     one, two = x * v_y, y * v_x
     if max_abs(where(abs(one - two) <= 4 * epsilon(one - two) * (abs(one) + abs(two)), 1, 0)):

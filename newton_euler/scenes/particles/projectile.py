@@ -15,15 +15,8 @@ from operator import attrgetter
 
 from ...algebra.scalars import ZERO, Scalar, cos, sqrt
 from ...algebra.vectors import ZERO3, add3, cross3, dot3, scale3, sub3
-from ...applications.earth import (
-    EARTH_RADIUS,
-    EARTH_RATE,
-    attraction3,
-    centrifugal3,
-    coriolis_series,
-    earth_rate3,
-    position3,
-)
+from ...applications import earth
+from ...applications.earth import EARTH_RADIUS, EARTH_RATE, attraction3, centrifugal3, position3
 from ...motion.model import Model, Neglected
 from ..catalogue import scene
 from ..closed_forms.harmonic import growth, stumpff, uniform_acceleration
@@ -83,7 +76,7 @@ def _down(p):
 
 
 def _omega(p):
-    return earth_rate3(p.latitude, p.rate)
+    return earth.earth_rate3(p.latitude, p.rate)
 
 
 def _air_drag(s, p):
@@ -130,8 +123,8 @@ def _uniform_exact(s, p, t):
     c3, c4 = stumpff(3, z, LARGEST) / 6, stumpff(4, z, LARGEST) / 24
     f1, f2 = t * (1 - z * c3), t * t / 2 * (1 - 2 * z * c4)
     f3, f4 = t * t * t * c3, t * t * t * t * c4
-    moved = coriolis_series(v, g, w, [(t, t * t / 2), (f2, f3), (f3, f4)])
-    return *add3(_r(s), moved), *coriolis_series(v, g, w, [(1, t), (f1, f2), (f2, f3)])
+    moved = earth.coriolis_series(v, g, w, [(t, t * t / 2), (f2, f3), (f3, f4)])
+    return *add3(_r(s), moved), *earth.coriolis_series(v, g, w, [(1, t), (f1, f2), (f2, f3)])
 
 
 def _full(s, p, t):
@@ -157,14 +150,11 @@ def _energy(s, p, t):
     return dot3(v, v) / 2 - p.g * p.radius**2 / sqrt(dot3(rho, rho))
 
 
-def _angular_momentum(s, p, t):
-    return dot3(earth_rate3(p.latitude, 1), cross3(*_inertial(s, p)))
+def _momentum(s, p, t):
+    return dot3(earth.earth_rate3(p.latitude, 1), cross3(*_inertial(s, p)))
 
 
-_INVARIANTS = {
-    "energy over mass": _energy,
-    "angular momentum over mass, about the axis": _angular_momentum,
-}
+_INVARIANTS = {"energy over mass": _energy, "angular momentum over mass, about the axis": _momentum}
 
 # -- bounds of what is neglected
 #

@@ -62,10 +62,8 @@ def ladder(
     >>> [smallest(ladder(), metres).model.name for metres in (20.0, 1.0, 0.01)]
     ['block on an incline', 'sphere on an incline', 'sphere on an incline, in air']
     """
-    if start[1] < 0:
-        raise ModelError(
-            f"the ladder is for a sphere that comes down, v >= 0; got v = {start[1]!r}"
-        )
+    if (v := start[1]) < 0:
+        raise ModelError(f"the ladder is for a sphere that comes down, v >= 0; got v = {v!r}")
     full = rolling_in_air(slope, g, air, k)
     about = {"invariants": {"energy over mass": _block_energy}, "neglects": (ROTATION, AIR)}
     block = constant_rate("block on an incline", full.parameters, _sliding, *STATES, **about)

@@ -11,13 +11,7 @@ from operator import attrgetter
 from ...algebra.portable import Values
 from ...algebra.scalars import Scalar, Triple, cos, sin, sqrt, tan
 from ...algebra.vectors import dot3
-from ...kinematics.rotations import (
-    apply,
-    matrix_from_quaternion,
-    quaternion,
-    quaternion_product,
-    quaternion_rate,
-)
+from ...kinematics import rotations
 from ...motion.model import Model
 from ..catalogue import scene
 from ..closed_forms.harmonic import rotated
@@ -149,13 +143,13 @@ def nonspinning_frame(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Mo
 
 def _vertical(s):
     """The components of the vertical K in the frame."""
-    return matrix_from_quaternion(_q(s))[2]
+    return rotations.matrix_from_quaternion(_q(s))[2]
 
 
 def _nonspinning_rates(s, p, t):
     x, y, _ = _vertical(s)
     h = p.I * p.omega_z
-    turning = quaternion_rate(_q(s), (s.w_x, s.w_y, 0))
+    turning = rotations.quaternion_rate(_q(s), (s.w_x, s.w_y, 0))
     return *turning, (p.mgr * y - h * s.w_y) / p.I0, (h * s.w_x - p.mgr * x) / p.I0
 
 
@@ -193,7 +187,7 @@ def attitude(I0: Scalar, I: Scalar, mgr: Scalar, omega_z: Scalar) -> Model:
 def _attitude_rates(s, p, t):
     q0, q1, q2, q3 = q = _q(s)
     pull, rate = 2 * p.mgr / p.I0, (p.I - p.I0) / p.I0 * p.omega_z
-    turning = quaternion_rate(q, (s.w_x, s.w_y, p.omega_z))
+    turning = rotations.quaternion_rate(q, (s.w_x, s.w_y, p.omega_z))
     x, y = pull * (q1 * q3 - q0 * q2), pull * (q2 * q3 + q0 * q1)
     return *turning, y - rate * s.w_y, rate * s.w_x - x
 
@@ -218,7 +212,9 @@ def free(I0: Scalar, I: Scalar, omega_z: Scalar) -> Model:
 
 def _free_exact(s, p, t):
     start, rate = _q(s), p.I * p.omega_z / p.I0
-    about = apply(matrix_from_quaternion(start), (s.w_x, s.w_y, rate))  # H/I0 in the ground
-    moved = quaternion_product(quaternion(about, sqrt(dot3(about, about)) * t), start)
-    q = quaternion_product(moved, quaternion((0, 0, 1), -rate * t))
+    to_ground = rotations.matrix_from_quaternion(start)
+    about = rotations.apply(to_ground, (s.w_x, s.w_y, rate))  # H/I0
+    moved = rotations.quaternion(about, sqrt(dot3(about, about)) * t)
+    back = rotations.quaternion((0, 0, 1), -rate * t)
+    q = rotations.quaternion_product(rotations.quaternion_product(moved, start), back)
     return *q, *rotated(s.w_x, s.w_y, rate * t)

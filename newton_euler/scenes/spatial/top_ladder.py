@@ -10,13 +10,7 @@ from operator import attrgetter
 
 from ...algebra.scalars import Scalar, cos, sin
 from ...applications.gyroscopes import GyroError, steady_precession
-from ...kinematics.rotations import (
-    euler_matrix,
-    euler_rates,
-    matrix_from_quaternion,
-    quaternion_from_euler,
-    quaternion_rate,
-)
+from ...kinematics import rotations
 from ...motion.model import Model, Neglected
 from ..catalogue import scene
 from ..closed_forms.harmonic import constant_rate
@@ -88,7 +82,7 @@ def ladder(
     states, neglects = (*base.states, "psi"), (ASYMMETRY,)
     own = base.parameters, states, _axis_rates, base.invariants
     nutating = Model("top, nutation and precession", *own, neglects=neglects)
-    uneven, begun = (I0, I, mgr, asymmetry), quaternion_from_euler(0.0, theta, 0.0)
+    uneven, begun = (I0, I, mgr, asymmetry), rotations.quaternion_from_euler(0.0, theta, 0.0)
     rungs += [
         Rung(nutating, (theta, theta_rate, 0.0), _along),
         Rung(asymmetric_top_euler_angles(*uneven), (0.0, theta, 0.0, *body), _along),
@@ -112,7 +106,7 @@ def _along(s, p, t):
 
 
 def _third(s, p, t):
-    return tuple(row[2] for row in matrix_from_quaternion(_q(s)))
+    return tuple(row[2] for row in rotations.matrix_from_quaternion(_q(s)))
 
 
 _q, _w, _steady = attrgetter(*QUATERNION), attrgetter(*RATES), attrgetter("rate")
@@ -143,12 +137,14 @@ def _body_rates(s, p, vertical):
 
 def _euler(s, p, t):
     angles = s.psi, s.theta, s.phi
-    return *euler_rates(*angles, _w(s)), *_body_rates(s, p, euler_matrix(*angles)[2])
+    turning = rotations.euler_rates(*angles, _w(s))
+    return *turning, *_body_rates(s, p, rotations.euler_matrix(*angles)[2])
 
 
 def _quaternion(s, p, t):
     q = _q(s)
-    return *quaternion_rate(q, _w(s)), *_body_rates(s, p, matrix_from_quaternion(q)[2])
+    turning = rotations.quaternion_rate(q, _w(s))
+    return *turning, *_body_rates(s, p, rotations.matrix_from_quaternion(q)[2])
 
 
 NUTATION = Neglected("the nutation", None, DIRECTION)

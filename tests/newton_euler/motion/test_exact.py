@@ -45,7 +45,7 @@ def test_the_closed_form_is_one_step_in_which_every_state_is_exact():
 @pytest.mark.parametrize(("t", "pace"), [(100.0, 0.01), (0.01, 100.0), (0.0, 1.0)])
 def test_where_nothing_changes_the_pace_is_that_of_the_time(t, pace):
     still = Model("still", {}, ("x",), lambda s, p, t: (0.0,), exact=lambda s, p, t: (s.x,))
-    assert method._size_and_pace(prepared_model(still), t, (3.0,), (3.0,)) == ([3.0], pace)
+    assert method._size_and_pace(prepared_model(still), t, (3.0,), (3.0,)) == ((3.0,), pace)
 
 
 def test_sizes_and_pace_are_the_largest_on_the_way():
