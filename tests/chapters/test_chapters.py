@@ -247,7 +247,8 @@ def test_a_cell_that_is_run_again_prints_the_same(path, tmp_path):
 
 
 def is_picture(output):
-    return "image/png" in output.get("data", {})
+    data = output.get("data", {})
+    return "image/png" in data or "<img" in data.get("text/html", "")
 
 
 def stderr_of(notebook):

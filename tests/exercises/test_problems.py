@@ -52,7 +52,7 @@ def without_the_engine(prove):
 @pytest.mark.parametrize("p", PROBLEMS, ids=lambda p: f"{named(p)}_holds")
 def test_problem(p, seeds, monkeypatch):
     """In floats and in 50 digits, without the engine; right in its units, mistakes off the key;
-    its figure complete. CI runs it with three sets of numbers in place of one.
+    its figure complete; on one set of numbers, and with -m slow on three.
     """
     # import the code first: a module may make its axes on import
     monkeypatch.setattr(p.code, "prove", without_the_engine(p.code.prove))

@@ -89,7 +89,7 @@ def _show(figure):
         return bundle(image, words, figure.stage.css_size, figure.stage.png() if png else None)
 
     ends = for_site(figure)
-    data, about = picture(figure.start, png=True)
+    data, about = picture(figure.start, png=not ends)  # pages have no use for one
     shown = show(({**data, **ends}, about), display_id=True)
     _show_sliders(figure.sliders, figure.start, lambda values: _update(shown, picture, values))
 
