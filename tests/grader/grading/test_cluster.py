@@ -254,6 +254,7 @@ def dying(victims, monkeypatch):
     monkeypatch.setattr(grading, "_examine", examine)
 
 
+@pytest.mark.slow
 def test_others_do_a_dead_workers_work_until_all_have_died(fresh, cluster, course, monkeypatch):
     """Killed at its work, in its first check, and as the last one."""
     address, started, output = cluster.at_least(3).address, [], []
