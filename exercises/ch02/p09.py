@@ -12,7 +12,7 @@ def over_the_top(g):
 
 def solve(g):
     P = over_the_top(g)
-    return {"gam_dot": P.speed * P.flexure}
+    return {"gam_dot": P.acceleration.y / P.speed}
 
 
 def steps(g):
