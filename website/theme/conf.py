@@ -6,8 +6,11 @@ for pages whose formulas website/formulas.py could not typeset.
 import importlib.util
 import re
 import sys
+from functools import cache
 from pathlib import Path
 from typing import Any
+
+from sphinx.addnodes import toctree
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
@@ -106,8 +109,38 @@ def finished(app: Any, page: str, template: str, context: dict, doctree: Any) ->
         context["css_files"] = [x for x in files if not CELLS.search(str(x.filename))]
 
 
+def sidebar(app: Any, page: str, template: str, context: dict, doctree: Any) -> None:
+    """Let Sphinx make a page's list of all pages from their titles: it would copy all headings of
+    all pages for each page, in a third of its time, to leave them out.
+    """
+    listed = context["toctree"]
+
+    def of_titles(**options):
+        full, app.env.tocs = app.env.tocs, _titles(app.env)
+        try:
+            return listed(**options)
+        finally:
+            app.env.tocs = full
+
+    context["toctree"] = of_titles
+
+
+@cache
+def _titles(env):
+    """The table of contents of each page without its headings below the title."""
+    titles = {}
+    for page, contents in env.tocs.items():
+        titles[page] = contents
+        if not any(contents.findall(toctree)):
+            titles[page] = contents.deepcopy()
+            for entry in titles[page]:
+                del entry[1:]
+    return titles
+
+
 def setup(app: Any) -> None:
     """Connect the functions of the site."""
+    app.connect("html-page-context", sidebar, priority=400)  # before the theme asks for the list
     app.connect("html-page-context", finished)
     app.add_config_value("own_pages", [], "html")
     app.add_config_value("beside", {}, "html")
