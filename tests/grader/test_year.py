@@ -90,6 +90,7 @@ class Seen(Page):
         return path
 
 
+@pytest.mark.slow
 @pytest.mark.integration
 def test_a_year_in_the_browser(course, tmp_path):
     home, alone = tmp_path / "home", tmp_path / "alone"

@@ -118,7 +118,8 @@ def test_the_engine_answers_in_words_and_offline_with_figures_and_cells(site, dr
     complaints(driver)  # the engine's that was ended, and of the time without a server
 
 
-@pytest.mark.parametrize("slow", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("slow", [False, True])
 def test_figures_with_sliders_move(site, driver, address, slow):
     """One figure of one chapter in seven, or all of all chapters, which takes two minutes."""
     moved = 0
@@ -131,6 +132,7 @@ def test_figures_with_sliders_move(site, driver, address, slow):
     assert moved > (120 if slow else 1)
 
 
+@pytest.mark.slow
 def test_the_cells_of_a_chapter_run_by_their_buttons_and_print_what_was_built(driver, address):
     driver.get(f"{address}/chapters/ch01_basic_concepts.html")
     driver.set_script_timeout(2 * LONG)
@@ -159,6 +161,7 @@ def with_packages(site, folder, address):
     return wheel
 
 
+@pytest.mark.slow
 def test_numpy_is_fetched_when_asked_for_or_words_say_why(site, driver, tmp_path, monkeypatch):
     home, packages = tmp_path / "site", tmp_path / "packages"
     packages.mkdir()

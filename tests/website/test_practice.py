@@ -87,7 +87,8 @@ def steps_and_answers(site, number):
     return ({k: texts[k] for k in names} for names in (p.steps, p.answers))
 
 
-@pytest.mark.parametrize("numbers", [("4/16",), pytest.param(MORE_WORKED, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("numbers", [("4/16",), MORE_WORKED])
 def test_problems_are_worked_by_keyboard_and_taken_along(site, address, phone, tmp_path, numbers):
     save = {"behavior": "allow", "downloadPath": str(tmp_path)}
     phone.execute_cdp_cmd("Browser.setDownloadBehavior", save)
@@ -165,6 +166,7 @@ def test_from_the_first_page_to_a_solution_by_keyboard_and_where_one_is_can_be_s
     assert complaints(phone) == []
 
 
+@pytest.mark.slow
 def test_new_numbers_hints_and_solution_are_shown_typeset(address, phone):
     practise(phone, f"{address}/problems/4-16.html")
     before = text(phone, ".statement")
@@ -213,6 +215,7 @@ def acting(page):
         v |= {"statement": f"# 4/16\n{ACTS}", "solution": ACTS, "figure": "x.svg"}
 
 
+@pytest.mark.slow
 def test_a_readers_own_practice_file_opens_and_others_are_refused(site, address, phone, tmp_path):
     sound = site / "practice" / "ch04.practice"
     phone.get(f"{address}/problems/own.html")
@@ -267,6 +270,7 @@ def from_the_start(driver, script):
     driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
 
 
+@pytest.mark.slow
 def test_what_a_browser_has_damaged_or_refuses_or_lacks_stops_nobody(address, phone):
     problem, chapter = f"{address}/problems/4-16.html", f"{address}/chapters/sample.html"
     kept = """for (const name of ["newton-euler.progress", "newton-euler predictions"])
@@ -341,7 +345,8 @@ KINDS = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("slow", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("slow", [False, True])
 def test_axe_finds_nothing_serious_in_light_or_dark(site, address, phone, slow):
     chapters = [str(path.relative_to(site)) for path in sorted(site.glob("chapters/*.html"))]
     faults = {}

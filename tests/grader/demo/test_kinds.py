@@ -21,6 +21,7 @@ KINDS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.integration
 def test_six_students_earn_what_they_should(tmp_path, harvester, one_harvester_for_all):
     """All right, one listed mistake a problem, half, blank, a syntax error, hostile."""

@@ -69,7 +69,7 @@ def changed(data, path, bad):
     return data
 
 
-@pytest.mark.parametrize("member", ["practice.json", MEMBER])
+@pytest.mark.parametrize("member", ["practice.json", pytest.param(MEMBER, marks=pytest.mark.slow)])
 def test_whatever_part_of_a_file_is_broken_is_refused_in_words(whole, tmp_path, member):
     data, rng = json.loads(whole[member]), random.Random(1)
     places = [path for path in spots(data) if path]
