@@ -386,9 +386,7 @@ def test_a_formula_without_arguments_or_without_results():
     (lambda f: f(1.0, yy=3.0), "f takes x, y; missing: y; unknown: yy"),
 ])  # fmt: skip
 def test_wrong_arguments_are_reported_by_name(call, message):
-    def f(x, y):
-        return x + y
-
+    f = lambda x, y: x + y
     with pytest.raises(TypeError) as error:
         call(compiled(f))
     assert str(error.value) == message
