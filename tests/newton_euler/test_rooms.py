@@ -212,18 +212,14 @@ s = drawing.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1
 s.ax.figure.savefig(io.BytesIO())"""
 
 
-@pytest.mark.parametrize(
-    ("program", "needed"),
-    [
-        ("import newton_euler, newton_euler.drawing.animation, newton_euler.drawing.sketch", ""),
-        ("from newton_euler.motion import integrate; from tests.models import oscillator; "
-         "assert integrate(oscillator(), 1.0, (1.0, 0.0)).error < 1e-9", ""),
-        ("import numpy as np; from newton_euler import *; f = compiled(lambda w: "
-         "Frame('g').rotate('a', 'z', rate=w).i.norm()); f(1.0); f(np.zeros(5))", "numpy"),
-        (A_FIGURE, "matplotlib numpy PIL"),
-    ],
-    ids=["importing the engine", "a motion", "floats, arrays and tracing", "a figure"],
-)  # fmt: skip
+@pytest.mark.parametrize(("program", "needed"), [
+    ("import newton_euler, newton_euler.drawing.animation, newton_euler.drawing.sketch", ""),
+    ("from newton_euler.motion import integrate; from tests.models import oscillator; "
+     "assert integrate(oscillator(), 1.0, (1.0, 0.0)).error < 1e-9", ""),
+    ("import numpy as np; from newton_euler import *; f = compiled(lambda w: "
+     "Frame('g').rotate('a', 'z', rate=w).i.norm()); f(1.0); f(np.zeros(5))", "numpy"),
+    (A_FIGURE, "matplotlib numpy PIL"),
+], ids=["importing the engine", "a motion", "floats, arrays and tracing", "a figure"])  # fmt: skip
 def test_none_of_the_heavy_libraries_is_loaded_before_it_is_needed(program, needed):
     """Students wait while the imports run."""
     program = f"import sys\n{program}\nprint(*(m for m in {HEAVY.split()} if m in sys.modules))"

@@ -115,21 +115,18 @@ def test_dimensions_pass_through_base():
 LACKING = {"beta_1": 120, "b": 8, "L": 16}
 
 
-@pytest.mark.parametrize(
-    ("ask", "message"),
-    [
-        (lambda: problem("4/99"), "there is no problem 4/99; ch04 has 4/1 to 4/43"),
-        (lambda: problem("99/1"), "there is no problem 99/1: the chapters with problems are .*ch04"),
-        (lambda: problem("4.16"), "'4.16' is not a problem number; write chapter and problem, as in 4/16"),
-        (lambda: problem("C/1"), "'C/1' is not a problem number"),
-        (lambda: problem("4/"), "'4/' is not a problem number"),
-        (lambda: problems("ch99"), r"there is no chapter 'ch99'; there are .*ch04"),
-        (lambda: problem("4/16").base(LACKING), "problem 4/16 needs omega, b_dot"),
-        (lambda: problem("4/16").base({**problem("4/16").book_values, "speed": 1}),
-         "problem 4/16 has no speed; it has omega, b_dot, beta_1, b, L"),
-        (lambda: problem("4/16").answer("a_C"), "problem 4/16 asks for alpha_CD, v_D, a_D, not for 'a_C'"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("ask", "message"), [
+    (lambda: problem("4/99"), "there is no problem 4/99; ch04 has 4/1 to 4/43"),
+    (lambda: problem("99/1"), "there is no problem 99/1: the chapters with problems are .*ch04"),
+    (lambda: problem("4.16"), "'4.16' is not a problem number; write chapter and problem, as in 4/16"),
+    (lambda: problem("C/1"), "'C/1' is not a problem number"),
+    (lambda: problem("4/"), "'4/' is not a problem number"),
+    (lambda: problems("ch99"), r"there is no chapter 'ch99'; there are .*ch04"),
+    (lambda: problem("4/16").base(LACKING), "problem 4/16 needs omega, b_dot"),
+    (lambda: problem("4/16").base({**problem("4/16").book_values, "speed": 1}),
+     "problem 4/16 has no speed; it has omega, b_dot, beta_1, b, L"),
+    (lambda: problem("4/16").answer("a_C"), "problem 4/16 asks for alpha_CD, v_D, a_D, not for 'a_C'"),
+])  # fmt: skip
 def test_what_is_not_there_is_named_with_what_is(ask, message):
     with pytest.raises(CatalogueError, match=message):
         ask()
@@ -203,17 +200,13 @@ BROKEN_YAML = (
 )
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        (changed('"4.8"', '"4.8'), BROKEN_YAML),
-        (changed("doubles it", "doubles it, once: does it, twice: doubles it too"),
-         "ch77/p01.yaml is not YAML: the key twice occurs twice in line 11, column 12;.*"),
-        (changed("title: A wheel", "title: Une roue qui s'arrête").encode("latin-1"),
-         "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"),
-    ],
-    ids=["broken", "key twice", "encoding"],
-)  # fmt: skip
+@pytest.mark.parametrize(("text", "message"), [
+    (changed('"4.8"', '"4.8'), BROKEN_YAML),
+    (changed("doubles it", "doubles it, once: does it, twice: doubles it too"),
+     "ch77/p01.yaml is not YAML: the key twice occurs twice in line 11, column 12;.*"),
+    (changed("title: A wheel", "title: Une roue qui s'arrête").encode("latin-1"),
+     "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"),
+], ids=["broken", "key twice", "encoding"])  # fmt: skip
 def test_what_cannot_be_read_is_refused_with_file_and_line(write, text, message):
     write("p01.yaml", text)
     assert re.fullmatch(message, refused(problem, "77/1"), re.DOTALL)

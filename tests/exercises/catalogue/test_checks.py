@@ -73,24 +73,21 @@ def renamed(wrong, g):
     return {"no_coriolis_term" if n == "no_coriolis" else n: m for n, m in wrong.items()}
 
 
-@pytest.mark.parametrize(
-    ("functions", "fault"),
-    [
-        (solved(v_D=lambda v: v * (1 + 2**-36)), "v_D: solve in 50 digits and prove differ by 1.5e-11"),
-        ({"prove": lambda g: changed(PROVE(g), v_D=lambda v: [-x for x in v])}, "v_D: solve in floats and prove differ"),
-        ({"solve": lambda g: changed(SOLVE(g), v_D=lambda v: v + v.frame.i * g.L)}, "solve adds unlike quantities: cannot add "),
-        ({"solve": lambda g: changed(SOLVE(g), v_D=lambda v: v * g.omega)}, "v_D is asked for in mm/s (m/s), but solve gives m/s^2"),
-        (solved(v_D=lambda v: v.frame.vector(1.0, 0, 0)), "v_D is asked for in mm/s (m/s), but solve gives 1.0"),
-        ({"solve": lambda g: dict(reversed(SOLVE(g).items()))}, "solve returns ['a_D', 'v_D', 'alpha_CD'] but the problem asks for ['alpha_CD', 'v_D', 'a_D']"),
-        ({"prove": lambda g: {"alpha_CD": PROVE(g)["alpha_CD"]}}, "prove returns ['alpha_CD'] but"),
-        (mistaken(lambda wrong, g: {n: m for n, m in wrong.items() if n != "no_coriolis"}), "the mistake no_coriolis is in p16.yaml but not computed"),
-        (mistaken(renamed), "the mistake no_coriolis_term is computed but not in p16.yaml"),
-        (mistaken(lambda wrong, g: {**wrong, "no_coriolis": {"a_C": wrong["no_coriolis"]["a_D"]}}), "the mistake no_coriolis must give some of ['alpha_CD', 'v_D', 'a_D'], but gives ['a_C']"),
-        (mistaken(lambda wrong, g: {**wrong, "no_coriolis": {"a_D": SOLVE(g)["a_D"]}}), "the mistake no_coriolis gives nearly the right a_D: ("),
-        ({"follows": {"a_D": lambda g, alpha_CD: 2 * alpha_CD}}, "a_D does not follow from alpha_CD: follows gives ("),
-        ({"follows": {"a_D": lambda g, alpha: alpha}}, "follows has alpha; the problem asks for alpha_CD, v_D, a_D; did you mean alpha_CD? (seed 0)"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("functions", "fault"), [
+    (solved(v_D=lambda v: v * (1 + 2**-36)), "v_D: solve in 50 digits and prove differ by 1.5e-11"),
+    ({"prove": lambda g: changed(PROVE(g), v_D=lambda v: [-x for x in v])}, "v_D: solve in floats and prove differ"),
+    ({"solve": lambda g: changed(SOLVE(g), v_D=lambda v: v + v.frame.i * g.L)}, "solve adds unlike quantities: cannot add "),
+    ({"solve": lambda g: changed(SOLVE(g), v_D=lambda v: v * g.omega)}, "v_D is asked for in mm/s (m/s), but solve gives m/s^2"),
+    (solved(v_D=lambda v: v.frame.vector(1.0, 0, 0)), "v_D is asked for in mm/s (m/s), but solve gives 1.0"),
+    ({"solve": lambda g: dict(reversed(SOLVE(g).items()))}, "solve returns ['a_D', 'v_D', 'alpha_CD'] but the problem asks for ['alpha_CD', 'v_D', 'a_D']"),
+    ({"prove": lambda g: {"alpha_CD": PROVE(g)["alpha_CD"]}}, "prove returns ['alpha_CD'] but"),
+    (mistaken(lambda wrong, g: {n: m for n, m in wrong.items() if n != "no_coriolis"}), "the mistake no_coriolis is in p16.yaml but not computed"),
+    (mistaken(renamed), "the mistake no_coriolis_term is computed but not in p16.yaml"),
+    (mistaken(lambda wrong, g: {**wrong, "no_coriolis": {"a_C": wrong["no_coriolis"]["a_D"]}}), "the mistake no_coriolis must give some of ['alpha_CD', 'v_D', 'a_D'], but gives ['a_C']"),
+    (mistaken(lambda wrong, g: {**wrong, "no_coriolis": {"a_D": SOLVE(g)["a_D"]}}), "the mistake no_coriolis gives nearly the right a_D: ("),
+    ({"follows": {"a_D": lambda g, alpha_CD: 2 * alpha_CD}}, "a_D does not follow from alpha_CD: follows gives ("),
+    ({"follows": {"a_D": lambda g, alpha: alpha}}, "follows has alpha; the problem asks for alpha_CD, v_D, a_D; did you mean alpha_CD? (seed 0)"),
+])  # fmt: skip
 def test_a_fault_is_caught(tamper, functions, fault):
     assert any(found.startswith(fault) for found in tamper(**functions))
 

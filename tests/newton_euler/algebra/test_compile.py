@@ -282,13 +282,10 @@ def test_matrices_of_components_come_back_as_nested_tuples():
 third = mpmath.mpf(1) / 3
 
 
-@pytest.mark.parametrize(
-    "constant",
-    [
-        1e-300, -0.0, -2.5, 1.7976931348623157e308, 5e-324, 2**70, -3, np.float64(1.5),
-        np.float32(0.1), np.int64(7), True, Fraction(1, 3),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize("constant", [
+    1e-300, -0.0, -2.5, 1.7976931348623157e308, 5e-324, 2**70, -3, np.float64(1.5),
+    np.float32(0.1), np.int64(7), True, Fraction(1, 3),
+])  # fmt: skip
 def test_constants_survive_to_the_last_bit(constant):
     f = compiled(lambda x: (x * constant, x / 1 + constant, constant))
     product, total, alone = f(1.25)
@@ -392,16 +389,13 @@ def test_wrong_arguments_are_reported_by_name(call, message):
     assert str(error.value) == message
 
 
-@pytest.mark.parametrize(
-    ("args", "message"),
-    [
-        *(((bad, 1.0), "expected a number")
-          for bad in ("1", None, [1.0, 2.0], (1.0,), Frame("g").i, np.array(["a"]))),
-        ((np.zeros(3), np.zeros(4)), r"shapes that do not fit together: x \(3,\), y \(4,\)"),
-        *(((bad, 1.0), "takes arrays of real numbers, got")
-          for bad in (np.array([1j]), np.array([mpmath.mpf(1)], dtype=object))),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("args", "message"), [
+    *(((bad, 1.0), "expected a number")
+      for bad in ("1", None, [1.0, 2.0], (1.0,), Frame("g").i, np.array(["a"]))),
+    ((np.zeros(3), np.zeros(4)), r"shapes that do not fit together: x \(3,\), y \(4,\)"),
+    *(((bad, 1.0), "takes arrays of real numbers, got")
+      for bad in (np.array([1j]), np.array([mpmath.mpf(1)], dtype=object))),
+])  # fmt: skip
 def test_arguments_other_than_real_numbers_of_one_shape_are_refused(args, message):
     with pytest.raises(ScalarError, match=message):
         compiled(lambda x, y: x + y)(*args)
@@ -430,22 +424,19 @@ def test_a_formula_must_not_branch_on_values_nor_use_math_or_numpy(branching):
         compiled(branching)
 
 
-@pytest.mark.parametrize(
-    ("f", "error", "message"),
-    [
-        *((f, ScalarError, "returns scalars, Vectors, or tuples and dicts of them, got") for f in (
-            lambda x: None, lambda x: "text", lambda x: (x, None), lambda x: Frame("g"),
-            lambda x: Frame("g").point("P", x, 0, 0),
-        )),
-        (lambda x: x / ZERO, ZeroDivisionError, "is divided by a structural zero"),
-        (lambda x: x + "1", ScalarError, "expected a number"),
-        (lambda x: x * np.array([1.0, 2.0]), ScalarError, "pass it as an argument"),
-        (lambda x: compiled(lambda y: x * y)(2.0), ScalarError,
-         "a value of another formula is used here"),
-        *((f, TypeError, "names all its arguments") for f in (lambda *x: x[0], lambda **x: 1.0)),
-        (max, ScalarError, "names its arguments: no signature"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("f", "error", "message"), [
+    *((f, ScalarError, "returns scalars, Vectors, or tuples and dicts of them, got") for f in (
+        lambda x: None, lambda x: "text", lambda x: (x, None), lambda x: Frame("g"),
+        lambda x: Frame("g").point("P", x, 0, 0),
+    )),
+    (lambda x: x / ZERO, ZeroDivisionError, "is divided by a structural zero"),
+    (lambda x: x + "1", ScalarError, "expected a number"),
+    (lambda x: x * np.array([1.0, 2.0]), ScalarError, "pass it as an argument"),
+    (lambda x: compiled(lambda y: x * y)(2.0), ScalarError,
+     "a value of another formula is used here"),
+    *((f, TypeError, "names all its arguments") for f in (lambda *x: x[0], lambda **x: 1.0)),
+    (max, ScalarError, "names its arguments: no signature"),
+])  # fmt: skip
 def test_what_cannot_be_compiled_is_refused_while_tracing(f, error, message):
     with pytest.raises(error, match=message):
         compiled(f)

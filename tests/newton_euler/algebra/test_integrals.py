@@ -177,13 +177,10 @@ def test_corners_are_refused_unless_they_are_named():
     assert integral(lambda x: abs(x - 0.3), 0.0, 1.0, breaks=(0.3,)) == pytest.approx(0.29)
 
 
-@pytest.mark.parametrize(
-    ("f", "start", "end", "value"),
-    [
-        (lambda x: x**-0.5, 0.0, 4.0, 4.0), (math.exp, 0.0, 1.0, math.e - 1), (math.sin, 0.0, math.pi, 2.0), (lambda x: x, -1.0, 1.0, 0.0),
-        (lambda x: 1 / (1 + 25 * x * x), -1.0, 1.0, 0.4 * math.atan(5)), (lambda x: 0.0, 0.0, 1.0, 0.0), (math.log, 0.0, 1.0, -1.0),
-        (math.exp, 1.0, 0.0, 1 - math.e), (math.sqrt, 0.0, 1.0, 2 / 3),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("f", "start", "end", "value"), [
+    (lambda x: x**-0.5, 0.0, 4.0, 4.0), (math.exp, 0.0, 1.0, math.e - 1), (math.sin, 0.0, math.pi, 2.0), (lambda x: x, -1.0, 1.0, 0.0),
+    (lambda x: 1 / (1 + 25 * x * x), -1.0, 1.0, 0.4 * math.atan(5)), (lambda x: 0.0, 0.0, 1.0, 0.0), (math.log, 0.0, 1.0, -1.0),
+    (math.exp, 1.0, 0.0, 1 - math.e), (math.sqrt, 0.0, 1.0, 2 / 3),
+])  # fmt: skip
 def test_integrals_known_in_closed_form(f, start, end, value):
     assert abs(integral(f, start, end) - value) < 2e-15

@@ -116,13 +116,10 @@ def test_a_literal_zero_is_structural_and_a_computed_one_is_not():
     assert type(scalars.to_plain(ZERO)) is int
 
 
-@pytest.mark.parametrize(
-    "bad",
-    [
-        "1", None, [1], (1, 2), {}, b"1", object(), np.array(["a"]), np.str_("a"),
-        np.datetime64("2020-01-01"), np.ma.array([1.0, 2.0], mask=[0, 1]), np.ma.masked,
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize("bad", [
+    "1", None, [1], (1, 2), {}, b"1", object(), np.array(["a"]), np.str_("a"),
+    np.datetime64("2020-01-01"), np.ma.array([1.0, 2.0], mask=[0, 1]), np.ma.masked,
+])  # fmt: skip
 def test_what_is_not_a_number_is_refused_and_named(bad):
     with pytest.raises(ScalarError, match="expected a number") as error:
         scalars.scalar(bad)

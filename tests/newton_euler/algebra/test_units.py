@@ -39,13 +39,10 @@ def test_definitions_are_exact():
     assert Unit("slug*ft/s^2").dimension == Unit("lb").dimension == Unit("N").dimension
 
 
-@pytest.mark.parametrize(
-    ("text", "x", "expected"),
-    [
-        ("mm", 250.0, 0.25), ("deg", 180.0, math.pi), ("m", 3.0, 3.0), ("in", 10.0, 0.254),
-        ("rev/min", 60.0, 2 * math.pi), ("rpm", 60.0, 2 * math.pi), ("km/h", 36.0, 10.0),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("text", "x", "expected"), [
+    ("mm", 250.0, 0.25), ("deg", 180.0, math.pi), ("m", 3.0, 3.0), ("in", 10.0, 0.254),
+    ("rev/min", 60.0, 2 * math.pi), ("rpm", 60.0, 2 * math.pi), ("km/h", 36.0, 10.0),
+])  # fmt: skip
 def test_round_numbers_come_out_round(text, x, expected):
     assert Unit(text).to_base(x) == expected
     assert Unit(text).from_base(expected) == x
@@ -118,14 +115,11 @@ def test_an_unknown_unit_lists_the_known_ones():
         Unit("kg m")
 
 
-@pytest.mark.parametrize(
-    ("text", "turning", "angle", "feet"),
-    [
-        ("deg", True, True, False), ("rad", False, True, False), ("rpm", True, False, False),
-        ("rev/min", True, False, False), ("rad/s", False, False, False), ("%", False, False, False),
-        ("ft/s^2", False, False, True), ("km/h", False, False, False), ("1", False, False, False),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("text", "turning", "angle", "feet"), [
+    ("deg", True, True, False), ("rad", False, True, False), ("rpm", True, False, False),
+    ("rev/min", True, False, False), ("rad/s", False, False, False), ("%", False, False, False),
+    ("ft/s^2", False, False, True), ("km/h", False, False, False), ("1", False, False, False),
+])  # fmt: skip
 def test_a_unit_says_what_it_measures(text, turning, angle, feet):
     found = unit(text)
     assert (found.is_of_turning, found.is_of_angle, found.is_of_feet) == (turning, angle, feet)

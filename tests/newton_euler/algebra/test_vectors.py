@@ -254,15 +254,12 @@ def test_a_component_that_is_round_off_is_printed_as_zero_and_kept():
     assert v.y == 6.1e-17
 
 
-@pytest.mark.parametrize(
-    ("components", "latex"),
-    [
-        ((1.5, -2e-7, 0), r"\left(1.5\,\hat{\imath}-2\times10^{-7}\,\hat{\jmath}\right)_{\text{ground}}"),
-        ((12345.678, 0, 0), r"\left(12346\,\hat{\imath}\right)_{\text{ground}}"),
-        ((0, 0, 0), r"\mathbf{0}"),
-        ((0, sympy.Symbol("a") + 1, 0), r"\left(\left(a + 1\right)\,\hat{\jmath}\right)_{\text{ground}}"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("components", "latex"), [
+    ((1.5, -2e-7, 0), r"\left(1.5\,\hat{\imath}-2\times10^{-7}\,\hat{\jmath}\right)_{\text{ground}}"),
+    ((12345.678, 0, 0), r"\left(12346\,\hat{\imath}\right)_{\text{ground}}"),
+    ((0, 0, 0), r"\mathbf{0}"),
+    ((0, sympy.Symbol("a") + 1, 0), r"\left(\left(a + 1\right)\,\hat{\jmath}\right)_{\text{ground}}"),
+])  # fmt: skip
 def test_latex_writes_signs_and_powers_of_ten(components, latex):
     assert ground.vector(*components).latex() == latex
 

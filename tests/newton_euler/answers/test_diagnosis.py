@@ -291,24 +291,21 @@ def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
     )
 
 
-@pytest.mark.parametrize(
-    ("kind", "given", "key", "remark"),
-    [
-        ("vector", ((3.0, 4.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([2], (1, 2, 3))),
-        ("vector", ((3.0, 4.0, 1.0),), ((0.0, 0.0, 1.5),), None),
-        ("vector", ((1.40012, 4.80031, 0.0),), KEY, causes.DIRECTION),
-        ("vector", ((1.40012, 4.8021, 0.0),), KEY, None),
-        ("vector", ((3.0, 7.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([1, 2], (1, 2, 3))),
-        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 1),), INERTIA, causes.right_but([8], INERTIA[0])),
-        ("matrix", ((4, 1, 1, 1, 1, 1, 1, 1, 1),), INERTIA, None),  # in more places than are read
-        ("vector_expression", ((1.0, 2.0, 3.0), (2.0, 5.0, 7.0)),
-         ((1.0, 2.0, 4.0), (2.0, 5.0, 6.0)), causes.right_but([2], (1, 2, 3))),
-        ("expression", ((1.1,), (2.2,), (3.3,)), ((1.0,), (2.0,), (3.0,)), causes.NUMBERS),
-        ("expression", ((1.1,), (2.2,), (3.4,)), ((1.0,), (2.0,), (3.0,)), None),
-        ("expression", ((0.0,), (0.0,)), ((1.0,), (2.0,)), None),
-        ("vector_expression", ((0.0, 2.0, 1.0),), ((1.0, 0.0, 0.0),), None),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("kind", "given", "key", "remark"), [
+    ("vector", ((3.0, 4.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([2], (1, 2, 3))),
+    ("vector", ((3.0, 4.0, 1.0),), ((0.0, 0.0, 1.5),), None),
+    ("vector", ((1.40012, 4.80031, 0.0),), KEY, causes.DIRECTION),
+    ("vector", ((1.40012, 4.8021, 0.0),), KEY, None),
+    ("vector", ((3.0, 7.0, 9.0),), ((3.0, 4.0, 1.0),), causes.right_but([1, 2], (1, 2, 3))),
+    ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 1),), INERTIA, causes.right_but([8], INERTIA[0])),
+    ("matrix", ((4, 1, 1, 1, 1, 1, 1, 1, 1),), INERTIA, None),  # in more places than are read
+    ("vector_expression", ((1.0, 2.0, 3.0), (2.0, 5.0, 7.0)),
+     ((1.0, 2.0, 4.0), (2.0, 5.0, 6.0)), causes.right_but([2], (1, 2, 3))),
+    ("expression", ((1.1,), (2.2,), (3.3,)), ((1.0,), (2.0,), (3.0,)), causes.NUMBERS),
+    ("expression", ((1.1,), (2.2,), (3.4,)), ((1.0,), (2.0,), (3.0,)), None),
+    ("expression", ((0.0,), (0.0,)), ((1.0,), (2.0,)), None),
+    ("vector_expression", ((0.0, 2.0, 1.0),), ((1.0, 0.0, 0.0),), None),
+])  # fmt: skip
 def test_the_right_part_of_a_wrong_answer_is_named(kind, given, key, remark):
     assert KINDS[kind].observed(given, key) == remark
 
@@ -379,13 +376,10 @@ def test_what_explains_each_wrong_component_is_named():
     assert not diagnose(((6.1, 4.0, 1.3),), key[:1], [], slips=each)
 
 
-@pytest.mark.parametrize(
-    ("more", "wrong", "named"),
-    [
-        (0.0, (7.0, 2.0, 5.0), True), (0.0, (7.0, 2.0, 8.0), True), (0.0, (7.0, -1.0, 5.0), False),
-        (-3.0, (7.0, 2.0, 5.0), False), (3.0, (7.0, 2.0, 5.0), False),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("more", "wrong", "named"), [
+    (0.0, (7.0, 2.0, 5.0), True), (0.0, (7.0, 2.0, 8.0), True), (0.0, (7.0, -1.0, 5.0), False),
+    (-3.0, (7.0, 2.0, 5.0), False), (3.0, (7.0, 2.0, 5.0), False),
+])  # fmt: skip
 def test_a_slip_in_each_entry_is_named_once_and_the_third_moment_of_a_plate_follows(
     more, wrong, named
 ):

@@ -112,13 +112,10 @@ def test_components_in_two_frames_of_unlike_size_are_those_of_two_vectors():
 # -- direction
 
 
-@pytest.mark.parametrize(
-    ("given", "right"),
-    [
-        ((0.6, 0.0, -0.8), True), ((-0.6, 0.0, 0.8), True), ((30.0, 0.0, -40.0), True),
-        ((-3e-9, 0.0, 4e-9), True), ((0.6, 0.0, 0.8), False), ((0.6, 0.0, -0.81), False),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("given", "right"), [
+    ((0.6, 0.0, -0.8), True), ((-0.6, 0.0, 0.8), True), ((30.0, 0.0, -40.0), True),
+    ((-3e-9, 0.0, 4e-9), True), ((0.6, 0.0, 0.8), False), ((0.6, 0.0, -0.81), False),
+])  # fmt: skip
 def test_a_direction_has_any_length_and_either_sense(given, right):
     assert DIRECTION.is_right((given,), KEY, 1e-6) is right
 

@@ -47,13 +47,10 @@ def test_trees_are_data_for_scalars_of_every_kind():
     assert evaluate(["*", "r", "r"], {"r": Dimension(0, 1, 0)}) == Dimension(0, 2, 0)
 
 
-@pytest.mark.parametrize(
-    "tree",
-    [
-        ["+"], [], ["exec", 1], [1, 2], {"a": 1}, None, True, ["^", 1], ["atan2", 1], ["nope"],
-        "unknown", [["+"], 1], ["sin", 1, 2],
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize("tree", [
+    ["+"], [], ["exec", 1], [1, 2], {"a": 1}, None, True, ["^", 1], ["atan2", 1], ["nope"],
+    "unknown", [["+"], 1], ["sin", 1, 2],
+])  # fmt: skip
 def test_what_is_not_a_tree_raises_a_tree_error(tree):
     with pytest.raises(TreeError):
         evaluate(tree, {"r": 1.0})

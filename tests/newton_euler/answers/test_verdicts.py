@@ -63,15 +63,12 @@ def explained(numbers, key, answers, faults=None):
     return explain(next(a for a in numbers.answers if a.key == key), found, numbers)
 
 
-@pytest.mark.parametrize(
-    ("key", "tree", "verdict"),
-    [
-        ("v", 5.02, "right"), ("v", 5.04, "wrong"), ("v", None, "blank"), ("v", "5", "unreadable"),
-        ("sense", "falls", "right"), ("sense", "rises", "wrong"), ("sense", ["falls"], "wrong"),
-        ("sense", 1, "wrong"), ("bounces", 2, "right"), ("bounces", 2.0, "wrong"),
-        ("bounces", True, "wrong"), ("bounces", "2", "wrong"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("key", "tree", "verdict"), [
+    ("v", 5.02, "right"), ("v", 5.04, "wrong"), ("v", None, "blank"), ("v", "5", "unreadable"),
+    ("sense", "falls", "right"), ("sense", "rises", "wrong"), ("sense", ["falls"], "wrong"),
+    ("sense", 1, "wrong"), ("bounces", 2, "right"), ("bounces", 2.0, "wrong"),
+    ("bounces", True, "wrong"), ("bounces", "2", "wrong"),
+])  # fmt: skip
 def test_an_answer_is_right_wrong_unreadable_or_blank(key, tree, verdict):
     assert verdicts(Fall(), {key: tree})[key].verdict == verdict
 
@@ -161,13 +158,10 @@ def test_a_remark_on_the_digits_is_the_message_where_nothing_explains_the_answer
     assert why.message == f"not right; {seen.text}"
 
 
-@pytest.mark.parametrize(
-    "answers",
-    [
-        {"v": 6.0, "square": 30.0}, {"v": 5.0, "square": 36.0}, {"square": 36.0},
-        {"v": None, "square": 36.0}, {"v": 0.0, "square": 0.0},
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize("answers", [
+    {"v": 6.0, "square": 30.0}, {"v": 5.0, "square": 36.0}, {"square": 36.0},
+    {"v": None, "square": 36.0}, {"v": 0.0, "square": 0.0},
+])  # fmt: skip
 def test_an_answer_that_does_not_follow_is_not_reported_as_following(answers):
     assert explained(Fall(), "square", answers).earlier == ()
 
@@ -222,14 +216,11 @@ def slip(what):
     return Cause("computed", what, what)
 
 
-@pytest.mark.parametrize(
-    ("level", "given", "words"),
-    [
-        (3, {}, "halves g"), (3, {"v": 5.0}, "forgets the root"),
-        (4, {"v": 5.0}, "in this part halves g"), (3, {"v": 5.5}, "halves g"),
-        (3, {"v": 6.0}, "halves g"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("level", "given", "words"), [
+    (3, {}, "halves g"), (3, {"v": 5.0}, "forgets the root"),
+    (4, {"v": 5.0}, "in this part halves g"), (3, {"v": 5.5}, "halves g"),
+    (3, {"v": 6.0}, "halves g"),
+])  # fmt: skip
 def test_a_slip_that_a_right_earlier_answer_denies_gives_way_to_one_about_as_simple(
     level, given, words
 ):
@@ -248,13 +239,10 @@ def test_where_an_answer_follows_no_slip_in_it_is_named():
     assert explained(numbers, "square", {"v": 5.0, "square": 36.0}).causes == (slip("halves g"),)
 
 
-@pytest.mark.parametrize(
-    ("v", "square", "words"),
-    [
-        (6.0, 18.0, "goes on from your v, but halves it"), (5.0, 18.0, "halves it"),
-        (6.0, 0.0, GIVES_ZERO.what),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("v", "square", "words"), [
+    (6.0, 18.0, "goes on from your v, but halves it"), (5.0, 18.0, "halves it"),
+    (6.0, 0.0, GIVES_ZERO.what),
+])  # fmt: skip
 def test_a_slip_in_going_on_from_a_wrong_answer_is_named_but_zero_is_no_evidence(v, square, words):
     numbers = Fall()
     numbers.sequel = lambda key, earlier: Made((1, slip("halves it"), {key: ((square,),)}))
@@ -277,14 +265,11 @@ class Further(Fall):
         return {"twice": ((2 * v,),), "more": ((v + 3,),)}[key] if v >= 0 else None
 
 
-@pytest.mark.parametrize(
-    ("key", "v", "given", "does"),
-    [
-        ("twice", 6.0, 12.0, True), ("twice", 1e9, 2e9, True), ("twice", 0.0, 0.0, False),
-        ("twice", -6.0, -12.0, False), ("more", 6.0, 9.0, True), ("more", 1e9, 1e9, False),
-        ("more", 1e3, 1002.5, True), ("more", 1e3, 1002.0, False), ("more", 1.7e308, 1.7e308, False),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("key", "v", "given", "does"), [
+    ("twice", 6.0, 12.0, True), ("twice", 1e9, 2e9, True), ("twice", 0.0, 0.0, False),
+    ("twice", -6.0, -12.0, False), ("more", 6.0, 9.0, True), ("more", 1e9, 1e9, False),
+    ("more", 1e3, 1002.5, True), ("more", 1e3, 1002.0, False), ("more", 1.7e308, 1.7e308, False),
+])  # fmt: skip
 def test_it_follows_where_the_computation_shows(key, v, given, does):
     """Not in zeros, nor in one huge number for every answer, beside which three do not count."""
     found = explained(Further(), key, {"v": v, key: given}).earlier
@@ -327,13 +312,10 @@ def test_a_formula_that_follows_from_a_wrong_one_is_not_compared():
     assert explained(numbers, "I", given).causes == (follows(["J"]),)
 
 
-@pytest.mark.parametrize(
-    ("key", "tree", "most"),
-    [
-        ("I", ["sin", "m"], LESS), ("r", [1.5, 7.1, 2.2], RARER),
-        ("all", [1.7, 7.1, 2.2, 9.1, 4.4, 3.7, 8.2, 5.2, 6.1], LESS),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("key", "tree", "most"), [
+    ("I", ["sin", "m"], LESS), ("r", [1.5, 7.1, 2.2], RARER),
+    ("all", [1.7, 7.1, 2.2, 9.1, 4.4, 3.7, 8.2, 5.2, 6.1], LESS),
+])  # fmt: skip
 def test_two_mistakes_at_once_are_looked_for_further_where_chance_meets_fewer(key, tree, most):
     numbers = Body()
     numbers.slips = Made()
@@ -359,16 +341,13 @@ def test_the_answer_for_the_books_numbers_is_named_and_does_not_follow():
     assert why.message.startswith("not right: this is the answer for the book's numbers")
 
 
-@pytest.mark.parametrize(
-    ("form", "tree", "line"),
-    [
-        ("vector, mm/s", [1.0, 2.5, 0.0], "[1, 2.5, 0] mm/s"),
-        ("vector, mm/s", {"arm": [1, 0, 0], "ground": [0, 1, 0]},
-         "[1, 0, 0] in arm, [0, 1, 0] in ground, mm/s"),
-        ("count", 3, "3"),
-        ("choice: a | b", "a\nb", "a b"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("form", "tree", "line"), [
+    ("vector, mm/s", [1.0, 2.5, 0.0], "[1, 2.5, 0] mm/s"),
+    ("vector, mm/s", {"arm": [1, 0, 0], "ground": [0, 1, 0]},
+     "[1, 0, 0] in arm, [0, 1, 0] in ground, mm/s"),
+    ("count", 3, "3"),
+    ("choice: a | b", "a\nb", "a b"),
+])  # fmt: skip
 def test_the_value_that_was_read_is_one_line(form, tree, line):
     assert value_line(Form.read(form), tree, "wrong") == line
     assert value_line(Form.read(form), tree, "unreadable") == ""

@@ -74,19 +74,16 @@ def test_a_motion_that_is_too_quick_or_too_slow_to_watch_lasts_8_seconds(end, sp
     assert animate(arm, [0, end], speed=0.5).speed == 0.5
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        ({"times": range(MAX_PICTURES + 1)}, r"601 pictures are too many .* 600 at most: give fewer times, as times\[::2\]"),
-        ({"times": range(500), "size": (15, 12)}, "500 pictures of 1500 by 1200 pixels are too much .* a smaller size"),
-        ({"times": [1]}, "two times or more, got 1"),
-        ({"times": [0, 2, 1]}, "increase; got 2.0 and then 1.0"),
-        ({"times": [0, math.nan]}, "finite and increase; got 0.0 and then nan"),
-        ({"times": 3}, "times is a sequence, .*; got 3"),
-        ({"times": [0, 1], "speed": 0}, "positive; got 0"),
-        ({"times": [0, 1], "draw": lambda t, ax: None}, r"with Sketch\(ax, ...\), and did not at t = 0 s"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("arguments", "words"), [
+    ({"times": range(MAX_PICTURES + 1)}, r"601 pictures are too many .* 600 at most: give fewer times, as times\[::2\]"),
+    ({"times": range(500), "size": (15, 12)}, "500 pictures of 1500 by 1200 pixels are too much .* a smaller size"),
+    ({"times": [1]}, "two times or more, got 1"),
+    ({"times": [0, 2, 1]}, "increase; got 2.0 and then 1.0"),
+    ({"times": [0, math.nan]}, "finite and increase; got 0.0 and then nan"),
+    ({"times": 3}, "times is a sequence, .*; got 3"),
+    ({"times": [0, 1], "speed": 0}, "positive; got 0"),
+    ({"times": [0, 1], "draw": lambda t, ax: None}, r"with Sketch\(ax, ...\), and did not at t = 0 s"),
+])  # fmt: skip
 def test_what_cannot_be_shown_is_an_error_before_anything_is_drawn(arguments, words):
     with pytest.raises((AnimationError, ArgumentError), match=words):
         animate(**({"draw": arm} | arguments))

@@ -111,13 +111,10 @@ def test_symbols_units_and_tracing():
     assert close(compiled(size)(3.0, 4.0, 2.0), size(3.0, 4.0, 2.0), 1e-14)
 
 
-@pytest.mark.parametrize(
-    ("position", "q", "number"),
-    [
-        (about_z, (0.0, 0.5, 1.0), 2), (in_space, (2.0, 0.3, math.pi / 2), 2), (in_space, (0.0, 0.3, 0.2), 2), (elliptic, (0.0, 0.0, 1.0), 1),
-        (elliptic, (0.0, math.pi, 1.0), 1), (in_space, (mp.mpf(2), mp.mpf(0), mp.pi / 2), 2), (about_z, (np.array([1.0, 0.0]), 0.5, 1.0), 2),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("position", "q", "number"), [
+    (about_z, (0.0, 0.5, 1.0), 2), (in_space, (2.0, 0.3, math.pi / 2), 2), (in_space, (0.0, 0.3, 0.2), 2), (elliptic, (0.0, 0.0, 1.0), 1),
+    (elliptic, (0.0, math.pi, 1.0), 1), (in_space, (mp.mpf(2), mp.mpf(0), mp.pi / 2), 2), (about_z, (np.array([1.0, 0.0]), 0.5, 1.0), 2),
+])  # fmt: skip
 def test_at_an_axis_a_pole_or_a_focus_the_coordinates_are_refused_in_words(position, q, number):
     words = rf"coordinate {number} is singular here.*scale factor zero.*use other coordinates near"
     with pytest.raises(SingularError, match=words):

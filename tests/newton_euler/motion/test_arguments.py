@@ -21,15 +21,11 @@ def test_the_time_is_an_end_or_a_pair(t, found):
     assert all(type(x) is float for x in arguments.time_span(t))
 
 
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        (["x", "12", b"12", True, None, (1.0,), (1.0, 2.0, 3.0), (1.0, None), np.ones((2, 2))], r"time at which to end, or \(from, to\)"),
-        ([0.0, -1.0, 0, math.inf, math.nan, (1.0, 1.0), (2.0, 1.0), (0.0, math.inf), (-math.inf, 1.0), (math.nan, 1)],
-         "time runs forward"),
-    ],
-    ids=["no time", "not forward, or not finite"],
-)  # fmt: skip
+@pytest.mark.parametrize(("given", "words"), [
+    (["x", "12", b"12", True, None, (1.0,), (1.0, 2.0, 3.0), (1.0, None), np.ones((2, 2))], r"time at which to end, or \(from, to\)"),
+    ([0.0, -1.0, 0, math.inf, math.nan, (1.0, 1.0), (2.0, 1.0), (0.0, math.inf), (-math.inf, 1.0), (math.nan, 1)],
+     "time runs forward"),
+], ids=["no time", "not forward, or not finite"])  # fmt: skip
 def test_anything_else_is_refused_as_a_time(given, words):
     for t in given:
         with pytest.raises(ModelError, match=words):

@@ -320,19 +320,16 @@ def test_an_effect_that_the_fullest_model_neglects_counts_for_all():
     assert smallest(hand_made(FIRST, LAST), 0.21).model.name == "a"
 
 
-@pytest.mark.parametrize(
-    ("ask", "words"),
-    [
-        (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' need numbers"),
-        (lambda: hand_made(ENERGY), "of different quantities: position, m; energy"),
-        (lambda: hand_made(FIRST, FIRST), r"the rungs of 'oscillators' need names of their own, got \['a', 'a'\]"),
-        (hand_made, r"got \[\]"),
-        (lambda: smallest(hand_made(FIRST, LAST), 0.19), r"no model is as accurate as 0\.19; the errors may reach a: 2, b: 0\.2"),
-        (lambda: smallest(hand_made(FIRST), 0), "the tolerance is a positive number, position, m; got 0"),
-        (lambda: hand_made(FIRST, LAST).rung("c"), "oscillators has no rung 'c'; it has a, b"),
-        (lambda: ladder("cart"), "there is no ladder 'cart'; there are satellite, .*, projectile, "),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("ask", "words"), [
+    (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' need numbers"),
+    (lambda: hand_made(ENERGY), "of different quantities: position, m; energy"),
+    (lambda: hand_made(FIRST, FIRST), r"the rungs of 'oscillators' need names of their own, got \['a', 'a'\]"),
+    (hand_made, r"got \[\]"),
+    (lambda: smallest(hand_made(FIRST, LAST), 0.19), r"no model is as accurate as 0\.19; the errors may reach a: 2, b: 0\.2"),
+    (lambda: smallest(hand_made(FIRST), 0), "the tolerance is a positive number, position, m; got 0"),
+    (lambda: hand_made(FIRST, LAST).rung("c"), "oscillators has no rung 'c'; it has a, b"),
+    (lambda: ladder("cart"), "there is no ladder 'cart'; there are satellite, .*, projectile, "),
+])  # fmt: skip
 def test_what_a_ladder_and_a_question_must_be(ask, words):
     with pytest.raises(ModelError, match=words):
         ask()

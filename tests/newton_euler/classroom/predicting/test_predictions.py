@@ -64,15 +64,12 @@ def test_a_question_without_a_right_choice_or_a_meaning_is_refused(choices, answ
         predict("?", choices, answer, within=within)
 
 
-@pytest.mark.parametrize(
-    ("typed", "right", "words"),
-    [
-        ("2.5", True, ""), ("2.5 m/s", True, ""), ("5/2", True, ""), ("2.58", True, ""),
-        ("2.7", False, ""), ("5", False, "This is twice the speed."), ("−2.5", False, ""),
-        ("faster than before, I think", None, ""), ("it's", None, ""), ("[1, 2]", None, ""),
-        ("1/0", None, ""), ("__import__('os')", None, ""), ("nan", None, ""),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("typed", "right", "words"), [
+    ("2.5", True, ""), ("2.5 m/s", True, ""), ("5/2", True, ""), ("2.58", True, ""),
+    ("2.7", False, ""), ("5", False, "This is twice the speed."), ("−2.5", False, ""),
+    ("faster than before, I think", None, ""), ("it's", None, ""), ("[1, 2]", None, ""),
+    ("1/0", None, ""), ("__import__('os')", None, ""), ("nan", None, ""),
+])  # fmt: skip
 def test_a_typed_prediction_is_a_number_or_words_and_never_an_error(typed, right, words):
     judged = speed().judge(typed)
     assert (judged.right, judged.words) == (right, words)

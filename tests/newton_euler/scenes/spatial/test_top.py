@@ -28,13 +28,10 @@ def swings(model, start, seconds):
     return out.y_events[0][:, n], out.t_events[0]
 
 
-@pytest.mark.parametrize(
-    ("theta_rate", "precession", "kind"),
-    [
-        (0.0, 0.0, "cusps"), (0.0, 0.2, "waves"), (0.0, -0.2, "loops"),
-        (0.4, 0.1, "loops"), (0.05, 0.3, "waves"), (0.0, 3.0, "loops"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("theta_rate", "precession", "kind"), [
+    (0.0, 0.0, "cusps"), (0.0, 0.2, "waves"), (0.0, -0.2, "loops"),
+    (0.4, 0.1, "loops"), (0.05, 0.3, "waves"), (0.0, 3.0, "loops"),
+])  # fmt: skip
 def test_limits_of_nutation_against_integration(theta_rate, precession, kind):
     I0, I, mgr, theta, spin = 0.6, 0.25, 1.5, 0.9, 20.0
     found = nutation(I0, I, mgr, theta, theta_rate, precession, spin=spin)
