@@ -246,15 +246,15 @@ WRONG = {
         replace(
             physical_pendulum(2.0, 0.5, 0.5, 10.0), exact=small_swings(2.0, 0.5, 0.5, 10.0).exact
         ),
-        20.0, (0.5, 0.0),
+        20.0,
+        (0.5, 0.0),
     ),
     "a shot without Coriolis": (
-        replace(
-            shot("Coriolis to first order", 9.82, 0.8), exact=shot("flat", 9.82, 0.8).exact
-        ),
-        10.0, (0.0, 0.0, 0.0, 200.0, 0.0, 200.0),
+        replace(shot("Coriolis to first order", 9.82, 0.8), exact=shot("flat", 9.82, 0.8).exact),
+        10.0,
+        (0.0, 0.0, 0.0, 200.0, 0.0, 200.0),
     ),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("name", WRONG)

@@ -20,7 +20,7 @@ from exercises.catalogue import (
     problems,
     reading,
     select,
-)  # fmt: skip
+)
 from newton_euler import Dimension, Frame
 from tests.by_chapter import by_chapter
 
@@ -253,8 +253,8 @@ def test_a_chapter_without_its_file_or_its_title_is_reported(write):
     write("chapter.yaml", "titel: Wheels")
     assert refused(chapter, "ch77") == (
         "ch77/chapter.yaml: a chapter has the unknown key 'titel'; its keys are title and optionally "
-"preamble; did you mean title?"
-    )  # fmt: skip
+        "preamble; did you mean title?"
+    )
 
 
 def test_a_chapter_has_a_title_and_what_holds_for_all_its_problems(write):

@@ -82,7 +82,7 @@ FORMULAS = [
     ([["/", "a", "b"], 0, "c"], r"\left[\frac{a}{b},\ 0,\ c\right]"),
     ([1.0, -2.5, 0], r"\left[1,\ {-2.5},\ 0\right]"),
     ({"arm": [1, 0, 0]}, r"\left[1,\ 0,\ 0\right]\ \text{in arm}"),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("tree", "latex"), FORMULAS)
