@@ -116,37 +116,26 @@ INERTIA = ((4.0, -1.0, 0.5, -1.0, 5.0, 2.0, 0.5, 2.0, 6.0),)
 TURN = ((0.8, -0.6, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0),)
 
 
-@pytest.mark.parametrize(
-    ("kind", "given", "key", "cause"),
-    [
-        ("matrix", ((0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0),), TURN, causes.TRANSPOSED),
-        ("matrix", ((4, 1, -0.5, 1, 5, -2, -0.5, -2, 6),), INERTIA, causes.OFF_DIAGONAL),
-        ("matrix", ((4, -1, 0, -1, 5, 2, 0, 2, 6),), INERTIA, causes.entry_left_out(0, 2)),
-        ("matrix", ((7.5, -1, 0.5, -1, 7.5, 2, 0.5, 2, 7.5),), INERTIA, causes.POLAR),
-        ("matrix", ((3.5, -1, 0.5, -1, 2.5, 2, 0.5, 2, 1.5),), INERTIA, causes.PLANAR),
-        ("matrix", ((4, -1, 0.5, -1, 5, -2, 0.5, -2, 6),), INERTIA, causes.entry_reversed(1, 2)),
-        (
-            "matrix",
-            ((4, -1, 0.5, -1, 6, 2, 0.5, 2, 5),),
-            INERTIA,
-            causes.exchanged_entries((1, 1), (2, 2)),
-        ),
-        (
-            "matrix",
-            ((4, 0.5, -1, 0.5, 5, 2, -1, 2, 6),),
-            INERTIA,
-            causes.exchanged_entries((1, 0), (2, 0)),
-        ),
-        ("matrix", ((4, 0, 0, 0, 5, 0, 0, 0, 6),), INERTIA, causes.DIAGONAL_ONLY),
-        ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 0),), INERTIA, causes.entry_left_out(2, 2)),
-        ("number", ((79.13,),), ((7.913,),), causes.multiplied("one decimal place", 10.0, True)),
-        ("interval", ((3.0, 1.0),), ((1.0, 3.0),), causes.BOUNDS),
-        ("number", ((62.41,),), ((7.9,),), causes.SQUARED),
-        ("number", ((2.811,),), ((7.9,),), causes.ROOT),
-        ("number", ((0.1266,),), ((7.9,),), causes.INVERTED),
-        ("vector", ((7.9, 0.0, 0.0),), ((7.9, 2.0, 3.0),), causes.left_out_components([1, 2])),
-    ],
-)
+@pytest.mark.parametrize(("kind", "given", "key", "cause"), [
+    ("matrix", ((0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0),), TURN, causes.TRANSPOSED),
+    ("matrix", ((4, 1, -0.5, 1, 5, -2, -0.5, -2, 6),), INERTIA, causes.OFF_DIAGONAL),
+    ("matrix", ((4, -1, 0, -1, 5, 2, 0, 2, 6),), INERTIA, causes.entry_left_out(0, 2)),
+    ("matrix", ((7.5, -1, 0.5, -1, 7.5, 2, 0.5, 2, 7.5),), INERTIA, causes.POLAR),
+    ("matrix", ((3.5, -1, 0.5, -1, 2.5, 2, 0.5, 2, 1.5),), INERTIA, causes.PLANAR),
+    ("matrix", ((4, -1, 0.5, -1, 5, -2, 0.5, -2, 6),), INERTIA, causes.entry_reversed(1, 2)),
+    ("matrix", ((4, -1, 0.5, -1, 6, 2, 0.5, 2, 5),), INERTIA,
+     causes.exchanged_entries((1, 1), (2, 2))),
+    ("matrix", ((4, 0.5, -1, 0.5, 5, 2, -1, 2, 6),), INERTIA,
+     causes.exchanged_entries((1, 0), (2, 0))),
+    ("matrix", ((4, 0, 0, 0, 5, 0, 0, 0, 6),), INERTIA, causes.DIAGONAL_ONLY),
+    ("matrix", ((4, -1, 0.5, -1, 5, 2, 0.5, 2, 0),), INERTIA, causes.entry_left_out(2, 2)),
+    ("number", ((79.13,),), ((7.913,),), causes.multiplied("one decimal place", 10.0, True)),
+    ("interval", ((3.0, 1.0),), ((1.0, 3.0),), causes.BOUNDS),
+    ("number", ((62.41,),), ((7.9,),), causes.SQUARED),
+    ("number", ((2.811,),), ((7.9,),), causes.ROOT),
+    ("number", ((0.1266,),), ((7.9,),), causes.INVERTED),
+    ("vector", ((7.9, 0.0, 0.0),), ((7.9, 2.0, 3.0),), causes.left_out_components([1, 2])),
+])  # fmt: skip
 def test_slips_that_need_no_list_are_named_by_kind(kind, given, key, cause):
     assert cause in diagnose(given, key, [], KINDS[kind], slips=lambda *_: ())
 

@@ -258,17 +258,10 @@ def test_many_motions_are_made_by_the_method_asked_for_or_worth_it(model, count,
     assert motions.cost.calls > 100
 
 
-@pytest.mark.parametrize(
-    ("starts", "words", "stopped"),
-    [
-        ([1.0, 3.0], "1 of 2 motions are not as accurate as requested, the first is number 0", [0]),
-        (
-            [3.0, 1.0, 4.0, 1.0],
-            "2 of 4 .* the first is number 1: fall could not be followed",
-            [1, 3],
-        ),
-    ],
-)
+@pytest.mark.parametrize(("starts", "words", "stopped"), [
+    ([1.0, 3.0], "1 of 2 motions are not as accurate as requested, the first is number 0", [0]),
+    ([3.0, 1.0, 4.0, 1.0], "2 of 4 .* the first is number 1: fall could not be followed", [1, 3]),
+])  # fmt: skip
 def test_motions_that_stop_on_the_way_are_reported_with_those_that_do_not(starts, words, stopped):
     """With x' = -1/x, x reaches zero at t = x0^2/2."""
     x = np.array(starts)

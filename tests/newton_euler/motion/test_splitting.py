@@ -72,27 +72,22 @@ def euler(a, b, c, more=lambda s: 0.0):
     return model(lambda s, p, t: (a * s.y * s.z + more(s), b * s.z * s.x, c * s.x * s.y), *"xyz")
 
 
-@pytest.mark.parametrize(
-    "system",
-    [
-        euler(1.0, 1.0, 1.0),  # one moment of inertia is zero
-        euler(0.5, 0.5, -0.2),  # two equations hold, the third does not
-        euler(0.5, 0.5, -0.8 + 1e-9),
-        euler(0.5, 0.5, -0.8 - 1e-9),
-        euler(1.0, 2.0, -1.0),  # these belong to moments of -1, 2 and 3
-        euler(0.5, 0.5, -0.8, lambda s: 1e-9 * s.y * s.y),
-        euler(0.5, 0.5, -0.8, lambda s: 1.0),
-        euler(0.5, 0.5, -0.8, lambda s: 0.1 * s.x),
-        euler(0.5, 0.5, -0.8, lambda s: 1 / (s.y - 1)),
-        # rates that look like Euler's at a state or two, or at the start
-        euler(0.5, 0.5, -0.8, lambda s: (s.y - 1) * (s.z - 1)),
-        euler(0.5, 0.5, -0.8, lambda s: (s.x - 1) * (s.x - 2)),
-        model(
-            lambda s, p, t: (0.5 * (1 + t) * s.y * s.z, 0.5 * s.z * s.x, -0.8 * s.x * s.y), *"xyz"
-        ),
-        prepared_model(SPRING),
-    ],
-)
+@pytest.mark.parametrize("system", [
+    euler(1.0, 1.0, 1.0),  # one moment of inertia is zero
+    euler(0.5, 0.5, -0.2),  # two equations hold, the third does not
+    euler(0.5, 0.5, -0.8 + 1e-9),
+    euler(0.5, 0.5, -0.8 - 1e-9),
+    euler(1.0, 2.0, -1.0),  # these belong to moments of -1, 2 and 3
+    euler(0.5, 0.5, -0.8, lambda s: 1e-9 * s.y * s.y),
+    euler(0.5, 0.5, -0.8, lambda s: 1.0),
+    euler(0.5, 0.5, -0.8, lambda s: 0.1 * s.x),
+    euler(0.5, 0.5, -0.8, lambda s: 1 / (s.y - 1)),
+    # rates that look like Euler's at a state or two, or at the start
+    euler(0.5, 0.5, -0.8, lambda s: (s.y - 1) * (s.z - 1)),
+    euler(0.5, 0.5, -0.8, lambda s: (s.x - 1) * (s.x - 2)),
+    model(lambda s, p, t: (0.5 * (1 + t) * s.y * s.z, 0.5 * s.z * s.x, -0.8 * s.x * s.y), *"xyz"),
+    prepared_model(SPRING),
+])  # fmt: skip
 def test_other_rates_are_not_those_of_a_free_body(system):
     assert principal_moments(system) is None
     assert principal_moments(euler(0.5, 0.5, -0.8)) == pytest.approx(

@@ -100,22 +100,18 @@ def test_the_three_models_of_the_top_agree():
     assert math.remainder(phi - by_euler[2], 2 * math.pi) == pytest.approx(0, abs=1e-8)
 
 
-@pytest.mark.parametrize(
-    ("model", "start"),
-    [
-        (top.euler(**TOP), tuple(START.values())),
-        (top.nutation(**TOP, momentum_difference=DIFFERENCE), (0.8, -0.4)),
-        (top.nonspinning_frame(**TOP), rolled_start(START)),
-        # through the upright position
-        (top.nonspinning_frame(**TOP), (1.0, 0.0, 0.0, 0.0, 0.3, 0.0)),
-        (pendulum(3.0, 2.0, 9.81), rolled_start(START)),
-        (nodding(3.0, 2.0, 9.81, 2.5, 1.0), (2.5, 0.0)),
-        (hinged(**rod(3.0, 2.0, 4.0, 9.81)), (0.5, 0.0)),
-        (gyrocompass(0.002, 0.003, 1000.0, 7.292e-5, 0.8), (0.5, 0.0)),
-        (top.free(0.6, 0.25, 9.0), rolled_start(START)),
-    ],
-    ids=lambda x: getattr(x, "name", ""),
-)
+@pytest.mark.parametrize(("model", "start"), [
+    (top.euler(**TOP), tuple(START.values())),
+    (top.nutation(**TOP, momentum_difference=DIFFERENCE), (0.8, -0.4)),
+    (top.nonspinning_frame(**TOP), rolled_start(START)),
+    # through the upright position
+    (top.nonspinning_frame(**TOP), (1.0, 0.0, 0.0, 0.0, 0.3, 0.0)),
+    (pendulum(3.0, 2.0, 9.81), rolled_start(START)),
+    (nodding(3.0, 2.0, 9.81, 2.5, 1.0), (2.5, 0.0)),
+    (hinged(**rod(3.0, 2.0, 4.0, 9.81)), (0.5, 0.0)),
+    (gyrocompass(0.002, 0.003, 1000.0, 7.292e-5, 0.8), (0.5, 0.0)),
+    (top.free(0.6, 0.25, 9.0), rolled_start(START)),
+], ids=lambda x: getattr(x, "name", ""))  # fmt: skip
 def test_invariants_are_kept(model, start):
     states = run(model, start, 5.0)
     assert model.invariants
