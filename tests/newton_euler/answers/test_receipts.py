@@ -47,17 +47,14 @@ def test_a_receipt_is_a_json_record(problem):
 
 
 def test_a_receipt_names_every_answer_that_cannot_be_read(problem):
-    with pytest.raises(
-        AnswerError, match=r"0/7, v: expected a vector(.|\n)*0/7, speed: expected a formula"
-    ):
+    words = r"0/7, v: expected a vector(.|\n)*0/7, speed: expected a formula"
+    with pytest.raises(AnswerError, match=words):
         receipt(problem, v=3, speed="r")
 
 
 def test_an_unknown_problem_or_answer_is_reported(problem):
-    with pytest.raises(
-        AnswerError,
-        match=r"problem '9/99' has not been announced; run the cells of the notebook from the top",
-    ):
+    words = r"problem '9/99' has not been announced; run the cells of the notebook from the top"
+    with pytest.raises(AnswerError, match=words):
         receipt("9/99", v=1)
     with pytest.raises(AnswerError, match="problem 0/7 does not ask for 'w'; it asks for v, speed"):
         receipt(problem, w=1)

@@ -455,13 +455,11 @@ def test_the_origin_of_a_turning_frame_is_not_taken_for_a_point_of_its_parent():
     C = ground.point("C", 1.0, 0, 0)
     rotor = ground.rotate("rotor", "z", rate=2.0, origin=C)
     for place in (rotor.origin, C):
-        with pytest.raises(
-            FrameError, match="C is a point of ground, and the origin of rotor: along whose axes"
-        ):
+        words = "C is a point of ground, and the origin of rotor: along whose axes"
+        with pytest.raises(FrameError, match=words):
             Body("disk", 1.0, place, (1.0, 1.0, 2.0))
-    with pytest.raises(
-        FrameError, match="origin of tilted is a point of rotor, and the origin of tilted"
-    ):
+    words = "origin of tilted is a point of rotor, and the origin of tilted"
+    with pytest.raises(FrameError, match=words):
         disk(1.0, rotor.rotate("tilted", "x", 0.1).origin, mass=1.0)
     body = Body("disk", 1.0, rotor, (1.0, 1.0, 2.0))
     assert body.frame is rotor

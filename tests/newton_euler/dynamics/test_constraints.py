@@ -126,9 +126,8 @@ def test_constraints_that_cannot_be_counted_are_refused(constraints, match):
 
 
 def test_what_a_constraint_raises_arrives_as_raised_with_its_name():
-    with pytest.raises(
-        ZeroDivisionError, match=r"float division by zero\nthe constraint 'a' fails"
-    ):
+    words = r"float division by zero\nthe constraint 'a' fails"
+    with pytest.raises(ZeroDivisionError, match=words):
         degrees_of_freedom({"P": "particle"}, {"a": lambda P: P[0] - 1 / (P[1] - P[1])})
     with pytest.raises(IndexError, match="tuple index out of range") as caught:
         degrees_of_freedom({"P": "particle"}, {"a": lambda P: P[5]})

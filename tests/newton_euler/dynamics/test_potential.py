@@ -157,9 +157,8 @@ def test_the_curl_by_hand(kind):
 
 
 def test_a_force_with_curl_has_no_potential():
-    with pytest.raises(
-        NoPotential, match=r"at \(-0\.7.*the curl of the force is \(0, 0, 2\), not zero"
-    ) as refused:
+    words = r"at \(-0\.7.*the curl of the force is \(0, 0, 2\), not zero"
+    with pytest.raises(NoPotential, match=words) as refused:
         find_potential(lambda x, y, z: (-y, x, 0))
     assert refused.value.curl == (0, 0, 2)
     g = sympy.symbols("g_xy g_yx")
@@ -182,9 +181,8 @@ def test_a_hole_in_the_region_is_found_by_a_loop_round_it():
     box = ((-1, 1), (-1, 1), (0, 1))
     assert max(map(abs, curl(vortex, (0.3, -0.4, 0.5)))) < 1e-15
     circle = lambda s: (0.8 * cos(2 * math.pi * s), 0.9 * sin(2 * math.pi * s), 0.5)
-    with pytest.raises(
-        NoPotential, match=r"round loop 1 the force does the work 6\.28319, though its curl is zero"
-    ) as refused:
+    words = r"round loop 1 the force does the work 6\.28319, though its curl is zero"
+    with pytest.raises(NoPotential, match=words) as refused:
         find_potential(vortex, base=(1, 0, 0), box=box, loops=[circle])
     assert refused.value.circulation == pytest.approx(2 * math.pi)
     # a region that does not surround the hole

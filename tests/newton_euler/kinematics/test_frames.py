@@ -580,9 +580,8 @@ def test_the_third_rate_of_a_moving_quantity_is_not_known():
     v = ground.vector(moving(1.0, 2.0, 3.0), 0, 0)
     assert v.rate(ground).rate(ground).components() == (3.0, 0, 0)
     for changing in (v, moving(1.0, 2.0, 3.0) * ground.i, ground.j / moving(1.0, 2.0, 3.0)):
-        with pytest.raises(
-            FrameError, match="the third time derivative of a moving quantity is not known"
-        ):
+        words = "the third time derivative of a moving quantity is not known"
+        with pytest.raises(FrameError, match=words):
             changing.rate(ground).rate(ground).rate(ground)
     with pytest.raises(FrameError, match="the third time derivative"):
         ground.point("P", moving(1.0, 2.0, 3.0), 0, 0).acceleration(ground).rate(ground)

@@ -568,9 +568,8 @@ def test_near_the_poles_theta_and_the_sum_of_the_angles_stay_accurate(theta, end
     0.0, math.pi, sympy.pi, np.array([1.0, 0.0, 2.0]),
 ], ids=["0", "pi", "exact pi", "one instant"])  # fmt: skip
 def test_euler_rates_are_refused_at_the_poles(theta):
-    with pytest.raises(
-        RotationError, match=r"theta = .*axes of precession and spin coincide.*use quaternion_rate"
-    ):
+    words = r"theta = .*axes of precession and spin coincide.*use quaternion_rate"
+    with pytest.raises(RotationError, match=words):
         euler_rates(0.3, theta, 0.4, (1.0, 2.0, 3.0))
 
 

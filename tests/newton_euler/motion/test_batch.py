@@ -230,9 +230,8 @@ def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypat
 
 
 def test_a_closed_form_that_is_not_accurate_is_refused_with_all_motions():
-    with pytest.raises(
-        AccuracyError, match=r"2 of 2 .* the first is number 0: the closed form"
-    ) as refused:
+    words = r"2 of 2 .* the first is number 0: the closed form"
+    with pytest.raises(AccuracyError, match=words) as refused:
         integrate(SPRING, 1e9, (np.array([1.0, 2.0]), 0.0), 1e-9, "exact")
     reached = refused.value.reached
     assert (reached.error > 1e-9).all()

@@ -225,9 +225,8 @@ def test_what_a_function_refuses_on_the_way_is_raised_as_it_is(closed):
             raise ModelError("the table ends at 1 s")
         return s.x + 2.0
 
-    with pytest.raises(
-        ModelError, match=r"^the table ends at 1 s\nThis came up in table, where s = "
-    ):
+    words = r"^the table ends at 1 s\nThis came up in table, where s = "
+    with pytest.raises(ModelError, match=words):
         times(table, closed=closed)
     with pytest.raises(ValueError, match=r"(?s)math domain error.*has no value from t = "):
         times(lambda s, p, t: math.sqrt(1.0 - t) + (s.x > 9.0 and 0.0), closed=closed)

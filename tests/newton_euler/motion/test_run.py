@@ -352,9 +352,8 @@ def test_auto_begins_with_heyoka_once_its_compilation_pays_unless_a_series_is_bl
 
 @needs_heyoka
 def test_what_is_too_tight_for_runge_kutta_and_has_kinks_is_refused():
-    with pytest.raises(
-        ModelError, match=r"rtol = 1e-14 needs heyoka, .* least is 1e-13; the rates"
-    ):
+    words = r"rtol = 1e-14 needs heyoka, .* least is 1e-13; the rates"
+    with pytest.raises(ModelError, match=words):
         candidates(1e-14, kinks=["where"])
 
 

@@ -121,9 +121,8 @@ def test_steps_are_equal_and_no_longer_than_asked_for(t1, step, count):
 
 def test_more_steps_than_can_be_kept_are_refused():
     run(t1=1.0, step=1.01 / MAX_STEPS)
-    with pytest.raises(
-        LengthError, match=r"3e\+06 steps of order 4 would be needed; take a higher"
-    ):
+    words = r"3e\+06 steps of order 4 would be needed; take a higher"
+    with pytest.raises(LengthError, match=words):
         run(t1=1.0, step=0.99 / MAX_STEPS)
 
 
