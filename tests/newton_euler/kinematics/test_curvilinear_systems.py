@@ -75,23 +75,6 @@ def test_section_3_4_the_steps_give_the_motion_written_out_and_differentiated(ki
     assert close([[e.dot(f) for f in axes] for e in axes], ((1, 0, 0), (0, 1, 0), (0, 0, 1)), tiny)
 
 
-KNOWN = [(kind, about_z, cylindrical) for kind in KINDS]
-KNOWN += [(kind, in_space, spherical) for kind in KINDS if kind != "sympy"]
-
-
-@pytest.mark.parametrize(("kind", "position", "known"), KNOWN)
-def test_known_systems_come_out_of_their_position_function(kind, position, known):
-    ground, P = placed(position, kind)
-    Q = known(ground, "Q", *map(moving, *motion(kind)))
-
-    def numbers_of(P):
-        turning = P.local.angular_velocity(ground), P.local.angular_acceleration(ground)
-        vectors = P.velocity(ground), P.acceleration(ground), *turning
-        return P.scale_factors, [v.components() for v in vectors]
-
-    assert close(numbers_of(P), numbers_of(Q), 10 * small(kind))
-
-
 def test_the_terms_are_named_after_the_rates_and_structural_zeros_are_left_out():
     q = moving(2.0, 0.5, 0.2), moving(0.0, 3.0, 0.1), moving(1.0, 0.0, 0.7)
     a = curvilinear(ground, "P", about_z, *q, names=("r", "theta", "z")).acceleration(ground)

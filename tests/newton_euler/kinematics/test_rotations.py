@@ -262,12 +262,6 @@ def test_example_4_5_cone_rolling_as_a_formula():
 # -- reading axis and angle
 
 
-def test_axis_and_angle_of_exact_numbers_are_exact():
-    third = sympy.pi / 3
-    axis = tuple(n / sympy.sqrt(14) for n in (1, 2, 3))
-    assert axis_angle(rotation_matrix((1, 2, 3), third)) == (axis, third)
-
-
 def true_matrix(axis, angle):
     """The matrix to 60 digits by the exponential series: no formula is shared with the engine."""
     x, y, z = axis
@@ -590,18 +584,16 @@ def test_euler_frame_may_have_its_origin_anywhere():
     lambda a, b, c: quaternion_rate(quaternion_from_euler(a, b, c), (c, a, b)),
 ])  # fmt: skip
 def test_what_builds_rotations_can_be_compiled_and_has_pure_dimension(f):
-    x = 0.3, 0.2, 0.1
+    x, rate = (0.3, 0.2, 0.1), Dimension(time=-1)
     assert close(compiled(f)(*x), f(*x), 8 * EPS)
     assert set(np.array(f(*[Dimension()] * 3), dtype=object).ravel()) == {Dimension()}
-
-
-def test_euler_rates_have_the_dimension_of_the_angular_velocity():
-    rate = Dimension(time=-1)
     assert euler_rates(*[Dimension()] * 3, (rate, rate, rate)) == (rate, rate, rate)
 
 
-def test_symbols_stay_exact():
-    q = sympy.Symbol("q")
+def test_symbols_and_exact_numbers_stay_exact():
+    q, third = sympy.Symbol("q"), sympy.pi / 3
     c, s = sympy.cos(q), sympy.sin(q)
     assert rotation_matrix((0, 0, 1), q) == ((c, -s, 0), (s, c, 0), (0, 0, 1))
     assert not any(x.has(sympy.Float) for row in rotation_matrix((1, 2, 3), q) for x in row)
+    axis = tuple(n / sympy.sqrt(14) for n in (1, 2, 3))
+    assert axis_angle(rotation_matrix((1, 2, 3), third)) == (axis, third)

@@ -15,7 +15,7 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import compiled, integrate, sqrt, where
+from newton_euler import compiled, integrate
 from newton_euler.motion import ModelError
 from newton_euler.motion.prepared import PreparedModel
 from newton_euler.scenes.closed_forms.double_double import doubled
@@ -69,41 +69,6 @@ def by_series(model, t, start):
     with mpmath.workdps(25):
         rates, begin = in_digits(model).derivative, [mpmath.mpf(x) for x in start]
         return tuple(mpmath.odefun(lambda t, y: list(rates(y, t)), 0, begin, tol=mpmath.mpf("1e-17"))(t))  # fmt: skip
-
-
-# -- choices in traced text
-
-
-def chosen(x, y):
-    negative = x < 0
-    root = where(negative, x + y, sqrt(where(negative, 1, x)) / y)
-    return where(y >= 2, where(x > 1, root, -root), abs(x) * 3), where(x <= y, x, y)
-
-
-@given(st.floats(-9, 9), st.floats(0.1, 9))
-def test_traced_text_chooses_as_the_formula_does(x, y):
-    assert compiled(chosen)(x, y) == chosen(x, y)
-
-
-def test_it_chooses_instant_by_instant_of_arrays_and_through_heyoka():
-    x, y = np.linspace(-3, 3, 50), np.linspace(1, 3, 50)
-    expected = np.array([chosen(a, b) for a, b in zip(x.tolist(), y.tolist(), strict=True)]).T
-    assert close(compiled(chosen)(x, y), tuple(expected), 1e-15)
-    pytest.importorskip("heyoka")
-    assert close(compiled_by("heyoka", chosen)(x, y), tuple(expected), 1e-15)
-
-
-def test_the_side_that_is_not_chosen_is_not_computed_on_single_numbers():
-    quotient = compiled(lambda x: where(x > 0, 1 / x + sqrt(x), x))
-    assert quotient(0.0) == 0
-    assert quotient(mpmath.mpf(-1)) == -1
-    assert quotient(4.0) == 2.25
-
-
-def test_one_choice_inside_another_formula_is_still_one():
-    inner = compiled(chosen)
-    outer = compiled(lambda x: inner(x, 2 * x)[1])
-    assert (outer(3.0), outer(-3.0)) == (3.0, -6.0)
 
 
 # -- twice the digits
