@@ -29,11 +29,8 @@ def test_all_right_earns_what_the_cell_is_worth_and_never_more(points):
     assert earned(key(), points=points)[:2] == (points, points)
 
 
-def test_one_right_of_three_earns_a_third():
+def test_one_right_of_three_earns_a_third_and_without_points_each_is_worth_one():
     assert earned({"v_D": key()["v_D"]}, points=9) == (3, 9, [(0, 3), (3, 3), (0, 3)])
-
-
-def test_without_points_each_part_is_worth_one():
     assert earned(key())[2] == [(1, 1)] * 3
 
 

@@ -39,11 +39,10 @@ def test_causes_are_the_same_by_group_and_name_however_they_are_worded():
     twice = [(causes.listed("a", "once"), MODEL), (causes.listed("a", "reworded"), MODEL)]
     assert len(diagnose(MODEL, KEY, twice)) == 1
     assert causes.sentence(diagnose(MODEL, KEY, twice)) == "once"
-
-
-def test_words_that_contain_the_separator_are_one_cause():
-    odd = causes.listed("odd", "takes x; or one that takes y")
+    odd = causes.listed("odd", "takes x; or one that takes y")  # the separator of two
     assert diagnose(MODEL, KEY, [(odd, MODEL)]) == (odd,)
+    remark = causes.right_but([1, 2], (1, 2, 3))
+    assert remark.text == "its second and third components are not right; the rest is"
 
 
 def test_of_two_models_that_are_near_the_one_that_fits_all_digits_is_named():
@@ -218,10 +217,13 @@ def test_a_slip_in_a_small_term_is_named_though_it_is_near_the_key():
     assert diagnose(((5.043,),), ((5.0,),), [], KINDS["number"], slips=near) == (slip,)
 
 
-def test_three_figures_are_what_is_asked_for_and_not_called_rounded():
+def test_three_figures_are_what_is_asked_for_and_fewer_are_called_rounded():
     key = ((101.49, 1.49, 1.49),)
     assert causes.ROUNDED not in diagnose(((101.0, 1.0, 1.0),), key, [])
     assert diagnose(((100.0, 1.0, 1.0),), key, []) == (causes.ROUNDED,)
+    assert diagnose(((2.5, 1.3, 0.0),), ((2.53, 1.27, 0.0),), []) == (causes.ROUNDED,)
+    # and a zero vector does not leave out one component
+    assert diagnose(((0.0, 0.0, 0.0),), ((3.0, 0.0, 0.0),), []) == (causes.GIVES_ZERO,)
 
 
 def test_of_equal_causes_the_one_that_explains_another_wrong_part_is_named():
@@ -254,14 +256,6 @@ def test_a_number_that_may_have_lost_its_zeros_is_not_accused_of_rounding(x):
     given, key = ((x,),), ((1.012 * x,),)
     assert diagnose(given, key, [], KINDS["number"]) == ()
     assert KINDS["number"].observed(given, key) == causes.FIRST_DIGITS
-
-
-def test_components_in_two_digits_are_rounded_too_far():
-    assert diagnose(((2.5, 1.3, 0.0),), ((2.53, 1.27, 0.0),), []) == (causes.ROUNDED,)
-
-
-def test_a_zero_vector_does_not_leave_out_one_component():
-    assert diagnose(((0.0, 0.0, 0.0),), ((3.0, 0.0, 0.0),), []) == (causes.GIVES_ZERO,)
 
 
 def test_a_formula_fits_as_loosely_as_at_its_worst_point():
@@ -297,11 +291,6 @@ def test_no_listed_mistake_hides_the_factor_2_of_the_coriolis_term():
 ])  # fmt: skip
 def test_the_right_part_of_a_wrong_answer_is_named(kind, given, key, remark):
     assert KINDS[kind].observed(given, key) == remark
-
-
-def test_a_remark_on_two_components_is_in_the_plural():
-    remark = causes.right_but([1, 2], (1, 2, 3))
-    assert remark.text == "its second and third components are not right; the rest is"
 
 
 m, h = np.array([1.0, 2.0, 3.0, 5.0]), np.array([0.3, 1.5, 0.7, 2.0])

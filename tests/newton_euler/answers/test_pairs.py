@@ -78,20 +78,14 @@ def test_one_term_reversed_of_an_answer_reversed_is_all_but_this(language, words
         assert both(term_reversed("g", "the weight"), OPPOSITE_NUMBER).what == words
 
 
-def test_two_slips_in_symbols_or_two_changes_to_one_term_are_not_a_pair():
-    """A third of the strangers' answers that matched two slips had other causes."""
+def test_what_also_explains_a_guess_is_not_a_pair():
+    """Of the strangers' answers that matched two slips a third had other causes."""
     given, key, slip = A, A + A * B + B**2, A + A * B
     assert in_symbols(given, key, B, slip=slip, other=A + B**2) == ()
-    reversed_ = A + A * B - B**2
+    reversed_ = A + A * B - B**2  # two changes to one term
     assert in_symbols(key - 3 * B**2, key, A, slip=slip, other=reversed_) == ()
-
-
-def test_two_numbers_as_factors_are_not_a_pair():
-    """Two such factors would also explain a mere guess of the right form."""
-    assert in_symbols(A * B * 3 / 2, A * B, A * B * 3, slip=A * B / 2) == ()
-
-
-def test_factors_of_one_component_are_not_added_and_nothing_is_added_to_nothing():
+    assert in_symbols(A * B * 3 / 2, A * B, A * B * 3, slip=A * B / 2) == ()  # numbers as factors
+    # factors of one component are not added, and nothing is added to nothing
     assert in_symbols(-3 * A * B, A * B, 0 * A, slip=-2 * A * B) == ()
     assert in_symbols(A * B + B, A * B, B, slip=2 * A * B) == ()
 

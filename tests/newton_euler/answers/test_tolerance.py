@@ -162,16 +162,11 @@ def test_a_model_is_apart_that_is_far_from_the_key_at_half_of_the_points(model, 
     assert is_apart(model, key) is apart
 
 
-def test_a_formula_near_a_zero_of_its_own_is_measured_by_its_mean():
-    key = (1.0,), (0.001,)
+def test_a_formula_is_measured_by_its_mean_and_a_zero_component_by_the_others():
+    key = (1.0,), (0.001,)  # near a zero of its own
     assert formula_is_near(((1.0,), (0.00101,)), key, 0.0)
     assert not formula_is_near(((1.0,), (0.00102,)), key, 0.0)
-
-
-def test_the_absolute_tolerance_is_not_that_of_a_zero_component():
+    # the absolute tolerance is not that of a zero component, but its round-off
     assert not formula_is_near(((5.0, 0.0005),), ((5.0, 0.0),), 0.001)
-
-
-def test_round_off_of_a_zero_component_is_as_large_as_the_others_make_it():
     assert formula_is_near(((1000.0, 5e-7),), ((1000.0, 0.0),), 0.0)
     assert not formula_is_near(((1000.0, 2e-6),), ((1000.0, 0.0),), 0.0)
