@@ -86,30 +86,24 @@ def test_mistakes_are_named_in_words(p):
         assert not text.endswith(".")
 
 
-def test_numbers_reach_the_code_in_base_units_and_leave_it_in_those_of_the_text():
+def test_numbers_reach_the_code_in_base_units_and_may_be_changed_one_by_one():
     p = problem("4/18")
     g = p.base(p.book_values)
     assert g.b == pytest.approx(0.16)
     assert g.stated("b") == pytest.approx(160)
     assert p.in_units({"v_A": Frame("ground").vector(0, 0.25, 0)})["v_A"].y == pytest.approx(250)
-
-
-def test_changed_givens_leave_the_others_alone():
     g = problem("4/16").base(problem("4/16").book_values)
     assert g.but(b_dot=-g.b_dot).omega == g.omega
     with pytest.raises(CatalogueError, match="no given 'beta_dot'; there are omega, b_dot"):
         g.but(beta_dot=1.0)
+    p = problem("4/2")
+    assert p.base({n: Dimension(0, 1, 0) for n in p.units}).d == Dimension(0, 1, 0)
 
 
 def test_formulas_contain_exactly_the_symbols_of_the_text():
     found = problem("4/42").formulas()["a_C"]
     free = {str(s) for x in found for s in sympy.sympify(x).free_symbols}
     assert free == {"omega_1", "omega_2", "omega_3", "r"}
-
-
-def test_dimensions_pass_through_base():
-    p = problem("4/2")
-    assert p.base({n: Dimension(0, 1, 0) for n in p.units}).d == Dimension(0, 1, 0)
 
 
 LACKING = {"beta_1": 120, "b": 8, "L": 16}
@@ -180,14 +174,11 @@ def test_a_file_that_holds_no_problem_is_reported(write, text):
     )
 
 
-def test_a_power_of_ten_is_a_number_with_and_without_a_point(write):
+def test_numbers_and_weights_of_a_file_are_read(write):
     text = changed("value: 2", "value: 1e-3").replace("[1, 3]", "[1.0e-4, 2e3]")
     write("p01.yaml", text.replace("means: speed", "means: speed, atol: 1e-9"))
     r, v = problem("77/1").givens["r"], problem("77/1").answer("v")
     assert (r.value, r.vary, v.atol) == (1e-3, (1e-4, 2e3), 1e-9)
-
-
-def test_an_answer_weighs_one_unless_the_file_says_otherwise(write):
     write("p01.yaml", ENTRY)
     assert problem("77/1").answer("v").weight == 1
     write("p01.yaml", changed("means: speed", "means: speed, weight: 2.5"))
@@ -238,13 +229,6 @@ def test_a_file_that_is_not_named_after_its_problem_is_refused(write, name, mess
     assert refused(problems, "ch77") == f"ch77/{name}{message}"
 
 
-def test_problems_come_in_the_order_of_their_numbers_without_the_files_of_an_editor(write):
-    for n in (12, 2, 100):
-        write(f"p{n:02d}.yaml", changed('"77/1"', f'"77/{n}"'))
-    write(".#p02.yaml", "")
-    assert [p.id for p in problems("ch77")] == ["77/2", "77/12", "77/100"]
-
-
 def test_a_chapter_without_its_file_or_its_title_is_reported(write):
     write("p01.yaml", ENTRY)
     assert refused(chapter, "ch77").startswith(
@@ -257,26 +241,24 @@ def test_a_chapter_without_its_file_or_its_title_is_reported(write):
     )
 
 
-def test_a_chapter_has_a_title_and_what_holds_for_all_its_problems(write):
+def test_a_chapter_has_a_title_and_its_problems_in_the_order_of_their_numbers(write):
     write("chapter.yaml", "title: Wheels\npreamble: >\n  All wheels\n  are round.\n")
     assert chapter("ch77") == model.Chapter("ch77", "Wheels", "All wheels are round.")
+    for n in (12, 2, 100):
+        write(f"p{n:02d}.yaml", changed('"77/1"', f'"77/{n}"'))
+    write(".#p02.yaml", "")
+    assert [p.id for p in problems("ch77")] == ["77/2", "77/12", "77/100"]
 
 
-def test_a_text_without_code_is_reported(write):
+def test_code_that_is_missing_or_does_not_fit_is_reported(write, monkeypatch):
     write("p01.yaml", ENTRY)
     message = "problem 77/1 has a text but no code: write exercises/ch77/p01.py"
     assert refused(lambda name: problem(name).code, "77/1") == message
-
-
-def test_code_without_a_function_is_reported(write, monkeypatch):
     write("p01.yaml", ENTRY)
     half = SimpleNamespace(solve=print, draw=print)
     monkeypatch.setattr(model.importlib, "import_module", lambda name: half)
     with pytest.raises(CatalogueError, match=r"ch77/p01.py does not define prove, mistakes"):
         problem("77/1").code.solve(None)
-
-
-def test_an_answer_that_is_not_asked_for_is_reported(write, monkeypatch):
     write("p01.yaml", ENTRY)
     code = SimpleNamespace(solve=lambda g: {"speed": g.r}, prove=print, mistakes=print, draw=print)
     monkeypatch.setattr(model.importlib, "import_module", lambda name: code)

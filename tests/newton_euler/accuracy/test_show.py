@@ -35,22 +35,21 @@ def test_a_chart_is_shown_once_with_alt_text_and_caption(displayed):
     assert displayed == [alt, caption]
 
 
-def test_a_quick_chart_of_methods_leaves_some_out_and_says_so(displayed):
+def test_a_quick_chart_says_what_it_leaves_out_and_names_may_have_hyphens(displayed):
     found = show_chart("sliding sphere")
     assert "scipy Radau" not in {p.method for p in found.points} < {*QUICK_METHODS}
     assert found.caption.endswith("only these methods were measured; quick=False measures all.")
-
-
-def test_hyphens_may_replace_blanks_and_an_unknown_name_is_refused_with_the_list(displayed):
     assert show_chart("steady-precession").points
     with pytest.raises(ArgumentError, match=r"no chart 'topp'; there are .*; models of projectile"):
         show_chart("topp")
 
 
-def test_a_tolerance_is_for_models_only_and_positive():
+def test_a_tolerance_or_a_result_that_does_not_fit_is_refused():
     for name, tolerance in (("top", 1.0), ("models of top", -1.0)):
         with pytest.raises(ArgumentError, match="tolerance is positive"):
             show_chart(name, tolerance=tolerance)
+    with pytest.raises(ArgumentError, match="returns 2 numbers, exact has 3"):
+        compare({"short": lambda: (1.0, 2.0)}, (1.0, 2.0, 3.0))
 
 
 def test_a_users_own_ways_are_compared_with_the_reference(displayed):
@@ -61,11 +60,6 @@ def test_a_users_own_ways_are_compared_with_the_reference(displayed):
     errors = {p.method: p.error for p in found.points}
     assert errors["stable"] < 3e-16 < 1e-10 < errors["naive"] < 1e-6
     assert found.caption.startswith("Most accurate (error 2.2 × 10⁻¹⁶ or less): stable")
-
-
-def test_a_result_of_another_length_than_the_reference_is_refused():
-    with pytest.raises(ArgumentError, match="returns 2 numbers, exact has 3"):
-        compare({"short": lambda: (1.0, 2.0)}, (1.0, 2.0, 3.0))
 
 
 def test_the_caption_of_ways_names_the_most_accurate_and_the_cheapest():

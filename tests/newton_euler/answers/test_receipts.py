@@ -30,11 +30,18 @@ def problem():
     return "0/7"
 
 
-def test_a_receipt_shows_what_was_read_and_what_is_open(problem):
+def test_a_receipt_shows_what_was_read_wherever_names_are_and_what_is_open(problem, capsys):
     assert repr(receipt(problem, v=[1, 2.5, 0], speed=None)) == (
         "0/7: v = [1, 2.5, 0] m/s. Form checked only; the key is not here. Still open: speed."
     )
     assert repr(receipt(problem)) == "0/7: no answer yet."
+    given = receipt(problem, {"v": [1, 2.5, 0], "other": print})
+    assert given.answers == {"v": [1.0, 2.5, 0.0], "speed": None}
+    assert "Still open: speed" in repr(given)
+    assert receipt(problem, {"v": [1, 2.5, 0]}, v=None).answers["v"] is None
+    assert repr(receipt(problem, {})) == "0/7: no answer yet."
+    receipt(problem, v=[1, 2, 3])._ipython_display_()
+    assert capsys.readouterr().out.startswith("0/7: v = [1, 2, 3] m/s.")
 
 
 def test_a_receipt_is_a_json_record(problem):
@@ -46,26 +53,15 @@ def test_a_receipt_is_a_json_record(problem):
     assert receipts["0/7"]["faults"] == {}
 
 
-def test_a_receipt_names_every_answer_that_cannot_be_read(problem):
+def test_what_cannot_be_read_or_is_unknown_is_named(problem):
     words = r"0/7, v: expected a vector(.|\n)*0/7, speed: expected a formula"
     with pytest.raises(AnswerError, match=words):
         receipt(problem, v=3, speed="r")
-
-
-def test_an_unknown_problem_or_answer_is_reported(problem):
     words = r"problem '9/99' has not been announced; run the cells of the notebook from the top"
     with pytest.raises(AnswerError, match=words):
         receipt("9/99", v=1)
     with pytest.raises(AnswerError, match="problem 0/7 does not ask for 'w'; it asks for v, speed"):
         receipt(problem, w=1)
-
-
-def test_answers_are_looked_up_where_names_are(problem):
-    given = receipt(problem, {"v": [1, 2.5, 0], "other": print})
-    assert given.answers == {"v": [1.0, 2.5, 0.0], "speed": None}
-    assert "Still open: speed" in repr(given)
-    assert receipt(problem, {"v": [1, 2.5, 0]}, v=None).answers["v"] is None
-    assert repr(receipt(problem, {})) == "0/7: no answer yet."
 
 
 @pytest.mark.parametrize(
@@ -81,11 +77,6 @@ def test_validate_says_what_is_open_or_cannot_be_read(problem, monkeypatch, answ
     with pytest.raises(AnswerError, match=words):
         receipt(problem, answers)
     assert "Form checked only" in repr(receipt(problem, v=[1, 2, 3], speed=omega * r))
-
-
-def test_a_notebook_shows_a_receipt_as_text_and_not_as_a_value(problem, capsys):
-    receipt(problem, v=[1, 2, 3])._ipython_display_()
-    assert capsys.readouterr().out.startswith("0/7: v = [1, 2, 3] m/s.")
 
 
 def test_a_notebook_shows_the_sentence_of_an_error_without_the_librarys_code(problem):

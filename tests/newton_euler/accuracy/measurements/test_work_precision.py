@@ -66,14 +66,11 @@ def test_progress_is_reported_and_never_goes_back(swing):
     assert swing[1][0][1] == "dop853, 1e-03"
 
 
-def test_the_table_has_all_numbers_and_no_ratio_to_an_exact_solution(swing):
+def test_the_table_has_all_numbers_and_ratios_of_auto_where_it_steps(swing):
     output = swing[0].explain()
     assert output.count("yoshida6 ") >= 3
     assert swing[0].ratios == {}
     assert "auto takes the exact solution" in output
-
-
-def test_the_table_has_the_ratios_of_auto_where_it_steps():
     found = work_precision("top", (1e-3,), ("dop853", "auto"), longest=math.inf)
     ((rtol, (ratio, best)),) = found.ratios.items()
     assert best == "dop853"
@@ -81,13 +78,10 @@ def test_the_table_has_the_ratios_of_auto_where_it_steps():
     assert "exact solution" not in found.explain()
 
 
-def test_a_slow_method_is_asked_for_no_more_digits_and_is_named():
+def test_a_method_that_is_slow_or_cannot_reach_an_accuracy_has_no_point_there_and_is_named():
     found = work_precision("sphere on an incline", (1e-3, 1e-4), ("dop853",), longest=0.0)
     assert [p.asked for p in found.points] == [1e-3]
     assert found.too_slow["dop853"].startswith("not asked for less than 1e-03, which took")
-
-
-def test_a_method_that_cannot_reach_an_accuracy_has_no_point_there_and_is_named():
     found = work_precision("rolling sphere", (1e-6, 1e-7, 1e-8), ("verlet",), longest=math.inf)
     assert METHODS["verlet"].min_rtol == 1e-7
     assert [p.asked for p in found.points] == [1e-6, 1e-7]

@@ -34,11 +34,14 @@ def speed(**options):
     return predict("How fast?", {5.0: "This is twice the speed."}, **asked)
 
 
-def test_a_choice_is_judged_by_the_computed_answer():
+def test_a_choice_is_judged_by_the_computed_answer_yes_and_no_by_what_is_true():
     assert bounce().judge("a") == bounce().judge("up")
     assert not bounce().judge("a").right
     assert bounce().judge("down").right
     assert bounce("up").judge("a").right
+    choices = {"yes": "Only if it rests.", "no": "It turns."}
+    for answer in (True, False):
+        assert predict("Is it 0?", choices, answer).judge("yes").right is answer
 
 
 @pytest.mark.parametrize("computed", [-2.0000000001, -2.03, -2])
@@ -46,12 +49,6 @@ def test_a_computed_number_finds_the_choice_that_stands_for_it(computed):
     p = predict("Factor?", {2: "no sign", -2: "both", -1: "no length"}, computed)
     assert p.judge("-2").right
     assert not p.judge("2").right
-
-
-def test_yes_and_no_stand_for_what_is_true():
-    choices = {"yes": "Only if it rests.", "no": "It turns."}
-    for answer in (True, False):
-        assert predict("Is it 0?", choices, answer).judge("yes").right is answer
 
 
 @pytest.mark.parametrize(("choices", "answer", "within", "words"), [
@@ -76,14 +73,11 @@ def test_a_typed_prediction_is_a_number_or_words_and_never_an_error(typed, right
     assert typed in Page(speed().choose(typed).html()).text
 
 
-def test_the_answer_is_not_seen_before_the_prediction():
+def test_the_answer_is_seen_after_the_prediction_and_opens_with_what_a_wrong_choice_means():
     for p, answer in ((bounce(), "Weight acts"), (speed(), "By (1.2)")):
         assert answer not in repr(p)
         p.choose("a" if p.question.choices else "5")
         assert answer in repr(p)
-
-
-def test_the_answer_opens_with_what_the_wrong_choice_means():
     text = repr(bounce().choose("a"))
     assert text.index("You predicted: up") < text.index("That is the velocity")
     assert text.index("That is the velocity") < text.index("The answer: down")
