@@ -89,8 +89,11 @@ def test_a_range_without_good_numbers_is_reported(monkeypatch):
         draw(problem("4/16"), b"any")
 
 
-def test_a_step_of_the_grid_is_the_round_number_below():
+def test_a_step_of_the_grid_is_round_and_components_become_points():
     assert [variants._round_step(x) for x in (0.0225, 0.05, 1.9, 7.5)] == [0.02, 0.05, 1, 5]
+    assert as_points((1, "up")) == ((1, "up"),)
+    assert as_points(("up", np.array([1, 2]))) == (("up", 1.0), ("up", 2.0))
+    assert as_points((1.5,), 2) == ((1.5,), (1.5,))
 
 
 @pytest.mark.parametrize(("vary", "count"), [
@@ -119,12 +122,6 @@ def test_both_ends_of_a_range_may_be_drawn_as_they_are_written(vary, count):
 ])  # fmt: skip
 def test_a_mistake_is_apart_that_is_far_from_the_key_at_half_of_the_points(wrong, right, expected):
     assert apart(wrong, right) is expected
-
-
-def test_components_become_points_floats_beside_words():
-    assert as_points((1, "up")) == ((1, "up"),)
-    assert as_points(("up", np.array([1, 2]))) == (("up", 1.0), ("up", 2.0))
-    assert as_points((1.5,), 2) == ((1.5,), (1.5,))
 
 
 def test_evaluate_is_the_solution_and_its_mistakes_as_numbers():

@@ -24,16 +24,13 @@ def test_a_word_may_be_a_function_that_branches_for_each_instant_of_an_array(mad
     assert found["sense"].tolist() == ["rises", "falls"]
 
 
-def test_a_word_is_chosen_where_symbols_have_no_number(made):
+def test_words_are_chosen_by_where_with_numbers_alone(made):
     p = made(
         lambda g: {"sense": sense(g.a), "v": g.a * g.t},
         answers=(SENSE, replace(SPEED, kind="expression")),
         symbols={"a": Symbol("a", "m/s^2", (1, 2)), "t": Symbol("t", "s", (1, 2))},
     )
     assert p.formulas()["sense"] == "rises"
-
-
-def test_where_chooses_words_and_counts_too(made):
     p = made(
         lambda g: {"sense": where(g.v_0 > 0, "rises", "falls"), "dof": where(g.t > 0, 2, 1)},
         answers=(SENSE, DOF),

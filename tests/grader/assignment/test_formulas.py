@@ -134,14 +134,11 @@ def test_bodies_that_are_partly_equal_have_names_of_their_own():
         assert not re.search(r"\b[a-z](_[a-z])?\b", " ".join(shown(name, "Q"))), name
 
 
-def test_a_step_comes_after_the_answer_that_it_is_found_from():
+def test_steps_come_after_what_they_are_found_from_and_unknowns_have_their_sign():
     for name, *order in (("A/16", "y", "known_PR", "x"), ("6/21", "phi", "t_f", "x"),
                          ("3/12", "v_axial", "speed")):  # fmt: skip
         p = problem(name)
         assert sorted(order, key=[line.step.key for line in lines(p, p.book_values)].index) == order
-
-
-def test_an_unknown_has_its_sign_in_the_equations():
     p = problem("4/14")
     ((left, right),) = derivations(p, p.book_values)["omega_spin"].together
     assert {str(left), str(right)} == {"omega_spin_x*r", "-v_A_y"}

@@ -80,15 +80,12 @@ def test_a_sheet_has_the_students_numbers_and_nothing_of_the_key():
     assert student.code in answers
 
 
-def test_figures_are_vectors_of_the_students_own_numbers():
+def test_figures_and_changed_texts_have_the_students_own_numbers():
     figure = lambda seed: sheet("Homework", *of("4/16", seed=seed))["4-16.svg"]
     assert figure("ada") == figure("ada") != figure("emmy")
     assert b"<path" in figure("ada")
     assert b"<image" not in figure("ada")
     assert b"<text" not in figure("ada")  # its fonts need not be there
-
-
-def test_a_changed_text_has_the_students_numbers():
     _, student = of("4/16")
     text = "## Mine\n\nOurs turns at $\\omega = 0.6$ always."
     shown = sheet("Homework", [PaperItem("4/16", text, 2)], student)["main.typ"].decode()

@@ -60,7 +60,7 @@ def liar(monkeypatch):
     return honesty((SCENE,), (1e-3, 1e-6, 1e-9), ("auto", "dop853"))
 
 
-def test_answers_have_the_true_error_and_the_estimate(liar):
+def test_answers_have_the_true_error_and_are_counted_by_method(liar):
     assert [(a.method, a.asked) for a in liar] == [*KNOWN]
     assert [(a.error, a.estimate) for a in liar[:4]] == [*KNOWN.values()][:4]
     assert (liar[4].error, liar[4].estimate) == (1e-7, None)
@@ -69,6 +69,12 @@ def test_answers_have_the_true_error_and_the_estimate(liar):
     assert [a.silent for a in liar] == [False, False, True, False, False, False]
     assert all(a.cost > 0 for a in liar[:5])
     assert {a.problem for a in liar} == {SCENE}
+    auto, dop853 = sorted(tallies(liar), key=lambda t: t.method)
+    assert (auto.runs, auto.silent, auto.refused, auto.failed) == (3, 1, 0, 0)
+    assert (auto.met, auto.covers) == (pytest.approx(1 / 3), pytest.approx(2 / 3))
+    assert auto.ratio == pytest.approx(5 / 3)  # the median of 2, 5/3 and 2.5e-7
+    assert (dop853.runs, dop853.silent, dop853.refused, dop853.failed) == (3, 0, 1, 0)
+    assert (dop853.met, dop853.covers, dop853.ratio) == (1.0, 1.0, pytest.approx(3.0))
 
 
 def test_a_refusal_breaks_no_promise_and_other_errors_are_not_taken_for_one(liar, monkeypatch):
@@ -79,15 +85,6 @@ def test_a_refusal_breaks_no_promise_and_other_errors_are_not_taken_for_one(liar
     monkeypatch.setattr(measuring, "Reference", fake({("auto", 1e-3): ZeroDivisionError()}))
     with pytest.raises(ZeroDivisionError):
         honesty((SCENE,), (1e-3,), ("auto",))
-
-
-def test_tallies_count_by_method(liar):
-    auto, dop853 = sorted(tallies(liar), key=lambda t: t.method)
-    assert (auto.runs, auto.silent, auto.refused, auto.failed) == (3, 1, 0, 0)
-    assert (auto.met, auto.covers) == (pytest.approx(1 / 3), pytest.approx(2 / 3))
-    assert auto.ratio == pytest.approx(5 / 3)  # the median of 2, 5/3 and 2.5e-7
-    assert (dop853.runs, dop853.silent, dop853.refused, dop853.failed) == (3, 0, 1, 0)
-    assert (dop853.met, dop853.covers, dop853.ratio) == (1.0, 1.0, pytest.approx(3.0))
 
 
 def test_what_a_scene_cannot_use_is_not_asked_and_a_slow_method_for_no_more_digits():

@@ -62,7 +62,7 @@ def test_a_users_own_ways_are_compared_with_the_reference(displayed):
     assert found.caption.startswith("Most accurate (error 2.2 × 10⁻¹⁶ or less): stable")
 
 
-def test_the_caption_of_ways_names_the_most_accurate_and_the_cheapest():
+def test_the_caption_of_ways_names_the_most_accurate_and_those_of_equal_cost():
     for exact in (1e-16, 9e-16):  # within round-off none is more accurate
         output = ways_caption([Measured("a", 1e-6, exact), Measured("b", 1e-5, 1e-16)])
         assert "Of these a is the cheapest. b takes about 10 times as long as a." in output
@@ -71,9 +71,6 @@ def test_the_caption_of_ways_names_the_most_accurate_and_the_cheapest():
     assert output == f"{best} a is about 10 times faster, with an error of 0.001."
     output = ways_caption([Measured("a", 1e-6, 1e-3), Measured("b", 2e-6, 1e-16)])
     assert output.endswith("b. a costs about the same, with an error of 0.001.")
-
-
-def test_ways_of_equal_cost_are_reported_as_equal_and_the_dearer_are_named():
     points = [Measured("a", 1e-6, 1e-16), Measured("b", 2.9e-6, 1e-16), Measured("c", 1e-5, 1e-6)]
     output = ways_caption(points)
     assert "Of these a and b cost about the same, least." in output

@@ -190,14 +190,11 @@ def test_symengine_and_heyoka_expressions_as_arguments():
     assert hy.cfunc([f(v, 2.0)], vars=[v])([0.5])[0] == pytest.approx(f(0.5, 2.0))
 
 
-def test_moving_arguments_carry_their_rates_through():
+def test_moving_arguments_carry_their_rates_through_with_30_digits():
     x, y = moving(0.4, 1.0, 2.0), moving(1.3, -0.5, 0.25)
     for name in FORMULAS.keys() - {"moving inside"}:
         got, direct = compiled(FORMULAS[name])(x, y), FORMULAS[name](x, y)
         assert close(got._parts(), direct._parts(), 1e-12), name
-
-
-def test_moving_30_digit_numbers_meet_pi_with_30_digits():
     got = compiled(lambda n, x: pi(x) * x * n)(2, moving(mpmath.mpf(1), mpmath.mpf(2)))
     assert abs(got.rate - 4 * mpmath.pi) < 1e-28
 
@@ -211,13 +208,11 @@ def test_dimensions_run_through_and_are_checked():
 # -- how the steps are simplified
 
 
-def test_common_subexpressions_are_computed_once():
+def test_steps_that_are_common_or_not_needed_are_computed_once_or_never():
     f = compiled(lambda x, y: (sin(x * y) + 1) * (sin(y * x) + 2) - sin(x * y))
     assert f.source.count("sin(") == 1
     assert f.operations == 6  # x*y, sin, +1, +2, *, -
 
-
-def test_steps_that_no_result_needs_are_dropped():
     def wasteful(x):
         exp(x) * 3 - log(x)
         return x * x
@@ -226,9 +221,6 @@ def test_steps_that_no_result_needs_are_dropped():
     assert "exp" not in f.source
     assert f.operations == 1
     assert f(-1.0) == 1.0  # log(-1) is never taken
-
-
-def test_each_scalar_of_the_result_depends_on_these_arguments():
     f = compiled(lambda x, y, z: (x * x, sin(x) + y, 2.0))
     assert f.dependencies == [{"x"}, {"x", "y"}, set()]
 
@@ -295,24 +287,27 @@ def test_constants_survive_to_the_last_bit(constant):
     assert math.copysign(1, float(alone)) == math.copysign(1, float(constant))
 
 
-def test_infinite_and_undefined_constants_survive():
+def test_infinite_undefined_and_negative_constants_survive():
     f = compiled(lambda x: (x * math.inf, x - math.inf, x * math.nan, math.inf))
     a, b, c, d = f(2.0)
     assert (a, b, d) == (math.inf, -math.inf, math.inf)
     assert math.isnan(c)
     assert f(np.array([2.0]))[0].tolist() == [math.inf]
+    f = compiled(lambda x: (atan2(x, 0.0), atan2(x, -0.0), atan2(0.0, x), atan2(-0.0, x)))
+    assert f(-1.0) == (-math.pi / 2, -math.pi / 2, math.pi, -math.pi)
 
 
-def test_constants_of_30_digits_keep_them_on_mpmath_and_are_rounded_on_floats():
+def test_constants_keep_their_digits_and_kind_and_symbols_may_be_some():
     f = compiled(lambda x: x * third)
     assert abs(f(mpmath.mpf(3)) - 1) < 1e-29
     assert type(f(3.0)) is float
     assert f(np.array([3.0, 6.0])).tolist() == [1.0, 2.0]
     g = compiled(lambda x: x * (third + mpmath.mpf("1e-28")) - x * third)
     assert 0.9e-28 < g(mpmath.mpf(1)) < 1.1e-28
-
-
-def test_symbols_may_be_constants_of_a_formula_and_arrays_may_not():
+    x = sympy.Symbol("x")
+    broken, exact = compiled(lambda y: (y / 2.0, y / 2))(x)
+    assert exact == x / 2
+    assert broken.has(sympy.Float)
     k = sympy.Symbol("k")
     f = compiled(lambda x: x * k + sympy.Rational(1, 3))
     x = sympy.Symbol("x")
@@ -322,24 +317,19 @@ def test_symbols_may_be_constants_of_a_formula_and_arrays_may_not():
         compiled(lambda x, m: m * x, m=np.array([1.0, 2.0]))
 
 
-def test_positive_and_negative_zero_are_two_constants():
-    f = compiled(lambda x: (atan2(x, 0.0), atan2(x, -0.0), atan2(0.0, x), atan2(-0.0, x)))
-    assert f(-1.0) == (-math.pi / 2, -math.pi / 2, math.pi, -math.pi)
-
-
-def test_exact_and_float_constants_stay_distinct_on_symbols():
-    x = sympy.Symbol("x")
-    broken, exact = compiled(lambda y: (y / 2.0, y / 2))(x)
-    assert exact == x / 2
-    assert broken.has(sympy.Float)
-
-
-def test_parameters_fixed_at_compile_time():
+def test_arguments_may_be_fixed_by_default_or_by_name_or_absent():
     f = compiled(lambda x, n, f: f * x**n, n=3, f=np.float64(0.5))
     assert f.parameters == ["x"]
     assert f(2.0) == 4.0
     with pytest.raises(TypeError, match="has no argument 'm'"):
         compiled(lambda x: x, m=3)
+    f = lambda x, /, y=2.0, *, z=3.0: x + 10 * y + 100 * z
+    g = compiled(f)
+    assert g(1.0) == f(1.0)
+    assert g(1.0, z=4.0) == f(1.0, z=4.0)
+    assert g(1.0, 5.0, 6.0) == f(1.0, 5.0, z=6.0)
+    assert compiled(lambda: 2.0)() == 2.0
+    assert compiled(lambda x: ())(1.0) == ()
 
 
 @pytest.mark.parametrize("names", [
@@ -359,19 +349,6 @@ def test_names_of_arguments_do_not_collide_with_names_inside(names):
     assert compiled(f)(np.array([0.5]), np.array([0.7]))[0] == pytest.approx(got[0])
 
 
-def test_defaults_and_keyword_arguments():
-    f = lambda x, /, y=2.0, *, z=3.0: x + 10 * y + 100 * z
-    g = compiled(f)
-    assert g(1.0) == f(1.0)
-    assert g(1.0, z=4.0) == f(1.0, z=4.0)
-    assert g(1.0, 5.0, 6.0) == f(1.0, 5.0, z=6.0)
-
-
-def test_a_formula_without_arguments_or_without_results():
-    assert compiled(lambda: 2.0)() == 2.0
-    assert compiled(lambda x: ())(1.0) == ()
-
-
 # -- errors in words
 
 
@@ -383,7 +360,9 @@ def test_a_formula_without_arguments_or_without_results():
     (lambda f: f(1.0, yy=3.0), "f takes x, y; missing: y; unknown: yy"),
 ])  # fmt: skip
 def test_wrong_arguments_are_reported_by_name(call, message):
-    f = lambda x, y: x + y
+    def f(x, y):
+        return x + y
+
     with pytest.raises(TypeError) as error:
         call(compiled(f))
     assert str(error.value) == message

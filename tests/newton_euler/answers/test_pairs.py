@@ -58,12 +58,9 @@ def test_a_listed_mistake_and_a_slip_are_named_together(given, key, own, slip):
     assert in_symbols(given, key, own, nameless=slip) == ()
 
 
-def test_the_opposite_sign_and_a_fraction_upside_down_are_seen_beside_a_listed_mistake():
+def test_opposite_signs_and_fractions_upside_down_are_seen_where_the_words_have_room():
     assert in_symbols(-A, A * B, A) == (both(LISTED, OPPOSITE_NUMBER),)
     assert in_symbols(1 / A, A * B, A) == (both(LISTED, INVERTED),)
-
-
-def test_a_pair_is_named_where_both_mistakes_have_room():
     long = "takes the speed of B" + ", that of C" * 5
     assert both(LISTED, listed("", f"{long} twice")).what == f"own, and also {long} twice"
     assert both(LISTED, listed("", f"{long} two times")) is None
@@ -132,9 +129,11 @@ def test_random_vectors_are_rarely_taken_for_two_mistakes():
     assert sum(map(bool, found)) <= 3
 
 
-def test_a_mistake_that_the_other_undoes_does_not_count():
+def test_mistakes_that_undo_each_other_or_are_powers_of_one_another_are_no_pair():
     own, slip = (5.418, -2.108, 1.871), (3.127, -6.324, 1.871)  # their sum in y is right
     assert of_numbers((5.418, -4.216, 1.871), own, [slip]) == ()
+    root = 1.7394
+    assert of_number(4.8175 * root, 4.8175, [4.8175 * root**3], [(4.8175 / root**2,)]) == ()
 
 
 def of_number(given, key, own, slips, is_size=False, slip=SLIP):
@@ -161,11 +160,6 @@ def test_random_numbers_are_rarely_taken_for_two_mistakes():
         (draw(), [draw() for _ in range(6)], [(draw(),) for _ in range(40)]) for _ in range(400)
     ]
     assert sum(bool(of_number(x, 4.8175, own, slips)) for x, own, slips in cases) <= 3
-
-
-def test_changes_that_are_powers_of_each_other_are_not_a_pair():
-    root = 1.7394
-    assert of_number(4.8175 * root, 4.8175, [4.8175 * root**3], [(4.8175 / root**2,)]) == ()
 
 
 TERM = computed("term", "leaves out it", does=LEFT_OUT, of="the term b")

@@ -93,11 +93,21 @@ def test_plain_nbgrader_cannot_give_points_for_a_receipt(problem, monkeypatch):
         receipt(problem, v=[1, 2, 3])
 
 
-def test_a_hint_appears_in_the_receipt_and_names_the_component():
+def test_a_receipt_prints_hints_with_the_component_and_words_as_the_code_does():
     expect("0/9", {"r": "m", "omega": "rad/s"}, v="vector_expression, m/s")
     assert "look again at v: component 2 is in m, but m/s is asked" in repr(
         receipt("0/9", v=[r * omega, r, 0])
     )
+    expect("0/13", acc_mag="number, m/s^2", state="choice: stable | unstable")
+    output = receipt("0/13", acc_mag=2.5, state="stable").markdown
+    assert r"`acc_mag` $= 2.5\ \text{m/s}^2$" in output
+    assert "`state`: stable" in output
+    expect("0/12", {"r": "m", "omega_1": "rad/s"}, v="expression, m/s")
+    output = receipt("0/12", v=symbols("r") * symbols("omega_1") ** 2).markdown
+    assert "\n- look again at v: it is in" in output
+    assert "look again" in repr(receipt("0/12", v=symbols("r")))
+    assert "**0/12:**" in output
+    assert receipt("0/12").markdown == "0/12: no answer yet."
 
 
 def test_a_receipt_in_a_notebook_is_typeset(problem, monkeypatch):
@@ -115,19 +125,3 @@ def test_a_receipt_in_a_notebook_is_typeset(problem, monkeypatch):
     monkeypatch.setattr("IPython.display.display", lambda data, raw: shown.append(data))
     given._ipython_display_()
     assert shown == [{"text/plain": repr(given), "text/markdown": given.markdown}]
-
-
-def test_a_receipt_prints_an_answer_that_is_named_by_a_word_as_the_code_does():
-    expect("0/13", acc_mag="number, m/s^2", state="choice: stable | unstable")
-    output = receipt("0/13", acc_mag=2.5, state="stable").markdown
-    assert r"`acc_mag` $= 2.5\ \text{m/s}^2$" in output
-    assert "`state`: stable" in output
-
-
-def test_hints_in_a_receipt_are_plain_text_not_markdown():
-    expect("0/12", {"r": "m", "omega_1": "rad/s"}, v="expression, m/s")
-    output = receipt("0/12", v=symbols("r") * symbols("omega_1") ** 2).markdown
-    assert "\n- look again at v: it is in" in output
-    assert "look again" in repr(receipt("0/12", v=symbols("r")))
-    assert "**0/12:**" in output
-    assert receipt("0/12").markdown == "0/12: no answer yet."

@@ -78,12 +78,17 @@ def test_an_answer_in_another_unit_is_converted_before_it_is_compared():
     assert judge(v, Form("number", "mm/s"), 5000.0, None, Fall(), [100], 1e-3).verdict == "right"
 
 
-def test_an_answer_that_follows_from_a_wrong_one_is_recognised():
+def test_what_follows_is_recognised_before_any_other_cause():
     why = explained(Fall(), "square", {"v": 6.0, "square": 36.0})
     assert why.earlier == ("v",)
     assert why.message == "not right; it follows from your v"
     assert why.diagnosis == "follows from a wrong v"
     assert explained(Fall(), "sense", {"v": -6.0, "sense": "rises"}).earlier == ("v",)
+    doubled = listed("doubled", "takes the speed twice")
+    why = explained(Fall([("square", doubled, ((36.0,),))]), "square", {"v": 6.0, "square": 36.0})
+    assert why.causes == (follows(["v"]), doubled)
+    assert why.message == "not right; it follows from your v"
+    assert why.also == "; it also fits a solution that takes the speed twice (see section 6.1)"
 
 
 class There(Fall):
@@ -104,21 +109,11 @@ def test_answers_exchanged_between_parts_are_named():
     assert explained(There(), "v", {"v": 8.0}).causes == ()  # w is not asked for
 
 
-def test_a_component_of_another_part_is_not_that_part():
+def test_neither_a_component_nor_a_vector_in_another_unit_is_met_by_chance():
     numbers = There()
     numbers.answers = asked("v", "number", "m/s"), asked("w", "vector", "m/s")
     numbers.key["w"] = ((8.0, 1.0, 2.0),)
     assert explained(numbers, "v", {"v": 8.0, "w": [8.0, 1.0, 2.0]}).causes == ()
-
-
-@pytest.mark.parametrize(("square", "causes"), [(5.0, (answer_to("square"),)), (30.0, ())])
-def test_a_number_in_another_unit_is_taken_for_exchanged_if_both_were(square, causes):
-    numbers = Fall()
-    numbers.key["square"] = ((26.0,),)
-    assert explained(numbers, "v", {"v": 26.0, "square": square}).causes == causes
-
-
-def test_a_vector_in_another_unit_is_not_met_by_chance():
     numbers = Body()
     numbers.answers = asked("r", "vector", "m"), asked("v", "vector", "m/s")
     numbers.key = {"r": ((1.0, 2.0, 3.0),), "v": ((4.0, -7.0, 9.0),)}
@@ -126,12 +121,11 @@ def test_a_vector_in_another_unit_is_not_met_by_chance():
     assert explained(numbers, "r", given).causes == (answer_to("v"),)
 
 
-def test_that_it_follows_comes_before_any_other_cause():
-    doubled = listed("doubled", "takes the speed twice")
-    why = explained(Fall([("square", doubled, ((36.0,),))]), "square", {"v": 6.0, "square": 36.0})
-    assert why.causes == (follows(["v"]), doubled)
-    assert why.message == "not right; it follows from your v"
-    assert why.also == "; it also fits a solution that takes the speed twice (see section 6.1)"
+@pytest.mark.parametrize(("square", "causes"), [(5.0, (answer_to("square"),)), (30.0, ())])
+def test_a_number_in_another_unit_is_taken_for_exchanged_if_both_were(square, causes):
+    numbers = Fall()
+    numbers.key["square"] = ((26.0,),)
+    assert explained(numbers, "v", {"v": 26.0, "square": square}).causes == causes
 
 
 def test_the_other_parts_tell_which_of_two_mistakes_was_made():
@@ -143,19 +137,16 @@ def test_the_other_parts_tell_which_of_two_mistakes_was_made():
     assert words(square=25.0) == ["forgets the root", "in this part takes the mean"]
 
 
-def test_where_to_read_on_is_that_of_the_cause_before_that_of_the_problem():
+def test_a_remark_on_the_digits_is_the_message_where_nothing_explains_the_answer_else_where_to_read():
+    (seen,) = (why := explained(Fall(), "v", {"v": 5.12})).causes
+    assert seen.is_observation
+    assert why.message == f"not right; {seen.text}"
     for cause, where in (
         (listed("a", "halves it"), "6.1"),
         (listed("b", "x").at("section 9.9"), "9.9"),
     ):
         (found,) = explained(Fall([("v", cause, ((2.5,),))]), "v", {"v": 2.5}).causes
         assert found.where == f"section {where}"
-
-
-def test_a_remark_on_the_digits_is_the_message_where_nothing_explains_the_answer():
-    (seen,) = (why := explained(Fall(), "v", {"v": 5.12})).causes
-    assert seen.is_observation
-    assert why.message == f"not right; {seen.text}"
 
 
 @pytest.mark.parametrize("answers", [

@@ -33,20 +33,14 @@ def seen(film):
     return [np.asarray(Image.open(io.BytesIO(picture)).convert("L")) for picture in film.pictures]
 
 
-def test_every_picture_has_one_size_and_shows_its_own_instant():
+def test_every_picture_has_one_size_shows_its_own_instant_and_reaches_no_edge():
     pictures = seen(animate(arm, TIMES, size=(3, 2)))
     assert {p.shape for p in pictures} == {(200, 300)}
     assert all((a != b).any() for a, b in pairwise(pictures))
-
-
-def test_draw_is_called_once_for_each_time_with_a_float():
     called = []
     animate(lambda t, ax: (called.append(t), arm(t, ax)), np.linspace(0, 1, 5))
     assert called == [0, 0.25, 0.5, 0.75, 1]
     assert {type(t) for t in called} == {float}
-
-
-def test_nothing_reaches_the_edge_of_any_picture():
     for picture in seen(animate(arm, TIMES, size=(3, 2))):
         edges = picture[0], picture[-1], picture[:, 0], picture[:, -1]
         assert (np.concatenate(edges) > 250).all()

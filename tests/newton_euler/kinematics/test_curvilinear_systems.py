@@ -77,7 +77,9 @@ def test_section_3_4_the_steps_give_the_motion_written_out_and_differentiated(ki
 
 def test_the_terms_are_named_after_the_rates_and_structural_zeros_are_left_out():
     q = moving(2.0, 0.5, 0.2), moving(0.0, 3.0, 0.1), moving(1.0, 0.0, 0.7)
-    a = curvilinear(ground, "P", about_z, *q, names=("r", "theta", "z")).acceleration(ground)
+    P = curvilinear(ground, "P", about_z, *q, names=("r", "theta", "z"))
+    a, known = P.acceleration(ground), cylindrical(ground, "Q", *q).local
+    assert close(P.local.angular_acceleration(ground), known.angular_acceleration(ground), 1e-15)
     assert list(a.terms) == ["r''", "theta''", "z''", "r' theta'", "theta'^2"]
     assert close(a.terms["r' theta'"], (0, 3.0, 0), 1e-15)
     assert close(a.without("theta'^2"), (0.2, 3.2, 0.7), 1e-15)

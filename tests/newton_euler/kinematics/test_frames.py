@@ -457,21 +457,29 @@ def test_the_vector_between_two_points_has_the_difference_of_their_velocities_as
     assert close(P - Q, -(Q - P), 1e-12 * scale)
 
 
-def test_an_axis_of_whole_numbers_keeps_all_digits_of_the_angle():
+def test_an_axis_may_be_a_vector_and_of_whole_numbers_keeps_all_digits():
     spun = ground.rotate("spun", (1, 1, 1), rate=numbers("mpmath", "1/3"))
     assert abs(spun.angular_velocity(ground).x - 1 / (3 * mpmath.sqrt(3))) < 1e-29
     turned = ground.rotate("turned", (1, 1, 1), angle=2 * mpmath.pi / 3)
     assert close(turned.i.components(ground), (0, 1, 0), 1e-28)
     exact = ground.rotate("exact", (1, 1, 1), angle=sympy.pi / 3)
     assert exact.i.components(ground)[0] == sympy.Rational(2, 3)
+    arm = ground.rotate("arm", "z", np.pi / 2)
+    omega = ground.rotate("b", 5 * arm.i, rate=2.0).angular_velocity(ground)
+    assert close(omega.components(ground), (0, 2.0, 0))
 
 
-def test_what_is_zero_by_structure_stays_zero():
+def test_what_is_zero_by_structure_stays_zero_and_is_shown_so():
     arm = ground.rotate("arm", "z", rate=2.0)
     P = arm.point("P", 1.0, 0, 0)
     a = P.acceleration(ground)
     assert str(a) == "[-4, 0, 0] in arm"
     assert [str(t) for t in a.terms.values()] == [f"[{x}, 0, 0] in arm" for x in (0, 0, 0, 0, -4)]
+    arm = ground.rotate("arm", "z", 0.2)
+    assert repr(arm) == "Frame(arm < ground)"
+    assert repr(arm.point("P", 1.0, 0, 0)) == "Point(P at (1.0, 0, 0) in arm)"
+    assert arm.origin.name == "origin of arm"
+    assert ground.origin.position(ground).components() == (0, 0, 0)
 
 
 def test_a_function_of_time_an_instant_with_rates_and_an_expression_in_t_give_the_same_motion():
@@ -563,12 +571,6 @@ def test_what_is_not_geometry_is_refused_in_words(ask, words):
         ask(Frame("ground"))
 
 
-def test_an_axis_may_be_a_vector_of_any_related_frame():
-    arm = ground.rotate("arm", "z", np.pi / 2)
-    omega = ground.rotate("b", 5 * arm.i, rate=2.0).angular_velocity(ground)
-    assert close(omega.components(ground), (0, 2.0, 0))
-
-
 def test_the_third_rate_of_a_moving_quantity_is_not_known_nor_that_of_what_is_of_an_instant():
     v = ground.vector(moving(1.0, 2.0, 3.0), 0, 0)
     assert v.rate(ground).rate(ground).components() == (3.0, 0, 0)
@@ -583,14 +585,6 @@ def test_the_third_rate_of_a_moving_quantity_is_not_known_nor_that_of_what_is_of
     for known in (a, arm.angular_acceleration(ground), Vector((1, 2, 3), ground)):
         with pytest.raises(FrameError, match=r"is not known; build it from moving"):
             known.rate(ground)
-
-
-def test_points_and_frames_show_what_they_are():
-    arm = ground.rotate("arm", "z", 0.2)
-    assert repr(arm) == "Frame(arm < ground)"
-    assert repr(arm.point("P", 1.0, 0, 0)) == "Point(P at (1.0, 0, 0) in arm)"
-    assert arm.origin.name == "origin of arm"
-    assert ground.origin.position(ground).components() == (0, 0, 0)
 
 
 @pytest.fixture

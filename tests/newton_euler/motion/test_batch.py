@@ -21,13 +21,16 @@ PENDULUM = second_order("pendulum", {"n": 1.0}, ("a",), lambda s, p, t: (-p.n * 
 SPRING = oscillator().changed(k=1.0)
 
 
-def test_motions_close_to_each_other_have_one_representative():
+def test_motions_close_to_each_other_have_one_representative_and_others_themselves():
     """Two clusters of starts and ends, of 20 motions each, in turn."""
     begins = np.array([[1.0, 2.0] * 20, [1e-6, 1e-6] * 20]) * np.linspace(1.0, 1.01, 40)
     ends = np.array([[5.0, -5.0] * 20]) * np.linspace(1.0, 1.01, 40)
     chosen, group = _representatives(begins, ends)
     assert [n % 2 for n in chosen] == [0, 1]
     assert group.tolist() == [0, 1] * 20
+    begins = np.random.default_rng(0).uniform(-1.0, 1.0, (6, 300))
+    chosen, group = _representatives(begins, begins)
+    assert chosen.tolist() == group.tolist() == list(range(300))
 
 
 def test_many_motions_are_known_at_their_samples():
@@ -63,12 +66,6 @@ def test_a_sweep_has_a_representative_for_all_within_2_percent_in_any_order(shuf
     apart = abs(sweep - sweep[chosen][group]) / np.maximum(sweep, sweep[chosen][group])
     assert apart.max() <= NEAR_START
     assert len(chosen) <= 2 * np.log(1.5) / (2 * NEAR_START)
-
-
-def test_motions_that_are_close_to_no_other_represent_themselves():
-    begins = np.random.default_rng(0).uniform(-1.0, 1.0, (6, 300))
-    chosen, group = _representatives(begins, begins)
-    assert chosen.tolist() == group.tolist() == list(range(300))
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
@@ -436,12 +433,9 @@ def test_without_heyoka_each_motion_of_a_batch_is_integrated_by_itself(options):
     assert motions.cost.calls == sum(one.cost.calls for one in each)
 
 
-def test_a_fixed_step_of_a_batch_needs_a_method_by_name():
+def test_a_batch_needs_a_method_by_name_for_a_fixed_step_and_changes_no_prepared_model():
     with pytest.raises(ModelError, match="a fixed step needs a method by name"):
         integrate(SPRING, 1.0, (amplitudes(3), np.zeros(3)), step=0.125)
-
-
-def test_a_prepared_model_is_not_changed_by_its_batch():
     before = prepared_model(PENDULUM).p
     integrate(PENDULUM.changed(n=np.array([1.0, 2.0])), 1.0, (1.0, 0.0), method="dop853")
     assert prepared_model(PENDULUM).p == before

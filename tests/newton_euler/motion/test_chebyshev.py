@@ -93,14 +93,11 @@ def test_a_root_is_found_to_round_off_in_few_steps(f, exact, calls, swapped, sig
     assert g.count <= calls
 
 
-def test_a_root_at_an_end_is_that_end():
+def test_a_root_at_an_end_is_that_end_and_others_as_inaccurate_as_asked():
     for end in (1.0, 2.0):
         g = Counted(lambda x, end=end: x - end)
         assert ours.root(g, 1.0, 2.0) == end
         assert g.count == 2
-
-
-def test_a_root_may_be_as_inaccurate_as_asked():
     g = Counted(lambda x: math.cos(x) - x)
     assert ours.root(g, 0.0, 2.0, 1e-2) == pytest.approx(0.739, abs=1e-2)
     assert g.count <= 8

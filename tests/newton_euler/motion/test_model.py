@@ -173,15 +173,12 @@ def test_what_needs_values_is_refused_with_what_does_the_same(rate, words):
         Model("q", {}, ("v",), lambda s, p, t: (rate(s, p, t),))
 
 
-def test_an_error_of_numpy_that_traced_values_did_not_cause_stays_its_own():
-    with pytest.raises(np.linalg.LinAlgError):
-        Model("q", {}, ("v",), lambda s, p, t: (s.v * np.linalg.inv(np.zeros((2, 2)))[0, 0],))
-
-
-def test_a_constant_of_numpy_without_an_axis_is_a_number():
+def test_constants_of_numpy_are_numbers_and_its_own_errors_stay():
     rates = lambda s, p, t: (np.array(2.0) * sin(np.array(3) * t) - s.v / np.float32(2),)
     model = Model("driven", {}, ("v",), rates)
     assert close(model.derivative((1.0,), 0.5), (2 * math.sin(1.5) - 0.5,), 1e-15)
+    with pytest.raises(np.linalg.LinAlgError):
+        Model("q", {}, ("v",), lambda s, p, t: (s.v * np.linalg.inv(np.zeros((2, 2)))[0, 0],))
 
 
 RNG = np.random.default_rng(1)
@@ -251,13 +248,10 @@ def test_where_a_formula_has_no_value_the_kind_of_error_is_that_of_the_numbers()
 # -- what is a number
 
 
-def test_a_force_that_is_zero_is_absent_and_a_law_is_there():
+def test_what_is_absent_comparable_or_in_sequences_is_known():
     assert [is_absent(x) for x in (0, 0.0, mp.mpf(0), 1e-300, lambda s, p, t: 0.0)] == [
         True, True, True, False, False,
     ]  # fmt: skip
-
-
-def test_what_a_closed_form_compares_are_numbers():
     assert comparable("orbit", 1, 2.5) == (1, 2.5)
     with pytest.raises(ModelError, match="the exact solution of the orbit needs numbers"):
         comparable("orbit", 1.0, sympy.Symbol("e"))

@@ -164,9 +164,13 @@ def test_a_damaged_file_and_a_folder_that_cannot_be_written_lose_no_more_than_th
     assert bounce().given == "up"
 
 
-def test_what_is_kept_is_a_small_file_of_text(tmp_path):
+def test_what_is_kept_is_a_small_file_of_text_and_a_line_of_markdown_becomes_html(tmp_path):
     bounce().choose("a")
     assert json.loads((tmp_path / kept.FILE).read_text()) == {bounce().question.key: "up"}
+    assert inline("*a* **b** `x<1` $x<1$ <b>") == (
+        "<i>a</i> <b>b</b> <code>x&lt;1</code> "
+        r'<span class="math notranslate nohighlight">\(x&lt;1\)</span> &lt;b&gt;'
+    )
 
 
 def test_the_tally_counts_and_what_was_wrong_is_asked_again():
@@ -186,10 +190,3 @@ def test_without_a_kernel_all_is_folded_and_well_formed(make):
     text = Page(folded_html(make().question)).text
     assert text.startswith("Predict. ")
     assert "$" not in text
-
-
-def test_markdown_of_a_line_becomes_html():
-    assert inline("*a* **b** `x<1` $x<1$ <b>") == (
-        "<i>a</i> <b>b</b> <code>x&lt;1</code> "
-        r'<span class="math notranslate nohighlight">\(x&lt;1\)</span> &lt;b&gt;'
-    )

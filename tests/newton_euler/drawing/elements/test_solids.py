@@ -44,7 +44,7 @@ def test_a_tube_is_open_with_a_dark_wall_inside():
     assert colour_at(s, 1, 0, 1.5) == MIDDLE.lower()
 
 
-def test_a_thick_disk_has_its_thickness_on_the_page():
+def test_thick_plates_have_their_thickness_and_sharp_edges_and_a_round_wall():
     s = sketch(azimuth=0, elevation=0)
     s.disk((0, 1, 0), ground.j, 2, thickness=0.5)
     s.finish()
@@ -52,8 +52,6 @@ def test_a_thick_disk_has_its_thickness_on_the_page():
     assert (xs.min(), xs.max()) == pytest.approx((0.75, 1.25))
     assert (ys.min(), ys.max()) == pytest.approx((-2, 2), rel=3e-3)
 
-
-def test_the_sharp_edges_of_a_thick_plate_are_drawn_and_a_round_wall_is_one():
     def walls(corners):
         s = sketch(azimuth=20, elevation=30)
         s.plate(corners, thickness=0.5)
@@ -61,7 +59,8 @@ def test_the_sharp_edges_of_a_thick_plate_are_drawn_and_a_round_wall_is_one():
         return len(s.ax.patches) - 1  # without the face
 
     assert walls(CORNERS) == 2
-    assert walls(s := sketch().around(O, (1, 0, 0), ground.k)) == 1, len(s)
+    places = sketch().around(O, (1, 0, 0), ground.k)
+    assert walls(places) == 1, len(places)
 
 
 def test_walls_hide_what_is_behind_them_and_show_what_is_within():

@@ -217,16 +217,13 @@ def test_on_both_sides_of_the_separatrix_it_is_the_motion_of_a_start_within_roun
     assert all(low <= x <= high for x, (low, high) in zip(found, bounds, strict=True))
 
 
-def test_it_counts_every_turn_and_small_swings_keep_their_relative_accuracy():
+def test_a_pendulum_counts_every_turn_keeps_small_swings_and_stays_upright():
     theta, omega = text(PENDULUM)(1000.0, 0.0, -30.0)
     assert theta == pytest.approx(precisely(PENDULUM, 1000.0, (0.0, -30.0))[0], rel=1e-13)
     assert theta < -29000
     assert omega < -25
     theta, _ = text(PENDULUM)(1.0, 1e-150, 0.0)
     assert theta / 1e-150 == pytest.approx(math.cos(math.sqrt(10)), rel=1e-14)
-
-
-def test_upright_at_rest_it_stays_for_a_while_and_a_pendulum_pulled_upwards_hangs_there():
     assert close(text(PENDULUM)(5.0, math.pi, 0.0), (math.pi, 0.0), 1e-8)
     up = physical_pendulum(2.0, 0.5, 0.5, -10.0)
     assert close(text(up)(3.0, 1.0, 0.3), stepped(up, 3.0, (1.0, 0.3)), 1e-10)
@@ -288,14 +285,11 @@ def test_small_nutations_about_a_vertical_keep_their_relative_accuracy(mgr, tilt
         assert close(found, exact, 1e-12 * tilt)
 
 
-def test_a_sleeping_top_sleeps_and_at_the_start_every_top_is_where_it_starts():
+def test_a_sleeping_top_sleeps_every_top_starts_at_its_start_and_not_on_the_vertical():
     for spin in (1.0, 100.0):
         assert text(top.nutation(0.02, 0.01, 0.5, spin, 0.0))(50.0, 0.0, 0.0) == (0.0, 0.0)
     for parameters, start in TOPS.values():
         assert close(text(top.nutation(*parameters))(0.0, *start), start, 1e-15 * 6)
-
-
-def test_a_top_of_unequal_momenta_cannot_be_on_the_vertical():
     model = top.nutation(1.0, 1.5, 5.0, 8.0, 1.0)
     with pytest.raises(ZeroDivisionError):
         text(model)(1.0, 0.0, 0.0)
