@@ -70,6 +70,12 @@ class Fit:
             for x in parts
         )
 
+    def off(self, near: float = NOISE) -> list[int]:
+        """The places of components that are off by more than ``near``, relative to the whole."""
+        triples = [*zip(self.given, self.key, self.sizes, strict=True)]
+        places = range(len(self.key[0]))
+        return [n for n in places if any(abs(x[n] - k[n]) > near * s for x, k, s in triples)]
+
     def times(self, factor: float) -> Points:
         """The key times a factor."""
         return scaled_points(factor, self.key)

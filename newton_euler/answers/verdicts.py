@@ -47,51 +47,40 @@ Way = tuple[Sequence[str], Callable[[Mapping[str, Points]], Points | None]]
 
 
 class Numbers(Protocol):
-    """The right numbers and the wrong models of one student's problem."""
+    """The right numbers and the wrong models of one student's problem.
+
+    answers : those that are asked for
+    symbols : {name: array of the points at which formulas are compared}
+    key : {answer: points} of the right answers; of a word or count, ((word,),)
+    book, sheets : the same for the book's numbers, {} where these are asked; and for those of each
+        of the student's earlier sheets
+    earlier : {later answer: names of the earlier ones from which it follows}
+    where : the place in the book to which the problem belongs, as "section 4.10"
+    slips, sequel : in computing the answers; in computing one from a student's own earlier ones
+    wrong, following : the wrong models of an answer; what follows from {earlier answer: points}
+    other_ways : further ways from earlier answers to this one
+    """
 
     @property
-    def answers(self) -> Sequence[AskedAnswer]:
-        """The answers that are asked for."""
-
+    def answers(self) -> Sequence[AskedAnswer]: ...
     @property
-    def symbols(self) -> Mapping[str, Any]:
-        """{name: array of the points at which formulas are compared}."""
-
+    def symbols(self) -> Mapping[str, Any]: ...
     @property
-    def key(self) -> Mapping[str, Points]:
-        """{answer: points} of the right answers; of a word or count, ((word,),)."""
-
+    def key(self) -> Mapping[str, Points]: ...
     @property
-    def book(self) -> Mapping[str, Points]:
-        """{answer: points} for the book's numbers, {} where these are asked."""
-
+    def book(self) -> Mapping[str, Points]: ...
     @property
-    def sheets(self) -> Sequence[Mapping[str, Points]]:
-        """The same for the numbers of the student's earlier sheets."""
-
+    def sheets(self) -> Sequence[Mapping[str, Points]]: ...
     @property
-    def earlier(self) -> Mapping[str, Sequence[str]]:
-        """{later answer: names of the earlier ones from which it follows}."""
-
+    def earlier(self) -> Mapping[str, Sequence[str]]: ...
     @property
-    def where(self) -> str:
-        """The place in the book to which the problem belongs, as "section 4.10"."""
-
+    def where(self) -> str: ...
     @property
-    def slips(self) -> Slips:
-        """The slips in the computation of the answers."""
-
-    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Slips:
-        """The slips in computing an answer from a student's own earlier ones."""
-
-    def wrong(self, key: str) -> Sequence[Model]:
-        """The wrong models of an answer."""
-
-    def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None:
-        """The answer that follows from {earlier answer: points}, or None."""
-
-    def other_ways(self, key: str) -> Sequence[Way]:
-        """Further ways from earlier answers to this one."""
+    def slips(self) -> Slips: ...
+    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Slips: ...
+    def wrong(self, key: str) -> Sequence[Model]: ...
+    def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None: ...
+    def other_ways(self, key: str) -> Sequence[Way]: ...
 
 
 @dataclass(frozen=True)
