@@ -57,7 +57,7 @@ def _listed(fit: Fit, off: Sequence[int], wrong: Sequence[tuple[Cause, Points]])
 
 def _wrong(fit, kind):
     """The places of each wrong component; of a matrix, an entry with its mirror image."""
-    if fit.index is None or (length := len(fit.key[0])) < 3:
+    if (length := len(fit.key[0])) < 3:
         return []
     off = fit.off(NOISE if kind.is_formula else kind.rtol)
     mirrored = [3 * (n % 3) + n // 3 if length == 9 else n for n in range(length)]

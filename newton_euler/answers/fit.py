@@ -28,11 +28,9 @@ class Fit:
 
     def near(self, models: Iterable[tuple[Any, Points]]) -> list[tuple[Any, Points]]:
         """Those of [(cause, points)] that may fit, by one component, which rules nearly all out."""
-        if self.index is None:
-            return []
-        n, given = self.index, self.given[self.index]
-        reach = 1.02 * self.rtol * math.hypot(*given) + NOISE * self.sizes[n]
-        x = given[0]
+        given, _, size = self.first
+        reach = 1.02 * self.rtol * math.hypot(*given) + NOISE * size
+        n, x = self.index, given[0]
         return [(cause, points) for cause, points in models if not abs(points[n][0] - x) > reach]
 
     @cached_property
