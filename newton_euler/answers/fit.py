@@ -24,7 +24,8 @@ class Fit:
         self.given, self.key, self.rtol = given, key, rtol
         self.sizes = [math.hypot(*k) for k in key]
         own = (k + math.hypot(*x) for k, x in zip(self.sizes, given, strict=False))
-        self.index = next((n for n, size in enumerate(own) if math.isfinite(size)), None)
+        # the first point; without one (None) nothing is explained
+        self.index: Any = next((n for n, size in enumerate(own) if math.isfinite(size)), None)
 
     def near(self, models: Iterable[tuple[Any, Points]]) -> list[tuple[Any, Points]]:
         """Those of [(cause, points)] that may fit, by one component, which rules nearly all out."""
@@ -81,7 +82,6 @@ class Fit:
     @property
     def first(self) -> tuple[Point, Point, float]:
         """(answer, key, size of the key) at the first point where the key has a value."""
-        assert self.index is not None
         return self.given[self.index], self.key[self.index], self.sizes[self.index]
 
     def __call__(self, numbers: Points, rtol: float | None = None, apart: bool = True) -> int:
