@@ -78,9 +78,7 @@ class Event(Portable):
 
 @dataclass(frozen=True)
 class Occurrence:
-    """An event that occurred: its ``name``, the time ``t``, and the ``state`` by name, before
-    ``then`` changed it.
-    """
+    """An event that occurred: ``name``, time ``t``, and ``state`` by name, before any ``then``."""
 
     name: str
     t: float
@@ -149,9 +147,7 @@ class EventLocator:
         return f"the function of {of}"
 
     def search(self, n: int) -> Iterator[tuple[float, bool]]:
-        """The times of the event in step ``n``, in order, as pairs (time, True); pairs (time,
-        False) in between mark the time up to which all have been found.
-        """
+        """Pairs (time, is_event) in step ``n``, in order; without one all are found until then."""
         stepper, (a, b) = self.stepper, self.stepper.step_times[n : n + 2]
 
         def values(times):

@@ -1,5 +1,4 @@
-"""Integration of the motion of a model: its states at any time, the estimated error, the drift of
-invariants, the cost, and the events.
+"""Integration of the motion of a model.
 
 One way leads down: the arguments are checked (:mod:`.arguments`), the model is traced
 (:mod:`.prepared`), one motion is a :class:`.run.Run`, and many are :func:`.batch.integrate_many`,

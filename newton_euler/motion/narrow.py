@@ -1,12 +1,11 @@
 """Structures of the rates that a step passes over without seeing them: a brake of some centimetres
 on a path of some metres, a blow of some milliseconds.
 
-The rates change fast where an operation with a scale of its own does, see
-:mod:`.narrow_arguments`: where its argument is about zero or, for ``exp``, largest. That time is
-found however narrow the structure is, since the argument is smooth: in each step it is a polynomial
-whose extrema are known, or the step is divided. Around that time the rates are integrated along the
-trajectory, in pieces that become shorter by powers of two, and compared with the change of the
-states.
+The rates change fast where the argument of an operation with a scale of its own is about zero or,
+for ``exp``, largest: see :mod:`.narrow_arguments`. That time is found however narrow the structure
+is, since the argument is smooth: in each step it is a polynomial whose extrema are known, or the
+step is divided. Around it the rates are integrated along the trajectory, in pieces shorter by
+powers of two, and compared with the change of the states.
 """
 
 from functools import cache, partial
@@ -266,9 +265,8 @@ def _brackets(path, suspects):
         narrow, rough, turned = _judged(kinds, u, v, off, n[c], closely)
         rough &= np.ptp(v, axis=1) > CLEAR * noise[j]
         last = depth == DEPTH or DIVIDED * rough.sum() > MOST
-        for row in np.flatnonzero(
-            (narrow | rough) & (kinds != "phase") if last else narrow & ~rough
-        ).tolist():
+        here = (narrow | rough) & (kinds != "phase") if last else narrow & ~rough
+        for row in np.flatnonzero(here).tolist():
             for edges in [(0.0, 1.0)] if rough[row] else _about(kinds[row], u[row], v[row]):
                 times = begin[c[row]] + length[c[row]] * np.array(edges)
                 found.append((int(j[row]), *times.tolist()))

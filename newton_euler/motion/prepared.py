@@ -1,8 +1,5 @@
 """A model prepared for integration: its formulas traced once and kept, with the numbers of its
-parameters.
-
-Models that share a right-hand side (the same scene with other parameters) share the traced text,
-and what heyoka has compiled from it.
+parameters. Models that share a right-hand side share the traced text, and what heyoka made of it.
 """
 
 import math

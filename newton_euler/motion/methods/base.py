@@ -1,9 +1,5 @@
 """The base class of the methods of integration: a stepper advances one state step by step, and
-interpolates between its steps.
-
-The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion.methods.taylor`,
-:mod:`newton_euler.motion.methods.dop853`, :mod:`newton_euler.motion.methods.splitting`,
-:mod:`newton_euler.motion.methods.scipy`; their table is :mod:`newton_euler.motion.methods.table`.
+interpolates between its steps. The table of all methods: :mod:`.table`.
 """
 
 from bisect import bisect_right

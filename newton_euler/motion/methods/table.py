@@ -1,11 +1,10 @@
 """The methods of integration, in one table.
 
 The rtol is the error of the motion, not that of a step, so a method runs at least twice.
-Runge-Kutta methods run first at a tolerance a thousand times as coarse; the difference is the error
-of the coarse run, and since the error is nearly proportional to the tolerance it predicts that of
-the fine run. Runs of heyoka cost so little that they are compared with one that is two orders
-higher; the difference is their error. If the error is too large, the tolerance is reduced
-accordingly; if that does not help, the answer is refused.
+Runge-Kutta methods run first at a tolerance a thousand times as coarse: the difference is the error
+of the coarse run, and predicts that of the fine one, as it is nearly proportional to the tolerance.
+Runs of heyoka cost so little that they are compared with one two orders higher. If the error is too
+large, the tolerance is reduced; if that does not help, the answer is refused.
 """
 
 import importlib.util
