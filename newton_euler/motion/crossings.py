@@ -77,8 +77,7 @@ def unsettled(stepper: Stepper, end: float) -> float:
     """The summed differences, relative to the scales, of the steps up to the time ``end`` that pass
     over such a place from two halves of each: a step that was shortened until its error estimate
     was small may have got there by chance. Steps of a motion that slides, one of which soon leads
-    back, do not count. To this is added the effect of the last digit of each coordinate: see
-    :func:`_last_digit`.
+    back, do not count. The effect of :func:`_last_digit` is added.
     """
     system, count = stepper.system, bisect_right(stepper.step_times, end) - 1
     run, p, ends = system.traced.compiled_choices, system.p, stepper.steps[: count + 1]

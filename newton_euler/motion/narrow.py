@@ -43,8 +43,7 @@ NUDGE = 2.0**-51  # relative change of states and constants that changes rates b
 class Passage(NamedTuple):
     """The ``number`` of a step that does not see all of the rates; ``stops``, the times to stop at
     when it is repeated; ``changes``, how much each state differs from the integral of its rate; how
-    much of that may be ``noise`` of the rates; the largest ``size`` of these relative to the
-    scales.
+    much of that may be ``noise`` of the rates; the largest ``size`` of these over the scales.
     """
 
     number: int
@@ -382,8 +381,7 @@ def _located(stepper, arguments, brackets):
 
 
 def _difference(stepper, n, centres, knots):
-    """The :class:`Passage` by which step ``n`` differs from the integral of the rates along it, or
-    None.
+    """The :class:`Passage` by which step ``n`` differs from the integral of its rates, or None.
 
     centres, knots : times about which the pieces are shorter and shorter; where pieces end
     """

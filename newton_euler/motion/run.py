@@ -232,8 +232,7 @@ class Run:
         self, method: Method, heyoka: bool = False, known: Sizes | None = None
     ) -> Motion:
         """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`, from the
-        sizes ``known``; with ``heyoka`` by it if the first run shows that the second would take
-        long.
+        sizes ``known``; with ``heyoka`` by it if the first run shows that it pays off.
         """
         begun, least, scaled = perf_counter(), method.min_tolerance, method.series
         tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), least)
@@ -301,8 +300,7 @@ class Run:
         self, last: Trajectory, known: Sizes | None, error: float, forced: float
     ) -> tuple[Trajectory, float]:
         """The trajectory ``last`` and its error; or those of one whose steps end where the rates
-        change their formula, if there are such places, and see less of states that begin from zero,
-        if it is more accurate.
+        change their formula, if there are such places, and see less of states from zero, if better.
         """
         method, tolerance, self.narrow = last.method, last.tolerance, True
         # where only the fine one failed, it may have been by the round-off of a state near zero

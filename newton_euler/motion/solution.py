@@ -84,8 +84,7 @@ class Motion(Guided):
     segments : the parts between events at which the state jumped or the model changed
     events : the :class:`~newton_euler.motion.events.Occurrence` of each event that occurred
     ended : how it ended, in words; ``cost`` : a :class:`Cost`
-    times, states : those of the samples; ``states["theta"]`` is an array, nan in a segment that has
-        no such state
+    times, states : those of the samples; ``states["theta"]`` is an array, nan where there is none
     error : the estimated error at the end, of the worst state relative to its largest value, see
         ``rtol`` of :func:`~newton_euler.motion.integration.integrate`; nan with a fixed step
     drift : for each invariant, by name, its largest change over the samples, relative to its

@@ -80,8 +80,7 @@ class Trajectory:
     the class of the error to be raised.
 
     run : the :class:`~newton_euler.motion.run.Run` that it belongs to
-    known : the sizes of the states, as :meth:`sizes` of an earlier trajectory of this run returns
-        them; None for the first
+    known : the sizes of the states, as :meth:`sizes` of an earlier one; None for the first
     scaled : True if the states are divided by their sizes where the method itself does not
     samples : default those of the run
     watched : True if its steps are checked for narrow structures

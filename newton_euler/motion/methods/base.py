@@ -121,8 +121,7 @@ class Stepper:
         ``floors``; ``noise`` : the round-off in each state
     stops : times after the start, up to the goal, that no step may pass over
     near : see :func:`~newton_euler.motion.narrow.passage`
-    steps : for each step a tuple whose last elements are the state before it; empty for a method
-        that does not keep its steps
+    steps : for each step a tuple whose last elements are the state before it; or empty, if not kept
     most_steps : the most steps of one motion
 
     around : units in the last place about a stop, whose time is rounded, in which no step is taken

@@ -23,8 +23,7 @@ MAX_COARSE_TOLERANCE = 1e-4  # the largest tolerance of a first run
 
 @dataclass(frozen=True)
 class Method:
-    """One method of integration. All that other files ask about a method is an attribute of this
-    record: none compares names.
+    """One method of integration. All that other files ask about it is an attribute here.
 
     name, description : its name in ``integrate(method=...)``, and a description
     stepper : the class of its runs
@@ -34,13 +33,11 @@ class Method:
     min_rtol : the smallest rtol that it can reach
     tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are
         up to 100 tolerances, rarely less than one
-    max_tolerance, min_tolerance : of the first fine run, since much coarser ones predict little;
-        of any run
+    max_tolerance, min_tolerance : of the first fine run, as coarser predict little; of any run
     coarsening : the tolerance of the first run over that of the second; below 1 where a finer run
         is as cheap
     adaptive : True if its steps follow from errors of this order
-    closed : True for a closed form: there is no finer run to compare with, its error is that of
-        rounding, see :mod:`.exact`
+    closed : True for a closed form: no finer run exists, its error is rounding, see :mod:`.exact`
     series : True for a power series: its order and not its step follows from the tolerance, and
         beyond a kink or a branch point it continues the formula with which it began
     rounded : a function of a tolerance that returns the one at which the method runs
