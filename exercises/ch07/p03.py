@@ -1,12 +1,11 @@
 """7/3: the inertia matrix of a block with a cylinder on top."""
 
-from exercises.devices.block_with_cylinder import BLOCK, figure, parts
+from exercises.devices.block_with_cylinder import BLOCK, draw, parts
 from exercises.devices.inertia import answer, no_products, problem_of, together, wrong_sign
 from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import mp, proofs
 
 solve, steps = problem_of(BLOCK, lambda g: parts(g, density=g.rho), "slug", "in", "slug*ft^2")
-draw = figure
 
 
 def inertia(g, **changed):

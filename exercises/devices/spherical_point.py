@@ -1,17 +1,11 @@
 """A point in spherical coordinates (3/15, 3/16; a proof for others); phi is the elevation."""
 
-from collections.abc import Callable
-
-from exercises.annotations import AnyAxes, Givens, Number, Path
+from exercises.annotations import AnyAxes, Coordinate, Givens, Number, Path
 from exercises.tools import Sketch, at_angle, elevation, mp, second_rate, spherical_axes, times
 from newton_euler import Frame, cos, kinematics, sin
 
 
-def place_in_time(
-    R: Callable[[Number], Number],
-    theta: Callable[[Number], Number],
-    phi: Callable[[Number], Number],
-) -> Path:
+def place_in_time(R: Coordinate, theta: Coordinate, phi: Coordinate) -> Path:
     """Proof: position over time from coordinates over time."""
     across = lambda t: R(t) * mp.cos(phi(t))
     up = lambda t: R(t) * mp.sin(phi(t))
@@ -23,7 +17,7 @@ def local_acceleration(A: Path, t: Number = 0) -> list[Number]:
     return times(spherical_axes(A(t)), second_rate(A, t))
 
 
-def elevation_in_time(A: Path) -> Callable[[Number], Number]:
+def elevation_in_time(A: Path) -> Coordinate:
     """Proof: elevation of A, a position over time."""
     return lambda t: elevation(A(t))
 

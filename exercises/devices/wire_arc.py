@@ -26,7 +26,7 @@ def along(g: Givens, f: Callable[[list[Number]], Value]) -> Value:
     return proofs.integral(per_slope, -steepest, steepest)
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, WIRE, plane="xy")
     O = (0, 0, 0)
     low = (g.R * cos(g.alpha), -g.R * sin(g.alpha), 0)
