@@ -1,8 +1,8 @@
 """A point in spherical coordinates (3/15, 3/16; a proof for others); phi is the elevation."""
 
 from exercises.annotations import AnyAxes, Coordinate, Givens, Number, Path
-from exercises.tools import Sketch, at_angle, elevation, mp, second_rate, spherical_axes, times
-from newton_euler import Frame, cos, kinematics, sin
+from exercises.tools import at_angle, elevation, mp, on_ground, second_rate, spherical_axes, times
+from newton_euler import cos, kinematics, sin
 
 
 def place_in_time(R: Coordinate, theta: Coordinate, phi: Coordinate) -> Path:
@@ -24,9 +24,8 @@ def elevation_in_time(A: Path) -> Coordinate:
 
 def figure(g: Givens, ax: AnyAxes, distance: str = "", theta: float = 0.9) -> None:
     """The figure, with the elevation of g and ``distance``, a label for OP; any azimuth will do."""
-    ground = Frame("ground")
+    ground, s = on_ground(ax, azimuth=40, elevation=20)
     axes = kinematics.spherical_frame(ground, theta, g.phi)
-    s = Sketch(ax, ground, azimuth=40, elevation=20)
     c = cos(g.phi)
     O, P = (0, 0, 0), tuple(axes.i.components(ground))
     Q = (c * cos(theta), c * sin(theta), 0)

@@ -19,7 +19,6 @@ def along(g: Givens, f: Callable[[list[Number]], Value]) -> Value:
     """Proof: the integral of f(place) ds along the wire, f a list or matrix, over the slope u =
     y/(R + x) of the line from (-R, 0), a rational parametrization of the circle.
     """
-
     place = lambda u: [g.R * (1 - u * u) / (1 + u * u), 2 * g.R * u / (1 + u * u), 0]
     per_slope = lambda u: weighted([proofs.size(proofs.rate(place, u))], [f(place(u))])
     steepest = mp.sin(g.alpha) / (1 + mp.cos(g.alpha))
