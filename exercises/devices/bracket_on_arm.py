@@ -2,17 +2,8 @@
 
 from collections.abc import Callable
 
-from exercises.annotations import (
-    Answers,
-    AnyAxes,
-    Givens,
-    Mistakes,
-    Number,
-    Scalar,
-    Solve,
-    Steps,
-    StepsOf,
-)
+from exercises.annotations import Answers, AnyAxes, Givens, Mistakes, Scalar, Solve, Steps, StepsOf
+from exercises.catalogue.proofs.digits import Number
 from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.tools import Sketch, in_frame, mp, rate, second_rate, terms
 from newton_euler import Frame, Point

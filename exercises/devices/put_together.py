@@ -18,8 +18,7 @@ def centre(frame: Frame, parts: Iterable[Body], removed: Iterable[Body] = ()) ->
 
 def problem_of(
     frame: Frame,
-    parts: Callable[[Givens], Sequence[Body]]
-    | Callable[[Givens], tuple[Sequence[Body], Sequence[Body]]],
+    parts: Callable[[Givens], Sequence[Body] | tuple[Sequence[Body], Sequence[Body]]],
     holes: bool = False,
     **units: Any,
 ) -> tuple[Solve, StepsOf]:

@@ -3,18 +3,8 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from exercises.annotations import (
-    Answers,
-    AnyAxes,
-    Follows,
-    Givens,
-    Number,
-    Points,
-    Scalar,
-    Solve,
-    Steps,
-    StepsOf,
-)
+from exercises.annotations import Answers, AnyAxes, Follows, Givens, Scalar, Solve, Steps, StepsOf
+from exercises.catalogue.proofs.digits import Number, Points
 from exercises.tools import Sketch, Step, in_frame, mpf, proofs, rate, rot, size, terms
 from newton_euler import Body, Frame, Point, composite, dynamics
 from newton_euler.applications import balance, reactions
