@@ -180,9 +180,8 @@ def _dimensions(p):
 
 def _exchanged(p):
     """Mistakes whose answer has the dimension of another: perhaps stored under the wrong key."""
-    g = p.dimensions()
     try:
-        named = p.code.mistakes(g)
+        named = p.code.mistakes(p.dimensions())
     except DimensionError:  # a wrong model may add unlike quantities
         return []
     asked = {a.key: unit(a.unit).dimension for a in p.answers if not a.kind.is_word}

@@ -49,9 +49,7 @@ class Given:
 
 @dataclass(frozen=True)
 class Symbol:
-    """A quantity without a number; formulas are compared within ``vary``; ``latex`` as in
-    :class:`Given`.
-    """
+    """A quantity without a number; formulas are compared within ``vary``; ``latex``: its own."""
 
     name: str
     unit: str

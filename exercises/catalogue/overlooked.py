@@ -47,8 +47,7 @@ def _in_texts(p: Problem) -> Iterator[str]:
             )
     for number in {p.section, *(s.get("section", "") for s in p.steps.values())} - {""}:
         if number[:1].isdigit() and number not in headings():
-            known = meant(number, headings())
-            yield f"section {number} is not in the chapters{known}"
+            yield f"section {number} is not in the chapters{meant(number, headings())}"
     if not p.figure and callable(getattr(p.code, "draw", None)):
         yield (
             f"{p.name}.py has draw, but {p.name}.yaml has no figure:, the text for those who "

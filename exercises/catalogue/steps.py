@@ -148,9 +148,7 @@ def listed_steps(p: Problem, g: Givens) -> list[Step]:
 
 @cache
 def repeated(p: Problem) -> frozenset[str]:
-    """Steps not asked for in practice: those that always equal an answer or, as terms, another
-    step.
-    """
+    """Steps not asked for in practice: always equal to an answer or, as terms, to another step."""
     rng, always = random.Random(f"steps of {p.id}"), None
     for _ in range(SETS):
         numbers = {n: drawn_value(q, rng) for n, q in p.givens.items()} | symbol_values(p, rng)
@@ -183,10 +181,8 @@ def _is_same(a, b):
 
 def _with_text(p, key, value):
     if key not in p.steps:
-        close = meant(key, p.steps)
-        raise CatalogueError(
-            f"{p.id}: the step {key!r} is computed but not in {p.name}.yaml{close}"
-        )
+        where = f"is computed but not in {p.name}.yaml{meant(key, p.steps)}"
+        raise CatalogueError(f"{p.id}: the step {key!r} {where}")
     return Step(key, value, **p.steps[key])
 
 

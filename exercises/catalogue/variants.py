@@ -25,9 +25,7 @@ SENSITIVITY = 50  # rounding a given to 0.1 % may change an answer by 5 % at mos
 
 
 def seed(secret: bytes, assignment: str, student: str, problem_id: str) -> bytes:
-    """The seed of one student's numbers: HMAC-SHA256 of assignment, student and problem, keyed by
-    the course's secret.
-    """
+    """The seed of one student's numbers: HMAC-SHA256 of the rest, keyed by the course's secret."""
     text = "\0".join((assignment, student, problem_id))
     return hmac.new(secret, text.encode(), hashlib.sha256).digest()
 
@@ -73,8 +71,7 @@ def drawn_value(given: Given, rng: random.Random) -> float:
         return given.value
     first, last, step = _grid(given.vary)
     value = rng.randint(first, last) * step
-    digits = max(0, -math.floor(math.log10(step)))
-    return round(value, digits)
+    return round(value, max(0, -math.floor(math.log10(step))))
 
 
 def sheets(p: Problem) -> int:

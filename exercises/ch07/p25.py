@@ -39,11 +39,10 @@ def prove(g):
 
 def mistakes(g):
     part = body(g)
-    full = cylinder(g.ro, g.lc, TUBE, "x", density=g.rho)
     return {
         "inner_radius": {"I_xx": about(part, g.ri)},
         "wall": {"I_xx": about(part, g.ro - g.ri)},
-        "no_hole": {"I_xx": about(full, g.ro)},
+        "no_hole": {"I_xx": about(cylinder(g.ro, g.lc, TUBE, "x", density=g.rho), g.ro)},
         "no_transfer": {"I_xx": part.inertia.moment("x")},
         "inches": solve(g.but(ro=12 * g.ro, ri=12 * g.ri, lc=12 * g.lc)),  # 12 in = 1 ft
     }

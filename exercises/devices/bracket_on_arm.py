@@ -20,9 +20,7 @@ def arm_and_bracket(g: Givens) -> tuple[Frame, Frame, Frame]:
 def problem_of(
     name: str, out: Callable[[Givens], Scalar]
 ) -> tuple[Callable[[Givens], tuple[Point, Frame, Frame]], Solve, StepsOf, Solve]:
-    """The point ``name`` as a function of g, and ``solve``, ``steps`` and ``prove`` for it; it is
-    b up and ``out(g)`` along from C.
-    """
+    """The point as a function of g, b up and ``out(g)`` along from C; solve, steps, prove."""
 
     def point(g):
         ground, arm, bracket = arm_and_bracket(g)

@@ -27,6 +27,20 @@ def problem_of(
     return (lambda g: centre(frame, *bodies(g)), lambda g: steps_of(frame, *bodies(g), **units))
 
 
+def on_axis(
+    frame: Frame, axis: str, content: str, moments: Callable[[Givens], tuple[Scalar, Scalar]]
+) -> tuple[Callable[[Scalar, Scalar], Answers], Solve, Solve]:
+    """The answer, ``solve`` and ``steps`` for a centre on this axis; ``moments(g)``: the content,
+    an integral, and its first moment.
+    """
+
+    def answer(whole, first):
+        return {"d": frame.vector(*(first / whole if e == axis else 0 for e in "xyz"))}
+
+    steps = lambda g: dict(zip((content, f"Q_{axis}"), moments(g), strict=True))
+    return answer, lambda g: answer(*moments(g)), steps
+
+
 def unweighed(frame: Frame, one: Scalar, points: Iterable[Point]) -> Answers:
     """The mistake of an unweighted mean of points; ``one`` is g.one."""
     return {"d": centre_of_mass([(one, P) for P in points], frame).position(frame)}

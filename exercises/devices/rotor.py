@@ -59,8 +59,7 @@ def answers(r: Rotor) -> Answers:
 def principal_steps(body: Body, *axes: tuple[str, str, str]) -> Steps:
     """The relevant moments of inertia about the centre; ``axes``: (key, body axis, description)."""
     for key, axis, which in axes:
-        means = f"moment of inertia {which}"
-        yield Step(key, body.inertia.moment(axis), "kg*m^2", means, "7.6")
+        yield Step(key, body.inertia.moment(axis), "kg*m^2", f"moment of inertia {which}", "7.6")
 
 
 def shaft_steps(
