@@ -191,11 +191,8 @@ def _stated(step, p):
     value = in_unit(step.value, step.unit, p.system)
     if not step.term:
         return replace(step, value=value)
-    return replace(
-        step,
-        value=value,
-        means=Words("{term}, in {sum}", term=term_text(*step.term, p), sum=step.of),
-    )
+    means = Words("{term}, in {sum}", term=term_text(*step.term, p), sum=step.of)
+    return replace(step, value=value, means=means)
 
 
 def in_unit(value: Any, stated_in: str, system: System) -> Any:
@@ -245,11 +242,8 @@ def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
         computed = {s.key for s in steps(p, values)}
     except CatalogueError as error:
         return [str(error)]
-    wrong = [
-        f"the step {key} is in {p.name}.yaml but not computed"
-        for key in p.steps
-        if key not in computed
-    ]
+    there = f"is in {p.name}.yaml but not computed"
+    wrong = [f"the step {key} {there}" for key in p.steps if key not in computed]
     wrong += [f"the step {key} is an answer" for key in p.steps if key in repeated(p)]
     if not hasattr(p.code, "steps"):
         return wrong

@@ -40,9 +40,8 @@ def draw(p: Problem, seed_bytes: bytes) -> dict[str, float]:
     if not any(g.vary for g in p.givens.values()):
         return p.book_values
     for attempt in range(DRAWS):
-        rng = random.Random(
-            int.from_bytes(hashlib.sha256(seed_bytes + attempt.to_bytes(2, "big")).digest(), "big")
-        )
+        digest = hashlib.sha256(seed_bytes + attempt.to_bytes(2, "big")).digest()
+        rng = random.Random(int.from_bytes(digest, "big"))
         values = {n: drawn_value(g, rng) for n, g in p.givens.items()}
         if not objection(p, values):
             return values

@@ -27,10 +27,8 @@ def steps(g):
 
 def prove(g):
     """By thin tubes about the axis, with the mean square distance from the line for each."""
-
-    def squares(p):  # the ring is about z: its x is the height here
-        return [(p[0] + g.ro) ** 2 + p[1] ** 2, 1, p[0] ** 2 + p[1] ** 2]
-
+    # the ring is about z: its x is the height here
+    squares = lambda p: [(p[0] + g.ro) ** 2 + p[1] ** 2, 1, p[0] ** 2 + p[1] ** 2]
     mass = lambda r: 2 * mp.pi * r * g.rho * g.lc
     thin = lambda r: proofs.scaled(mass(r), proofs.mean(squares, proofs.ring(r, order=2)))
     I_xx, m, own = proofs.integral(thin, g.ri, g.ro)

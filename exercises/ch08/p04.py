@@ -57,7 +57,6 @@ def prove(g):
 
     at = lambda share, t: plus(scaled(1 - share, B(t)), scaled(share, piston(t)))
     motion = lambda t: [(u, at(half + x, t)) for u, (x, _, _) in box(1, 0, 0, order=2)]
-
     a_O = second_rate(piston)
     F_x = -g.W_P / g.g * a_O[0]
     F_y = proofs.moment_needed(g.W_R / g.g, motion, B(0))[2] / g.l

@@ -82,7 +82,6 @@ def steps(g):
 def prove(g):
     """Mean circulation, mean work, slopes along slanted lines; fields with a potential, counted."""
     coefficients = [getattr(g, name) for name in NAMES]
-
     F = lambda r: times([coefficients[n : n + 3] for n in (0, 3, 6)], r)
 
     def circulation(r):
@@ -94,9 +93,8 @@ def prove(g):
     inside = box(g.a, g.b, 0, order=2)
 
     def V(*r):
-        def push(q):  # along the segment, q[0] from -1/2 to 1/2
-            return sum(f * x for f, x in zip(F(scaled(q[0] + mpf("0.5"), r)), r, strict=True))
-
+        # along the segment, q[0] from -1/2 to 1/2
+        push = lambda q: sum(f * x for f, x in zip(F(scaled(q[0] + mpf("0.5"), r)), r, strict=True))
         return -mean(push, box(1, 0, 0, order=2))
 
     place = [g.x, g.y, g.z]

@@ -79,10 +79,8 @@ def prove(g: Givens, name: str, out: Number) -> Answers:
 def sketch(g: Givens, ax: AnyAxes, a: Scalar) -> tuple[Sketch, Point, Point]:
     """The figure of both problems, with the length ``a`` of BA."""
     ground, arm, bracket = arm_and_bracket(g)
-    E, C, G, D = (
-        arm.point(n, x, y, 0)
-        for n, x, y in (("E", 0, 0), ("C", g.c, 0), ("G", 1.3 * g.c, 0), ("D", 0, -0.7 * g.c))
-    )
+    places = ("E", 0, 0), ("C", g.c, 0), ("G", 1.3 * g.c, 0), ("D", 0, -0.7 * g.c)
+    E, C, G, D = (arm.point(name, x, y, 0) for name, x, y in places)
     B, A = bracket.point("B", 0, g.b, 0), bracket.point("A", 0, g.b, a)
     s = Sketch(ax, ground, azimuth=35, elevation=14, up="y")
     s.ground(D, normal=ground.j)

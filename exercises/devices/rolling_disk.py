@@ -28,8 +28,7 @@ def rolling_spin(g: Givens) -> Scalar:
         # in the direction of motion of the centre
         return disk.point("contact", 0, -g.r, 0).velocity(ground).x
 
-    (spin,) = solve_rates(slip, 1)
-    return spin
+    return solve_rates(slip, 1)[0]
 
 
 def rolling_steps(g: Givens) -> Steps:
