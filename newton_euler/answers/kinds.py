@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from itertools import chain
 from typing import Any, ClassVar
+from unicodedata import normalize
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.language import Words, _, plural
@@ -532,16 +533,18 @@ class Choice(_Word):
     has_options = True
 
     def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> str:
-        """The word of the list that is meant: capitals and blanks say nothing."""
-        found = {_plain(word): word for word in form.of} | {word: word for word in form.of}
+        """The word of the list that is meant: capitals and blanks say nothing, but between words
+        that differ in nothing else.
+        """
         given = str(value) if isinstance(value, str) else ""
-        if not (word := found.get(given) or found.get(_plain(given))):
+        alike = {word for word in form.of if _plain(word) == _plain(given)}
+        if len(found := {given} & alike or alike) != 1:
             raise form.error("got {value}", value=repr(str(value)[:80]))
-        return word
+        return found.pop()
 
 
 def _plain(word):
-    return " ".join(word.casefold().split())
+    return " ".join(normalize("NFKC", word).casefold().split())
 
 
 KINDS: dict[str, Kind] = {

@@ -128,6 +128,23 @@ def test_a_formula_is_unfit_where_it_is_real_at_fewer_than_half_of_its_points():
     assert "nan at most points" in KINDS["expression"].unfit((real, nan, nan))
 
 
+@pytest.mark.parametrize(
+    ("given", "word"),
+    [
+        ("W", "W"), ("w", "w"), (" w", None), ("Z", "z"), ("\uff5a ", "z"), ("cafe\u0301", "café"),
+        ("one  Of", "one of"), ("", None), (1.0, None), ("y", None),
+    ],
+)  # fmt: skip
+def test_a_choice_is_read_by_its_word_and_by_capitals_only_where_words_differ_in_these(given, word):
+    form = Form("choice", "1", ("w", "W", "z", "café", "one of"))
+    read = lambda: form.kind.read(given, form, {}, [100])
+    if word:
+        assert read() == word
+    else:
+        with pytest.raises(AnswerError, match="expected one of 'w', 'W'"):
+            read()
+
+
 @pytest.mark.parametrize("text", ["choice", "choice, right wrong", "number: m", "tensor, m"])
 def test_a_form_that_names_no_kind_or_a_choice_without_words_is_refused(text):
     with pytest.raises(AnswerError, match=r"a choice lists its words|there are number, vector"):
