@@ -169,7 +169,7 @@ class Inertia(Scaled, NamedTerms):
         if isinstance(axis, str):
             return to_plain(self.moments[axis_index(axis)[0]])
         square = scalar(axis.dot(axis))
-        of_floats = type(square) is float or getattr(square, "shape", ())
+        of_floats = type(square) is float or bool(getattr(square, "shape", ()))
         # n . I n has the size of the moment times the square
         of_any_size = of_floats and not 1e-8 < min_abs(square) <= max_abs(square) < 1e8
         if of_any_size and min_abs(axis.norm()):
