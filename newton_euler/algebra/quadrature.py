@@ -62,8 +62,8 @@ def _piece(f, start, end, rtol, exact):
     if getattr(one, "shape", ()) or epsilon(one) < 2.0**-53:
         try:
             value = integral(lambda x: _finite(f, x), start, end)
-        except SingularError as error:
-            if raised_by_the_caller(error):
+        except SingularError as problem:
+            if raised_by_the_caller(problem):
                 raise
             raise WorkError(
                 f"the integral from {start!r} to {end!r} does not converge; divide it with "

@@ -80,8 +80,7 @@ class Trajectory:
     the class of the error to be raised.
 
     run : the :class:`~newton_euler.motion.run.Run` that it belongs to
-    known : the sizes of the states, as :meth:`sizes` of an earlier trajectory of this run returns
-        them; None for the first
+    known : the sizes of the states, as :meth:`sizes` of an earlier one; None for the first
     scaled : True if the states are divided by their sizes where the method itself does not
     samples : default those of the run
     watched : True if its steps are checked for narrow structures
@@ -153,9 +152,7 @@ class Trajectory:
         return largest, natural, noise
 
     def limits(self, system: PreparedModel, t: float, x: Floats) -> tuple[Floats, Floats, Floats]:
-        """What a stepper needs: the least scale and round-off of each state, and the times to stop
-        at.
-        """
+        """The least scale and the round-off of each state, and the times to stop at."""
         nothing, series = (0.0,) * len(x), self.method.series
         own = KINKED_PART if system.traced.surprises else OWN_PART
         if self.method.closed:
@@ -216,9 +213,8 @@ class Trajectory:
 
     def _follow(self, stepper, events, initial):
         """Go to the goal, or to the first events that end the segment; return these as (t, events,
-        state): there may be several at one time, as where a ball hits a corner.
-
-        initial : the events with which the segment began
+        state): there may be several at one time, as where a ball hits a corner. ``initial`` : the
+        events with which the segment began.
         """
         watched = self.watched and stepper.resumable and stepper.system.traced.narrow
         locators = [EventLocator(e, stepper, any(e is i for i in initial)) for e in events]
@@ -317,18 +313,14 @@ class Trajectory:
             raise StepError(f"{steps} steps led there, and the next ones go back and forth")
 
     def _sticks(self, stepper, first):
-        """True if the steps from number ``first`` on are many in little time, at a border to which
-        the rates on both sides lead back.
-        """
+        """True if many steps from ``first`` on took little time at a border that holds it."""
         span, count = self.goal - self.origin, len(stepper.step_times) - 1 - first
         if count < STICKING or stepper.t - stepper.step_times[first] > STICKING_PART * span:
             return False
         return bool(stuck_at(stepper.system, stepper.t, stepper.x, span))
 
     def unseen(self, error: float) -> float:
-        """The part of the rates that the steps did not see, relative to the scales of the states,
-        which have this error.
-        """
+        """What the steps did not see of the rates, over the scales, for states off by ``error``."""
         total = self.missed
         for part in self.segments if self.repeated else ():
             rows = zip(part.stepper.noise, part.stepper.scales, strict=True)

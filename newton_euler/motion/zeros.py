@@ -1,13 +1,12 @@
-"""All zeros in an interval at which a function of time changes its sign.
+"""All zeros in an interval at which a function of time changes its sign (J. P. Boyd, SIAM J. Numer.
+Anal. 40 (2002) 1666).
 
 The interval is bisected until on each piece the function is known to seven digits: it is the
 polynomial through its values at 13 Chebyshev points, which is compared with the function at three
 more. Then no zero is missed, not even one of two that are close together: between two extrema of
 the polynomial there is at most one, and the signs of the function itself at the extrema show
 whether there is. No piece is given up. Around a kink or a jump the pieces become so short that the
-function is below round-off there, and the signs at their ends decide. J. P. Boyd, Computing zeros
-on a real interval through Chebyshev expansion and polynomial rootfinding, SIAM J. Numer. Anal. 40
-(2002) 1666.
+function is below round-off there, and the signs at their ends decide.
 """
 
 from collections.abc import Callable
@@ -218,15 +217,12 @@ class ZeroSearch:
 
     def _begin(self, piece, value, is_zero):
         """Forget the sign at the start if the value there is round-off."""
-        if abs(value) <= DOUBTFUL * piece.largest and (
-            is_zero or self._is_noise(piece, -1, piece.left, value)
-        ):
+        doubtful = abs(value) <= DOUBTFUL * piece.largest
+        if doubtful and (is_zero or self._is_noise(piece, -1, piece.left, value)):
             self.sign = 0
 
     def _end_sign(self, piece):
-        """The sign at the right end of a piece; if the motion ends there at a zero, the sign that
-        would follow.
-        """
+        """The sign at the right end of a piece; at a zero that ends the motion, the one beyond."""
         value = float(piece.values[DEGREE])
         if self.closed and piece.right == self.b and abs(value) <= DOUBTFUL * piece.largest:
             slope = piece.slope(1)

@@ -74,9 +74,8 @@ def stiffness(
     [True, False]
     """
     about_hinge = inertia_difference if about_hinge is None else about_hinge
-    return (
-        weight_moment * cos(theta) - inertia_difference * (omega * omega) * cos(2 * theta)
-    ) / about_hinge
+    outward = inertia_difference * (omega * omega) * cos(2 * theta)
+    return (weight_moment * cos(theta) - outward) / about_hinge
 
 
 @scene(

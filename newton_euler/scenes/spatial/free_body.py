@@ -102,8 +102,7 @@ def _gap(k, I, w):
 
 
 def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
-    """The Model with the mean of I_x and I_y (10.36): states w_x, w_y; ``spin`` is the constant
-    rate about z.
+    """The Model with the mean of I_x and I_y (10.36): states w_x, w_y; constant ``spin`` about z.
 
     >>> symmetric_wobble(1.0, 3.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-0.5, 2.5)

@@ -1,8 +1,7 @@
 """The ladder of models of the top: slow and exact steady precession, nutation, and a body with the
-moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, in Euler's angles and by the quaternion.
-
-What is observed is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward
-vertical; I0, I, ``mgr``, omega_z as in :mod:`newton_euler.scenes.spatial.top`.
+moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, in Euler's angles and by the quaternion; angles
+3-1-3 and symbols as in :mod:`newton_euler.scenes.spatial.top`. The direction of the axis is
+observed.
 """
 
 from contextlib import suppress

@@ -9,8 +9,7 @@ import sympy
 
 from newton_euler.algebra.units import Dimension
 from newton_euler.answers.forms import Form
-from newton_euler.answers.reading import formula_values
-from newton_euler.answers.trees import TreeError, dimension_hints, evaluate
+from newton_euler.answers.trees import TreeError, dimension_hints, evaluate, formula_values
 from tests.newton_euler.answers.one_answer import SYMBOLS, omega, one, r, theta
 
 

@@ -9,7 +9,7 @@ import pytest
 from newton_euler.algebra.errors import ArgumentError
 from newton_euler.answers import givens
 from newton_euler.classroom import predict, predict_again, tally
-from newton_euler.classroom.predicting import asking, kept, panel, question
+from newton_euler.classroom.predicting import asking, panel, question
 from newton_euler.classroom.predicting.page import folded_html, inline
 from tests.markup import Page
 
@@ -19,7 +19,7 @@ def fresh(tmp_path, monkeypatch):
     """A notebook that has just been opened, in an empty folder."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(asking, "_asked", {})
-    monkeypatch.setattr(kept, "_unwritten", {})
+    monkeypatch.setattr(asking, "_unwritten", {})
 
 
 SIGNS = {"up": "That is the velocity.", "down": "Weight acts all the way."}
@@ -191,17 +191,17 @@ def test_a_prediction_that_an_earlier_version_kept_is_read_for_the_first_of_equa
 
 
 def test_a_damaged_file_and_a_folder_that_cannot_be_written_lose_no_more_than_they_must(tmp_path):
-    (tmp_path / kept.FILE).write_text("{")
+    (tmp_path / asking.FILE).write_text("{")
     assert bounce().given is None
-    (tmp_path / kept.FILE).unlink()
-    (tmp_path / kept.FILE).mkdir()
+    (tmp_path / asking.FILE).unlink()
+    (tmp_path / asking.FILE).mkdir()
     assert "only while this notebook runs" in repr(bounce().choose("a"))
     assert bounce().given == "up"
 
 
 def test_what_is_kept_is_a_small_file_of_text(tmp_path):
     bounce().choose("a")
-    assert json.loads((tmp_path / kept.FILE).read_text()) == {bounce().question.key: "up"}
+    assert json.loads((tmp_path / asking.FILE).read_text()) == {bounce().question.key: "up"}
 
 
 def test_the_tally_counts_and_what_was_wrong_is_asked_again():
