@@ -536,14 +536,15 @@ class Choice(_Word):
         that differ in nothing else.
         """
         given = str(value) if isinstance(value, str) else ""
-        alike = {word for word in form.of if _plain(word) == _plain(given)}
-        if len(found := {given} & alike or alike) != 1:
-            raise form.error("got {value}", value=repr(str(value)[:80]))
-        return found.pop()
+        for plain in (str, _plain, lambda text: _plain(text).casefold()):
+            found = {word for word in form.of if plain(word) == plain(given)}
+            if len(found) == 1:
+                return found.pop()
+        raise form.error("got {value}", value=repr(str(value)[:80]))
 
 
 def _plain(word):
-    return " ".join(normalize("NFKC", word).casefold().split())
+    return " ".join(normalize("NFKC", word).split())
 
 
 KINDS: dict[str, Kind] = {

@@ -131,12 +131,12 @@ def test_a_formula_is_unfit_where_it_is_real_at_fewer_than_half_of_its_points():
 @pytest.mark.parametrize(
     ("given", "word"),
     [
-        ("W", "W"), ("w", "w"), (" w", None), ("Z", "z"), ("\uff5a ", "z"), ("cafe\u0301", "café"),
+        ("W", "W"), ("w", "w"), (" w", "w"), ("\u00d6 ", "Ö"), ("O\u0308", "Ö"), ("Ö", "Ö"), ("Z", "z"), ("\uff5a ", "z"), ("cafe\u0301", "café"),
         ("one  Of", "one of"), ("", None), (1.0, None), ("y", None),
     ],
 )  # fmt: skip
 def test_a_choice_is_read_by_its_word_and_by_capitals_only_where_words_differ_in_these(given, word):
-    form = Form("choice", "1", ("w", "W", "z", "café", "one of"))
+    form = Form("choice", "1", ("w", "W", "z", "café", "one of", "ö", "Ö"))
     read = lambda: form.kind.read(given, form, {}, [100])
     if word:
         assert read() == word

@@ -82,7 +82,7 @@ def test_a_word_is_read_with_capitals_and_blanks(text):
 
 
 def test_words_that_differ_in_a_capital_alone_are_distinguished():
-    assert [one("choice: G | g", x) for x in ("g", "G", " G")] == ["g", "G", "g"]
+    assert [one("choice: G | g", x) for x in ("g", "G", " G")] == ["g", "G", "G"]
 
 
 def test_symengine_is_read_as_sympy_is():
