@@ -1,7 +1,6 @@
 """The ladder of models of the top: slow and exact steady precession, nutation, and a body with the
 moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, in Euler's angles and by the quaternion; angles
-3-1-3 and symbols as in :mod:`newton_euler.scenes.spatial.top`. The direction of the axis is
-observed.
+3-1-3 and symbols as in :mod:`newton_euler.scenes.spatial.top`. Observed is the axis.
 """
 
 from contextlib import suppress
