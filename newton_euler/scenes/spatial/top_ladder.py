@@ -26,7 +26,8 @@ def top_slow_precession(I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar) 
     (0.5,)
     """
     given, neglects = locals(), (NUTATION, NO_TRANSVERSE, ASYMMETRY)
-    return constant_rate("top, slow precession", given, _slow, "psi", neglects=neglects)
+    name, slow = "top, slow precession", lambda p: p.mgr / (p.I * p.omega_z)
+    return constant_rate(name, given, slow, "psi", neglects=neglects)
 
 
 def top_steady_precession(
@@ -108,10 +109,6 @@ def _third(s, p, t):
 
 
 _q, _w, _steady = attrgetter(*QUATERNION), attrgetter(*RATES), attrgetter("rate")
-
-
-def _slow(p):
-    return p.mgr / (p.I * p.omega_z)
 
 
 def _axis_rates(s, p, t):
