@@ -205,9 +205,8 @@ class Model(Portable):
 
     def _rhs_text(self, free, fixed, laws):
         """What the right-hand side and the laws read, and its text: a pair; see :func:`current`.
-
-        free : the names of the parameters that are its arguments
-        fixed, laws : the other parameters as pairs (name, value); the functions among these
+        Parameters are its arguments if their names are ``free``; others are ``fixed``, pairs (name,
+        value), of which the functions are ``laws``.
         """
 
         def text():

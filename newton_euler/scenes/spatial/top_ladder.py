@@ -100,7 +100,6 @@ def _fixed(s, p, t):
 
 
 def _along(s, p, t):
-    """The direction, from the states psi and theta."""
     return _direction(s.psi, s.theta)
 
 
@@ -112,7 +111,6 @@ _q, _w, _steady = attrgetter(*QUATERNION), attrgetter(*RATES), attrgetter("rate"
 
 
 def _axis_rates(s, p, t):
-    """The rates of theta, theta_rate and psi."""
     tangent, q, whole, rest = half_tangent_sides(s, p)
     # (p_psi - p_phi cos(theta))/(I0 sin^2(theta)), by the tangent that is there already
     precession = (whole * (1 + tangent**2) + q + rest / tangent) / (4 * p.I0)
