@@ -57,13 +57,11 @@ def _listed(fit: Fit, off: Sequence[int], wrong: Sequence[tuple[Cause, Points]])
 
 def _wrong(fit, kind):
     """The places of each wrong component; of a matrix, an entry with its mirror image."""
-    near = NOISE if kind.is_formula else kind.rtol
-    pairs = [*zip(fit.given, fit.key, fit.sizes, strict=True)]
-    has_places = fit.index is not None and len(fit.key[0]) > 2
-    places = range(len(fit.key[0]) if has_places else 0)
-    off = [n for n in places if any(abs(x[n] - k[n]) > near * size for x, k, size in pairs)]
-    mirrored = [3 * (n % 3) + n // 3 if len(places) == 9 else n for n in places]
-    if len(places) == 9 and _is_flat(fit.given) and _is_flat(fit.key):
+    if (length := len(fit.key[0])) < 3:
+        return []
+    off = fit.off(NOISE if kind.is_formula else kind.rtol)
+    mirrored = [3 * (n % 3) + n // 3 if length == 9 else n for n in range(length)]
+    if length == 9 and _is_flat(fit.given) and _is_flat(fit.key):
         off = [n for n in off if n != 8 or len(off) == 1]  # I_zz follows from the two others
     return [tuple({n, mirrored[n]}) for n in off if n <= mirrored[n] or mirrored[n] not in off]
 

@@ -18,10 +18,9 @@ from .causes import DIRECTION, FIRST_DIGITS, NEAR, NEAR_IN_FEW_DIGITS, NUMBERS, 
 from .fit import Fit, most_digits
 from .messages import StatedForm
 from .notation import list_symbol, matrix_symbol
-from .reading import Budget, are_one_vector, formula_values, numbers
 from .sympy_formulas import read_formula
 from .tolerance import RTOL, Point, Points, distance, formula_is_near, is_near
-from .trees import TreeError
+from .trees import Budget, TreeError, are_one_vector, formula_values, numbers
 from .values import components, read_number
 
 MOST = 10**15  # the largest count; JSON has no place for thousands of digits
@@ -95,7 +94,7 @@ class Kind:
         self, tree: Any, form: StatedForm, symbols: Mapping[str, Any], budget: Budget
     ) -> list[Points]:
         """The readings of an answer in JSON: for a vector that is given in several frames, its
-        components in each, of which :func:`~.frames.counted` finds those that count; [] for
+        components in each, of which :func:`~.verdicts.counted` finds those that count; [] for
         anything not of this kind. Raises :class:`~.trees.TreeError`.
 
         symbols : {name: array of the points at which formulas are compared}

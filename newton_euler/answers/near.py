@@ -112,7 +112,7 @@ class Slips:
     def near(self, key: str, fit: Fit, kind: Kind) -> list[tuple[int, Cause, Points]]:
         """[(level, cause, points)] of the slips that an answer is nearer to than by chance."""
         ranked = self.ranked(key)
-        if ranked is None or fit.index is None:
+        if ranked is None:
             return []
         if not any(map(any, fit.given)):
             return self._giving_zero(key, ranked, fit)

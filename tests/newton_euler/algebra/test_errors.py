@@ -98,14 +98,12 @@ def test_an_error_of_the_users_function_arrives_as_raised_with_its_place(name, e
 
 CIRCLE = lambda q: (cos(6.283185307179586 * q), sin(6.283185307179586 * q), 0)
 LATER = {  # calls of a function that fails after it has been of use, and one that does not
-    "force round a loop": (
-        lambda f: find_potential(f, loops=[CIRCLE]), lambda x, y, z: (x, y, z)
-    ),
+    "force round a loop": (lambda f: find_potential(f, loops=[CIRCLE]), lambda x, y, z: (x, y, z)),
     "constraint": (
         lambda f: degrees_of_freedom({"P": 2}, {"rod": lambda P: f(*P)}),
         lambda x, y: x * x + y * y - 1,
     ),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize(("call", "well"), LATER.values(), ids=LATER)
