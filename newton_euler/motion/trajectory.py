@@ -229,9 +229,11 @@ class Trajectory:
                 if isinstance(error, LengthError) or not self._rougher(stepper, done):
                     raise
                 continue
-            if len(stepper.step_times) > patience:
+            steps = len(stepper.step_times) - 1
+            if steps >= patience:
                 patience += CRAWLING
-                self._check_crawling(stepper)
+                if self._sticks(stepper, steps - STICKING):
+                    raise StepError(f"{steps} steps led there, and the next ones go back and forth")
             if watched:
                 self._see(stepper, step, done, min(limit, MAX_STEPS))
             for locator in locators:
@@ -305,12 +307,6 @@ class Trajectory:
                 if all(m <= max(f, x) for m, f, x in zip(made, floors, changes, strict=True)):
                     break  # else the way that missed it has made them too large
         self.missed += passed.size
-
-    def _check_crawling(self, stepper):
-        """Raise :class:`StepError` where a motion that sticks takes steps without end."""
-        if self._sticks(stepper, len(stepper.step_times) - 1 - STICKING):
-            steps = len(stepper.step_times) - 1
-            raise StepError(f"{steps} steps led there, and the next ones go back and forth")
 
     def _sticks(self, stepper, first):
         """True if many steps from ``first`` on took little time at a border that holds it."""

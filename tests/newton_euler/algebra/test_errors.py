@@ -126,14 +126,12 @@ def test_an_error_of_the_engines_kinds_that_a_user_raises_arrives_as_raised(name
 
 CIRCLE = lambda q: (cos(6.283185307179586 * q), sin(6.283185307179586 * q), 0)
 LATER = {  # calls of a function that fails after it has been of use, and one that does not
-    "force round a loop": (
-        lambda f: find_potential(f, loops=[CIRCLE]), lambda x, y, z: (x, y, z)
-    ),
+    "force round a loop": (lambda f: find_potential(f, loops=[CIRCLE]), lambda x, y, z: (x, y, z)),
     "constraint": (
         lambda f: degrees_of_freedom({"P": 2}, {"rod": lambda P: f(*P)}),
         lambda x, y: x * x + y * y - 1,
     ),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize(("call", "well"), LATER.values(), ids=LATER)

@@ -117,15 +117,12 @@ def test_a_key_with_a_component_that_could_be_left_out_is_unfit(point, words):
     assert KINDS["vector"].unfit((point,)) == words
 
 
-def test_a_component_of_just_the_least_share_may_be_asked_for(monkeypatch):
-    monkeypatch.setattr(tolerance, "COMPONENT", 0.6)
-    assert KINDS["vector"].unfit(((3.0, 4.0),)) is None
-
-
-def test_a_formula_is_unfit_where_it_is_real_at_fewer_than_half_of_its_points():
+def test_a_key_is_unfit_below_the_least_share_and_a_formula_that_is_rarely_real(monkeypatch):
     real, nan = (1.0,), (math.nan,)
     assert KINDS["expression"].unfit((real, nan)) is None
     assert "nan at most points" in KINDS["expression"].unfit((real, nan, nan))
+    monkeypatch.setattr(tolerance, "COMPONENT", 0.6)
+    assert KINDS["vector"].unfit(((3.0, 4.0),)) is None
 
 
 @pytest.mark.parametrize(
@@ -162,13 +159,10 @@ def test_components_in_two_frames_of_unlike_size_are_those_of_two_vectors():
 # -- direction
 
 
-@pytest.mark.parametrize(
-    ("given", "right"),
-    [
-        ((0.6, 0.0, -0.8), True), ((-0.6, 0.0, 0.8), True), ((30.0, 0.0, -40.0), True),
-        ((-3e-9, 0.0, 4e-9), True), ((0.6, 0.0, 0.8), False), ((0.6, 0.0, -0.81), False),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("given", "right"), [
+    ((0.6, 0.0, -0.8), True), ((-0.6, 0.0, 0.8), True), ((30.0, 0.0, -40.0), True),
+    ((-3e-9, 0.0, 4e-9), True), ((0.6, 0.0, 0.8), False), ((0.6, 0.0, -0.81), False),
+])  # fmt: skip
 def test_a_direction_has_any_length_and_either_sense(given, right):
     assert DIRECTION.is_right((given,), KEY, 1e-6) is right
 
@@ -190,13 +184,15 @@ def test_a_direction_is_read_and_explained_whatever_its_length(scale):
         assert right or diagnose(points, DIRECTION.like(KEY, points), [], DIRECTION)
 
 
-def test_a_direction_of_length_zero_is_refused_in_words():
+def test_a_direction_of_length_zero_is_refused_and_others_move_by_the_angle_alone():
     form = Form(DIRECTION)
     with pytest.raises(AnswerError, match="length zero, which has no direction"):
         DIRECTION.read([0, 0, 0], form, {}, [100])
     with pytest.raises(TreeError, match="length zero has no direction"):
         DIRECTION.readings([0, 0.0, 0], form, {}, [100])
     assert not DIRECTION.is_right(((0.0, 0.0, 0.0),), KEY, 1e-6)
+    assert DIRECTION.change(((-1.2, 0.0, 1.6),), KEY) == pytest.approx(0.0, abs=1e-15)
+    assert DIRECTION.change(((-0.8, 0.0, -0.6),), KEY) == pytest.approx(math.sqrt(2))
 
 
 def test_a_direction_is_read_in_every_frame_of_a_vector():
@@ -218,11 +214,6 @@ def test_wrong_directions_are_explained_whatever_their_length_and_sense():
     )
     nearly = ((-0.603, 0.0, 0.81),)
     assert DIRECTION.observed(nearly, DIRECTION.like(KEY, nearly)) == NEAR
-
-
-def test_other_numbers_move_a_direction_by_the_angle_alone():
-    assert DIRECTION.change(((-1.2, 0.0, 1.6),), KEY) == pytest.approx(0.0, abs=1e-15)
-    assert DIRECTION.change(((-0.8, 0.0, -0.6),), KEY) == pytest.approx(math.sqrt(2))
 
 
 @pytest.mark.parametrize(
