@@ -52,7 +52,8 @@ def advise(
             return Advice(d.problem, _(text, problem=d.problem, names=joined(d.open[:3])))
     for d in sorted(done, key=lambda d: d.due):
         if d.due <= today and d.problem != now:
-            return Advice(d.problem, _again(d, today))
+            text = Words("Again {problem}, with other numbers: {why}.")
+            return Advice(d.problem, _(text, problem=d.problem, why=_why(d, today)))
     fresh = [p for p in sections if p not in {d.problem for d in done} and p != now]
     for d in latest:
         if d.missed and (near := _alike(d, fresh, sections, may_err)):
@@ -68,10 +69,6 @@ def advise(
             "All is done for now. {problem} comes again in {n} days.", days, problem=first.problem,
         ))  # fmt: skip
     return Advice("", _("There is no problem to do."))
-
-
-def _again(d, today):
-    return _("Again {problem}, with other numbers: {why}.", problem=d.problem, why=_why(d, today))
 
 
 def _done(problem, section, progress):
