@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..algebra.errors import checked
-from ..algebra.language import _
+from ..algebra.language import Words, _
 from .checks import Check, check
 from .forms import AnswerError, Form
 from .givens import in_notebook, outdated, seals, stale
@@ -245,10 +245,7 @@ def record(
             faults[key], budget[0] = str(error), left
         # objects of any library may fail in any way: that answer is refused, the others are read
         except Exception as error:
-            fault = form.error(
-                "the value given cannot be read: {name}: {error}",
-                name=type(error).__name__,
-                error=error,
-            )
+            text = Words("the value given cannot be read: {name}: {error}")
+            fault = form.error(text, name=type(error).__name__, error=error)
             faults[key], budget[0] = str(fault)[:500], left
     return read, faults
