@@ -101,12 +101,9 @@ class PracticeFile:
     def page(self, problem: str) -> dict[str, Any]:
         """What the file has of a problem, "4/16"."""
         if problem not in self.problems:
-            text, file = (
-                Words("{file} has no problem {problem}; it has {all}"),
-                Path(self.called).name,
-            )
-            known = ", ".join(self.problems)
-            raise PracticeFileError(text, file=file, problem=repr(problem), all=known)
+            text = Words("{file} has no problem {problem}; it has {all}")
+            named = {"problem": repr(problem), "all": ", ".join(self.problems)}
+            raise PracticeFileError(text, file=Path(self.called).name, **named)
         page: dict[str, Any] = self._json(f"{problem.replace('/', '-')}.json")
         for shape, missing in EARLIER:
             if _fits(page, shape):
