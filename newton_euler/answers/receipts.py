@@ -88,20 +88,16 @@ def _asked(problem, answers):
         )
     forms = _expected[problem][0]
     for key in (key for key in answers if key not in forms):
-        raise AnswerError(
-            "problem {problem} does not ask for {key}; it asks for {asked}",
-                problem=problem, key=repr(key), asked=", ".join(forms)
-        )  # fmt: skip
+        text = Words("problem {problem} does not ask for {key}; it asks for {asked}")
+        raise AnswerError(text, problem=problem, key=repr(key), asked=", ".join(forms))
     return _expected[problem]
 
 
 def _refuse_in(execution, problem, blank):
     """Refuse open answers where nbgrader validates, and refuse its own grading."""
     if execution == "validate" and blank:
-        raise OpenAnswer(
-            "{problem}: no answer yet for {blank}; an open answer earns no points",
-                problem=problem, blank=blank
-        )  # fmt: skip
+        text = Words("{problem}: no answer yet for {blank}; an open answer earns no points")
+        raise OpenAnswer(text, problem=problem, blank=blank)
     if execution == "autograde":
         raise AnswerError(
             "{problem} is not graded here, since nbgrader runs without this course's "

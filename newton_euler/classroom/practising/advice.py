@@ -57,8 +57,8 @@ def advise(
     fresh = [p for p in sections if p not in {d.problem for d in done} and p != now]
     for d in latest:
         if d.missed and (near := _alike(d, fresh, sections, may_err)):
-            return Advice(near, _("{problem} is of section {number}, too: {why}.",
-                                problem=near, number=d.section, why=_why(d, today)))  # fmt: skip
+            text = Words("{problem} is of section {number}, too: {why}.")
+            return Advice(near, _(text, problem=near, number=d.section, why=_why(d, today)))
     if fresh:
         return _onwards(fresh, sections, latest)
     if done:
@@ -90,10 +90,8 @@ def _why(d, today):
     when = _("today") if days < 1 else plural("yesterday", "{n} days ago", days)
     for key, cause in reversed(d.missed):
         if cause:
-            return _(
-                "{when} your {key} of {problem} fitted a solution that {cause}",
-                when=when, key=key, problem=d.problem, cause=cause[2],
-            )  # fmt: skip
+            text = Words("{when} your {key} of {problem} fitted a solution that {cause}")
+            return _(text, when=when, key=key, problem=d.problem, cause=cause[2])
     if not d.missed:
         return _("{when} all of it was right", when=when)
     names = joined(list(dict.fromkeys(key for key, _cause in d.missed))[:3])
