@@ -103,10 +103,9 @@ def unsettled(stepper: Stepper, end: float) -> float:
 
 
 def _last_digit(system, before, after, first, last):
-    """How much each state is off between two points (time, *state) since the last digit of what is
-    compared decides when the rates jump: their jump for that time.
-
-    first, last : the values of :func:`choices` at the points
+    """How much each state is off between two points (time, *state), with ``first`` and ``last``
+    values of :func:`choices`, since their last digit decides when the rates jump: the jump for that
+    time.
     """
     run, p = system.traced.compiled_choices, system.p
     moved, late = run(before[0], *after[1:], *p), 0.0  # the change by the states alone

@@ -1,6 +1,4 @@
-"""One integration of one motion: the choice of the method and of its tolerance, and the comparison
-of its estimated error with the rtol.
-"""
+"""One integration of one motion: the method, its tolerance, its error against the rtol."""
 
 import math
 from collections.abc import Callable

@@ -59,8 +59,7 @@ def partition(system: System) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
 
 
 def principal_moments(system: System) -> Floats | None:
-    """The principal moments of inertia, up to a factor, of a model that is Euler's equations of a
-    free body; None for any other model.
+    """The principal moments of inertia, up to a factor, of a free body's model; else None.
 
     Such a model has three rates, each a constant times the product of the other two states, with
     constants that correspond to moments of inertia.
