@@ -5,8 +5,9 @@ functions are written out by these, sec x as 1/cos x, and unevaluated parts are 
 from collections.abc import Mapping
 from typing import Any
 
+from ..algebra.language import Words
 from ..algebra.scalars import FUNCTIONS, clipped, without_rates
-from .trees import NODES, Tree, TreeError, check_size
+from .trees import NODES, Budget, Tree, TreeError, check_size
 from .values import read_number, refuse_equation
 
 I_TREE = ["^", -1, 0.5]
@@ -47,10 +48,8 @@ _COMPARISONS = {
 }
 
 
-def read_formula(x: Any, form: Any, symbols: Mapping[str, str], budget: list[int]) -> Tree:
-    """The tree of a formula: a number, the name of a symbol, or [operator, ...]. ``budget``: a list
-    of one number, the operations of the receipt that may still be read.
-    """
+def read_formula(x: Any, form: Any, symbols: Mapping[str, str], budget: Budget) -> Tree:
+    """The tree of a formula: a number, the name of a symbol, or [operator, ...]."""
     tree = _Reader(form, symbols).read(_with_real_symbols(x))
     try:
         check_size(tree, budget)
@@ -101,12 +100,8 @@ class _Reader:
 
     def _symbol(self, x):
         if x.name not in self.symbols:
-            known = ", ".join(self.symbols)
-            raise self.form.error(
-                "it contains {name}, but the symbols of the problem are {known}",
-                name=repr(x.name),
-                known=known,
-            )
+            text = Words("it contains {name}, but the symbols of the problem are {known}")
+            raise self.form.error(text, name=repr(x.name), known=", ".join(self.symbols))
         return x.name
 
     def _function(self, x):
