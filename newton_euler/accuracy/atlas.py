@@ -72,11 +72,8 @@ def _page(entries, quick):
             contents += f"<h2>{question}</h2><ul>{''.join(links)}</ul>"
             parts = "".join(text for _, text in own)
             sections += f"<section><h2>{question}</h2><p>{answer}</p>{parts}</section>"
-    about, page = escape(_about(quick)), Template(PAGE.read_text(encoding="utf-8"))
-    return page.substitute(title=TITLE, about=about, contents=contents, sections=sections)
-
-
-def _about(quick):
     where = f"{platform.machine()}, Python {platform.python_version()}"
-    when = f"Measured on {date.today():%d %B %Y} on {where}{', quickly' if quick else ''}. "
-    return f"{when}{READING} Captions come from the measurements."
+    when = f"Measured on {date.today():%d %B %Y} on {where}{', quickly' if quick else ''}."
+    about = escape(f"{when} {READING} Captions come from the measurements.")
+    page = Template(PAGE.read_text(encoding="utf-8"))
+    return page.substitute(title=TITLE, about=about, contents=contents, sections=sections)

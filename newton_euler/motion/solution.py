@@ -161,19 +161,18 @@ class Motion(Guided):
             inside = ((begin <= t) & (t <= end)).all()
         if not inside:
             raise ModelError(f"the motion goes from t = {begin:g} to {end:g}; got t = {t!r}")
-        return self._at(t) if getattr(t, "ndim", 0) else self._at_one(float(t))
+        if getattr(t, "ndim", 0):
+            return self._at(t)
+        t, found = float(t), dict.fromkeys(self._names, math.nan)
+        if t == self.t_end:
+            return found | self.end
+        part = [part for part in self.segments if part.t0 <= t][-1]
+        return found | dict(zip(part.system.model.states, part.stepper.state_at(t), strict=True))
 
     @property
     def _names(self):
         """Those of the states of all segments, as the keys of a dict."""
         return dict.fromkeys(n for part in self.segments for n in part.system.model.states)
-
-    def _at_one(self, t):
-        found = dict.fromkeys(self._names, math.nan)
-        if t == self.t_end:
-            return found | self.end
-        part = [part for part in self.segments if part.t0 <= t][-1]
-        return found | dict(zip(part.system.model.states, part.stepper.state_at(t), strict=True))
 
     def _at(self, times):
         segments = self.segments
