@@ -24,8 +24,7 @@ class UnfitError(ModelError):
 
 class MotionError(ModelError):
     """Raised where a motion could not be followed to its end; ``reached`` is the :class:`Motion` up
-    to there. Its subclasses name what can be done; of this class itself: the coordinates may be
-    singular there, so take others.
+    to there. Subclasses name what can be done; else the coordinates may be singular: take others.
     """
 
     reached: Any  # a Motion; of an AccuracyError perhaps Motions, of a file above
@@ -39,9 +38,8 @@ class MotionError(ModelError):
 
 
 class StickingError(MotionError):
-    """Raised where the rates on both sides of a place lead back to it, as those of dry friction at
-    rest: write an :class:`~newton_euler.motion.events.Event` there, whose ``then`` continues with a
-    model of what sticks.
+    """Raised where the rates on both sides of a place lead back to it, as of dry friction at rest:
+    write an :class:`~.events.Event`, whose ``then`` continues with a model of what sticks.
     """
 
 
