@@ -147,6 +147,17 @@ class Terms(Guided, dict[str, T], Generic[T]):
     def __ror__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
         return Terms(other) | self
 
+    def update(self, other: Mapping[str, T]) -> None:  # type: ignore[override]
+        """Add terms: ``|`` in place."""
+        both = self | other
+        self.clear()
+        super().update(both)
+        self.shared = both.shared
+
+    def copy(self) -> "Terms[T]":
+        """The same terms in another dict."""
+        return Terms(self)
+
     def get(self, name: str, default: Any = None) -> Any:
         """The term of this name, or the ``default``."""
         return self[name] if name in self or name in self.shared.values() else default
@@ -226,7 +237,7 @@ class Ledger:
         self.kind, self.subject, self._make, self.scaled = kind, subject, make, scaled
         self._terms: Terms | None = None
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return self._make is not None
 
     def __reduce__(self):
@@ -429,10 +440,10 @@ class Amount(NamedTerms):
             f"number={self.number!r}, error={self.error!r})"
         )
 
-    def __float__(self):
+    def __float__(self) -> float:
         return float(self.value)
 
-    def __neg__(self):
+    def __neg__(self) -> Scalar:
         return -self.value
 
     __add__ = __radd__ = _operation(operator.add)

@@ -6,7 +6,7 @@ from math import inf
 from typing import Any, NamedTuple, Protocol
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.places import note_place, raised_by_the_engine
+from ..algebra.places import note_place, raised_by_the_caller, raised_by_the_engine
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
@@ -194,7 +194,8 @@ class Trajectory:
         except ModelError:
             raise
         except (ArithmeticError, ValueError) as error:
-            if not isinstance(error, NewtonEulerError) and note_place(error):
+            is_engines = isinstance(error, NewtonEulerError) and not raised_by_the_caller(error)
+            if not is_engines and note_place(error):
                 raise  # the error of an event's function or of progress
             stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)
