@@ -1,7 +1,7 @@
 """Checks of a problem: solve and prove agree, units fit, mistakes differ from the key."""
 
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from itertools import combinations
 from typing import Any
@@ -180,9 +180,8 @@ def _dimensions(p):
 
 def _exchanged(p):
     """Mistakes whose answer has the dimension of another: perhaps stored under the wrong key."""
-    g = p.dimensions()
     try:
-        named = p.code.mistakes(g)
+        named = p.code.mistakes(p.dimensions())
     except DimensionError:  # a wrong model may add unlike quantities
         return []
     asked = {a.key: unit(a.unit).dimension for a in p.answers if not a.kind.is_word}
@@ -259,9 +258,7 @@ def _differences(key, ways, proved, atol):
 
 
 def proved_steps(
-    p: Problem,
-    given: Mapping[str, float],
-    proof: Callable[[Mapping[str, float]], dict[str, Any]] | None = None,
+    p: Problem, given: Mapping[str, float], proof: _Proof | None = None
 ) -> dict[str, Any]:
     """{key: value in base units} of the steps that ``prove`` returns, in 50 digits."""
     found, asked = (proof or _Proof(p))(given), {a.key for a in p.answers}

@@ -45,8 +45,7 @@ def slip(
     gear = ground.rotate("gear", axis, rate=gear_rate)
     here = coordinates(axis, side * g.r, g.R)
     v, w = (body.point("tooth", *here).velocity(ground) for body in (pinion, gear))
-    difference = v - w
-    return getattr(difference, next_axis(next_axis(axis)))
+    return getattr(v - w, next_axis(next_axis(axis)))
 
 
 def meshing_rates(g: Givens, axis: str, first: Scalar, second: Scalar) -> tuple[Scalar, ...]:

@@ -7,20 +7,12 @@ the rim, A is at the top and B at the side on +x.
 
 from typing import TypeAlias
 
-from exercises.annotations import (
-    Answers,
-    AnyAxes,
-    Follows,
-    Functions,
-    Givens,
-    Mistakes,
-    Number,
-    Scalar,
-    Steps,
-)
+from exercises.annotations import Answers, Follows, Functions, Givens, Mistakes, Scalar, Steps
+from exercises.catalogue.proofs.digits import Number
 from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, spun, terms
 from newton_euler import Frame, Point, Vector
+from newton_euler.drawing import AnyAxes
 
 Frames: TypeAlias = tuple[Frame, Frame, Frame]  # ground, bracket, disk
 

@@ -223,7 +223,7 @@ class Ledger:
         self.kind, self.subject, self._make, self.scaled = kind, subject, make, scaled
         self._terms: Terms | None = None
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return self._make is not None
 
     def __reduce__(self):
@@ -426,10 +426,10 @@ class Amount(NamedTerms):
             f"number={self.number!r}, error={self.error!r})"
         )
 
-    def __float__(self):
+    def __float__(self) -> float:
         return float(self.value)
 
-    def __neg__(self):
+    def __neg__(self) -> Scalar:
         return -self.value
 
     __add__ = __radd__ = _operation(operator.add)

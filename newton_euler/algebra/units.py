@@ -73,7 +73,7 @@ class Dimension(_Own):
 
     __radd__ = __sub__ = __rsub__ = __add__
 
-    def __neg__(self):
+    def __neg__(self) -> "Dimension":
         return self
 
     __abs__ = __neg__
@@ -153,7 +153,7 @@ class Compared(_Own):
 
     __slots__ = ()
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         raise DimensionError("dimensions have no values to compare: choose by where(x < y, a, b)")
 
     def where(self, a: Scalar, b: Scalar) -> Scalar:
