@@ -208,11 +208,11 @@ FIRST_DIGITS = remark(
 )
 
 
-def right_but(places: Sequence[int], key: Sequence[float]) -> Cause | None:
+def right_but(places: Sequence[int], key: Sequence[float], is_matrix: bool = False) -> Cause | None:
     """A remark: some components, or entries of a matrix, are not right; the others are. None of
     more entries than a student reads.
     """
-    if len(key) == 9:
+    if is_matrix:
         names = _entries(places, key)
         if len(names) > ENTRIES:
             return None
@@ -323,10 +323,8 @@ LOST = {
 def multiplied(what: str, factor: float, large: bool) -> Cause:
     """The answer is off by the factor between two units, or by 2."""
     how, why = HOW[large], LOST.get(factor, Words("check the unit that is asked for"))
-    text = Words(
-        "is {factor} times too {how} ({what}): {why}",
-        factor=f"{factor:.4g}", how=how, what=what, why=why,
-    )  # fmt: skip
+    text = Words("is {factor} times too {how} ({what}): {why}")
+    text = Words(text, factor=f"{factor:.4g}", how=how, what=what, why=why)
     return Cause("factor", f"{what} {how}", text)
 
 
@@ -398,9 +396,11 @@ def in_this_part(cause: Cause) -> Cause:
     return here if len(words.split()) <= WORDS and here.why in words else cause
 
 
-def in_components(cause: Cause, places: Sequence[int], key: Sequence[float]) -> Cause:
+def in_components(
+    cause: Cause, places: Sequence[int], key: Sequence[float], is_matrix: bool = False
+) -> Cause:
     """The same cause in some components alone, where the others are right."""
-    if len(key) == 9:
+    if is_matrix:
         names = joined(_entries(places, key))
         text = Words("in {entries} {cause}", entries=names, cause=cause.text)
     else:

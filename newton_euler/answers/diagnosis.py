@@ -302,7 +302,7 @@ def _stages(
     yield of([*near["omitted"], *near["term"]], single)
     yield of(near["unit"], single)
     yield [
-        *of(multiples(fit, factors), single),
+        *of(multiples(fit, factors, kind.is_along_axes), single),
         *of(m for m in wrong if m[0].group == "usual"),
         *_of_unlike_axes(near["axes"], fit),
         *_of_unlike_axes(near["turned"], fit),

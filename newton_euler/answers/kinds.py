@@ -7,14 +7,15 @@ import math
 from collections.abc import Mapping, Sequence
 from itertools import chain
 from typing import Any, ClassVar
+from unicodedata import normalize
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.language import Words, _, plural
 from ..algebra.scalars import clipped, sqrt
 from ..algebra.units import unit as unit_of
 from ..algebra.vectors import Vector
-from . import slips, tolerance
-from .causes import DIRECTION, FIRST_DIGITS, NEAR, NEAR_IN_FEW_DIGITS, NUMBERS, Cause, right_but
+from . import causes, slips, tolerance
+from .causes import Cause
 from .fit import Fit, most_digits
 from .messages import StatedForm
 from .notation import list_symbol, matrix_symbol
@@ -41,6 +42,7 @@ class Kind:
     is_word: ClassVar[bool] = False  # True: no unit, no size, no components
     is_formula: ClassVar[bool] = False  # True: written in the symbols of the problem
     is_vector: ClassVar[bool] = False  # True: its components are along axes
+    is_matrix: ClassVar[bool] = False  # True: each is along two axes, in rows
     has_size: ClassVar[bool] = True  # True: the givens of the problem determine it
     has_options: ClassVar[bool] = False  # True: its form lists the words to choose from
     is_met_by_chance: ClassVar[bool] = False  # True: wrong models often give it
@@ -60,6 +62,11 @@ class Kind:
     def length(self) -> int:
         """The number of its components."""
         return math.prod(self.shape)
+
+    @property
+    def is_along_axes(self) -> bool:
+        """True if its components are those of a vector or a matrix."""
+        return self.is_vector or self.is_matrix
 
     @property
     def numeric(self) -> "Kind":
@@ -148,10 +155,11 @@ class Kind:
         """
         size, gap = math.hypot(*key[0]), math.dist(given[0], key[0])
         if slips.is_rounded(given, key) and gap <= tolerance.TWO_DIGITS * size:
-            return FIRST_DIGITS
+            return causes.FIRST_DIGITS
         if not size or gap > tolerance.NEARLY * size:
             return None
-        return NEAR_IN_FEW_DIGITS if most_digits(given[0]) < tolerance.DIGITS else NEAR
+        few = most_digits(given[0]) < tolerance.DIGITS
+        return causes.NEAR_IN_FEW_DIGITS if few else causes.NEAR
 
     def _in_part(self, given, key):
         """The remark that some components are right, if one of these is not zero."""
@@ -160,7 +168,14 @@ class Kind:
         places = range(self.length)
         off = [n for n in places if any(not abs(x[n] - k[n]) <= e for x, k, e in triples)]
         right = any(abs(k[n]) > e for _, k, e in triples for n in {*places} - {*off})
-        return right_but(off, key[0]) if right and off else None
+        named = right and off and self.is_along_axes
+        return causes.right_but(off, key[0], self.is_matrix) if named else None
+
+    def in_part(self, cause: Cause, places: Sequence[int], key: Point) -> Cause:
+        """The same cause in some components alone, where the others are right."""
+        if not self.is_along_axes:
+            return cause
+        return causes.in_components(cause, places, key, self.is_matrix)
 
     # -- other numbers
 
@@ -196,6 +211,10 @@ class Kind:
             return matrix_symbol(self.nested(parts))
         return rf"\left[{list_symbol(parts)}\right]" if self.shape else parts[0]
 
+    def names(self, key: str) -> list[str]:
+        """The names in formulas of the components of ``key``: v_x, v_y and v_z of a vector v."""
+        return [f"{key}_{n}" for n in range(1, self.length + 1)] if self.shape else [key]
+
     def places(self) -> list[str]:
         """The names of its components for a reader, "" of the only one."""
         if not self.shape:
@@ -223,6 +242,9 @@ class VectorKind(Kind):
     words = Words("a vector, three numbers as in [1.0, 0, -2.5]")
     shape = (3,)
     is_vector = True
+
+    def names(self, key: str) -> list[str]:
+        return [f"{key}_{axis}" for axis in "xyz"]
 
     def places(self) -> list[str]:
         return [_("first component"), _("second component"), _("third component")]
@@ -278,7 +300,7 @@ class VectorKind(Kind):
         fit, size = Fit(given, key, self.rtol), math.hypot(*key[0])
         off = abs(math.hypot(*given[0]) - size)
         is_turned = size and off <= max(tolerance.SAME_SIZE * size, fit.rounding)
-        return DIRECTION if is_turned else self._in_part(given, key)
+        return causes.DIRECTION if is_turned else self._in_part(given, key)
 
 
 def _chain(frame):
@@ -355,6 +377,10 @@ class Matrix(Kind):
     title = Words("matrix")
     words = Words("a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]")
     shape = (3, 3)
+    is_matrix = True
+
+    def names(self, key: str) -> list[str]:
+        return [f"{key}_{row}{column}" for row in "xyz" for column in "xyz"]
 
     def slips(self, fit: Fit) -> slips.Models:
         return slips.of_matrix(fit)
@@ -410,7 +436,7 @@ class _Formula(Kind):
         ratios = [x / k if k else math.inf for x, k in pairs if k or x]
         first = next((x for x in ratios if math.isfinite(x)), 0.0)
         alike = first and all(abs(x - first) <= self.rtol * abs(first) for x in ratios)
-        return NUMBERS if alike else self._in_part(given, key)
+        return causes.NUMBERS if alike else self._in_part(given, key)
 
     def unfit(self, points):
         """Why it is a bad key: no number at most points."""
@@ -500,16 +526,19 @@ class Choice(_Word):
     has_options = True
 
     def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> str:
-        """The word of the list that is meant: capitals and blanks say nothing."""
-        found = {_plain(word): word for word in form.of} | {word: word for word in form.of}
+        """The word of the list that is meant: capitals and blanks say nothing, but between words
+        that differ in nothing else.
+        """
         given = str(value) if isinstance(value, str) else ""
-        if not (word := found.get(given) or found.get(_plain(given))):
-            raise form.error("got {value}", value=repr(str(value)[:80]))
-        return word
+        for plain in (str, _plain, lambda text: _plain(text).casefold()):
+            found = {word for word in form.of if plain(word) == plain(given)}
+            if len(found) == 1:
+                return found.pop()
+        raise form.error("got {value}", value=repr(str(value)[:80]))
 
 
 def _plain(word):
-    return " ".join(word.casefold().split())
+    return " ".join(normalize("NFKC", word).split())
 
 
 KINDS: dict[str, Kind] = {

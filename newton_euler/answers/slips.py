@@ -56,11 +56,11 @@ def factors(stated_in: str) -> Mapping[str, float]:
     return found | WEIGHTS if mass else found
 
 
-def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
+def multiples(fit: Fit, found: Mapping[str, float], is_along_axes: bool) -> Models:
     """The key times the factors that may fit, chosen by the first point of the answer."""
     ratio = _ratio(fit)
     if 0.9 < ratio < 1.1:
-        yield causes.OPPOSITE if len(fit.first[1]) > 1 else causes.OPPOSITE_NUMBER, fit.times(-1.0)
+        yield causes.OPPOSITE if is_along_axes else causes.OPPOSITE_NUMBER, fit.times(-1.0)
     yield from _factors(fit, ratio, found)
 
 

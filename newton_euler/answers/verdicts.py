@@ -237,13 +237,14 @@ def _causes(asked, given, found, numbers, *slips):
     wrong += _exchanged(asked, given, found, numbers)
     if asked.kind.is_formula:
         fit, of = Fit(given, key, asked.kind.rtol), unit_of(asked.unit).dimension
-        wrong += of_other_bodies(fit, of, numbers.symbols, asked.kind.is_vector)
+        wrong += of_other_bodies(fit, of, numbers.symbols, asked.kind)
     factors = asked.kind.factors(asked.unit)
     elsewhere = OtherParts(lambda: _elsewhere(asked, found, numbers))
     causes = diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
     if not causes and slips and asked.kind.is_formula:
-        powers, term = (find(fit, numbers.symbols) for find in (of_other_powers, of_one_term))
-        return tuple(islice(chain(powers, of_a_number(fit), term), 1))
+        of = fit, numbers.symbols, asked.kind
+        found = of_other_powers(*of), of_a_number(fit, asked.kind), of_one_term(*of)
+        return tuple(islice(chain(*found), 1))
     return causes
 
 

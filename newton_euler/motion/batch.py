@@ -43,7 +43,7 @@ class Motions(Guided):
     error: Any
     cost: Cost
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(next(iter(self.states.values())))
 
     @property
@@ -210,7 +210,8 @@ def _taylor(many, run):
     method, count = METHODS["taylor"], starts.shape[1]
     tolerance = method.rounded(rtol / method.tolerance_ratio)
     other = method.rounded(method.other(tolerance))
-    p = _constants(many, system)
+    values = [many.parameters.get(n, v) for n, v in zip(system.free, system.p, strict=True)]
+    p = rows_of(system.traced.folded[1].on(np)(*values), count)  # constants by motions
     states, calls = batches(system, tolerance, starts, p, run.t0, times)
     ends, errors = states[:, :, -1], np.full(count, np.inf)
     span, ratio = (run.t0, float(times[-1])), tolerance / other
@@ -229,9 +230,10 @@ def _taylor(many, run):
         apart = (abs(ends[:, n] - compared[:, :, -1]) / scales).max(axis=0)
         errors[n] = [error_by_difference(d, ratio, tolerance) for d in apart.tolist()]
         errors[n] += _clock_errors(system, *span, ends[:, n], p[:, n], scales, rtol / 100)
-        if system.traced.narrow:
-            pairs = zip(np.asarray(n).tolist(), errors[n].tolist(), strict=True)
-            errors[n] += [_unseen(many, run, k, tolerance, error) for k, error in pairs]
+        for k in n.tolist() if system.traced.narrow else ():  # what the series does not see
+            one, x0 = many.alone(k)
+            alone = replace(run, system=one, state=x0, samples=None, progress=None)
+            errors[k] += alone.trajectory(method, tolerance).unseen(float(errors[k]))
         return more
 
     calls += compare(chosen)
@@ -283,20 +285,6 @@ def _cancelling(motions, system, times, points, p, sizes):
             if not len(motions):
                 break
     return motions
-
-
-def _unseen(many, run, n, tolerance, error):
-    """The part of the rates that the series of one motion, with this error, does not see."""
-    one, x0 = many.alone(n)
-    alone = replace(run, system=one, state=x0, samples=None, progress=None)
-    return alone.trajectory(METHODS["taylor"], tolerance).unseen(error)
-
-
-def _constants(many, system):
-    """The constants of the folded right-hand side, an array (constants, motions)."""
-    count, values = many.starts.shape[1], zip(system.free, system.p, strict=True)
-    constants = system.traced.folded[1].on(np)(*(many.parameters.get(n, v) for n, v in values))
-    return rows_of(constants, count)
 
 
 def _clock_errors(system, t0, t1, ends, p, sizes, enough):

@@ -103,10 +103,9 @@ def unsettled(stepper: Stepper, end: float) -> float:
 
 
 def _last_digit(system, before, after, first, last):
-    """How much each state is off between two points (time, *state) since the last digit of what is
-    compared decides when the rates jump: their jump for that time.
-
-    first, last : the values of :func:`choices` at the points
+    """How much each state is off between two points (time, *state), with ``first`` and ``last``
+    values of :func:`choices`, since their last digit decides when the rates jump: the jump for that
+    time.
     """
     run, p = system.traced.compiled_choices, system.p
     moved, late = run(before[0], *after[1:], *p), 0.0  # the change by the states alone
@@ -140,7 +139,10 @@ class Crossings:
             scales = stepper.scales
             try:
                 stepper.step(1)
-                self._check_digits()
+                length = stepper.t - stepper.steps[-1][0]
+                # steps that do not change the last digit of what is compared would never end
+                if stepper.t < stepper.goal and length < self.short and length < self._last_digit():
+                    raise StepError("the step became too small to go on")
             except StepError:
                 if not self._pass():
                     raise
@@ -154,13 +156,6 @@ class Crossings:
             else:
                 stepper.back_to(len(stepper.steps) - 1, (stop,), scales)
                 self.tries += 2
-
-    def _check_digits(self):
-        """Raise :class:`StepError` after a step too short to change what is compared: endless."""
-        stepper = self.stepper
-        length = stepper.t - stepper.steps[-1][0]
-        if stepper.t < stepper.goal and length < self.short and length < self._last_digit():
-            raise StepError("the step became too small to go on")
 
     def _last_digit(self):
         """The longest time for which the last digits of what is compared here stay the same on the

@@ -3,8 +3,7 @@
 One way leads down: the arguments are checked (:mod:`.arguments`), the model is traced
 (:mod:`.prepared`), one motion is a :class:`.run.Run`, and many are :func:`.batch.integrate_many`,
 which leaves to a run each motion that is not accurate at once. A run makes trajectories
-(:mod:`.trajectory`) by the methods in :mod:`.methods.table` and returns the record in
-:mod:`.solution`.
+(:mod:`.trajectory`) by :mod:`.methods.table` and returns a :mod:`.solution`.
 """
 
 from collections.abc import Callable, Iterable, Sequence

@@ -104,11 +104,9 @@ class Model(Portable):
 
     name : of the scene and of the rung of its ladder
     parameters : by name, a scalar each, or a *law*: a function ``(s, p, t)`` of states, scalar
-        parameters and time, as a thrust that is programmed; or a :func:`~newton_euler.table`, which
-        formulas read as p.thrust(t)
+        parameters and time, as a thrust; or a :func:`~newton_euler.table`, read as p.thrust(t)
     states : their names, in the order of all tuples of states
-    rhs : a function ``(s, p, t)`` that returns the rates of the states in this order; a formula,
-        without branches on values
+    rhs : a function ``(s, p, t)`` that returns their rates in this order, without branches
     invariants : by name, functions ``(s, p, t)`` that keep their value during the motion
     exact : the exact solution, a function ``(s, p, t)`` that returns the states at the time t after
         the state ``s`` at t = 0, or None
@@ -154,9 +152,7 @@ class Model(Portable):
         return f"Model({self.name!r}: {', '.join(self.states)}; {', '.join(self.parameters)})"
 
     def derivative(self, state: State, t: Scalar = 0) -> tuple[Scalar, ...]:
-        """The rates of the states, a tuple in their order, at a ``state`` given in that order or by
-        name, of scalars of any kind.
-        """
+        """The rates, a tuple in the order of states, at a ``state`` in that order or by name."""
         try:
             return tuple(self._value(self.rhs, state, t))
         except (ZeroDivisionError, OverflowError) as error:
@@ -209,9 +205,8 @@ class Model(Portable):
 
     def _rhs_text(self, free, fixed, laws):
         """What the right-hand side and the laws read, and its text: a pair; see :func:`current`.
-
-        free : the names of the parameters that are its arguments
-        fixed, laws : the other parameters as pairs (name, value); the functions among these
+        Parameters are its arguments if their names are ``free``; others are ``fixed``, pairs (name,
+        value), of which the functions are ``laws``.
         """
 
         def text():
@@ -555,8 +550,7 @@ def second_order(
     accelerations: Formulas,
     **more: Any,
 ) -> Model:
-    """The :class:`Model` whose states are the coordinates and their rates: second-order equations
-    of motion in state-variable form.
+    """The :class:`Model` whose states are coordinates and rates, for second-order equations.
 
     coordinates : their names; the rate of ``x`` is the state ``dx``
     accelerations : a function ``(s, p, t)`` that returns the second rates of the coordinates

@@ -120,10 +120,9 @@ def _calm(stepper, arguments, first):
 def narrow_times(
     stepper: Stepper, arguments: Arguments, first: int
 ) -> "tuple[np.ndarray, np.ndarray, list[tuple[float, int]]]":
-    """The times at which one of the :class:`~.narrow_arguments.Arguments` passes its narrow place
-    within a step, from number ``first`` on, and those at which it passes several places of a table
-    in one step: two arrays; and a list of pairs (time, number of an argument) where one is least
-    without a change of its sign.
+    """Two arrays of times: those at which one of the :class:`~.narrow_arguments.Arguments` passes
+    its narrow place within a step, from number ``first`` on, or several places of a table in one
+    step; and a list of pairs (time, number of an argument) where one is least but keeps its sign.
     """
     with np.errstate(all="ignore"):
         path = _Path(stepper, arguments, first)
@@ -289,9 +288,7 @@ def _brackets(path, suspects):
 
 
 def _turns(fits):
-    """Fractions of parts, the ends and in between the extrema of each polynomial, in order, and its
-    values there; the right end fills the rows.
-    """
+    """The ends and extrema of each polynomial, in order, filled up by ends; and its values."""
     row, x = extrema(fits)
     place = np.arange(len(row)) - np.searchsorted(row, row)
     u = np.ones((len(fits), 2 + place.max(initial=-1) + 1))
@@ -303,10 +300,8 @@ def _turns(fits):
 
 def _judged(kinds, u, values, off, steps, divided):
     """For each of these arguments: whether it changes fast in its part, whether its polynomial
-    cannot tell, and whether it turns back inside.
-
-    u, values : where it turns, from :func:`_turns`
-    divided : True for parts of steps, whose ends no stage of the method has seen: less counts
+    cannot tell, and whether it turns back inside; ``u``, ``values`` as from :func:`_turns`. Less
+    counts in ``divided`` steps, of whose ends no stage of the method has seen all.
     """
     change, ratio = CHANGE[divided], RATIO[divided]
     level = np.where((kinds == "largest")[:, None], -values, abs(values))
@@ -381,9 +376,8 @@ def _located(stepper, arguments, brackets):
 
 
 def _difference(stepper, n, centres, knots):
-    """The :class:`Passage` by which step ``n`` differs from the integral of its rates, or None.
-
-    centres, knots : times about which the pieces are shorter and shorter; where pieces end
+    """The :class:`Passage` by which step ``n`` differs from the integral of its rates, in pieces
+    ever shorter about the ``centres`` that end at ``knots``; or None.
     """
     ends, states = (stepper.step_times[n], stepper.step_end(n)), partial(stepper.interpolate, n)
     edges, integrals = _along(stepper, ends, states, centres, knots)

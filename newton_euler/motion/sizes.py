@@ -99,8 +99,7 @@ def reproduced(known: Sizes, again: Sizes, apart: Floats, rtol: float, there: Th
     """The sizes ``known``, larger for a state that is all error: one that nothing drives whose size
     is that of round-off, or depends on the tolerance.
 
-    known, again : as :meth:`~newton_euler.motion.trajectory.Trajectory.sizes` returns them, at two
-        tolerances
+    known, again : as :meth:`.Trajectory.sizes` returns them, at two tolerances
     apart : by how much the last states differ
     there : as in :func:`without_round_off`
     """

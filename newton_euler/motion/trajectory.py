@@ -6,7 +6,7 @@ from math import inf
 from typing import Any, NamedTuple, Protocol
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.places import note_place, raised_by_the_engine
+from ..algebra.places import note_place, raised_by_the_caller, raised_by_the_engine
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
@@ -194,7 +194,8 @@ class Trajectory:
         except ModelError:
             raise
         except (ArithmeticError, ValueError) as error:
-            if not isinstance(error, NewtonEulerError) and note_place(error):
+            is_engines = isinstance(error, NewtonEulerError) and not raised_by_the_caller(error)
+            if not is_engines and note_place(error):
                 raise  # the error of an event's function or of progress
             stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)
@@ -228,9 +229,11 @@ class Trajectory:
                 if isinstance(error, LengthError) or not self._rougher(stepper, done):
                     raise
                 continue
-            if len(stepper.step_times) > patience:
+            steps = len(stepper.step_times) - 1
+            if steps >= patience:
                 patience += CRAWLING
-                self._check_crawling(stepper)
+                if self._sticks(stepper, steps - STICKING):
+                    raise StepError(f"{steps} steps led there, and the next ones go back and forth")
             if watched:
                 self._see(stepper, step, done, min(limit, MAX_STEPS))
             for locator in locators:
@@ -304,12 +307,6 @@ class Trajectory:
                 if all(m <= max(f, x) for m, f, x in zip(made, floors, changes, strict=True)):
                     break  # else the way that missed it has made them too large
         self.missed += passed.size
-
-    def _check_crawling(self, stepper):
-        """Raise :class:`StepError` where a motion that sticks takes steps without end."""
-        if self._sticks(stepper, len(stepper.step_times) - 1 - STICKING):
-            steps = len(stepper.step_times) - 1
-            raise StepError(f"{steps} steps led there, and the next ones go back and forth")
 
     def _sticks(self, stepper, first):
         """True if many steps from ``first`` on took little time at a border that holds it."""

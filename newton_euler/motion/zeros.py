@@ -9,7 +9,7 @@ whether there is. No piece is given up. Around a kink or a jump the pieces becom
 function is below round-off there, and the signs at their ends decide.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import pairwise
@@ -124,12 +124,12 @@ class ZeroSearch:
     closed: bool = False
     cuts: list[float] = field(default_factory=list)
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[tuple[list[float], float]]:
         """Lists of zeros, in order, each with the time up to which all have been found."""
         edges = pairwise([self.a, *self.cuts, self.b])
         todo, count = [Piece(*ends) for ends in edges][::-1], 0
         while todo:
-            pieces, new = [], []
+            pieces, new = list[Piece](), list[Piece]()
             while todo and len(new) < BATCH:
                 pieces.append(todo.pop())
                 if pieces[-1].state == "new":
@@ -206,20 +206,17 @@ class ZeroSearch:
         smooth = [piece for piece in pieces if piece.state == "smooth"]
         extrema, brackets = self._extrema(smooth) if smooth else {}, []
         for piece in pieces:
-            if piece.left == self.a and self.start:
-                self._begin(piece, *self.start)
+            if piece.left == self.a and self.start:  # no sign there if the value is round-off
+                value, is_zero = self.start
+                doubtful = abs(value) <= DOUBTFUL * piece.largest
+                if doubtful and (is_zero or self._is_noise(piece, -1, piece.left, value)):
+                    self.sign = 0
             before = -1.0
             for x, sign in [*extrema.get(piece, ()), (1.0, self._end_sign(piece))]:
                 if sign and self.sign and sign != self.sign and self.direction in (0, sign):
                     brackets.append(Bracket(piece, before, x, sign))
                 self.sign, before = sign or self.sign, x
         return self._located(brackets) if brackets else []
-
-    def _begin(self, piece, value, is_zero):
-        """Forget the sign at the start if the value there is round-off."""
-        doubtful = abs(value) <= DOUBTFUL * piece.largest
-        if doubtful and (is_zero or self._is_noise(piece, -1, piece.left, value)):
-            self.sign = 0
 
     def _end_sign(self, piece):
         """The sign at the right end of a piece; at a zero that ends the motion, the one beyond."""
@@ -233,13 +230,9 @@ class ZeroSearch:
 
     def _is_noise(self, piece, end, t, value):
         """True if a value at an end of a piece is zero up to round-off, also of the time."""
-        return abs(value) <= self._round_off(piece, t) + 2 * EPS * abs(t * piece.slope(end))
-
-    def _round_off(self, piece, t):
-        """The round-off of the function at a time in a piece."""
-        points = sampling()[0][PICKED]
-        times = piece.left + (piece.right - piece.left) * points
-        return NOISE_MARGIN * float(self.noise(np.append(times, t)[None])[0])
+        times = piece.left + (piece.right - piece.left) * sampling()[0][PICKED]
+        noise = NOISE_MARGIN * float(self.noise(np.append(times, t)[None])[0])
+        return abs(value) <= noise + 2 * EPS * abs(t * piece.slope(end))
 
     def _extrema(self, pieces):
         """For each piece a list of pairs: the extrema of its polynomial, and the signs there."""

@@ -80,12 +80,13 @@ def _place(key):
 
 def _keys(place):
     """Where a prediction is kept, then where an earlier version kept it. A cell is known in the
-    next session if its id is that in the file of the notebook; else equal questions are numbered.
+    next session if its id is that in the file of the notebook; else equal questions are numbered,
+    on a line of its own: a question may end in "(2)".
     """
     key, cell, before = place
     equal = [other for other in _asked if other[0] == key]
     number = equal.index(place) if place in equal else len(equal)
-    numbered = f"{key} ({number + 1})" if number else key
+    numbered = f"{key}\n@ ({number + 1})" if number else key
     if not ID.fullmatch(cell):
         return (numbered,)
     own = f"{key}\n@ {cell}" + f" {before + 1}" * bool(before)
@@ -116,7 +117,8 @@ class Prediction:
     @property
     def given(self) -> str | None:
         """What was predicted, None if nothing was yet."""
-        return _kept_prediction(*self.keys)
+        kept = _read()
+        return next((kept[key] for key in self.keys if key in kept), None)
 
     @property
     def right(self) -> bool | None:
@@ -189,7 +191,7 @@ class Again:
     def predictions(self) -> list[Prediction]:
         """The questions to ask, without the earlier predictions."""
         chosen = self._named or [p for p in _asked.values() if p.right is False]
-        return [Prediction(p.question, [f"{key} (again)" for key in p.keys]) for p in chosen]
+        return [Prediction(p.question, [f"{key}\n@ (again)" for key in p.keys]) for p in chosen]
 
     def __repr__(self) -> str:
         return "\n\n".join(map(repr, self.predictions)) or spoken(NOTHING)
@@ -209,12 +211,6 @@ NOTHING = Words("No prediction was wrong so far, so none is asked again.")
 
 
 # -- the first prediction of each question, in a file
-
-
-def _kept_prediction(*keys):
-    """What was predicted under the first of these keys that is kept, None if nothing was yet."""
-    kept = _read()
-    return next((kept[key] for key in keys if key in kept), None)
 
 
 def _keep(key, prediction):

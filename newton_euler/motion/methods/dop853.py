@@ -1,5 +1,4 @@
-"""The Runge-Kutta method DOP853 of Hairer, Norsett and Wanner as straight-line Python, generated
-for the number of states.
+"""The Runge-Kutta method DOP853 of Hairer, Norsett and Wanner in straight-line Python.
 
 No arrays: between two steps nothing is called but the right-hand side. On a top with six states it
 is three to four times faster than SciPy's DOP853. E. Hairer, S. P. Norsett, G. Wanner, Solving

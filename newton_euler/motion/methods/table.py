@@ -34,8 +34,7 @@ class Method:
     tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are
         up to 100 tolerances, rarely less than one
     max_tolerance, min_tolerance : of the first fine run, as coarser predict little; of any run
-    coarsening : the tolerance of the first run over that of the second; below 1 where a finer run
-        is as cheap
+    coarsening : the tolerance of the first run over that of the second; < 1 where finer is as cheap
     adaptive : True if its steps follow from errors of this order
     closed : True for a closed form: no finer run exists, its error is rounding, see :mod:`.exact`
     series : True for a power series: its order and not its step follows from the tolerance, and

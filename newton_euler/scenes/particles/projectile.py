@@ -79,7 +79,6 @@ def _omega(p):
 
 
 def _air_drag(s, p):
-    """The acceleration by the drag of the air."""
     return scale3(-p.drag * sqrt(dot3(_v(s), _v(s))), _v(s))
 
 

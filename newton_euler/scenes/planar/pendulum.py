@@ -47,7 +47,6 @@ def _square(p, I):
 
 
 def _inertia(p, I):
-    """The moment of inertia about the axis."""
     return I + p.m * p.l * p.l
 
 

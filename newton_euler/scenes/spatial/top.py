@@ -207,13 +207,9 @@ def _nonspinning_energy(s, p, t):
     return (p.I0 * (s.w_x**2 + s.w_y**2) + p.I * p.omega_z**2) / 2 + p.mgr * _vertical(s)[2]
 
 
-def _nonspinning_vertical(s, p, t):
-    return dot3(_vertical(s), (p.I0 * s.w_x, p.I0 * s.w_y, p.I * p.omega_z))
-
-
 _NONSPINNING_INVARIANTS = {
     "energy": _nonspinning_energy,
-    "p_psi": _nonspinning_vertical,
+    "p_psi": lambda s, p, t: dot3(_vertical(s), (p.I0 * s.w_x, p.I0 * s.w_y, p.I * p.omega_z)),
     "norm": lambda s, p, t: s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2,
 }
 

@@ -3,6 +3,7 @@
 import itertools
 import math
 import random
+import re
 
 import pytest
 
@@ -10,6 +11,7 @@ from grader.scoring.slips.edits_of_equations import SLIPS, solution
 from newton_euler import cos, sin, sqrt
 from newton_euler.algebra.linear import Solved, solve_rates, solved_equations
 from newton_euler.algebra.units import SI, unit
+from newton_euler.answers.kinds import Kind
 from newton_euler.answers.near import NO_SLIPS
 from tests.grader.scoring.traced import named_causes, perturbed, texts
 
@@ -190,8 +192,34 @@ def test_a_given_may_be_handed_back_and_a_vector_turned():
     assert said(lengths, "m", lambda p, q, **_: p - 2 * q).startswith("takes p alone for x")
     found = said(lengths, "m", lambda p, q, x, y, s: [p + s * x, q + s * y, p + s * y])
     assert "takes x, y and y with the opposite sign" not in found
-    found = said(lengths, "m", lambda p, q, x, y, s: [p + s * x, q + s * y])
+    found = said(lengths, "m", lambda p, q, x, y, s: [p + s * x, q + s * y, 0.0])
     assert "takes p and q with the opposite sign" in found
+
+
+class Roots(Kind):
+    """Three numbers that are no vector."""
+
+    name = "roots"
+    shape = (3,)
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        lambda a, b, c, s: [a * s - b * c, b * s - c * a, c * s - a * b],
+        lambda a, b, c, s: [a + s * b, b + s * c, c + s * a],
+        lambda a, b, c, s: [s * a, s * b, s * c],
+    ],
+)
+def test_three_numbers_that_are_no_vector_are_told_about_none(formula):
+    """As an answer, and on the way to a number."""
+    of_vectors = re.compile("component|vector|magnitude of")
+    units, way = dict.fromkeys("abcs", "1"), {"the way": formula}
+    on_the_way = {"x": ("1", lambda **given: sum(x * x for x in formula(**given)))}
+    for answers, ways in ({"x": ("1", formula)}, {}), (on_the_way, way):
+        found = texts(perturbed(units, answers, ways=ways, kind=Roots()))
+        assert [x for x in found if of_vectors.search(x)] == []
+        assert any(map(of_vectors.search, texts(perturbed(units, answers, ways=ways))))
 
 
 def test_a_given_or_symbol_stands_for_another_of_its_kind_or_for_its_rate():

@@ -87,6 +87,10 @@ def test_terms_of_one_name_are_kept_and_weighted_apart():
         assert sorted(both.values()) == [1.0, 2.0, 4.0]
     terms |= {"arm 1": 4.0}
     terms |= {"arm 1": 8.0}
+    updated = terms.copy()
+    updated.update(terms)
+    assert sum(updated.values()) == 2 * sum(terms.values())
+    assert (terms.copy().shared, len(updated)) == (terms.shared, 2 * len(terms))
     assert sum(terms.values()) == 15.0
     assert summed(Terms([("arm", 1.0), ("arm", 2.0)]) | {"rod": 4.0}).without("arm") == 4.0
     U = summed([("arm", 1.0), ("arm", 10.0)])

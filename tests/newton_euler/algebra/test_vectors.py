@@ -128,6 +128,17 @@ def test_directions_and_angles_of_the_smallest_and_largest_vectors(size):
     assert close(a.angle_to(ground.i), math.atan(2.0), 1e-15)
     exact = ground.vector(Fraction(3, 5) * Fraction(size), 0, Fraction(4, 5) * Fraction(size))
     assert abs(exact.norm() - size) <= max(1e-15 * size, 5e-324)
+    both = np.array([min(size, 1e307), 1.0])
+    angles = ground.vector(both, 2 * both, 0).angle_to(ground.vector(2 * both, -both, 0))
+    assert np.allclose(angles, math.pi / 2, rtol=1e-15)
+
+
+@pytest.mark.parametrize("size", [10**5, 2**63, 10**160, 10**300])
+def test_directions_and_angles_of_whole_numbers_of_any_size(size):
+    a, b = ground.vector(3 * size, 0, 4 * size), ground.vector(4 * size, 0.5, -3 * size)
+    assert a.norm() == pytest.approx(5 * size, rel=1e-15)
+    assert a.angle_to(b) == pytest.approx(math.pi / 2, rel=1e-15)
+    assert a.angle_to(ground.vector(size, 0, 0)) == pytest.approx(math.atan2(4, 3), rel=1e-15)
 
 
 def moving_arm():

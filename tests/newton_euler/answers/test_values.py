@@ -74,7 +74,7 @@ def test_intervals_words_and_blanks_are_read_and_capitals_distinguished():
     assert one("interval, rad/s", (1, 2.5)) == [1.0, 2.5]
     assert one("choice: stable | unstable", "stable") == "stable"
     assert one("vector, m", None) is None
-    assert [one("choice: G | g", x) for x in ("g", "G", " G")] == ["g", "G", "g"]
+    assert [one("choice: G | g", x) for x in ("g", "G", " G")] == ["g", "G", "G"]
 
 
 @pytest.mark.parametrize("text", ["Both Ends", " both ends\n", "BOTH  ends", np.str_("both ends")])

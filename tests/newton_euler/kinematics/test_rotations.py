@@ -358,11 +358,15 @@ def test_one_bad_instant_is_refused_and_rounded_entries_within_the_tolerance_acc
     assert checked_rotation(R, 5e-3) == tuple(map(tuple, R))
 
 
-@pytest.mark.parametrize("size", [5e-324, 1e-200, 1e200])
+@pytest.mark.parametrize("size", [5e-324, 1e-200, 1e-160, 1e160, 1e200])
 def test_an_axis_and_a_quaternion_may_have_any_length(size):
     for make in (rotation_matrix, quaternion):
         assert np.allclose(make((0, 0, -size), 1.0), make((0, 0, -1), 1.0), atol=1e-15)
     assert normalised((0, size, 0, 0)) == (0, 1, 0, 0)
+    quarter = ((0, -1, 0), (1, 0, 0), (0, 0, 1))
+    assert np.allclose(matrix_from_quaternion((size, 0, 0, size)), quarter, atol=1e-15)
+    both = np.array([size, 1.0])
+    assert np.allclose(matrix_from_quaternion((both, 0, 0, both))[0][1], -1, rtol=1e-15)
 
 
 def test_an_axis_without_direction_is_refused():

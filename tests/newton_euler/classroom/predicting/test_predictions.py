@@ -9,7 +9,7 @@ import pytest
 from newton_euler.algebra.errors import ArgumentError
 from newton_euler.answers import givens
 from newton_euler.classroom import predict, predict_again, tally
-from newton_euler.classroom.predicting import asking
+from newton_euler.classroom.predicting import asking, panel, question
 from newton_euler.classroom.predicting.page import folded_html, inline
 from tests.markup import Page
 
@@ -145,6 +145,32 @@ def test_equal_questions_of_one_cell_are_as_many(run):
     again, other = predict_again(first, second).predictions
     again.choose("b")
     assert (again.given, other.given) == ("down", None)
+
+
+def test_the_number_of_an_equal_question_is_not_the_end_of_another_one(run):
+    """Where cells have no ids, and for a question that is asked again."""
+    text = "Where does $a$ point?"
+    asked = [
+        lambda end=end: predict(f"{text}{end}", SIGNS, "down") for end in ("", " (2)", " (again)")
+    ]
+    for n, ask in enumerate(asked):
+        run(ask, None, f"cell {n}").choose("a")
+    assert run(asked[0], None, "cell 9").given is None
+    assert [p.given for p in predict_again().predictions] == [None, None, None]
+
+
+def test_a_button_is_its_choice_and_not_the_one_that_reads_as_its_letter():
+    widgets = pytest.importorskip("ipywidgets")
+    p = predict("Which is larger?", {"b": "It is not.", "a": "By (1.2)."}, "a")
+    shown = SimpleNamespace(update=lambda *_, **__: None)
+    panel._Panel(p, widgets, shown).box.children[0].click()
+    assert p.given == "b"
+
+
+def test_choices_that_read_alike_once_translated_are_refused(monkeypatch):
+    monkeypatch.setattr(question, "_", lambda text: text.replace("speed", "velocity"))
+    with pytest.raises(ArgumentError, match="two choices read alike"):
+        predict("What?", {"the speed": "x", "the velocity": "y"}, "the velocity")
 
 
 def test_a_prediction_that_an_earlier_version_kept_is_read_for_the_first_of_equal_ones(
