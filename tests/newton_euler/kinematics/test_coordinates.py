@@ -1,5 +1,5 @@
 """Polar, cylindrical and spherical components: laws, the way back, and the neighbourhood of axis
-and pole. Equations: test_ch02, test_ch03.
+and pole.
 """
 
 import math

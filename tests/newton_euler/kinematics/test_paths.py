@@ -1,5 +1,5 @@
 """Intrinsic components: the Frenet triad of space curves, the sign of torsion, and straight lines,
-inflections and rest. Equations: test_ch02, test_ch03.
+inflections and rest.
 """
 
 import math
@@ -37,16 +37,6 @@ def knot(q):
 
 def twisted(q):
     return q, q * q, q**3 / 3
-
-
-@every_kind
-def test_derivatives_of_a_path_up_to_the_third_are_those_of_SymPy(kind):
-    q = numbers(kind, "0.7")
-    s = sympy.Symbol("s")
-    names = {"float": "numpy", "array": "numpy", "mpmath": "mpmath", "sympy": "sympy"}
-    for order, found in enumerate(derivatives(knot, q)):
-        known = sympy.lambdify(s, [sympy.diff(x, s, order) for x in knot(s)], names[kind])(q)
-        assert close(found, known, 100 * small(kind))
 
 
 @settings(max_examples=40)

@@ -114,27 +114,22 @@ def test_motions_that_all_begin_at_zero_are_judged_by_the_largest_end(ends, grou
 
 @needs_heyoka
 @pytest.mark.parametrize(
-    ("method", "count", "hazards", "found"),
+    ("method", "count", "seen", "found"),
     [
-        ("auto", MIN_HEYOKA_BATCH - 1, (), False),
-        ("auto", MIN_HEYOKA_BATCH, (), True),
-        ("taylor", 1, (), True),
-        ("dop853", 10 * MIN_HEYOKA_BATCH, (), False),
-        ("exact", 10 * MIN_HEYOKA_BATCH, (), False),
-        ("taylor", 100, ("sqrt",), False),
-        ("auto", 100, ("sqrt",), False),
+        ("auto", MIN_HEYOKA_BATCH - 1, {}, False),
+        ("auto", MIN_HEYOKA_BATCH, {}, True),
+        ("taylor", 1, {}, True),
+        ("dop853", 10 * MIN_HEYOKA_BATCH, {}, False),
+        ("exact", 10 * MIN_HEYOKA_BATCH, {}, False),
+        ("taylor", 100, {"hazards": ("sqrt",)}, False),
+        ("auto", 100, {"hazards": ("sqrt",)}, False),
+        ("auto", 100, {"kinks": ("where",)}, False),
     ],
 )
-def test_heyoka_is_taken_if_asked_or_worth_it_and_a_series_sees_all(method, count, hazards, found):
-    traced = SimpleNamespace(hazards=hazards, kinks=(), inner=())
-    assert _by_series(SimpleNamespace(traced=traced), method, count) is found
-
-
-@needs_heyoka
-def test_auto_takes_no_batch_of_series_for_rates_with_kinks():
-    traced = SimpleNamespace(hazards=(), kinks=("where",), inner=())
-    kinked = SimpleNamespace(traced=traced, model=SimpleNamespace(name="any"))
-    assert not _by_series(kinked, "auto", 100)
+def test_heyoka_is_taken_if_asked_or_worth_it_and_a_series_sees_all(method, count, seen, found):
+    traced = SimpleNamespace(**{"hazards": (), "kinks": (), "inner": (), **seen})
+    system = SimpleNamespace(traced=traced, model=SimpleNamespace(name="any"))
+    assert _by_series(system, method, count) is found
 
 
 def amplitudes(count):
