@@ -283,8 +283,7 @@ def _column_and_boom(s, column, boom, A):
     """The crane's column, its arm to the hinge B, the boom, and on it the trolley A with its load."""
     top, B = column.point("", 0, 0, 1.0), boom.origin
     s.shaft(column.point("", 0, 0, 0), top)
-    s.rod(top, B)
-    s.rod(B, boom.point("", 0, 3.6, 0))
+    s.rod(top, B, boom.point("", 0, 3.6, 0))
     s.hinge(B, column.i)
     x, y, z = A.position(s.frame).components(s.frame)
     s.box(A, boom, (0.16, 0.3, 0.16))

@@ -7,6 +7,7 @@ from typing import Any
 from newton_euler.algebra.linear import Solved, solved_equations
 from newton_euler.algebra.trace import Step as Scalar
 from newton_euler.algebra.trace import Trace
+from newton_euler.answers.kinds import Kind
 
 from .model import Problem
 from .steps import Step, further_terms, listed_steps
@@ -19,7 +20,7 @@ class TracedProblem:
 
     givens : {given or symbol: its traced argument}
     components : {key: its traced numbers}, steps first, then answers; without words and counts
-    units : {key: the unit in which it is stated}
+    units : {key: the unit in which it is stated}; kinds : {key: its kind}
     solved : the linear equations, in the order of their solution
     steps : with traced values
     """
@@ -28,6 +29,7 @@ class TracedProblem:
     givens: Mapping[str, Scalar]
     components: Mapping[str, Sequence[Any]]
     units: Mapping[str, str]
+    kinds: Mapping[str, Kind]
     solved: Sequence[Solved]
     steps: Sequence[Step]
 
@@ -45,14 +47,15 @@ def traced_quantities(p: Problem, to_be_read: bool = False) -> TracedProblem:
         steps = listed_steps(p, g)
         answers = p.code.solve(g)
         steps += further_terms(p, steps, answers) if to_be_read else []
-    found = [(s.key, s.value, s.unit) for s in steps]
-    found += [(a.key, answers[a.key], a.unit) for a in p.answers if not a.kind.is_word]
+    found = [(s.key, s.value, s.unit, s.kind) for s in steps]
+    found += [(a.key, answers[a.key], a.unit, a.kind) for a in p.answers if not a.kind.is_word]
     numbers = [x for x in found if not isinstance(x[1], (str, int)) and not callable(x[1])]
     return TracedProblem(
         trace,
         givens,
-        {key: flat(x) for key, x, _ in numbers},
-        {key: stated for key, _, stated in numbers},
+        {key: flat(x) for key, x, _, _ in numbers},
+        {key: stated for key, _, stated, _ in numbers},
+        {key: kind for key, _, _, kind in numbers},
         tuple(solved),
         steps,
     )

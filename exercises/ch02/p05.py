@@ -4,13 +4,10 @@ from exercises.tools import mp, on_ground, root
 from newton_euler import cos, kinematics, pi, sin
 
 
-def drop(g, x, up):
-    """Depth of the jet below the nozzle at the horizontal distance x."""
-    return -kinematics.from_time(lambda t: -g.g, x / (g.v_0 * sin(g.phi)), v0=up)[0]
-
-
 def heights(g, up):
-    return drop(g, g.d, up), drop(g, g.d + g.w, up)
+    """Depths of the jet below the nozzle at both edges."""
+    drop = lambda x: -kinematics.from_time(lambda t: -g.g, x / (g.v_0 * sin(g.phi)), v0=up)[0]
+    return drop(g.d), drop(g.d + g.w)
 
 
 def upward(g):

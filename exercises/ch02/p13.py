@@ -4,6 +4,8 @@ from exercises.tools import Sketch, mp, rate, second_rate
 from newton_euler import Frame, cos, sin
 from newton_euler.kinematics import at_speed, frenet_along
 
+follows = {"a": lambda g, v: v.frame.vector(-g.b, v.dot(v) / g.rho, 0)}
+
 
 def velocity(g):
     ground = Frame("ground")
@@ -24,14 +26,6 @@ def on_circle(g):
 def solve(g):
     P = on_circle(g)
     return {"v": P.velocity, "a": P.acceleration}
-
-
-def a(g, v):
-    """The acceleration at the speed v."""
-    return v.frame.vector(-g.b, v.dot(v) / g.rho, 0)
-
-
-follows = {"a": a}
 
 
 def steps(g):

@@ -1,6 +1,6 @@
 """2/15: the radius of curvature at the bottom of a loop, from the total acceleration."""
 
-from exercises.tools import Sketch, mp, rate, root, second_rate, size
+from exercises.tools import mp, on_ground, rate, root, second_rate, size
 from newton_euler import Frame, cos, frenet, sin, sqrt
 
 
@@ -45,9 +45,8 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
+    ground, s = on_ground(ax, plane="xy")
     rho = solve(g)["rho"]
-    s = Sketch(ax, ground, plane="xy")
     A, C = (0, 0, 0), (0, rho, 0)
     on_loop = lambda angle: (rho * sin(angle), rho * (1 - cos(angle)), 0)
     s.path([on_loop(n / 20) for n in range(-28, 29)], style="dashed")

@@ -6,11 +6,6 @@ from newton_euler import Frame, sqrt
 follows = {"a_P2": lambda g, v_tape: rim_point(g.r_2, v_tape, g.a_t2).norm()}
 
 
-def speed(g):
-    """The speed, from the normal acceleration v^2/r_1 at pulley 1."""
-    return sqrt(g.a_n1 * g.r_1)
-
-
 def rim_point(r, v, a_t):
     """The acceleration of a point on the rim of a pulley driven by tape: radial, tangential."""
     ground = Frame("ground")
@@ -19,13 +14,14 @@ def rim_point(r, v, a_t):
 
 
 def solve(g):
-    v = speed(g)
+    """The speed from the normal acceleration v^2/r_1 at pulley 1."""
+    v = sqrt(g.a_n1 * g.r_1)
     a_P1, a_P2 = (rim_point(r, v, g.a_t2).norm() for r in (g.r_1, g.r_2))
     return {"v_tape": v, "a_P1": a_P1, "a_P2": a_P2}
 
 
 def steps(g):
-    v = speed(g)
+    v = sqrt(g.a_n1 * g.r_1)
     return {"a_t1": rim_point(g.r_1, v, g.a_t2).y, "a_n2": -rim_point(g.r_2, v, g.a_t2).x}
 
 

@@ -1,8 +1,6 @@
 """2/26: a boom extending at an increasing rate."""
 
-from exercises.devices import truck_boom as device
-
-solve, steps, prove, draw = device.solve, device.steps, device.prove, device.draw
+from exercises.devices.truck_boom import draw, prove, solve, steps
 
 
 def mistakes(g):

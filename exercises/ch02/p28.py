@@ -1,12 +1,10 @@
 """2/28: a boom on a truck at constant speed."""
 
-from exercises.devices import truck_boom as device
-
-solve, steps, prove, draw = device.solve, device.steps, device.prove, device.draw
+from exercises.devices.truck_boom import boom, draw, prove, solve, steps
 
 
 def mistakes(g):
-    ground, arm, _ = device.boom(g)
+    ground, arm, _ = boom(g)
     right = solve(g)
     on_parked_truck = right["v_B"].without("origin")
     twice = 2 * arm.angular_velocity(ground).cross(g.v * ground.i)

@@ -1,12 +1,10 @@
 """2/32: as 2/31, with both speeds changing."""
 
-from exercises.devices import two_cars as device
-
-solve, steps, prove, draw = device.solve, device.steps, device.prove, device.draw
+from exercises.devices.two_cars import cars, draw, prove, seen_acceleration, solve, steps
 
 
 def mistakes(g):
-    without = lambda *names: {"a_rel": device.seen_acceleration(*device.cars(g), *names)}
+    without = lambda *names: {"a_rel": seen_acceleration(*cars(g), *names)}
     return {
         "no_alpha": without("euler"),
         "B_speeds_up": solve(g.but(c_B=-g.c_B)),

@@ -1,11 +1,9 @@
 """4/16: the rod CD, hinged at C to an arm BC that turns about the vertical, at an obtuse angle."""
 
 from exercises.devices import elbow_arm as device
+from exercises.devices.elbow_arm import draw, follows, prove, solve, steps
 from exercises.tools import in_frame
 from newton_euler import cos, moving, sin
-
-solve, steps, prove = device.solve, device.steps, device.prove
-follows, draw = device.follows, device.draw
 
 
 def mistakes(g):

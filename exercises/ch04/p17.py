@@ -1,10 +1,8 @@
 """4/17: the elbow arm of 4/16 at an acute angle, the rod leaning back over the shaft."""
 
 from exercises.devices import elbow_arm as device
+from exercises.devices.elbow_arm import draw, follows, prove, solve, steps
 from exercises.tools import in_frame
-
-solve, steps, prove = device.solve, device.steps, device.prove
-follows, draw = device.follows, device.draw
 
 
 def mistakes(g):

@@ -67,8 +67,7 @@ def draw(g, ax):
     e = mounting.point("", 0, 1.2, 0)
     s.cylinder(mounting.point("", 0, -0.35, 0), mounting.point("", 0, 0.35, 0), 0.3)
     for pin, low in arms:
-        s.rod(0.5 * pin.position(ground), pin)
-        s.rod(pin, low)
+        s.rod(0.5 * pin.position(ground), pin, low)
     s.rod(arms[0][1], arms[1][1])
     s.shaft(foot, top)
     s.ground(foot, ground.k)

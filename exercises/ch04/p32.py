@@ -1,14 +1,11 @@
 """4/32: a bevel gear that rolls round a fixed one."""
 
-from exercises.devices import bevel_gears as device
+from exercises.devices.bevel_gears import draw, follows, gears, prove, solve, steps
 from exercises.tools import in_frame
-
-solve, steps, prove = device.solve, device.steps, device.prove
-follows, draw = device.follows, device.draw
 
 
 def mistakes(g):
-    ground, arm, B = device.gears(g)
+    ground, arm, B = gears(g)
     wrong = {
         "only_spin": {"omega_B": B.angular_velocity(ground).without("OA")},
         "alpha_zero": {"alpha_B": arm.vector(0, 0, 0)},

@@ -1,14 +1,11 @@
 """4/33: a bevel gear that rolls round a turning one."""
 
-from exercises.devices import bevel_gears as device
+from exercises.devices.bevel_gears import draw, follows, gears, prove, solve, steps
 from exercises.tools import in_frame
-
-solve, steps, prove = device.solve, device.steps, device.prove
-follows, draw = device.follows, device.draw
 
 
 def mistakes(g):
-    _, arm, _ = device.gears(g)
+    _, arm, _ = gears(g)
     wrong = {
         "C_at_rest": solve(g.but(n_C=0)),
         "n_C_added": solve(g.but(n_C=-g.n_C)),

@@ -1,9 +1,8 @@
 """5/1: the centre of mass of a triangle by integration."""
 
 from exercises.devices import plate_under_curve as plate
-from exercises.devices.triangular_plate import area_points, figure, height
+from exercises.devices.triangular_plate import area_points, draw, height
 
-draw = figure
 moments, solve, steps = plate.centre_of(lambda g: g.b, height)
 
 

@@ -1,12 +1,11 @@
 """5/2: the centre of mass of two spheres that touch."""
 
 from exercises.devices.put_together import centre, problem_of, proved
-from exercises.devices.satellite import SATELLITE, figure, parts, spheres
+from exercises.devices.satellite import SATELLITE, draw, parts, spheres
 from exercises.tools import proofs
 
 GIVEN = "larger", "smaller"
 solve, steps = problem_of(SATELLITE, parts, content="mass", mass="slug", length="ft", given=GIVEN)
-draw = figure
 
 
 def prove(g):

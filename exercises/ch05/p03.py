@@ -1,10 +1,9 @@
 """5/3: the centre of mass of a block with a cylinder on top."""
 
-from exercises.devices.block_with_cylinder import BLOCK, figure, parts
+from exercises.devices.block_with_cylinder import BLOCK, draw, parts
 from exercises.devices.put_together import centre, chord, problem_of, sliced, unweighed
 
 solve, steps = problem_of(BLOCK, parts, content="volume", length="in")
-draw = figure
 
 
 def prove(g):

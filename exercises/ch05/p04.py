@@ -1,10 +1,8 @@
 """5/4: the centre of mass of a cone by integration."""
 
-from exercises.devices.cone import CONE, figure, radius, tube
+from exercises.devices.cone import CONE, draw, radius, tube
 from exercises.tools import proofs
 from newton_euler import integral, pi
-
-draw = figure
 
 
 def moments(g, radius=radius):

@@ -1,10 +1,8 @@
 """5/5: the centre of mass of a plate with six holes."""
 
-from exercises.devices.plate_with_holes import PLATE, figure, parts
+from exercises.devices.plate_with_holes import PLATE, draw, parts
 from exercises.devices.put_together import centre, chord, sliced, sums
 from newton_euler.bodies import composite
-
-draw = figure
 
 
 def solve(g):

@@ -1,10 +1,8 @@
 """5/6: the centre of mass of half a disk by integration."""
 
-from exercises.devices.half_disk import DISK, figure, in_polar, top
+from exercises.devices.half_disk import DISK, draw, in_polar, top
 from exercises.tools import proofs
 from newton_euler import pi, sin
-
-draw = figure
 
 
 def moments(g, element=lambda r: r):

@@ -1,9 +1,7 @@
 """5/7: the centre of mass of a wire along an arc."""
 
-from exercises.devices.wire_arc import WIRE, along, figure, over
+from exercises.devices.wire_arc import WIRE, along, draw, over
 from newton_euler import bodies, cos
-
-draw = figure
 
 
 def moments(g):

@@ -1,11 +1,9 @@
 """5/8: the centre of mass of a hemispherical shell."""
 
-from exercises.devices.dome import SHELL, area_of_ring, figure, over_rings, shadow
+from exercises.devices.dome import SHELL, area_of_ring, draw, over_rings, shadow
 from exercises.tools import proofs
 from newton_euler import cos, sin
 from newton_euler.bodies import half_ring, hemisphere
-
-draw = figure
 
 
 def moments(g, width=lambda g, phi: g.R):

@@ -1,10 +1,9 @@
 """5/9: the centre of mass of an L-shaped block with a bore."""
 
-from exercises.devices.bored_bracket import BRACKET, block, figure, parts
+from exercises.devices.bored_bracket import BRACKET, block, draw, parts
 from exercises.devices.put_together import centre, chord, problem_of, sliced
 
 solve, steps = problem_of(BRACKET, parts, holes=True, content="volume", length="in")
-draw = figure
 
 
 def prove(g):

@@ -1,12 +1,10 @@
 """5/10: the centre of mass of a figure of wire."""
 
-from exercises.devices import wire_figure
 from exercises.devices.put_together import centre, problem_of, unweighed, walked
-from exercises.devices.wire_figure import WIRE, parts, path
+from exercises.devices.wire_figure import WIRE, draw, parts, path
 from newton_euler.bodies import Body, half_disk
 
 solve, steps = problem_of(WIRE, parts, content="length", length="mm", given=("leg",))
-draw = wire_figure.figure
 
 
 def prove(g):

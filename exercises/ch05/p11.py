@@ -2,10 +2,8 @@
 
 from itertools import pairwise
 
-from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, figure, path, rods
+from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, draw, path, rods
 from exercises.devices.put_together import centre, sums, unweighed, walked
-
-draw = figure
 
 
 def solve(g):

@@ -1,11 +1,10 @@
 """5/12: the centre of mass of a disk with an eccentric hole."""
 
-from exercises.devices.disk_with_hole import DISK, figure, parts, rim
+from exercises.devices.disk_with_hole import DISK, draw, parts, rim
 from exercises.devices.put_together import centre, problem_of, proved
 from exercises.tools import mp, proofs
 
 solve, steps = problem_of(DISK, parts, holes=True, content="area", length="m")
-draw = figure
 
 
 def prove(g):

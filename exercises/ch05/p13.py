@@ -1,11 +1,10 @@
 """5/13: the centre of mass of three welded rods of different lengths."""
 
 from exercises.devices.put_together import centre, problem_of, unweighed, walked
-from exercises.devices.welded_rods import WELDED, figure, parts, path
+from exercises.devices.welded_rods import WELDED, draw, parts, path
 
 RODS = "first", "second", "third"
 solve, steps = problem_of(WELDED, parts, content="length", length="m", given=RODS)
-draw = figure
 
 
 def prove(g):

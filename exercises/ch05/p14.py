@@ -1,11 +1,10 @@
 """5/14: the centre of mass of a bent plate with a hole and a round top."""
 
-from exercises.devices.bent_plate import PART, figure, parts
+from exercises.devices.bent_plate import PART, draw, parts
 from exercises.devices.put_together import centre, chord, problem_of, proved
 from exercises.tools import proofs
 
 solve, steps = problem_of(PART, parts, holes=True, content="mass", mass="kg", length="mm")
-draw = figure
 
 
 def prove(g):

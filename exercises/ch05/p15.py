@@ -1,10 +1,8 @@
 """5/15: the centre of mass of four particles on light rods."""
 
-from exercises.devices.four_particles import figure, masses, particles, rods
+from exercises.devices.four_particles import draw, masses, particles, rods
 from exercises.tools import rate, root
 from newton_euler import centre_of_mass
-
-draw = figure
 
 
 def centre(ground, parts):

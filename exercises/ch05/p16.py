@@ -1,10 +1,9 @@
 """5/16: a centre of mass by integration."""
 
 from exercises.devices import plate_under_curve as plate
-from exercises.devices.parabola_plate import figure, height, start
+from exercises.devices.parabola_plate import draw, height, start
 from exercises.tools import proofs
 
-draw = figure
 moments, solve, steps = plate.centre_of(lambda g: g.a, height)
 
 

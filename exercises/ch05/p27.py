@@ -46,8 +46,7 @@ def draw(g, ax):
     O, P1 = (0, 0, 0), (0.28 * g.L1, 0, -0.96 * g.L1)
     P2 = (P1[0] + 0.8 * g.L2, 0, P1[2] - 0.6 * g.L2)
     s.ground(O, normal=-ground.k)
-    s.rod(O, P1)
-    s.rod(P1, P2)
+    s.rod(O, P1, P2)
     s.hinge(O)
     for P, name in ((P1, "$P_1$"), (P2, "$P_2$")):
         s.dot(P)

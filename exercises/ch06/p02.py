@@ -7,16 +7,12 @@ AXES = Frame("axes")
 G = 32.2  # the number in ft/s^2, for a mistake
 
 
-def force(g):
-    return AXES.vector(g.F_x, g.F_y, g.F_z)
-
-
 def solve(g):
-    return {"a": dynamics.acceleration_by(g.m, force=force(g))}
+    return {"a": dynamics.acceleration_by(g.m, force=steps(g)["F"])}
 
 
 def steps(g):
-    return {"F": force(g)}
+    return {"F": AXES.vector(g.F_x, g.F_y, g.F_z)}
 
 
 def prove(g):

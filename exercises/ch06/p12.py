@@ -6,12 +6,9 @@ from newton_euler import Frame, kinematics, moving, pi, sin, sqrt
 from newton_euler.dynamics import path_force
 
 
-def road(g):
-    return lambda x: (x, g.b * sin(2 * pi(g.L) * x / g.L), 0)
-
-
 def flexure(g, x):
-    return kinematics.frenet_along(road(g), moving(x, rate=g.one), Frame("ground")).flexure
+    road = lambda x: (x, g.b * sin(2 * pi(g.L) * x / g.L), 0)
+    return kinematics.frenet_along(road, moving(x, rate=g.one), Frame("ground")).flexure
 
 
 def hump(g):

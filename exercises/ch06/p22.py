@@ -9,7 +9,6 @@ follows = {"side": lambda g, x: answers(x)["side"]}
 
 def answers(x):
     """The answers; the word says on which side the shot lands."""
-
     side = lambda: "east" if x > 0 else "west" if x < 0 else "same point"
     return {"side": side, "x": x}
 

@@ -4,9 +4,7 @@ from exercises.catalogue.proofs.digits import weighted
 from exercises.devices.inertia import matrix
 from exercises.devices.inertia_proof import turned
 from exercises.devices.plate_under_curve import PLATE, area, moments_of_inertia, steps_to_inertia
-from exercises.devices.triangular_plate import area_points, figure, height
-
-draw = figure
+from exercises.devices.triangular_plate import area_points, draw, height
 
 
 def moments(g):

@@ -2,13 +2,12 @@
 
 from exercises.devices.inertia import answer, matrix, problem_of, together, whole
 from exercises.devices.inertia_proof import added, of_points
-from exercises.devices.satellite import SATELLITE, figure, parts, spheres
+from exercises.devices.satellite import SATELLITE, draw, parts, spheres
 from newton_euler.bodies import spherical_shell
 
 solve, steps = problem_of(
     SATELLITE, parts, "slug", "ft", "slug*ft^2", at_O=["larger sphere"], given=("larger", "smaller")
 )
-draw = figure
 
 
 def prove(g):

@@ -1,16 +1,11 @@
 """7/3: the inertia matrix of a block with a cylinder on top."""
 
-from exercises.devices.block_with_cylinder import BLOCK, figure, parts
-from exercises.devices.inertia import answer, no_products, problem_of, together, wrong_sign
+from exercises.devices.block_with_cylinder import BLOCK, draw, parts
+from exercises.devices.inertia import answer, no_products, problem_of, together, whole, wrong_sign
 from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import mp, proofs
 
 solve, steps = problem_of(BLOCK, lambda g: parts(g, density=g.rho), "slug", "in", "slug*ft^2")
-draw = figure
-
-
-def inertia(g, **changed):
-    return together(BLOCK, parts(g, density=g.rho, **changed))
 
 
 def prove(g):
@@ -22,10 +17,10 @@ def prove(g):
 
 
 def mistakes(g):
-    I = inertia(g)
+    I = together(BLOCK, parts(g, density=g.rho))
     return {
         "no_products": no_products(BLOCK, I),
         "plus_sign": wrong_sign(BLOCK, I),
-        "from_its_own_base": answer(inertia(g, foot=0)),
+        "from_its_own_base": whole(BLOCK, parts(g, foot=0, density=g.rho)),
         "rho_per_foot": answer(12**5 * I),
     }

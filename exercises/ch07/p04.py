@@ -1,12 +1,10 @@
 """7/4: the inertia matrix of a cone at its apex by integration."""
 
-from exercises.devices.cone import CONE, figure, radius, tube
+from exercises.devices.cone import CONE, draw, radius, tube
 from exercises.devices.inertia import matrix
 from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import proofs
 from newton_euler import bodies, integral, pi
-
-draw = figure
 
 
 def density(g, radius=radius):

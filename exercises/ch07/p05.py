@@ -2,10 +2,8 @@
 
 from exercises.devices.inertia import no_products, together, untransferred, whole, wrong_sign
 from exercises.devices.inertia_proof import added, of_points
-from exercises.devices.plate_with_holes import PLATE, figure, parts, places
+from exercises.devices.plate_with_holes import PLATE, draw, parts, places
 from exercises.tools import mp, proofs
-
-draw = figure
 
 
 def solve(g):

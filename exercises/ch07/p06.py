@@ -1,12 +1,10 @@
 """7/6: the inertia matrix of half a disk by integration."""
 
-from exercises.devices.half_disk import DISK, figure, in_polar, top
+from exercises.devices.half_disk import DISK, draw, in_polar, top
 from exercises.devices.inertia import matrix
 from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import proofs
 from newton_euler import cos, pi, sin
-
-draw = figure
 
 
 def density(g, element=lambda r: r):

@@ -2,10 +2,8 @@
 
 from exercises.devices.inertia import matrix
 from exercises.devices.inertia_proof import added, turned
-from exercises.devices.wire_arc import WIRE, along, figure, over
+from exercises.devices.wire_arc import WIRE, along, draw, over
 from newton_euler import cos, sin
-
-draw = figure
 
 
 def moments(g, start=None):

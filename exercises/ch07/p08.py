@@ -1,13 +1,11 @@
 """7/8: the inertia matrix of a hemispherical shell."""
 
-from exercises.devices.dome import SHELL, area_of_ring, figure, over_rings, shadow
+from exercises.devices.dome import SHELL, area_of_ring, draw, over_rings, shadow
 from exercises.devices.inertia import matrix
 from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import proofs
 from newton_euler import cos, sin
 from newton_euler.bodies import hemisphere, ring, spherical_shell
-
-draw = figure
 
 
 def density(g):

@@ -1,12 +1,11 @@
 """7/9: the inertia matrix of an L-shaped block with a bore."""
 
-from exercises.devices.bored_bracket import BRACKET, block, figure, parts
+from exercises.devices.bored_bracket import BRACKET, block, draw, parts
 from exercises.devices.inertia import no_products, problem_of, together, whole
 from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import mp, proofs
 
 solve, steps = problem_of(BRACKET, lambda g: parts(g, g.rho), "slug", "in", "slug*in^2", holes=True)
-draw = figure
 
 
 def prove(g):

@@ -1,13 +1,11 @@
 """7/10: the inertia matrix of a figure of wire."""
 
-from exercises.devices import wire_figure
 from exercises.devices.inertia import matrix, problem_of, together, whole
 from exercises.devices.inertia_proof import added, along_path
-from exercises.devices.wire_figure import WIRE, parts, path
+from exercises.devices.wire_figure import WIRE, draw, parts, path
 from newton_euler.bodies import disk
 
 solve, steps = problem_of(WIRE, lambda g: parts(g, g.lam), "kg", "mm", "kg*m^2", at_O=["diameter"])
-draw = wire_figure.figure
 
 
 def prove(g):

@@ -2,12 +2,10 @@
 
 from itertools import pairwise
 
-from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, figure, path, rods
+from exercises.devices.chain_of_rods import CHAIN, all_from_O, corners, draw, path, rods
 from exercises.devices.inertia import together, whole, wrong_sign
 from exercises.devices.inertia_proof import added, along_path
 from newton_euler.bodies import particle
-
-draw = figure
 
 
 def parts(g):

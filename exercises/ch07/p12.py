@@ -1,6 +1,6 @@
 """7/12: the inertia matrix of a disk with an eccentric hole."""
 
-from exercises.devices.disk_with_hole import DISK, figure, parts, rim
+from exercises.devices.disk_with_hole import DISK, draw, parts, rim
 from exercises.devices.inertia import matrix, problem_of, together, untransferred, whole
 from exercises.devices.inertia_proof import added, of_points, turned
 from exercises.tools import mp, proofs
@@ -8,7 +8,6 @@ from exercises.tools import mp, proofs
 solve, steps = problem_of(
     DISK, lambda g: parts(g, g.rho), "kg", "m", "kg*m^2", holes=True, at_O=["full disk"]
 )
-draw = figure
 
 
 def prove(g):

@@ -2,10 +2,9 @@
 
 from exercises.devices.inertia import no_products, problem_of, together, whole, wrong_sign
 from exercises.devices.inertia_proof import added, along_path
-from exercises.devices.welded_rods import WELDED, figure, parts, path
+from exercises.devices.welded_rods import WELDED, draw, parts, path
 
 solve, steps = problem_of(WELDED, lambda g: parts(g, density=g.rho), "kg", "m", "kg*m^2")
-draw = figure
 
 
 def prove(g):

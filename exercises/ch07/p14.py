@@ -1,13 +1,12 @@
 """7/14: the inertia matrix of a bent plate with a hole and a round top."""
 
-from exercises.devices.bent_plate import PART, figure, parts
+from exercises.devices.bent_plate import PART, draw, parts
 from exercises.devices.inertia import no_products, problem_of, together, untransferred, whole
 from exercises.devices.inertia_proof import added, of_points
 from exercises.tools import mp, proofs
 from newton_euler.bodies import Body
 
 solve, steps = problem_of(PART, parts, "kg", "mm", "kg*m^2", holes=True)
-draw = figure
 
 
 def prove(g):

@@ -1,11 +1,9 @@
 """7/15: the inertia matrix of four particles on light rods."""
 
-from exercises.devices.four_particles import figure, masses, particles, places, rods
+from exercises.devices.four_particles import draw, masses, particles, places, rods
 from exercises.devices.inertia import answer, matrix, together, wrong_sign
 from exercises.tools import cross, plus, rate, rot, scaled, times, transposed
 from newton_euler.bodies import particle
-
-draw = figure
 
 
 def inertia(ground, pairs):

@@ -2,11 +2,9 @@
 
 from exercises.devices.inertia import matrix
 from exercises.devices.inertia_proof import added, of_points
-from exercises.devices.parabola_plate import figure, height, start
+from exercises.devices.parabola_plate import draw, height, start
 from exercises.devices.plate_under_curve import PLATE, area, moments_of_inertia, steps_to_inertia
 from exercises.tools import proofs
-
-draw = figure
 
 
 def moments(g, area):

@@ -8,13 +8,9 @@ PLATE = Frame("plate")
 follows = {"I_yy": lambda g, I_xx: I_xx, "I_zz": lambda g, I_xx, I_yy: I_xx + I_yy}
 
 
-def moments(diameter, normal):
-    return {"I_xx": diameter, "I_yy": diameter, "I_zz": normal}
-
-
 def of(body):
-    I = body.inertia
-    return moments(I.moment("z") / 2, I.moment("z"))
+    normal = body.inertia.moment("z")
+    return {"I_xx": normal / 2, "I_yy": normal / 2, "I_zz": normal}
 
 
 def sheet(g):

@@ -13,13 +13,10 @@ def about_base(g):
     return integral(lambda u: 2 * g.m / g.h * (1 - u / g.h) * u**2, 0, g.h)
 
 
-def about_axis(g):
-    """By the same strips, of width b (1 - u/h)."""
-    return integral(lambda u: g.m / g.h * (1 - u / g.h) * (g.b * (1 - u / g.h)) ** 2 / 6, 0, g.h)
-
-
 def solve(g):
-    I_xx, I_yy = about_base(g) - g.m * (g.h / 3) ** 2, about_axis(g)
+    """I_yy by the same strips, of width b (1 - u/h)."""
+    I_xx = about_base(g) - g.m * (g.h / 3) ** 2
+    I_yy = integral(lambda u: g.m / g.h * (1 - u / g.h) * (g.b * (1 - u / g.h)) ** 2 / 6, 0, g.h)
     return {"I_xx": I_xx, "I_yy": I_yy, "I_zz": I_xx + I_yy}
 
 

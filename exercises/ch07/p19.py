@@ -42,7 +42,6 @@ def steps(g):
 
 def prove(g):
     """By thin tubes about the y axis, which reach from the lower face up to the cavity."""
-
     edge = g.p * g.a
     height = lambda r: 1 - g.q * (1 - r / edge) if r < edge else 1  # over h
     total = lambda f: proofs.integral(lambda r: r * height(r) * f(r), 0, g.a, (edge,))

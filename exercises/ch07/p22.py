@@ -44,7 +44,6 @@ def cloud(Jx, Jy, Jz):
 
 def by_points(points):
     """Proof: (I_xx, I_yy, I_zz) from the speeds of the points as the body turns at unit rate."""
-
     speed = lambda axis, place: size(rate(lambda t: times(rot(axis, t), place)))
     moment = lambda axis: mean(lambda place: speed(axis, place) ** 2, points)
     return [moment(axis) for axis in "xyz"]

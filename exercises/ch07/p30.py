@@ -2,7 +2,8 @@
 
 from itertools import pairwise
 
-from exercises.devices.chain_of_rods import CHAIN, corners, figure, path, rods
+from exercises.devices import chain_of_rods
+from exercises.devices.chain_of_rods import CHAIN, corners, path, rods
 from exercises.tools import proofs
 from newton_euler import composite, particle
 
@@ -49,7 +50,7 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = figure(g, ax)
+    s = chain_of_rods.draw(g, ax)
     G = composite("assembly", parts(g)).centre
     x, y, z = G.position(CHAIN).components()
     s.dot(G, "G")

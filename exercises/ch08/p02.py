@@ -5,7 +5,7 @@ from exercises.tools import box, on_ground, plus, second_rate
 from newton_euler import Frame, bodies, sqrt
 
 follows = {
-    "a_C": lambda g, alpha_plate: a_C(g, alpha_plate),
+    "a_C": lambda g, alpha_plate: device.acceleration_of((g.b, -g.b, 0), alpha_plate),
     "R_A": lambda g, alpha_plate: device.pin_force(g, square(g), alpha_plate),
 }
 
@@ -16,13 +16,9 @@ def square(g):
     )
 
 
-def a_C(g, alpha):
-    return device.acceleration_of((g.b, -g.b, 0), alpha)
-
-
 def answers(g, alpha):
-    R_A = device.pin_force(g, square(g), alpha)
-    return {"alpha_plate": alpha, "a_C": a_C(g, alpha), "R_A": R_A}
+    a_C, R_A = (f(g, alpha) for f in follows.values())
+    return {"alpha_plate": alpha, "a_C": a_C, "R_A": R_A}
 
 
 def solve(g):

@@ -96,8 +96,7 @@ def draw(g, ax):
         wall = [(x - 0.4 * g.l, side * w, 0), (x + 0.5 * g.l, side * w, 0)]
         s.road(wall[::-side])
     s.box((x + 0.6 * w, 0, -2 * w), ground, (2.4 * w, 2 * w, 2 * w))
-    s.rod(A, B)
-    s.rod(B, O)
+    s.rod(A, B, O)
     s.hinge(A)
     s.hinge(B)
     s.hinge(O)

@@ -21,18 +21,14 @@ def upright(g):
     return Frame("ground").vector(found.q_x, found.q_y, 0)
 
 
-def spin(g, q):
-    return sqrt(q.norm() / g.e)
-
-
 def solve(g):
     q = upright(g)
-    return {"v_min": g.r * spin(g, q), "phi_G": g.theta + atan2(-q.x, q.y)}
+    return {"v_min": g.r * sqrt(q.norm() / g.e), "phi_G": g.theta + atan2(-q.x, q.y)}
 
 
 def steps(g):
     q = upright(g)
-    return {"a_G": -q.norm(), "omega": spin(g, q)}
+    return {"a_G": -q.norm(), "omega": sqrt(q.norm() / g.e)}
 
 
 def contact(g, phi, square):

@@ -1,7 +1,7 @@
 """8/9: a disk that rolls up a slope and comes to rest."""
 
 from exercises.devices.rolling_cylinder import rolled, rolls
-from exercises.tools import Sketch, force_needed, kinetic_energy, let_go, mp, vanishing
+from exercises.tools import force_needed, kinetic_energy, let_go, mp, on_ground, vanishing
 from newton_euler import Frame, cos, sin
 from newton_euler.bodies import disk, ring
 from newton_euler.kinematics.rectilinear import from_speed
@@ -54,9 +54,8 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    ground = Frame("ground")
+    ground, s = on_ground(ax, plane="xy")
     slope = ground.rotate("slope", "z", angle=g.theta)
-    s = Sketch(ax, ground, plane="xy")
     r = 0.8
     places = {"O": (0, 0), "P": (4 * r, 0), "foot": (-3 * r, -r), "end": (6 * r, -r)}
     C, P, foot, end = (slope.point(name, x, y, 0) for name, (x, y) in places.items())

@@ -45,5 +45,5 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = chain_of_rods.figure(g, ax, edge="b")
+    s = chain_of_rods.draw(g, ax, edge="b")
     s.turn((0, 0, 1.2 * g.b), CHAIN.k, r"$\omega$")

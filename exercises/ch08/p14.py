@@ -41,5 +41,5 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = wire_figure.figure(g, ax)
+    s = wire_figure.draw(g, ax)
     s.turn((0, 1.35 * g.r, 0), WIRE.j, r"$\omega,\ \alpha$")

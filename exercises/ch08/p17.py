@@ -33,5 +33,5 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = chain_of_rods.figure(g, ax, "z")
+    s = chain_of_rods.draw(g, ax, "z")
     s.turn((1.3 * g.a, 0, 0), CHAIN.i, r"$\omega,\ \alpha$")

@@ -4,13 +4,8 @@ from exercises.devices import spinning_disk as device
 from exercises.tools import Sketch, terms
 
 
-def place(g):
-    """The place of C, along the axes of the arm."""
-    return g.L, 0, g.h
-
-
 def disk_on_arm(g):
-    return device.spinning(g, g.r, "y", "z", place(g))
+    return device.spinning(g, g.r, "y", "z", (g.L, 0, g.h))
 
 
 def solve(g):
@@ -30,7 +25,7 @@ follows = device.following("M_A", "y")
 
 
 def prove(g):
-    return device.prove_spinning(g, g.r, "y", "z", place(g), "M_A")
+    return device.prove_spinning(g, g.r, "y", "z", (g.L, 0, g.h), "M_A")
 
 
 def mistakes(g):
@@ -48,8 +43,7 @@ def draw(g, ax):
     s = Sketch(ax, d.arm, up="y", azimuth=-42, elevation=20)
     A, B, C = d.O, d.arm.point("B", g.L, 0, 0), d.body.centre
     s.shaft((0, -0.35 * g.L, 0), (0, 0.6 * g.L, 0))
-    s.rod(A, B)
-    s.rod(B, C)
+    s.rod(A, B, C)
     s.disk(C, d.arm.k, g.r)
     s.hinge(A, axis=d.arm.j)
     s.dot(C)

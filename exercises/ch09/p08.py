@@ -44,8 +44,7 @@ def draw(g, ax):
     s.shaft((-2.9 * g.a, 0, 0), (bridge, 0, 0))
     s.hinge((-2.3 * g.a, 0, 0), axis=d.arm.i)
     for y in (-half, half):
-        s.rod((bridge, 0, 0), (bridge, y, 0))
-        s.rod((bridge, y, 0), (0, y, 0))
+        s.rod((bridge, 0, 0), (bridge, y, 0), (0, y, 0))
         s.rod(d.O, (0, y, 0))
     s.disk(d.O, d.arm.j, g.a)
     s.axes(d.O, d.arm, length=1.3 * g.a)

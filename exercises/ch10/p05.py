@@ -1,26 +1,24 @@
 """10/5: the precessions of the top of 10/3 by the leading terms for a fast spin."""
 
-from exercises.devices import top_on_its_point as device
 from exercises.devices.steady_precession import leading, orientation
+from exercises.devices.top_on_its_point import data, data_steps, draw, proof_data, top, two
 from exercises.tools import angular_momentum, carried
 from newton_euler import cos, sin
 from newton_euler.applications.gyroscopes import fast_spin
 
-draw = device.draw
-
 
 def solve(g, **wrong):
-    return device.two(fast_spin(**device.top(g, **wrong)))
+    return two(fast_spin(**top(g, **wrong)))
 
 
 def steps(g):
-    yield from device.data_steps(g)
-    yield "H_s", device.data(g)["I"] * g.phi_dot
+    yield from data_steps(g)
+    yield "H_s", data(g)["I"] * g.phi_dot
 
 
 def prove(g):
     """The exact rates at much larger spins, the slow one as 1/spin, the fast one as the spin."""
-    given, found = device.proof_data(g)
+    given, found = proof_data(g)
     rates = leading(*given)
     m, points, *_ = given
     upright = carried(points, orientation(0, 0, g.phi_dot))
@@ -29,7 +27,7 @@ def prove(g):
 
 
 def mistakes(g):
-    right, found = solve(g), device.data(g)
+    right, found = solve(g), data(g)
     I0, I = found["I0"], found["I"]
     return {
         "sine_left": {"psi_slow": right["psi_slow"] * sin(g.theta)},

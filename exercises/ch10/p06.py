@@ -20,13 +20,10 @@ def spin(g, shape=bodies.cylinder, theta=None):
     return steady_spin(*per_mass(g, shape), theta, g.psi_dot, mgr=0)
 
 
-def sense(g):
-    return free_precession(*per_mass(g), g.theta, spin(g)).sense
-
-
 def solve(g):
     phi_dot = whole_rate(g) - g.psi_dot * cos(g.theta)
-    return {"phi_dot": phi_dot, "sense": lambda: str(sense(g))}
+    sense = lambda: str(free_precession(*per_mass(g), g.theta, spin(g)).sense)
+    return {"phi_dot": phi_dot, "sense": sense}
 
 
 def whole_rate(g):

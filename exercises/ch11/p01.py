@@ -27,12 +27,8 @@ def work(g, N=None):
     return summed({name: constant_force_work(F, A, B) for name, F in forces.items()})
 
 
-def start_energy(g):
-    return g.m * g.v_A**2 / 2
-
-
 def speed(g, U):
-    return {"v_B": sqrt(2 * (start_energy(g) + value_of(U)) / g.m)}
+    return {"v_B": sqrt(2 * (g.m * g.v_A**2 / 2 + value_of(U)) / g.m)}
 
 
 def solve(g):
@@ -41,8 +37,8 @@ def solve(g):
 
 def steps(g):
     N, U = normal_force(g), work(g).terms
-    forces = {"N": N, "F_f": g.mu * N}
-    return {**forces, "U_w": U["weight"], "U_f": U["friction"], "T_A": start_energy(g)}
+    forces, T_A = {"N": N, "F_f": g.mu * N}, g.m * g.v_A**2 / 2
+    return {**forces, "U_w": U["weight"], "U_f": U["friction"], "T_A": T_A}
 
 
 def prove(g):

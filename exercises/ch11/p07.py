@@ -80,8 +80,7 @@ def draw(g, ax):
     for side in (1, -1):
         base, *joints = scene(g, 2.3, side)  # at any angle
         knee, top = (P.position(base).components() for P in joints)
-        s.rod(O, knee)
-        s.rod(knee, top)
+        s.rod(O, knee, top)
         s.sphere(knee, 0.6 * unit)
         s.label(knee, "$m_b$", offset=(side * 20, 0), bold=False)
     s.arc(knee, O, top, label=r"$\theta$")

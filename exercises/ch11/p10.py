@@ -17,13 +17,9 @@ def least_speed(g, r):
     return root(lambda v: contact(mass(g), g.g, r, pi(r), v), fast / 1000, fast)
 
 
-def kinetic(g, v):
-    return mass(g) * v**2 / 2
-
-
 def compression(g, v, rise):
     """The compression that gives the pellet the speed v at the height ``rise``."""
-    needed = kinetic(g, v) + weight_potential(mass(g), rise, g.g)
+    needed = mass(g) * v**2 / 2 + weight_potential(mass(g), rise, g.g)
     most = g.W / g.k + 10 * rise
     return {"x_min": root(lambda x: spring_potential(g.k, x) - needed, most / 10**4, most)}
 
@@ -35,7 +31,7 @@ def solve(g):
 def steps(g):
     v = least_speed(g, g.r)
     taken = weight_potential(mass(g), 2 * g.r, g.g)
-    return {"v_D": v, "T_D": kinetic(g, v), "V_D": taken}
+    return {"v_D": v, "T_D": mass(g) * v**2 / 2, "V_D": taken}
 
 
 def prove(g):

@@ -28,15 +28,11 @@ def corners(g):
     return [(none, none, none), (g.a, none, none), (g.a, g.b, none), (none, g.b, none)]
 
 
-def work(g, start, end):
-    """The work along the segment between two places."""
-    segment = lambda s: tuple(p + s * (q - p) for p, q in zip(start, end, strict=True))
-    return work_along(field(g), segment, 0, 1).value
-
-
 def round_trip(g, places):
     """The works along the sides, back to the first place."""
-    return [work(g, P, Q) for P, Q in pairwise([*places, places[0]])]
+    side = lambda P, Q: lambda s: tuple(p + s * (q - p) for p, q in zip(P, Q, strict=True))
+    sides = [side(P, Q) for P, Q in pairwise([*places, places[0]])]
+    return [work_along(field(g), segment, 0, 1).value for segment in sides]
 
 
 def candidate(g):

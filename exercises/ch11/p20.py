@@ -10,14 +10,9 @@ def turning(g):
     return 2 * pi(g.f) * g.f
 
 
-def distance(g):
-    """OP."""
-    return sqrt(g.L**2 + g.r**2)
-
-
 def leaning(g):
     """The angle of OA to the vertical."""
-    return asin(g.R / distance(g)) - atan(g.r / g.L)
+    return asin(g.R / sqrt(g.L**2 + g.r**2)) - atan(g.r / g.L)
 
 
 def rise(g):
@@ -56,7 +51,7 @@ def steps(g):
     d = rolls(g)
     G = d.shaft.point("G", g.c, 0, 0)
     return {
-        "OP": distance(g),
+        "OP": sqrt(g.L**2 + g.r**2),
         "psi_dot": turning(g),
         "omega_s": -d.body.angular_velocity(d.shaft).expressed_in(d.shaft).x,
         "omega_t": d.body.angular_velocity(d.ground).expressed_in(d.shaft).z,

@@ -10,6 +10,8 @@ from newton_euler import Frame, Point, Vector, solve_rates
 
 Assembly: TypeAlias = tuple[Frame, Frame, Point, Point]  # ground, body, A, D
 
+follows = {"v_D": lambda g, omega: omega.cross(omega.frame.vector(-g.x_A / 2, g.h, -g.z_A / 2))}
+
 
 def assembly(g: Givens, omega_y: Scalar, omega_z: Scalar) -> Assembly:
     """Ground with y up, the body with its three rates at the instant, and its points A and D."""
@@ -43,13 +45,6 @@ def answers(ground: Frame, body: Frame, A: Point, D: Point) -> Answers:
 
 def solve(g: Givens) -> Answers:
     return answers(*joint_motion(g))
-
-
-def v_D(g: Givens, omega: Vector) -> Vector:
-    return omega.cross(omega.frame.vector(-g.x_A / 2, g.h, -g.z_A / 2))
-
-
-follows = {"v_D": v_D}
 
 
 def steps(g: Givens) -> Steps:

@@ -27,7 +27,7 @@ def parts(
     )
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, PART, azimuth=35, elevation=22)
     O, along, thick = (0, 0, 0), (0, g.w, 0), 0.04 * g.w
     end, far = (g.l_h, 0, 0), (g.l_h, g.w, 0)

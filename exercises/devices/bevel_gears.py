@@ -4,7 +4,7 @@ The functions are those of both problems; C turns at n_C if it is given.
 """
 
 from exercises.annotations import Answers, AnyAxes, Givens, Steps
-from exercises.tools import Sketch, Step, in_frame, minus, proofs, rot, terms, times
+from exercises.tools import Step, in_frame, minus, on_ground, proofs, rot, terms, times
 from newton_euler import Frame, atan, cos, sin, solve_rates
 
 # omega_B is constant along the axes of the arm, which turn about z
@@ -65,14 +65,13 @@ def prove(g: Givens) -> Answers:
 def draw(g: Givens, ax: AnyAxes) -> None:
     """The gears, with a line of contact of length 1, viewed almost normal to their plane."""
     gamma = atan(g.tan_gamma)
-    ground = Frame("ground")
+    ground, s = on_ground(ax, azimuth=20, elevation=15)
     places = ("O", 0, 0, 0), ("A", 0, sin(gamma) + 0.4, 0), ("D", 0, 0, -2), ("E", 0, 0, 0.8)
     O, A, D, E = (ground.point(*place) for place in places)
     B = ground.j * sin(gamma)
     C = ground.k * -cos(gamma)
     contact = ground.vector(0, sin(gamma), -cos(gamma))
     foot = C - ground.k * 0.65
-    s = Sketch(ax, ground, azimuth=20, elevation=15)
     s.shaft(D, E)
     s.shaft(O, A)
     s.cylinder(foot, C, 0.12)

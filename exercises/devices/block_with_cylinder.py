@@ -19,7 +19,7 @@ def parts(g: Givens, foot: Scalar | None = None, density: Scalar = 1) -> list[Bo
     ]
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, BLOCK, azimuth=-120, elevation=22)
     O, foot, top = (0, 0, 0), (g.x_c, g.b / 2, g.c), (g.x_c, g.b / 2, g.c + g.l_c)
     right = (0.87 * g.r_c, -0.5 * g.r_c, 0)  # to the right in the figure

@@ -25,7 +25,7 @@ def parts(g: Givens, density: Scalar = 1) -> tuple[list[Body], list[Body]]:
     )
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, BRACKET, azimuth=-113, elevation=28)
     O, high = (0, 0, 0), g.h_b + g.h_w
     end, top = (g.l_x, 0, 0), (g.x_h, g.l_y / 2, g.h_b)

@@ -42,7 +42,7 @@ def path(
     return place, 3 * a, (a, 2 * a)
 
 
-def figure(g: Givens, ax: AnyAxes, first: str = "x", edge: str = "a") -> Sketch:
+def draw(g: Givens, ax: AnyAxes, first: str = "x", edge: str = "a") -> Sketch:
     """The figure of the chain; returns the sketch."""
     s = Sketch(ax, CHAIN, azimuth=-60, elevation=22)
     O, A, B, C = corners(g, first, edge)

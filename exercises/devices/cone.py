@@ -19,7 +19,7 @@ def tube(g: Givens, s: Number) -> tuple[Number, Number, Number]:
     return 2 * mp.pi * s * (g.h - low), low, g.h - low
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     """The cone in outline, with the disk in it visible."""
     azimuth, elevation = -60, 18
     s = Sketch(ax, CONE, azimuth=azimuth, elevation=elevation)

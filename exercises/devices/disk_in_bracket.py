@@ -209,9 +209,7 @@ def _draw_fork(s, bracket, disk, r, omega, P):
     foot = bracket.point("", 0, 0, -2.2 * r)
     for y in (-0.7 * r, 0.7 * r):
         end, corner = bracket.point("", 0, y, 0), bracket.point("", 0, y, -1.4 * r)
-        s.rod(C, end)
-        s.rod(end, corner)
-        s.rod(corner, middle)
+        s.rod(C, end, corner, middle)
     s.shaft(foot, middle)
     s.ground(foot, bracket.k)
     s.axes(C, bracket, length=1.5 * r)

@@ -140,9 +140,7 @@ def draw_two_brackets(g: Givens, ax: AnyAxes, name: str) -> None:
         s.rod(O, A.point("", 0, y, 0))
     for x in (-1, 1):
         pin, corner = B.point("", x * arm, 0, 0), B.point("", x * arm, 0, low)
-        s.rod(A.point("", x * ring, 0, 0), pin)
-        s.rod(pin, corner)
-        s.rod(corner, top)
+        s.rod(A.point("", x * ring, 0, 0), pin, corner, top)
     s.shaft(foot, top)
     s.ground(foot, ground.k)
     s.axes(O, B, length=2 * g.r)

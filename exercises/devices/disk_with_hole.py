@@ -18,7 +18,7 @@ def rim(g: Givens, c: Number, s: Number) -> Number:
     return mp.sqrt(g.R**2 - (g.e * s) ** 2) - g.e * c
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, DISK, plane="xy")
     O, C = (0, 0, 0), (g.e, 0, 0)
     s.axes(O, DISK, length=1.3 * g.R, labels=["x", "y", ""])

@@ -25,7 +25,7 @@ def shadow(g: Givens, s: Number) -> tuple[Number, Number]:
     return 2 * mp.pi * s * g.R / z, z
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, SHELL, azimuth=-60, elevation=20)
     O, end = (0, 0, 0), (-0.6 * g.R, -0.8 * g.R, 0)
     s.hemisphere(O, SHELL.k, g.R, open=True)

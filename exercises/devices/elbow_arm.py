@@ -47,7 +47,6 @@ follows = {"a_D": a_D}
 
 def prove(g: Givens) -> Answers:
     """The direction of CD in the turning vertical plane, raised by beta from CB."""
-
     beta = lambda t: g.beta_1 + g.b_dot * t
 
     def rod(t):
@@ -77,8 +76,7 @@ def draw(g: Givens, ax: AnyAxes) -> None:
     A = arm.point("A", 0, 0, -g.b)
     s = Sketch(ax, ground, azimuth=25, elevation=20)
     s.shaft(A, B)
-    s.rod(B, C)
-    s.rod(C, D)
+    s.rod(B, C, D)
     s.ground(A, normal=ground.k)
     s.axes(B, ground, length=1.4 * g.b, labels="XYZ")
     s.turn(A, ground.k, label=r"$\omega$")

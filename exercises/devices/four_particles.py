@@ -25,7 +25,7 @@ def particles(g: Givens) -> tuple[Frame, list[tuple[Scalar, Point]]]:
     return ground, list(zip(masses(g), points, strict=True))
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     ground, parts = particles(g)
     s = Sketch(ax, ground, azimuth=-60, elevation=22)
     x, z = ground.i, ground.k

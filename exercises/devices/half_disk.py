@@ -26,7 +26,7 @@ def top(g: Givens, x: Number) -> Number:
     return mp.sqrt(g.R**2 - x**2)
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, DISK, plane="xy")
     O, end = (0, 0, 0), (g.R, 0, 0)
     s.axes(O, DISK, length=1.35 * g.R, labels=["x", "y", ""])

@@ -14,7 +14,7 @@ def start(g: Givens, y: Number) -> Number:
     return g.a * mp.sqrt(y / g.b)
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, PLATE, plane="xy")
     O, end = (0, 0, 0), (g.a, 0, 0)
     edge = [(g.a * n / 40, height(g)(g.a * n / 40), 0) for n in range(41)]

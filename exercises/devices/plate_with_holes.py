@@ -21,7 +21,7 @@ def parts(g: Givens, density: Scalar = 1) -> tuple[list[Body], list[Body]]:
     return [full], [hole(n, C) for n, C in enumerate(centres, 1)]
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, PLATE, plane="xy")
     O, A, B, C = (0, 0, 0), (g.a, 0, 0), (0, g.b, 0), (g.a, g.b, 0)
     rims = [s.around((x, y, 0), (x + g.r, y, 0), PLATE.k) for x, y in places(g)]

@@ -1,8 +1,7 @@
 """A collar on a smooth quarter hoop (11/4, 11/5): O the origin, y up; A left, B below."""
 
-from collections.abc import Callable
-
 from exercises.annotations import AnyAxes, Givens, Number, Scalar
+from exercises.catalogue.proofs.digits import Force
 from exercises.tools import Sketch, mp, plus, until
 from newton_euler import Frame, Point, pi
 from newton_euler.dynamics import constant_force_work, weight
@@ -20,9 +19,7 @@ def work_of_weight(g: Givens) -> Scalar:
     return constant_force_work(weight(g.m, ground.j, g.g), A, B).value
 
 
-def slides(
-    g: Givens, pull: Callable[[list[Number]], list[Number]] = lambda place: [0, 0]
-) -> tuple[Number, Number]:
+def slides(g: Givens, pull: Force = lambda place: [0, 0]) -> tuple[Number, Number]:
     """Proof: (time, speed at B) after release at A; ``pull(place)`` is a further force."""
 
     def rates(state):

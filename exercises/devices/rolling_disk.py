@@ -58,7 +58,6 @@ def proved_steps(g: Givens) -> Answers:
 
 def orientation(g: Givens) -> Orientation:
     """Proof, over time: centre and rim both cover the arc R theta; A starts at the bottom."""
-
     theta = lambda t: 2 * mp.pi * t / g.T
     return lambda t: times(rot("y", theta(t)), rot([0, 0, -1], g.R * theta(t) / g.r))
 

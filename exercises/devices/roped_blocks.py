@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from exercises.annotations import AnyAxes, Givens, Number, Path, Scalar, Steps
-from exercises.tools import Sketch, Step, minus, rate, root
+from exercises.tools import Step, minus, on_ground, rate, root
 from newton_euler import Frame, cos, pi, sin, tan
 from newton_euler.algebra.vectors import Vector
 from newton_euler.dynamics import mass_from_weight
@@ -111,8 +111,7 @@ def draw_wedge(
     ax: AnyAxes, left: tuple[Scalar, str], right: tuple[Scalar, str] | None = None
 ) -> None:
     """A wedge with A on its left, B on its right face or hanging; angles with their labels."""
-    ground = Frame("ground")
-    s = Sketch(ax, ground, plane="xy")
+    ground, s = on_ground(ax, plane="xy")
     height, half, long = 0.55, 0.09, 0.13  # height of the wedge, half sizes of a block
     top, foot = (0, 0, 0), (-height / tan(left[0]), -height, 0)
     heel = (height / tan(right[0]) if right else 0, -height, 0)

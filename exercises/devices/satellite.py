@@ -27,7 +27,7 @@ def spheres(g: Givens) -> list[tuple[Number, Points, list[Number]]]:
     ]
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, SATELLITE, plane="xz")
     O, C = (0, 0, 0), (g.R1 + g.R2, 0, 0)
     s.sphere(O, g.R1)

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from exercises.annotations import AnyAxes, Givens, Number, Path
-from exercises.tools import Sketch, at_angle, plus, rot, times
-from newton_euler import Frame, cos, moving, sin
+from exercises.tools import at_angle, on_ground, plus, rot, times
+from newton_euler import cos, moving, sin
 from newton_euler.algebra import Moving
 
 
@@ -26,12 +26,11 @@ def in_arm(g: Givens, vector: list[Number], t: Number = 0) -> list[Number]:
 
 def sketch(g: Givens, ax: AnyAxes, labels: Sequence[str]) -> None:
     """The figure of both problems; ``labels``: of the axes along the arm."""
-    ground = Frame("ground")
+    ground, s = on_ground(ax, plane="xy")
     arm = ground.rotate("arm", "z", g.theta)
     O, C = ground.point("O", 0, 0, 0), ground.point("C", g.b, 0, 0)
     P = arm.point("P", 2 * g.b * cos(g.theta), 0, 0)
     end = arm.point("end", 2.35 * g.b, 0, 0)
-    s = Sketch(ax, ground, plane="xy")
     s.path(s.around(C, O, ground.k), style="dashed")
     s.line(O, C)
     s.rod(O, end)

@@ -1,17 +1,11 @@
 """A point in spherical coordinates (3/15, 3/16; a proof for others); phi is the elevation."""
 
-from collections.abc import Callable
-
-from exercises.annotations import AnyAxes, Givens, Number, Path
-from exercises.tools import Sketch, at_angle, elevation, mp, second_rate, spherical_axes, times
-from newton_euler import Frame, cos, kinematics, sin
+from exercises.annotations import AnyAxes, Coordinate, Givens, Number, Path
+from exercises.tools import at_angle, elevation, mp, on_ground, second_rate, spherical_axes, times
+from newton_euler import cos, kinematics, sin
 
 
-def place_in_time(
-    R: Callable[[Number], Number],
-    theta: Callable[[Number], Number],
-    phi: Callable[[Number], Number],
-) -> Path:
+def place_in_time(R: Coordinate, theta: Coordinate, phi: Coordinate) -> Path:
     """Proof: position over time from coordinates over time."""
     across = lambda t: R(t) * mp.cos(phi(t))
     up = lambda t: R(t) * mp.sin(phi(t))
@@ -23,16 +17,15 @@ def local_acceleration(A: Path, t: Number = 0) -> list[Number]:
     return times(spherical_axes(A(t)), second_rate(A, t))
 
 
-def elevation_in_time(A: Path) -> Callable[[Number], Number]:
+def elevation_in_time(A: Path) -> Coordinate:
     """Proof: elevation of A, a position over time."""
     return lambda t: elevation(A(t))
 
 
 def figure(g: Givens, ax: AnyAxes, distance: str = "", theta: float = 0.9) -> None:
     """The figure, with the elevation of g and ``distance``, a label for OP; any azimuth will do."""
-    ground = Frame("ground")
+    ground, s = on_ground(ax, azimuth=40, elevation=20)
     axes = kinematics.spherical_frame(ground, theta, g.phi)
-    s = Sketch(ax, ground, azimuth=40, elevation=20)
     c = cos(g.phi)
     O, P = (0, 0, 0), tuple(axes.i.components(ground))
     Q = (c * cos(theta), c * sin(theta), 0)

@@ -1,14 +1,10 @@
 """A spring from a pin to a particle on a smooth track (11/5, 11/8, 11/11, 11/12): its pull."""
 
-from collections.abc import Callable, Sequence
-
-from exercises.annotations import Number
+from exercises.catalogue.proofs.digits import Force, Number, Place
 from exercises.tools import minus, scaled, size
 
 
-def pull(
-    k: Number, free_length: Number, pin: Sequence[Number]
-) -> Callable[[Sequence[Number]], list[Number]]:
+def pull(k: Number, free_length: Number, pin: Place) -> Force:
     """The force on the particle as a function of its place, toward the pin."""
 
     def force(place):

@@ -13,12 +13,10 @@ from exercises.tools import carried, mean, moment_needed, mp, mpf, plus, ring, r
 from newton_euler import Frame, dynamics, euler_frame
 
 
-def frames(
-    theta: Scalar, psi: Scalar = 0, phi: Scalar = 0, name: str = "top"
-) -> tuple[Frame, Frame]:
+def frames(theta: Scalar, psi: Scalar = 0, name: str = "top") -> tuple[Frame, Frame]:
     """The ground with z up, and axes {i, j, k} at O that precess without spinning."""
     ground = Frame("ground")
-    return ground, cast(Frame, euler_frame(ground, name, psi, theta, phi).parent)
+    return ground, cast(Frame, euler_frame(ground, name, psi, theta, 0).parent)
 
 
 def weight_moment(m: Scalar, g: Scalar, ground: Frame, axes: Frame, r: Scalar) -> Scalar:

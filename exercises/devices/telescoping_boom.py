@@ -1,8 +1,6 @@
 """The telescoping boom OA of 3/17 and 3/18, on a turning vertical shaft."""
 
-from collections.abc import Callable
-
-from exercises.annotations import AnyAxes, Number, Path, Scalar
+from exercises.annotations import AnyAxes, Coordinate, Number, Path, Scalar
 from exercises.tools import Sketch, mp, rot, times
 from newton_euler import Frame, moving, pi, spherical
 from newton_euler.algebra import Moving
@@ -16,9 +14,7 @@ def boom_end(omega: Scalar, beta: Moving, length: Scalar) -> tuple[Frame, Coordi
     return ground, spherical(ground, "A", length, moving(0, rate=omega), elevation)
 
 
-def end_in_time(
-    omega: Number, beta: Callable[[Number], Number], length: Callable[[Number], Number]
-) -> Path:
+def end_in_time(omega: Number, beta: Coordinate, length: Coordinate) -> Path:
     """Proof: position of A over time, from functions ``beta`` and ``length`` of time."""
     along = lambda t: [length(t) * mp.sin(beta(t)), 0, length(t) * mp.cos(beta(t))]
     return lambda t: times(rot("z", omega * t), along(t))

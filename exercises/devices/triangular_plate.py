@@ -16,7 +16,7 @@ def area_points(g: Givens) -> Points:
     return [(s * g.b * g.h * v, [v * g.b * (1 - u), v * g.h * u, 0]) for s, u, v in square]
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, PLATE, plane="xy")
     O, B, H = (0, 0, 0), (g.b, 0, 0), (0, g.h, 0)
     s.axes(O, PLATE, length=1.3 * max(g.b, g.h), labels=["x", "y", ""])

@@ -1,8 +1,6 @@
 """A body sliding along i on a plate that turns about A: the welder, the rod of 2/36."""
 
-from collections.abc import Callable
-
-from exercises.annotations import Answers, Number, Scalar, Steps
+from exercises.annotations import Answers, Coordinate, Scalar, Steps
 from exercises.tools import Step, in_frame, mp, proofs, rate, rot, second_rate, terms
 from newton_euler import Frame, Point, Vector
 
@@ -35,13 +33,7 @@ def motion_steps(ground: Frame, P: Point, length: str) -> Steps:
     yield from terms(a, f"a_{P.name}", f"{length}/s^2", "2.10", "2.25")
 
 
-def proof(
-    name: str,
-    plate: str,
-    theta: Callable[[Number], Number],
-    x: Callable[[Number], Number],
-    y: Callable[[Number], Number],
-) -> Answers:
+def proof(name: str, plate: str, theta: Coordinate, x: Coordinate, y: Coordinate) -> Answers:
     """Proof by the explicit path; ``theta``, ``x`` and ``y`` are functions of time."""
 
     def P(t):

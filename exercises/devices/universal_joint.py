@@ -53,8 +53,7 @@ def draw(g: Givens, ax: AnyAxes) -> None:
     s.shaft(foot, middle)
     for x in (-0.6, 0.6):
         top, corner = fork.point("top", x, 0, 0), fork.point("corner", x, 0, -0.7)
-        s.rod(middle, corner)
-        s.rod(corner, top)
+        s.rod(middle, corner, top)
         s.rod(fork.point("side", x / 0.6 * 0.13, 0, 0), top)
     s.box(centre, shaft, (0.26, 0.26, 0.26))
     s.shaft(start, A)

@@ -35,7 +35,7 @@ def path(g: Givens) -> tuple[Path, Number, tuple[Number, Number]]:
     return place, g.b + g.c + g.L, (g.b, g.b + g.c)
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, WELDED, azimuth=-60, elevation=22)
     O, B, C, _, E = ends(g)
     s.axes(O, WELDED, length=1.3 * max(g.b, g.c))

@@ -19,14 +19,13 @@ def along(g: Givens, f: Callable[[list[Number]], Value]) -> Value:
     """Proof: the integral of f(place) ds along the wire, f a list or matrix, over the slope u =
     y/(R + x) of the line from (-R, 0), a rational parametrization of the circle.
     """
-
     place = lambda u: [g.R * (1 - u * u) / (1 + u * u), 2 * g.R * u / (1 + u * u), 0]
     per_slope = lambda u: weighted([proofs.size(proofs.rate(place, u))], [f(place(u))])
     steepest = mp.sin(g.alpha) / (1 + mp.cos(g.alpha))
     return proofs.integral(per_slope, -steepest, steepest)
 
 
-def figure(g: Givens, ax: AnyAxes) -> None:
+def draw(g: Givens, ax: AnyAxes) -> None:
     s = Sketch(ax, WIRE, plane="xy")
     O = (0, 0, 0)
     low = (g.R * cos(g.alpha), -g.R * sin(g.alpha), 0)

@@ -32,7 +32,7 @@ def path(g: Givens) -> tuple[Path, Number, tuple[Number, Number]]:
     return place, bend + mp.pi * g.r, (foot, bend)
 
 
-def figure(g: Givens, ax: AnyAxes) -> Sketch:
+def draw(g: Givens, ax: AnyAxes) -> Sketch:
     """The figure of the wire; returns the sketch."""
     s = Sketch(ax, WIRE, azimuth=-60, elevation=25)
     O, left, right = (0, 0, 0), (-g.r, 0, 0), (g.r, 0, 0)

@@ -44,14 +44,6 @@ class Derivation:
     after: tuple[str, ...] = ()
 
 
-def component(key: str, n: int, count: int) -> str:
-    """The name of a component of the quantity ``key``: "v_x" of the vector v."""
-    if count == 1:
-        return key
-    axes = ("xx xy xz yx yy yz zx zy zz" if count == 9 else "x y z").split()
-    return f"{key}_{axes[n] if n < len(axes) else n + 1}"
-
-
 def derivations(p: Problem, values: Mapping[str, Any]) -> Mapping[str, Derivation]:
     """{key: :class:`Derivation`} of the steps and answers of ``p``; empty if it cannot be traced.
     ``values`` decide between cases.
@@ -117,8 +109,9 @@ def _derivations(p, cases, positive, usual):
     sheets = [(p.base(_unrelated(p, n)), {}) for n in range(SHEETS * usual)]
     if p.symbols and not p.givens:
         positive |= {
-            component(key, n, len(parts)) for key, parts in found.components.items()
-            for n, x in enumerate(parts) if all((value_of(x, *s) or 0.0) > 0 for s in sheets)
+            name for key, parts in found.components.items()
+            for name, x in zip(found.kinds[key].names(key), parts, strict=True)
+            if all((value_of(x, *s) or 0.0) > 0 for s in sheets)
         }  # fmt: skip
     holds = dict(zip(numbers, cases, strict=True))
     deriver = _Deriver(
@@ -186,7 +179,7 @@ class _Deriver:
         positive |= {
             name
             for key, parts in self.components.items()
-            if len(parts) == 3
+            if traced.kinds[key].is_vector
             for x, name in zip(parts, self._names(key), strict=True)
             if isinstance(x, Step) and self.given_by.get(x.number, "") in positive
         }
@@ -196,8 +189,7 @@ class _Deriver:
 
     def _names(self, key):
         """The names of the components of a quantity."""
-        count = len(self.components[key])
-        return [component(key, n, count) for n in range(count)]
+        return self.traced.kinds[key].names(key)
 
     def _changing(self, key):
         """The names of the components of a quantity that are not zero for everybody."""
@@ -237,13 +229,14 @@ class _Deriver:
         writer.start(key, parts)
         formulas = tuple(map(writer.formula, range(len(parts)), parts, names))
         formulas = self.known.of_one_body(self._explicit(formulas, names))
-        formulas = tuple(self.roles.placed(formulas, self.names.apart))
+        formulas = tuple(self.roles.placed(formulas, self.traced.kinds[key], self.names.apart))
         solved = any(getattr(unsigned(x)[0], "number", None) in writer.solved for x in parts)
         if of := self.sum_of.get(key):
             shown = {f.name for f in formulas if getattr(f, "is_Symbol", False)}
             self.whole_terms.setdefault(of, set()).update(
                 k for k, x in self.components.items()
-                if len(x) in (1, 3) and shown and shown == self._changing(k)
+                if (len(x) == 1 or self.traced.kinds[k].is_vector)
+                and shown and shown == self._changing(k)
             )  # fmt: skip
         if key not in self.terms:  # terms of an answer are not used by name
             self._remember(key, parts, names, formulas)
@@ -262,7 +255,7 @@ class _Deriver:
         of = self.sum_of.get(key)
         apart = self.sums | self.whole_terms.get(of, set()) | self._unlike(of) if of else set()
         if key in self.along_axes:
-            vectors = {other for other, parts in self.components.items() if len(parts) == 3}
+            vectors = {other for other, kind in self.traced.kinds.items() if kind.is_vector}
             apart |= {other for other in vectors - {key} if self.traced.units[other] != "1"}
         apart = {*self.components} - {key} if key in self.of_givens else apart
         self.known.apart = {name for other in apart for name in self._names(other)}
@@ -270,8 +263,9 @@ class _Deriver:
 
     def _unlike(self, of):
         """The vectors among the answers that are in another unit than a sum, as H_O beside M_O."""
-        units, vectors = self.traced.units, (k for k in self.asked if k in self.traced.units)
-        return {k for k in vectors if len(self.components[k]) == 3 and units[k] != units[of]}
+        units, kinds = self.traced.units, self.traced.kinds
+        vectors = (k for k in self.asked if k in units)
+        return {k for k in vectors if kinds[k].is_vector and units[k] != units[of]}
 
     def _explicit(self, formulas, names):
         """The formulas after solving a single linear equation, if there is one: its solution
@@ -303,9 +297,11 @@ class _Deriver:
         for x, f in zip(map(unsigned, parts), formulas, strict=True):
             if f == 0 and len(parts) > 1 and isinstance(x[0], Step):
                 self.names.fixed[x[0].number] = f
-        self.names.add(key, parts, symbols)
-        self.known.add(parts, symbols, formulas)
-        self.roles.add(key, parts, symbols, formulas)
+        kind = self.traced.kinds[key]
+        self.names.add(key, kind, parts, symbols)
+        self.known.add(parts, symbols, formulas, kind.is_matrix)
+        if kind.is_vector:
+            self.roles.add(key, parts, symbols, formulas)
         if len(parts) == 1:
             self._rename(key, parts[0])
 

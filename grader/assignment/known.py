@@ -48,7 +48,13 @@ class KnownFormulas:
     entry: str = ""
     _placed: dict[tuple[int, int, int], Any] = field(default_factory=dict)
 
-    def add(self, parts: Sequence[Any], symbols: Sequence[Any], formulas: Sequence[Any]) -> None:
+    def add(
+        self,
+        parts: Sequence[Any],
+        symbols: Sequence[Any],
+        formulas: Sequence[Any],
+        is_matrix: bool,
+    ) -> None:
         """Add a quantity: its traced components, their names, and their formulas or None."""
         for n, (part, symbol) in enumerate(zip(parts, symbols, strict=True)):
             x, sign = unsigned(part)
@@ -58,7 +64,7 @@ class KnownFormulas:
                     self.opposite |= {symbol: other, other: symbol}
         named = [(f, x) for f, x in zip(formulas, symbols, strict=True) if f is not None]
         self.velocities |= {x: f for f, x in named if f.is_Mul and self.rates.get(x.name) == 1}
-        self.entries |= {x: f for f, x in named if len(parts) == 9}
+        self.entries |= {x: f for f, x in named if is_matrix}
         self.constants |= {float(f): x for f, x in named if f.is_Float}
         self.products |= {
             x: f for f, x in named if f.is_Mul and self.is_of_givens(f)

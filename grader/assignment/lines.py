@@ -25,7 +25,7 @@ from newton_euler.answers.notation import (  # fmt: skip
 from newton_euler.answers.tolerance import NOISE
 
 from .cells import Values
-from .derivations import SHEETS, Derivation, component, derivations
+from .derivations import SHEETS, Derivation, derivations
 from .formulas import coherent, formula_text, numerals
 from .layout import as_drawn, in_reading_order
 from .tidy import integrated, is_atom, simplest
@@ -98,7 +98,7 @@ class _Writer:
             parts = _parts(s)
             axes = _axes(s.value)
             for n, (x, key) in enumerate(zip(parts, _names_of(s), strict=True)):
-                index = f"{n // 3 + 1}{n % 3 + 1}" if len(parts) == 9 and s.unit == "1" else ""
+                index = f"{n // 3 + 1}{n % 3 + 1}" if s.kind.is_matrix and s.unit == "1" else ""
                 index = axes[n] if axes else index  # index of a turned component
                 named = symbol(f"{s.key}_{index}" if index else key)
                 self._know(key, p.notation.get(key) or named, x, s.unit)
@@ -128,7 +128,7 @@ class _Writer:
         """The line of a step or answer."""
         found = self.derivations.get(s.key, Derivation())
         if terms := self.sums.get(s.key):
-            names = ([component(key, n, 3) for key in terms] for n in range(3))
+            names = zip(*(self.quantities[key].kind.names(key) for key in terms), strict=True)
             found = replace(found, formulas=tuple(sympy.Add(*sympy.symbols(x)) for x in names))
         formula, numbers = self._formula(found.formulas, s)
         value = self._value(s)
@@ -250,19 +250,15 @@ class _Writer:
         """The name of another vector with these components, or ""."""
         keys = {f.name.rpartition("_")[0] for f in formulas if f.is_Symbol}
         key = keys.pop() if len(keys) == 1 else ""
-        own = [component(key, n, len(formulas)) for n in range(len(formulas))]
-        if (
-            key == own_key
-            or key not in self.quantities
-            or len(formulas) < 2
-            or not all(
-                (f.is_Symbol and f.name == name)
-                or (f == 0 and self.numbers.get(name, (1,))[0] == 0)
-                for f, name in zip(formulas, own, strict=True)
-            )
+        if key == own_key or key not in self.quantities or len(formulas) < 2:
+            return ""
+        kind = self.quantities[key].kind
+        if kind.length != len(formulas) or not all(
+            (f.is_Symbol and f.name == name) or (f == 0 and self.numbers.get(name, (1,))[0] == 0)
+            for f, name in zip(formulas, kind.names(key), strict=True)
         ):
             return ""
-        return symbol(key, self.quantities[key].kind.is_vector) if self.latex else key
+        return symbol(key, kind.is_vector) if self.latex else key
 
     def _joined(self, parts, kind):
         return kind.typeset(parts) if self.latex else in_brackets(kind.nested(parts))
@@ -295,8 +291,7 @@ def _parts(s):
 
 
 def _names_of(s):
-    count = len(_parts(s))
-    return [component(s.key, n, count) for n in range(count)]
+    return s.kind.names(s.key) if _parts(s) else []
 
 
 def _axes(value):

@@ -8,6 +8,7 @@ from operator import mul, truediv
 from typing import Any
 
 from newton_euler.algebra.trace import Step
+from newton_euler.answers.kinds import KINDS, Kind
 from newton_euler.classroom.practising.programs import operate
 
 ROUND_OFF = 1e-12
@@ -24,9 +25,9 @@ class Names:
     opposite : the same for numbers with the opposite sign, with a minus sign
     sheets : unrelated numbers for the givens, and the traced numbers that follow from them
     by_value : {numbers on the sheets: {name: its place in a matrix}}
-    sizes : numbers of components, by quantity
+    kinds : by quantity
     uses : how often each occurs in the quantity that is written
-    place, size : index of the component that is written, number of components of its quantity
+    place, kind : index of the component that is written, kind of its quantity
     whole : the numbers of its components on the sheets
     indices : the indices of its name, as AB of I_AB
     apart : the quantities that are not used now, and the names of their components
@@ -38,10 +39,10 @@ class Names:
     sheets: Sequence[tuple[Any, dict]]
     found: _ByQuantity = field(default_factory=dict)
     opposite: _ByQuantity = field(default_factory=dict)
-    sizes: dict[str, int] = field(default_factory=dict)
+    kinds: dict[str, Kind] = field(default_factory=dict)
     uses: Counter[str] = field(default_factory=Counter)
     place: int = 0
-    size: int = 1
+    kind: Kind = KINDS["number"]
     whole: set[tuple[str, ...]] = field(default_factory=set)
     indices: set[str] = field(default_factory=set)
     apart: set[str] = field(default_factory=set)
@@ -55,13 +56,13 @@ class Names:
         if numbers := self._numbers(x):
             self.givens[_rounded(numbers)] = symbol
 
-    def add(self, key: str, parts: Sequence[Any], symbols: Sequence[Any]) -> None:
+    def add(self, key: str, kind: Kind, parts: Sequence[Any], symbols: Sequence[Any]) -> None:
         """Name the components of a quantity."""
-        self.sizes[key] = len(parts)
+        self.kinds[key] = kind
         for n, (x, symbol) in enumerate(zip(parts, symbols, strict=True)):
             inner, sign = unsigned(x)
             if numbers := self._numbers(x):
-                place = n if len(parts) == 9 else None
+                place = n if kind.is_matrix else None
                 self.by_value.setdefault(_rounded(numbers), {})[symbol] = place
                 self.scalars += [(symbol, numbers)] * (len(parts) == 1 and 0 not in numbers)
             if isinstance(inner, Step):
@@ -69,11 +70,11 @@ class Names:
             if isinstance(inner, Step) and sign < 0:
                 self.opposite.setdefault(inner.number, {}).setdefault(key, {})[n] = -symbol
 
-    def look_at(self, key: str, parts: Sequence[Any]) -> None:
+    def look_at(self, key: str, kind: Kind, parts: Sequence[Any]) -> None:
         """Count how often a quantity's formulas use each earlier one: of partly equal quantities
         the most used is meant, or of equally used ones the one with the same index.
         """
-        self.place, self.size, self.uses = 0, len(parts), Counter()
+        self.place, self.kind, self.uses = 0, kind, Counter()
         self.whole = {_rounded(self._numbers(x)) for x in parts} - {()}
         self.indices = _indices(key)
         seen, waiting = set(), [*parts]
@@ -93,30 +94,33 @@ class Names:
             return self._component(candidates) or self.fixed[x.number]
         if not candidates or (x.op == "neg" and x.args[0].number in self.fixed):
             return None
-        if self.size == 9 and not (candidates := self._in_place(candidates)):
+        if self.kind.is_matrix and not (candidates := self._in_place(candidates)):
             return None
         same = [k for k in candidates if self.indices and _indices(k) == self.indices]
         used = max(self.uses[k] for k in candidates)
         key, *others = (k for k in candidates if self.uses[k] == used)
         steps = [a for a in x.args if isinstance(a, Step)]
         is_plain = x.args and all(a.number in self.fixed for a in steps)
-        if len(candidates) > 1 and len(same) != 1 and is_plain and (others or self.size > 1):
+        if len(candidates) > 1 and len(same) != 1 and is_plain and (others or self.kind.length > 1):
             return None  # b/2, say, of two bodies side by side
         same = [k for k in same if k in (key, *others)] or [
-            k for k in (key, *others) if self.size == 3 and "xyz"[self.place] in k.split("_")[-1]
+            k
+            for k in (key, *others)
+            if self.kind.is_vector and "xyz"[self.place] in k.split("_")[-1]
         ]
         if others and len(same) == 1:
             key, others = same[0], []
-        if (self.size, self.sizes[key]) == (9, 3) and len(candidates[key]) > 1 and x.args:
+        is_of_vector = self.kind.is_matrix and self.kinds[key].is_vector
+        if is_of_vector and len(candidates[key]) > 1 and x.args:
             return None  # the axis is ambiguous
-        return self._at_place(candidates[key], self.sizes[key])
+        return self._at_place(candidates[key], self.kinds[key])
 
     def _component(self, candidates):
         """In an entry of a matrix the component of the vector with its index that a given is, on
         the axes of that entry, as d_y and d_z in I_xx; None if there are two.
         """
         own = [x for k, x in candidates.items() if self.indices and _indices(k) == self.indices]
-        if self.size != 9 or len(own) != 1:
+        if not self.kind.is_matrix or len(own) != 1:
             return None
         entry = {*divmod(self.place, 3)}
         axes = {0, 1, 2} - entry if len(entry) == 1 else entry
@@ -129,11 +133,13 @@ class Names:
         """
         whole = self.of(unsigned(factor)[0]) if isinstance(factor, Step) else None
         indices = _indices(getattr(whole, "name", ""))
-        if self.size != 3 or not isinstance(x, Step) or not indices:
+        if not self.kind.is_vector or not isinstance(x, Step) or not indices:
             return None
         same = {key: at for key, at in self._candidates(x).items() if _indices(key) == indices}
         found = [
-            at[self.place] for key, at in same.items() if self.sizes[key] == 3 if self.place in at
+            at[self.place]
+            for key, at in same.items()
+            if self.kinds[key].is_vector and self.place in at
         ]
         return found[0] if len(found) == 1 else None
 
@@ -142,12 +148,12 @@ class Names:
         on all sheets, however it was computed; or None. Products, sums of named quantities, and
         whole quantities equal others by chance only.
         """
-        numbers, here = self._numbers(x), self.place if self.size == 9 else None
+        numbers, here = self._numbers(x), self.place if self.kind.is_matrix else None
         is_whole = _rounded(numbers) in self.whole
         given = self.givens.get(_rounded(numbers))
         parts = [a for a in x.args if isinstance(a, Step)]
         is_multiple = len(parts) == 1 and self.of(parts[0]) is not None
-        if given is not None and not is_multiple and not (is_whole and self.size == 1):
+        if given is not None and not is_multiple and not (is_whole and self.kind.length == 1):
             return given
         inner = (unsigned(a)[0] for a in parts)
         if x.op not in "+-" or is_whole or all(self.of(a) is not None for a in inner):
@@ -189,25 +195,25 @@ class Names:
         return {
             k: by_place
             for k, by_place in reversed(candidates.items())
-            if self.sizes[k] != 9 or self.place in by_place
+            if not self.kinds[k].is_matrix or self.place in by_place
         }
 
     def _candidates(self, x):
         found, other = self.found.get(x.number, {}), self.opposite.get(x.number, {})
 
         def in_row(key, at):
-            return self.sizes[key] == 9 and any(n // 3 == self.place for n in at)
+            return self.kinds[key].is_matrix and any(n // 3 == self.place for n in at)
 
-        if self.size == 3:  # from a matrix take the entry in this row, -T_zx and not T_xz
+        if self.kind.is_vector:  # from a matrix take the entry in this row, -T_zx and not T_xz
             own = {key for key, at in found.items() if in_row(key, at)}
             found = found | {k: at for k, at in other.items() if in_row(k, at) and k not in own}
         return {key: x for key, x in (found or other).items() if key not in self.apart}
 
-    def _at_place(self, by_place, size):
+    def _at_place(self, by_place, kind):
         """The component of the same axis; of a matrix in a vector's formula, that of the row."""
         rows = (
             {n // 3: x for n, x in reversed(by_place.items())}
-            if (size, self.size) == (9, 3)
+            if kind.is_matrix and self.kind.is_vector
             else {}
         )
         return (rows or by_place).get(self.place, next(iter(by_place.values())))

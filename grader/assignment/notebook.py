@@ -131,7 +131,7 @@ def statement(
 
 def frame_heading(p: Problem) -> str:
     """The heading of ``p.frame``: components, or a note in a problem without vectors."""
-    along_axes = any(a.kind.is_vector or len(a.kind.shape) == 2 for a in p.answers)
+    along_axes = any(a.kind.is_along_axes for a in p.answers)
     return _("Components") if along_axes else _("Note")
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from newton_euler.algebra.late import sympy
+from newton_euler.answers.kinds import Kind
 
 from .names import unsigned
 
@@ -33,10 +34,8 @@ class Roles:
     def add(
         self, key: str, parts: Sequence[Any], symbols: Sequence[Any], formulas: Sequence[Any]
     ) -> None:
-        """Add a vector by its traced components, their names and formulas; ignore other
-        quantities.
-        """
-        if len(parts) != 3 or None in formulas:
+        """Add a vector by its traced components, their names and formulas, if it has these."""
+        if None in formulas:
             return
         self.vectors[key] = symbols
         self.formulas |= dict(zip(symbols, formulas, strict=True))
@@ -46,16 +45,16 @@ class Roles:
             if (number := getattr(x, "number", None)) is not None:
                 self.equal.setdefault(number, []).append((symbol, sign))
 
-    def placed(self, formulas: Sequence[Any], apart: Collection[str]) -> Sequence[Any]:
+    def placed(self, formulas: Sequence[Any], kind: Kind, apart: Collection[str]) -> Sequence[Any]:
         """The formulas of all components of a quantity with the names that their places ask for,
         but for those ``apart``.
         """
         if None in formulas or not self.vectors:
             return formulas
-        if len(formulas) == 9:
+        if kind.is_matrix:
             return self._of_one_place(formulas)
         others = self._others(apart)
-        if len(formulas) == 3:
+        if kind.is_vector:
             formulas = self._of_all(formulas)
             formulas = [
                 sympy.Add(*(self._crossed(x, n, others) for x in sympy.Add.make_args(f)))

@@ -76,14 +76,14 @@ class Writer:
     def start(self, key: str, parts: Sequence[Any]) -> None:
         """Begin the quantity ``key`` with these components."""
         self.together, self.wanted = [], set()
-        self.names.look_at(key, parts)
+        self.names.look_at(key, self.found.kinds[key], parts)
 
     def formula(self, place: int, x: Any, name: str) -> Any:
         """The formula of the component at ``place``, called ``name``, or None without a readable
         one.
         """
         self.names.place, self.met = place, set()
-        self.known.entry = name[-3:] if self.names.size == 9 else ""
+        self.known.entry = name[-3:] if self.names.kind.is_matrix else ""
         if self.names.vanishes(x):
             return constant(0)
         try:

@@ -105,8 +105,10 @@ def _gives(causes, asked, numbers, whole):
     """
     key, kind, exact = numbers.key[asked.key], asked.kind, whole[asked.key].given
     fit = Fit(exact, kind.like(key, exact), kind.rtol)
+    if fit.index is None:  # nowhere have both a value
+        return False
     models = [*numbers.wrong(asked.key), *kind.slips(fit), *of_none(fit, kind.is_vector)]
-    models += multiples(fit, kind.factors(asked.unit))
+    models += multiples(fit, kind.factors(asked.unit), kind.is_along_axes)
     models += [*of_components(fit, kind.is_vector), *of_powers(fit, kind.is_vector)]
     models += [(c, x) for c in causes for x in numbers.slips.of(asked.key, c)]
     # also those in some components alone

@@ -76,7 +76,8 @@ def _following(p, key):
 
 def _of_one(p, key, parts, stated):
     asked = p.answer(key)
-    answers = {key: TracedAnswer(parts, asked.unit, POINTS if asked.kind.is_formula else 1)}
+    points = POINTS if asked.kind.is_formula else 1
+    answers = {key: TracedAnswer(parts, asked.unit, asked.kind, points)}
     own = {n: e.key for e in p.answers if e.kind.length > 1 for n in names(p, e.key) if n in stated}
     units, where = {**p.units, **stated}, section(p.section)
     return Formulas(answers, units, p.system, (), where, _means(p), components=own)
@@ -159,14 +160,19 @@ def formulas(p: Problem, of_steps: bool = False) -> Formulas:
     steps = [s for s in found.steps if s.key in found.components and s.key not in asked]
     answers = {
         a.key: TracedAnswer(
-            _with_zeros(found.components[a.key]), a.unit, POINTS if a.kind.is_formula else 1
+            _with_zeros(found.components[a.key], a.kind),
+            a.unit,
+            a.kind,
+            POINTS if a.kind.is_formula else 1,
         )
         for a in p.answers
         if a.key in found.components
     }
     if of_steps:
-        answers = {s.key: TracedAnswer(found.components[s.key], s.unit) for s in steps}
-    stages = [Intermediate(s.key, _where(p, s), found.components[s.key], _named(s)) for s in steps]
+        answers = {s.key: TracedAnswer(found.components[s.key], s.unit, s.kind) for s in steps}
+    stages = [
+        Intermediate(s.key, _where(p, s), found.components[s.key], s.kind, _named(s)) for s in steps
+    ]
     symbols = p.units.keys() - p.givens.keys()
     where, means = section(p.section), _means(p)
     solved, given = found.solved, found.givens
@@ -184,7 +190,7 @@ def _setups(p, keys, given):
         right = p.code.solve(g.but(**changes))
         return {key: flat(right[key]) for key in keys}
 
-    yield from of_setups(compute, given)
+    yield from of_setups(compute, given, {a.key for a in p.answers if a.kind.is_vector})
     vectors = {k: v for k, v in p.code.solve(g).items() if k in keys and isinstance(v, Vector)}
     steps = {s.key: s.value for s in listed_steps(p, g)}
     sizes = {key: steps[step] for key, step in sizes_of(p).items() if key in keys}
@@ -202,9 +208,9 @@ def sizes_of(p: Problem) -> Mapping[str, str]:
     return {k: sizes[x.number] for k, (x, *_) in parts if getattr(x, "number", -1) in sizes}
 
 
-def _with_zeros(parts):
+def _with_zeros(parts, kind):
     """The components of a vector, its zeros as steps, so that a slip can be made in them."""
-    trace = next((x.trace for x in parts if isinstance(x, Step)), None) if len(parts) == 3 else None
+    trace = next((x.trace for x in parts if isinstance(x, Step)), None) if kind.is_vector else None
     return [
         trace.new("*", 0.0, 0.0) if trace and not isinstance(x, Step) and x == 0 else x
         for x in parts

@@ -100,9 +100,8 @@ def _models(name, quick, progress, tolerance=None):
     points = measured_models(rungs, progress)
     draw_models(points, rungs, figure, tolerance)
     caption, title = models_caption(points, rungs, tolerance), f"models of {name}"
-    return DrawnChart(
-        title, tuple(points), caption, points_table(points, rungs.of, "operations", ""), figure
-    )
+    table = points_table(points, rungs.of, "operations", "")
+    return DrawnChart(title, tuple(points), caption, table, figure)
 
 
 def _comparison(name, quick, progress):

@@ -147,6 +147,17 @@ class Terms(Guided, dict[str, T], Generic[T]):
     def __ror__(self, other: Mapping[str, T]) -> "Terms[T]":  # type: ignore[override]
         return Terms(other) | self
 
+    def update(self, other: Mapping[str, T]) -> None:  # type: ignore[override]
+        """Add terms: ``|`` in place."""
+        both = self | other
+        self.clear()
+        super().update(both)
+        self.shared = both.shared
+
+    def copy(self) -> "Terms[T]":
+        """The same terms in another dict."""
+        return Terms(self)
+
     def get(self, name: str, default: Any = None) -> Any:
         """The term of this name, or the ``default``."""
         return self[name] if name in self or name in self.shared.values() else default

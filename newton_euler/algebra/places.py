@@ -57,6 +57,12 @@ def raised_by_the_engine(error: BaseException) -> bool:
     return packages[-1:] == ["newton_euler"] and _without_a_frame(error) is None
 
 
+def raised_by_the_caller(error: BaseException) -> bool:
+    """True if a line of the caller raised this error, of whichever kind."""
+    *_, (last, _) = walk_tb(error.__traceback__)
+    return _is_callers(last)
+
+
 def add_place(error: Exception, text: str) -> None:
     """Add a note of the place to an error, if the engine has not added one nearer to it."""
     with suppress(Exception):  # some errors cannot be changed
@@ -130,9 +136,10 @@ def _without_a_frame(error):
 
 def at_a_place(error: Exception, kind: type[Exception], place: str, advice: str = "") -> None:
     """Add the ``place`` to an error that was raised while a function of the caller was called. It
-    is a note, since the error reaches the caller as raised; one of the engine becomes a ``kind`` of
-    error, with ``advice``.
+    is a note, since the error reaches the caller as raised; one that the engine raised becomes a
+    ``kind`` of error, with ``advice``.
     """
-    if isinstance(error, NewtonEulerError) or raised_by_the_engine(error):
+    is_engines = isinstance(error, NewtonEulerError) and not raised_by_the_caller(error)
+    if is_engines or raised_by_the_engine(error):
         raise kind(f"{place}: {error}{advice}") from error
     add_place(error, f"{place}{advice}")

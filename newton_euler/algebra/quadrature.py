@@ -8,7 +8,7 @@ from typing import Any
 
 from .integrals import WorkError, by_formula, gauss, integral
 from .late import np
-from .places import at_a_place
+from .places import at_a_place, raised_by_the_caller
 from .scalars import (
     ZERO,
     Scalar,
@@ -62,7 +62,9 @@ def _piece(f, start, end, rtol, exact):
     if getattr(one, "shape", ()) or epsilon(one) < 2.0**-53:
         try:
             value = integral(lambda x: _finite(f, x), start, end)
-        except SingularError:
+        except SingularError as problem:
+            if raised_by_the_caller(problem):
+                raise
             raise WorkError(
                 f"the integral from {start!r} to {end!r} does not converge; divide it with "
                 "breaks=(...) where the force has a corner"

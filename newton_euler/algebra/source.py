@@ -14,8 +14,12 @@ from .roots import root
 from .scalars import FUNCTIONS, Scalar, ScalarError, _root, to_plain, where
 from .trace import COMPARISONS, Step, Trace
 
-# operations on a formula inside the formula
-WITHIN = "integral", "over_cube", "root"
+# what is done with a formula ``f`` inside a text, of the arguments x and ``outer``
+WITHIN: dict[str, Callable[..., Any]] = {
+    "integral": lambda f, start, end, *outer: integrals(lambda x: f(x, *outer), start, end),
+    "over_cube": lambda f, n, *outer: over_cube(lambda *places: f(*places, *outer), n),
+    "root": lambda f, low, high, *outer: (root(lambda x: f(x, *outer)[0], low, high),),
+}
 WITHOUT_HEYOKA = {*WITHIN, "table"}
 # names in the text that no argument can have
 RESERVED = {*FUNCTIONS, *COMPARISONS, "atan2", "pi", "pow", "abs", "where", *WITHIN}
@@ -145,26 +149,12 @@ def operations(library: ModuleType) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _integral(formula, start, end, *outer):
-    """The integrals of a formula inside a text, of the arguments x and ``outer``."""
-    return integrals(lambda x: formula(x, *outer), start, end)
-
-
-def _over_cube(formula, n, *outer):
-    return over_cube(lambda *places: formula(*places, *outer), n)
-
-
-def _root_of(formula, low, high, *outer):
-    return (root(lambda x: formula(x, *outer)[0], low, high),)
-
-
 def runtime_names(library: ModuleType) -> dict[str, Callable[..., Any]]:
     """``where``, ``lt`` … of a text over this library; for heyoka also ``abs`` and ``pow``."""
     if library.__name__ != "heyoka":
         choice = library.where if library.__name__ == "numpy" else where
         comparisons = {name: getattr(operator, name) for name in COMPARISONS}
-        within = {"integral": _integral, "over_cube": _over_cube, "root": _root_of}
-        return {"where": choice, **within, **comparisons}
+        return {"where": choice, **WITHIN, **comparisons}
     hy = library
 
     def over(f):

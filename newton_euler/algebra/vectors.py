@@ -8,7 +8,7 @@ the frame of the left one. A vector that theory writes as a sum keeps its terms 
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from functools import reduce
 from typing import Any, NoReturn, Protocol, Self
 
@@ -31,6 +31,7 @@ from .pickles import Computed
 from .scalars import (
     ZERO,
     NewtonEulerError,
+    RangeError,
     Scalar,
     ScalarError,
     Scaled,
@@ -380,7 +381,12 @@ class Vector(Scaled, NamedTerms):
         """
         # an arc cosine of the dot product loses half of the digits near 0 and pi
         # (W. Kahan, How Futile are Mindless Assessments of Roundoff, 2006, section 12)
-        across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
+        arrays = any(getattr(x, "shape", ()) for x in (*self.c, *other.c))
+        try:
+            with np.errstate(over="ignore", invalid="ignore") if arrays else nullcontext():
+                across, along = scalar(self.cross(other).norm()), scalar(self.dot(other))
+        except (OverflowError, RangeError):  # a product of whole numbers that no float has
+            return self.direction().angle_to(other.direction())
         if is_numeric(across) and is_numeric(along):
             size = abs(across) + abs(along)
             lost = not 1e-280 < min_abs(size) <= max_abs(size) < math.inf  # digits of the squares

@@ -4,7 +4,7 @@ are wrong; in a formula, a slip in each of them, met with all digits at all poin
 
 from collections.abc import Callable, Iterator, Sequence
 
-from .causes import Cause, both, in_components
+from .causes import Cause, both
 from .fit import CLOSE, Fit, mixed
 from .kinds import Kind
 from .tolerance import NOISE, Points
@@ -28,7 +28,7 @@ def of_each_component(
     off = [n for places in groups for n in places]
     if fit.rounding > PRECISE * max(abs(fit.first[0][n]) for n in off):
         return ()
-    if found := [*_listed(fit, off, wrong)]:
+    if found := [*_listed(fit, kind, off, wrong)]:
         return (found[0],)
     if not kind.is_formula or not 1 < len(groups) <= MOST:
         return ()
@@ -36,7 +36,7 @@ def of_each_component(
         return ()  # each is a number times the right one, which some slip gives by chance
     for places in groups:
         alone = Fit(mixed(fit.given, fit.key, places), fit.key, fit.rtol)
-        near = [(-1, cause, alone.given) for cause in _listed(alone, places, wrong)]
+        near = [(-1, cause, alone.given) for cause in _listed(alone, kind, places, wrong)]
         near = near or [slip for slip in slips(alone, kind) if alone(slip[2])]
         if not near:
             return ()
@@ -46,24 +46,24 @@ def of_each_component(
     return (cause,) if cause else ()
 
 
-def _listed(fit: Fit, off: Sequence[int], wrong: Sequence[tuple[Cause, Points]]) -> Iterator[Cause]:
+def _listed(
+    fit: Fit, kind: Kind, off: Sequence[int], wrong: Sequence[tuple[Cause, Points]]
+) -> Iterator[Cause]:
     """The listed mistakes that give the components ``off``, where others are right."""
     for cause, points in wrong:
         is_in_part = cause.group in ("listed", "usual") and len(off) < len(fit.key[0])
         if is_in_part and fit(mixed(points, fit.key, off)) >= CLOSE:
             is_listed = cause.group == "listed"
-            yield in_components(cause, off, fit.key[0]) if is_listed else cause
+            yield kind.in_part(cause, off, fit.key[0]) if is_listed else cause
 
 
 def _wrong(fit, kind):
     """The places of each wrong component; of a matrix, an entry with its mirror image."""
-    near = NOISE if kind.is_formula else kind.rtol
-    pairs = [*zip(fit.given, fit.key, fit.sizes, strict=True)]
-    has_places = fit.index is not None and len(fit.key[0]) > 2
-    places = range(len(fit.key[0]) if has_places else 0)
-    off = [n for n in places if any(abs(x[n] - k[n]) > near * size for x, k, size in pairs)]
-    mirrored = [3 * (n % 3) + n // 3 if len(places) == 9 else n for n in places]
-    if len(places) == 9 and _is_flat(fit.given) and _is_flat(fit.key):
+    if (length := len(fit.key[0])) < 3:
+        return []
+    off = fit.off(NOISE if kind.is_formula else kind.rtol)
+    mirrored = [3 * (n % 3) + n // 3 if kind.is_matrix else n for n in range(length)]
+    if kind.is_matrix and _is_flat(fit.given) and _is_flat(fit.key):
         off = [n for n in off if n != 8 or len(off) == 1]  # I_zz follows from the two others
     return [tuple({n, mirrored[n]}) for n in off if n <= mirrored[n] or mirrored[n] not in off]
 

@@ -208,11 +208,11 @@ FIRST_DIGITS = remark(
 )
 
 
-def right_but(places: Sequence[int], key: Sequence[float]) -> Cause | None:
+def right_but(places: Sequence[int], key: Sequence[float], is_matrix: bool = False) -> Cause | None:
     """A remark: some components, or entries of a matrix, are not right; the others are. None of
     more entries than a student reads.
     """
-    if len(key) == 9:
+    if is_matrix:
         names = _entries(places, key)
         if len(names) > ENTRIES:
             return None
@@ -398,9 +398,11 @@ def in_this_part(cause: Cause) -> Cause:
     return here if len(words.split()) <= WORDS and here.why in words else cause
 
 
-def in_components(cause: Cause, places: Sequence[int], key: Sequence[float]) -> Cause:
+def in_components(
+    cause: Cause, places: Sequence[int], key: Sequence[float], is_matrix: bool = False
+) -> Cause:
     """The same cause in some components alone, where the others are right."""
-    if len(key) == 9:
+    if is_matrix:
         names = joined(_entries(places, key))
         text = Words("in {entries} {cause}", entries=names, cause=cause.text)
     else:

@@ -62,7 +62,8 @@ def check(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> Check | None:
         return None
     salt = sealed["salt"]
     entry = _read().setdefault(salt, {"wrong": [], "next": 0.0})
-    guesses = {_digest(salt, x) for x in (tree.values() if isinstance(tree, dict) else [tree])}
+    texts = [json.dumps(x) for x in (tree.values() if isinstance(tree, dict) else [tree])]
+    guesses = {hashlib.sha256(f"{salt} {x}".encode()).hexdigest()[:12] for x in texts}
     now = time.time()
     if entry["next"] > now + LONGEST:  # the clock was set back
         entry["next"] = now + LONGEST
@@ -81,10 +82,6 @@ def check(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> Check | None:
         entry["next"] = now + wait
         _write()
     return Check(False, len(entry["wrong"]), wait)
-
-
-def _digest(salt: str, x: Any) -> str:
-    return hashlib.sha256(f"{salt} {json.dumps(x)}".encode()).hexdigest()[:12]
 
 
 def _read():

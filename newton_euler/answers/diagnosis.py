@@ -118,6 +118,8 @@ def diagnose(
         hits[1:] = sorted(hits[1:], key=lambda hit: hit.cause.group == "listed")
         return _best([hits[:MOST]], elsewhere, ())
     fit = Fit(given, key, kind.rtol)
+    if fit.index is None:  # nowhere have both a value
+        return ()
     single = [*_stages(fit, wrong, kind, factors or {})]
     general = _closest(single)
     # a factor of some components, within the digits written: one slip goes before two
@@ -300,7 +302,7 @@ def _stages(
     yield of([*near["omitted"], *near["term"]], single)
     yield of(near["unit"], single)
     yield [
-        *of(multiples(fit, factors), single),
+        *of(multiples(fit, factors, kind.is_along_axes), single),
         *of(m for m in wrong if m[0].group == "usual"),
         *_of_unlike_axes(near["axes"], fit),
         *_of_unlike_axes(near["turned"], fit),

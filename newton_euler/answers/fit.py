@@ -24,15 +24,14 @@ class Fit:
         self.given, self.key, self.rtol = given, key, rtol
         self.sizes = [math.hypot(*k) for k in key]
         own = (k + math.hypot(*x) for k, x in zip(self.sizes, given, strict=False))
-        self.index = next((n for n, size in enumerate(own) if math.isfinite(size)), None)
+        # the first point; without one (None) nothing is explained
+        self.index: Any = next((n for n, size in enumerate(own) if math.isfinite(size)), None)
 
     def near(self, models: Iterable[tuple[Any, Points]]) -> list[tuple[Any, Points]]:
         """Those of [(cause, points)] that may fit, by one component, which rules nearly all out."""
-        if self.index is None:
-            return []
-        n, given = self.index, self.given[self.index]
-        reach = 1.02 * self.rtol * math.hypot(*given) + NOISE * self.sizes[n]
-        x = given[0]
+        given, _, size = self.first
+        reach = 1.02 * self.rtol * math.hypot(*given) + NOISE * size
+        n, x = self.index, given[0]
         return [(cause, points) for cause, points in models if not abs(points[n][0] - x) > reach]
 
     @cached_property
@@ -70,6 +69,12 @@ class Fit:
             for x in parts
         )
 
+    def off(self, near: float = NOISE) -> list[int]:
+        """The places of components that are off by more than ``near``, relative to the whole."""
+        triples = [*zip(self.given, self.key, self.sizes, strict=True)]
+        places = range(len(self.key[0]))
+        return [n for n in places if any(abs(x[n] - k[n]) > near * s for x, k, s in triples)]
+
     def times(self, factor: float) -> Points:
         """The key times a factor."""
         return scaled_points(factor, self.key)
@@ -77,7 +82,6 @@ class Fit:
     @property
     def first(self) -> tuple[Point, Point, float]:
         """(answer, key, size of the key) at the first point where the key has a value."""
-        assert self.index is not None
         return self.given[self.index], self.key[self.index], self.sizes[self.index]
 
     def __call__(self, numbers: Points, rtol: float | None = None, apart: bool = True) -> int:

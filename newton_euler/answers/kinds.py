@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from itertools import chain
 from typing import Any, ClassVar
+from unicodedata import normalize
 
 from ..algebra.errors import NewtonEulerError
 from ..algebra.language import Words, _, plural
@@ -14,14 +15,22 @@ from ..algebra.scalars import clipped, sqrt
 from ..algebra.units import unit as unit_of
 from ..algebra.vectors import Vector
 from . import slips, tolerance
-from .causes import DIRECTION, FIRST_DIGITS, NEAR, NEAR_IN_FEW_DIGITS, NUMBERS, Cause, right_but
+from .causes import (
+    DIRECTION,
+    FIRST_DIGITS,
+    NEAR,
+    NEAR_IN_FEW_DIGITS,
+    NUMBERS,
+    Cause,
+    in_components,
+    right_but,
+)
 from .fit import Fit, most_digits
 from .messages import StatedForm
 from .notation import list_symbol, matrix_symbol
-from .reading import Budget, are_one_vector, formula_values, numbers
 from .sympy_formulas import read_formula
 from .tolerance import RTOL, Point, Points, distance, formula_is_near, is_near
-from .trees import TreeError
+from .trees import Budget, TreeError, are_one_vector, formula_values, numbers
 from .values import components, read_number
 
 MOST = 10**15  # the largest count; JSON has no place for thousands of digits
@@ -42,6 +51,7 @@ class Kind:
     is_word: ClassVar[bool] = False  # True: no unit, no size, no components
     is_formula: ClassVar[bool] = False  # True: written in the symbols of the problem
     is_vector: ClassVar[bool] = False  # True: its components are along axes
+    is_matrix: ClassVar[bool] = False  # True: each is along two axes, in rows
     has_size: ClassVar[bool] = True  # True: the givens of the problem determine it
     has_options: ClassVar[bool] = False  # True: its form lists the words to choose from
     is_met_by_chance: ClassVar[bool] = False  # True: wrong models often give it
@@ -61,6 +71,11 @@ class Kind:
     def length(self) -> int:
         """The number of its components."""
         return math.prod(self.shape)
+
+    @property
+    def is_along_axes(self) -> bool:
+        """True if its components are those of a vector or a matrix."""
+        return self.is_vector or self.is_matrix
 
     @property
     def numeric(self) -> "Kind":
@@ -95,7 +110,7 @@ class Kind:
         self, tree: Any, form: StatedForm, symbols: Mapping[str, Any], budget: Budget
     ) -> list[Points]:
         """The readings of an answer in JSON: for a vector that is given in several frames, its
-        components in each, of which :func:`~.frames.counted` finds those that count; [] for
+        components in each, of which :func:`~.verdicts.counted` finds those that count; [] for
         anything not of this kind. Raises :class:`~.trees.TreeError`.
 
         symbols : {name: array of the points at which formulas are compared}
@@ -161,7 +176,12 @@ class Kind:
         places = range(self.length)
         off = [n for n in places if any(not abs(x[n] - k[n]) <= e for x, k, e in triples)]
         right = any(abs(k[n]) > e for _, k, e in triples for n in {*places} - {*off})
-        return right_but(off, key[0]) if right and off else None
+        named = right and off and self.is_along_axes
+        return right_but(off, key[0], self.is_matrix) if named else None
+
+    def in_part(self, cause: Cause, places: Sequence[int], key: Point) -> Cause:
+        """The same cause in some components alone, where the others are right."""
+        return in_components(cause, places, key, self.is_matrix) if self.is_along_axes else cause
 
     # -- other numbers
 
@@ -197,6 +217,10 @@ class Kind:
             return matrix_symbol(self.nested(parts))
         return rf"\left[{list_symbol(parts)}\right]" if self.shape else parts[0]
 
+    def names(self, key: str) -> list[str]:
+        """The names in formulas of the components of ``key``: v_x, v_y and v_z of a vector v."""
+        return [f"{key}_{n}" for n in range(1, self.length + 1)] if self.shape else [key]
+
     def places(self) -> list[str]:
         """The names of its components for a reader, "" of the only one."""
         if not self.shape:
@@ -224,6 +248,9 @@ class VectorKind(Kind):
     words = Words("a vector, three numbers as in [1.0, 0, -2.5]")
     shape = (3,)
     is_vector = True
+
+    def names(self, key: str) -> list[str]:
+        return [f"{key}_{axis}" for axis in "xyz"]
 
     def places(self) -> list[str]:
         return [_("first component"), _("second component"), _("third component")]
@@ -356,6 +383,10 @@ class Matrix(Kind):
     title = Words("matrix")
     words = Words("a 3 x 3 matrix of numbers, as in [[1, 0, 0], [0, 1, 0], [0, 0, 1]]")
     shape = (3, 3)
+    is_matrix = True
+
+    def names(self, key: str) -> list[str]:
+        return [f"{key}_{row}{column}" for row in "xyz" for column in "xyz"]
 
     def slips(self, fit: Fit) -> slips.Models:
         return slips.of_matrix(fit)
@@ -501,16 +532,19 @@ class Choice(_Word):
     has_options = True
 
     def read(self, value: Any, form: StatedForm, symbols: Mapping[str, str], budget: Budget) -> str:
-        """The word of the list that is meant: capitals and blanks say nothing."""
-        found = {_plain(word): word for word in form.of} | {word: word for word in form.of}
+        """The word of the list that is meant: capitals and blanks say nothing, but between words
+        that differ in nothing else.
+        """
         given = str(value) if isinstance(value, str) else ""
-        if not (word := found.get(given) or found.get(_plain(given))):
-            raise form.error("got {value}", value=repr(str(value)[:80]))
-        return word
+        for plain in (str, _plain, lambda text: _plain(text).casefold()):
+            found = {word for word in form.of if plain(word) == plain(given)}
+            if len(found) == 1:
+                return found.pop()
+        raise form.error("got {value}", value=repr(str(value)[:80]))
 
 
 def _plain(word):
-    return " ".join(word.casefold().split())
+    return " ".join(normalize("NFKC", word).split())
 
 
 KINDS: dict[str, Kind] = {

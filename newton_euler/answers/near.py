@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from ..algebra.late import np
-from .causes import FACTOR_2, REVERSED, Cause, in_components
+from .causes import FACTOR_2, REVERSED, Cause
 from .fit import Fit, digits_written, mixed, most_digits, rounding
 from .kinds import Kind
 from .tolerance import NOISE, ROUND_OFF, Points
@@ -112,7 +112,7 @@ class Slips:
     def near(self, key: str, fit: Fit, kind: Kind) -> list[tuple[int, Cause, Points]]:
         """[(level, cause, points)] of the slips that an answer is nearer to than by chance."""
         ranked = self.ranked(key)
-        if ranked is None or fit.index is None:
+        if ranked is None:
             return []
         if not any(map(any, fit.given)):
             return self._giving_zero(key, ranked, fit)
@@ -129,7 +129,7 @@ class Slips:
         rows[:, right] = [fit.first[1][n] for n in right]
         wrong = [n for n in range(len(fit.first[1])) if n not in right]
         found = [(n, *ranked.slips[n]) for n in _near(rows, fit, kind, ranked, CHANCE_IN_ONE)]
-        here = lambda cause: in_components(cause, wrong, fit.first[1])  # noqa: E731
+        here = lambda cause: kind.in_part(cause, wrong, fit.first[1])  # noqa: E731
         return [
             (level // 2, here(cause), mixed(self._points(key, n), fit.key, wrong))
             for n, level, cause in found

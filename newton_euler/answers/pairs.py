@@ -41,7 +41,7 @@ def of_two(
     own : the models of the problem's own mistakes
     slips : finds those that may be made beside one of them
     """
-    none = fit.index is None or fit.is_plain or not (kind.has_size or kind.is_formula)
+    none = fit.is_plain or not (kind.has_size or kind.is_formula)
     if none or not is_here("numpy"):  # as on a page of the site
         return ()
     found: dict[int, dict[tuple[Cause, ...], None]] = {}

@@ -1,6 +1,6 @@
 """Slips that can be made in any problem and need nothing but the key: a factor of a unit, a sign,
 components exchanged. Each function yields (cause, points) for a
-:class:`~newton_euler.answers.fit.Fit`.
+:class:`~newton_euler.answers.fit.Fit` that has a first point.
 """
 
 import math
@@ -56,19 +56,17 @@ def factors(stated_in: str) -> Mapping[str, float]:
     return found | WEIGHTS if mass else found
 
 
-def multiples(fit: Fit, found: Mapping[str, float]) -> Models:
+def multiples(fit: Fit, found: Mapping[str, float], is_along_axes: bool) -> Models:
     """The key times the factors that may fit, chosen by the first point of the answer."""
-    if fit.index is None:
-        return
     ratio = _ratio(fit)
     if 0.9 < ratio < 1.1:
-        yield causes.OPPOSITE if len(fit.first[1]) > 1 else causes.OPPOSITE_NUMBER, fit.times(-1.0)
+        yield causes.OPPOSITE if is_along_axes else causes.OPPOSITE_NUMBER, fit.times(-1.0)
     yield from _factors(fit, ratio, found)
 
 
 def bare(fit: Fit) -> Models:
     """The key times a simple number, which many slips give."""
-    ratio = 0.0 if fit.index is None else _ratio(fit)
+    ratio = _ratio(fit)
     for name, _, large, times in _both_ways(BARE):
         if 0.9 * times < ratio < 1.1 * times:
             yield causes.bare(name, large), fit.times(times)
@@ -84,8 +82,6 @@ def of_powers(fit: Fit, is_vector: bool) -> Models:
     """A power of ten; the square, the root and the inverse of the key; a vector with components
     left out.
     """
-    if fit.index is None:
-        return
     yield from _factors(fit, _ratio(fit), TENS)
     if len(fit.first[1]) > 2:
         if is_vector:
@@ -106,11 +102,8 @@ def _power(x, power):
 
 def of_components(fit: Fit, is_vector: bool) -> Models:
     """A factor of some components of a vector, where the others are right."""
-    off = _off(fit) if is_vector and fit.index is not None else []
-    if not off:
-        return
-    given, key, _ = fit.first
-    if not len(off) < sum(map(bool, key)) or not all(key[n] for n in off):
+    off, (given, key, _) = _off(fit) if is_vector else [], fit.first
+    if not 0 < len(off) < sum(map(bool, key)) or not all(key[n] for n in off):
         return
     for words, factor, large, f in _both_ways(PURE):
         if all(0.99 < given[n] / (f * key[n]) < 1.01 for n in off):
@@ -120,7 +113,7 @@ def of_components(fit: Fit, is_vector: bool) -> Models:
 
 def of_none(fit: Fit, is_vector: bool) -> Models:
     """Components where there are none, of a vector of which all others are right."""
-    off = _off(fit) if is_vector and fit.index is not None else []
+    off = _off(fit) if is_vector else []
     if 0 < len(off) < 3 and all(abs(fit.first[1][n]) <= NOISE * fit.first[2] for n in off):
         yield causes.added_components(off), fit.given
 
@@ -167,8 +160,6 @@ def _with_moments(point, own, others):
 
 def _of_one_entry(fit):
     """An entry left out or reversed, with its mirror image; two moments or products exchanged."""
-    if fit.index is None:
-        return
     for n in range(3):
         yield causes.entry_left_out(n, n), _signed([x != 4 * n for x in range(9)], fit.key)
     for n, m in combinations(range(3), 2):
@@ -197,9 +188,8 @@ def of_interval(fit: Fit) -> Models:
 
 def of_vector(fit: Fit) -> Models:
     """The key with components reversed, left out or exchanged, as the first point suggests."""
-    if fit.index is not None:
-        yield from _signs(fit)
-        yield from exchanged(fit)
+    yield from _signs(fit)
+    yield from exchanged(fit)
 
 
 def _signs(fit):
@@ -265,7 +255,7 @@ def _ordered(order, points):
 
 def rates_as_scalars(fit: Fit, rates: Sequence[Points]) -> Models:
     """The sum of the sizes of ``rates``, a list of points of each, along the axis of each."""
-    if len(rates) < 2 or fit.index is None:
+    if len(rates) < 2:
         return
     whole = sum(math.hypot(*rate[fit.index]) for rate in rates)
     if not math.isclose(whole, math.hypot(*fit.first[0]), rel_tol=0.01):

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..algebra.scalars import FUNCTIONS, clipped, without_rates
-from .trees import NODES, Tree, TreeError, check_size
+from .trees import NODES, Budget, Tree, TreeError, check_size
 from .values import read_number, refuse_equation
 
 I_TREE = ["^", -1, 0.5]
@@ -47,10 +47,8 @@ _COMPARISONS = {
 }
 
 
-def read_formula(x: Any, form: Any, symbols: Mapping[str, str], budget: list[int]) -> Tree:
-    """The tree of a formula: a number, the name of a symbol, or [operator, ...]. ``budget``: a list
-    of one number, the operations of the receipt that may still be read.
-    """
+def read_formula(x: Any, form: Any, symbols: Mapping[str, str], budget: Budget) -> Tree:
+    """The tree of a formula: a number, the name of a symbol, or [operator, ...]."""
     tree = _Reader(form, symbols).read(_with_real_symbols(x))
     try:
         check_size(tree, budget)

@@ -11,8 +11,9 @@ from typing import Any, NamedTuple
 from ..algebra.language import Words
 from ..algebra.late import is_here, np
 from ..algebra.units import Dimension
-from .causes import Cause, in_components, of_number, of_term, powers, usual
+from .causes import Cause, of_number, of_term, powers, usual
 from .fit import Fit, mixed
+from .kinds import Kind
 from .tolerance import FORMULA_FIT, NOISE, Points
 
 INERTIA, LENGTH = Dimension(1, 2), Dimension(0, 1)
@@ -48,17 +49,17 @@ CENTRES: dict[Fraction | float, str] = {
 
 
 def of_other_bodies(
-    fit: Fit, dimension: Dimension, symbols: Mapping[str, Any], is_place: bool
+    fit: Fit, dimension: Dimension, symbols: Mapping[str, Any], kind: Kind
 ) -> Iterator[tuple[Cause, Points]]:
     """[(cause, points)] of a formula with the number of another body, in all components that are
-    wrong or in each by itself, where the right one is a number times powers of ``symbols``;
-    ``is_place``: it is a position vector.
+    wrong or in each by itself, where the right one is a number times powers of ``symbols``.
     """
+    is_place = kind.is_vector
     of: dict[Any, str] = {INERTIA: MOMENTS | OTHER_MOMENTS}.get(dimension, {})
     of = CENTRES if dimension == LENGTH and is_place else of
     off = _off(fit) if of else []
     found: dict[Any, list[int]] = {}
-    for n in off if is_place else [n for n in off if n % 4 == 0]:
+    for n in [n for n in off if n % 4 == 0] if kind.is_matrix else off:
         own = _monomial([x[n] for x in fit.key], symbols)
         ratio = _monomial(_ratios(fit, n), symbols)
         if not own or not ratio or ratio.powers or own.powers != ((1,) if is_place else (1, 2)):
@@ -71,12 +72,13 @@ def of_other_bodies(
         cause = usual(_spelled(number), of[number], is_place)
         # two moments are evidence even where products of inertia are wrong, too
         if every == off or (not is_place and len(every) > 1):
-            yield _in(every, cause, fit), fit.given
+            yield _in(every, cause, fit, kind), fit.given
         else:
-            yield from ((_in([n], cause, fit), mixed(fit.given, fit.key, [n])) for n in every)
+            for n in every:
+                yield _in([n], cause, fit, kind), mixed(fit.given, fit.key, [n])
 
 
-def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
+def of_other_powers(fit: Fit, symbols: Mapping[str, Any], kind: Kind) -> Iterator[Cause]:
     """Why an answer is wrong that is the right one times powers of ``symbols``, in every component
     that is wrong the same.
     """
@@ -86,10 +88,10 @@ def of_other_powers(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
         return  # a number has no powers
     first, *others = (_monomial(column, symbols) for column in ratios)
     if first and first.names and all(x and x[1:] == first[1:] for x in others):
-        yield _in(off, powers(first.names), fit)
+        yield _in(off, powers(first.names), fit, kind)
 
 
-def of_a_number(fit: Fit) -> Iterator[Cause]:
+def of_a_number(fit: Fit, kind: Kind) -> Iterator[Cause]:
     """Why a formula is wrong that is a simple number times the right one, in every component that
     is wrong the same.
     """
@@ -98,10 +100,10 @@ def of_a_number(fit: Fit) -> Iterator[Cause]:
     first = ratios[0] if ratios else math.nan
     near = Fraction(first if math.isfinite(first) else 0).limit_denominator(SIMPLE)
     if 0 < abs(near) <= SIMPLE and all(abs(x - near) <= FORMULA_FIT * abs(near) for x in ratios):
-        yield _in(off, of_number(str(near)), fit)
+        yield _in(off, of_number(str(near)), fit, kind)
 
 
-def of_one_term(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
+def of_one_term(fit: Fit, symbols: Mapping[str, Any], kind: Kind) -> Iterator[Cause]:
     """Why a formula is wrong that differs from the right one by a number times powers of
     ``symbols``, in one component.
     """
@@ -116,14 +118,14 @@ def of_one_term(fit: Fit, symbols: Mapping[str, Any]) -> Iterator[Cause]:
     is_one = all(x > 0 for x in gaps) or all(x < 0 for x in gaps)
     found = _monomial(gaps, symbols) if is_one else None
     if found and found.names:
-        yield _in(off, of_term(found.names), fit)
+        yield _in(off, of_term(found.names), fit, kind)
 
 
-def _in(places, cause, fit):
+def _in(places, cause, fit, kind):
     """The cause, in some components if others are right."""
     _, key, size = fit.first
     is_all = {*places}.issuperset(n for n, x in enumerate(key) if abs(x) > NOISE * size)
-    return cause if is_all else in_components(cause, places, key)
+    return cause if is_all else kind.in_part(cause, places, key)
 
 
 class _Monomial(NamedTuple):
@@ -149,11 +151,8 @@ def _spelled(number):
 
 def _off(fit):
     """The components that are wrong, of a formula that is compared at several points."""
-    if fit.index is None or len(fit.key) == 1 or not is_here("numpy"):  # a page of the site
-        return []
-    pairs = [*zip(fit.given, fit.key, fit.sizes, strict=True)]
-    places = range(len(fit.key[0]))
-    return [n for n in places if any(abs(x[n] - k[n]) > NOISE * size for x, k, size in pairs)]
+    none = fit.index is None or len(fit.key) == 1 or not is_here("numpy")  # a page of the site
+    return [] if none else fit.off()
 
 
 def _ratios(fit, n):

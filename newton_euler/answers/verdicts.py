@@ -15,14 +15,14 @@ from .causes import BOOK, EARLIER, Cause, answer_to, follows, sentence
 from .diagnosis import Model, OtherPart, OtherParts, diagnose
 from .fit import Fit, scaled_points
 from .forms import Form
-from .frames import Toleranced, counted, is_right
+from .kinds import Kind
 from .messages import one_line
 from .near import LESS, RARER, Slips
-from .reading import Budget
 from .tolerance import Points, is_apart
-from .trees import TreeError, in_words
+from .trees import Budget, TreeError, in_words
 from .usual import of_a_number, of_one_term, of_other_bodies, of_other_powers
 
+GROUND = 1  # index among the readings of a vector: in its own frame, in the ground, between
 ABOUT = 2  # levels: slips that differ by no more are about as simple
 NO_ANSWER = Words("no answer")
 OTHER_NUMBERS = {
@@ -33,11 +33,17 @@ OTHER_NUMBERS = {
 }
 
 
-class AskedAnswer(Toleranced, Protocol):
-    """One answer that is asked for."""
+class AskedAnswer(Protocol):
+    """One answer that is asked for, with its tolerances as for :meth:`~.kinds.Kind.is_right`."""
 
     @property
     def key(self) -> str: ...
+    @property
+    def kind(self) -> Kind: ...
+    @property
+    def atol(self) -> float: ...
+    @property
+    def rtol(self) -> float: ...
     @property
     def unit(self) -> str: ...
 
@@ -47,51 +53,40 @@ Way = tuple[Sequence[str], Callable[[Mapping[str, Points]], Points | None]]
 
 
 class Numbers(Protocol):
-    """The right numbers and the wrong models of one student's problem."""
+    """The right numbers and the wrong models of one student's problem.
+
+    answers : those that are asked for
+    symbols : {name: array of the points at which formulas are compared}
+    key : {answer: points} of the right answers; of a word or count, ((word,),)
+    book, sheets : the same for the book's numbers, {} where these are asked; and for those of each
+        of the student's earlier sheets
+    earlier : {later answer: names of the earlier ones from which it follows}
+    where : the place in the book to which the problem belongs, as "section 4.10"
+    slips, sequel : in computing the answers; in computing one from a student's own earlier ones
+    wrong, following : the wrong models of an answer; what follows from {earlier answer: points}
+    other_ways : further ways from earlier answers to this one
+    """
 
     @property
-    def answers(self) -> Sequence[AskedAnswer]:
-        """The answers that are asked for."""
-
+    def answers(self) -> Sequence[AskedAnswer]: ...
     @property
-    def symbols(self) -> Mapping[str, Any]:
-        """{name: array of the points at which formulas are compared}."""
-
+    def symbols(self) -> Mapping[str, Any]: ...
     @property
-    def key(self) -> Mapping[str, Points]:
-        """{answer: points} of the right answers; of a word or count, ((word,),)."""
-
+    def key(self) -> Mapping[str, Points]: ...
     @property
-    def book(self) -> Mapping[str, Points]:
-        """{answer: points} for the book's numbers, {} where these are asked."""
-
+    def book(self) -> Mapping[str, Points]: ...
     @property
-    def sheets(self) -> Sequence[Mapping[str, Points]]:
-        """The same for the numbers of the student's earlier sheets."""
-
+    def sheets(self) -> Sequence[Mapping[str, Points]]: ...
     @property
-    def earlier(self) -> Mapping[str, Sequence[str]]:
-        """{later answer: names of the earlier ones from which it follows}."""
-
+    def earlier(self) -> Mapping[str, Sequence[str]]: ...
     @property
-    def where(self) -> str:
-        """The place in the book to which the problem belongs, as "section 4.10"."""
-
+    def where(self) -> str: ...
     @property
-    def slips(self) -> Slips:
-        """The slips in the computation of the answers."""
-
-    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Slips:
-        """The slips in computing an answer from a student's own earlier ones."""
-
-    def wrong(self, key: str) -> Sequence[Model]:
-        """The wrong models of an answer."""
-
-    def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None:
-        """The answer that follows from {earlier answer: points}, or None."""
-
-    def other_ways(self, key: str) -> Sequence[Way]:
-        """Further ways from earlier answers to this one."""
+    def slips(self) -> Slips: ...
+    def sequel(self, key: str, earlier: Mapping[str, Points]) -> Slips: ...
+    def wrong(self, key: str) -> Sequence[Model]: ...
+    def following(self, key: str, earlier: Mapping[str, Points]) -> Points | None: ...
+    def other_ways(self, key: str) -> Sequence[Way]: ...
 
 
 @dataclass(frozen=True)
@@ -134,6 +129,61 @@ def judge(
         return JudgedAnswer("right", _("right"), right)
     wrong = next((given for given in readings if not is_right(asked, given, key)), None)
     return JudgedAnswer("wrong", _("not right"), wrong)
+
+
+def is_right(asked: AskedAnswer, given: Points, key: Points) -> bool:
+    """True if an answer is near enough to the key for what is asked."""
+    return asked.kind.is_right(given, key, asked.atol, asked.rtol)
+
+
+def counted(
+    readings: Sequence[Points],
+    key: Points,
+    asked: AskedAnswer,
+    wrong: Callable[[], Sequence[tuple[Cause, Points]]],
+) -> Points | None:
+    """The right one of the readings of an answer, or None. A student may make any frames. If any
+    right components earned the points, frames turned by half a turn would be four guesses in one
+    answer. One vector is one guess: its components in the ground, as its frames convert them, are
+    the answer; those in another frame count only where the rest is the same right vector along
+    other axes.
+
+    wrong : returns [(cause, points)] of the wrong models, which most right answers do not need: of
+        the group "axes", the right vector along the axes of the problem's other frames, of which
+        the ground is named "0"
+    """
+    right = [is_right(asked, r, key) for r in readings]
+    if True not in right or len(readings) == 1:
+        return readings[0] if right == [True] else None
+    if right[GROUND] or _is_one_guess(readings, right, key, asked, wrong()):
+        return readings[right.index(True)]
+    return None
+
+
+def _is_one_guess(readings, right, key, asked, wrong):
+    """True if each reading that is not the key is the right vector along axes of the problem, or,
+    as long as the problem leaves the axes of the ground open, may be along axes that the student
+    chose, which a known mistake is not.
+    """
+    axes = {cause.name: points for cause, points in wrong if cause.group == "axes"}
+    free = not axes or "0" in axes  # else the axes are those of the ground
+
+    def is_among(r, models):
+        return any(is_right(asked, r, points) for points in models)
+
+    mistakes = [points for cause, points in wrong if cause.group != "axes"]
+    return all(
+        is_among(r, axes.values())
+        or (free and (right[0] or place == GROUND) and not is_among(r, mistakes)
+            and not is_among(_sizes(r), [_sizes(key)]))
+        for place, r in enumerate(readings)
+        if not right[place]
+    )  # fmt: skip
+
+
+def _sizes(points):
+    """The components without sign and order, which are the same for two guesses at the axes."""
+    return tuple(tuple(sorted(map(abs, point))) for point in points)
 
 
 @dataclass(frozen=True)
@@ -187,13 +237,14 @@ def _causes(asked, given, found, numbers, *slips):
     wrong += _exchanged(asked, given, found, numbers)
     if asked.kind.is_formula:
         fit, of = Fit(given, key, asked.kind.rtol), unit_of(asked.unit).dimension
-        wrong += of_other_bodies(fit, of, numbers.symbols, asked.kind.is_vector)
+        wrong += of_other_bodies(fit, of, numbers.symbols, asked.kind)
     factors = asked.kind.factors(asked.unit)
     elsewhere = OtherParts(lambda: _elsewhere(asked, found, numbers))
     causes = diagnose(given, key, wrong, asked.kind, factors, elsewhere, *slips)
     if not causes and slips and asked.kind.is_formula:
-        powers, term = (find(fit, numbers.symbols) for find in (of_other_powers, of_one_term))
-        return tuple(islice(chain(powers, of_a_number(fit), term), 1))
+        of = fit, numbers.symbols, asked.kind
+        found = of_other_powers(*of), of_a_number(fit, asked.kind), of_one_term(*of)
+        return tuple(islice(chain(*found), 1))
     return causes
 
 

@@ -84,6 +84,8 @@ def _check_integrals(I, tolerance, slack):
     largest = max(map(max_abs, I.moments + I.products))
     if not all(map(is_finite, I.moments + I.products)):
         raise MassError(f"the inertia matrix {I.matrix} has an entry that is not finite")
+    if largest <= slack:  # nothing but round-off, of a particle about its centre
+        return
     if not 1e-90 < largest < 1e90 and largest > 1e-300:  # the determinant would leave the floats
         I, slack, largest = I * (1 / largest), slack / largest, 1.0
     small, largest = tolerance * largest + slack, max(slack, largest)

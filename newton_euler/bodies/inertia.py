@@ -30,6 +30,8 @@ from ..algebra.scalars import (
     is_numeric,
     is_positive,
     is_zero,
+    max_abs,
+    min_abs,
     real_scalar,
     scalar,
     short,
@@ -167,7 +169,10 @@ class Inertia(Scaled, NamedTerms):
         if isinstance(axis, str):
             return to_plain(self.moments[axis_index(axis)[0]])
         square = scalar(axis.dot(axis))
-        if type(square) is float and not 1e-280 < square < 1e280 and axis.norm():
+        of_floats = type(square) is float or bool(getattr(square, "shape", ()))
+        # n . I n has the size of the moment times the square
+        of_any_size = of_floats and not 1e-8 < min_abs(square) <= max_abs(square) < 1e8
+        if of_any_size and min_abs(axis.norm()):
             return self.moment(axis.direction())
         if is_zero(square):
             raise MassError("the axis is a zero vector; give one with a direction")

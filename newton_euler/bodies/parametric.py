@@ -13,6 +13,7 @@ from ..algebra.errors import Accuracy, checked
 from ..algebra.integrals import NEAR_MIDDLE, over_cube
 from ..algebra.jets import Moving, as_moving
 from ..algebra.late import is_here, np, sympy
+from ..algebra.places import raised_by_the_caller
 from ..algebra.quadrature import cubature
 from ..algebra.scalars import (
     ZERO,
@@ -141,6 +142,8 @@ def _middle(position, limits, weigh, name):
         place = position(*_parameters(limits, half)[0])
         middle = _moments(position, limits, weigh, (ZERO,) * 3, half)
     except SingularError as error:
+        if raised_by_the_caller(error):
+            raise
         raise MassError(
             f"{name} has points without a value: {error}; look at limits and divisions"
         ) from None

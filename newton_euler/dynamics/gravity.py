@@ -24,7 +24,8 @@ def attraction(m1: Scalar, m2: Scalar, distance: Scalar, K: Scalar = K) -> Scala
     positive(scalar(distance), "the distance of the two bodies")
     for m in (m1, m2):
         not_negative(m, "the mass of a body")
-    return to_plain(K * m1 * m2 / (distance * distance))
+    # each mass by the distance, since their product and its square overflow first
+    return to_plain(K * (m1 / distance) * (m2 / distance))
 
 
 @checked
@@ -44,7 +45,7 @@ def gravitation(on: Body, by: Body, K: Scalar = K, frame: Frame | None = None) -
     r = (by.centre - on.centre).expressed_in(frame or on.frame)
     distance = scalar(r.norm())
     positive(distance, f"the distance of {on.name} and {by.name}")
-    return r * (K * on.mass * by.mass / (distance * distance * distance))
+    return r / distance * (K * (on.mass / distance) * (by.mass / distance))
 
 
 @checked
@@ -118,4 +119,4 @@ def gravitational_field(
     r = position - as_point(centre, "the centre of attraction")
     distance = scalar(r.norm())
     positive(distance, f"the distance of {position.name} from the centre of attraction")
-    return r * -(K * mass / (distance * distance * distance))
+    return r / distance * -(K * (mass / distance) / distance)

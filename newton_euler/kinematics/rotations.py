@@ -30,7 +30,9 @@ from ..algebra.scalars import (
     epsilon,
     hypot,
     is_finite,
+    is_numeric,
     max_abs,
+    min_abs,
     real_scalar,
     sin,
     sqrt,
@@ -284,8 +286,10 @@ def matrix_from_quaternion(q: Sequence[Scalar]) -> Rows:
     ((0.0, -1.0, 0), (1.0, 0.0, 0), (0, 0, 1))
     """
     w, x, y, z = q = _four(q)
-    # not 2: the matrix is a rotation even if the length has drifted
-    s = 2 / _checked_size(q, dot3(q, q) + z * z)
+    length = hypot(*q)
+    if is_numeric(length) and not 1e-140 < min_abs(length) <= max_abs(length) < 1e140:
+        w, x, y, z = q = normalised(q)  # whose squares neither over- nor underflow
+    s = 2 / (dot3(q, q) + z * z)  # not 2: the matrix is a rotation even if the length has drifted
     return _rows((
         (1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)),
         (s * (x * y + w * z), 1 - s * (z * z + x * x), s * (y * z - w * x)),

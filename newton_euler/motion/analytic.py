@@ -70,10 +70,7 @@ def hazards(traced: TracedRates) -> list[str]:
 
 
 def is_high_power(s: Step, unknown: bool = False) -> bool:
-    """True for x**n with a large n, which is small but where x is largest.
-
-    unknown : the answer for an n that is a parameter
-    """
+    """True for x**n with a large n, small but where x is largest; ``unknown`` for a parameter n."""
     if s.op != "**":
         return False
     return unknown if isinstance(s.args[1], Step) else s.args[1] > HIGH_POWER
@@ -100,12 +97,8 @@ def factors(x: Scalar) -> set[Step]:
     """The steps of the trace whose zeros are zeros of x."""
     if not isinstance(x, Step):
         return set()
-    below = set()
-    if x.op == "*":
-        below = factors(x.args[0]) | factors(x.args[1])
-    elif x.op in ("**", "neg", "sqrt"):
-        below = factors(x.args[0])
-    return {x} | below
+    below = x.args if x.op == "*" else x.args[:1] if x.op in ("**", "neg", "sqrt") else ()
+    return {x}.union(*map(factors, below))
 
 
 def absolutes(s: Step) -> list[Scalar]:

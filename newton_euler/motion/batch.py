@@ -1,8 +1,6 @@
 """Many motions of one model at once: arrays of starts, of parameters, or of both, of one length.
-
 The exact solution, or batches of heyoka, give all of them in one sweep, of which a few are checked
-and vouch for those close to them. Each motion that is not known to be accurate after this is a
-:class:`~newton_euler.motion.run.Run` of its own.
+and vouch for those close to them; any other motion is a :class:`.run.Run` of its own.
 """
 
 from dataclasses import dataclass, replace
@@ -80,9 +78,7 @@ class Sweep(NamedTuple):
 
 
 def integrate_many(run: Run, name: str) -> Motions:
-    """The :class:`Motions` of a :class:`~newton_euler.motion.run.Run` whose state or parameters are
-    arrays, by the method of this name or "auto".
-    """
+    """The :class:`Motions` of a run with arrays, by the method of this name or "auto"."""
     if run.events:
         raise ModelError("events need one motion at a time; integrate each start by itself")
     begun, many = perf_counter(), _Many.of(run)
@@ -161,9 +157,7 @@ class _Many:
 
 
 def _sweep(many, run, name):
-    """The :class:`Sweep` by the method of this name, and the method; one in which nothing is known,
-    and the method or None, if each motion is integrated separately.
-    """
+    """The :class:`Sweep` and its method; or one that knows nothing, and the method asked for."""
     exact, count, system = METHODS["exact"], many.starts.shape[1], run.system
     if not run.step:
         if name in ("auto", "exact") and not exact.unusable_because(system, run.t0):
@@ -207,10 +201,8 @@ def _by_series(system, name, count):
 
 
 def _taylor(many, run):
-    """The :class:`Sweep` by batches of heyoka.
-
-    Motions are compared with those of higher order, except those that begin and end close to one
-    that was, as with :class:`~newton_euler.motion.verified.Verified` for single runs.
+    """The :class:`Sweep` by batches of heyoka: motions are compared with those of higher order, but
+    for those close to one that was, as by :class:`.verified.Verified` for single runs.
     """
     system, starts, times, rtol = run.system, many.starts, many.times, run.rtol
     if np.any(np.diff(times) <= 0):
@@ -218,14 +210,16 @@ def _taylor(many, run):
     method, count = METHODS["taylor"], starts.shape[1]
     tolerance = method.rounded(rtol / method.tolerance_ratio)
     other = method.rounded(method.other(tolerance))
-    p = _constants(many, system)
+    values = [many.parameters.get(n, v) for n, v in zip(system.free, system.p, strict=True)]
+    p = rows_of(system.traced.folded[1].on(np)(*values), count)  # constants by motions
     states, calls = batches(system, tolerance, starts, p, run.t0, times)
     ends, errors = states[:, :, -1], np.full(count, np.inf)
-    if knots(system, run.t0, float(times[-1])):
+    span, ratio = (run.t0, float(times[-1])), tolerance / other
+    if knots(system, *span):
         return Sweep(states, errors, calls)  # batches do not stop on the way
     chosen, group = _representatives(np.concatenate([starts, p]), ends)
     sizes = np.maximum(abs(starts), abs(ends))
-    shift = 1 + relative_shift(tolerance / other) * (-1.0) ** np.arange(len(starts))
+    shift = 1 + relative_shift(ratio) * (-1.0) ** np.arange(len(starts))
     shifted = starts * shift[:, None]
 
     def compare(n, instants=1):
@@ -234,13 +228,12 @@ def _taylor(many, run):
         known = sizes[:, n] = np.fmax(sizes[:, n], abs(compared).max(axis=2))
         scales = np.where(known > 0, known, 1.0)
         apart = (abs(ends[:, n] - compared[:, :, -1]) / scales).max(axis=0)
-        ratio = tolerance / other
         errors[n] = [error_by_difference(d, ratio, tolerance) for d in apart.tolist()]
-        span = run.t0, float(times[-1])
         errors[n] += _clock_errors(system, *span, ends[:, n], p[:, n], scales, rtol / 100)
-        if system.traced.narrow:
-            pairs = zip(np.asarray(n).tolist(), errors[n].tolist(), strict=True)
-            errors[n] += [_unseen(many, run, k, tolerance, error) for k, error in pairs]
+        for k in n.tolist() if system.traced.narrow else ():  # what the series does not see
+            one, x0 = many.alone(k)
+            alone = replace(run, system=one, state=x0, samples=None, progress=None)
+            errors[k] += alone.trajectory(method, tolerance).unseen(float(errors[k]))
         return more
 
     calls += compare(chosen)
@@ -258,7 +251,6 @@ def _taylor(many, run):
     if len(unsure):
         calls += compare(unsure, INSIDE)
     # a state that is small by cancellation may be all error, of which two runs may be alike
-    span = run.t0, float(times[-1])
     doubtful = _cancelling(np.flatnonzero(errors <= rtol), system, span, (starts, ends), p, sizes)
     if len(doubtful):
         calls += compare(doubtful, INSIDE)
@@ -295,20 +287,6 @@ def _cancelling(motions, system, times, points, p, sizes):
     return motions
 
 
-def _unseen(many, run, n, tolerance, error):
-    """The part of the rates that the series of one motion, with this error, does not see."""
-    one, x0 = many.alone(n)
-    alone = replace(run, system=one, state=x0, samples=None, progress=None)
-    return alone.trajectory(METHODS["taylor"], tolerance).unseen(error)
-
-
-def _constants(many, system):
-    """The constants of the folded right-hand side, an array (constants, motions)."""
-    count, values = many.starts.shape[1], zip(system.free, system.p, strict=True)
-    constants = system.traced.folded[1].on(np)(*(many.parameters.get(n, v) for n, v in values))
-    return rows_of(constants, count)
-
-
 def _clock_errors(system, t0, t1, ends, p, sizes, enough):
     """The error of each motion by the clock, or a bound of it that is below ``enough``."""
     count = ends.shape[1]
@@ -333,11 +311,9 @@ def _clock_errors(system, t0, t1, ends, p, sizes, enough):
 
 
 def _representatives(begins, ends):
-    """The numbers of motions to one of which every other one is close, and for each motion the
-    place of that one among them.
-
-    In sorted order neighbours are close: a motion that is not close to the one in the middle of its
-    block waits for smaller blocks.
+    """The numbers of motions to one of which every other is close, and for each motion its place
+    among them. In sorted order neighbours are close: a motion that is not close to the one in the
+    middle of its block waits for smaller blocks.
     """
     count, states = begins.shape[1], len(ends)
     vouching, waiting = np.arange(count), np.lexsort(begins)

@@ -70,8 +70,7 @@ def value_at(c: Sequence[float], x: float) -> float:
 
 def root(f: Callable[[float], float], a: float, b: float, accuracy: float = 0.0) -> float:
     """The zero of ``f`` between a and b, where its signs differ, to round-off or to this accuracy:
-    regula falsi with the Illinois rule (M. Dowell, P. Jarratt, BIT 11 (1971) 168), with a bisection
-    every fourth time.
+    Illinois rule (M. Dowell, P. Jarratt, BIT 11 (1971) 168), every fourth time a bisection.
     """
     fa, fb, side = f(a), f(b), 0
     if fb == 0:

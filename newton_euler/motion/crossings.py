@@ -77,8 +77,7 @@ def unsettled(stepper: Stepper, end: float) -> float:
     """The summed differences, relative to the scales, of the steps up to the time ``end`` that pass
     over such a place from two halves of each: a step that was shortened until its error estimate
     was small may have got there by chance. Steps of a motion that slides, one of which soon leads
-    back, do not count. To this is added the effect of the last digit of each coordinate: see
-    :func:`_last_digit`.
+    back, do not count. The effect of :func:`_last_digit` is added.
     """
     system, count = stepper.system, bisect_right(stepper.step_times, end) - 1
     run, p, ends = system.traced.compiled_choices, system.p, stepper.steps[: count + 1]
@@ -104,10 +103,9 @@ def unsettled(stepper: Stepper, end: float) -> float:
 
 
 def _last_digit(system, before, after, first, last):
-    """How much each state is off between two points (time, *state) since the last digit of what is
-    compared decides when the rates jump: their jump for that time.
-
-    first, last : the values of :func:`choices` at the points
+    """How much each state is off between two points (time, *state), with ``first`` and ``last``
+    values of :func:`choices`, since their last digit decides when the rates jump: the jump for that
+    time.
     """
     run, p = system.traced.compiled_choices, system.p
     moved, late = run(before[0], *after[1:], *p), 0.0  # the change by the states alone
@@ -133,9 +131,7 @@ class Crossings:
         self.room = 2 * AROUND * ulp(max(abs(stepper.t), abs(stepper.goal)))
 
     def step(self, limit: float) -> None:
-        """At most ``limit`` steps; raises :class:`StepError` where the motion slides along such a
-        place, or chatters at it.
-        """
+        """At most ``limit`` steps; :class:`StepError` where the motion slides or chatters there."""
         stepper = self.stepper
         for _ in range(int(min(limit, stepper.max_steps))):
             if stepper.t >= stepper.goal:
@@ -159,9 +155,7 @@ class Crossings:
                 self.tries += 2
 
     def _check_digits(self):
-        """Raise :class:`StepError` after a step so short that it does not change the last digit of
-        what is compared: such steps would never end.
-        """
+        """Raise :class:`StepError` after a step too short to change what is compared: endless."""
         stepper = self.stepper
         length = stepper.t - stepper.steps[-1][0]
         if stepper.t < stepper.goal and length < self.short and length < self._last_digit():
@@ -183,9 +177,7 @@ class Crossings:
         return longest
 
     def _changed(self, before, after):
-        """{number of a distance: the part of the way at which it would be zero if it were linear},
-        for those whose signs differ at two pairs (time, state).
-        """
+        """{number of a distance that changes its sign: the part of the way to it, as if linear}."""
         both = zip(self.away(*before), self.away(*after), strict=True)
         # far from the origin the first state may lie on the border itself
         return {k: a / (a - b) for k, (a, b) in enumerate(both) if (a <= 0 < b) or (b < 0 <= a)}

@@ -22,8 +22,7 @@ DRIVEN = 1e-3  # fraction of its rate above which a state is driven by others
 
 def driven(trajectory: Trajectory, start: Floats, natural: Floats, doubted: set[int]) -> set[int]:
     """The genuine states among the ``doubted`` ones, given by their numbers: their initial values,
-    or their rates in the first segment of the trajectory, exceed what the last digits of states and
-    parameters contribute.
+    or their rates in the first segment of the trajectory, exceed what last digits contribute.
 
     States that move by themselves, such as a clock, are taken from the trajectory, whose error is
     within its tolerance. Those that are driven by doubted ones only, such as a distant position,

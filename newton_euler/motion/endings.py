@@ -22,10 +22,8 @@ TOO_LARGE = (
 def why(
     error: Exception, system: System, t: float, x: Floats, span: float
 ) -> tuple[type[MotionError], str]:
-    """The class of the error to be raised, and the end of its message, for the ``error`` of a
-    method at the time t and the state x.
-
-    span : the whole time of the motion
+    """The class of the error to be raised for the ``error`` of a method at the time t and the state
+    x, and the end of its message; ``span`` is the whole time of the motion.
     """
     if isinstance(error, LengthError):
         words = ""
@@ -98,9 +96,7 @@ def _border(pair, system):
 
 
 def _hidden(system, t, x, span):
-    """The end of a message where the rates change their formula within the last digits of what is
-    compared, as on a floor far from the origin; "" if they do not.
-    """
+    """The end of a message where only the last digits of what is compared decide; or ""."""
     values = system.traced.compiled_choices(t, *x, *system.p) if system.traced.choices else ()
     for pair, a, b in zip(system.traced.choices, values[::2], values[1::2], strict=True):
         if abs(a - b) < DIGITS * (abs(a) + abs(b)):

@@ -75,9 +75,8 @@ def error_by_comparison(before: Trajectory, trajectory: Trajectory, method: Meth
 def error_by_difference(
     difference: float, ratio: float, tolerance: float, regular: bool = True, steps: int = 0
 ) -> float:
-    """The error of a run, predicted from its difference to one of another tolerance.
-
-    ratio : the tolerance of this run over that of the other; above 1 the other one is more accurate
+    """The error of a run, predicted from its difference to one of another tolerance; ``ratio`` is
+    that of this run over that of the other, above 1 if the other one is more accurate.
     """
     if not difference <= 0.05:
         return difference  # too large to predict anything

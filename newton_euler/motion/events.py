@@ -29,8 +29,7 @@ class EventError(ModelError):
 @guided
 @dataclass(frozen=True)
 class Event(Portable):
-    """A zero of ``function(s, p, t)`` to be located during a motion: impact, loss of contact, end
-    of sliding, a turning point.
+    """A zero of ``function(s, p, t)`` during a motion: impact, loss of contact, a turning point.
 
     function : a function of the states, the parameters and the time, as in a :class:`Model`, that
         returns a number. It is an event where its sign changes, also at the end of the motion, but
@@ -40,8 +39,7 @@ class Event(Portable):
     terminal : True if the motion ends there
     then : a function ``(s, p, t)`` that returns the model and the start with which the motion
         continues, ``(model, start)`` or, to change the events as well, ``(model, start, events)``;
-        if it returns None, the motion ends. If the right-hand side changes, this event is no longer
-        looked for.
+        if it returns None, the motion ends. A new right-hand side ends the search for this event.
     name : how the motion lists it
 
     Raises :class:`~newton_euler.motion.model.ModelError` for arguments that do not fit.
@@ -78,9 +76,7 @@ class Event(Portable):
 
 @dataclass(frozen=True)
 class Occurrence:
-    """An event that occurred: its ``name``, the time ``t``, and the ``state`` by name, before
-    ``then`` changed it.
-    """
+    """An event that occurred: ``name``, time ``t``, and ``state`` by name, before any ``then``."""
 
     name: str
     t: float
@@ -90,8 +86,7 @@ class Occurrence:
 def events_in_step(locators: list, n: int) -> Iterator[list[tuple[float, int]]]:
     """The events in step ``n``, in order of time: for each time, within round-off, a list of pairs
     (time, index of the locator), in which those that end the segment come last. The step is
-    searched only as far as the lists are consumed, so what comes after the end of a segment costs
-    nothing.
+    searched only as far as the lists are consumed, so nothing is spent beyond the end of a segment.
     """
 
     def numbered(k):
@@ -149,9 +144,7 @@ class EventLocator:
         return f"the function of {of}"
 
     def search(self, n: int) -> Iterator[tuple[float, bool]]:
-        """The times of the event in step ``n``, in order, as pairs (time, True); pairs (time,
-        False) in between mark the time up to which all have been found.
-        """
+        """Pairs (time, is_event) in step ``n``, in order; without one all are found until then."""
         stepper, (a, b) = self.stepper, self.stepper.step_times[n : n + 2]
 
         def values(times):

@@ -1,11 +1,9 @@
-"""Integration of the motion of a model: its states at any time, the estimated error, the drift of
-invariants, the cost, and the events.
+"""Integration of the motion of a model.
 
 One way leads down: the arguments are checked (:mod:`.arguments`), the model is traced
 (:mod:`.prepared`), one motion is a :class:`.run.Run`, and many are :func:`.batch.integrate_many`,
 which leaves to a run each motion that is not accurate at once. A run makes trajectories
-(:mod:`.trajectory`) by the methods in :mod:`.methods.table` and returns the record in
-:mod:`.solution`.
+(:mod:`.trajectory`) by :mod:`.methods.table` and returns a :mod:`.solution`.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -66,19 +64,16 @@ def integrate(
     that is known, and :class:`~newton_euler.motion.solution.AccuracyError` if the tolerance cannot
     be reached.
 
-    A narrow structure, as a brake of a millimetre on a path of kilometres, is seen where its rates
-    are written with ``where``, ``abs``, ``exp``, ``tanh``, ``atan``, a quotient like 1/(1 + x**2)
-    or a table of places, and likewise in the function of an event. The argument of each of these,
-    and each factor that decides its sign, is followed along the steps: where it passes its place,
-    or turns back so close to it that a polynomial cannot tell, the step is compared with the
-    integral of the rates and repeated (a series is refused). So a structure is found if it is 1e-7
-    of the path or more; an expanded square, as x*x + y*y < R*R, or the top of a curve that rises by
-    w above a level is found if w is 1e-14 of the largest value of the argument or more. Smaller
-    ones may be refused. A spot in the plane, which an error of the path may hit or miss, is met or
-    refused down to 1e-9 of the path, and one within the error adds to it. Not seen are rates
-    without such an argument, as the sine of a fast variable; an argument that turns twice within a
-    step whose ends do not show it; and a peak of a table that the argument touches by less than two
-    of its places without turning.
+    A narrow structure, as a brake of a millimetre on a path of kilometres, is seen where its rates,
+    or the function of an event, are written with ``where``, ``abs``, ``exp``, ``tanh``, ``atan``, a
+    quotient like 1/(1 + x**2) or a table of places, whose arguments are followed along the steps
+    (:mod:`.narrow`). It is found if it is 1e-7 of the path or more; an expanded square, as x*x +
+    y*y < R*R, or the top of a curve that rises by w above a level, if w is 1e-14 of the largest
+    value of the argument or more. Smaller ones may be refused. A spot in the plane, which an error
+    of the path may hit or miss, is met or refused down to 1e-9 of the path, and one within the
+    error adds to it. Not seen are rates without such an argument, as the sine of a fast variable;
+    an argument that turns twice within a step whose ends do not show it; and a peak of a table that
+    the argument touches by less than two of its places without turning.
 
     >>> from newton_euler.scenes.planar.pendulum import physical_pendulum
     >>> motion = integrate(physical_pendulum(2.0, 0.5, 0.5, 10.0), 10.0, (1.0, 0.0))

@@ -1,5 +1,4 @@
-"""Models: the equations of motion of one scene in state-variable form, as a frozen record (chapters
-6, 8).
+"""Models: the equations of motion of one scene in state-variable form (chapters 6, 8).
 
 A :class:`Model` says which states there are and how fast they change; it integrates nothing. Its
 functions all take ``(s, p, t)``: the states by name, the parameters by name, and the time, over
@@ -105,11 +104,9 @@ class Model(Portable):
 
     name : of the scene and of the rung of its ladder
     parameters : by name, a scalar each, or a *law*: a function ``(s, p, t)`` of states, scalar
-        parameters and time, as a thrust that is programmed; or a :func:`~newton_euler.table`, which
-        formulas read as p.thrust(t)
+        parameters and time, as a thrust; or a :func:`~newton_euler.table`, read as p.thrust(t)
     states : their names, in the order of all tuples of states
-    rhs : a function ``(s, p, t)`` that returns the rates of the states in this order; a formula,
-        without branches on values
+    rhs : a function ``(s, p, t)`` that returns their rates in this order, without branches
     invariants : by name, functions ``(s, p, t)`` that keep their value during the motion
     exact : the exact solution, a function ``(s, p, t)`` that returns the states at the time t after
         the state ``s`` at t = 0, or None
@@ -155,10 +152,7 @@ class Model(Portable):
         return f"Model({self.name!r}: {', '.join(self.states)}; {', '.join(self.parameters)})"
 
     def derivative(self, state: State, t: Scalar = 0) -> tuple[Scalar, ...]:
-        """The rates of the states, a tuple in their order.
-
-        state : a sequence in that order or a mapping by name, of scalars of any kind
-        """
+        """The rates, a tuple in the order of states, at a ``state`` in that order or by name."""
         try:
             return tuple(self._value(self.rhs, state, t))
         except (ZeroDivisionError, OverflowError) as error:
@@ -211,9 +205,8 @@ class Model(Portable):
 
     def _rhs_text(self, free, fixed, laws):
         """What the right-hand side and the laws read, and its text: a pair; see :func:`current`.
-
-        free : the names of the parameters that are its arguments
-        fixed, laws : the other parameters as pairs (name, value); the functions among these
+        Parameters are its arguments if their names are ``free``; others are ``fixed``, pairs (name,
+        value), of which the functions are ``laws``.
         """
 
         def text():
@@ -222,9 +215,8 @@ class Model(Portable):
         return current(_BY_FUNCTION, (self.rhs, self.states, free, fixed), (self.rhs, *laws), text)
 
     def solution(self, t: Scalar, start: State) -> tuple[Scalar, ...]:
-        """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple.
-
-        Raises :class:`ModelError` where no exact solution is known.
+        """The states at time ``t`` after ``start`` at t = 0, exactly, as a tuple;
+        :class:`ModelError` where no exact solution is known.
         """
         if self.exact is None:
             raise ModelError(f"no exact solution of {self.name!r} is known; integrate it")
@@ -257,9 +249,7 @@ class Model(Portable):
             raise
 
     def neglected(self, t: Scalar, start: State) -> dict[Neglected, Scalar]:
-        """A dict: for each :class:`Neglected` the bound on its error until ``t`` after ``start``,
-        inf where none is known.
-        """
+        """{:class:`Neglected`: the bound on its error at ``t`` from ``start``, inf if unknown}."""
         start, t = self._state(start), self._time(t)  # checked even if no bound needs them
         return {
             n: self._value_of("bound on what it neglects", n.bound, start, t)
@@ -407,9 +397,7 @@ class Model(Portable):
 
 
 def cached(cache: dict, key: Hashable, make: Callable[[], Any]) -> Any:
-    """The value of a key in the cache, made if it is missing; the ``KEPT`` most recently used
-    values are kept.
-
+    """The value of a key in the cache, made if it is missing; the ``KEPT`` last used ones are kept.
     Safe for threads: two may make the same value, each for itself.
     """
     missing = cache  # a value that is certainly not in it
@@ -493,9 +481,7 @@ def is_absent(x: Scalar | Formula) -> bool:
 
 def comparable(what: str, *values: Scalar) -> tuple[Scalar, ...]:
     """The values, as :func:`~newton_euler.algebra.scalars.promote` returns them, of an exact
-    solution that branches on them; ``what`` names the body in the message.
-
-    Raises :class:`ModelError` for expressions.
+    solution of the body ``what`` that branches on them; :class:`ModelError` for expressions.
     """
     values = scalars.promote(*values)
     if not all(map(scalars.is_comparable, values)):
@@ -504,9 +490,7 @@ def comparable(what: str, *values: Scalar) -> tuple[Scalar, ...]:
 
 
 def has_unit(x: object) -> bool:
-    """True for a quantity of pint or astropy and a time span of NumPy: converted to plain numbers,
-    as by NumPy, they would lose their unit.
-    """
+    """True for a quantity of pint or astropy, or a time of NumPy: a float would have no unit."""
     kind = getattr(getattr(x, "dtype", None), "kind", "")
     if kind and type(x).__module__ == "numpy":
         return kind in "mM"
@@ -519,9 +503,8 @@ def unit_advice(x: object) -> str:
 
 
 def finite_number(x: Any, what: str, no_number: str) -> float:
-    """``x`` as a finite float; :class:`ModelError` otherwise.
-
-    what, no_number : the beginning of the message for inf and nan; that for anything else
+    """``x`` as a finite float; else :class:`ModelError`, whose message begins with ``what`` for inf
+    and nan, and with ``no_number`` for anything else.
     """
     try:
         if not isinstance(x, (float, int)) and has_unit(x):
@@ -535,10 +518,8 @@ def finite_number(x: Any, what: str, no_number: str) -> float:
 
 
 def real_numbers(x: Any, what: str) -> "np.ndarray":
-    """One real number, or an array or sequence of them, as an array of floats.
-
-    what : what is expected, for the message
-    Raises :class:`ModelError` for anything else, and for quantities, whose unit would be lost.
+    """One real number, or an array or sequence of them, as an array of floats; :class:`ModelError`,
+    which says ``what`` is expected, for anything else and for quantities, whose unit would be lost.
     """
     try:
         if has_unit(x) or hasattr(x, "mask"):
@@ -569,8 +550,7 @@ def second_order(
     accelerations: Formulas,
     **more: Any,
 ) -> Model:
-    """The :class:`Model` whose states are the coordinates and their rates: second-order equations
-    of motion in state-variable form.
+    """The :class:`Model` whose states are coordinates and rates, for second-order equations.
 
     coordinates : their names; the rate of ``x`` is the state ``dx``
     accelerations : a function ``(s, p, t)`` that returns the second rates of the coordinates

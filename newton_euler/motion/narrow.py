@@ -1,12 +1,11 @@
 """Structures of the rates that a step passes over without seeing them: a brake of some centimetres
 on a path of some metres, a blow of some milliseconds.
 
-The rates change fast where an operation with a scale of its own does, see
-:mod:`.narrow_arguments`: where its argument is about zero or, for ``exp``, largest. That time is
-found however narrow the structure is, since the argument is smooth: in each step it is a polynomial
-whose extrema are known, or the step is divided. Around that time the rates are integrated along the
-trajectory, in pieces that become shorter by powers of two, and compared with the change of the
-states.
+The rates change fast where the argument of an operation with a scale of its own is about zero or,
+for ``exp``, largest: see :mod:`.narrow_arguments`. That time is found however narrow the structure
+is, since the argument is smooth: in each step it is a polynomial whose extrema are known, or the
+step is divided. Around it the rates are integrated along the trajectory, in pieces shorter by
+powers of two, and compared with the change of the states.
 """
 
 from functools import cache, partial
@@ -44,8 +43,7 @@ NUDGE = 2.0**-51  # relative change of states and constants that changes rates b
 class Passage(NamedTuple):
     """The ``number`` of a step that does not see all of the rates; ``stops``, the times to stop at
     when it is repeated; ``changes``, how much each state differs from the integral of its rate; how
-    much of that may be ``noise`` of the rates; the largest ``size`` of these relative to the
-    scales.
+    much of that may be ``noise`` of the rates; the largest ``size`` of these over the scales.
     """
 
     number: int
@@ -266,9 +264,8 @@ def _brackets(path, suspects):
         narrow, rough, turned = _judged(kinds, u, v, off, n[c], closely)
         rough &= np.ptp(v, axis=1) > CLEAR * noise[j]
         last = depth == DEPTH or DIVIDED * rough.sum() > MOST
-        for row in np.flatnonzero(
-            (narrow | rough) & (kinds != "phase") if last else narrow & ~rough
-        ).tolist():
+        here = (narrow | rough) & (kinds != "phase") if last else narrow & ~rough
+        for row in np.flatnonzero(here).tolist():
             for edges in [(0.0, 1.0)] if rough[row] else _about(kinds[row], u[row], v[row]):
                 times = begin[c[row]] + length[c[row]] * np.array(edges)
                 found.append((int(j[row]), *times.tolist()))
@@ -292,9 +289,7 @@ def _brackets(path, suspects):
 
 
 def _turns(fits):
-    """Fractions of parts, the ends and in between the extrema of each polynomial, in order, and its
-    values there; the right end fills the rows.
-    """
+    """The ends and extrema of each polynomial, in order, filled up by ends; and its values."""
     row, x = extrema(fits)
     place = np.arange(len(row)) - np.searchsorted(row, row)
     u = np.ones((len(fits), 2 + place.max(initial=-1) + 1))
@@ -306,10 +301,8 @@ def _turns(fits):
 
 def _judged(kinds, u, values, off, steps, divided):
     """For each of these arguments: whether it changes fast in its part, whether its polynomial
-    cannot tell, and whether it turns back inside.
-
-    u, values : where it turns, from :func:`_turns`
-    divided : True for parts of steps, whose ends no stage of the method has seen: less counts
+    cannot tell, and whether it turns back inside; ``u``, ``values`` as from :func:`_turns`. Less
+    counts in ``divided`` steps, of whose ends no stage of the method has seen all.
     """
     change, ratio = CHANGE[divided], RATIO[divided]
     level = np.where((kinds == "largest")[:, None], -values, abs(values))
@@ -384,10 +377,8 @@ def _located(stepper, arguments, brackets):
 
 
 def _difference(stepper, n, centres, knots):
-    """The :class:`Passage` by which step ``n`` differs from the integral of the rates along it, or
-    None.
-
-    centres, knots : times about which the pieces are shorter and shorter; where pieces end
+    """The :class:`Passage` by which step ``n`` differs from the integral of its rates, in pieces
+    ever shorter about the ``centres`` that end at ``knots``; or None.
     """
     ends, states = (stepper.step_times[n], stepper.step_end(n)), partial(stepper.interpolate, n)
     edges, integrals = _along(stepper, ends, states, centres, knots)

@@ -1,8 +1,5 @@
 """A model prepared for integration: its formulas traced once and kept, with the numbers of its
-parameters.
-
-Models that share a right-hand side (the same scene with other parameters) share the traced text,
-and what heyoka has compiled from it.
+parameters. Models that share a right-hand side share the traced text, and what heyoka made of it.
 """
 
 import math
@@ -27,12 +24,10 @@ _TRACED: dict = {}
 
 
 class Traced:
-    """The text ``rhs`` of one right-hand side, a function ``(t, *states, *free)``, and what is
-    derived from it.
+    """The text ``rhs`` of one right-hand side, ``(t, *states, *free)``, and what follows from it.
 
     arguments : the number of its leading arguments that are not parameters
-    functions, texts : other functions of the states, recorded or None, by function; their texts, by
-        content
+    functions, texts : other functions of the states, or None, by function; texts by content
     integrators : those of heyoka
     seconds : time spent on integrating it, which decides whether heyoka's compilation pays off
     depends, inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the
@@ -205,8 +200,7 @@ class PreparedModel:
 
     @cached_property
     def solution(self) -> Callable[[float, Floats], Floats]:
-        """The exact solution as a function of ``(t, states)`` on floats that returns a tuple of
-        floats.
+        """The exact solution as a function of ``(t, states)`` on floats, which returns a tuple.
 
         Where the traced text has no value, as for an orbit that is not an ellipse, the formula
         itself is called; :class:`ModelError` if it has no value either.

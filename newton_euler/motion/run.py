@@ -1,6 +1,4 @@
-"""One integration of one motion: the choice of the method and of its tolerance, and the comparison
-of its estimated error with the rtol.
-"""
+"""One integration of one motion: the method, its tolerance, its error against the rtol."""
 
 import math
 from collections.abc import Callable
@@ -64,9 +62,7 @@ def outgrown(known: tuple, trajectory: Trajectory) -> bool:
 
 
 def fast_run(system: PreparedModel, method: Method, rtol: float) -> Callable | None:
-    """A function ``(t, start)`` that returns the state at ``t`` after ``start`` at t = 0 if it is
-    known to be accurate, and else None; None if the method has no such run.
-    """
+    """As :meth:`.Stepper.fast_run`, but None for a state that is not known to be accurate."""
     end = method.stepper.fast_run(system, rtol / method.tolerance_ratio)
     if end is None:
         return None
@@ -125,9 +121,7 @@ class Run:
         return self.calibrated(method)
 
     def auto(self) -> Motion:
-        """The motion by the exact solution if there is one, else by heyoka if compiling it has paid
-        off or will, else by DOP853; where one cannot reach the rtol, by the other.
-        """
+        """The motion by the exact solution if there is one, else by the :meth:`candidates`."""
         refused: list[MotionError] = []
         if not METHODS["exact"].unusable_because(self.system, self.t0):
             try:
@@ -178,26 +172,20 @@ class Run:
         it = f"the closed form of {self.system.model.name!r}"
         if any(type(part.stepper) is not method.stepper for part in trajectory.segments):
             raise ModelError(f"{it} ends where it becomes a model without one; take method='auto'")
-
-        def errors():
-            for system, stepper, t0, t1, x1 in trajectory.segments:
-                yield estimated_error(system, t1 - t0, stepper.start[1], x1)
-
-        for system, stepper, t0, t1, x1 in trajectory.segments:
-            if not known_accurate(system, method, self.rtol, t0, t1, stepper.start[1], x1):
-                motion = self.motion(trajectory, method, max(errors()))
+        parts = [(s.system, s.t1 - s.t0, s.stepper.start[1], s.x1) for s in trajectory.segments]
+        motion = self.motion(trajectory, method, lambda: max([estimated_error(*p) for p in parts]))
+        for system, t, x0, _ in parts:
+            if not within(system, t, x0, self.rtol):
                 raise AccuracyError(
-                    f"{it} is not accurate here: its error is about {motion.error:.1g}, and "
-                    f"rtol = {self.rtol:g} was requested; take another method, or a larger rtol",
+                    f"{it} is not accurate here: its error is about {motion.error:.1g}, and rtol = "
+                    f"{self.rtol:g} was requested; take another method, or a larger rtol",
                     motion,
                 )
-        return self.motion(trajectory, method, lambda: max(errors()))
+        return motion
 
     def series(self, method: Method) -> Motion:
-        """The motion by one run of a series on the states as they are, if that is accurate enough;
-        else calibrated.
-
-        The run is compared with another one, unless a run close to it was.
+        """The motion by one run of a series on the states as they are, if that is accurate enough,
+        which another run shows or has shown for one close to it; else calibrated.
         """
         trajectory = self.briefly(self.trajectory, method, self.rtol / method.tolerance_ratio)
         if self.long:
@@ -241,10 +229,8 @@ class Run:
     def calibrated(
         self, method: Method, heyoka: bool = False, known: Sizes | None = None
     ) -> Motion:
-        """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`; with
-        ``heyoka`` by heyoka if the first run shows that the second would take long.
-
-        known : the sizes of the states, where a run has shown them
+        """The motion by two runs or more, see :mod:`newton_euler.motion.methods.table`, from the
+        sizes ``known``; with ``heyoka`` by it if the first run shows that it pays off.
         """
         begun, least, scaled = perf_counter(), method.min_tolerance, method.series
         tolerance = max(min(self.rtol / method.tolerance_ratio, method.max_tolerance), least)
@@ -312,8 +298,7 @@ class Run:
         self, last: Trajectory, known: Sizes | None, error: float, forced: float
     ) -> tuple[Trajectory, float]:
         """The trajectory ``last`` and its error; or those of one whose steps end where the rates
-        change their formula, if there are such places, and see less of states that begin from zero,
-        if it is more accurate.
+        change their formula, if there are such places, and see less of states from zero, if better.
         """
         method, tolerance, self.narrow = last.method, last.tolerance, True
         # where only the fine one failed, it may have been by the round-off of a state near zero

@@ -99,8 +99,7 @@ def reproduced(known: Sizes, again: Sizes, apart: Floats, rtol: float, there: Th
     """The sizes ``known``, larger for a state that is all error: one that nothing drives whose size
     is that of round-off, or depends on the tolerance.
 
-    known, again : as :meth:`~newton_euler.motion.trajectory.Trajectory.sizes` returns them, at two
-        tolerances
+    known, again : as :meth:`.Trajectory.sizes` returns them, at two tolerances
     apart : by how much the last states differ
     there : as in :func:`without_round_off`
     """
@@ -194,9 +193,7 @@ def _spectral_radius(columns, scale):
 
 
 def time_round_off(system: System, t: float, x: Floats, sizes: Floats, span: float) -> float:
-    """The error, relative to the sizes, due to round-off of the time in rates that depend on it: a
-    clock that shows 1e9 s has a resolution of 1e-7 s.
-    """
+    """The error, over the sizes, by round-off of the time: 1e9 s are known to 1e-7 s."""
     if system.autonomous:
         return 0.0
     natural, with_time = natural_sizes(system, [(t, x)], sizes, span)

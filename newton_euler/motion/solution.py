@@ -69,9 +69,7 @@ class FarError(AccuracyError):
 
 
 class Cost(NamedTuple):
-    """``seconds`` of all runs, including imports and compilations, and those of ``preparing`` the
-    model; ``calls`` of the right-hand side.
-    """
+    """``seconds`` with imports and compilations, those of ``preparing``; ``calls`` of the rates."""
 
     seconds: float
     preparing: float
@@ -86,8 +84,7 @@ class Motion(Guided):
     segments : the parts between events at which the state jumped or the model changed
     events : the :class:`~newton_euler.motion.events.Occurrence` of each event that occurred
     ended : how it ended, in words; ``cost`` : a :class:`Cost`
-    times, states : those of the samples; ``states["theta"]`` is an array, nan in a segment that has
-        no such state
+    times, states : those of the samples; ``states["theta"]`` is an array, nan where there is none
     error : the estimated error at the end, of the worst state relative to its largest value, see
         ``rtol`` of :func:`~newton_euler.motion.integration.integrate`; nan with a fixed step
     drift : for each invariant, by name, its largest change over the samples, relative to its
@@ -128,9 +125,7 @@ class Motion(Guided):
 
     @cached_property
     def error(self) -> float:
-        """The estimated error at the end, see the class; that of a closed form, and of a run of
-        heyoka close to a verified one, is computed when first read.
-        """
+        """The estimated error at the end, see the class; made when first read if it takes long."""
         return self.estimate() if callable(self.estimate) else self.estimate
 
     @cached_property
@@ -198,9 +193,7 @@ class Motion(Guided):
     @cached_property
     @guided
     def drift(self) -> dict[str, float]:
-        """The drift of each invariant, by name, see the class: the largest of all segments, each
-        compared with its own start.
-        """
+        """The drift of each invariant by name, see the class; of segments the worst."""
         worst: dict[str, float] = {}
         for system, stepper, t0, t1, _ in self.segments:
             times = np.unique([t0, *self.times[(self.times >= t0) & (self.times <= t1)]])

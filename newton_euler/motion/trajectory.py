@@ -6,7 +6,7 @@ from math import inf
 from typing import Any, NamedTuple, Protocol
 
 from ..algebra.errors import NewtonEulerError
-from ..algebra.places import note_place, raised_by_the_engine
+from ..algebra.places import note_place, raised_by_the_caller, raised_by_the_engine
 from .arguments import start_state
 from .crossings import Crossings, off_a_border, unsettled
 from .endings import stuck_at, why
@@ -80,8 +80,7 @@ class Trajectory:
     the class of the error to be raised.
 
     run : the :class:`~newton_euler.motion.run.Run` that it belongs to
-    known : the sizes of the states, as :meth:`sizes` of an earlier trajectory of this run returns
-        them; None for the first
+    known : the sizes of the states, as :meth:`sizes` of an earlier one; None for the first
     scaled : True if the states are divided by their sizes where the method itself does not
     samples : default those of the run
     watched : True if its steps are checked for narrow structures
@@ -153,9 +152,7 @@ class Trajectory:
         return largest, natural, noise
 
     def limits(self, system: PreparedModel, t: float, x: Floats) -> tuple[Floats, Floats, Floats]:
-        """What a stepper needs: the least scale and round-off of each state, and the times to stop
-        at.
-        """
+        """The least scale and the round-off of each state, and the times to stop at."""
         nothing, series = (0.0,) * len(x), self.method.series
         own = KINKED_PART if system.traced.surprises else OWN_PART
         if self.method.closed:
@@ -197,7 +194,8 @@ class Trajectory:
         except ModelError:
             raise
         except (ArithmeticError, ValueError) as error:
-            if not isinstance(error, NewtonEulerError) and note_place(error):
+            is_engines = isinstance(error, NewtonEulerError) and not raised_by_the_caller(error)
+            if not is_engines and note_place(error):
                 raise  # the error of an event's function or of progress
             stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)
@@ -215,9 +213,8 @@ class Trajectory:
 
     def _follow(self, stepper, events, initial):
         """Go to the goal, or to the first events that end the segment; return these as (t, events,
-        state): there may be several at one time, as where a ball hits a corner.
-
-        initial : the events with which the segment began
+        state): there may be several at one time, as where a ball hits a corner. ``initial`` : the
+        events with which the segment began.
         """
         watched = self.watched and stepper.resumable and stepper.system.traced.narrow
         locators = [EventLocator(e, stepper, any(e is i for i in initial)) for e in events]
@@ -232,9 +229,11 @@ class Trajectory:
                 if isinstance(error, LengthError) or not self._rougher(stepper, done):
                     raise
                 continue
-            if len(stepper.step_times) > patience:
+            steps = len(stepper.step_times) - 1
+            if steps >= patience:
                 patience += CRAWLING
-                self._check_crawling(stepper)
+                if self._sticks(stepper, steps - STICKING):
+                    raise StepError(f"{steps} steps led there, and the next ones go back and forth")
             if watched:
                 self._see(stepper, step, done, min(limit, MAX_STEPS))
             for locator in locators:
@@ -309,25 +308,15 @@ class Trajectory:
                     break  # else the way that missed it has made them too large
         self.missed += passed.size
 
-    def _check_crawling(self, stepper):
-        """Raise :class:`StepError` where a motion that sticks takes steps without end."""
-        if self._sticks(stepper, len(stepper.step_times) - 1 - STICKING):
-            steps = len(stepper.step_times) - 1
-            raise StepError(f"{steps} steps led there, and the next ones go back and forth")
-
     def _sticks(self, stepper, first):
-        """True if the steps from number ``first`` on are many in little time, at a border to which
-        the rates on both sides lead back.
-        """
+        """True if many steps from ``first`` on took little time at a border that holds it."""
         span, count = self.goal - self.origin, len(stepper.step_times) - 1 - first
         if count < STICKING or stepper.t - stepper.step_times[first] > STICKING_PART * span:
             return False
         return bool(stuck_at(stepper.system, stepper.t, stepper.x, span))
 
     def unseen(self, error: float) -> float:
-        """The part of the rates that the steps did not see, relative to the scales of the states,
-        which have this error.
-        """
+        """What the steps did not see of the rates, over the scales, for states off by ``error``."""
         total = self.missed
         for part in self.segments if self.repeated else ():
             rows = zip(part.stepper.noise, part.stepper.scales, strict=True)

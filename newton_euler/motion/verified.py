@@ -10,10 +10,7 @@ SPARE = 10.0
 
 
 class Verified:
-    """The last verified run of a model for each rtol.
-
-    Safe for threads: a whole record is written at once, and any of them is right.
-    """
+    """The last verified run of a model for each rtol; threads see whole records, all right."""
 
     def __init__(self):
         self.runs: dict[float, tuple] = {}

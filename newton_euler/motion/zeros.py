@@ -1,13 +1,12 @@
-"""All zeros in an interval at which a function of time changes its sign.
+"""All zeros in an interval at which a function of time changes its sign (J. P. Boyd, SIAM J. Numer.
+Anal. 40 (2002) 1666).
 
 The interval is bisected until on each piece the function is known to seven digits: it is the
 polynomial through its values at 13 Chebyshev points, which is compared with the function at three
 more. Then no zero is missed, not even one of two that are close together: between two extrema of
 the polynomial there is at most one, and the signs of the function itself at the extrema show
 whether there is. No piece is given up. Around a kink or a jump the pieces become so short that the
-function is below round-off there, and the signs at their ends decide. J. P. Boyd, Computing zeros
-on a real interval through Chebyshev expansion and polynomial rootfinding, SIAM J. Numer. Anal. 40
-(2002) 1666.
+function is below round-off there, and the signs at their ends decide.
 """
 
 from collections.abc import Callable
@@ -207,8 +206,11 @@ class ZeroSearch:
         smooth = [piece for piece in pieces if piece.state == "smooth"]
         extrema, brackets = self._extrema(smooth) if smooth else {}, []
         for piece in pieces:
-            if piece.left == self.a and self.start:
-                self._begin(piece, *self.start)
+            if piece.left == self.a and self.start:  # no sign there if the value is round-off
+                value, is_zero = self.start
+                doubtful = abs(value) <= DOUBTFUL * piece.largest
+                if doubtful and (is_zero or self._is_noise(piece, -1, piece.left, value)):
+                    self.sign = 0
             before = -1.0
             for x, sign in [*extrema.get(piece, ()), (1.0, self._end_sign(piece))]:
                 if sign and self.sign and sign != self.sign and self.direction in (0, sign):
@@ -216,17 +218,8 @@ class ZeroSearch:
                 self.sign, before = sign or self.sign, x
         return self._located(brackets) if brackets else []
 
-    def _begin(self, piece, value, is_zero):
-        """Forget the sign at the start if the value there is round-off."""
-        if abs(value) <= DOUBTFUL * piece.largest and (
-            is_zero or self._is_noise(piece, -1, piece.left, value)
-        ):
-            self.sign = 0
-
     def _end_sign(self, piece):
-        """The sign at the right end of a piece; if the motion ends there at a zero, the sign that
-        would follow.
-        """
+        """The sign at the right end of a piece; at a zero that ends the motion, the one beyond."""
         value = float(piece.values[DEGREE])
         if self.closed and piece.right == self.b and abs(value) <= DOUBTFUL * piece.largest:
             slope = piece.slope(1)
@@ -237,13 +230,9 @@ class ZeroSearch:
 
     def _is_noise(self, piece, end, t, value):
         """True if a value at an end of a piece is zero up to round-off, also of the time."""
-        return abs(value) <= self._round_off(piece, t) + 2 * EPS * abs(t * piece.slope(end))
-
-    def _round_off(self, piece, t):
-        """The round-off of the function at a time in a piece."""
-        points = sampling()[0][PICKED]
-        times = piece.left + (piece.right - piece.left) * points
-        return NOISE_MARGIN * float(self.noise(np.append(times, t)[None])[0])
+        times = piece.left + (piece.right - piece.left) * sampling()[0][PICKED]
+        noise = NOISE_MARGIN * float(self.noise(np.append(times, t)[None])[0])
+        return abs(value) <= noise + 2 * EPS * abs(t * piece.slope(end))
 
     def _extrema(self, pieces):
         """For each piece a list of pairs: the extrema of its polynomial, and the signs there."""

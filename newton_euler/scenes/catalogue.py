@@ -47,9 +47,8 @@ def scene(
         raise ModelError(f"two scenes have the name {name!r}")
 
     def register(make):
-        table[name] = Scene(
-            name, section, description, make if ladder else lambda: (make(**values), t, start)
-        )
+        made = make if ladder else lambda: (make(**values), t, start)
+        table[name] = Scene(name, section, description, made)
         return make
 
     return register

@@ -68,8 +68,7 @@ class Ladder:
     """The models of one scene, with one start, for one question.
 
     of, t : what is observed, with its unit, as "position, m", and for what time
-    rungs : a tuple of :class:`Rung`, the smallest and coarsest first; the last, the fullest, is
-        what the others are measured against
+    rungs : a tuple of :class:`Rung`, the coarsest first; the last, the fullest, measures the others
     """
 
     name: str

@@ -2,6 +2,9 @@
 other chapter.
 """
 
+import ast
+import re
+
 from exercises.catalogue.places import EXERCISES
 from tests.imports import circle, imports, modules
 
@@ -46,3 +49,20 @@ def test_no_modules_import_each_other_in_a_circle():
 def test_every_device_is_used_by_a_problem_or_another_device():
     used = {target for m in FILES for target, _ in imports(m, FILES) if target != m}
     assert {m for m in FILES if m.startswith("exercises.devices.")} <= used
+
+
+def unused(path):
+    """The names that a module imports from devices and does not use."""
+    tree = ast.parse(path.read_text())
+    found = [n for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)]
+    names = {a.asname or a.name for n in found if "devices" in (n.module or "") for a in n.names}
+    return names - {n.id for n in ast.walk(tree) if isinstance(n, ast.Name)}
+
+
+def test_what_a_problem_only_imports_is_a_function_of_its_own():
+    """From a device, where ruff lets an unused import pass."""
+    own = {"solve", "steps", "prove", "mistakes", "draw", "follows"}
+    left = {
+        m: unused(path) - (own if re.search(r"\.p\d+$", m) else set()) for m, path in FILES.items()
+    }
+    assert {m: names for m, names in left.items() if names} == {}

@@ -70,16 +70,13 @@ def test_new_prints_the_paths(tmp_path):
     assert out.split() == [f"{to}/ch02/p01.yaml", f"{to}/ch02/p01.py"]
 
 
-def test_figure_writes_a_png(tmp_path):
-    ran(command("figure", "4/16", "--to", tmp_path / "new"))
-    assert (tmp_path / "new/4_16.png").read_bytes().startswith(b"\x89PNG")
-
-
-def test_figure_writes_a_contact_sheet_of_each_chapter(tmp_path):
+def test_figure_writes_pngs_and_contact_sheets(tmp_path):
     from PIL import Image
 
     ran(command("figure", "4/16", "4/17", "--sheet", "--to", tmp_path))
     assert [path.name for path in tmp_path.iterdir()] == ["ch04_sheet.png"]
+    ran(command("figure", "4/16", "--to", tmp_path / "new"))
+    assert (tmp_path / "new/4_16.png").read_bytes().startswith(b"\x89PNG")
     with Image.open(tmp_path / "ch04_sheet.png") as sheet:
         width, height = sheet.size
     assert width / height == pytest.approx(2 * 5.2 / 4, rel=0.01)

@@ -85,12 +85,9 @@ def test_a_refusal_in_words_is_distinguished_from_a_raw_error(raised, outcome, p
     assert not judged(pendulum[0], ill, integrate=run).needless
 
 
-def test_a_call_that_does_not_end_is_a_timeout(pendulum):
+def test_no_end_is_a_timeout_and_an_answer_where_there_is_no_motion_silently_wrong(pendulum, known):
     run = judged(*pendulum, seconds=0.05, integrate=lambda *_, **__: time.sleep(5))
     assert (run.outcome, run.returned) == ("timeout", False)
-
-
-def test_an_answer_where_there_is_no_motion_is_silently_wrong(known):
     case, truth = known("blow_up_on_the_way")
     found = {"error": 1e-12, "end": {"x": 1.0}, "t_end": case.t_end, "events": ()}
     motion = SimpleNamespace(**found, method=SimpleNamespace(name="fake"), at=lambda t: {})
@@ -107,12 +104,14 @@ def test_a_lost_event_is_an_error_unless_two_lie_too_close_to_distinguish(known)
     assert judge.events_error(found[1:], replace(truth, margin=1e-10), 1e-9) == 0.0
 
 
-def test_the_error_of_an_event_is_relative_to_the_time_since_the_start(known):
+def test_errors_are_relative_to_the_time_since_the_start_and_found_beside_next_to_nothing(known):
     case, truth = known("eclipses_by_the_clock_of_the_mission")
     late = [(n, float(t) + 1e-5 * (case.t_end - case.t0)) for n, t, _ in truth.events]
     weight = max(w for *_, w in truth.events)
     assert Fraction(truth.events[0][1]) > case.t0 > case.t_end - case.t0
     assert judge.events_error(late, truth, 1e-9, case.t0) == pytest.approx(1e-5 * weight, rel=1e-6)
+    # written as a fraction of integers the error has millions of digits
+    assert judge.true_error((1e-9,), ("-1e-9000000",), (2.0,), (2.0,)) == pytest.approx(5e-10)
 
 
 @pytest.mark.parametrize(
@@ -180,8 +179,3 @@ def test_every_way_is_asked_at_every_tolerance():
     assert single[0][:2] == ("auto", "")
     assert {way.partition(" of ")[0] for _, way, _ in batch} == {"batch"}
     assert "prepared" not in {way for _, way, _ in late + eventful}
-
-
-def test_the_error_beside_what_is_next_to_nothing_is_found_at_once():
-    """Written as a fraction of integers the error has millions of digits."""
-    assert judge.true_error((1e-9,), ("-1e-9000000",), (2.0,), (2.0,)) == pytest.approx(5e-10)

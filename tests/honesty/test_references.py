@@ -18,17 +18,15 @@ def floats(row):
     return [float(x) for x in row]
 
 
-def test_a_wrong_closed_form_is_not_a_reference():
+def test_two_motions_differ_by_their_worst_state_and_a_wrong_closed_form_is_no_reference():
+    a, b = (SimpleNamespace(states=[(1.0, 2.0), (0.0, x), (5.0, 0.0)]) for x in (2.0, 3.0))
+    assert references._distance(a, b, (5.0, 2.0), (0.0, 0.0)) == 0.5
+
     def wrong(mp, s, p, t):
         return closed_forms.pendulum(mp, p.k * (1 + mp.mpf(10) ** -14), s.theta, s.omega, t)
 
     with pytest.raises(NoReferenceError, match="differ by"):
         reference(replace(draw("pendulum", 0, 0), exact=wrong))
-
-
-def test_two_motions_differ_by_the_worst_of_their_states_at_the_worst_of_the_times():
-    a, b = (SimpleNamespace(states=[(1.0, 2.0), (0.0, x), (5.0, 0.0)]) for x in (2.0, 3.0))
-    assert references._distance(a, b, (5.0, 2.0), (0.0, 0.0)) == 0.5
 
 
 @needs_heyoka

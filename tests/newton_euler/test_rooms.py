@@ -63,11 +63,8 @@ def test_the_rooms_are_those_of_the_plan():
     assert found - {"__pycache__", "chapters"} == set(BELOW)
 
 
-def test_imports_go_down_only():
+def test_no_private_name_is_taken_and_imports_go_down_only():
     assert faulty(climbing) == {}
-
-
-def test_no_private_name_is_taken_from_another_room():
     assert faulty(lambda m: taken_privately(m, FILES, room_of)) == {}
 
 
@@ -78,11 +75,17 @@ def test_an_import_that_climbs_is_seen():
     assert climbing("newton_euler.motion.run", inside) == ["newton_euler.scenes.catalogue"]
 
 
-def test_no_modules_import_each_other_in_a_circle():
+def test_neither_modules_nor_folders_import_each_other_in_a_circle():
     whole = {name for name, path in FILES.items() if path.name != "__init__.py"}
     graph = {m: {t for t, _ in imports(m, FILES)} & whole - {m} for m in FILES}
     assert circle(graph) is None
     assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c"]
+    # A folder inside a room is a floor: the files above use it, and it uses none of the files
+    found = [(m, target) for m in FILES for target, _ in imports(m, FILES) if target in FILES]
+    gathering = {m for m in FILES if FILES[m].name == "__init__.py"}
+    assert circle(folder_graph(e for e in found if not gathering & {*e})) is None
+    climbing = [("a.run", "a.methods.table"), ("a.methods.verlet", "a.model")]
+    assert circle(folder_graph(climbing)) == ["a", "a.methods"]
 
 
 def folder_graph(edges):
@@ -92,15 +95,6 @@ def folder_graph(edges):
         above, below = (name.rpartition(".")[0] for name in (module, target))
         graph[above] |= {below} - {above}
     return graph
-
-
-def test_no_folders_import_each_other_in_a_circle():
-    """A folder inside a room is a floor: the files above use it, and it uses none of the files."""
-    found = [(m, target) for m in FILES for target, _ in imports(m, FILES) if target in FILES]
-    gathering = {m for m in FILES if FILES[m].name == "__init__.py"}
-    assert circle(folder_graph(e for e in found if not gathering & {*e})) is None
-    climbing = [("a.run", "a.methods.table"), ("a.methods.verlet", "a.model")]
-    assert circle(folder_graph(climbing)) == ["a", "a.methods"]
 
 
 PACKAGES = [m for m in sorted(FILES) if FILES[m].name == "__init__.py" and "chapters" not in m]
@@ -212,18 +206,14 @@ s = drawing.Sketch(Figure().add_subplot(), Frame('ground')); s.rod((0, 0, 0), (1
 s.ax.figure.savefig(io.BytesIO())"""
 
 
-@pytest.mark.parametrize(
-    ("program", "needed"),
-    [
-        ("import newton_euler, newton_euler.drawing.animation, newton_euler.drawing.sketch", ""),
-        ("from newton_euler.motion import integrate; from tests.models import oscillator; "
-         "assert integrate(oscillator(), 1.0, (1.0, 0.0)).error < 1e-9", ""),
-        ("import numpy as np; from newton_euler import *; f = compiled(lambda w: "
-         "Frame('g').rotate('a', 'z', rate=w).i.norm()); f(1.0); f(np.zeros(5))", "numpy"),
-        (A_FIGURE, "matplotlib numpy PIL"),
-    ],
-    ids=["importing the engine", "a motion", "floats, arrays and tracing", "a figure"],
-)  # fmt: skip
+@pytest.mark.parametrize(("program", "needed"), [
+    ("import newton_euler, newton_euler.drawing.animation, newton_euler.drawing.sketch", ""),
+    ("from newton_euler.motion import integrate; from tests.models import oscillator; "
+     "assert integrate(oscillator(), 1.0, (1.0, 0.0)).error < 1e-9", ""),
+    ("import numpy as np; from newton_euler import *; f = compiled(lambda w: "
+     "Frame('g').rotate('a', 'z', rate=w).i.norm()); f(1.0); f(np.zeros(5))", "numpy"),
+    (A_FIGURE, "matplotlib numpy PIL"),
+], ids=["importing the engine", "a motion", "floats, arrays and tracing", "a figure"])  # fmt: skip
 def test_none_of_the_heavy_libraries_is_loaded_before_it_is_needed(program, needed):
     """Students wait while the imports run."""
     program = f"import sys\n{program}\nprint(*(m for m in {HEAVY.split()} if m in sys.modules))"

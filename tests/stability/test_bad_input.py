@@ -49,19 +49,9 @@ def test_the_unit_of_a_quantity_is_never_dropped(quantity):
         lambda q: ground.rotate("arm", "z", q), lambda q: ne.unit("m").to_base(q),
         lambda q: ne.Inertia(ground, (q, q, q)), lambda q: ne.at(lambda t: t, q),
     ):  # fmt: skip
-        with pytest.raises(
-            ne.NewtonEulerError, match=r"it has a unit|unit vector|OfPint|OfAstropy"
-        ):
+        words = r"it has a unit|unit vector|OfPint|OfAstropy"
+        with pytest.raises(ne.NewtonEulerError, match=words):
             take(quantity)
-
-
-@pytest.mark.parametrize("name", ["pint", "astropy.units"])
-def test_quantities_of_real_libraries_are_refused(name):
-    library = pytest.importorskip(name)
-    q = library.UnitRegistry().Quantity(30.0, "degree") if name == "pint" else 30.0 * library.deg
-    for take in (ne.radians, ne.sin, ne.moving, lambda q: disk(q, ground, mass=1.0)):
-        with pytest.raises(ScalarError, match="it has a unit"):
-            take(q)
 
 
 @pytest.mark.parametrize("f", [
@@ -101,12 +91,6 @@ def test_moments_of_inertia_that_no_body_has_are_refused():
     ):
         with pytest.raises(ne.NewtonEulerError):
             refused()
-
-
-def test_a_hole_has_a_negative_mass():
-    hole = -disk(0.1, ground, mass=1.0)
-    assert hole.mass == -1.0
-    assert ne.centre_of_mass([(2.0, P), (-1.0, P)]).position(ground) == P.position(ground)
 
 
 def test_functions_say_where_they_have_no_value():
@@ -236,11 +220,16 @@ def texts(x):
     return repr(x), str(x), x.latex(), str(x.explain()), repr(x.terms)
 
 
-def test_a_long_expression_is_printed_as_its_length():
+def test_a_long_expression_is_printed_as_its_length_and_a_short_one_written_out():
     """Written out it grows fivefold with every frame: to 6 MB with seven frames."""
     for text in texts(chain_of_frames(7)):
         assert len(text) < 2000
         assert "operations" in text
+    q = sympy.Symbol("q")
+    assert scalars.short_repr(q**2 + 1) == "q**2 + 1"
+    assert scalars.operations(q**2 + 1) == 2
+    assert scalars.short_repr(sum(q**n for n in range(scalars.LONGEST))).endswith("operations>")
+    assert scalars.scalar(q) is q
 
 
 @pytest.mark.benchmark
@@ -248,14 +237,6 @@ def test_the_text_of_a_long_expression_takes_no_longer_than_the_expression():
     R = chain_of_frames(7)
     making, reading = timed(lambda: chain_of_frames(7), lambda: texts(R), runs=1, shortest=0.0)
     assert reading < 50 * making
-
-
-def test_short_expressions_are_written_out():
-    q = sympy.Symbol("q")
-    assert scalars.short_repr(q**2 + 1) == "q**2 + 1"
-    assert scalars.operations(q**2 + 1) == 2
-    assert scalars.short_repr(sum(q**n for n in range(scalars.LONGEST))).endswith("operations>")
-    assert scalars.scalar(q) is q
 
 
 def test_the_first_call_of_a_checked_function_may_come_from_many_threads():

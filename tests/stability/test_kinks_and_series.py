@@ -114,9 +114,8 @@ def test_each_motion_of_a_large_batch_has_its_error_even_beside_a_separatrix():
     """Amplitudes up to 1e-7 short of upright: the closest ones cannot be had."""
     model = second_order("pendulum", {}, ("a",), lambda s, p, t: (-sin(s.a),))
     a = np.concatenate([np.linspace(0.1, 3.0, 70), math.pi - 10.0 ** -np.arange(1.0, 8.0)])
-    with pytest.raises(
-        AccuracyError, match=r"of 77 motions are not as accurate.* number 7\d"
-    ) as raised:
+    words = r"of 77 motions are not as accurate.* number 7\d"
+    with pytest.raises(AccuracyError, match=words) as raised:
         integrate(model, 20.0, (a, 0.0), 1e-11)
     motions = raised.value.reached
     assert (motions.error <= 1e-11).sum() >= 70

@@ -16,9 +16,20 @@ WHOLE = (np.int8, np.int16, np.int32, np.int64, np.uint8, np.uint16, np.uint32, 
 AU = np.array([149_600_000_000])  # m
 
 
-def test_the_length_of_an_astronomical_vector():
+def test_whole_numbers_become_floats_before_they_wrap():
     assert Frame("ground").vector(AU, 0, 0).norm() == 1.496e11
     assert Frame("ground").vector(AU, AU, 0).norm() == pytest.approx(2**0.5 * 1.496e11, rel=1e-15)
+    assert scalar(np.array([2**53 + 1]))[0] == 2.0**53
+    assert scalar(np.uint64(2**64 - 1)) == 2**64 - 1  # a single one is not
+    x = moving(np.array([2_000_000_000], np.int32), rate=np.array([2_000_000_000], np.int32))
+    assert (x * x).value[0] == 4e18
+    assert (x * x).rate[0] == 8e18
+    P = polar(Frame("ground"), "P", moving(AU, rate=1), moving(0.0, rate=np.array([10])))
+    assert P.acceleration(P.ground).x[0] == -1.496e13
+    found = solve_linear(lambda x: np.array([100], np.uint8) * x - np.array([200], np.uint8))
+    assert found.x[0] == 2
+    ground = Frame("ground")
+    assert same(ground.vector(np.array([3]), 0, 0), ground.vector(np.array([3.0]), 0, 0))
 
 
 @pytest.mark.parametrize("kind", WHOLE)
@@ -45,11 +56,6 @@ def test_a_single_whole_number_stays_exact(kind):
     assert n**20 == 100**20
     assert scalar(kind(0)) is ZERO
     assert scalar(10**40) == 10**40
-
-
-def test_whole_numbers_above_2_to_53_are_rounded_to_the_nearest_float():
-    assert scalar(np.array([2**53 + 1]))[0] == 2.0**53
-    assert scalar(np.uint64(2**64 - 1)) == 2**64 - 1  # a single one is not
 
 
 def test_truth_values_and_short_floats_become_floats_of_64_bits():
@@ -84,14 +90,6 @@ def test_functions_of_whole_numbers_have_all_digits():
     assert is_numeric(np.array([1]))
 
 
-def test_moving_whole_numbers_do_not_wrap():
-    x = moving(np.array([2_000_000_000], np.int32), rate=np.array([2_000_000_000], np.int32))
-    assert (x * x).value[0] == 4e18
-    assert (x * x).rate[0] == 8e18
-    P = polar(Frame("ground"), "P", moving(AU, rate=1), moving(0.0, rate=np.array([10])))
-    assert P.acceleration(P.ground).x[0] == -1.496e13
-
-
 def test_formulas_of_every_room_take_whole_numbers():
     """Each is compared with itself at the same floats."""
     m, r = np.array([250], np.uint8), np.array([6_371_000], np.int32)
@@ -109,13 +107,3 @@ def test_formulas_of_every_room_take_whole_numbers():
     )
     assert T.value[0] == exact.value
     assert particle(m, ground.point("P", r, 0, 0)).about(ground).moments[1][0] == 250 * 6_371_000**2
-
-
-def test_linear_equations_take_whole_numbers():
-    found = solve_linear(lambda x: np.array([100], np.uint8) * x - np.array([200], np.uint8))
-    assert found.x[0] == 2
-
-
-def test_whole_and_float_vectors_are_the_same():
-    ground = Frame("ground")
-    assert same(ground.vector(np.array([3]), 0, 0), ground.vector(np.array([3.0]), 0, 0))

@@ -18,10 +18,10 @@ from newton_euler.classroom.practising.advice import advise, causes_of
 from newton_euler.classroom.practising.collection import Practice
 from newton_euler.classroom.practising.files import HELP, PracticeFile
 from newton_euler.classroom.practising.numbers import Quantity
+from newton_euler.classroom.practising.panel import Ways
 from newton_euler.classroom.practising.problems import Message, PracticeProblem
 from newton_euler.classroom.practising.progress import Progress
 from newton_euler.classroom.practising.typed import typed, typed_tree
-from newton_euler.classroom.practising.ways import Ways
 
 ON_A_PAGE = Ways(
     Words("in its fields, by Check"),

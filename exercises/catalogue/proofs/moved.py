@@ -6,11 +6,11 @@ A motion is a function of time that returns a list of pairs (share of the mass, 
 velocity are not used.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from mpmath import mp, mpf
 
-from .digits import DIGITS, Motion, Number, Orientation, Points, Triple, weighted
+from .digits import DIGITS, Motion, Number, Orientation, Place, Points, Triple, weighted
 from .motions import rate, second_rate
 from .vectors import cross, minus, times
 
@@ -38,9 +38,7 @@ def kinetic_energy(m: Number, motion: Motion, t: Number = 0) -> Number:
         return m * weighted(_shares(motion), [sum(x * x for x in v) / 2 for v in speeds])
 
 
-def angular_momentum(
-    m: Number, motion: Motion, about: Sequence[Number] = (0, 0, 0), t: Number = 0
-) -> Triple:
+def angular_momentum(m: Number, motion: Motion, about: Place = (0, 0, 0), t: Number = 0) -> Triple:
     """The sum of d x dm v, d from the place ``about``, which is at rest.
 
     >>> def circling(t):  # at 3 m/s on a circle of radius 1
@@ -52,12 +50,8 @@ def angular_momentum(
         t = mpf(t)
         velocities = rate(lambda t: _places(motion(t)), t)
         pairs = zip(_places(motion(t)), velocities, strict=True)
-        return [
-            m * x
-            for x in weighted(
-                _shares(motion), [cross(minus(place, about), v) for place, v in pairs]
-            )
-        ]
+        moments = [cross(minus(place, about), v) for place, v in pairs]
+        return [m * x for x in weighted(_shares(motion), moments)]
 
 
 def force_needed(m: Number, motion: Motion, t: Number = 0) -> Triple:
@@ -68,9 +62,7 @@ def force_needed(m: Number, motion: Motion, t: Number = 0) -> Triple:
         return [m * x for x in a]
 
 
-def moment_needed(
-    m: Number, motion: Motion, about: Sequence[Number] = (0, 0, 0), t: Number = 0
-) -> Triple:
+def moment_needed(m: Number, motion: Motion, about: Place = (0, 0, 0), t: Number = 0) -> Triple:
     """The sum of d x dm a, d from the place ``about``: the moment of all external forces there."""
     with mp.workdps(DIGITS):
         accelerations = second_rate(lambda t: _places(motion(t)), t)

@@ -1,10 +1,8 @@
 """A particle on a smooth track: its speed, from the force along the track."""
 
-from collections.abc import Callable, Sequence
-
 from mpmath import mp, mpf
 
-from .digits import DIGITS, Number, ProofError
+from .digits import DIGITS, Force, Number, Path, ProofError
 from .integrals import integral
 from .motions import rate
 
@@ -12,12 +10,7 @@ PIECES = 32  # pieces of the track, at whose ends the particle must still move
 
 
 def speed_along(
-    m: Number,
-    force: Callable[[Sequence[Number]], Sequence[Number]],
-    path: Callable[[Number], Sequence[Number]],
-    start: Number,
-    end: Number,
-    speed: Number = 0,
+    m: Number, force: Force, path: Path, start: Number, end: Number, speed: Number = 0
 ) -> Number:
     """The speed at ``path(end)`` of a particle that leaves ``path(start)`` with ``speed`` on a
     smooth track: m v dv = F.dr, integrated.

@@ -71,7 +71,8 @@ def _call(formulas):
         words = stage.means
         if len(stage.parts) > 1:
             words = Words("a component of {what}", what=stage.means)
-        for x in stage.parts if stage.means else ():
+        is_named = len(stage.parts) == 1 or stage.kind.is_along_axes
+        for x in stage.parts if stage.means and is_named else ():
             if isinstance(x, Step):
                 x.trace.meant.setdefault(x.number, words)
 
@@ -193,7 +194,7 @@ def _of_differences(f):
             ):
                 words = Words(text, name=n, key=key)
                 yield edit(LEAST, f"{what} {name} {x.number}", words, {x.number: other})
-        for stage in f.stages if len(answer.parts) == 3 else ():
+        for stage in f.stages if answer.kind.is_vector else ():
             pairs = [*zip(answer.parts, stage.parts, strict=False)]
             moved = [(a, x) for a, x in pairs if isinstance(x, Step)]
             if stage.means and moved and all(f.alike(a, x) for a, x in moved):
@@ -214,17 +215,19 @@ def _of_angles(f):
 def _of_stages(f):
     """Answers that stop half way: a quantity of the same dimension, its size, a component."""
     vectors = [
-        Intermediate(key, "", a.parts, key) for key, a in f.answers.items() if len(a.parts) == 3
+        Intermediate(key, "", a.parts, a.kind, key)
+        for key, a in f.answers.items()
+        if a.kind.is_vector
     ]
     known = {s.number for s, of in f.dimensions.items() if of is not None or s.op not in PRODUCT}
     for key, answer in f.answers.items():
         named = [s for s in f.stages if s.means]  # the others have no words
         for stage in (*named, *(vectors if len(answer.parts) == 1 else ())):
-            for what, rank, parts in _instead(stage.parts, len(answer.parts)):
+            for what, rank, parts in _instead(stage, len(answer.parts)):
                 instead = [*zip(answer.parts, parts, strict=True)]
                 alike = all(f.alike(a, x) for a, x in instead)
                 # no other quantity agrees with a vector of formulas by chance
-                if not alike and not (answer.points > 1 and len(parts) == 3):
+                if not alike and not (answer.points > 1 and answer.kind.is_vector):
                     continue
                 moved = {a.number: x for a, x in instead if isinstance(a, Step) and a is not x}
                 there = {n: x for n, x in moved.items() if n in known}  # no component that is zero
@@ -234,13 +237,14 @@ def _of_stages(f):
                         yield edit(rank, f"{what} {stage.name} {key} {n}", words, some)
 
 
-def _instead(parts, length):
+def _instead(stage, length):
     """(words, rank, expressions) of a quantity in place of an answer of this length."""
-    if len(parts) == length:
-        yield "", RARER, parts
-    elif length == 1 and len(parts) == 3:
-        yield Words("the magnitude of "), RARER, [("sqrt", total(("*", x, x) for x in parts))]
-        for x in parts:
+    if len(stage.parts) == length:
+        yield "", RARER, stage.parts
+    elif length == 1 and stage.kind.is_vector:
+        size = ("sqrt", total(("*", x, x) for x in stage.parts))
+        yield Words("the magnitude of "), RARER, [size]
+        for x in stage.parts:
             yield Words("a component of "), LEAST, [("abs", x)]
 
 

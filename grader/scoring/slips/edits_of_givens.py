@@ -331,14 +331,14 @@ def of_vectors(f: Facts) -> Iterator[Edit]:
     """
     found = dict[frozenset[Step], tuple[Step, ...]]()
     for key, answer in f.answers.items():
-        is_vector, parts = len(answer.parts) == 3, [x for x in answer.parts if not is_nothing(x)]
-        if len(parts) > 1 and all(isinstance(x, Step) for x in parts):
+        parts = [x for x in answer.parts if not is_nothing(x)]
+        if answer.kind.is_vector and len(parts) > 1 and all(isinstance(x, Step) for x in parts):
             own = dict.fromkeys(_alike(parts))
             for steps in own:
                 found.setdefault(frozenset(steps), steps)
-            yield from _of_whole_vectors(key, parts, own) if is_vector else ()
+            yield from _of_whole_vectors(key, parts, own)
             yield from _of_factors(parts)
-            for one, other in combinations(own, 2) if is_vector else ():
+            for one, other in combinations(own, 2):
                 yield from _of_both(key, parts, one, other)
     for one, other in permutations(found.values(), 2):
         if len(one) == len(other):

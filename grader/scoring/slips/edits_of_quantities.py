@@ -179,8 +179,8 @@ def of_cross_products(f: Facts) -> Iterator[Edit]:
     """Cross products, whose components are differences of two products: the products added, or the
     middle component reversed.
     """
-    for words, parts in f.named:
-        if len(parts) != 3 or not all(isinstance(x, Step) and x.op == "-" for x in parts):
+    for words, parts in f.vectors:
+        if not all(isinstance(x, Step) and x.op == "-" for x in parts):
             continue
         name, y = [x.number for x in parts], parts[1]
         added = {x.number: ("+", *x.args) for x in parts}

@@ -3,7 +3,7 @@ one, parallel-axis terms left out. A trace holds no zeros, so each slip is trace
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import combinations
 from typing import Any
@@ -80,10 +80,12 @@ MANY = 12  # parts of a kind in a problem, beyond which none is set up otherwise
 
 
 def of_setups(
-    compute: Callable[[Mapping[str, Any]], Answers], given: Mapping[str, Step]
+    compute: Callable[[Mapping[str, Any]], Answers],
+    given: Mapping[str, Step],
+    vectors: Collection[str],
 ) -> Iterator[Edit]:
     """The answers with one part of the system set up otherwise, or with a given taken as small;
-    ``compute`` returns them for other values of some givens.
+    ``compute`` returns them for other values of some givens. ``vectors``: those that are vectors.
     """
     built: dict[Any, tuple[str, Parts, Parts]] = {}
     trace = next(iter(given.values())).trace if given else None
@@ -102,7 +104,7 @@ def of_setups(
     seen, known = {_same(right)}, _within(right)
     curved = _curved(right)
     # a single component of a turn about another axis fits other mistakes, too
-    in_space = [key for key, x in right.items() if len(x) == 3 and sum(map(is_there, x)) > 1]
+    in_space = [k for k, x in right.items() if k in vectors and sum(map(is_there, x)) > 1]
     for kind, name, rank, words, find in (
         *_otherwise(compute, built, in_space),
         *_small(compute, {n: s for n, s in given.items() if s in curved}),

@@ -100,6 +100,12 @@ class Facts:
         return {x for own in powers for x in own if len(own) > 1}
 
     @property
+    def vectors(self) -> list[tuple[str, Sequence[Any]]]:
+        """Those of :attr:`named` that are vectors."""
+        stages = [(s.means, s.parts) for s in self.stages if s.means and s.kind.is_vector]
+        return [*stages, *((key, a.parts) for key, a in self.answers.items() if a.kind.is_vector)]
+
+    @property
     def named(self) -> list[tuple[str, Sequence[Any]]]:
         """(words, components) of each quantity that has words, and of each answer."""
         stages = [(s.means, s.parts) for s in self.stages if s.means]

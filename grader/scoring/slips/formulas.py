@@ -11,28 +11,31 @@ from newton_euler.algebra.source import operations
 from newton_euler.algebra.trace import Step, Trace
 from newton_euler.algebra.units import Dimension, System, Unit
 from newton_euler.answers.causes import Cause, computed
+from newton_euler.answers.kinds import KINDS, Kind
 
 PRODUCT, SUM = ("*", "/"), ("+", "-")
 
 
 class TracedAnswer(NamedTuple):
-    """An answer of a traced computation: its components in base units, its unit, and the number of
-    points at which it is compared.
+    """An answer of a traced computation: its components in base units, its unit, its kind, and the
+    number of points at which it is compared.
     """
 
     parts: Sequence[Any]
     unit: str
+    kind: Kind = KINDS["number"]
     points: int = 1
 
 
 class Intermediate(NamedTuple):
-    """A quantity on the way to the answers: its name, where the book has it, its components, and
-    its meaning, "the speed of B".
+    """A quantity on the way to the answers: its name, where the book has it, its components, its
+    kind, and its meaning, "the speed of B".
     """
 
     name: str
     where: str
     parts: Sequence[Any]
+    kind: Kind = KINDS["number"]
     means: str = ""
 
 

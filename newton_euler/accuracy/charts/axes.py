@@ -72,8 +72,8 @@ def chart(
     log_log(ax, "cost of one evaluation", "relative error")
     drawing = _Drawing(ax, cost)
     drawing.methods(points, order)
-    drawing.bands(points)
-    drawing.preparations(points)
+    if cost == "cost":
+        drawing.times(points)
     best = fronts([p for p in points if p.error < USELESS], cost)
     drawing.fronts(best)
     drawing.below_the_floor(points)
@@ -99,24 +99,21 @@ class _Drawing:
             if own:
                 self.ax.plot(*self.places(own), ms=7, lw=0.8, label=method, **marker_style(n))
 
-    def bands(self, points):
-        """A band over the times of the repeats of a run, whose median is the point."""
+    def times(self, points):
+        """A band over the times of the repeats of a run, whose median is the point, and a bar to
+        the time of the first run, where it can be seen.
+        """
         colours = {line.get_label(): line.get_color() for line in self.ax.lines}
+        bar = {"color": GREY, "lw": 1.2, "marker": "|", "ms": 9, "markevery": [1], "zorder": 1}
+        bar["label"] = "first run, with preparation"
         for p in points:
-            if self.cost == "cost" and p.repeats:
-                height, ends = max(p.error, FLOOR), [min(p.repeats), max(p.repeats)]
-                look = {"color": colours[p.method], "lw": 4, "alpha": 0.35, "zorder": 1}
-                self.ax.plot(ends, [height] * 2, **look)
-
-    def preparations(self, points):
-        """A bar from the time of a run to that of the first run, where it can be seen."""
-        label = "first run, with preparation"
-        for p in points:
-            if self.cost == "cost" and p.prepared > 0.2 * p.cost:
-                ends, height = [p.cost, p.cost + p.prepared], max(p.error, FLOOR)
-                look = {"color": GREY, "lw": 1.2, "marker": "|", "ms": 9, "markevery": [1]}
-                self.ax.plot(ends, [height] * 2, zorder=1, label=label, **look)
-                label = "_again"  # one entry of the legend is enough
+            height = [max(p.error, FLOOR)] * 2
+            if p.repeats:
+                band = {"color": colours[p.method], "lw": 4, "alpha": 0.35, "zorder": 1}
+                self.ax.plot([min(p.repeats), max(p.repeats)], height, **band)
+            if p.prepared > 0.2 * p.cost:
+                self.ax.plot([p.cost, p.cost + p.prepared], height, **bar)
+                bar["label"] = "_again"  # one entry of the legend is enough
 
     def fronts(self, found):
         """Draw the front of each family: the least cost at which an error is reached."""

@@ -62,9 +62,7 @@ def points_table(
 
 
 def ways_caption(points: Sequence[Measured]) -> str:
-    """The cheapest and the most accurate of several ways to one result: as far as all repeats
-    agree.
-    """
+    """The cheapest and most accurate of several ways to one result, where all repeats agree."""
     return agreed(map(_of_ways, measure.repeated(points)))
 
 

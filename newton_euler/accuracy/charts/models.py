@@ -49,9 +49,7 @@ def measured_models(ladder: Ladder, progress: Progress = silent) -> list[Measure
 
 
 def _operations(ladder, rung):
-    """The operations of the right-hand side times its calls in an integration by one method for all
-    rungs, with or without a closed form: the same on every machine.
-    """
+    """Operations of the rates times calls, by one method for all rungs: the same on any machine."""
     motion = integrate(rung.model, ladder.t, tuple(map(float, rung.start)), RTOL, "dop853")
     # rates that need none are made all the same
     return max(prepared_model(rung.model).traced.rhs.operations, 1) * motion.cost.calls
@@ -69,9 +67,7 @@ def usual_tolerance(points: Sequence[Measured]) -> float:
 
 
 def choice(points: Sequence[MeasuredModel], tolerance: float) -> MeasuredModel | None:
-    """The smallest model within the tolerance, the first on the ladder, which
-    :func:`~newton_euler.scenes.smallest` takes too; or None.
-    """
+    """The first model within the tolerance, as :func:`~newton_euler.scenes.smallest`; or None."""
     left = points[-1].bound if points[-1].bound < math.inf else 0.0
     return next((p for p in points if min(p.bound, p.error + left) <= tolerance), None)
 

@@ -138,9 +138,7 @@ def front(points: Points, cost: Cost = "cost") -> list[Measured]:
 
 
 def fronts(points: Points, cost: Cost = "cost") -> dict[str, list[Measured]]:
-    """The front of each family of the points, by the name of the family: of times, only what the
-    front of every repeat has.
-    """
+    """By name the front of each family: of times, what the front of every repeat has."""
     runs = list(repeated(points)) if cost == "cost" else [list(points)]
     found = {}
     for name in dict.fromkeys(p.family for p in points):

@@ -226,21 +226,6 @@ def rung_names(ladder: Ladder) -> tuple[str, ...]:
     return tuple(rung.name for rung in ladder.rungs)
 
 
-def _centrifugal_error(flight):
-    """The distance that the centrifugal acceleration moves a body in the time of flight."""
-    return EARTH_RATE**2 * EARTH_RADIUS * math.cos(LATITUDE) * flight**2 / 2
-
-
-def _uniform_field_error(flight):
-    """That by the gravity deficit 2 g z/R at the height z = g t (T - t)/2, in the time T."""
-    return G**2 * flight**4 / (12 * EARTH_RADIUS)
-
-
-def _nutation(omega_z):
-    """The nutation of a fast top released from rest, 2 I0 mgr sin(theta)/(I omega_z)^2."""
-    return 2 * I0 * MGR * math.sin(THETA) / (I * omega_z) ** 2
-
-
 # -- what a run shows: the sleeping top
 
 CRITICAL, TILT, FALLEN = sleeping_top(I0, I, MGR, 1.0).critical, 1e-6, 0.1  # rad/s, rad, rad
@@ -310,8 +295,11 @@ _MAPS = (
         "In vacuum, the position over the whole flight, on an Earth that turns.",
         Axis("time of flight, s", 1.0, 1000.0), Axis("error allowed, m", 1e-6, 1e5),
         rung_names(shot(1.0)), _smallest_rung(shot),
-        (Curve("centrifugal: ω² R T² cos λ/2", _centrifugal_error),
-         Curve("less weight above: g² T⁴/(12 R)", _uniform_field_error)), (40, 60), (20, 30),
+        # in the time T; the gravity deficit is 2 g z/R at the height z = g t (T - t)/2
+        (Curve("centrifugal: ω² R T² cos λ/2",
+               lambda T: EARTH_RATE**2 * EARTH_RADIUS * math.cos(LATITUDE) * T**2 / 2),
+         Curve("less weight above: g² T⁴/(12 R)", lambda T: G**2 * T**4 / (12 * EARTH_RADIUS))),
+        (40, 60), (20, 30),
     ),
     Map(
         "top", "Top released at 0.6 rad for 5 s: the smallest model",
@@ -319,7 +307,8 @@ _MAPS = (
         "direction of the axis.",
         Axis("rate about its axis, rad/s", 10.0, 1000.0), Axis("error allowed, rad", 1e-6, 3.0),
         rung_names(released_top(200.0)), _smallest_rung(released_top),
-        (Curve("nutation 2 I₀ mgr sin θ/(I ω)²", _nutation),
+        (Curve("nutation 2 I₀ mgr sin θ/(I ω)²",  # of a fast top released from rest
+               lambda omega_z: 2 * I0 * MGR * math.sin(THETA) / (I * omega_z) ** 2),
          Curve("least rate of steady precession",
                x=least_spin(I0, I, THETA, mgr=MGR, of="omega_z"))), (36, 60), (18, 30),
     ),

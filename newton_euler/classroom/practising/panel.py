@@ -2,17 +2,33 @@
 to choose from: in one, JupyterLab takes letters and arrows as commands, and D D deletes the cell.
 """
 
+from dataclasses import dataclass
 from html import escape
 from typing import Any
 
 from ...algebra.language import Words, _
 from ...answers.forms import AnswerError, Form
 from .typed import typed
-from .ways import PRESSED
 
 INSTALL = Words(
     "p.form() needs ipywidgets: pip install ipywidgets; without it, p.check(...), "
     "p.check_step(...), p.next_step() and p.solution() do the same"
+)
+
+
+@dataclass(frozen=True)
+class Ways:
+    """How an answer and a step are checked, and other numbers taken: calls, or a form's buttons."""
+
+    answer: str = Words("by p.check({name}=...)")
+    step: str = Words("by p.check_step({name}=...)")
+    new: str = "p.new()"
+
+
+PRESSED = Ways(
+    Words("in the field {name} above, by Check"),
+    Words("in the field of steps, as {name} with its value, by Check step"),
+    Words("New numbers"),
 )
 
 

@@ -23,8 +23,8 @@ from ...answers.trees import NODES, in_words
 from ...answers.verdicts import explain, judge, value_line
 from .files import HELP, PracticeFile
 from .numbers import KeptNumbers, Quantity
+from .panel import Ways, show_form
 from .progress import Progress
-from .ways import Ways
 
 WIDTH = 80  # columns of a terminal
 
@@ -214,8 +214,6 @@ class PracticeProblem(Guided):
 
     def form(self) -> Any:
         """The problem as a form with fields and buttons, in a notebook with ipywidgets."""
-        from .panel import show_form
-
         return show_form(self)
 
     @contextlib.contextmanager

@@ -1,17 +1,21 @@
 """``predict``, ``tally`` and ``predict_again``: what a notebook calls."""
 
+import contextlib
+import json
+import os
 import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from ...algebra.errors import ArgumentError, checked
 from ...algebra.language import Words, _, spoken
 from ...answers.givens import in_notebook, running_cell
-from . import kept
 from .page import STATIC, opened, plain
 from .question import LETTERS, Judgement, Question, question
 
+FILE = "predictions.json"  # beside the notebook: the state of widgets is lost when that is closed
 ID = re.compile(r"[a-zA-Z0-9_-]{1,64}")  # a cell's, by the format of notebooks
 # {(question, cell, how many equal ones that run of the cell asked before): prediction}, in the
 # order of asking
@@ -76,12 +80,13 @@ def _place(key):
 
 def _keys(place):
     """Where a prediction is kept, then where an earlier version kept it. A cell is known in the
-    next session if its id is that in the file of the notebook; else equal questions are numbered.
+    next session if its id is that in the file of the notebook; else equal questions are numbered,
+    on a line of its own: a question may end in "(2)".
     """
     key, cell, before = place
     equal = [other for other in _asked if other[0] == key]
     number = equal.index(place) if place in equal else len(equal)
-    numbered = f"{key} ({number + 1})" if number else key
+    numbered = f"{key}\n@ ({number + 1})" if number else key
     if not ID.fullmatch(cell):
         return (numbered,)
     own = f"{key}\n@ {cell}" + f" {before + 1}" * bool(before)
@@ -112,7 +117,7 @@ class Prediction:
     @property
     def given(self) -> str | None:
         """What was predicted, None if nothing was yet."""
-        return kept.kept_prediction(*self.keys)
+        return _kept_prediction(*self.keys)
 
     @property
     def right(self) -> bool | None:
@@ -130,7 +135,7 @@ class Prediction:
         prediction is kept.
         """
         if self.given is None:
-            self._note = kept.keep(self.keys[0], self._choice(prediction))
+            self._note = _keep(self.keys[0], self._choice(prediction))
         return self
 
     def _choice(self, prediction):
@@ -185,7 +190,7 @@ class Again:
     def predictions(self) -> list[Prediction]:
         """The questions to ask, without the earlier predictions."""
         chosen = self._named or [p for p in _asked.values() if p.right is False]
-        return [Prediction(p.question, [f"{key} (again)" for key in p.keys]) for p in chosen]
+        return [Prediction(p.question, [f"{key}\n@ (again)" for key in p.keys]) for p in chosen]
 
     def __repr__(self) -> str:
         return "\n\n".join(map(repr, self.predictions)) or spoken(NOTHING)
@@ -202,3 +207,36 @@ class Again:
 
 
 NOTHING = Words("No prediction was wrong so far, so none is asked again.")
+
+
+# -- the first prediction of each question, in a file
+
+
+def _kept_prediction(*keys):
+    """What was predicted under the first of these keys that is kept, None if nothing was yet."""
+    kept = _read()
+    return next((kept[key] for key in keys if key in kept), None)
+
+
+def _keep(key, prediction):
+    """Keep a prediction; returns why it could not be written, or nothing."""
+    kept = {**_read(), key: prediction}
+    partial = Path(f"{FILE}.{os.getpid()}")
+    try:
+        partial.write_text(json.dumps(kept, ensure_ascii=False, indent=1), encoding="utf-8")
+        os.replace(partial, FILE)
+    except OSError as error:
+        _unwritten[key] = prediction
+        return _("It is kept only while this notebook runs: {error}", error=error)
+    return ""
+
+
+_unwritten: dict[str, str] = {}
+
+
+def _read():
+    kept = dict(_unwritten)
+    with contextlib.suppress(OSError, ValueError):
+        found = json.loads(Path(FILE).read_text(encoding="utf-8"))
+        kept |= {q: p for q, p in dict(found).items() if isinstance(p, str)}
+    return kept

@@ -34,16 +34,18 @@ class _Panel:
 
     def __init__(self, p, widgets, shown):
         self.p, self.widgets, self.shown = p, widgets, shown
-        made = [self._button(letter) for letter in LETTERS[: len(p.question.choices or ())]]
+        made = [
+            self._button(*pair) for pair in zip(LETTERS, p.question.choices or (), strict=False)
+        ]
         wrapped = widgets.Layout(flex_flow="row wrap")
         self.box = widgets.HBox(made, layout=wrapped) if made else self._field()
 
-    def _button(self, letter):
+    def _button(self, letter, choice):
         narrow = self.widgets.Layout(width="3em")
         made = self.widgets.Button(
             description=letter, tooltip=_("Predict {letter}", letter=letter), layout=narrow
         )
-        made.on_click(lambda button: self._chosen(letter))
+        made.on_click(lambda button: self._chosen(choice))  # which may read as another letter
         return made
 
     def _field(self):

@@ -91,8 +91,8 @@ def question(
     if within is not None:
         return _of_number(text, given, answer, unit, within, why)
     words = {_in_words(c, unit): means for c, means in given.items()}
-    if len(words) < len(given):
-        raise ArgumentError(f"two choices read alike; got {', '.join(map(str, given))}")
+    if len(words) < len(choices or ()):
+        raise ArgumentError(f"two choices read alike; got {', '.join(map(str, choices or ()))}")
     right = _right(given, answer, unit)
     if right not in words or not all(map(str.strip, words.values())):
         raise ArgumentError(

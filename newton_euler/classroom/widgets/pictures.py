@@ -12,6 +12,7 @@ Bundle: TypeAlias = tuple[dict[str, str], dict[str, Any]]  # data and metadata, 
 SHORTEST_ALT = 8  # words
 CSS_PIXELS = 100  # per inch of a figure
 SHARP = 2  # pixels of the picture for one CSS pixel, so that it is sharp on high-dpi screens
+PNG: dict[str, Any] = {"format": "png", "dpi": SHARP * CSS_PIXELS}
 
 
 @checked
@@ -25,31 +26,33 @@ def show_figure(figure: Any, alt: str) -> None:
     alt = alt_text(alt)
     if isinstance(figure, Page):
         size = [side * CSS_PIXELS / 72 for side in (figure.width, figure.height)]
-        show(bundle(svg(figure, alt).encode(), alt, size, png_of(figure, tight=False)))
+        show(bundle(svg(figure, alt).encode(), alt, size, png_of(figure)))
         return
     if not hasattr(figure, "savefig"):
         raise ArgumentError(f"show_figure shows a matplotlib figure or a Page; got {figure!r}")
-    png = _saved(figure, tight=True)
+    png = saved(figure, **PNG, bbox_inches="tight", pad_inches=0.05)
     close(figure)
     show(bundle(png, alt, [side / SHARP for side in png_size(png)], png))
 
 
-def png_of(figure: Any, tight: bool) -> bytes | None:
-    """A page or a figure as PNG, ``tight`` around what is drawn; None without Matplotlib."""
+def png_of(figure: Any) -> bytes | None:
+    """A page or a figure as PNG; None without Matplotlib."""
     from ...drawing.page.paper import Page
     from ...drawing.page.recorder import figure_of
 
     try:
-        figure = figure_of(figure) if isinstance(figure, Page) else figure
+        return saved(figure_of(figure) if isinstance(figure, Page) else figure, **PNG)
     except ImportError:
         return None
-    return _saved(figure, tight)
 
 
-def _saved(figure: Any, tight: bool) -> bytes:
+def saved(figure: Any, **options: Any) -> bytes:
+    """A figure of Matplotlib as a file."""
+    from matplotlib import rc_context
+
     out = io.BytesIO()
-    edges = {"bbox_inches": "tight", "pad_inches": 0.05} if tight else {}
-    figure.savefig(out, format="png", dpi=SHARP * CSS_PIXELS, **edges)
+    with rc_context({"svg.hashsalt": "figure"}):
+        figure.savefig(out, **options)
     return out.getvalue()
 
 

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from ...algebra.errors import checked_words
 from ...algebra.vectors import FrameError, dot3, sub3
@@ -17,9 +17,10 @@ MAX_TURNS = 1000
 class Lines(Recorder):
     """The methods of a sketch that draw lines and what is slender."""
 
-    def rod(self, A: Place, B: Place) -> None:
-        """Draw a slender rod from A to B."""
-        self._straight(A, B, "rod edge", "rod")
+    def rod(self, A: Place, B: Place, *more: Place) -> None:
+        """Draw a slender rod from A to B, and more of them from there to further places."""
+        for P, Q in pairwise((A, B, *more)):
+            self._straight(P, Q, "rod edge", "rod")
 
     def shaft(self, A: Place, B: Place) -> None:
         """Draw a shaft from A to B with its centre line."""

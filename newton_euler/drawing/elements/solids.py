@@ -1,16 +1,17 @@
 """Bodies to scale: disks, plates, tubes, cones, spheres, boxes, with their holes."""
 
+import math
 from collections.abc import Sequence
 from typing import Literal
 
 from ...algebra.errors import checked_words
-from ...algebra.vectors import FrameError, dot3, scale3, sub3
+from ...algebra.vectors import FrameError, cross3, dot3, scale3, sub3
 from ...kinematics.frames import Frame
 from ..page.primitives import SQUARE
 from ..page.projection import circle, moved, norm3, normal_of, on_plane, unit3
 from ..page.recorder import Direction, Place, Recorder
-from .extrusion import extrude
 
+SMOOTH = math.cos(math.radians(25))  # cosine of the angle below which two faces of a wall are one
 SHADES = {"light": "top", "medium": "body", "dark": "inside"}
 
 
@@ -42,7 +43,7 @@ class Solids(Recorder):
 
         @self._record
         def command(canvas):
-            extrude(canvas, rim, holes, scale3(thickness, normal), normal)
+            _extrude(canvas, rim, holes, scale3(thickness, normal), normal)
             if spoke:
                 canvas.line((front, spoke), "ring", depth=canvas.depth(front) + canvas.pt)
 
@@ -84,7 +85,7 @@ class Solids(Recorder):
         if thickness:
             self._extend([moved(P, sign * thickness, normal) for P in base for sign in (0, 1)])
         along = scale3(thickness, normal)
-        self._record(lambda canvas: extrude(canvas, base, bores, along, normal, SHADES[shade]))
+        self._record(lambda canvas: _extrude(canvas, base, bores, along, normal, SHADES[shade]))
 
     def _outlines(self, holes):
         """The outlines of holes as lists of triples."""
@@ -105,7 +106,7 @@ class Solids(Recorder):
             self._record(lambda canvas: canvas.cylinder(first, last, axis, "side", "top"))
             return
         hole = circle(A, axis, bore)
-        self._record(lambda canvas: extrude(canvas, first, [hole], sub3(B, A), axis, "top"))
+        self._record(lambda canvas: _extrude(canvas, first, [hole], sub3(B, A), axis, "top"))
 
     def _bore(self, radius, outer):
         """The radius of a hole in a body of the radius ``outer``, or 0."""
@@ -177,3 +178,44 @@ class Solids(Recorder):
             for corners, style, outwards in faces:
                 if canvas.depth(outwards) > 1e-12 * norm3(sizes):  # seen edge-on is invisible
                     canvas.line(corners, style, closed=True, normal=outwards)
+
+
+def _extrude(canvas, outline, holes, along, normal, style="body"):
+    """Add the body between an outline and its copy moved by ``along``; if zero, the one face."""
+    if not norm3(along):
+        canvas.line(outline, style, closed=True, normal=normal, holes=holes)
+        return
+    loops = [outline, *holes]
+    for loop, sense in zip(loops, (1, *[-1] * len(holes)), strict=True):
+        # outlines with the material on their left, seen against ``along``
+        if dot3(normal_of(loop), along) * sense < 0:
+            loop = loop[::-1]
+        for wall in _seen_walls(canvas, loop, along):
+            around = [*wall, *(moved(P, 1, along) for P in reversed(wall))]
+            flat = normal_of(around) if len(wall) == 2 else None
+            canvas.line(around, "side" if sense > 0 else "inside", closed=True, normal=flat)
+    for step, outwards in ((0, scale3(-1, along)), (1, along)):
+        face, *bores = ([moved(P, step, along) for P in loop] for loop in loops)
+        canvas.end(face, outwards, style, holes=bores)
+
+
+def _seen_walls(canvas, loop, along):
+    """The runs of edges, as places, whose wall faces the eye and has no sharp edge."""
+    edges = list(zip(loop, loop[1:] + loop[:1], strict=True))
+    normals = [cross3(tuple(b - a for a, b in zip(*edge, strict=True)), along) for edge in edges]
+    seen = [canvas.depth(n) > 1e-9 * norm3(n) for n in normals]
+
+    def goes_on(n):
+        a, b = normals[n - 1], normals[n]
+        return seen[n - 1] and seen[n] and dot3(a, b) > SMOOTH * norm3(a) * norm3(b)
+
+    start = next((n for n in range(len(edges)) if not goes_on(n)), 0)
+    runs = []
+    for n in (*range(start, len(edges)), *range(start)):
+        if not seen[n]:
+            continue
+        if runs and n != start and goes_on(n):
+            runs[-1].append(edges[n][1])
+        else:
+            runs.append(list(edges[n]))
+    return runs

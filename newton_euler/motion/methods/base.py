@@ -1,9 +1,5 @@
 """The base class of the methods of integration: a stepper advances one state step by step, and
-interpolates between its steps.
-
-The methods: :mod:`newton_euler.motion.methods.exact`, :mod:`newton_euler.motion.methods.taylor`,
-:mod:`newton_euler.motion.methods.dop853`, :mod:`newton_euler.motion.methods.splitting`,
-:mod:`newton_euler.motion.methods.scipy`; their table is :mod:`newton_euler.motion.methods.table`.
+interpolates between its steps. The table of all methods: :mod:`.table`.
 """
 
 from bisect import bisect_right
@@ -125,8 +121,7 @@ class Stepper:
         ``floors``; ``noise`` : the round-off in each state
     stops : times after the start, up to the goal, that no step may pass over
     near : see :func:`~newton_euler.motion.narrow.passage`
-    steps : for each step a tuple whose last elements are the state before it; empty for a method
-        that does not keep its steps
+    steps : for each step a tuple whose last elements are the state before it; or empty, if not kept
     most_steps : the most steps of one motion
 
     around : units in the last place about a stop, whose time is rounded, in which no step is taken

@@ -1,11 +1,8 @@
-"""The Runge-Kutta method DOP853 of Hairer, Norsett and Wanner as straight-line Python, generated
-for the number of states.
+"""The Runge-Kutta method DOP853 of Hairer, Norsett and Wanner in straight-line Python.
 
-No arrays and no library to import: between two steps nothing is called but the right-hand side. On
-a top with six states it is three to four times faster than SciPy's DOP853 with the same right-hand
-side. Coefficients: :mod:`newton_euler.motion.methods.dop853_coefficients`. E. Hairer, S. P.
-Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition (1993), sections II.4 to
-II.6 and II.10.
+No arrays: between two steps nothing is called but the right-hand side. On a top with six states it
+is three to four times faster than SciPy's DOP853. E. Hairer, S. P. Norsett, G. Wanner, Solving
+Ordinary Differential Equations I, 2nd edition (Springer, 1993), sections II.4 to II.6 and II.10.
 """
 
 from collections.abc import Callable

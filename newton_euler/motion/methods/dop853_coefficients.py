@@ -1,11 +1,8 @@
-"""The coefficients of the Runge-Kutta method DOP853: order 8, error estimates of orders 5 and 3,
-interpolation of order 7.
+"""The coefficients of :mod:`.dop853`: order 8, estimates of orders 5 and 3, interpolation 7.
 
-E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed. (Springer,
-1993), II.10; the numbers are those of the authors' dop853.f, as SciPy has them in
+The numbers are those of the authors' dop853.f, as SciPy has them in
 scipy.integrate._ivp.dop853_coefficients. Stages are counted from 0; rows are dicts without their
-zeros. The first 12 stages make the step, stage 12 is the rate at its end, and three more serve the
-interpolation.
+zeros. The first 12 stages make the step, stage 12 is the rate at its end; three more interpolate.
 """
 
 NODES = (

@@ -1,15 +1,11 @@
 """Geometric integrators of fixed step: they preserve reversibility, phase-space volume, or angular
-momentum.
+momentum. Whether a model has the form that they need is read from its traced rates.
 
-Verlet's method and its compositions are for models whose states form two groups, as coordinates and
-velocities, such that no rate depends on its own group; they are symplectic if the forces have a
-potential. The Lie-Poisson methods are for Euler's equations of a free body: they rotate the angular
-momentum about one principal axis after the other, so that its magnitude is preserved to round-off.
-Whether a model has such a form is read from its traced rates.
-
-H. Yoshida, Construction of higher order symplectic integrators, Phys. Lett. A 150 (1990) 262; R. I.
-McLachlan, Explicit Lie-Poisson integration and the Euler equations, Phys. Rev. Lett. 71 (1993)
-3043.
+Verlet's method and its compositions (H. Yoshida, Phys. Lett. A 150 (1990) 262) are for states in
+two groups, as coordinates and velocities, such that no rate depends on its own group; they are
+symplectic if the forces have a potential. The Lie-Poisson methods (R. I. McLachlan, Phys. Rev.
+Lett. 71 (1993) 3043) are for Euler's equations of a free body: they rotate the angular momentum
+about one principal axis after the other, so that its magnitude is preserved to round-off.
 """
 
 from collections.abc import Callable
@@ -43,9 +39,7 @@ COMPOSITIONS = {2: (1.0,), 4: _mirror(1 / (2 - 2 ** (1 / 3))), 6: _mirror(*_W6),
 
 
 def partition(system: System) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
-    """The indices of the states in two groups such that no rate depends on its own group: two
-    tuples, or None if there are no such groups.
-    """
+    """Two tuples of the indices of states such that no rate depends on its own group; or None."""
     states, needs = system.model.states, system.traced.rhs.dependencies
     if any("t" in need for need in needs):
         return None
@@ -65,8 +59,7 @@ def partition(system: System) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
 
 
 def principal_moments(system: System) -> Floats | None:
-    """The principal moments of inertia, up to a factor, of a model that is Euler's equations of a
-    free body; None for any other model.
+    """The principal moments of inertia, up to a factor, of a free body's model; else None.
 
     Such a model has three rates, each a constant times the product of the other two states, with
     constants that correspond to moments of inertia.
@@ -135,9 +128,7 @@ def _lie_poisson():
 
 
 class Splitting(Stepper):
-    """A run of equal steps. Where the step is not given it follows from the tolerance, which is
-    calibrated by the difference of two runs.
-    """
+    """A run of equal steps, as given or by the tolerance, which two runs calibrate."""
 
     remade = ("move",)
 

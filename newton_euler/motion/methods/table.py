@@ -1,11 +1,10 @@
 """The methods of integration, in one table.
 
 The rtol is the error of the motion, not that of a step, so a method runs at least twice.
-Runge-Kutta methods run first at a tolerance a thousand times as coarse; the difference is the error
-of the coarse run, and since the error is nearly proportional to the tolerance it predicts that of
-the fine run. Runs of heyoka cost so little that they are compared with one that is two orders
-higher; the difference is their error. If the error is too large, the tolerance is reduced
-accordingly; if that does not help, the answer is refused.
+Runge-Kutta methods run first at a tolerance a thousand times as coarse: the difference is the error
+of the coarse run, and predicts that of the fine one, as it is nearly proportional to the tolerance.
+Runs of heyoka cost so little that they are compared with one two orders higher. If the error is too
+large, the tolerance is reduced; if that does not help, the answer is refused.
 """
 
 import importlib.util
@@ -24,8 +23,7 @@ MAX_COARSE_TOLERANCE = 1e-4  # the largest tolerance of a first run
 
 @dataclass(frozen=True)
 class Method:
-    """One method of integration. All that other files ask about a method is an attribute of this
-    record: none compares names.
+    """One method of integration. All that other files ask about it is an attribute here.
 
     name, description : its name in ``integrate(method=...)``, and a description
     stepper : the class of its runs
@@ -35,13 +33,10 @@ class Method:
     min_rtol : the smallest rtol that it can reach
     tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are
         up to 100 tolerances, rarely less than one
-    max_tolerance, min_tolerance : of the first fine run, since much coarser ones predict little;
-        of any run
-    coarsening : the tolerance of the first run over that of the second; below 1 where a finer run
-        is as cheap
+    max_tolerance, min_tolerance : of the first fine run, as coarser predict little; of any run
+    coarsening : the tolerance of the first run over that of the second; < 1 where finer is as cheap
     adaptive : True if its steps follow from errors of this order
-    closed : True for a closed form: there is no finer run to compare with, its error is that of
-        rounding, see :mod:`.exact`
+    closed : True for a closed form: no finer run exists, its error is rounding, see :mod:`.exact`
     series : True for a power series: its order and not its step follows from the tolerance, and
         beyond a kink or a branch point it continues the formula with which it began
     rounded : a function of a tolerance that returns the one at which the method runs

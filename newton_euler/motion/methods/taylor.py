@@ -1,9 +1,6 @@
-"""Heyoka's Taylor method on the traced right-hand side: compiled once for a right-hand side and a
-level of accuracy, then by far the fastest.
-
-Parameters are arguments of the compiled code, so that other values need no new compilation. F.
-Biscani, D. Izzo, Revisiting high-order Taylor methods for astrodynamics and celestial mechanics,
-MNRAS 504 (2021) 2614.
+"""Heyoka's Taylor method, compiled once for a right-hand side, whatever its parameters, and a level
+of accuracy; then by far the fastest. F. Biscani, D. Izzo, Revisiting high-order Taylor methods for
+astrodynamics and celestial mechanics, MNRAS 504 (2021) 2614.
 """
 
 import importlib
@@ -92,9 +89,7 @@ def _power_of_two(x):
 
 
 class Taylor(base.Stepper):
-    """A run by Taylor series. Without events it is one call of heyoka; the steps are repeated if a
-    state between them is needed.
-    """
+    """A run by Taylor series: without events one call of heyoka, repeated for states in between."""
 
     most_steps = 5e7  # seconds, as they are not kept
 

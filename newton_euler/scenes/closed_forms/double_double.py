@@ -1,9 +1,8 @@
 """Sums and products with twice the digits, for differences in which the digits cancel (T. J.
 Dekker, Numerische Mathematik 18, 224, 1971).
 
-A :class:`Doubled` is the sum of two numbers, the second within the round-off of the first. It needs
-only their arithmetic, and no branches, so that it runs on floats and arrays, traced, and through
-heyoka; an mpf instead takes more digits of its own.
+They need only the arithmetic of their numbers, and no branches, so that they run on floats and
+arrays, traced, and through heyoka; an mpf instead takes more digits of its own.
 """
 
 from collections.abc import Callable
@@ -29,7 +28,7 @@ def doubled(f: Callable[..., Any], *values: Scalar) -> Scalar:
 
 
 class Doubled:
-    """``high + low``."""
+    """``high + low``, the second within the round-off of the first."""
 
     __slots__ = ("high", "low")
 

@@ -17,6 +17,10 @@ from ..ladders import Ladder, Rung, observed_states
 
 POSITION = "position, m"
 PLANE, SPACE = ("v", "gamma", "x", "y"), ("v", "chi", "gamma", "x", "y", "h")
+SQUARE_LAWS = {
+    "lift": lambda s, p, t: p.k_lift * s.v * s.v,
+    "drag": lambda s, p, t: p.k_drag * s.v * s.v,
+}
 
 
 def _drag_of_scene(s, p, t):
@@ -91,7 +95,7 @@ def ladder(
     name, given = "aircraft in a level turn", {**begun, "g": g, "bank": bank}
     turn = constant_rate(name, given, _turning, "chi", neglects=(UNBALANCED,))
     forces = {"m": m, "g": g, "thrust": thrust, "k_lift": lift, "k_drag": drag}
-    forces |= {"lift": _lift, "drag": _drag}
+    forces |= SQUARE_LAWS
     name = "aircraft in a vertical plane"
     plane = Model(name, {**forces, **ground}, PLANE, _in_plane, neglects=(BANK,))
     space = Model("aircraft in space", {**forces, "bank": bank}, SPACE, _in_space)
@@ -102,14 +106,6 @@ def ladder(
         Rung(space, start, observed_states("x", "y", "h")),
     )
     return Ladder("aircraft", POSITION, t, rungs)
-
-
-def _lift(s, p, t):
-    return p.k_lift * s.v * s.v
-
-
-def _drag(s, p, t):
-    return p.k_drag * s.v * s.v
 
 
 _straight = attrgetter("v0")

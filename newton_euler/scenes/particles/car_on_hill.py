@@ -13,18 +13,10 @@ WAY = "distance up the hill, m"
 STATES = ("s", "v")
 
 
-def _constant_power(s, p, t):
-    return 40e3 / s.v
-
-
-def _waves(s, p, t):
-    return 0.08 * sin(s.s / 64)
-
-
 @scene(
     "11.19", "car on a hill", "a car of constant power over wavy ground", 60.0, (0.0, 10.0),
-    m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.5, g=9.81, force=_constant_power,
-    slope=_waves,
+    m=1200.0, wheel_mass=20.0, gyration=0.25, radius=0.3, air=0.5, g=9.81,
+    force=lambda s, p, t: 40e3 / s.v, slope=lambda s, p, t: 0.08 * sin(s.s / 64),
 )  # fmt: skip
 def car(
     m: Scalar, wheel_mass: Scalar, gyration: Scalar, radius: Scalar, air: Scalar, g: Scalar,
@@ -66,9 +58,10 @@ def ladder(
         raise ModelError(
             f"the car goes uphill until t = {t!r} only with more than {force!r} N at {start[1]!r}"
         )
-    given = full.parameters
-    particle = constant_rate("car, particle", given, _of_particle, *STATES, neglects=(WHEELS, AIR))
-    wheels = constant_rate("car on wheels", given, _on_wheels, *STATES, neglects=(AIR,))
+    name, given = "car, particle", full.parameters
+    particle = constant_rate(name, given, lambda p: _left(p) / p.m, *STATES, neglects=(WHEELS, AIR))
+    name = "car on wheels"
+    wheels = constant_rate(name, given, lambda p: _left(p) / _mass(p), *STATES, neglects=(AIR,))
     return Ladder.of_models("car on a hill", WAY, t, start, ("s",), particle, wheels, full)
 
 
@@ -93,14 +86,6 @@ def _wheels(p):
 
 def _mass(p):
     return p.m + _wheels(p)
-
-
-def _of_particle(p):
-    return _left(p) / p.m
-
-
-def _on_wheels(p):
-    return _left(p) / _mass(p)
 
 
 def _air_rates(s, p, t):

@@ -49,8 +49,7 @@ def ladder(
     radius: Scalar = EARTH_RADIUS, start: tuple[Scalar, ...] = (1.5, 0.0, 0.0, 0.0),
     t: Scalar = 100.0,
 ) -> Ladder:  # fmt: skip
-    """The four models, for the position in plan (m) from the ``start`` x, y, dx, dy; by default
-    those of the Panthéon.
+    """The four models, for the position in plan (m) from x, y, dx, dy; by default of the Panthéon.
 
     >>> from newton_euler import smallest
     >>> [smallest(ladder(), metres).model.name for metres in (0.01, 1e-4)]

@@ -156,7 +156,8 @@ def circle(mu: Scalar, r: Scalar, sense: Scalar = 1) -> Model:
     (1.0,)
     """
     given, neglects = {"mu": mu, "r": r, "sense": sense}, (ECCENTRICITY, BULGE)
-    return constant_rate("satellite, circle", given, _circling, "angle", neglects=neglects)
+    name, rate = "satellite, circle", lambda p: p.sense * sqrt(p.mu / p.r) / p.r
+    return constant_rate(name, given, rate, "angle", neglects=neglects)
 
 
 @scene(
@@ -199,10 +200,6 @@ def ladder(
         Rung(over_equator(mu, oblateness, swept), (r, (x * v_x + y * v_y) / r, angle), _at_angle),
     )
     return Ladder("satellite", POSITION, t, rungs)
-
-
-def _circling(p):
-    return p.sense * sqrt(p.mu / p.r) / p.r
 
 
 def _oblate(s, p, t):

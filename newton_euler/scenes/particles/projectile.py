@@ -42,8 +42,7 @@ def shot(
     rung: str, g: Scalar, latitude: Scalar = 0, rate: Scalar = EARTH_RATE,
     radius: Scalar = EARTH_RADIUS, drag: Scalar = 0,
 ) -> Model:  # fmt: skip
-    """The Model of this name, one of :data:`RUNGS`; some parameters serve the bounds of what it
-    neglects alone.
+    """The Model of this name, one of :data:`RUNGS`; some parameters only serve bounds.
 
     >>> shot("flat", 9.8).derivative((0.0, 0.0, 0.0, 1.0, 2.0, 3.0))
     (1.0, 2.0, 3.0, 0, 0, -9.8)
@@ -80,7 +79,6 @@ def _omega(p):
 
 
 def _air_drag(s, p):
-    """The acceleration by the drag of the air."""
     return scale3(-p.drag * sqrt(dot3(_v(s), _v(s))), _v(s))
 
 

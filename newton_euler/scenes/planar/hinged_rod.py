@@ -74,9 +74,8 @@ def stiffness(
     [True, False]
     """
     about_hinge = inertia_difference if about_hinge is None else about_hinge
-    return (
-        weight_moment * cos(theta) - inertia_difference * (omega * omega) * cos(2 * theta)
-    ) / about_hinge
+    outward = inertia_difference * (omega * omega) * cos(2 * theta)
+    return (weight_moment * cos(theta) - outward) / about_hinge
 
 
 @scene(
@@ -141,8 +140,8 @@ def ladder(
             f"omega = {omega!r} is the least rate of swinging out: small swings have no rate there"
         )
     parameters = {**hinged(**data).parameters, "shaft": shaft, "rest": at, "stiffness": stiff}
-    name, energy = "small swings on a turning shaft", {"energy": _small_energy}
-    small = Model(name, parameters, STATES, _small, energy, _small_exact, (LARGE, EVEN))
+    name, more = "small swings on a turning shaft", (_SMALL_ENERGY, _small_exact, (LARGE, EVEN))
+    small = Model(name, parameters, STATES, _small, *more)
     even = replace(hinged(**data), parameters=parameters, neglects=(EVEN,))
     free = on_free_shaft(**data, shaft=shaft, theta=start[0])
     return Ladder.of_models("turning shaft", ANGLE, t, start, ("theta",), small, even, free)
@@ -157,8 +156,7 @@ def _small_exact(s, p, t):
     return p.rest + x, rate
 
 
-def _small_energy(s, p, t):
-    return s.theta_rate**2 + p.stiffness * (s.theta - p.rest) ** 2
+_SMALL_ENERGY = {"energy": lambda s, p, t: s.theta_rate**2 + p.stiffness * (s.theta - p.rest) ** 2}
 
 
 def _rates(s, p, t):

@@ -47,7 +47,6 @@ def _square(p, I):
 
 
 def _inertia(p, I):
-    """The moment of inertia about the axis."""
     return I + p.m * p.l * p.l
 
 
@@ -91,10 +90,9 @@ def particle(m: Scalar, l: Scalar, g: Scalar, I: Scalar = 0) -> Model:
     >>> particle(2.0, 0.5, 10.0).derivative((1.5707963267948966, 0.0))
     (0.0, -20.0)
     """
-    size = Neglected(
-        "the moment of inertia about the centre of mass", partial(_by_size, scalar(I)), ANGLE
-    )
-    return replace(physical_pendulum(m, 0, l, g), name="pendulum, a particle", neglects=(size,))
+    what, bound = "the moment of inertia about the centre of mass", partial(_by_size, scalar(I))
+    neglects = (Neglected(what, bound, ANGLE),)
+    return replace(physical_pendulum(m, 0, l, g), name="pendulum, a particle", neglects=neglects)
 
 
 @scene("11.17", "physical pendulum", "small swings, a particle, a rigid body", ladder=True)

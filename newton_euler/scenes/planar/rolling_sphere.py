@@ -65,7 +65,7 @@ def ladder(
     if (v := start[1]) < 0:
         raise ModelError(f"the ladder is for a sphere that comes down, v >= 0; got v = {v!r}")
     full = rolling_in_air(slope, g, air, k)
-    about = {"invariants": {"energy over mass": _block_energy}, "neglects": (ROTATION, AIR)}
+    about = {"invariants": _BLOCK_INVARIANTS, "neglects": (ROTATION, AIR)}
     block = constant_rate("block on an incline", full.parameters, _sliding, *STATES, **about)
     sphere = replace(rolling_down(slope, g, k), parameters=full.parameters, neglects=(AIR,))
     return Ladder.of_models("sphere on an incline", WAY, t, start, ("x",), block, sphere, full)
@@ -88,10 +88,7 @@ def _air_rates(s, p, t):
     return s.v, _rolling(p) - p.air / (1 + p.k) * s.v * s.v
 
 
-def _block_energy(s, p, t):
-    return s.v * s.v / 2 - _sliding(p) * s.x
-
-
+_BLOCK_INVARIANTS = {"energy over mass": lambda s, p, t: s.v * s.v / 2 - _sliding(p) * s.x}
 _INVARIANTS = {"energy over mass": lambda s, p, t: (1 + p.k) * s.v * s.v / 2 - _sliding(p) * s.x}
 
 # -- bounds of what is neglected: against the air the sphere is never faster than without it

@@ -1,6 +1,5 @@
-"""A body that rotates about a level shaft, with its dead weight (9.5); psi is its angle, from the
-downward vertical to the x axis of the body. For the bearings:
-:mod:`newton_euler.applications.rotors`.
+"""A body that rotates about a level shaft, with its dead weight (9.5), psi from the downward
+vertical to the x axis of the body. For the bearings: :mod:`newton_euler.applications.rotors`.
 """
 
 from collections.abc import Callable

@@ -48,8 +48,7 @@ def rolling(radius: Scalar, k: Scalar | None = None) -> Model:
     (3.0, 0, 0)
     """
     parameters = {"r": radius, "k": inertia_ratio(radius, k)}
-    invariants = {**_INVARIANTS, "slip": _slip}
-    return Model("rolling sphere", parameters, STATES, _rolling, invariants, _rolled)
+    return Model("rolling sphere", parameters, STATES, _rolling, _ROLLING_INVARIANTS, _rolled)
 
 
 def _sliding(s, p, t):
@@ -70,12 +69,9 @@ def _rolled(s, p, t):
     return s.x + s.v * t, s.v, s.omega
 
 
-def _slip(s, p, t):
-    return s.v + s.omega * p.r
-
-
 _INVARIANTS = {
     "angular momentum about the surface over mass": lambda s, p, t: (
         p.k * (p.r * p.r) * s.omega - p.r * s.v
     )
 }
+_ROLLING_INVARIANTS = {**_INVARIANTS, "slip": lambda s, p, t: s.v + s.omega * p.r}

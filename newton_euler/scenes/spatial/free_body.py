@@ -40,8 +40,7 @@ def free_body(I_x: Scalar, I_y: Scalar, I_z: Scalar) -> Model:
     >>> [round(w, 6) for w in body.solution(20.0, (1e-7, 1.0, 1e-7))]
     [-0.003787, 0.999993, 0.002187]
     """
-    parameters, invariants = locals(), {"energy": _energy, "momentum": _momentum}
-    return Model("free body", parameters, STATES, _rates, invariants, _exact)
+    return Model("free body", locals(), STATES, _rates, _INVARIANTS, _exact)
 
 
 def _rates(s, p, t):
@@ -52,13 +51,15 @@ def _rates(s, p, t):
     )
 
 
-def _energy(s, p, t):
-    return (p.I_x * s.w_x**2 + p.I_y * s.w_y**2 + p.I_z * s.w_z**2) / 2
-
-
 def _momentum(s, p, t):
     H = p.I_x * s.w_x, p.I_y * s.w_y, p.I_z * s.w_z
     return sqrt(dot3(H, H))
+
+
+_INVARIANTS = {
+    "energy": lambda s, p, t: (p.I_x * s.w_x**2 + p.I_y * s.w_y**2 + p.I_z * s.w_z**2) / 2,
+    "momentum": _momentum,
+}
 
 
 def _exact(s, p, t):
@@ -102,8 +103,7 @@ def _gap(k, I, w):
 
 
 def symmetric_wobble(I_x: Scalar, I_y: Scalar, I_z: Scalar, spin: Scalar) -> Model:
-    """The Model with the mean of I_x and I_y (10.36): states w_x, w_y; ``spin`` is the constant
-    rate about z.
+    """The Model with the mean of I_x and I_y (10.36): states w_x, w_y; constant ``spin`` about z.
 
     >>> symmetric_wobble(1.0, 3.0, 3.0, 10.0).derivative((0.5, 0.1))
     (-0.5, 2.5)

@@ -28,8 +28,7 @@ PLACE = "place of the tip in plan, m"
     mass=3.0, length=2.0, g=9.81,
 )  # fmt: skip
 def pendulum(mass: Scalar, length: Scalar, g: Scalar) -> Model:
-    """The Model without a singular position, a
-    :func:`newton_euler.scenes.spatial.top.nonspinning_frame`.
+    """The Model without a singular position, a :func:`.top.nonspinning_frame`.
 
     >>> pendulum(3.0, 2.0, 9.81).parameters["I0"]
     4.0

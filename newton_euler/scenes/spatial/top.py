@@ -9,13 +9,13 @@ from dataclasses import replace
 from operator import attrgetter
 
 from ...algebra.portable import Values
-from ...algebra.scalars import Scalar, Triple, cos, sin, sqrt, tan
+from ...algebra.scalars import Scalar, Triple, cos, integer_like, sin, sqrt, tan, where
 from ...algebra.vectors import dot3
 from ...kinematics import rotations
-from ...motion.model import Model
+from ...motion.model import Model, comparable
 from ..catalogue import scene
+from ..closed_forms.elliptic import coupled, unwrapped
 from ..closed_forms.harmonic import rotated
-from ..closed_forms.top import nutation_exact
 
 QUATERNION = "q0", "q1", "q2", "q3"
 _q = attrgetter(*QUATERNION)
@@ -88,6 +88,56 @@ def _nutation_energy(s, p, t):
     return p.I0 * s.theta_rate**2 / 2 + (whole * t + rest) ** 2 / (8 * p.I0) + p.mgr * cos(s.theta)
 
 
+def nutation_exact(s: Values, p: Values, t: Scalar) -> tuple[Scalar, Scalar]:
+    """theta and theta_rate of :func:`nutation` at t after ``s``, by elliptic functions.
+
+    With v = 1 - cos(theta) the energy gives I0 v'^2/2 = F(v), a cubic with the roots v1, v2 and
+    -zeta/mgr. The roots of v - v1, v2 - v and zeta + mgr v change at rates that are products of the
+    two others. A top that is pulled up is one that is pulled down, seen from below.
+    """
+    # here: only the exact solution needs this room, which takes 30 ms to load
+    from ...applications.nutation import exchanged
+
+    given = s.theta, s.theta_rate, p.I0, p.I, p.mgr, p.omega_z, p.momentum_difference, t
+    theta, rate, I0, I, mgr, omega_z, q, t = comparable("top", *given)
+    whole, below, start = 2 * (I * omega_z) + q, mgr < 0, (cos(theta / 2), sin(theta / 2))
+    (S, C), sides = exchanged(below, start[1], start[0]), exchanged(below, q, whole)
+    S1, C1, rate1, phase = _nutation(S, C, where(below, -rate, rate), I0, abs(mgr), *sides, t)
+    sine, cosine = exchanged(below, S1, C1)
+    phase = where(rate < 0, -phase, phase)
+    return 2 * unwrapped(theta / 2, start, (cosine, sine), phase), where(below, -rate1, rate1)
+
+
+def _nutation(S, C, rate, I0, mgr, q, whole, t):
+    """sin and cos of theta/2, theta' and the mean phase (0 unless it turns over); mgr >= 0."""
+    from ...applications.nutation import turning_points
+
+    v = 2 * (S * S)
+    rest = q * C / (2 * where(abs(q) > 0, S, 1))
+    more = whole * S / (2 * where(abs(whole) > 0, C, 1))
+    transverse = rest + more, rest - more
+    (X, Y), (v1, w2), zeta = turning_points(S, C, rate, I0, mgr, (q, whole), transverse)
+    k = 1 / sqrt(2 * I0)
+    start = _signed(sqrt(X), S), _signed(sqrt(Y), C), _signed(sqrt(zeta + mgr * v), rate)
+    x, y, z, phase = coupled((k, -k, k * mgr), start, -(zeta + mgr * v1) / (2 * I0), t)
+    S1, slant = _off(v1, x, S)
+    C1, slant2 = _off(w2, y, C)
+    return S1, C1, 2 * k * z * (slant * slant2), where(v1 > 0, 0, where(w2 > 0, 0, phase))
+
+
+def _signed(x, like):
+    return where(like < 0, -x, x)
+
+
+def _off(least, x, like):
+    """sqrt((least + x^2)/2), and x over sqrt(least + x^2), which is 1 through the vertical."""
+    root = sqrt(least + x * x)
+    off = least > 0
+    return where(off, _signed(root, like), x) / sqrt(integer_like(2, root)), where(
+        off, _signed(x, like) / where(off, root, 1), 1
+    )
+
+
 @scene(
     "10.5", "top, angles", "the nutating top in Euler's angles",
     10.0, (0.0, 0.6, 0.0, 0.0, 0.0), **TOP,
@@ -157,13 +207,9 @@ def _nonspinning_energy(s, p, t):
     return (p.I0 * (s.w_x**2 + s.w_y**2) + p.I * p.omega_z**2) / 2 + p.mgr * _vertical(s)[2]
 
 
-def _nonspinning_vertical(s, p, t):
-    return dot3(_vertical(s), (p.I0 * s.w_x, p.I0 * s.w_y, p.I * p.omega_z))
-
-
 _NONSPINNING_INVARIANTS = {
     "energy": _nonspinning_energy,
-    "p_psi": _nonspinning_vertical,
+    "p_psi": lambda s, p, t: dot3(_vertical(s), (p.I0 * s.w_x, p.I0 * s.w_y, p.I * p.omega_z)),
     "norm": lambda s, p, t: s.q0**2 + s.q1**2 + s.q2**2 + s.q3**2,
 }
 

@@ -1,8 +1,6 @@
 """The ladder of models of the top: slow and exact steady precession, nutation, and a body with the
-moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, in Euler's angles and by the quaternion.
-
-What is observed is the direction of its axis. The angles are Euler's, 3-1-3, theta from the upward
-vertical; I0, I, ``mgr``, omega_z as in :mod:`newton_euler.scenes.spatial.top`.
+moments I0 (1 - asymmetry), I0 (1 + asymmetry), I, in Euler's angles and by the quaternion; angles
+3-1-3 and symbols as in :mod:`newton_euler.scenes.spatial.top`. Observed is the axis.
 """
 
 from contextlib import suppress
@@ -28,7 +26,8 @@ def top_slow_precession(I: Scalar, mgr: Scalar, omega_z: Scalar, theta: Scalar) 
     (0.5,)
     """
     given, neglects = locals(), (NUTATION, NO_TRANSVERSE, ASYMMETRY)
-    return constant_rate("top, slow precession", given, _slow, "psi", neglects=neglects)
+    name, slow = "top, slow precession", lambda p: p.mgr / (p.I * p.omega_z)
+    return constant_rate(name, given, slow, "psi", neglects=neglects)
 
 
 def top_steady_precession(
@@ -101,7 +100,6 @@ def _fixed(s, p, t):
 
 
 def _along(s, p, t):
-    """The direction, from the states psi and theta."""
     return _direction(s.psi, s.theta)
 
 
@@ -112,12 +110,7 @@ def _third(s, p, t):
 _q, _w, _steady = attrgetter(*QUATERNION), attrgetter(*RATES), attrgetter("rate")
 
 
-def _slow(p):
-    return p.mgr / (p.I * p.omega_z)
-
-
 def _axis_rates(s, p, t):
-    """The rates of theta, theta_rate and psi."""
     tangent, q, whole, rest = half_tangent_sides(s, p)
     # (p_psi - p_phi cos(theta))/(I0 sin^2(theta)), by the tangent that is there already
     precession = (whole * (1 + tangent**2) + q + rest / tangent) / (4 * p.I0)

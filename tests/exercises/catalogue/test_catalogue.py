@@ -20,7 +20,7 @@ from exercises.catalogue import (
     problems,
     reading,
     select,
-)  # fmt: skip
+)
 from newton_euler import Dimension, Frame
 from tests.by_chapter import by_chapter
 
@@ -86,19 +86,18 @@ def test_mistakes_are_named_in_words(p):
         assert not text.endswith(".")
 
 
-def test_numbers_reach_the_code_in_base_units_and_leave_it_in_those_of_the_text():
+def test_numbers_reach_the_code_in_base_units_and_may_be_changed_one_by_one():
     p = problem("4/18")
     g = p.base(p.book_values)
     assert g.b == pytest.approx(0.16)
     assert g.stated("b") == pytest.approx(160)
     assert p.in_units({"v_A": Frame("ground").vector(0, 0.25, 0)})["v_A"].y == pytest.approx(250)
-
-
-def test_changed_givens_leave_the_others_alone():
     g = problem("4/16").base(problem("4/16").book_values)
     assert g.but(b_dot=-g.b_dot).omega == g.omega
     with pytest.raises(CatalogueError, match="no given 'beta_dot'; there are omega, b_dot"):
         g.but(beta_dot=1.0)
+    p = problem("4/2")
+    assert p.base({n: Dimension(0, 1, 0) for n in p.units}).d == Dimension(0, 1, 0)
 
 
 def test_formulas_contain_exactly_the_symbols_of_the_text():
@@ -107,29 +106,21 @@ def test_formulas_contain_exactly_the_symbols_of_the_text():
     assert free == {"omega_1", "omega_2", "omega_3", "r"}
 
 
-def test_dimensions_pass_through_base():
-    p = problem("4/2")
-    assert p.base({n: Dimension(0, 1, 0) for n in p.units}).d == Dimension(0, 1, 0)
-
-
 LACKING = {"beta_1": 120, "b": 8, "L": 16}
 
 
-@pytest.mark.parametrize(
-    ("ask", "message"),
-    [
-        (lambda: problem("4/99"), "there is no problem 4/99; ch04 has 4/1 to 4/43"),
-        (lambda: problem("99/1"), "there is no problem 99/1: the chapters with problems are .*ch04"),
-        (lambda: problem("4.16"), "'4.16' is not a problem number; write chapter and problem, as in 4/16"),
-        (lambda: problem("C/1"), "'C/1' is not a problem number"),
-        (lambda: problem("4/"), "'4/' is not a problem number"),
-        (lambda: problems("ch99"), r"there is no chapter 'ch99'; there are .*ch04"),
-        (lambda: problem("4/16").base(LACKING), "problem 4/16 needs omega, b_dot"),
-        (lambda: problem("4/16").base({**problem("4/16").book_values, "speed": 1}),
-         "problem 4/16 has no speed; it has omega, b_dot, beta_1, b, L"),
-        (lambda: problem("4/16").answer("a_C"), "problem 4/16 asks for alpha_CD, v_D, a_D, not for 'a_C'"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("ask", "message"), [
+    (lambda: problem("4/99"), "there is no problem 4/99; ch04 has 4/1 to 4/43"),
+    (lambda: problem("99/1"), "there is no problem 99/1: the chapters with problems are .*ch04"),
+    (lambda: problem("4.16"), "'4.16' is not a problem number; write chapter and problem, as in 4/16"),
+    (lambda: problem("C/1"), "'C/1' is not a problem number"),
+    (lambda: problem("4/"), "'4/' is not a problem number"),
+    (lambda: problems("ch99"), r"there is no chapter 'ch99'; there are .*ch04"),
+    (lambda: problem("4/16").base(LACKING), "problem 4/16 needs omega, b_dot"),
+    (lambda: problem("4/16").base({**problem("4/16").book_values, "speed": 1}),
+     "problem 4/16 has no speed; it has omega, b_dot, beta_1, b, L"),
+    (lambda: problem("4/16").answer("a_C"), "problem 4/16 asks for alpha_CD, v_D, a_D, not for 'a_C'"),
+])  # fmt: skip
 def test_what_is_not_there_is_named_with_what_is(ask, message):
     with pytest.raises(CatalogueError, match=message):
         ask()
@@ -183,14 +174,11 @@ def test_a_file_that_holds_no_problem_is_reported(write, text):
     )
 
 
-def test_a_power_of_ten_is_a_number_with_and_without_a_point(write):
+def test_numbers_and_weights_of_a_file_are_read(write):
     text = changed("value: 2", "value: 1e-3").replace("[1, 3]", "[1.0e-4, 2e3]")
     write("p01.yaml", text.replace("means: speed", "means: speed, atol: 1e-9"))
     r, v = problem("77/1").givens["r"], problem("77/1").answer("v")
     assert (r.value, r.vary, v.atol) == (1e-3, (1e-4, 2e3), 1e-9)
-
-
-def test_an_answer_weighs_one_unless_the_file_says_otherwise(write):
     write("p01.yaml", ENTRY)
     assert problem("77/1").answer("v").weight == 1
     write("p01.yaml", changed("means: speed", "means: speed, weight: 2.5"))
@@ -203,17 +191,13 @@ BROKEN_YAML = (
 )
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        (changed('"4.8"', '"4.8'), BROKEN_YAML),
-        (changed("doubles it", "doubles it, once: does it, twice: doubles it too"),
-         "ch77/p01.yaml is not YAML: the key twice occurs twice in line 11, column 12;.*"),
-        (changed("title: A wheel", "title: Une roue qui s'arrête").encode("latin-1"),
-         "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"),
-    ],
-    ids=["broken", "key twice", "encoding"],
-)  # fmt: skip
+@pytest.mark.parametrize(("text", "message"), [
+    (changed('"4.8"', '"4.8'), BROKEN_YAML),
+    (changed("doubles it", "doubles it, once: does it, twice: doubles it too"),
+     "ch77/p01.yaml is not YAML: the key twice occurs twice in line 11, column 12;.*"),
+    (changed("title: A wheel", "title: Une roue qui s'arrête").encode("latin-1"),
+     "ch77/p01.yaml is not in UTF-8: line 3 has the byte 0xea; save the file as UTF-8"),
+], ids=["broken", "key twice", "encoding"])  # fmt: skip
 def test_what_cannot_be_read_is_refused_with_file_and_line(write, text, message):
     write("p01.yaml", text)
     assert re.fullmatch(message, refused(problem, "77/1"), re.DOTALL)
@@ -245,13 +229,6 @@ def test_a_file_that_is_not_named_after_its_problem_is_refused(write, name, mess
     assert refused(problems, "ch77") == f"ch77/{name}{message}"
 
 
-def test_problems_come_in_the_order_of_their_numbers_without_the_files_of_an_editor(write):
-    for n in (12, 2, 100):
-        write(f"p{n:02d}.yaml", changed('"77/1"', f'"77/{n}"'))
-    write(".#p02.yaml", "")
-    assert [p.id for p in problems("ch77")] == ["77/2", "77/12", "77/100"]
-
-
 def test_a_chapter_without_its_file_or_its_title_is_reported(write):
     write("p01.yaml", ENTRY)
     assert refused(chapter, "ch77").startswith(
@@ -260,30 +237,28 @@ def test_a_chapter_without_its_file_or_its_title_is_reported(write):
     write("chapter.yaml", "titel: Wheels")
     assert refused(chapter, "ch77") == (
         "ch77/chapter.yaml: a chapter has the unknown key 'titel'; its keys are title and optionally "
-"preamble; did you mean title?"
-    )  # fmt: skip
+        "preamble; did you mean title?"
+    )
 
 
-def test_a_chapter_has_a_title_and_what_holds_for_all_its_problems(write):
+def test_a_chapter_has_a_title_and_its_problems_in_the_order_of_their_numbers(write):
     write("chapter.yaml", "title: Wheels\npreamble: >\n  All wheels\n  are round.\n")
     assert chapter("ch77") == model.Chapter("ch77", "Wheels", "All wheels are round.")
+    for n in (12, 2, 100):
+        write(f"p{n:02d}.yaml", changed('"77/1"', f'"77/{n}"'))
+    write(".#p02.yaml", "")
+    assert [p.id for p in problems("ch77")] == ["77/2", "77/12", "77/100"]
 
 
-def test_a_text_without_code_is_reported(write):
+def test_code_that_is_missing_or_does_not_fit_is_reported(write, monkeypatch):
     write("p01.yaml", ENTRY)
     message = "problem 77/1 has a text but no code: write exercises/ch77/p01.py"
     assert refused(lambda name: problem(name).code, "77/1") == message
-
-
-def test_code_without_a_function_is_reported(write, monkeypatch):
     write("p01.yaml", ENTRY)
     half = SimpleNamespace(solve=print, draw=print)
     monkeypatch.setattr(model.importlib, "import_module", lambda name: half)
     with pytest.raises(CatalogueError, match=r"ch77/p01.py does not define prove, mistakes"):
         problem("77/1").code.solve(None)
-
-
-def test_an_answer_that_is_not_asked_for_is_reported(write, monkeypatch):
     write("p01.yaml", ENTRY)
     code = SimpleNamespace(solve=lambda g: {"speed": g.r}, prove=print, mistakes=print, draw=print)
     monkeypatch.setattr(model.importlib, "import_module", lambda name: code)

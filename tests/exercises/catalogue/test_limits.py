@@ -37,13 +37,10 @@ def objection_to(monkeypatch):
     return objection
 
 
-def test_a_formula_must_be_real_at_half_of_the_points(objection_to):
+def test_a_formula_and_a_mistake_must_show_at_half_of_the_points(objection_to):
     real, none = (1.0,) * 3, (math.nan,) * 3
     assert objection_to("4/42", [real, real, none, none]) is None
     assert "nan at most points" in objection_to("4/42", [real, none, none])
-
-
-def test_a_mistake_must_show_at_half_of_the_points(objection_to):
     key, off = (1.0, 0.0, 0.0), (2.0, 0.0, 0.0)
     assert objection_to("4/42", [key] * 4, [off, off, key, key]) is None
     assert "hides the mistake" in objection_to("4/42", [key] * 3, [off, key, key])

@@ -32,16 +32,16 @@ def test_steps_of_4_16_are_in_the_units_and_axes_of_the_answers():
     assert "2 omega x v_r" in found["a_D_coriolis"].means
 
 
-def test_a_term_can_have_the_number_of_its_equation_in_the_chapter():
+def test_terms_have_their_equation_of_the_chapter_and_words_for_their_coordinates():
     p = problem("2/27")
     found = shown(p, p.book_values)
     assert found["a_B_euler"].equation == "2.25"  # the engine has it as (4.18)
     assert found["a_B_euler"].means == "the term alpha x r, in a_B"
-
-
-def test_the_terms_of_polar_components_are_reported_in_words():
     p = problem("2/20")
     assert shown(p, p.book_values)["a_euler"].means == "the Euler term r theta'' e_theta, in a"
+    p = problem("3/26")
+    texts = [s.means for s in steps(p, p.book_values)]
+    assert any(text.startswith("the Coriolis term of theta and phi, -2 R theta'") for text in texts)
 
 
 @pytest.mark.one_in(6)
@@ -72,9 +72,13 @@ def test_a_step_with_the_name_of_an_answer_or_a_given_is_refused(monkeypatch):
             steps(p, p.book_values)
 
 
-def test_a_step_stated_in_a_wrong_unit_is_a_fault(monkeypatch):
+def test_a_step_stated_in_a_wrong_unit_is_a_fault_of_the_problem(monkeypatch):
     p = with_steps(monkeypatch, lambda g: Step("rate", g.omega * g.b, "rad/s", "the rate"))
     assert faults(p, p.book_values) == ["the step rate is stated in rad/s (1/s), but has m/s"]
+    p = with_steps(monkeypatch, lambda g: Step("rate", g.omega * g.b, "rad/s", "the rate"))
+    assert check(p) == [f"{fault} (seed 0)" for fault in faults(p, p.book_values)]
+    p = with_steps(monkeypatch, lambda g: Step("rate", g.omega + g.b, "rad/s", "the rate"))
+    assert "steps adds unlike quantities" in check(p)[0]
 
 
 def test_a_step_says_its_kind_and_has_its_form(monkeypatch):
@@ -136,33 +140,19 @@ def proving(monkeypatch, **found):
     return p
 
 
-def test_a_step_that_the_proof_finds_too_is_compared(monkeypatch):
+def test_a_step_that_the_proof_finds_too_is_compared_and_what_nobody_asks_for_is_a_fault(
+    monkeypatch,
+):
     assert check(proving(monkeypatch, omega_CD=lambda g: [-g.b_dot, 0, g.omega]), 2) == []
     wrong = proving(monkeypatch, omega_CD=lambda g: [g.b_dot, 0, g.omega])
     assert "omega_CD: the step in floats and prove differ by 1.2e+00 of its size" in check(wrong)[0]
-
-
-def test_what_the_proof_finds_and_nobody_asks_for_is_a_fault(monkeypatch):
     faults_found = check(proving(monkeypatch, omega_AB=lambda g: g.omega))
     assert faults_found == [
         "prove returns omega_AB, which is neither asked for nor one of the steps (seed 0)"
     ]
 
 
-def test_steps_are_checked_with_the_problem(monkeypatch):
-    p = with_steps(monkeypatch, lambda g: Step("rate", g.omega * g.b, "rad/s", "the rate"))
-    assert check(p) == [f"{fault} (seed 0)" for fault in faults(p, p.book_values)]
-    p = with_steps(monkeypatch, lambda g: Step("rate", g.omega + g.b, "rad/s", "the rate"))
-    assert "steps adds unlike quantities" in check(p)[0]
-
-
 def test_a_problem_without_sums_has_no_steps_of_its_own():
     p = SimpleNamespace(id="0/1", code=SimpleNamespace(solve=lambda g: {"x": 2.0}), units={},
                         answers=(), step_texts={}, base=lambda values, one: None)  # fmt: skip
     assert steps(p, {}) == []
-
-
-def test_the_terms_of_two_coordinates_are_reported_in_words():
-    p = problem("3/26")
-    texts = [s.means for s in steps(p, p.book_values)]
-    assert any(text.startswith("the Coriolis term of theta and phi, -2 R theta'") for text in texts)

@@ -46,13 +46,10 @@ def test_the_same_student_gets_the_same_numbers_and_another_one_others(p):
     assert numbers_of("emmy", p) != adas_numbers(p)
 
 
-def test_the_numbers_drawn_for_a_student_never_change():
+def test_students_keep_their_numbers_and_rarely_share_them():
     """Students keep their numbers from version to version and on every machine."""
     kept = {"omega": 0.9, "b_dot": 0.7, "beta_1": 136.0, "b": 5.2, "L": 24.8}
     assert numbers_of("ada", problem("4/16")) == kept
-
-
-def test_students_rarely_share_numbers():
     drawn = [tuple(numbers_of(f"student {n}", problem("4/16")).values()) for n in range(40)]
     assert len(set(drawn)) == 40
 
@@ -68,23 +65,17 @@ def test_a_problem_of_symbols_only_has_nothing_to_draw():
     assert draw(problem("4/42"), b"any") == {}
 
 
-def test_objection_to_numbers_that_hide_a_mistake():
+def test_objections_to_numbers_that_hide_a_mistake_or_are_ill_conditioned():
     """At 45 degrees sine and cosine may be exchanged unseen."""
     p = problem("4/21")
     found = objection(p, {**p.book_values, "gamma_1": 45})
     assert "hides the mistake gamma_from_horizontal: its omega_A is within 2%" in found
     assert objection(p, p.book_values) is None
-
-
-def test_objection_to_ill_conditioned_numbers():
-    """Where the lower end nears the end of the ellipse's axis, its speed grows without bound."""
+    # where the lower end nears the end of the ellipse's axis, its speed grows without bound
     p = problem("4/9")
     found = objection(p, {**p.book_values, "z_1": 3.98})
     assert re.match(r"is ill-conditioned: 0.1 % of z_1 changes v_mid by [0-9]+%", found)
     assert objection(p, p.book_values) is None
-
-
-def test_objection_to_a_component_that_could_be_left_out_unseen():
     p = problem("4/28")
     values = {"omega": 0.94, "theta_dot": 0.1, "theta_1": 15, "L": 12, "d": 1}
     assert re.match(r"gives v_A with a component of 2.3e-03", objection(p, values))
@@ -98,8 +89,11 @@ def test_a_range_without_good_numbers_is_reported(monkeypatch):
         draw(problem("4/16"), b"any")
 
 
-def test_a_step_of_the_grid_is_the_round_number_below():
+def test_a_step_of_the_grid_is_round_and_components_become_points():
     assert [variants._round_step(x) for x in (0.0225, 0.05, 1.9, 7.5)] == [0.02, 0.05, 1, 5]
+    assert as_points((1, "up")) == ((1, "up"),)
+    assert as_points(("up", np.array([1, 2]))) == (("up", 1.0), ("up", 2.0))
+    assert as_points((1.5,), 2) == ((1.5,), (1.5,))
 
 
 @pytest.mark.parametrize(("vary", "count"), [
@@ -128,12 +122,6 @@ def test_both_ends_of_a_range_may_be_drawn_as_they_are_written(vary, count):
 ])  # fmt: skip
 def test_a_mistake_is_apart_that_is_far_from_the_key_at_half_of_the_points(wrong, right, expected):
     assert apart(wrong, right) is expected
-
-
-def test_components_become_points_floats_beside_words():
-    assert as_points((1, "up")) == ((1, "up"),)
-    assert as_points(("up", np.array([1, 2]))) == (("up", 1.0), ("up", 2.0))
-    assert as_points((1.5,), 2) == ((1.5,), (1.5,))
 
 
 def test_evaluate_is_the_solution_and_its_mistakes_as_numbers():

@@ -26,13 +26,10 @@ def by_search(g):
     return findroot(lambda x: 4 * mp.sin(x) ** 2 - mp.cos(x) ** 2, mpf("0.5"))
 
 
-def test_an_angle_in_pure_numbers_is_solved_in_fifty_digits_and_as_a_formula(made):
+def test_an_angle_in_pure_numbers_is_solved_in_fifty_digits_and_a_float_among_them_caught(made):
     p = cone(lambda g: atan(sqrt(g.one) / 2), by_search, made)
     assert check(p, seeds=3) == []
     assert p.formulas()["alpha"] == sympy.atan(sympy.Rational(1, 2)) * 180 / sympy.pi
-
-
-def test_a_float_among_pure_numbers_is_caught(made):
     (fault,) = check(cone(lambda g: atan(0.5), by_search, made))
     assert fault.startswith("alpha: solve in 50 digits and prove differ")
 
@@ -94,15 +91,12 @@ def radius(made, **wrong):
     return made(right, right, mistakes, **given)
 
 
-def test_two_mistakes_with_the_same_wrong_answer_give_a_warning(made):
+def test_two_mistakes_with_the_same_wrong_answer_give_a_warning_unless_by_chance(made):
     diameter = {"twice": lambda g: 2 * g.r, "diameter": lambda g: g.r + g.r}
     p = radius(made, **diameter, half=lambda g: g.r / 2)
     assert check(p, seeds=3) == []
     (warning,) = alike(p, seeds=3)
     assert warning.startswith("the mistakes twice and diameter give the same wrong x")
-
-
-def test_mistakes_that_agree_only_by_chance_give_no_warning(made):
     # 0.3 in the book, so that both are 3 there
     p = radius(made, tenfold=lambda g: 10 * g.r, three=lambda g: 0 * g.r + 3)
     assert alike(p) != []

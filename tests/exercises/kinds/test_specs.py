@@ -108,9 +108,8 @@ def test_a_chapter_of_a_course_wants_its_folder(tmp_path):
     spec.write_text(
         SPEC.replace('"2/', '"bridge/').replace("# Chapter 2: planar", "# Bridges: planar")
     )
-    with pytest.raises(
-        CatalogueError, match="a chapter of your own: name the folder for it with --to"
-    ):
+    words = "a chapter of your own: name the folder for it with --to"
+    with pytest.raises(CatalogueError, match=words):
         write_chapter("bridge", spec)
     write_chapter("bridge", spec, folder=tmp_path / "own")
     assert "Bridges: planar kinematics" in (tmp_path / "own/bridge/chapter.yaml").read_text()

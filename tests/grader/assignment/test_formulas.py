@@ -36,16 +36,6 @@ def test_a_negative_number_is_put_in_parentheses_and_two_signs_become_one(formul
     assert formula_text(formula, names, latex=True, numbers=True) == text
 
 
-def test_units_are_written_where_they_do_not_combine():
-    quantities = {"a": (72.0, "km/h"), "b": (100.0, "m")}
-    shown = formula_text(a / b, numerals(quantities, False, True), latex=True, numbers=True)
-    assert shown == r"\frac{72\ \text{km/h}}{100\ \text{m}}"
-
-
-def test_a_right_angle_beside_degrees_is_written_in_degrees():
-    assert formula_text(sympy.pi / 2 - a, {}, latex=True, degrees=True) == r"90^\circ - a"
-
-
 @pytest.mark.parametrize(("formula", "text"), [
     (m * a**2 / 12 + m * b**2 / 12, "m*(a**2 + b**2)/12"),
     (m * g + m * a, "a*m + g*m"),  # a weight and an inertia
@@ -67,23 +57,9 @@ def test_common_factors_of_a_sum_are_taken_out(formula, text):
     assert formula_text(formula, {}, latex=False) == text
 
 
-def test_a_sine_follows_a_sum():
-    text = formula_text(sympy.cos(m) * (a - b), {}, latex=True)
-    assert text == r"\left(a - b\right) \cos {m}"
-
-
-def test_a_power_puts_a_fraction_in_parentheses_and_goes_on_the_name_of_a_sine():
-    assert formula_text(a**3, {"a": "l/r"}, latex=True) == r"\left(l/r\right)^{3}"
-    assert formula_text(a**2, {"a": r"\sin \phi"}, latex=True) == r"\sin^{2} \phi"
-
-
-def test_a_sine_of_a_product_of_numbers_has_brackets():
-    numbers = formula_text(sympy.sin(a * b), {"a": "2", "b": "3"}, latex=True, numbers=True)
-    assert numbers == r"\sin{\left(2 \cdot 3 \right)}"
-
-
-def test_a_result_is_short():
+def test_a_result_is_short_and_has_no_factor_1():
     assert simplest(sympy.sin(a) ** 2 * b + sympy.cos(a) ** 2 * b) == b
+    assert str(simplest(1.0 * sympy.Symbol("x") ** 2 + 0.5)) == "x**2 + 0.5"
 
 
 def test_equations_that_are_solved_together_are_shown_once_with_their_unknowns():
@@ -158,28 +134,33 @@ def test_bodies_that_are_partly_equal_have_names_of_their_own():
         assert not re.search(r"\b[a-z](_[a-z])?\b", " ".join(shown(name, "Q"))), name
 
 
-def test_a_step_comes_after_the_answer_that_it_is_found_from():
+def test_steps_come_after_what_they_are_found_from_and_unknowns_have_their_sign():
     for name, *order in (("A/16", "y", "known_PR", "x"), ("6/21", "phi", "t_f", "x"),
                          ("3/12", "v_axial", "speed")):  # fmt: skip
         p = problem(name)
         assert sorted(order, key=[line.step.key for line in lines(p, p.book_values)].index) == order
-
-
-def test_an_unknown_has_its_sign_in_the_equations():
     p = problem("4/14")
     ((left, right),) = derivations(p, p.book_values)["omega_spin"].together
     assert {str(left), str(right)} == {"omega_spin_x*r", "-v_A_y"}
 
 
-@pytest.mark.parametrize(("formula", "text"), [
-    (h * m, r"\text{height}_x\, m"),
-    (h**2 * m, r"\text{height}_x^{2}\, m"),
-    (g * h * m, r"g\, \text{height}_x\, m"),
-    (h + m, r"\text{height}_x + m"),
+QUANTITIES = numerals({"a": (72.0, "km/h"), "b": (100.0, "m")}, False, True)
+WORD = {"g": "g", "h": r"\text{height}_x", "m": "m"}
+
+
+@pytest.mark.parametrize(("formula", "names", "options", "text"), [
+    # units are written where they do not combine
+    (a / b, QUANTITIES, {"numbers": True}, r"\frac{72\ \text{km/h}}{100\ \text{m}}"),
+    (sympy.pi / 2 - a, {}, {"degrees": True}, r"90^\circ - a"),
+    (sympy.cos(m) * (a - b), {}, {}, r"\left(a - b\right) \cos {m}"),
+    (a**3, {"a": "l/r"}, {}, r"\left(l/r\right)^{3}"),
+    (a**2, {"a": r"\sin \phi"}, {}, r"\sin^{2} \phi"),
+    (sympy.sin(a * b), {"a": "2", "b": "3"}, {"numbers": True}, r"\sin{\left(2 \cdot 3 \right)}"),
+    # a word is set apart from another factor
+    (h * m, WORD, {}, r"\text{height}_x\, m"),
+    (h**2 * m, WORD, {}, r"\text{height}_x^{2}\, m"),
+    (g * h * m, WORD, {}, r"g\, \text{height}_x\, m"),
+    (h + m, WORD, {}, r"\text{height}_x + m"),
 ])  # fmt: skip
-def test_a_word_is_set_apart_from_another_factor(formula, text):
-    assert formula_text(formula, {"g": "g", "h": r"\text{height}_x", "m": "m"}, latex=True) == text
-
-
-def test_a_result_has_no_factor_1():
-    assert str(simplest(1.0 * sympy.Symbol("x") ** 2 + 0.5)) == "x**2 + 0.5"
+def test_a_formula_is_typeset_as_in_a_book(formula, names, options, text):
+    assert formula_text(formula, names, latex=True, **options) == text

@@ -45,11 +45,14 @@ def own_cell(cells):
 OLD, NEW = sheet("4/1", "4/2"), sheet("4/1", "4/2", words="Find the speed.", picture="new")
 
 
-def test_what_nobody_changed_becomes_what_the_exercises_are_today():
+def test_what_nobody_changed_becomes_what_the_exercises_are_today_and_pictures_beside_own_texts():
     found = merged(OLD, OLD, NEW)
     assert texts(found.notebook) == texts(NEW)
     assert found.notebook["cells"][1]["attachments"] == NEW["cells"][1]["attachments"]
     assert [found.kept, found.conflicts, found.removed] == [[], [], []]
+    found = merged(OLD, edited(OLD, set_text(1, "My words")), NEW)
+    cell = found.notebook["cells"][1]
+    assert (cell["source"], cell["attachments"]["figure.png"]["image/png"]) == ("My words", "new")
 
 
 @pytest.mark.parametrize(("change", "kept", "conflicts"), [
@@ -76,12 +79,6 @@ def test_a_change_of_the_instructor_stays(change, kept, conflicts):
         now, then = cell["metadata"], before["metadata"]
         assert {k: x for k, x in then.items() if k != "nbgrader"}.items() <= now.items()
         assert points(now) == points(then)
-
-
-def test_a_picture_comes_in_beside_a_text_of_the_instructor():
-    found = merged(OLD, edited(OLD, set_text(1, "My words")), NEW)
-    cell = found.notebook["cells"][1]
-    assert (cell["source"], cell["attachments"]["figure.png"]["image/png"]) == ("My words", "new")
 
 
 def test_new_problems_come_in_at_their_place_and_others_go_unless_they_were_changed():

@@ -45,7 +45,7 @@ def test_right_answers_are_reported_right_and_others_not(copy):
     assert "v_D is right; a_D is not right" in output["4/16"]
 
 
-def test_an_answer_that_the_sheet_asks_for_in_another_form_has_no_seal(copy):
+def test_without_its_form_or_unasked_nothing_is_sealed(copy):
     _, values = copy
     released = build_notebook([problem("4/16")], "a title", 10, 100)
     answer = next(c for c in released["cells"] if c["id"] == "answer-4-16")
@@ -54,7 +54,4 @@ def test_an_answer_that_the_sheet_asks_for_in_another_form_has_no_seal(copy):
     source = next(c["source"] for c in sealed["cells"] if c["id"] == "givens-4-16")
     assert "'a_D'" in source
     assert "'v_D'" not in source
-
-
-def test_nothing_is_sealed_unless_it_is_asked_for():
     assert "sealed" not in str(build_notebook([problem("4/16")], "a title", 10, 100))

@@ -15,15 +15,11 @@ NAMED = "*Section* 4.10 Summary of the method"
 LINKED = "*Section* [4.10 Summary of the method]"
 
 
-@pytest.mark.parametrize(
-    ("chapters", "line"),
-    [
-        ("", NAMED),
-        ("../chapters", f"{LINKED}(../chapters/ch04_relative_motion.ipynb#4.10-Summary-of-the-method)"),
-        ("https://uni.edu/ne/", f"{LINKED}(https://uni.edu/ne/chapters/ch04_relative_motion.html#section-4-10)"),
-    ],
-    ids=["nowhere", "notebooks", "site"],
-)  # fmt: skip
+@pytest.mark.parametrize(("chapters", "line"), [
+    ("", NAMED),
+    ("../chapters", f"{LINKED}(../chapters/ch04_relative_motion.ipynb#4.10-Summary-of-the-method)"),
+    ("https://uni.edu/ne/", f"{LINKED}(https://uni.edu/ne/chapters/ch04_relative_motion.html#section-4-10)"),
+], ids=["nowhere", "notebooks", "site"])  # fmt: skip
 def test_a_section_is_named_and_links_to_where_the_course_has_the_chapters(chapters, line):
     assert section_line(problem("4/16"), chapters) == line
 

@@ -19,13 +19,19 @@ def test_what_particles_have_is_a_sum_and_not_an_integral(name):
     assert not {"7.10", "7.25"} & cited
 
 
-def test_a_worked_solution_cites_the_equation_of_its_chapter():
+def test_a_step_and_a_term_are_those_of_the_own_chapter_and_before_their_sum():
     p = problem("2/38")
     text = worked_solution(p, p.book_values)
     assert "By equation (2.25), $\\mathbf{a}_A = " in text
     assert "(4.18)" not in text
     assert "{-0}" not in text
     assert "| the acceleration of the origin of the moving frame | $" in text
+    p = problem("2/13")
+    assert r"\frac{\nu^2}{\rho}\,\hat{e}_n$ |" in written(p, b"one")
+    for later in map(problem, ("A/8", "3/15")):  # which do not have the equation of these terms yet
+        assert "| --- |" not in written(later, b"one")
+    keys = [line.step.key for line in as_python(problem("2/17"), b"one")]
+    assert keys.index("a_P_radial") < keys.index("a_P_coriolis") < keys.index("a_P")
 
 
 def test_the_terms_of_an_answer_are_in_its_table_and_not_among_the_steps_too():
@@ -44,40 +50,22 @@ def found_by(p, key):
     return [{x.name for x in f.free_symbols} for f in found]
 
 
-def test_the_terms_of_a_step_come_before_it():
-    keys = [line.step.key for line in as_python(problem("2/17"), b"one")]
-    assert keys.index("a_P_radial") < keys.index("a_P_coriolis") < keys.index("a_P")
-
-
-def test_terms_are_those_of_the_own_chapter():
-    p = problem("2/13")
-    assert r"\frac{\nu^2}{\rho}\,\hat{e}_n$ |" in written(p, b"one")
-    for later in map(problem, ("A/8", "3/15")):  # which do not have the equation of these terms yet
-        assert "| --- |" not in written(later, b"one")
-
-
-def test_a_step_is_not_named_after_a_quantity_that_equals_it_by_chance():
+def test_chance_and_round_off_name_no_step_and_angles_have_one_pair_of_brackets():
     # of three rods, moments that are 4/3 and 1/2 of the second one's
     p = problem("8/17")
     assert found_by(p, "I_xx_BC") == found_by(p, "I_xy") == [{"m", "a"}]
     # of three rods, I_zz of the second is I_xx of the third
     own = {"I_G_BC_xx", "a", "m", "d_BC_x", "d_BC_y", "d_BC_z"}
     assert found_by(problem("7/11"), "I_BC")[0] <= own
-
-
-def test_an_angle_in_degrees_has_one_pair_of_brackets():
-    texts = [x for q in as_python(problem("6/7"), b"one") for x in (*q.equal, *q.with_numbers)]
-    assert any(" deg)" in x for x in texts)
-    assert not any("((" in x for x in texts)
-
-
-def test_round_off_is_not_a_component_of_an_answer():
     p = problem("4/17")  # of the velocity along X is left what cos 60 degrees is not a half
     text = worked_solution(p, p.book_values)
     assert r"$\mathbf{v}_D = \left[0,\ 6.23538" in text
     assert r"\times 10^{-1" not in text
     p = problem("6/18")  # shot at 45 degrees, at the latitude 45 degrees
     assert r"\times 10^{-1" not in worked_solution(p, p.book_values)
+    texts = [x for q in as_python(problem("6/7"), b"one") for x in (*q.equal, *q.with_numbers)]
+    assert any(" deg)" in x for x in texts)
+    assert not any("((" in x for x in texts)
 
 
 @pytest.mark.parametrize(("name", "words"), [

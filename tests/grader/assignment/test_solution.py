@@ -13,7 +13,7 @@ from exercises.catalogue import select
 from exercises.catalogue.book_equations import own_number
 from exercises.catalogue.steps import steps
 from exercises.catalogue.variants import draw, flat, symbol_points, symbol_values
-from grader.assignment.derivations import component, derivations
+from grader.assignment.derivations import derivations
 from grader.assignment.layout import laid_out
 from grader.assignment.lines import lines
 from grader.assignment.notebook import typeset
@@ -21,6 +21,7 @@ from grader.assignment.solution import worked_solution
 from grader.assignment.spelled import typeset_formulas
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.units import unit
+from newton_euler.answers.kinds import KINDS
 from newton_euler.answers.notation import number_symbol, symbol
 from tests.book import sections
 
@@ -34,6 +35,7 @@ SECTION_OF = {
 }
 NAMED_GIVENS = {"A/20", "A/22", "2/16", "3/5"}  # where the point is that a quantity is a given
 FUNCTIONS_OF_MATH = {name: getattr(math, name) for name in dir(math) if name[0] != "_"}
+VECTOR = KINDS["vector"]
 
 
 SEEDS = (b"one", *(pytest.param(seed, marks=pytest.mark.slow) for seed in (b"two", b"three")))
@@ -132,7 +134,11 @@ def test_each_component_found_from_equations_occurs_in_them(p):
     for line in as_python(p, b"one"):
         words, s = " ".join([words, *line.together]), line.step
         if (line.above or line.together) and s.is_vector and len(line.equal) == 1:
-            found = {component(s.key, n, 3) for n, x in enumerate(map(to_plain, s.value.c)) if x}
+            found = {
+                name
+                for name, x in zip(VECTOR.names(s.key), map(to_plain, s.value.c), strict=True)
+                if x
+            }
             assert found <= {*NAME.findall(words)}, s.key
 
 
@@ -192,7 +198,9 @@ def test_a_term_is_not_named_after_a_quantity_that_equals_it_by_chance(p):
     sums = {s.of for s in shown if s.of}
     units = {s.key: s.unit for s in shown}
     vectors = {
-        s.key: {component(s.key, n, 3) for n, x in enumerate(map(to_plain, s.value.c)) if x != 0}
+        s.key: {
+            n for n, x in zip(VECTOR.names(s.key), map(to_plain, s.value.c), strict=True) if x != 0
+        }
         for s in shown
         if s.is_vector
     }
@@ -233,13 +241,12 @@ def test_a_name_in_a_formula_is_the_one_that_its_place_asks_for(p):
     shown = {line.step.key: line.step for line in as_python(p, b"one")}
     units, own, rows = dict(p.units), {}, {}
     for key, s in ((key, s) for key, s in shown.items() if key in found):
-        count = len(found[key].formulas)
-        names = [component(key, n, count) for n in range(count)]
+        names = s.kind.names(key)[: len(found[key].formulas)]
         units |= dict.fromkeys(names, s.unit)
         own |= dict(zip(names, found[key].formulas, strict=True))
         rows |= {x: n // 3 for n, x in enumerate(names) if len(names) == 9 and s.unit == "1"}
     vectors = {x for s in shown.values() if s.is_vector and s.unit != "1"
-               for x in (component(s.key, n, 3) for n in range(3))}  # fmt: skip
+               for x in VECTOR.names(s.key)}  # fmt: skip
     rates = {x for x, of in units.items() if powers(of) in ((0, 0, -1), (0, 1, -1))}
     alone = [(shown[key].of, f) for key, x in found.items() if key in shown and shown[key].of
              for f in x.formulas if f is not None and f.is_Symbol and str(f) in {*found}]  # fmt: skip
@@ -361,8 +368,7 @@ def test_no_two_numbers_share_a_name(p):
     for line in as_python(p, b"one"):
         s = line.step
         parts = [] if isinstance(s.value, str) or callable(s.value) else list(flat(s.value))
-        for n, x in enumerate(map(to_plain, parts)):
-            name = component(s.key, n, len(parts))
+        for name, x in zip(s.kind.names(s.key), map(to_plain, parts), strict=False):
             stated = p.units.get(name, s.unit)
             factor = unit(stated).from_base(unit(s.unit).to_base(1.0, p.system), p.system)
             if name in known and is_numeric(x) and is_numeric(known[name]):
@@ -413,8 +419,7 @@ def test_a_step_is_introduced_in_thirty_words(p):
 
 def own_names(line):
     """The names of what a line of a solution finds, and of its components."""
-    count = len(flat(line.step.value)) if not callable(line.step.value) else 1
-    return {line.step.key, *(component(line.step.key, n, count) for n in range(count))}
+    return {line.step.key, *line.step.kind.names(line.step.key)}
 
 
 def what_a_reader_misses(line, known, named):
@@ -458,7 +463,7 @@ def in_terms_of_components(p):
     of = {line.step.of for line in as_python(p, b"one")}
     found = {k: x.formulas for k, x in derived(p, b"one").items() if k not in of}
     whole = {k: x for k, x in found.items() if len(x) == 3 and None not in x}
-    return found, {k: {component(k, n, 3): f for n, f in enumerate(x)} for k, x in whole.items()}
+    return found, {k: dict(zip(VECTOR.names(k), x, strict=True)) for k, x in whole.items()}
 
 
 @pytest.mark.parametrize("p", EACH, ids=lambda p: p.id)
@@ -503,15 +508,15 @@ SYMBOLIC = [p for p in ALL if p.symbols and not p.givens]  # which need no units
 @pytest.mark.parametrize("p", SYMBOLIC, ids=lambda p: p.id)
 def test_a_formula_of_symbols_is_the_result(p):
     """At random numbers; unknowns that are not quantities of the problem have no value."""
-    known = dict(numbers(p, b"one"))
+    known, named = dict(numbers(p, b"one")), {}
     for s in (line.step for line in as_python(p, b"one")):
+        named[s.key] = s.kind.names(s.key)
         parts = [] if isinstance(s.value, str) or callable(s.value) else flat(s.value)
-        known |= {component(s.key, n, len(parts)): x for n, x in enumerate(parts)}
+        known |= dict(zip(named[s.key], parts, strict=False))
     point = symbol_values(p, random.Random(1))
     known = {n: at(sympy.sympify(to_plain(x)), point) for n, x in known.items()}
     for key, x in derived(p, b"one").items():
-        for n, f in enumerate(x.formulas):
-            name = component(key, n, len(x.formulas))
+        for name, f in zip(named.get(key, ()), x.formulas, strict=False):
             names = {name, *(y.name for y in f.free_symbols)} if f is not None else {""}
             if names <= known.keys():  # not of a term that is zero, which is not shown
                 assert at(f, known) == pytest.approx(known[name], rel=1e-9, abs=1e-9), (key, f)

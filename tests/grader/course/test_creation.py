@@ -52,7 +52,7 @@ def test_a_due_date_that_cannot_be_read_is_refused(tmp_path, text, words):
     assert not (tmp_path / "c").exists()
 
 
-def test_the_course_folder_and_what_is_in_it_are_readable_by_their_owner_alone(tmp_path):
+def test_the_course_folder_and_personal_copies_are_readable_by_their_owner_alone(tmp_path, course):
     before = os.umask(0)
     try:
         with new_course(tmp_path / "c") as course:
@@ -61,9 +61,6 @@ def test_the_course_folder_and_what_is_in_it_are_readable_by_their_owner_alone(t
         os.umask(before)
     assert stat.S_IMODE(course.path.stat().st_mode) == 0o700
     assert stat.S_IMODE((course.path / ".course_secret").stat().st_mode) == 0o600
-
-
-def test_personal_copies_are_readable_by_their_owner_alone(course):
     for path in (course.path / "personal").rglob("*.ipynb"):
         assert stat.S_IMODE(path.stat().st_mode) == 0o600
 

@@ -51,21 +51,12 @@ def test_the_configuration_of_a_course_names_no_place(course):
     assert str(REPOSITORY) not in (course.path / "nbgrader_config.py").read_text()
 
 
-def test_a_damaged_identity_is_reported(fresh):
-    (fresh.path / "course.json").write_text("{")
-    with pytest.raises(CourseError, match=r"course.json is damaged .* restore it from a backup"):
-        _ = Course(fresh.path).name
-
-
-def test_ids_that_differ_from_one_on_the_roster_by_case_only_are_refused(fresh):
+def test_ids_that_differ_by_case_only_are_refused_and_noticed(fresh):
     with pytest.raises(CourseError, match="'Ada' differs from 'ada', who is on the roster, only"):
         fresh.enrol(["Ada"])
     with pytest.raises(CourseError, match="differs from"):
         fresh.enrol(["zoe\u0301", "zo\u00e9"])  # an accent apart and within
     assert fresh.enrol(["ada", "new"]) == 1
-
-
-def test_ids_that_differ_by_case_only_are_also_noticed_where_nbgrader_added_them(fresh):
     with fresh.gradebook() as book:
         book.add_student("ADA")
     with pytest.raises(CourseError, match=r"'ADA' and 'ada' on the roster differ .* remove ada"):
@@ -99,10 +90,13 @@ def test_an_error_of_the_database_comes_with_what_to_do(fresh, code, words):
         raise OperationalError("INSERT", {}, error)
 
 
-def test_a_file_that_is_not_a_gradebook_is_refused(fresh):
+def test_a_damaged_identity_or_gradebook_is_reported(fresh):
     (fresh.path / "gradebook.db").write_bytes(b"not a database at all" * 100)
     with pytest.raises(CourseError, match=r"could not be used .*it is damaged; restore it from"):
         fresh.roster()
+    (fresh.path / "course.json").write_text("{")
+    with pytest.raises(CourseError, match=r"course.json is damaged .* restore it from a backup"):
+        _ = Course(fresh.path).name
 
 
 def test_an_error_in_the_instructors_configuration_names_the_line(fresh):

@@ -61,7 +61,7 @@ def test_every_dialect_in_every_encoding_gives_the_same_students(tmp_path, diale
     assert found == expected
 
 
-def test_how_a_roster_was_read_is_reported(tmp_path):
+def test_how_a_roster_was_read_is_reported_and_a_spreadsheet_refused(tmp_path):
     path = tmp_path / "roster.csv"
     path.write_bytes(MOODLE_GERMAN.encode("cp1252"))
     assert read_roster(path).read_as == (
@@ -71,14 +71,14 @@ def test_how_a_roster_was_read_is_reported(tmp_path):
     assert read_roster(path, "Email address").students[0]["id"] == "ada@uni.edu"
     with pytest.raises(CourseError, match=r"has no column 'Login'; it has \['First name'"):
         read_roster(path, "Login")
-
-
-def test_an_address_is_the_id_only_if_there_is_no_other(tmp_path):
     path = tmp_path / "roster.csv"
     path.write_text("Name,Email\nAda Lovelace,ada@uni.edu\n")
     assert read_roster(path).students == [
         {"id": "ada@uni.edu", "first_name": "Ada", "last_name": "Lovelace", "email": "ada@uni.edu"}
     ]
+    (tmp_path / "r.xlsx").write_bytes(b"PK\3\4 and so on")
+    with pytest.raises(CourseError, match="is a spreadsheet; save it as CSV and name that file"):
+        read_roster(tmp_path / "r.xlsx")
 
 
 WRONG = {
@@ -122,9 +122,3 @@ def test_a_roster_that_cannot_be_used_is_reported_and_no_course_is_made(tmp_path
     course = "--course", tmp_path / "c"
     refused(command("build", "ch04", *course, "--students", path, "--problem", "4/1"))
     assert not (tmp_path / "c").exists()
-
-
-def test_a_spreadsheet_is_reported(tmp_path):
-    (tmp_path / "r.xlsx").write_bytes(b"PK\3\4 and so on")
-    with pytest.raises(CourseError, match="is a spreadsheet; save it as CSV and name that file"):
-        read_roster(tmp_path / "r.xlsx")

@@ -119,12 +119,16 @@ def test_a_bomb_costs_only_itself(named, tmp_path, method, words):
     assert (name, words in why, {*found.taken}) == ("ben.ipynb", True, {"ada"})
 
 
-def test_a_link_in_an_archive_is_left_out(named, tmp_path):
+def test_links_are_left_out_and_the_notebook_of_the_assignment_is_chosen(named, tmp_path):
     info = zipfile.ZipInfo("ada.ipynb")
     info.external_attr = (stat.S_IFLNK | 0o777) << 16
     path = archive(tmp_path / "w.zip", {info: "../../../.course_secret"})
     assert take_in(named, "ch04", path).refused == [("ada.ipynb", "a link or a special file")]
     assert not named.submissions("ch04")
+    files = {"ben/ch04.ipynb": "{}", "ben/scratch.ipynb": "{}"}
+    found = take_in(named, "ch04", archive(tmp_path / "w.zip", files))
+    assert found.taken == {"ben": "ben/ch04.ipynb"}
+    assert found.refused == [("ben/scratch.ipynb", "ben/ch04.ipynb was taken for ben")]
 
 
 @pytest.mark.parametrize("packed", ["", "all of them/"])
@@ -159,13 +163,6 @@ def test_work_that_cannot_be_written_loses_none_of_the_others(named, tmp_path):
     found = take_in(named, "ch04", path)
     assert set(found.taken) == {"ada", "eve"}
     assert "cannot be written" in found.refused[0][1]
-
-
-def test_the_notebook_of_the_assignment_is_chosen_among_others_of_the_student(named, tmp_path):
-    files = {"ben/ch04.ipynb": "{}", "ben/scratch.ipynb": "{}"}
-    found = take_in(named, "ch04", archive(tmp_path / "w.zip", files))
-    assert found.taken == {"ben": "ben/ch04.ipynb"}
-    assert found.refused == [("ben/scratch.ipynb", "ben/ch04.ipynb was taken for ben")]
 
 
 def test_existing_work_is_kept_unless_it_is_to_be_replaced(named, tmp_path):

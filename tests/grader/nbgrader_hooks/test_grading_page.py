@@ -62,8 +62,13 @@ def test_formulas_of_the_course_are_typeset_without_a_script():
     assert "<mfrac>" in html_with_mathml(r"so $$\frac{a}{b}$$")
 
 
-def test_a_formula_that_cannot_be_converted_is_shown_as_it_is():
+def test_what_is_no_formula_or_is_formatted_is_shown_so():
     assert html_with_mathml(r"an $a_b_<c$ and `x`").startswith(r"<p>an $a_b_&lt;c$ and <code>")
+    page = student_html("*so* $x^2 < 3$\n\n> quoted\n\n![mine](attachment:p.png)",
+                        {"p.png": {"image/png": "AAAA"}})  # fmt: skip
+    for part in ("<em>so</em>", "$x^2 &lt; 3$", "<blockquote>",
+                 '<img src="data:image/png;base64,AAAA" alt="mine">'):  # fmt: skip
+        assert part in page
 
 
 def test_worked_solutions_are_typeset():
@@ -82,26 +87,15 @@ def test_worked_solutions_are_typeset():
     )
 
 
-def test_what_a_student_formats_is_shown_formatted():
-    page = student_html("*so* $x^2 < 3$\n\n> quoted\n\n![mine](attachment:p.png)",
-                        {"p.png": {"image/png": "AAAA"}})  # fmt: skip
-    for part in ("<em>so</em>", "$x^2 &lt; 3$", "<blockquote>",
-                 '<img src="data:image/png;base64,AAAA" alt="mine">'):  # fmt: skip
-        assert part in page
-
-
-def test_a_text_that_is_too_long_for_markdown_is_shown_as_it_is(monkeypatch):
-    """Reading it would take quadratic time, hours for 1 MB, and bleach minutes."""
+def test_pictures_and_long_texts_fill_neither_time_nor_memory(monkeypatch):
+    data = "A" * 10**6
+    page = student_html("![](attachment:p)\n" * 1000, {"p": {"image/png": data}})
+    assert MOST_PICTURES - len(data) < len(page) < 1.1 * MOST_PICTURES
+    # reading it would take quadratic time, hours for 1 MB, and bleach minutes
     short, long = ("*a* " * (LONGEST // 4 + n) for n in (0, 1))
     assert sanitized(short).startswith("<p><em>a</em> <em>a</em>")
     monkeypatch.setattr(feedback_page.bleach, "clean", lambda *_, **__: pytest.fail("it is read"))
     assert sanitized(long) == f"<pre>{long}</pre>"
-
-
-def test_a_picture_shown_many_times_does_not_fill_the_memory():
-    data = "A" * 10**6
-    page = student_html("![](attachment:p)\n" * 1000, {"p": {"image/png": data}})
-    assert MOST_PICTURES - len(data) < len(page) < 1.1 * MOST_PICTURES
 
 
 def test_feedback_does_not_copy_a_picture_into_what_it_does_not_show(monkeypatch):

@@ -176,14 +176,11 @@ def test_nbgrader_itself_does_not_need_numpy(fresh, tmp_path):
     assert "nbgrader version" in ran(found)
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "2026-11-22 10:00:00.123 UTC", "2026-11-22 11:00:00.123 CET", "20261122T100000.123Z",
-        "2026-11-22 11:00:00.123 Europe/Berlin",
-        "2026-11-22T11:00:00.123+01:00", "2026-11-22 10:00:00", "2026-11-22 11:00:00.123 3600",
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize("text", [
+    "2026-11-22 10:00:00.123 UTC", "2026-11-22 11:00:00.123 CET", "20261122T100000.123Z",
+    "2026-11-22 11:00:00.123 Europe/Berlin",
+    "2026-11-22T11:00:00.123+01:00", "2026-11-22 10:00:00", "2026-11-22 11:00:00.123 3600",
+])  # fmt: skip
 def test_a_time_of_submission_is_read_in_utc(tmp_path, text):
     from grader.submission.timestamps import read_timestamp
 

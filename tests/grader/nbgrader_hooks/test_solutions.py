@@ -9,8 +9,7 @@ from tests.grader.courses import append_config, nbgrader, ran
 
 
 def page(course, student="ben"):
-    ran(nbgrader("generate_feedback", "ch04", f"--student={student}", "--force",
-                         cwd=course.path))  # fmt: skip
+    ran(nbgrader("generate_feedback", "ch04", f"--student={student}", "--force", cwd=course.path))
     return (course.path / "feedback" / student / "ch04/ch04.html").read_text()
 
 

@@ -80,26 +80,26 @@ def test_a_sheet_has_the_students_numbers_and_nothing_of_the_key():
     assert student.code in answers
 
 
-def test_figures_are_vectors_of_the_students_own_numbers():
+def test_figures_and_changed_texts_have_the_students_own_numbers():
     figure = lambda seed: sheet("Homework", *of("4/16", seed=seed))["4-16.svg"]
     assert figure("ada") == figure("ada") != figure("emmy")
     assert b"<path" in figure("ada")
     assert b"<image" not in figure("ada")
     assert b"<text" not in figure("ada")  # its fonts need not be there
-
-
-def test_a_changed_text_has_the_students_numbers():
     _, student = of("4/16")
     text = "## Mine\n\nOurs turns at $\\omega = 0.6$ always."
     shown = sheet("Homework", [PaperItem("4/16", text, 2)], student)["main.typ"].decode()
     assert f"$omega = {student.values['4/16']['omega']:g}$" in shown
 
 
-def test_what_is_the_same_for_everybody_appears_once_in_the_overview():
+def test_what_is_the_same_for_everybody_appears_once_and_a_code_depends_on_the_numbers():
     entries, student = of("4/3", "5/26")
     shown = overview("Homework", entries, [student] * 5)["main.typ"].decode()
     assert shown.count('"ABCD-1234"') == 5
     assert shown.count('"all"') == 1
+    codes = {variant_code(s, {"4/3": {"a": x}}) for s in (b"1", b"2") for x in (1, 2)}
+    assert len(codes) == 4
+    assert all(re.fullmatch(r"[A-Z2-7]{4}-[A-Z2-7]{4}", c) for c in codes)
 
 
 def test_what_a_user_types_is_shown_and_never_run():
@@ -120,15 +120,12 @@ def test_a_formula_that_cannot_be_set_is_named():
         pdf(sheet("Homework", [PaperItem(text=r"so $\foo x$")], student))
 
 
-def test_markdown_of_an_instructor_is_typeset():
+def test_markdown_of_an_instructor_is_typeset_and_a_unit_follows_its_number():
     text = "# T\n\n1. *a*\n2. **b** [c](d)\n\n| x | y |\n|---|---|\n| 1 | $\\frac12$ |\n\n---\n\n```\nf\n```\n"
     made = typst(text + "\n![words](u.png) <b>h</b>")
     for piece in ("heading(level: 1)", "#enum", "#emph", "#strong", "#link", "#terms-table", "$1/2$",
                   "#line", "#raw(block: true", "words"):  # fmt: skip
         assert piece in made
-
-
-def test_the_stroke_of_a_unit_follows_its_number():
     assert '"/s"' in formula(r"12^\circ\text{/s}")
     assert ' "/s"' not in formula(r"12^\circ\text{/s}")
 
@@ -155,12 +152,6 @@ def test_without_typst_it_says_what_to_install(monkeypatch):
     words = r"no_such_wheel, not installed here: pip install -e '\.\[paper\]'"
     with pytest.raises(PaperError, match=words):
         write.require_typst()
-
-
-def test_a_code_depends_on_the_numbers_and_the_secret():
-    codes = {variant_code(s, {"4/3": {"a": x}}) for s in (b"1", b"2") for x in (1, 2)}
-    assert len(codes) == 4
-    assert all(re.fullmatch(r"[A-Z2-7]{4}-[A-Z2-7]{4}", c) for c in codes)
 
 
 @pytest.mark.integration

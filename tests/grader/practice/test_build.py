@@ -37,18 +37,22 @@ def test_every_problem_can_be_practised(chapter, first):
         assert json.dumps(one, allow_nan=False)
 
 
-def test_every_set_of_numbers_is_different_and_has_its_own_keys():
+def test_sets_of_numbers_differ_and_keep_away_from_graded_ones():
     page, _ = page_of("4/16", 5, "solution", draw=lambda p, v: None)
     assert len({json.dumps(v["givens"]) for v in page["variants"]}) == 5
     assert len({json.dumps(v["right"]["a_D"]) for v in page["variants"]}) == 5
-
-
-def test_graded_numbers_are_not_practised():
     p = problem("4/16")
     first = sets_of_numbers(p, 3)
     graded = [first[1]]
     assert graded[0] not in sets_of_numbers(p, 3, graded)
     assert p.book_values not in sets_of_numbers(p, 3, [p.book_values])
+    # as that of a released assignment whose problem has since changed
+    p = problem("4/16")
+    own = {**dict(list(draw(p, b"ada").items())[1:]), "gone": 1.0}
+    graded = {**p.book_values, **own}
+    near = GradedAnswers(p, [own])
+    assert near({n: graded[n] for n in p.units})
+    assert not near({n: 1.1 * x for n, x in p.book_values.items()})
 
 
 @pytest.mark.parametrize("name", ["4/2", "4/10"])
@@ -77,16 +81,6 @@ def test_no_practised_answer_is_near_one_of_a_class(name):
         assert not any(a.kind.is_right(x, key, a.atol) for x in practised for key in graded)
 
 
-def test_practice_keeps_away_from_a_sheet_of_other_givens_too():
-    """As that of a released assignment whose problem has since changed."""
-    p = problem("4/16")
-    own = {**dict(list(draw(p, b"ada").items())[1:]), "gone": 1.0}
-    graded = {**p.book_values, **own}
-    near = GradedAnswers(p, [own])
-    assert near({n: graded[n] for n in p.units})
-    assert not near({n: 1.1 * x for n, x in p.book_values.items()})
-
-
 @pytest.mark.parametrize("name", ["A/7", "5/24", "7/28"])
 def test_what_is_the_same_for_everybody_is_left_out_where_it_is_graded(name):
     """In a course, a problem without personal numbers would give away its answer."""
@@ -106,28 +100,22 @@ def test_a_problem_in_symbols_gives_away_no_formula():
         assert r"\omega" not in v["solution"].rpartition("**")[2]
 
 
-def test_the_file_holds_no_more_than_the_chosen_help(tmp_path):
+def test_the_file_holds_no_more_than_the_chosen_help_and_nothing_of_the_course(tmp_path):
     shown = {"check": (False, False), "hints": (True, False), "solution": (True, True)}
     for help, has in shown.items():
         write_practice(tmp_path / help, select(["4/16"]), 2, help)
         page = json.loads(members(tmp_path / help)["4-16.json"])
         steps = [q for q in page["quantities"] if q["step"]]
         assert (bool(steps), any(v["solution"] for v in page["variants"])) == has
-
-
-def test_nothing_of_the_course_or_its_code_is_in_the_file(tmp_path):
     write_practice(tmp_path / "p", select(["4/16", "4/2"]), 2)
     everything = b"".join(members(tmp_path / "p").values())
     for words in (b"def solve", b"exercises", b"secret", str(tmp_path).encode(), b"prove"):
         assert words not in everything
-
-
-def test_a_file_that_cannot_be_made_as_asked_is_refused(tmp_path):
     with pytest.raises(PracticeError, match="one of check, hints, solution"):
-        write_practice(tmp_path / "p", select(["4/16"]), help="all")
+        write_practice(tmp_path / "q", select(["4/16"]), help="all")
     with pytest.raises(PracticeError, match="no problem was chosen"):
-        write_practice(tmp_path / "p", [])
-    assert not (tmp_path / "p").exists()
+        write_practice(tmp_path / "q", [])
+    assert not (tmp_path / "q").exists()
 
 
 def test_the_numbers_of_all_students_of_a_course_are_read(course):

@@ -6,12 +6,17 @@ from newton_euler.classroom import PracticeFileError, PracticeProblem, practice,
 from newton_euler.classroom.practising import collection
 
 
-def test_try_problem_opens_the_practice_file_that_has_the_problem(practice_file, hints_file):
+def test_try_problem_opens_the_file_that_has_the_problem_and_names_a_broken_one(
+    practice_file, hints_file, tmp_path
+):
     assert practice_file.parent != hints_file.parent
     p = try_problem("2/18", practice_file.parent)
     assert isinstance(p, PracticeProblem)
     assert p.id == "2/18"
     assert "2/18" in str(p)
+    (tmp_path / "ch04.practice").write_text("nothing")
+    with pytest.raises(PracticeFileError, match="not a practice file"):
+        try_problem("4/12", tmp_path)
 
 
 def test_in_a_notebook_it_is_a_form(practice_file, monkeypatch):
@@ -41,9 +46,3 @@ def test_an_engine_without_any_says_how_they_are_written(practice_file, tmp_path
     (tmp_path / "ch04.practice").unlink()
     with pytest.raises(PracticeFileError, match="no practice comes with this engine"):
         practice()
-
-
-def test_a_broken_practice_file_is_distinguished_from_a_missing_one(tmp_path):
-    (tmp_path / "ch04.practice").write_text("nothing")
-    with pytest.raises(PracticeFileError, match="not a practice file"):
-        try_problem("4/12", tmp_path)

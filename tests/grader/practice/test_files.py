@@ -106,10 +106,14 @@ def test_files_of_earlier_formats_are_read(whole, tmp_path, number, missing):
     everything(written(tmp_path / "p", whole | made))
 
 
-def test_a_slip_that_does_what_nobody_knows_is_refused(whole, tmp_path):
+def test_a_slip_of_unknown_effect_and_a_text_without_breaks_are_refused(whole, tmp_path):
     page = json.loads(whole[MEMBER])
     page["slips"][0][-2] = "burns"
     with pytest.raises(PracticeFileError, match="damaged"):
+        everything(written(tmp_path / "p", whole | {MEMBER: json.dumps(page)}))
+    page = json.loads(whole[MEMBER])
+    page["variants"][0]["text"] = "a" * 4_000_000
+    with pytest.raises(PracticeFileError, match="has a text of 4000000 characters"):
         everything(written(tmp_path / "p", whole | {MEMBER: json.dumps(page)}))
 
 
@@ -154,13 +158,6 @@ def test_no_text_of_a_file_is_html_in_a_notebook(whole, tmp_path):
     for shown in (problems, p, p.next_step(), p.next_step()):
         assert "< img" in (text := shown._repr_markdown_()) or "img" not in text
         assert not re.search(r"<[a-z/!]|!\[", text)
-
-
-def test_a_text_that_would_take_minutes_to_break_into_lines_is_refused(whole, tmp_path):
-    page = json.loads(whole[MEMBER])
-    page["variants"][0]["text"] = "a" * 4_000_000
-    with pytest.raises(PracticeFileError, match="has a text of 4000000 characters"):
-        everything(written(tmp_path / "p", whole | {MEMBER: json.dumps(page)}))
 
 
 BOMB = """

@@ -92,12 +92,14 @@ def test_help_starts_afresh_with_each_problem_and_the_table_remembers_it(practic
     assert len([h for h in table[0].split("  ") if h.strip()]) == 7
 
 
-def test_a_missing_step_is_reported_with_the_existing_ones(form, capsys):
+def test_a_missing_step_is_reported_and_no_list_takes_letters(form, capsys):
     _, form = form
     field(form, "step").value = "omega"
     field(form, "its value").value = "1"
     press(form, "Check step")
     assert "4/16 has no step 'omega'; it has omega_CD, v_r" in unescape(capsys.readouterr().out)
+    # JupyterLab takes letters for commands while a list has the focus: R makes the cell raw
+    assert not [w for w in form if isinstance(w, (widgets.Dropdown, widgets.Select))]
 
 
 def test_a_word_is_typed_and_the_words_are_offered(practice_file):
@@ -110,12 +112,6 @@ def test_a_word_is_typed_and_the_words_are_offered(practice_file):
         heading.value = text
         press(form, "Check")
         assert p._found["heading"].verdict == "right", text
-
-
-def test_no_list_takes_letters_from_the_notebook(form):
-    """JupyterLab takes letters for commands while a list has the focus: R makes the cell raw."""
-    _, form = form
-    assert not [w for w in form if isinstance(w, (widgets.Dropdown, widgets.Select))]
 
 
 def test_without_ipywidgets_one_sentence_says_what_to_install(practice_file, monkeypatch):

@@ -17,15 +17,12 @@ def elbow(practice_file):
     return practice(practice_file, progress=None)["4/16"]
 
 
-def test_the_numbers_of_the_book_come_first_and_others_as_often_as_wanted(elbow):
+def test_the_numbers_of_the_book_come_first_and_the_text_has_those_at_hand(elbow):
     book = problem("4/16").book_values
     assert elbow.givens == book
     seen = [elbow.givens] + [elbow.new().givens for _ in range(3)]
     assert seen[0] == seen[3] == book
     assert all(a != b for a, b in pairwise(seen))
-
-
-def test_the_text_has_the_numbers_at_hand(elbow):
     elbow.new()
     for name, x in elbow.givens.items():
         assert f"{name} = {x:.6g}" in repr(elbow)
@@ -33,14 +30,12 @@ def test_the_text_has_the_numbers_at_hand(elbow):
     assert elbow.figure.startswith(b"\x89PNG")
 
 
-def test_right_answers_are_right(elbow):
+def test_right_answers_are_right_in_few_digits_too(elbow):
     assert elbow.check(**BOOK).verdicts == dict.fromkeys(BOOK, "right")
-
-
-def test_answers_by_the_engine_are_right_for_other_numbers(practice_file):
-    for name in ("4/16", "2/18"):
-        p = practice(practice_file, progress=None)[name].new()
-        assert set(p.check(**problem(name).solve(p.givens)).verdicts.values()) == {"right"}
+    output = elbow.check(v_D=[-9.6, 6.255, -3.6])
+    assert output.verdicts == {"v_D": "right"}
+    assert "rounded too early" in output.text
+    assert elbow.check(v_D=[-9.6, 6.24, -3.6]).text == "v_D: right"
 
 
 @pytest.mark.parametrize(("given", "words"), [
@@ -59,21 +54,19 @@ def test_what_is_wrong_with_an_answer_is_reported(elbow, given, words):
     assert "-0.27" not in checked.text
 
 
-def test_an_answer_that_was_rounded_on_the_way_is_right_and_is_reported_as_rounded(elbow):
-    output = elbow.check(v_D=[-9.6, 6.255, -3.6])
-    assert output.verdicts == {"v_D": "right"}
-    assert "rounded too early" in output.text
-    assert elbow.check(v_D=[-9.6, 6.24, -3.6]).text == "v_D: right"
-
-
-def test_the_answer_for_the_books_numbers_is_reported(elbow):
+def test_answers_of_other_numbers_are_right_for_those_and_known_as_the_books(elbow, practice_file):
     assert "the book's numbers" in elbow.new().check(v_D=BOOK["v_D"]).text
+    for name in ("4/16", "2/18"):
+        p = practice(practice_file, progress=None)[name].new()
+        assert set(p.check(**problem(name).solve(p.givens)).verdicts.values()) == {"right"}
 
 
-def test_steps_are_checked_in_any_order(elbow):
+def test_steps_are_checked_in_any_order_and_what_is_right_needs_no_hint(elbow):
     assert elbow.check_step(a_D_coriolis=[-7.482459, 0, 0]).text == "a_D_coriolis: right"
     output = elbow.check_step(omega_CD=[0.45, 0, 0.6])
     assert "the turning of CD with the opposite sign" in output.text
+    elbow.check_step(omega_CD=[-0.45, 0, 0.6])
+    assert "Find v_r" in elbow.next_step().text
 
 
 def test_a_step_that_follows_rightly_from_a_wrong_one_is_reported_as_such(elbow):
@@ -100,11 +93,6 @@ def test_hints_say_where_then_how_then_the_value(elbow):
     assert "-0.45" not in second
     assert "It is [-0.45, 0, 0.6] rad/s" in third
     assert "v_r" in then
-
-
-def test_what_is_right_needs_no_hint(elbow):
-    elbow.check_step(omega_CD=[-0.45, 0, 0.6])
-    assert "Find v_r" in elbow.next_step().text
 
 
 def test_the_solution_has_steps_and_the_ledger_in_the_numbers_at_hand(elbow):
@@ -141,12 +129,14 @@ def test_a_name_that_is_not_asked_for_is_refused_with_those_that_are(elbow, call
         call(elbow)
 
 
-def test_a_problem_in_symbols_is_asked_with_numbers(practice_file):
+def test_a_problem_in_symbols_is_asked_with_numbers_and_a_missing_one_reported(practice_file):
     p = practice(practice_file, progress=None)["4/2"]
     assert set(p.givens) == set(problem("4/2").units)
     d, w, nu, tilt = (p.givens[n] for n in ("d", "omega", "nu", "tilt"))
     assert p.check(speed=math.hypot(nu, d * w * math.sin(tilt))).text == "speed: right"
     assert "sqrt" not in p.solution().text
+    with pytest.raises(PracticeFileError, match="no problem '9/9'; it has 4/1, 4/2"):
+        practice(practice_file, progress=None)["9/9"]
 
 
 def test_first_tries_and_help_are_counted_and_kept(practice_file, tmp_path):
@@ -161,8 +151,3 @@ def test_first_tries_and_help_are_counted_and_kept(practice_file, tmp_path):
     assert counts == {"tried": 2, "right": 2, "at first go": 1, "with help": 1}
     row = next(line for line in repr(again).splitlines() if line.startswith("4/16"))
     assert row.split()[-4:] == ["2", "2", "1", "1"]
-
-
-def test_a_missing_problem_is_reported_with_the_existing_ones(practice_file):
-    with pytest.raises(PracticeFileError, match="no problem '9/9'; it has 4/1, 4/2"):
-        practice(practice_file, progress=None)["9/9"]

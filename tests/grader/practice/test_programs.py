@@ -24,7 +24,7 @@ def test_with_nothing_replaced_every_quantity_is_the_right_one(name):
         assert math.dist(x, right[key]) <= 1e-9 * (math.hypot(*right[key]) or 1), key
 
 
-def test_it_holds_no_formula_in_the_givens():
+def test_a_program_holds_no_formula_in_the_givens_and_computes_what_follows():
     """What depends on the givens alone is a number, so that it gives away no other key."""
     p = problem("4/16")
     data = relations(p, p.book_values)
@@ -32,10 +32,7 @@ def test_it_holds_no_formula_in_the_givens():
     assert "argument" not in {op for op, *_ in data["operations"]}
     one, other = (relations(p, {**p.book_values, "omega": w}) for w in (0.6, 0.7))
     assert one != other
-
-
-def test_what_follows_is_computed_by_the_rest_of_the_solution():
-    """2 omega x v_r about Z, with a student's v_r along Y."""
+    # 2 omega x v_r about Z, with a student's v_r along Y
     p = problem("4/16")
     program = Program(relations(p, p.book_values))
     omega = p.book_values["omega"]

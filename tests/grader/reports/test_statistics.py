@@ -106,12 +106,9 @@ def test_stats_prints_a_table_of_80_columns_and_writes_csv_and_picture(graded, t
     assert ("a_D", MISTAKE, "10") in mistakes
 
 
-def test_nothing_graded_yet_is_reported(graded):
+def test_nothing_graded_and_a_damaged_record_are_reported(graded, tmp_path):
     out = refused(command("stats", "ch05", "--course", graded.path))
     assert "nothing of ch05 has been graded yet; grade first with" in out
-
-
-def test_a_damaged_record_is_reported(tmp_path):
     course = graded_course(tmp_path / "c", students=3)
     course.record_path("ch04", "s01").write_text("{")
     out = refused(command("stats", "ch04", "--course", course.path))

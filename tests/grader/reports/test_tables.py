@@ -23,7 +23,7 @@ CLASS = [
 ]
 
 
-def test_the_table_fits_into_80_columns_and_hides_nothing():
+def test_the_table_fits_into_80_columns_and_sums_up():
     text = printed(gradebook_table(CLASS))
     assert max(map(len, text.splitlines())) <= 80
     together = "".join(text.split())
@@ -32,16 +32,13 @@ def test_the_table_fits_into_80_columns_and_hides_nothing():
         for word in words.split():
             assert word[:10] in together
     assert "2/4" in text
-
-
-def test_the_table_sums_up():
     lines = [" ".join(line.split()) for line in printed(gradebook_table(CLASS)).splitlines()]
     assert "mean 2 50" in lines
     assert "median 2 50" in lines
     assert any(line.startswith("all 6 6 0 0 3 graded, 1 not") for line in lines), lines
 
 
-def test_every_row_without_a_cage_says_so():
+def test_rows_without_a_cage_say_so_and_names_print_no_codes():
     asked = "unsandboxed: asked for"
     # ben handed in nothing that ran, but ada's code ran before
     results = [result("ada", 4, sandbox=asked, note=asked), result("ben", 4)]
@@ -49,9 +46,6 @@ def test_every_row_without_a_cage_says_so():
     assert text.count("unsandboxed") == 2
     assert "asked for" not in text
     assert "unsandboxed" not in printed(gradebook_table([result("ada", 4)]))
-
-
-def test_names_cannot_print_terminal_codes_or_markup():
     hostile = "\x1b[2J[/red]\r\nada 100"
     results = [result(hostile, 1), result("ben", 1)]
     taken = TakeInResult({"ada": hostile}, [("ben", hostile)], [(hostile, "no")])

@@ -69,12 +69,9 @@ def test_a_worked_example_can_be_imported(harvester):
     assert answer(harvester, text + "x = rotor_moment(1000.0, 0.5, 20.0, 100.0)") == 2000.0
 
 
-def test_neither_the_course_nor_other_submissions_are_there(harvester, course):
+def test_neither_course_nor_submissions_nor_key_nor_exchange_are_there(harvester, course):
     places = str(course.path), str(course.path.parent)
     assert answer(harvester, f"import os; x = sum(map(os.path.exists, {places}))") == 0.0
-
-
-def test_nothing_in_the_cage_holds_a_key_or_the_exchange(harvester):
     cell = """
     import os
     x = 0
@@ -118,21 +115,15 @@ def test_the_worker_survives_and_leaves_nothing_running(harvester, what):
     assert wait_until(lambda: descendants() <= before)
 
 
-def test_a_deadline_of_the_cell_is_reported_and_the_next_cell_still_counts(harvester):
+def test_after_a_deadline_of_a_cell_or_notebook_or_its_end_the_other_answers_count(harvester):
     reply = caged(harvester, "while True: pass", "x = 2", seconds=10, cell_seconds=0.5)
     assert "ran longer than 0.5 s" in reply["receipts"]["0/1"]["error"]
     assert reply["receipts"]["0/2"]["answers"] == {"x": 2.0}
-
-
-def test_a_deadline_of_the_notebook_keeps_what_was_read_before(harvester):
     endless = ENDINGS["endless loop that catches everything"]
     reply = caged(harvester, "x = 1", endless, "x = 3", seconds=2, cell_seconds=0.5)
     assert reply["receipts"]["0/1"]["answers"] == {"x": 1.0}
     assert "0/3" not in reply["receipts"]
     assert reply["ended"] == "stopped after 2 s"
-
-
-def test_answers_given_before_the_process_ended_are_kept(harvester):
     assert set(caged(harvester, "x = 1", "import os; os._exit(0)", "x = 3")["receipts"]) == {"0/1"}
 
 

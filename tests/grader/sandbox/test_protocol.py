@@ -16,32 +16,26 @@ from tests.grader.sandbox.test_cage import ENDINGS
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the cage is Linux")
 
 
-def receipts(harvester, cells, **limits):
-    """{problem: its answers, or its error}."""
-    found = run_caged(harvester, cells, **limits)["receipts"]
-    return {number: r["error"] or r["answers"] for number, r in found.items()}
+GIVENS, ANSWER, HARVEST = problem("0/1", "x = 1")
+IN_PLACE = {  # cells, and x of each problem
+    "cells of the student": (
+        [*problem("0/1", "x = a", "a = 1"), own("a = 10\ndef twice(y): return 2 * y"),
+         *problem("0/2", "x = twice(a)")], [1.0, 20.0]
+    ),
+    "a cell between answer and harvest": ([GIVENS, ANSWER, own("x = x + 1"), HARVEST], [2.0]),
+    "givens remove earlier answers": ([*problem("0/1", "x = 1"), *problem("0/2", "")], [1.0, None]),
+    "givens that are repeated": (
+        [*problem("0/1", "x = a", "a = 1"), *problem("0/2", "x = a", "a = 2"),
+         *problem("0/3", "x = a", "a = 1")], [1.0, 2.0, 1.0]
+    ),
+}  # fmt: skip
 
 
-def test_cells_of_the_student_run_in_their_place(harvester):
-    cells = [*problem("0/1", "x = a", "a = 1"), own("a = 10\ndef twice(y): return 2 * y")]
-    cells += problem("0/2", "x = twice(a)")
-    assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": 20.0}}
-
-
-def test_a_cell_between_answer_and_harvest_may_change_the_answer(harvester):
-    givens, answer, harvest = problem("0/1", "x = 1")
-    assert receipts(harvester, [givens, answer, own("x = x + 1"), harvest]) == {"0/1": {"x": 2.0}}
-
-
-def test_the_givens_remove_the_answers_of_an_earlier_problem(harvester):
-    cells = [*problem("0/1", "x = 1"), *problem("0/2", "")]
-    assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": None}}
-
-
-def test_givens_may_be_repeated_and_hold_from_there_on(harvester):
-    ways = [problem(f"0/{n}", "x = a", f"a = {a}") for n, a in enumerate((1, 2, 1), 1)]
-    cells = [cell for way in ways for cell in way]
-    assert receipts(harvester, cells) == {"0/1": {"x": 1.0}, "0/2": {"x": 2.0}, "0/3": {"x": 1.0}}
+@pytest.mark.parametrize("what", IN_PLACE)
+def test_every_cell_runs_in_its_place(harvester, what):
+    cells, expected = IN_PLACE[what]
+    found = run_caged(harvester, cells)["receipts"].values()
+    assert [r["error"] or r["answers"]["x"] for r in found] == expected
 
 
 def test_the_first_error_since_the_givens_is_reported_with_the_answers(harvester):

@@ -31,24 +31,15 @@ def test_a_line_that_is_not_a_receipt_is_skipped_and_the_next_one_is_read(what):
     assert errors == {}
 
 
-def test_the_first_of_two_receipts_counts():
+def test_the_first_of_two_receipts_counts_and_only_what_belongs_to_one_is_kept():
     read, _ = read_lines(RIGHT + b"\n" + RIGHT.replace(b'"x": 1', b'"x": 2'), {"0/1"}, ())
     assert read["0/1"]["answers"] == {"x": 1}
-
-
-def test_only_what_belongs_to_a_receipt_is_kept():
     read, _ = read_lines(b'{"id": "0/1", "answers": {}, "points": 100}', {"0/1"}, ())
     assert read["0/1"] == {"id": "0/1", "answers": {}, "faults": None, "error": None}
-
-
-def test_halves_of_characters_are_replaced_since_no_file_takes_them():
+    # halves of characters are replaced, since no file takes them
     line = b'{"id": "0/1", "answers": {"\\udc80": "\\uD83D\\uDE00"}, "error": "\\udfff"}'
     read, _ = read_lines(line, {"0/1"}, ())
-    assert read["0/1"]["answers"] == {"?": "\U0001f600"}
-    assert read["0/1"]["error"] == "?"
-
-
-def test_errors_of_cells_are_cut_to_a_length():
+    assert (read["0/1"]["answers"], read["0/1"]["error"]) == ({"?": "\U0001f600"}, "?")
     _, errors = read_lines(json.dumps({"name": "own", "error": "e" * 3000}).encode(), (), {"own"})
     assert errors == {"own": "e" * receipts.ERROR_LIMIT}
 

@@ -64,8 +64,8 @@ NUMBERS = {
     "SymPy Max": lambda x: sympy.Max(x, x - 1),
     "SymPy sign": lambda x: sympy.sign(x) * sympy.Abs(x),
     "SymPy exponentials of i": lambda x: x * sympy.exp(I * PI / 5) * sympy.exp(-I * PI / 5),
-    "SymPy cosine by exponentials": lambda x: x * (
-        sympy.cos(PI / 7).rewrite(sympy.exp) / sympy.cos(PI / 7)
+    "SymPy cosine by exponentials": lambda x: (
+        x * (sympy.cos(PI / 7).rewrite(sympy.exp) / sympy.cos(PI / 7))
     ),
     "SymPy unevaluated": lambda x: sympy.UnevaluatedExpr(sympy.Float(x)),
     "SymPy with I*I": lambda x: -x * I * I,
@@ -83,7 +83,7 @@ NUMBERS = {
     "moving": lambda x: moving(x, rate=3.0),
     "moving with acceleration": lambda x: moving(x, rate=3.0, acceleration=-1.0),
     "three figures": significant(3),
-}  # fmt: skip
+}
 
 
 # -- a vector, from three floats
@@ -126,7 +126,7 @@ CONTAINERS = {
     "Vector of a lone frame": lambda v: LONE.vector(*v),
     "sum of unit Vectors": lambda v: v[0] * GROUND.i + v[1] * GROUND.j + v[2] * GROUND.k,
     "position of a Point": lambda v: GROUND.point("P", *v).position(GROUND),
-}  # fmt: skip
+}
 
 VECTORS = {
     **CONTAINERS,
@@ -306,13 +306,12 @@ VECTORS_OF_FORMULAS = {
     "matrix with an unevaluated derivative": lambda v, s: sympy.Derivative(sympy.Matrix(v) * t, t),
     "matrix times a scalar": lambda v, s: s * (sympy.Matrix(v) / s),
     "array times a scalar": lambda v, s: s * (np.array(v) / s),
-    "cross product of matrices": lambda v, s: sympy.Matrix([1, 0, 0]).cross(
-        sympy.Matrix([0, v[2], -v[1]])
-    )
-    + sympy.Matrix([v[0], 0, 0]),
+    "cross product of matrices": lambda v, s: (
+        sympy.Matrix([1, 0, 0]).cross(sympy.Matrix([0, v[2], -v[1]])) + sympy.Matrix([v[0], 0, 0])
+    ),
     "turned Vector": lambda v, s: GROUND.vector(*v).expressed_in(
         GROUND.rotate("arm", "z", angle=s, rate=1)
     ),
     "moving Vector": lambda v, s: GROUND.vector(*(moving(e, rate=s) for e in v)),
     "turned array": lambda v, s: sympy.rot_axis3(s).T * (sympy.rot_axis3(s) * sympy.Matrix(v)),
-}  # fmt: skip
+}

@@ -179,14 +179,11 @@ def test_terms_are_named_in_the_words_of_the_problem():
     assert term_text("u''", equation("curvilinear acceleration")) == "the term u''"
 
 
-def test_the_origin_of_the_frame_is_not_taken_for_a_point_b_of_the_problem():
+def test_neither_an_origin_nor_a_frame_without_a_name_is_named():
     for kind in ("velocity", "acceleration"):
         text = term_text("origin", equation(kind))
         assert text == f"the {kind} of the origin of the moving frame"
-
-
-def test_a_frame_that_the_problem_does_not_name_is_not_named():
-    """4/3 speaks of a base and two arms, its solution of a house and a boom."""
+    # 4/3 speaks of a base and two arms, its solution of a house and a boom
     output = [c.text for c, _ in Numbers(problem("4/3"), problem("4/3").book_values).wrong("a")]
     assert not [t for t in output if "house" in t or "boom" in t]
     assert any("another frame" in t for t in output)

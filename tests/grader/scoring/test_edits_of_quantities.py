@@ -157,7 +157,7 @@ def test_a_quantity_is_turned_doubled_and_left_out_even_where_the_trace_moved_it
         assert "the second rate" in found
 
 
-def test_terms_that_are_zero_for_everyone_and_roots_of_squares_are_written_as_a_student_does():
+def test_terms_are_written_as_a_student_does_and_a_sum_squared_once():
     a, b = arguments("ab").values()
     nothing = a.trace.new("-", a, a)
     length = a.trace.new("sqrt", a.trace.new("+", a * a, nothing * nothing))
@@ -165,9 +165,6 @@ def test_terms_that_are_zero_for_everyone_and_roots_of_squares_are_written_as_a_
     assert typed(abs_of(-2 * a - b) - b) == "2*a"
     assert typed(abs_of(-2 * a - b) * a) == "(2*a + b)*a"
     assert typed(abs_of(a - b)) == "(a - b)"
-
-
-def test_the_square_of_a_sum_is_written_once_and_a_1_is_not_looked_up():
     area = lambda a, b, k: k * (a - b) * (a - b) + (1 - k) * a * a
     found = texts(perturbed({"a": "m", "b": "m", "k": "1"}, {"x": ("m^2", area)}))
     assert any(words.startswith("has the term b with the opposite sign:") for words in found)
@@ -175,12 +172,9 @@ def test_the_square_of_a_sum_is_written_once_and_a_1_is_not_looked_up():
     assert not [words for words in found if "for the 1 of" in words]
 
 
-def test_a_zero_from_the_structure_of_a_formula_is_taken_as_a_number():
-    assert not Product(ZERO).is_exact
-
-
-def test_a_symbol_is_taken_for_a_symbol_and_a_number_for_a_number():
+def test_symbols_are_taken_for_symbols_and_zeros_of_the_structure_for_numbers():
     units, formula = dict.fromkeys(("a", "b", "c", "d"), "m"), lambda a, c, **_: a * c
     found = texts(perturbed(units, {"x": ("m^2", formula)}, symbols=("a", "b")))
     pairs = [re.match(r"takes ([abcd]) for ([abcd])\b", str(text)) for text in found]
     assert {pair.groups() for pair in pairs if pair} == {("b", "a"), ("d", "c")}
+    assert not Product(ZERO).is_exact

@@ -37,20 +37,14 @@ def robot(size, **sheet):
 SIZE = float(np.linalg.norm(wrong_acceleration()))
 
 
-def test_without_a_share_it_earns_nothing_and_is_reported():
+def test_what_follows_is_reported_and_earns_the_share_of_instructor_or_exercise():
     part = robot(SIZE)
     assert (part.points, part.verdict) == (0, "wrong")
     assert part.message == "not right; it follows from your a"
     assert part.diagnosis == "follows from a wrong a"
-
-
-def test_the_instructors_share_is_earned_and_reported():
     part = robot(SIZE, points=8, follow_through=0.75)
     assert (part.points, part.out_of) == (3, 4)
     assert part.message == "not right; it follows from your a, which earns 3 of 4"
-
-
-def test_the_exercise_may_say_the_share_of_each_answer():
     answers = tuple(replace(a, follow_through=0.5) for a in ROBOT.answers)
     p = replace(ROBOT, answers=answers)
     given = {"a": wrong_acceleration(), "acc_mag": SIZE}
@@ -58,18 +52,15 @@ def test_the_exercise_may_say_the_share_of_each_answer():
     assert judged(p, VALUES, given, follow_through=0)["acc_mag"].points == 0
 
 
-def test_answers_for_the_books_numbers_earn_nothing_by_following():
+def test_answers_in_another_unit_follow_and_the_books_earn_nothing():
+    mm = {"a": [1000 * x for x in wrong_acceleration()], "acc_mag": 1000 * SIZE}
+    asked = {"a": "vector, mm/s^2", "acc_mag": "number, mm/s^2"}
+    assert judged(ROBOT, VALUES, mm, asked=asked, follow_through=0.5)["acc_mag"].points == 0.5
     book = numbers_of(ROBOT, ROBOT.book_values).key
     given = {"a": list(book["a"][0]), "acc_mag": book["acc_mag"][0][0]}
     parts = judged(ROBOT, VALUES, given, follow_through=1)
     assert [part.points for part in parts.values()] == [0, 0]
     assert "the answer for the book's numbers" in parts["acc_mag"].message
-
-
-def test_an_answer_in_another_unit_of_the_sheet_follows_too():
-    mm = {"a": [1000 * x for x in wrong_acceleration()], "acc_mag": 1000 * SIZE}
-    asked = {"a": "vector, mm/s^2", "acc_mag": "number, mm/s^2"}
-    assert judged(ROBOT, VALUES, mm, asked=asked, follow_through=0.5)["acc_mag"].points == 0.5
 
 
 @pytest.mark.parametrize("share", [-0.1, 1.1, "half", float("nan")])

@@ -48,32 +48,26 @@ def test_a_formula_is_compared_at_the_same_points_for_everyone():
     assert all((sample[n] == again[n]).all() and len(sample[n]) == POINTS for n in sample)
 
 
-def test_an_imaginary_part_is_not_dropped():
+def test_an_imaginary_part_is_not_dropped_and_a_number_beside_formulas_is_one_number():
     trick = ["+", SPEED, ["*", 5.0, ["^", -1.0, 0.5]]]
     assert judged(problem("4/2"), {"speed": trick})["speed"].verdict == "unreadable"
-
-
-def test_a_formula_of_more_operations_than_a_receipt_may_have_is_not_read():
-    padded = ["+", SPEED, *[["*", 0, OMEGA] for _ in range(NODES // 3)]]
-    part = judged(problem("4/2"), {"speed": padded})["speed"]
-    assert (part.points, part.verdict) == (0, "unreadable")
-    assert "more than 5000 operations" in part.message
-
-
-def test_all_formulas_of_a_receipt_share_the_operations():
-    half = ["+", SPEED, *[["*", 0, OMEGA] for _ in range(NODES // 5)]]
-    parts = judged(problem("4/2"), {"speed": half, "acc_mag": half})
-    assert [part.verdict for part in parts.values()] == ["right", "unreadable"]
-
-
-def test_a_number_beside_formulas_is_one_number():
-    """Not one for each point at which the formulas are compared."""
+    # not one for each point at which the formulas are compared
     p = problem("A/9")
     answers = {"dudt": [["*", 4, "t"], ["*", 6, "t"], ["+", ["*", 2, "t"], -1]]}
     parts = score_receipt(p, p.book_values, {"answers": {**answers, "dudt_1": [8, 12, 3]}}).parts
     assert [x.verdict for x in parts] == ["right", "right"]
     wrong = score_receipt(p, p.book_values, {"answers": {"dudt_1": [8, 11, 3]}}).parts[1]
     assert wrong.diagnosis.startswith("keeps the constant along j")
+
+
+def test_formulas_have_their_operations_together_and_each():
+    padded = ["+", SPEED, *[["*", 0, OMEGA] for _ in range(NODES // 3)]]
+    part = judged(problem("4/2"), {"speed": padded})["speed"]
+    assert (part.points, part.verdict) == (0, "unreadable")
+    assert "more than 5000 operations" in part.message
+    half = ["+", SPEED, *[["*", 0, OMEGA] for _ in range(NODES // 5)]]
+    parts = judged(problem("4/2"), {"speed": half, "acc_mag": half})
+    assert [part.verdict for part in parts.values()] == ["right", "unreadable"]
 
 
 @pytest.mark.parametrize(("x", "silent"), [(10.4, True), (10.4173, False)])

@@ -63,23 +63,16 @@ def test_a_problems_code_runs_once_for_a_whole_class(forget, monkeypatch):
     assert 0 < first == len(calls)
 
 
-def test_a_problem_without_givens_has_the_same_numbers_for_all():
+def test_a_problem_without_givens_has_the_same_numbers_for_all_with_the_tolerance_of_the_sheet():
     assert numbers_of(problem("4/2"), {}) is numbers_of(problem("4/2"), {})
-
-
-def test_the_numbers_of_a_problem_without_givens_have_the_tolerance_of_the_sheet():
     p = with_tolerance(problem("4/2"), 0.1)
     assert {a.rtol for a in numbers_of(p, {}).answers} == {0.1}
 
 
-def test_numbers_that_the_sheet_does_not_have_are_named():
-    values = draw(problem("4/16"), b"any")
-    with pytest.raises(ScoreError, match="no number for omega, b, which problem 4/16 gives today"):
-        Numbers(problem("4/16"), {n: x for n, x in values.items() if n not in ("omega", "b")})
-
-
-def test_numbers_that_the_problem_no_longer_gives_are_left_alone():
+def test_numbers_that_the_sheet_does_not_have_are_named_and_those_of_before_left_alone():
     p, values = problem("4/16"), draw(problem("4/16"), b"any")
+    with pytest.raises(ScoreError, match="no number for omega, b, which problem 4/16 gives today"):
+        Numbers(p, {n: x for n, x in values.items() if n not in ("omega", "b")})
     assert Numbers(p, {**values, "gone": 1}).key == Numbers(p, values).key
 
 

@@ -3,6 +3,7 @@
 import itertools
 import math
 import random
+import re
 
 import pytest
 
@@ -10,6 +11,7 @@ from grader.scoring.slips.edits_of_equations import SLIPS, solution
 from newton_euler import cos, sin, sqrt
 from newton_euler.algebra.linear import Solved, solve_rates, solved_equations
 from newton_euler.algebra.units import SI, unit
+from newton_euler.answers.kinds import Kind
 from newton_euler.answers.near import NO_SLIPS
 from tests.grader.scoring.traced import named_causes, perturbed, texts
 
@@ -76,12 +78,19 @@ def said(units, unit, formula, **more):
     return " | ".join(texts(perturbed(units, {"x": (unit, formula)}, **more)))
 
 
-def test_a_step_that_is_the_same_for_everyone_has_no_slips():
+def test_slips_are_those_of_what_a_student_would_write():
     """Such as the quarter turn of the axes in which the code writes an angle."""
     turned = lambda a, c: a * sin(a.trace.step("pi") / 2) + c
     found = said({"a": "m", "c": "m"}, "m", turned)
     assert "takes c for a" in found
     assert "pi" not in found
+    whole = lambda rho, a, c: rho * a * a + rho * c * c * c / a
+    found = said({"rho": "kg/m^2", "a": "m", "c": "m"}, "kg", whole)
+    assert "leaves out rho, in one place" not in found
+    assert "leaves out the term" in found
+    found = said({"m": "kg", "a": "m"}, "kg*m^2", lambda m, a: m * a * (2 * a - a))
+    assert "2*a" not in found
+    assert "does not square a of m*a^2" in found
 
 
 def test_terms_have_the_names_of_quantities_that_the_text_knows():
@@ -101,13 +110,6 @@ def test_a_slip_in_one_of_several_uses_is_less_simple_than_one_in_all():
     everywhere = next(r for x, r in ranks.items() if x.startswith("converts v"))
     in_one = next(r for x, r in ranks.items() if "without converting" in x and "in one" in x)
     assert everywhere // 2 < in_one // 2
-
-
-def test_a_given_left_out_of_one_product_leaves_out_the_product():
-    whole = lambda rho, a, c: rho * a * a + rho * c * c * c / a
-    found = said({"rho": "kg/m^2", "a": "m", "c": "m"}, "kg", whole)
-    assert "leaves out rho, in one place" not in found
-    assert "leaves out the term" in found
 
 
 LENGTHS = {"a": "m", "c": "m", "k": "s"}
@@ -163,15 +165,13 @@ def test_random_numbers_are_rarely_named(slips):
     assert sum(bool(named(slips, k, float(f"{x:.4g}"))) for k, x in tries) <= 20
 
 
-def test_in_few_digits_a_number_meets_a_slip_by_chance_and_is_not_named(slips):
+def test_nothing_is_named_in_a_right_answer_in_few_digits_or_without_a_computation(slips):
+    for key, f in FORMULAS.items():
+        assert not named(slips, key, float(f(**GIVEN)))
     wrong = math.sqrt(g * s * math.cos(alpha))
     assert "factor 2" in named(slips, "u", round(wrong, 4))
     assert not named(slips, "u", round(wrong, 1))
-
-
-def test_a_right_answer_has_no_slip(slips):
-    for key, f in FORMULAS.items():
-        assert not named(slips, key, float(f(**GIVEN)))
+    assert not named(NO_SLIPS, "E", 1.0)
 
 
 def test_each_entry_of_equations_that_are_solved_together_is_turned_left_out_doubled_and_halved():
@@ -187,23 +187,39 @@ def test_each_entry_of_equations_that_are_solved_together_is_turned_left_out_dou
         np.testing.assert_allclose(found, expected, rtol=1e-9)
 
 
-def test_without_a_computation_nothing_is_named():
-    assert not named(NO_SLIPS, "E", 1.0)
-
-
-def test_no_slip_is_named_in_a_sum_that_nobody_writes():
-    found = said({"m": "kg", "a": "m"}, "kg*m^2", lambda m, a: m * a * (2 * a - a))
-    assert "2*a" not in found
-    assert "does not square a of m*a^2" in found
-
-
 def test_a_given_may_be_handed_back_and_a_vector_turned():
     lengths = dict.fromkeys(["p", "q", "x", "y"], "m") | {"s": "1"}
     assert said(lengths, "m", lambda p, q, **_: p - 2 * q).startswith("takes p alone for x")
     found = said(lengths, "m", lambda p, q, x, y, s: [p + s * x, q + s * y, p + s * y])
     assert "takes x, y and y with the opposite sign" not in found
-    found = said(lengths, "m", lambda p, q, x, y, s: [p + s * x, q + s * y])
+    found = said(lengths, "m", lambda p, q, x, y, s: [p + s * x, q + s * y, 0.0])
     assert "takes p and q with the opposite sign" in found
+
+
+class Roots(Kind):
+    """Three numbers that are no vector."""
+
+    name = "roots"
+    shape = (3,)
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        lambda a, b, c, s: [a * s - b * c, b * s - c * a, c * s - a * b],
+        lambda a, b, c, s: [a + s * b, b + s * c, c + s * a],
+        lambda a, b, c, s: [s * a, s * b, s * c],
+    ],
+)
+def test_three_numbers_that_are_no_vector_are_told_about_none(formula):
+    """As an answer, and on the way to a number."""
+    of_vectors = re.compile("component|vector|magnitude of")
+    units, way = dict.fromkeys("abcs", "1"), {"the way": formula}
+    on_the_way = {"x": ("1", lambda **given: sum(x * x for x in formula(**given)))}
+    for answers, ways in ({"x": ("1", formula)}, {}), (on_the_way, way):
+        found = texts(perturbed(units, answers, ways=ways, kind=Roots()))
+        assert [x for x in found if of_vectors.search(x)] == []
+        assert any(map(of_vectors.search, texts(perturbed(units, answers, ways=ways))))
 
 
 def test_a_given_or_symbol_stands_for_another_of_its_kind_or_for_its_rate():

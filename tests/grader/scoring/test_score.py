@@ -25,20 +25,18 @@ def test_a_vector_is_right_if_its_components_in_the_ground_are():
     assert judged(problem("4/16"), {"a_D": many})["a_D"].verdict == "unreadable"
 
 
-def test_a_fault_makes_its_part_unreadable_and_leaves_the_others():
+def test_faults_and_errors_of_the_cell_leave_the_other_parts():
     p = problem("4/16")
     receipt = {"answers": key(p), "faults": {"v_D": "expected a vector"}}
     result = score_receipt(p, VALUES["4/16"], receipt)
     assert [part.verdict for part in result.parts] == ["right", "unreadable", "right"]
     assert result.points == 2
-
-
-def test_an_error_in_the_cell_is_reported_once_for_the_problem():
     error = "ZeroDivisionError, line 3: float division by zero"
     result = score_receipt(
         problem("4/1"), VALUES["4/1"], {"error": error}, note="a copy was graded"
     )
     assert result.note == f"a copy was graded; the cell stopped with {error}"
+    assert judged(problem("4/16"), {"a_D": [0.0, 0.0, 5e-324]})["a_D"].verdict == "wrong"
 
 
 # -- junk
@@ -102,10 +100,6 @@ def test_junk_earns_nothing_and_every_part_is_judged(name):
                 and part.message.isprintable()
                 for part in result.parts
             )
-
-
-def test_the_smallest_float_is_wrong_although_it_has_no_half():
-    assert judged(problem("4/16"), {"a_D": [0.0, 0.0, 5e-324]})["a_D"].verdict == "wrong"
 
 
 def test_messages_hold_no_key_and_nothing_unprintable():

@@ -29,34 +29,28 @@ def test_all_right_earns_what_the_cell_is_worth_and_never_more(points):
     assert earned(key(), points=points)[:2] == (points, points)
 
 
-def test_one_right_of_three_earns_a_third():
+def test_one_right_of_three_earns_a_third_and_without_points_each_is_worth_one():
     assert earned({"v_D": key()["v_D"]}, points=9) == (3, 9, [(0, 3), (3, 3), (0, 3)])
-
-
-def test_without_points_each_part_is_worth_one():
     assert earned(key())[2] == [(1, 1)] * 3
 
 
-def test_weights_share_the_points_among_the_parts():
+def test_weights_share_the_points_and_may_be_zero_or_those_of_the_exercise():
     weights = {"alpha_CD": 1, "v_D": 2, "a_D": 3}
     assert earned(key(), points=12, weights=weights)[2] == [(2, 2), (4, 4), (6, 6)]
     assert earned(key(), weights={"a_D": 4})[2] == [(0.5, 0.5), (0.5, 0.5), (2, 2)]
-
-
-def test_the_exercise_says_the_weights_and_an_instructor_may_say_others():
+    assert earned(key(), points=4, weights={"alpha_CD": 0})[2] == [(0, 0), (2, 2), (2, 2)]
+    assert earned(key(), points=4, weights=dict.fromkeys(key(), 0))[:2] == (0, 0)
     answers = tuple(replace(a, weight=3.0 if a.key == "a_D" else 1.0) for a in ELBOW.answers)
     p = replace(ELBOW, answers=answers)
     assert earned(key(), p, points=10)[2] == [(2, 2), (2, 2), (6, 6)]
     assert earned(key(), p, points=10, weights={"a_D": 0.5})[2] == [(4, 4), (4, 4), (2, 2)]
 
 
-def test_all_of_a_part_may_be_earned_by_what_follows():
+def test_what_follows_may_earn_all_and_what_the_sheet_did_not_ask_for_nothing():
     assert earned(key(), points=3, follow_through=1)[0] == 3
-
-
-def test_a_part_may_weigh_nothing():
-    assert earned(key(), points=4, weights={"alpha_CD": 0})[2] == [(0, 0), (2, 2), (2, 2)]
-    assert earned(key(), points=4, weights=dict.fromkeys(key(), 0))[:2] == (0, 0)
+    asked = {"a_D": "vector, mm/s^2", "v_D": "vector, mm/s"}
+    score = score_receipt(ELBOW, VALUES, {"answers": key()}, asked=asked)
+    assert [(part.key, part.points) for part in score.parts] == [("a_D", 1), ("v_D", 1)]
 
 
 @pytest.mark.parametrize(("sheet", "message"), [
@@ -88,9 +82,3 @@ def test_a_formula_is_scored_in_the_unit_that_the_sheet_asked_for():
     p = problem("4/2")
     speed = ["*", 1000, key(p, {})["speed"]]
     assert earned({"speed": speed}, p, {}, asked={"speed": "expression, mm/s"})[:2] == (1, 1)
-
-
-def test_what_the_sheet_did_not_ask_for_is_not_scored():
-    asked = {"a_D": "vector, mm/s^2", "v_D": "vector, mm/s"}
-    score = score_receipt(ELBOW, VALUES, {"answers": key()}, asked=asked)
-    assert [(part.key, part.points) for part in score.parts] == [("a_D", 1), ("v_D", 1)]

@@ -208,16 +208,13 @@ def test_two_listed_mistakes_at_once_are_both_named():
     assert found["named"] >= 0.78 * sum(found.values())
 
 
-def test_rates_added_as_numbers_are_reported():
+def test_rates_added_are_reported_and_the_unexplained_described_without_the_key():
     p = problem("4/28")
     values = draw(p, b"rates")
     (omega,) = numbers_of(p, values).key["omega_panel"]
     given = [0.0, 0.0, sum(map(abs, omega))]
     (part, *_) = score_receipt(p, values, {"answers": {"omega_panel": given}}).parts
     assert part.causes == (AS_SCALARS,)
-
-
-def test_an_unexplained_answer_is_described_and_the_key_is_not_revealed():
     p = problem("4/16")
     values = draw(p, b"described")
     (right,) = numbers_of(p, values).key["v_D"]

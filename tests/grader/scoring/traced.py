@@ -14,10 +14,12 @@ def arguments(names):
     return {n: trace.new("argument", n) for n in names}
 
 
-def perturbed(units, answers, values=None, ways=None, systems=lambda **_: (), symbols=()):
+def perturbed(
+    units, answers, values=None, ways=None, systems=lambda **_: (), symbols=(), kind=KINDS["vector"]
+):
     """The slips in ``answers``, {key: (unit, formula of the arguments)}, in what is computed on the
     ``ways``, {words: formula}, and in the equations that ``systems`` returns; the ``values`` of the
-    arguments are 1.3, 2.3 … if there are no others.
+    arguments are 1.3, 2.3 … if there are no others. Three numbers are of the ``kind``.
     """
     given = arguments(units)
 
@@ -25,8 +27,11 @@ def perturbed(units, answers, values=None, ways=None, systems=lambda **_: (), sy
         found = formula(**given)
         return [*found] if isinstance(found, list | tuple) else [found]
 
-    traced = {key: TracedAnswer(parts(f), unit) for key, (unit, f) in answers.items()}
-    stages = [Intermediate(words, "", parts(f), words) for words, f in (ways or {}).items()]
+    of = lambda found: kind if len(found) == 3 else KINDS["number"]
+    found = {key: (parts(f), unit) for key, (unit, f) in answers.items()}
+    traced = {key: TracedAnswer(x, unit, of(x)) for key, (x, unit) in found.items()}
+    way = {words: parts(f) for words, f in (ways or {}).items()}
+    stages = [Intermediate(words, "", x, of(x), words) for words, x in way.items()]
     more = {"systems": systems(**given), "symbols": symbols, "given": given}
     formulas = Formulas(traced, units, SI, stages, **more)
     return Perturbed(Computation(formulas), values or {n: 1.3 + k for k, n in enumerate(units)})

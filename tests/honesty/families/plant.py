@@ -32,10 +32,7 @@ def engine_with_a_peak_of_pressure(rng):
     load, wide = loss * w0**2 / 2 / (2 * math.pi), 1 / math.sqrt(K)
     kick = load * 2 * math.pi * rng.uniform(0.5, 1.5)
     parameters = {"M": kick / (wide * math.sqrt(2 * math.pi)), "K": K, "a0": a0, "L": load}
-
-    def rates(s, p, t):
-        return s.w, p.M * exp(p.K * (cos(s.a - p.a0) - 1)) - p.L
-
+    rates = lambda s, p, t: (s.w, p.M * exp(p.K * (cos(s.a - p.a0) - 1)) - p.L)
     # the time of each peak, by the flywheel's energy between the peaks
     knots, t, v2 = [], 0.0, w0**2
     for a in (a0 + 2 * math.pi * n for n in range(turns)):

@@ -47,9 +47,6 @@ def car_on_a_measured_road(rng):
     height = table(places, heights, "linear", "hold")
     n = rng.uniform(5.0, 15.0)
     parameters = {"k": n * n, "c": 2 * n * rng.uniform(0.1, 0.5), "r": rng.uniform(0.0, 0.05)}
-
-    def accelerations(s, p, t):
-        return -p.r * s.dx, -p.k * (s.z - height(s.x)) - p.c * s.dz
-
+    accelerations = lambda s, p, t: (-p.r * s.dx, -p.k * (s.z - height(s.x)) - p.c * s.dz)
     T = rng.uniform(1.2, 2.0) * (hole + 5.0) / v
     return by_accelerations(accelerations, parameters, "x z", T, (0.0, 0.0, v, 0.0))

@@ -52,9 +52,7 @@ def gate_that_opens_twice(rng):
     half = math.acos(1 - d) / n
     parameters = {"n": n, "edge": 1 - d, "c": c, "A": rng.uniform(0.3, 2.0) / half}
     parameters["phase"] = rng.uniform(0.5, 2.5)
-
-    def rates(s, p, t):
-        return (where(cos(p.n * t + p.phase) > p.edge, p.A, 0.0) - p.c * s.m,)
+    rates = lambda s, p, t: (where(cos(p.n * t + p.phase) > p.edge, p.A, 0.0) - p.c * s.m,)
 
     def exact(mp, s, p, t):
         m, half = s.m * mp.exp(-p.c * t), mp.acos(p.edge) / p.n

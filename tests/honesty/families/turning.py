@@ -18,9 +18,7 @@ def _counted(rng, argument, way, exact, start, T, **parameters):
     """
     parameters |= {"A": rng.uniform(0.5, 2.0) / parameters["w"]}
     q0 = rng.choice((0.0, 1.0))
-
-    def rates(s, p, t):
-        return *way(s, p, t), where(argument(s, p, t) > 0, p.A, 0.0)
+    rates = lambda s, p, t: (*way(s, p, t), where(argument(s, p, t) > 0, p.A, 0.0))
 
     def whole(mp, s, p, t):
         *states, inside = exact(mp, s, p, t)
@@ -219,10 +217,7 @@ def flash_of_a_lighthouse(rng):
     """A boat is lit in each turn of the lamp for a short time."""
     n, w = rng.values((2.0, 10.0), Log(1e-4, 1e-1))
     parameters = {"n": n, "w": w, "at": rng.uniform(1.0, 5.0), "A": n / w}
-
-    def rates(s, p, t):
-        return p.n, where(cos(s.x - p.at) > p.c, p.A, 0.0)
-
+    rates = lambda s, p, t: (p.n, where(cos(s.x - p.at) > p.c, p.A, 0.0))
     parameters["c"] = math.cos(w)
 
     def exact(mp, s, p, t):
@@ -243,9 +238,7 @@ def flash_of_a_lighthouse(rng):
 def heater_that_is_switched_on(rng):
     """Nothing is warm before a switch: heat, then a second body, then the angle of a pointer."""
     v, c, a, k = rng.values((0.5, 3.0), (3.0, 7.0), Log(1e-6, 1e3), (0.1, 2.0))
-
-    def rates(s, p, t):
-        return p.v, where(s.x > p.c, p.a, 0.0), p.k * s.q, s.r
+    rates = lambda s, p, t: (p.v, where(s.x > p.c, p.a, 0.0), p.k * s.q, s.r)
 
     def exact(mp, s, p, t):
         on = max(t - p.c / mp.mpf(p.v), mp.mpf(0))

@@ -127,9 +127,7 @@ def trolley_over_a_smooth_step(rng):
     w, E, L = rng.values(Log(1e-6, 1e-1), (1.0, 10.0), (1.0, 10.0))
     V = E * rng.choice((-1.0, 1.0)) * rng.uniform(0.1, 0.9)
     parameters = {"F": V / 2 / w, "w": w}
-
-    def rates(s, p, t):
-        return s.v, -p.F * (1 - tanh(s.x / p.w) ** 2)
+    rates = lambda s, p, t: (s.v, -p.F * (1 - tanh(s.x / p.w) ** 2))
 
     def exact(mp, s, p, t):
         """The time to a position is a sum of logarithms; the position by Newton's method."""

@@ -129,8 +129,7 @@ def model_rocket(rng):
     def rates(s, p, t):
         return s.v, (p.thrust - p.c * s.v * sqrt(s.v * s.v)) / s.m - p.g, -p.thrust / p.u
 
-    def thrust(s, p, t):
-        return where(t < p.ta, p.F1, where(t < p.tb, p.F2, 0.0))
+    thrust = lambda s, p, t: where(t < p.ta, p.F1, where(t < p.tb, p.F2, 0.0))
 
     def written(s, p, t):
         F = thrust(s, p, t)

@@ -102,10 +102,7 @@ def circle_in_polar_coordinates(rng):
     """A circular orbit in polar coordinates: the radius and its rate stay, the angle increases."""
     h = 2.0 ** rng.randint(-3, 3)
     exact = lambda mp, s, p, t: (s.r, s.phi + p.h / (s.r * s.r) * t, s.dr)
-
-    def rates(s, p, t):
-        return s.dr, p.h / (s.r * s.r), p.h * p.h / s.r**3 - p.GM / (s.r * s.r)
-
+    rates = lambda s, p, t: (s.dr, p.h / (s.r * s.r), p.h * p.h / s.r**3 - p.GM / (s.r * s.r))
     T = h**3 * rng.decades(3.0, 1e3)
     return by_rates(rates, {"h": h, "GM": 1.0}, "r phi dr", T, (h * h, 0.0, 0.0), exact=exact)
 

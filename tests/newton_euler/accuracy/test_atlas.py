@@ -18,7 +18,7 @@ def page(tmp_path_factory):
     return write_atlas(tmp_path_factory.mktemp("atlas"), NAMES, quick=True)
 
 
-def test_every_picture_of_the_page_is_beside_it_and_has_an_alt_text(page):
+def test_pictures_captions_and_numbers_are_on_the_page_by_question(page):
     text = page.read_text(encoding="utf-8")
     pictures = re.findall(r'<img src="(.+?)" alt="(.+?)"', text, re.S)
     names = "models-of-top", "map-of-steady-precession", "steady-precession"
@@ -26,22 +26,17 @@ def test_every_picture_of_the_page_is_beside_it_and_has_an_alt_text(page):
     for name, alt in pictures:
         assert (page.parent / name).stat().st_size > 10_000
         assert len(alt.split()) > 15
-
-
-def test_the_page_is_grouped_by_question_with_links_that_lead_somewhere(page):
     text = page.read_text(encoding="utf-8")
     questions = re.findall(r"<section><h2>(.+?)</h2>", text)
     assert questions == ["Which model?", "Where does it change?", "When does it fail?"]
     links, places = re.findall(r'href="#(.+?)"', text), re.findall(r'id="(.+?)"', text)
     assert sorted(links) == sorted(places)
     assert len(places) == len(NAMES)
-
-
-def test_captions_and_numbers_are_on_the_page_which_needs_no_network(page):
     text = page.read_text(encoding="utf-8")
     assert not re.search(r"https?://|<script|@import", text)
     assert text.count("<figcaption>") == text.count("<summary>Numbers</summary>") == len(NAMES)
     assert "the smallest model is" in text
+    assert {chart.question for chart in charts().values()} == set(ANSWERS)
 
 
 def test_a_chart_that_cannot_be_made_is_reported_and_the_others_are_drawn(tmp_path, monkeypatch):
@@ -54,10 +49,6 @@ def test_a_chart_that_cannot_be_made_is_reported_and_the_others_are_drawn(tmp_pa
     text = write_atlas(tmp_path, quick=True).read_text(encoding="utf-8")
     assert "Not drawn: heyoka is missing" in text
     assert "steady-precession.png" in text
-
-
-def test_every_chart_answers_one_of_the_questions_and_each_question_has_charts():
-    assert {chart.question for chart in charts().values()} == set(ANSWERS)
 
 
 def test_the_command_writes_the_page_of_all_charts(tmp_path, monkeypatch, capsys):

@@ -26,7 +26,7 @@ def run(*arguments):
     return end.value.code
 
 
-def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
+def test_the_command_lists_and_explains_all_charts_and_refuses_unknown_names(capsys, tmp_path):
     assert run("--list") == 0
     output = capsys.readouterr().out
     names = list(charts())
@@ -34,17 +34,16 @@ def test_the_command_lists_all_charts_and_their_names_are_unique(capsys):
     made = [f"models of {n}" for n in LADDERS] + [f"map of {n}" for n in MAPS]
     assert set(names) == {*SCENES, *COMPARISONS, *made}
     assert all(f"  {name} " in output for name in names)
-
-
-def test_an_unknown_name_is_refused_with_the_list(capsys, tmp_path):
+    assert run("honesty", "--help") == 0
+    output = capsys.readouterr().out
+    assert all(word in output for word in ("met %", "covers %", "est/true", "ring", "cross"))
+    assert run("--list") == 0
+    assert "honesty --help" in capsys.readouterr().out
     assert run("top", "topp", "--out", str(tmp_path)) == 2
     output = capsys.readouterr()
     assert "no chart 'topp'. Did you mean 'top'?" in output.err
     assert "models of projectile" in output.err
     assert not list(tmp_path.iterdir())
-
-
-def test_with_models_only_ladders_are_known(capsys):
     assert run("pendulum of Foucault", "--models") == 2
     assert "no chart 'pendulum of Foucault'" in capsys.readouterr().err
 
@@ -114,11 +113,3 @@ def test_the_command_measures_prints_and_writes_picture_and_runs(tmp_path, capsy
 def test_what_does_not_exist_is_refused_with_what_does(options, words, capsys):
     assert run("honesty", *options) == 2
     assert words in capsys.readouterr().err
-
-
-def test_help_explains_the_chart_and_the_list_names_it(capsys):
-    assert run("honesty", "--help") == 0
-    output = capsys.readouterr().out
-    assert all(word in output for word in ("met %", "covers %", "est/true", "ring", "cross"))
-    assert run("--list") == 0
-    assert "honesty --help" in capsys.readouterr().out

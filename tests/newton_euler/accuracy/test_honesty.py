@@ -60,7 +60,7 @@ def liar(monkeypatch):
     return honesty((SCENE,), (1e-3, 1e-6, 1e-9), ("auto", "dop853"))
 
 
-def test_answers_have_the_true_error_and_the_estimate(liar):
+def test_answers_have_the_true_error_and_are_counted_by_method(liar):
     assert [(a.method, a.asked) for a in liar] == [*KNOWN]
     assert [(a.error, a.estimate) for a in liar[:4]] == [*KNOWN.values()][:4]
     assert (liar[4].error, liar[4].estimate) == (1e-7, None)
@@ -69,22 +69,6 @@ def test_answers_have_the_true_error_and_the_estimate(liar):
     assert [a.silent for a in liar] == [False, False, True, False, False, False]
     assert all(a.cost > 0 for a in liar[:5])
     assert {a.problem for a in liar} == {SCENE}
-
-
-def test_a_refusal_breaks_no_promise_and_keeps_its_message(liar):
-    refused = liar[-1]
-    assert (refused.absent, refused.words) == (REFUSED, "only 1e-8 can be had")
-    assert math.isnan(refused.error)
-    assert refused.effectivity is None
-
-
-def test_other_errors_are_not_taken_for_refusals(monkeypatch):
-    monkeypatch.setattr(measuring, "Reference", fake({("auto", 1e-3): ZeroDivisionError()}))
-    with pytest.raises(ZeroDivisionError):
-        honesty((SCENE,), (1e-3,), ("auto",))
-
-
-def test_tallies_count_by_method(liar):
     auto, dop853 = sorted(tallies(liar), key=lambda t: t.method)
     assert (auto.runs, auto.silent, auto.refused, auto.failed) == (3, 1, 0, 0)
     assert (auto.met, auto.covers) == (pytest.approx(1 / 3), pytest.approx(2 / 3))
@@ -93,12 +77,19 @@ def test_tallies_count_by_method(liar):
     assert (dop853.met, dop853.covers, dop853.ratio) == (1.0, 1.0, pytest.approx(3.0))
 
 
-def test_methods_that_a_scene_cannot_use_are_not_asked():
+def test_a_refusal_breaks_no_promise_and_other_errors_are_not_taken_for_one(liar, monkeypatch):
+    refused = liar[-1]
+    assert (refused.absent, refused.words) == (REFUSED, "only 1e-8 can be had")
+    assert math.isnan(refused.error)
+    assert refused.effectivity is None
+    monkeypatch.setattr(measuring, "Reference", fake({("auto", 1e-3): ZeroDivisionError()}))
+    with pytest.raises(ZeroDivisionError):
+        honesty((SCENE,), (1e-3,), ("auto",))
+
+
+def test_what_a_scene_cannot_use_is_not_asked_and_a_slow_method_for_no_more_digits():
     found = honesty((SCENE,), (1e-3,), ("lie-poisson4", "exact"))
     assert [a.method for a in found] == ["exact"]
-
-
-def test_a_slow_method_is_asked_for_no_more_digits():
     found = honesty((SCENE,), (1e-3, 1e-4), ("dop853",), longest=0.0)
     assert [a.asked for a in found] == [1e-3]
 
@@ -117,10 +108,15 @@ def answer(method="mine", cost=1e-3, error=1e-7, estimate=2e-7, problem="a", abs
     return MethodResult(method, cost, error, asked=1e-6, **about)
 
 
-def test_errors_below_half_a_unit_of_the_last_place_count_as_that():
+def test_times_and_errors_too_small_to_be_seen_spoil_nothing():
     assert answer(error=0.0, estimate=0.0).effectivity == 1.0
     assert answer(error=0.0, estimate=1e-12).effectivity == 1e-12 / EPS
     assert answer(error=0.0, estimate=0.0).covered
+    quick = [answer(cost=0.0), answer(cost=0.0, problem="b"), answer("slow", problem="b")]
+    assert [a.cost for a in relative_costs(quick)[1:]] == [0.0, 1.0]
+    cost, promise, *_ = drawn(quick)
+    assert [x for x, _ in marks(cost)] == [1.0]
+    assert len(marks(promise)) == 3
 
 
 @pytest.mark.parametrize(("error", "estimate", "silent"), [
@@ -141,14 +137,6 @@ def test_costs_are_relative_to_the_cheapest_that_kept_its_word_on_the_same_probl
     # where none kept its promise, relative to the cheapest of all; a refusal sets no standard
     assert [a.cost for a in found[:5]] == [pytest.approx(x) for x in (0.05, 1.0, 4.0, 1.0, 3.0)]
     assert math.isnan(found[-1].cost)
-
-
-def test_a_clock_too_coarse_to_show_a_time_spoils_nothing():
-    quick = [answer(cost=0.0), answer(cost=0.0, problem="b"), answer("slow", problem="b")]
-    assert [a.cost for a in relative_costs(quick)[1:]] == [0.0, 1.0]
-    cost, promise, *_ = drawn(quick)
-    assert [x for x, _ in marks(cost)] == [1.0]
-    assert len(marks(promise)) == 3
 
 
 def test_methods_come_from_the_cheapest_to_the_dearest_and_those_without_an_answer_last():
@@ -202,10 +190,13 @@ def test_a_broken_promise_lies_beyond_the_line_in_its_row_and_a_kept_one_before(
     assert texts(promise).count("1") == 1  # the number of refusals
 
 
-def test_a_silently_wrong_answer_has_a_ring_and_only_that(liar):
+def test_a_silently_wrong_answer_has_a_ring_and_an_infinite_error_is_at_the_edge(liar):
     for ax in drawn(liar)[:3]:
         rings = [line for line in ax.lines if line.get_marker() == "o"]
         assert [len(line.get_xdata()) for line in rings] == [1]
+    _, promise, estimate, _ = drawn([answer(error=math.inf), answer("ok", estimate=math.inf)])
+    assert PROMISE[1] in [x for x, _ in marks(promise)]
+    assert len(marks(estimate)) == 2
 
 
 def test_counts_are_written_beside_the_rows():
@@ -219,9 +210,3 @@ def test_counts_are_written_beside_the_rows():
     assert cost.get_xlabel() == "time of a run"
     several = drawn([*answers, answer("good", problem="b")])
     assert several[0].get_xlabel() == "time over the cheapest that kept its word"
-
-
-def test_an_infinite_error_is_drawn_at_the_edge():
-    _, promise, estimate, _ = drawn([answer(error=math.inf), answer("ok", estimate=math.inf)])
-    assert PROMISE[1] in [x for x, _ in marks(promise)]
-    assert len(marks(estimate)) == 2

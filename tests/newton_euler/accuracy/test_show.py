@@ -35,22 +35,21 @@ def test_a_chart_is_shown_once_with_alt_text_and_caption(displayed):
     assert displayed == [alt, caption]
 
 
-def test_a_quick_chart_of_methods_leaves_some_out_and_says_so(displayed):
+def test_a_quick_chart_says_what_it_leaves_out_and_names_may_have_hyphens(displayed):
     found = show_chart("sliding sphere")
     assert "scipy Radau" not in {p.method for p in found.points} < {*QUICK_METHODS}
     assert found.caption.endswith("only these methods were measured; quick=False measures all.")
-
-
-def test_hyphens_may_replace_blanks_and_an_unknown_name_is_refused_with_the_list(displayed):
     assert show_chart("steady-precession").points
     with pytest.raises(ArgumentError, match=r"no chart 'topp'; there are .*; models of projectile"):
         show_chart("topp")
 
 
-def test_a_tolerance_is_for_models_only_and_positive():
+def test_a_tolerance_or_a_result_that_does_not_fit_is_refused():
     for name, tolerance in (("top", 1.0), ("models of top", -1.0)):
         with pytest.raises(ArgumentError, match="tolerance is positive"):
             show_chart(name, tolerance=tolerance)
+    with pytest.raises(ArgumentError, match="returns 2 numbers, exact has 3"):
+        compare({"short": lambda: (1.0, 2.0)}, (1.0, 2.0, 3.0))
 
 
 def test_a_users_own_ways_are_compared_with_the_reference(displayed):
@@ -63,12 +62,7 @@ def test_a_users_own_ways_are_compared_with_the_reference(displayed):
     assert found.caption.startswith("Most accurate (error 2.2 × 10⁻¹⁶ or less): stable")
 
 
-def test_a_result_of_another_length_than_the_reference_is_refused():
-    with pytest.raises(ArgumentError, match="returns 2 numbers, exact has 3"):
-        compare({"short": lambda: (1.0, 2.0)}, (1.0, 2.0, 3.0))
-
-
-def test_the_caption_of_ways_names_the_most_accurate_and_the_cheapest():
+def test_the_caption_of_ways_names_the_most_accurate_and_those_of_equal_cost():
     for exact in (1e-16, 9e-16):  # within round-off none is more accurate
         output = ways_caption([Measured("a", 1e-6, exact), Measured("b", 1e-5, 1e-16)])
         assert "Of these a is the cheapest. b takes about 10 times as long as a." in output
@@ -77,9 +71,6 @@ def test_the_caption_of_ways_names_the_most_accurate_and_the_cheapest():
     assert output == f"{best} a is about 10 times faster, with an error of 0.001."
     output = ways_caption([Measured("a", 1e-6, 1e-3), Measured("b", 2e-6, 1e-16)])
     assert output.endswith("b. a costs about the same, with an error of 0.001.")
-
-
-def test_ways_of_equal_cost_are_reported_as_equal_and_the_dearer_are_named():
     points = [Measured("a", 1e-6, 1e-16), Measured("b", 2.9e-6, 1e-16), Measured("c", 1e-5, 1e-6)]
     output = ways_caption(points)
     assert "Of these a and b cost about the same, least." in output

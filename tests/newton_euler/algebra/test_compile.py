@@ -177,7 +177,7 @@ def test_auto_turns_to_heyoka_only_when_it_pays(monkeypatch):
     first = f(x)
     assert f._heyoka is None
     f(x), f(x)
-    assert f._buffer is not None  # heyoka has written into it
+    assert f._heyoka is not None
     assert np.allclose(f(x), first, atol=1e-15)
 
 
@@ -190,14 +190,11 @@ def test_symengine_and_heyoka_expressions_as_arguments():
     assert hy.cfunc([f(v, 2.0)], vars=[v])([0.5])[0] == pytest.approx(f(0.5, 2.0))
 
 
-def test_moving_arguments_carry_their_rates_through():
+def test_moving_arguments_carry_their_rates_through_with_30_digits():
     x, y = moving(0.4, 1.0, 2.0), moving(1.3, -0.5, 0.25)
     for name in FORMULAS.keys() - {"moving inside"}:
         got, direct = compiled(FORMULAS[name])(x, y), FORMULAS[name](x, y)
         assert close(got._parts(), direct._parts(), 1e-12), name
-
-
-def test_moving_30_digit_numbers_meet_pi_with_30_digits():
     got = compiled(lambda n, x: pi(x) * x * n)(2, moving(mpmath.mpf(1), mpmath.mpf(2)))
     assert abs(got.rate - 4 * mpmath.pi) < 1e-28
 
@@ -211,13 +208,11 @@ def test_dimensions_run_through_and_are_checked():
 # -- how the steps are simplified
 
 
-def test_common_subexpressions_are_computed_once():
+def test_steps_that_are_common_or_not_needed_are_computed_once_or_never():
     f = compiled(lambda x, y: (sin(x * y) + 1) * (sin(y * x) + 2) - sin(x * y))
     assert f.source.count("sin(") == 1
     assert f.operations == 6  # x*y, sin, +1, +2, *, -
 
-
-def test_steps_that_no_result_needs_are_dropped():
     def wasteful(x):
         exp(x) * 3 - log(x)
         return x * x
@@ -226,9 +221,6 @@ def test_steps_that_no_result_needs_are_dropped():
     assert "exp" not in f.source
     assert f.operations == 1
     assert f(-1.0) == 1.0  # log(-1) is never taken
-
-
-def test_each_scalar_of_the_result_depends_on_these_arguments():
     f = compiled(lambda x, y, z: (x * x, sin(x) + y, 2.0))
     assert f.dependencies == [{"x"}, {"x", "y"}, set()]
 
@@ -282,13 +274,10 @@ def test_matrices_of_components_come_back_as_nested_tuples():
 third = mpmath.mpf(1) / 3
 
 
-@pytest.mark.parametrize(
-    "constant",
-    [
-        1e-300, -0.0, -2.5, 1.7976931348623157e308, 5e-324, 2**70, -3, np.float64(1.5),
-        np.float32(0.1), np.int64(7), True, Fraction(1, 3),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize("constant", [
+    1e-300, -0.0, -2.5, 1.7976931348623157e308, 5e-324, 2**70, -3, np.float64(1.5),
+    np.float32(0.1), np.int64(7), True, Fraction(1, 3),
+])  # fmt: skip
 def test_constants_survive_to_the_last_bit(constant):
     f = compiled(lambda x: (x * constant, x / 1 + constant, constant))
     product, total, alone = f(1.25)
@@ -298,24 +287,27 @@ def test_constants_survive_to_the_last_bit(constant):
     assert math.copysign(1, float(alone)) == math.copysign(1, float(constant))
 
 
-def test_infinite_and_undefined_constants_survive():
+def test_infinite_undefined_and_negative_constants_survive():
     f = compiled(lambda x: (x * math.inf, x - math.inf, x * math.nan, math.inf))
     a, b, c, d = f(2.0)
     assert (a, b, d) == (math.inf, -math.inf, math.inf)
     assert math.isnan(c)
     assert f(np.array([2.0]))[0].tolist() == [math.inf]
+    f = compiled(lambda x: (atan2(x, 0.0), atan2(x, -0.0), atan2(0.0, x), atan2(-0.0, x)))
+    assert f(-1.0) == (-math.pi / 2, -math.pi / 2, math.pi, -math.pi)
 
 
-def test_constants_of_30_digits_keep_them_on_mpmath_and_are_rounded_on_floats():
+def test_constants_keep_their_digits_and_kind_and_symbols_may_be_some():
     f = compiled(lambda x: x * third)
     assert abs(f(mpmath.mpf(3)) - 1) < 1e-29
     assert type(f(3.0)) is float
     assert f(np.array([3.0, 6.0])).tolist() == [1.0, 2.0]
     g = compiled(lambda x: x * (third + mpmath.mpf("1e-28")) - x * third)
     assert 0.9e-28 < g(mpmath.mpf(1)) < 1.1e-28
-
-
-def test_symbols_may_be_constants_of_a_formula_and_arrays_may_not():
+    x = sympy.Symbol("x")
+    broken, exact = compiled(lambda y: (y / 2.0, y / 2))(x)
+    assert exact == x / 2
+    assert broken.has(sympy.Float)
     k = sympy.Symbol("k")
     f = compiled(lambda x: x * k + sympy.Rational(1, 3))
     x = sympy.Symbol("x")
@@ -325,24 +317,19 @@ def test_symbols_may_be_constants_of_a_formula_and_arrays_may_not():
         compiled(lambda x, m: m * x, m=np.array([1.0, 2.0]))
 
 
-def test_positive_and_negative_zero_are_two_constants():
-    f = compiled(lambda x: (atan2(x, 0.0), atan2(x, -0.0), atan2(0.0, x), atan2(-0.0, x)))
-    assert f(-1.0) == (-math.pi / 2, -math.pi / 2, math.pi, -math.pi)
-
-
-def test_exact_and_float_constants_stay_distinct_on_symbols():
-    x = sympy.Symbol("x")
-    broken, exact = compiled(lambda y: (y / 2.0, y / 2))(x)
-    assert exact == x / 2
-    assert broken.has(sympy.Float)
-
-
-def test_parameters_fixed_at_compile_time():
+def test_arguments_may_be_fixed_by_default_or_by_name_or_absent():
     f = compiled(lambda x, n, f: f * x**n, n=3, f=np.float64(0.5))
     assert f.parameters == ["x"]
     assert f(2.0) == 4.0
     with pytest.raises(TypeError, match="has no argument 'm'"):
         compiled(lambda x: x, m=3)
+    f = lambda x, /, y=2.0, *, z=3.0: x + 10 * y + 100 * z
+    g = compiled(f)
+    assert g(1.0) == f(1.0)
+    assert g(1.0, z=4.0) == f(1.0, z=4.0)
+    assert g(1.0, 5.0, 6.0) == f(1.0, 5.0, z=6.0)
+    assert compiled(lambda: 2.0)() == 2.0
+    assert compiled(lambda x: ())(1.0) == ()
 
 
 @pytest.mark.parametrize("names", [
@@ -360,19 +347,6 @@ def test_names_of_arguments_do_not_collide_with_names_inside(names):
     assert {*map(type, got)} == {float}  # not by NumPy, which takes six times as long
     assert got == pytest.approx((math.sin(0.35) * 0.35 + math.pi / 3, 1.2))
     assert compiled(f)(np.array([0.5]), np.array([0.7]))[0] == pytest.approx(got[0])
-
-
-def test_defaults_and_keyword_arguments():
-    f = lambda x, /, y=2.0, *, z=3.0: x + 10 * y + 100 * z
-    g = compiled(f)
-    assert g(1.0) == f(1.0)
-    assert g(1.0, z=4.0) == f(1.0, z=4.0)
-    assert g(1.0, 5.0, 6.0) == f(1.0, 5.0, z=6.0)
-
-
-def test_a_formula_without_arguments_or_without_results():
-    assert compiled(lambda: 2.0)() == 2.0
-    assert compiled(lambda x: ())(1.0) == ()
 
 
 # -- errors in words
@@ -394,16 +368,13 @@ def test_wrong_arguments_are_reported_by_name(call, message):
     assert str(error.value) == message
 
 
-@pytest.mark.parametrize(
-    ("args", "message"),
-    [
-        *(((bad, 1.0), "expected a number")
-          for bad in ("1", None, [1.0, 2.0], (1.0,), Frame("g").i, np.array(["a"]))),
-        ((np.zeros(3), np.zeros(4)), r"shapes that do not fit together: x \(3,\), y \(4,\)"),
-        *(((bad, 1.0), "takes arrays of real numbers, got")
-          for bad in (np.array([1j]), np.array([mpmath.mpf(1)], dtype=object))),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("args", "message"), [
+    *(((bad, 1.0), "expected a number")
+      for bad in ("1", None, [1.0, 2.0], (1.0,), Frame("g").i, np.array(["a"]))),
+    ((np.zeros(3), np.zeros(4)), r"shapes that do not fit together: x \(3,\), y \(4,\)"),
+    *(((bad, 1.0), "takes arrays of real numbers, got")
+      for bad in (np.array([1j]), np.array([mpmath.mpf(1)], dtype=object))),
+])  # fmt: skip
 def test_arguments_other_than_real_numbers_of_one_shape_are_refused(args, message):
     with pytest.raises(ScalarError, match=message):
         compiled(lambda x, y: x + y)(*args)
@@ -432,22 +403,19 @@ def test_a_formula_must_not_branch_on_values_nor_use_math_or_numpy(branching):
         compiled(branching)
 
 
-@pytest.mark.parametrize(
-    ("f", "error", "message"),
-    [
-        *((f, ScalarError, "returns scalars, Vectors, or tuples and dicts of them, got") for f in (
-            lambda x: None, lambda x: "text", lambda x: (x, None), lambda x: Frame("g"),
-            lambda x: Frame("g").point("P", x, 0, 0),
-        )),
-        (lambda x: x / ZERO, ZeroDivisionError, "is divided by a structural zero"),
-        (lambda x: x + "1", ScalarError, "expected a number"),
-        (lambda x: x * np.array([1.0, 2.0]), ScalarError, "pass it as an argument"),
-        (lambda x: compiled(lambda y: x * y)(2.0), ScalarError,
-         "a value of another formula is used here"),
-        *((f, TypeError, "names all its arguments") for f in (lambda *x: x[0], lambda **x: 1.0)),
-        (max, ScalarError, "names its arguments: no signature"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("f", "error", "message"), [
+    *((f, ScalarError, "returns scalars, Vectors, or tuples and dicts of them, got") for f in (
+        lambda x: None, lambda x: "text", lambda x: (x, None), lambda x: Frame("g"),
+        lambda x: Frame("g").point("P", x, 0, 0),
+    )),
+    (lambda x: x / ZERO, ZeroDivisionError, "is divided by a structural zero"),
+    (lambda x: x + "1", ScalarError, "expected a number"),
+    (lambda x: x * np.array([1.0, 2.0]), ScalarError, "pass it as an argument"),
+    (lambda x: compiled(lambda y: x * y)(2.0), ScalarError,
+     "a value of another formula is used here"),
+    *((f, TypeError, "names all its arguments") for f in (lambda *x: x[0], lambda **x: 1.0)),
+    (max, ScalarError, "names its arguments: no signature"),
+])  # fmt: skip
 def test_what_cannot_be_compiled_is_refused_while_tracing(f, error, message):
     with pytest.raises(error, match=message):
         compiled(f)

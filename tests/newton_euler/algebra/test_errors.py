@@ -31,13 +31,20 @@ from newton_euler import (
 from newton_euler.accuracy import timed
 from newton_euler.algebra import NewtonEulerError, compiled
 from newton_euler.algebra.errors import ArgumentError, checked, checked_words
-from newton_euler.algebra.scalars import DivisionError, RangeError, Scalar, ScalarError
+from newton_euler.algebra.scalars import (
+    DivisionError,
+    RangeError,
+    Scalar,
+    ScalarError,
+    SingularError,
+)
 from newton_euler.bodies import integrated
 from newton_euler.drawing import svg_of
 from newton_euler.dynamics import (
     Potential,
     audit,
     coordinate_accelerations,
+    curl,
     degrees_of_freedom,
     find_potential,
     work_along,
@@ -96,16 +103,35 @@ def test_an_error_of_the_users_function_arrives_as_raised_with_its_place(name, e
     assert "own" in [entry.name for entry in caught.traceback]
 
 
+class OwnError(NewtonEulerError, ValueError):
+    """As a package on top of the engine has."""
+
+
+ALL = {**CALLS, **OTHERS, "curl": lambda f: curl(f, (1.0, 2.0, 3.0))}
+
+
+@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("kind", [OwnError, ScalarError, SingularError, DivisionError])
+def test_an_error_of_the_engines_kinds_that_a_user_raises_arrives_as_raised(name, kind):
+    error = kind("mine")
+
+    def own(*x):
+        raise error
+
+    with pytest.raises(kind) as caught:
+        ALL[name]((lambda x: own(x)) if name == "compiled" else own)
+    assert caught.value is error
+    assert len(getattr(error, "__notes__", [])) <= 1
+
+
 CIRCLE = lambda q: (cos(6.283185307179586 * q), sin(6.283185307179586 * q), 0)
 LATER = {  # calls of a function that fails after it has been of use, and one that does not
-    "force round a loop": (
-        lambda f: find_potential(f, loops=[CIRCLE]), lambda x, y, z: (x, y, z)
-    ),
+    "force round a loop": (lambda f: find_potential(f, loops=[CIRCLE]), lambda x, y, z: (x, y, z)),
     "constraint": (
         lambda f: degrees_of_freedom({"P": 2}, {"rod": lambda P: f(*P)}),
         lambda x, y: x * x + y * y - 1,
     ),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize(("call", "well"), LATER.values(), ids=LATER)

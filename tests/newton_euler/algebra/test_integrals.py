@@ -31,10 +31,13 @@ def triangle(b, h):
     return integral(lambda x: integral(lambda y: x * y, 0, h * (1 - x / b)), 0, b)
 
 
-def test_floats_and_arrays():
+def test_floats_arrays_and_expressions_of_symengine():
     a, k = np.array([0.5, 2.0, 3.0]), 1.7
     np.testing.assert_allclose(wire(a, k), wire_by_hand(a, k), rtol=1e-14)
     np.testing.assert_allclose(triangle(a, 2.0), a**2 * 4 / 24, rtol=1e-14)
+    symengine = pytest.importorskip("symengine")
+    a, k = symengine.symbols("a k")
+    assert symengine.expand(triangle(a, k) - a**2 * k**2 / 24) == 0
 
 
 def test_fixed_limits_take_the_digits_and_the_instants_of_the_function():
@@ -76,24 +79,12 @@ def test_expressions():
         integral(lambda x: sin(k * cos(x**3)), 0, a)
 
 
-def test_expressions_of_symengine():
-    symengine = pytest.importorskip("symengine")
-    a, k = symengine.symbols("a k")
-    assert symengine.expand(triangle(a, k) - a**2 * k**2 / 24) == 0
-
-
-def test_moving_limits_and_functions():
+def test_integrals_of_moving_numbers_units_and_unknowns():
     a = moving(0.7, rate=1.3, acceleration=-0.4)
     for found, expected in ((wire(a, 2.0), wire_by_hand(a, 2.0)), (triangle(a, a), a**4 / 24)):
         assert found._parts() == pytest.approx(expected._parts(), rel=1e-13)
-
-
-def test_moving_dimensions():
     a = Moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2)
     assert wire(a, MASS).rate == MASS * LENGTH**2 / TIME
-
-
-def test_unknowns():
     found = integral(lambda x: x * LinearForm(3.0, (1.0, ZERO)) + 2.0, 0.0, 2.0)
     assert found.value == pytest.approx(10.0)
     assert found.coefficients[0] == pytest.approx(2.0)
@@ -112,19 +103,13 @@ def test_vectors_and_tuples():
     assert integral(lambda x: (x, (x * x, 1)), 0.0, 3.0)[1][0] == pytest.approx(9.0)
 
 
-def test_traced_integrals_carry_rates():
+def test_traced_integrals_carry_rates_and_may_lie_in_integrals():
     found, expected = (f(moving(0.7, 1.0), 2.0) for f in (compiled(wire), wire_by_hand))
     assert found.rate == pytest.approx(expected.rate, rel=1e-13)
-
-
-def test_traced_integrals_in_integrals():
     run = compiled(triangle)
     assert run(2.0, 3.0) == pytest.approx(36 / 24, rel=1e-14)
     assert compiled(lambda b: run(b, 2 * b))(2.0) == pytest.approx(64 / 24, rel=1e-14)
     assert pickle.loads(pickle.dumps(run))(2.0, 3.0) == run(2.0, 3.0)
-
-
-def test_an_inner_integral_that_needs_the_outer_variable_only_on_its_way_compiles():
     nested = lambda a: integral(lambda s: s * integral(lambda p: (s * p, a)[1], 0, 1), 0, a)
     assert nested(2.0) == pytest.approx(4, rel=1e-14)  # a^3/2
     assert compiled(nested)(2.0) == pytest.approx(4, rel=1e-14)
@@ -146,13 +131,10 @@ def test_a_traced_integral_computes_outer_steps_once_and_equal_ones_once():
     assert other.source.count("integral(") == 2
 
 
-def test_a_traced_integral_of_a_vector_is_one():
+def test_a_traced_integral_of_a_vector_is_one_and_of_parameters_alone_done_before_a_motion():
     run = compiled(lambda a: integral(lambda x: ground.vector(a * x, 0, x * x), 0, 1))
     assert run(4.0) == pytest.approx((2.0, 0, 1 / 3))
     assert run.source.count("integral(") == 1
-
-
-def test_what_depends_on_parameters_alone_is_integrated_before_a_motion():
     rest, constants = folded(compiled(lambda x, a, k: x * wire(a, k)), 1)
     assert "integral(" not in rest.source
     assert constants(2.0, 1.7)[0] == pytest.approx(wire_by_hand(2.0, 1.7))
@@ -166,24 +148,18 @@ def test_heyoka_refuses_an_integral_inside_a_formula_and_arrays_go_by_numpy():
         run(hy.expression("a"), hy.expression("k"))
 
 
-def test_a_function_that_leaves_the_real_numbers_is_refused():
+def test_complex_values_and_corners_that_are_not_named_are_refused():
     with pytest.raises(TypeError, match="expected real numbers"):
         integral(lambda x: x**0.5, 0.0, -1.0)
-
-
-def test_corners_are_refused_unless_they_are_named():
     with pytest.raises(SingularError, match=r"does not converge.*breaks"):
         integral(lambda x: abs(x - 0.3), 0.0, 1.0)
     assert integral(lambda x: abs(x - 0.3), 0.0, 1.0, breaks=(0.3,)) == pytest.approx(0.29)
 
 
-@pytest.mark.parametrize(
-    ("f", "start", "end", "value"),
-    [
-        (lambda x: x**-0.5, 0.0, 4.0, 4.0), (math.exp, 0.0, 1.0, math.e - 1), (math.sin, 0.0, math.pi, 2.0), (lambda x: x, -1.0, 1.0, 0.0),
-        (lambda x: 1 / (1 + 25 * x * x), -1.0, 1.0, 0.4 * math.atan(5)), (lambda x: 0.0, 0.0, 1.0, 0.0), (math.log, 0.0, 1.0, -1.0),
-        (math.exp, 1.0, 0.0, 1 - math.e), (math.sqrt, 0.0, 1.0, 2 / 3),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("f", "start", "end", "value"), [
+    (lambda x: x**-0.5, 0.0, 4.0, 4.0), (math.exp, 0.0, 1.0, math.e - 1), (math.sin, 0.0, math.pi, 2.0), (lambda x: x, -1.0, 1.0, 0.0),
+    (lambda x: 1 / (1 + 25 * x * x), -1.0, 1.0, 0.4 * math.atan(5)), (lambda x: 0.0, 0.0, 1.0, 0.0), (math.log, 0.0, 1.0, -1.0),
+    (math.exp, 1.0, 0.0, 1 - math.e), (math.sqrt, 0.0, 1.0, 2 / 3),
+])  # fmt: skip
 def test_integrals_known_in_closed_form(f, start, end, value):
     assert abs(integral(f, start, end) - value) < 2e-15

@@ -50,9 +50,13 @@ def test_one_and_several_have_forms_of_their_own():
         assert spoken(joined(["a", "b", "c"])) == "a, b und c"
 
 
-def test_what_is_not_in_the_catalogue_stays_english_with_its_values():
+def test_values_are_filled_in_once_and_without_their_attributes():
     with speaking("de"):
         assert _("nobody translates {this}", this="x") == "nobody translates x"
+    assert (
+        from_stored(["{x.__class__} {x.what} {0} {y}", {"x": "a: b"}]) == "{x.__class__} a {0} {y}"
+    )
+    assert _("{a} and {b}", a="{b}", b="c") == "{b} and c"
 
 
 @pytest.mark.parametrize(
@@ -72,16 +76,6 @@ def test_words_are_kept_with_their_templates(copy):
 )
 def test_what_a_file_holds_in_place_of_words_is_not_read(data):
     assert not are_words(data)
-
-
-def test_a_template_reaches_its_values_but_not_their_attributes():
-    assert (
-        from_stored(["{x.__class__} {x.what} {0} {y}", {"x": "a: b"}]) == "{x.__class__} a {0} {y}"
-    )
-
-
-def test_values_with_braces_are_not_filled_in_again():
-    assert _("{a} and {b}", a="{b}", b="c") == "{b} and c"
 
 
 def test_an_unknown_language_is_refused_with_the_known_ones():

@@ -81,14 +81,21 @@ def test_a_name_that_several_terms_have_is_refused_with_their_distinct_names():
     assert (terms.get("rod"), terms.get("leg", 0)) == (2.0, 0)
 
 
-def test_terms_beside_those_of_a_plain_dict_are_kept_on_both_sides():
+def test_terms_of_one_name_are_kept_and_weighted_apart():
     terms = Terms([("arm", 1.0), ("arm", 2.0)])
     for both in (terms | {"arm": 4.0}, {"arm": 4.0} | terms):
         assert sorted(both.values()) == [1.0, 2.0, 4.0]
     terms |= {"arm 1": 4.0}
     terms |= {"arm 1": 8.0}
+    updated = terms.copy()
+    updated.update(terms)
+    assert sum(updated.values()) == 2 * sum(terms.values())
+    assert (terms.copy().shared, len(updated)) == (terms.shared, 2 * len(terms))
     assert sum(terms.values()) == 15.0
     assert summed(Terms([("arm", 1.0), ("arm", 2.0)]) | {"rod": 4.0}).without("arm") == 4.0
+    U = summed([("arm", 1.0), ("arm", 10.0)])
+    assert U.reweighted(arm=2) == 22.0
+    assert U.reweighted(arm=2, **{"arm 1": 3}) == 23.0
 
 
 def test_what_is_no_sum_stays_as_it_is_without_no_term():
@@ -97,14 +104,11 @@ def test_what_is_no_sum_stays_as_it_is_without_no_term():
     assert (v.without().c, U.without(), I.without().moments) == (v.c, 3.0, I.moments)
 
 
-def test_an_amount_is_explained_in_units_of_its_own():
+def test_amounts_and_vectors_are_explained_in_units_of_their_own():
     assert summed([("a", 2.0)], "power").explain().endswith("2 W")
     assert Amount(2.0).explain("ft*lb").endswith("2 ft*lb")
     with pytest.raises(TermError, match="this is the work, in J: it cannot be explained in 'W'"):
         Amount(2.0).explain("W")
-
-
-def test_a_vector_is_explained_in_units_of_its_own_unless_it_was_multiplied():
     arm = ground.rotate("arm", "z", rate=2.0)
     v = arm.point("P", 1.0, 0, 0).velocity(ground)
     assert "m/s" in str(v.explain("m/s"))
@@ -138,12 +142,6 @@ def test_amounts_add_and_subtract_as_numbers_do():
     )  # fmt: skip
 
 
-def test_a_factor_for_the_distinct_name_goes_before_that_of_the_shared_one():
-    U = summed([("arm", 1.0), ("arm", 10.0)])
-    assert U.reweighted(arm=2) == 22.0
-    assert U.reweighted(arm=2, **{"arm 1": 3}) == 23.0
-
-
 @pytest.mark.parametrize("kind", ["float", "mpmath", "sympy"])
 def test_an_amount_compares_as_its_value_does(kind):
     two, five = numbers(kind, 2, 5)
@@ -153,17 +151,10 @@ def test_an_amount_compares_as_its_value_does(kind):
         (True, gt, T, V), (True, lt, V, 5), (True, ge, T, 7), (True, le, 7, T), (False, lt, T, two),
     ):  # fmt: skip
         assert bool(operation(a, b)) is holds
-
-
-def test_amounts_of_many_instants_compare_instant_by_instant():
-    U = Amount(np.array([1.0, 3.0]))
-    assert (U > 2.0).tolist() == [False, True]
-    assert (np.array([2.0, 2.0]) < U).tolist() == [False, True]
-    assert (Amount(3.0) == U).tolist() == [False, True]
-
-
-def test_an_amount_equals_nothing_but_numbers_and_amounts():
-    assert not eq(Amount(3.0), "3.0")
+    many = Amount(np.array([1.0, 3.0]))
+    assert (many > 2.0).tolist() == (np.array([2.0, 2.0]) < many).tolist() == [False, True]
+    assert (Amount(3.0) == many).tolist() == [False, True]
+    assert not eq(Amount(3.0), "3.0")  # equal to nothing but numbers and amounts
     assert eq(Amount(0), 0.0)
     with pytest.raises(TypeError):
         lt(Amount(3.0), "4")

@@ -155,12 +155,15 @@ def test_functions_of_time_and_symengine_are_seen_by_value_too():
     assert probe(1 / ((x + 1) ** 2 - x**2 - 2 * x - 1)) is None
 
 
-def test_symbols_that_share_a_name_are_two_and_small_numbers_are_not_zero():
+def test_symbols_that_share_a_name_are_two_and_contradict_each_other_without_made_up_numbers():
     x, positive = sympy.Symbol("x"), sympy.Symbol("x", positive=True)
     s = solve_linear(lambda A, B: {"p": x * A + positive * B - 1, "q": positive * A + x * B})
     assert sympy.simplify(s.A - x / (x**2 - positive**2)) == 0
     a, b, c, d = (sympy.Rational(n, 10**30) for n in (1, 2, 3, 5))
     assert solve_linear(lambda A, B: (a * A + b * B - a, c * A + d * B - c)).B == 0
+    g = sympy.Symbol("g")
+    with pytest.raises(LinearError, match="'q' does not hold if 'p' holds"):
+        solve_linear(lambda A: {"p": A - g, "q": 2 * A - g})
 
 
 def test_traced_formulas_run_on_floats_and_arrays():
@@ -234,12 +237,6 @@ def test_contradictions_are_named(kind):
     assert issubclass(LinearError, FrameError)
 
 
-def test_symbols_contradict_each_other_too_and_no_made_up_number_is_reported():
-    g = sympy.Symbol("g")
-    with pytest.raises(LinearError, match="'q' does not hold if 'p' holds"):
-        solve_linear(lambda A: {"p": A - g, "q": 2 * A - g})
-
-
 @pytest.mark.parametrize(("off", "agree"), [(8e-10, True), (2e-9, False)])
 def test_equations_agree_to_nine_digits_or_contradict_each_other(off, agree):
     """To nine digits of the largest of them, in any order; that of C has nothing to do with it."""
@@ -259,9 +256,15 @@ def test_round_off_of_a_large_right_side_that_cancels_is_no_contradiction():
     assert dict(s.redundant) == {"e3": ("e1", "e2")}
 
 
-def test_an_equation_in_tiny_units_determines_an_unknown_like_another():
+def test_neither_tiny_nor_small_units_are_taken_for_rounding():
     s = solve_linear(lambda A, B: {"tiny": 1e-15 * (A + B - 3.0), "usual": A - B - 1.0})
     assert close((s.A, s.B), (2.0, 1.0), 1e-12)
+    # A watch wheel in SI units: a moment of inertia of 1e-12, lengths and forces of order
+    # 1e-3
+    moment = lambda F, alpha: 1e-12 * alpha - 1e-3 * F
+    s = solve_linear(lambda F, alpha: {"moment": moment(F, alpha), "rolling": 1e-3 * alpha - 5.0})
+    assert s.alpha == pytest.approx(5e3)
+    assert pytest.approx(5e-6) == s.F
 
 
 @pytest.mark.parametrize(("c", "known"), [
@@ -280,14 +283,6 @@ def test_rounding_is_neither_a_pivot_nor_a_contradiction():
     left = solve_linear(lambda F, N: {"force": F - 2.0 + noise * N})
     assert left.undetermined == ("N",)
     assert left.F == 2.0
-
-
-def test_small_units_are_not_taken_for_rounding():
-    """A watch wheel in SI units: a moment of inertia of 1e-12, lengths and forces of order 1e-3."""
-    moment = lambda F, alpha: 1e-12 * alpha - 1e-3 * F
-    s = solve_linear(lambda F, alpha: {"moment": moment(F, alpha), "rolling": 1e-3 * alpha - 5.0})
-    assert s.alpha == pytest.approx(5e3)
-    assert pytest.approx(5e-6) == s.F
 
 
 def test_arrays_without_a_common_pivot_are_solved_instant_by_instant():
@@ -338,16 +333,13 @@ def test_what_is_not_linear_is_refused(conditions):
             solve(conditions)
 
 
-def test_unit_roundoff_is_that_of_the_coarsest_number():
-    with mp.workdps(30):
-        assert unit_roundoff([1, mp.mpf(2)]) == unit_roundoff([mp.mpf(2)]) < 1e-28
-    assert unit_roundoff([1.0, mp.mpf(2)]) == 2.0**-52
-
-
-def test_thirty_digits_survive_beside_whole_numbers():
+def test_thirty_digits_survive_beside_whole_numbers_and_the_coarsest_number_sets_round_off():
     third = mp.mpf(1) / 3
     laws = lambda a, b, c, d: (a + 2 * b - third, b - third * c, c + d - 1, d - third * a)
     assert max(map(abs, laws(*solve_linear(laws)))) < mp.mpf(10) ** -29
+    with mp.workdps(30):
+        assert unit_roundoff([1, mp.mpf(2)]) == unit_roundoff([mp.mpf(2)]) < 1e-28
+    assert unit_roundoff([1.0, mp.mpf(2)]) == 2.0**-52
 
 
 def test_every_order_of_the_equations_gives_the_same_formula_values():
@@ -392,18 +384,12 @@ def test_solve_rates_says_that_rates_are_left_open(kind):
         solve_rates(lambda w, u: (one * w - one, 3 * one * w - one), 2)
 
 
-def test_solve_rates_says_so_if_one_instant_of_many_is_singular():
+def test_what_determines_no_rate_or_unknown_is_refused_or_named():
     lever = np.array([1.0, 0.0, 2.0])
     with pytest.raises(FrameError, match="do not determine"):
         solve_rates(lambda w: lever * w - 1.0, 1)
-
-
-def test_unknowns_with_large_coefficients_are_undetermined_as_others_are():
+    with pytest.raises(LinearError, match="1 conditions contain the rates, but 2"):
+        solve_rates(lambda a, b: (a - 1.0, 1e-17 * b), 2)
     for size in (1e-12, 1.0, 1e12):
         found = solve_linear(lambda A, B, s=size: {"force": s * A + s * B - 1.0})
         assert found.undetermined == ("A", "B")
-
-
-def test_a_condition_that_contains_the_rates_by_round_off_only_is_none():
-    with pytest.raises(LinearError, match="1 conditions contain the rates, but 2"):
-        solve_rates(lambda a, b: (a - 1.0, 1e-17 * b), 2)

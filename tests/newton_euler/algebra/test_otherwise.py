@@ -12,9 +12,7 @@ def rod_about_its_end(length):
 
 
 def test_a_change_holds_in_its_block_alone():
-    def without_transfers(kind, parts, of):
-        return (0,) if kind == "transfer" else parts
-
+    without_transfers = lambda kind, parts, of: (0,) if kind == "transfer" else parts
     with built_otherwise(without_transfers):
         assert rod_about_its_end(2.0) == 1.0
     assert rod_about_its_end(2.0) == 4.0

@@ -92,21 +92,15 @@ def test_an_equation_for_each_instant():
     np.testing.assert_allclose(ends, [0.0, 0.5, 1.0], rtol=1e-15)
 
 
-def test_dimensions():
+def test_a_root_has_dimensions_and_the_rates_of_moving_numbers():
     assert root(lambda x: x * x - LENGTH * LENGTH, 0, LENGTH) == LENGTH
     with pytest.raises(DimensionError, match="cannot add"):
         root(lambda x: x - TIME, 0, LENGTH)
-
-
-def test_a_root_of_moving_numbers_has_their_rates():
     crank = moving(0.7, rate=2.0, acceleration=0.3)
     found, expected = rod_angle(3.0, 1.0, crank), rod_angle_by_hand(3.0, 1.0, crank)
     assert found._parts() == pytest.approx(expected._parts(), rel=1e-13)
     a = Moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2)
     assert root(lambda x: x * x - a * a, 0, LENGTH).rate == LENGTH / TIME
-
-
-def test_a_root_that_only_touches_zero_has_no_rate():
     with pytest.raises(SingularError, match=r"has no rate.*slope 0"):
         root(lambda x: x**3 - moving(0.0, rate=1.0), -1.0, 2.0)
 

@@ -35,13 +35,10 @@ def test_sums_multiples_and_quotients(kind):
     assert close(sum([a, b, b]), a + 2 * b)
 
 
-def test_dividing_keeps_the_digits_of_the_dividend():
+def test_dividing_keeps_the_digits_of_the_dividend_and_of_its_rates():
     third = ground.vector(mp.mpf(1), 0, 0) / 3
     assert abs(third.x - mp.mpf(1) / 3) < 1e-30
     assert (ground.vector(sympy.Symbol("x"), 0, 0) / 3).x == sympy.Symbol("x") / 3
-
-
-def test_rates_of_quotients_and_multiples_stay_exact():
     v = ground.vector(moving(sympy.Integer(1), rate=1), 0, 0)
     assert (v / 3).rate(ground).x == sympy.Rational(1, 3)
     assert (2 * v / 3).rate(ground).x == sympy.Rational(2, 3)
@@ -63,19 +60,20 @@ def test_the_angle_between_vectors_lies_in_0_to_pi_and_does_not_depend_on_order(
     assert a.angle_to(b) == pytest.approx(b.angle_to(a), abs=1e-15)
 
 
-def test_components_are_what_a_user_expects_to_see():
+def test_a_vector_is_read_measured_and_converted_like_a_sequence_of_three():
     v = ground.vector(1.0, 0, sympy.Symbol("q"))
     assert (v.x, v.y, v.z) == tuple(v) == v.components() == (1.0, 0, sympy.Symbol("q"))
     assert type(v.y) is int
     assert v.components(ground) == v.components()
-    x, _, _ = ground.vector(1.0, 2.0, 3.0)
-    assert x == 1.0
-
-
-def test_to_array_has_shape_3_or_3_by_n():
-    assert ground.vector(1, 2.0, 0).to_array().tolist() == [1.0, 2.0, 0.0]
+    a = ground.vector(2.0, 0, -1.0)
+    x, _, _ = a
+    assert (x, a[0], a[-1], a[:2], len(a)) == (2.0, 2.0, -1.0, (2.0, 0), 3)
+    assert abs(ground.vector(3.0, 0, 4.0)) == 5.0
+    assert np.array(a).tolist() == a.to_array().tolist() == [2.0, 0.0, -1.0]
     rows = ground.vector(np.array([1.0, 2.0]), 0, 5.0).to_array()
     assert rows.tolist() == [[1.0, 2.0], [0.0, 0.0], [5.0, 5.0]]
+    with pytest.raises(IndexError):
+        a[3]
 
 
 @pytest.mark.parametrize(("wrong", "message"), [
@@ -124,15 +122,6 @@ def test_equal_vectors_are_equal_and_others_are_not():
         hash(a)
 
 
-def test_a_vector_is_indexed_measured_and_converted_like_a_sequence_of_three():
-    a = Frame("ground").vector(2.0, 0, -1.0)
-    assert (a[0], a[-1], a[:2], len(a)) == (2.0, -1.0, (2.0, 0), 3)
-    assert abs(ground.vector(3.0, 0, 4.0)) == 5.0
-    assert np.array(a).tolist() == [2.0, 0.0, -1.0]
-    with pytest.raises(IndexError):
-        a[3]
-
-
 def test_alike_compares_relative_to_the_larger():
     a = ground.vector(1e6, 0, 0)
     assert same(a, a + ground.vector(0, 1e-7, 0))
@@ -161,6 +150,17 @@ def test_directions_and_angles_of_the_smallest_and_largest_vectors(size):
     assert close(a.angle_to(ground.i), math.atan(2.0), 1e-15)
     exact = ground.vector(Fraction(3, 5) * Fraction(size), 0, Fraction(4, 5) * Fraction(size))
     assert abs(exact.norm() - size) <= max(1e-15 * size, 5e-324)
+    both = np.array([min(size, 1e307), 1.0])
+    angles = ground.vector(both, 2 * both, 0).angle_to(ground.vector(2 * both, -both, 0))
+    assert np.allclose(angles, math.pi / 2, rtol=1e-15)
+
+
+@pytest.mark.parametrize("size", [10**5, 2**63, 10**160, 10**300])
+def test_directions_and_angles_of_whole_numbers_of_any_size(size):
+    a, b = ground.vector(3 * size, 0, 4 * size), ground.vector(4 * size, 0.5, -3 * size)
+    assert a.norm() == pytest.approx(5 * size, rel=1e-15)
+    assert a.angle_to(b) == pytest.approx(math.pi / 2, rel=1e-15)
+    assert a.angle_to(ground.vector(size, 0, 0)) == pytest.approx(math.atan2(4, 3), rel=1e-15)
 
 
 def moving_arm():
@@ -185,17 +185,12 @@ def test_reweighted_and_without_are_sums_of_changed_terms():
     changed = a - 0.5 * a.terms["coriolis"] - 2 * a.terms["euler"]
     assert close(a.reweighted(coriolis=0.5, euler=-1), changed)
     assert close(a.without(*a.terms), (0, 0, 0))
+    assert (a + a).terms == ground.i.terms == {}  # a sum of vectors has none of its own
     known = "origin, relative, coriolis, euler, centripetal"
     with pytest.raises(TermError, match=f"no term 'corolis'; the terms are {known}"):
         a.without("corolis")
     with pytest.raises(TermError, match="no term 'coriolis'; there are no terms"):
         ground.i.without("coriolis")
-
-
-def test_a_sum_of_vectors_has_no_terms_of_its_own():
-    _, a = moving_arm()
-    assert (a + a).terms == {}
-    assert ground.i.terms == {}
 
 
 def test_explain_prints_the_equation_its_number_and_every_term():
@@ -254,15 +249,12 @@ def test_a_component_that_is_round_off_is_printed_as_zero_and_kept():
     assert v.y == 6.1e-17
 
 
-@pytest.mark.parametrize(
-    ("components", "latex"),
-    [
-        ((1.5, -2e-7, 0), r"\left(1.5\,\hat{\imath}-2\times10^{-7}\,\hat{\jmath}\right)_{\text{ground}}"),
-        ((12345.678, 0, 0), r"\left(12346\,\hat{\imath}\right)_{\text{ground}}"),
-        ((0, 0, 0), r"\mathbf{0}"),
-        ((0, sympy.Symbol("a") + 1, 0), r"\left(\left(a + 1\right)\,\hat{\jmath}\right)_{\text{ground}}"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("components", "latex"), [
+    ((1.5, -2e-7, 0), r"\left(1.5\,\hat{\imath}-2\times10^{-7}\,\hat{\jmath}\right)_{\text{ground}}"),
+    ((12345.678, 0, 0), r"\left(12346\,\hat{\imath}\right)_{\text{ground}}"),
+    ((0, 0, 0), r"\mathbf{0}"),
+    ((0, sympy.Symbol("a") + 1, 0), r"\left(\left(a + 1\right)\,\hat{\jmath}\right)_{\text{ground}}"),
+])  # fmt: skip
 def test_latex_writes_signs_and_powers_of_ten(components, latex):
     assert ground.vector(*components).latex() == latex
 

@@ -8,9 +8,9 @@ import pytest
 
 from newton_euler import Frame
 from newton_euler.answers.causes import other_axes, turned_the_wrong_way
-from newton_euler.answers.frames import counted
 from newton_euler.answers.kinds import KINDS, Kind
 from newton_euler.answers.tolerance import RTOL
+from newton_euler.answers.verdicts import counted
 from tests.newton_euler.answers.one_answer import one
 
 KEY = ((-9.6, 6.25, -3.6),)

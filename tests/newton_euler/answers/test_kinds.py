@@ -4,14 +4,15 @@ import copy
 import math
 import pickle
 
+import numpy as np
 import pytest
 
 from newton_euler import Frame
 from newton_euler.answers import tolerance
-from newton_euler.answers.causes import NEAR, exchanged_components
+from newton_euler.answers.causes import NEAR, Cause, exchanged_components
 from newton_euler.answers.diagnosis import diagnose
 from newton_euler.answers.forms import AnswerError, Form
-from newton_euler.answers.kinds import KINDS, Kind
+from newton_euler.answers.kinds import KINDS, Kind, _Formula
 from newton_euler.answers.seals import opens, seal
 from newton_euler.answers.trees import TreeError
 from newton_euler.classroom import expect, receipt
@@ -54,6 +55,12 @@ class Roots(Kind):
     shape = (3,)
 
 
+class RootFormulas(_Formula, Roots):
+    """The same as formulas."""
+
+    name = "root_formulas"
+
+
 @pytest.mark.parametrize("given", [(7.0, -4.0, 0.0), (0.84, -0.48, 0.36), (7.0, -8.0, 3.0)])
 def test_three_numbers_that_are_no_vector_have_no_components(given):
     key, none = ((7.0, -4.0, 3.0),), lambda fit, kind: ()
@@ -61,6 +68,32 @@ def test_three_numbers_that_are_no_vector_have_no_components(given):
     given = unit if given[0] < 1 else given
     assert diagnose((given,), key, [], KINDS["vector"], slips=none)
     assert not diagnose((given,), key, [], Roots(), slips=none)
+
+
+@pytest.mark.parametrize("factor", [-1.0, (1.0, 1.0, 0.5), (1.0, -1.0, 1.0), (1.0, 1.0, 3.01)])
+@pytest.mark.parametrize("kinds", [("vector", Roots()), ("vector_expression", RootFormulas())])
+def test_the_words_of_components_are_for_vectors(factor, kinds):
+    """Also of a whole answer with the opposite sign, and of a listed mistake in one number."""
+    keys = ((7.0, -4.0, 3.0), (2.0, 5.0, 1.5), (3.0, 1.0, 2.5))
+    factors = np.broadcast_to(factor, 3)
+    given = tuple(tuple(factors * x) for x in keys)
+    wrong = [
+        (
+            Cause("listed", "thrice", "takes it thrice"),
+            tuple(tuple(3.01 * x for x in k) for k in keys),
+        )
+    ]
+
+    def words(kind, n):
+        some = given[:n], keys[:n]
+        causes = diagnose(*some, [(c, x[:n]) for c, x in wrong], kind, {}, slips=lambda *_: ())
+        return " ".join(c.text for c in (*causes, *filter(None, [kind.observed(*some)])))
+
+    vector, roots = KINDS[kinds[0]], kinds[1]
+    n = len(keys) if vector.is_formula else 1
+    assert "component" in words(vector, n)
+    assert "component" not in words(roots, n)
+    assert [roots.names("x"), vector.names("x")] == [["x_1", "x_2", "x_3"], ["x_x", "x_y", "x_z"]]
 
 
 @pytest.mark.parametrize("name", KINDS)
@@ -84,15 +117,29 @@ def test_a_key_with_a_component_that_could_be_left_out_is_unfit(point, words):
     assert KINDS["vector"].unfit((point,)) == words
 
 
-def test_a_component_of_just_the_least_share_may_be_asked_for(monkeypatch):
+def test_a_key_is_unfit_below_the_least_share_and_a_formula_that_is_rarely_real(monkeypatch):
+    real, nan = (1.0,), (math.nan,)
+    assert KINDS["expression"].unfit((real, nan)) is None
+    assert "nan at most points" in KINDS["expression"].unfit((real, nan, nan))
     monkeypatch.setattr(tolerance, "COMPONENT", 0.6)
     assert KINDS["vector"].unfit(((3.0, 4.0),)) is None
 
 
-def test_a_formula_is_unfit_where_it_is_real_at_fewer_than_half_of_its_points():
-    real, nan = (1.0,), (math.nan,)
-    assert KINDS["expression"].unfit((real, nan)) is None
-    assert "nan at most points" in KINDS["expression"].unfit((real, nan, nan))
+@pytest.mark.parametrize(
+    ("given", "word"),
+    [
+        ("W", "W"), ("w", "w"), (" w", "w"), ("\u00d6 ", "Ö"), ("O\u0308", "Ö"), ("Ö", "Ö"), ("Z", "z"), ("\uff5a ", "z"), ("cafe\u0301", "café"),
+        ("one  Of", "one of"), ("", None), (1.0, None), ("y", None),
+    ],
+)  # fmt: skip
+def test_a_choice_is_read_by_its_word_and_by_capitals_only_where_words_differ_in_these(given, word):
+    form = Form("choice", "1", ("w", "W", "z", "café", "one of", "ö", "Ö"))
+    read = lambda: form.kind.read(given, form, {}, [100])
+    if word:
+        assert read() == word
+    else:
+        with pytest.raises(AnswerError, match="expected one of 'w', 'W'"):
+            read()
 
 
 @pytest.mark.parametrize("text", ["choice", "choice, right wrong", "number: m", "tensor, m"])
@@ -112,13 +159,10 @@ def test_components_in_two_frames_of_unlike_size_are_those_of_two_vectors():
 # -- direction
 
 
-@pytest.mark.parametrize(
-    ("given", "right"),
-    [
-        ((0.6, 0.0, -0.8), True), ((-0.6, 0.0, 0.8), True), ((30.0, 0.0, -40.0), True),
-        ((-3e-9, 0.0, 4e-9), True), ((0.6, 0.0, 0.8), False), ((0.6, 0.0, -0.81), False),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("given", "right"), [
+    ((0.6, 0.0, -0.8), True), ((-0.6, 0.0, 0.8), True), ((30.0, 0.0, -40.0), True),
+    ((-3e-9, 0.0, 4e-9), True), ((0.6, 0.0, 0.8), False), ((0.6, 0.0, -0.81), False),
+])  # fmt: skip
 def test_a_direction_has_any_length_and_either_sense(given, right):
     assert DIRECTION.is_right((given,), KEY, 1e-6) is right
 
@@ -140,13 +184,15 @@ def test_a_direction_is_read_and_explained_whatever_its_length(scale):
         assert right or diagnose(points, DIRECTION.like(KEY, points), [], DIRECTION)
 
 
-def test_a_direction_of_length_zero_is_refused_in_words():
+def test_a_direction_of_length_zero_is_refused_and_others_move_by_the_angle_alone():
     form = Form(DIRECTION)
     with pytest.raises(AnswerError, match="length zero, which has no direction"):
         DIRECTION.read([0, 0, 0], form, {}, [100])
     with pytest.raises(TreeError, match="length zero has no direction"):
         DIRECTION.readings([0, 0.0, 0], form, {}, [100])
     assert not DIRECTION.is_right(((0.0, 0.0, 0.0),), KEY, 1e-6)
+    assert DIRECTION.change(((-1.2, 0.0, 1.6),), KEY) == pytest.approx(0.0, abs=1e-15)
+    assert DIRECTION.change(((-0.8, 0.0, -0.6),), KEY) == pytest.approx(math.sqrt(2))
 
 
 def test_a_direction_is_read_in_every_frame_of_a_vector():
@@ -168,11 +214,6 @@ def test_wrong_directions_are_explained_whatever_their_length_and_sense():
     )
     nearly = ((-0.603, 0.0, 0.81),)
     assert DIRECTION.observed(nearly, DIRECTION.like(KEY, nearly)) == NEAR
-
-
-def test_other_numbers_move_a_direction_by_the_angle_alone():
-    assert DIRECTION.change(((-1.2, 0.0, 1.6),), KEY) == pytest.approx(0.0, abs=1e-15)
-    assert DIRECTION.change(((-0.8, 0.0, -0.6),), KEY) == pytest.approx(math.sqrt(2))
 
 
 @pytest.mark.parametrize(

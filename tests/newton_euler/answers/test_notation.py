@@ -26,9 +26,12 @@ def test_a_name_is_printed_as_a_book_prints_it(name):
     assert symbol(name) == NAMES[name]
 
 
-def test_vectors_are_bold_and_their_indices_are_not():
+def test_vectors_are_bold_and_numbers_have_six_digits():
     assert symbol("v_D", vector=True) == r"\mathbf{v}_D"
     assert symbol("omega_2_dot", vector=True) == r"\dot{\boldsymbol{\omega}}_2"
+    assert [number_symbol(x) for x in (0.1 + 0.2, -7, 12, 1.5e-7, 2e20)] == [
+        "0.3", "-7", "12", r"1.5 \times 10^{-7}", r"2 \times 10^{20}",
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -55,12 +58,6 @@ def test_a_unit_is_upright_with_raised_exponents(unit):
     assert unit_symbol(unit) == UNITS[unit]
 
 
-def test_numbers_have_six_digits_and_powers_of_ten():
-    assert [number_symbol(x) for x in (0.1 + 0.2, -7, 12, 1.5e-7, 2e20)] == [
-        "0.3", "-7", "12", r"1.5 \times 10^{-7}", r"2 \times 10^{20}",
-    ]  # fmt: skip
-
-
 FORMULAS = [
     (["*", 2, "r", ["^", "omega", 2]], r"2 r \omega^{2}"),
     (["+", ["*", 4, ["^", "pi", 2]], -3.0, ["*", -1, "x"]], r"4 \pi^{2} - 3 - x"),
@@ -82,7 +79,7 @@ FORMULAS = [
     ([["/", "a", "b"], 0, "c"], r"\left[\frac{a}{b},\ 0,\ c\right]"),
     ([1.0, -2.5, 0], r"\left[1,\ {-2.5},\ 0\right]"),
     ({"arm": [1, 0, 0]}, r"\left[1,\ 0,\ 0\right]\ \text{in arm}"),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("tree", "latex"), FORMULAS)
@@ -90,11 +87,8 @@ def test_a_formula_has_the_parentheses_that_it_needs(tree, latex):
     assert formula(tree, {}) == latex
 
 
-def test_a_symbol_of_a_problem_is_printed_as_the_problem_prints_it():
+def test_symbols_are_printed_as_the_problem_does_and_bring_no_commands():
     assert formula(["*", "d", ["sin", "tilt"]], {"tilt": r"\gamma"}) == (r"d \sin \gamma")
-
-
-def test_the_name_of_a_frame_cannot_bring_commands():
     assert "href" not in formula({r"\href{javascript:x}{y}": [1, 2, 3]}, {}).replace(" href", "")
     assert formula({"$<b>": 1}, {}).count("$") == 0
 

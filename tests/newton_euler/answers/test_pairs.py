@@ -58,12 +58,9 @@ def test_a_listed_mistake_and_a_slip_are_named_together(given, key, own, slip):
     assert in_symbols(given, key, own, nameless=slip) == ()
 
 
-def test_the_opposite_sign_and_a_fraction_upside_down_are_seen_beside_a_listed_mistake():
+def test_opposite_signs_and_fractions_upside_down_are_seen_where_the_words_have_room():
     assert in_symbols(-A, A * B, A) == (both(LISTED, OPPOSITE_NUMBER),)
     assert in_symbols(1 / A, A * B, A) == (both(LISTED, INVERTED),)
-
-
-def test_a_pair_is_named_where_both_mistakes_have_room():
     long = "takes the speed of B" + ", that of C" * 5
     assert both(LISTED, listed("", f"{long} twice")).what == f"own, and also {long} twice"
     assert both(LISTED, listed("", f"{long} two times")) is None
@@ -78,20 +75,14 @@ def test_one_term_reversed_of_an_answer_reversed_is_all_but_this(language, words
         assert both(term_reversed("g", "the weight"), OPPOSITE_NUMBER).what == words
 
 
-def test_two_slips_in_symbols_or_two_changes_to_one_term_are_not_a_pair():
-    """A third of the strangers' answers that matched two slips had other causes."""
+def test_what_also_explains_a_guess_is_not_a_pair():
+    """Of the strangers' answers that matched two slips a third had other causes."""
     given, key, slip = A, A + A * B + B**2, A + A * B
     assert in_symbols(given, key, B, slip=slip, other=A + B**2) == ()
-    reversed_ = A + A * B - B**2
+    reversed_ = A + A * B - B**2  # two changes to one term
     assert in_symbols(key - 3 * B**2, key, A, slip=slip, other=reversed_) == ()
-
-
-def test_two_numbers_as_factors_are_not_a_pair():
-    """Two such factors would also explain a mere guess of the right form."""
-    assert in_symbols(A * B * 3 / 2, A * B, A * B * 3, slip=A * B / 2) == ()
-
-
-def test_factors_of_one_component_are_not_added_and_nothing_is_added_to_nothing():
+    assert in_symbols(A * B * 3 / 2, A * B, A * B * 3, slip=A * B / 2) == ()  # numbers as factors
+    # factors of one component are not added, and nothing is added to nothing
     assert in_symbols(-3 * A * B, A * B, 0 * A, slip=-2 * A * B) == ()
     assert in_symbols(A * B + B, A * B, B, slip=2 * A * B) == ()
 
@@ -138,9 +129,11 @@ def test_random_vectors_are_rarely_taken_for_two_mistakes():
     assert sum(map(bool, found)) <= 3
 
 
-def test_a_mistake_that_the_other_undoes_does_not_count():
+def test_mistakes_that_undo_each_other_or_are_powers_of_one_another_are_no_pair():
     own, slip = (5.418, -2.108, 1.871), (3.127, -6.324, 1.871)  # their sum in y is right
     assert of_numbers((5.418, -4.216, 1.871), own, [slip]) == ()
+    root = 1.7394
+    assert of_number(4.8175 * root, 4.8175, [4.8175 * root**3], [(4.8175 / root**2,)]) == ()
 
 
 def of_number(given, key, own, slips, is_size=False, slip=SLIP):
@@ -167,11 +160,6 @@ def test_random_numbers_are_rarely_taken_for_two_mistakes():
         (draw(), [draw() for _ in range(6)], [(draw(),) for _ in range(40)]) for _ in range(400)
     ]
     assert sum(bool(of_number(x, 4.8175, own, slips)) for x, own, slips in cases) <= 3
-
-
-def test_changes_that_are_powers_of_each_other_are_not_a_pair():
-    root = 1.7394
-    assert of_number(4.8175 * root, 4.8175, [4.8175 * root**3], [(4.8175 / root**2,)]) == ()
 
 
 TERM = computed("term", "leaves out it", does=LEFT_OUT, of="the term b")

@@ -31,19 +31,13 @@ def test_an_inertia_matrix_is_one_that_a_body_can_have(matrix, words):
     assert (words in found[0]) if words else found == []
 
 
-def test_a_matrix_of_other_units_may_be_anything():
-    assert doubts(Form("matrix", "1"), of((1, 2, 0), (-2, 1, 0), (0, 0, 9)), {}, None) == []
-
-
-def test_formulas_of_an_inertia_matrix_are_symmetric():
+def test_formulas_of_inertias_energies_and_magnitudes_are_sane():
     form, symbols = Form("matrix_expression", "kg*m^2"), {"m": "kg", "b": "m"}
     d, x = ["*", "m", ["^", "b", 2]], ["*", "m", "b"]
     assert doubts(form, of((d, x, 0), (x, d, 0), (0, 0, d)), symbols, None) == []
     (doubt,) = doubts(form, of((d, x, 0), (["*", -1, x], d, 0), (0, 0, d)), symbols, None)
     assert "symmetric" in doubt
-
-
-def test_a_kinetic_energy_is_not_negative():
+    assert doubts(Form("matrix", "1"), of((1, 2, 0), (-2, 1, 0), (0, 0, 9)), {}, None) == []
     form, symbols = Form("expression", "J"), {"m": "kg", "v": "m/s"}
     right = ["*", 0.5, "m", ["^", "v", 2]]
     assert doubts(form, right, symbols, KINETIC) == []
@@ -51,6 +45,12 @@ def test_a_kinetic_energy_is_not_negative():
         "a kinetic energy is never negative"
     ]
     assert doubts(Form("number", "J"), -2.0, {}, KINETIC)
+    symbols, x = {"u": "m/s"}, ["*", 3, "u"]
+    others = {"v": (Form("vector_expression", "m/s"), ["u", ["*", 2, "u"], ["*", 2, "u"]])}
+    form = Form("expression", "m/s")
+    assert doubts(form, x, symbols, "magnitude of v", others) == []
+    found = doubts(form, ["*", 5, "u"], symbols, "magnitude of v", others)
+    assert found == ["it is not the magnitude of v"]
 
 
 SPEED, VELOCITY = Form("number", "m/s"), Form("vector", "m/s")
@@ -74,15 +74,6 @@ def test_a_magnitude_is_not_negative_and_is_that_of_the_vector_beside_it(speed, 
     sane = (*bounds, "magnitude of v") if bounds else "magnitude of v"
     assert doubts(SPEED, speed, {}, sane, {"v": (VELOCITY, v)}) == words
     assert doubts(SPEED, speed, {}, "magnitude") == words[: speed < 0]
-
-
-def test_a_formula_of_a_magnitude_is_that_of_the_vector_beside_it():
-    symbols, x = {"u": "m/s"}, ["*", 3, "u"]
-    others = {"v": (Form("vector_expression", "m/s"), ["u", ["*", 2, "u"], ["*", 2, "u"]])}
-    form = Form("expression", "m/s")
-    assert doubts(form, x, symbols, "magnitude of v", others) == []
-    found = doubts(form, ["*", 5, "u"], symbols, "magnitude of v", others)
-    assert found == ["it is not the magnitude of v"]
 
 
 @pytest.mark.parametrize(

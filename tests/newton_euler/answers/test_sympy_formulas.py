@@ -51,16 +51,12 @@ NOT_READ = {
 }
 
 
-@pytest.mark.parametrize(
-    ("formula", "message"),
-    [
-        *NOT_READ.values(),
-        (LONG, f"more than {NODES} operations. Simplify it"),
-        (nested(3000), "expected a formula"),
-        (nested(DEPTH + 1), f"nested more than {DEPTH} deep"),
-    ],
-    ids=[*NOT_READ, "too long", "too deep for Python", "too deep to be graded"],
-)
+@pytest.mark.parametrize(("formula", "message"), [
+    *NOT_READ.values(),
+    (LONG, f"more than {NODES} operations. Simplify it"),
+    (nested(3000), "expected a formula"),
+    (nested(DEPTH + 1), f"nested more than {DEPTH} deep"),
+], ids=[*NOT_READ, "too long", "too deep for Python", "too deep to be graded"])  # fmt: skip
 def test_a_formula_that_cannot_be_graded_is_refused_in_words(formula, message):
     with pytest.raises(AnswerError, match=message):
         one("expression, m", formula, SYMBOLS)

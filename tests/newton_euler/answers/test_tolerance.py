@@ -39,13 +39,18 @@ def test_a_vector_may_be_off_by_half_a_percent_in_any_direction(off, expected, d
     assert verdict("vector", moved, key) == expected
 
 
-def test_the_limits_themselves_are_right():
+def test_limits_are_right_and_of_a_zero_key_the_absolute_tolerance():
     """The limits of the size that counts as zero and of components that count as round-off."""
     assert verdict("number", 0.0, (1e-3,), atol=1e-3) == "right"
     assert verdict("number", 2e-3, (1e-3,), atol=1e-3) == "right"
     assert verdict("vector", [1.5, 1000.0, 0], (1.0, 1000.0, 0.0)) == "right"
     assert verdict("number", 1005.0, (1000.0,)) == "right"
     assert formula_is_near(((2e-3,),), ((1e-3,),), 1e-3)
+    assert verdict("number", 0.09, (0.0,), atol=0.1) == "right"
+    assert verdict("number", 0.11, (0.0,), atol=0.1) == "wrong"
+    assert verdict("number", 5.09, (5.0,), atol=0.1) == "wrong"
+    assert KINDS["expression"].is_right(((0.9e-6,),), ((0.0,),), 1e-6)
+    assert not KINDS["expression"].is_right(((1.1e-6,),), ((0.0,),), 1e-6)
 
 
 @pytest.mark.parametrize(
@@ -69,12 +74,6 @@ def test_the_limits_themselves_are_right():
 )
 def test_zeros_bounds_and_matrices(kind, right, tree, expected):
     assert verdict(kind, tree, right) == expected
-
-
-def test_the_absolute_tolerance_of_a_problem_is_used_where_the_key_is_zero():
-    assert verdict("number", 0.09, (0.0,), atol=0.1) == "right"
-    assert verdict("number", 0.11, (0.0,), atol=0.1) == "wrong"
-    assert verdict("number", 5.09, (5.0,), atol=0.1) == "wrong"
 
 
 @pytest.mark.parametrize(("n", "small"), [(0, 0.5), (1, 0.5), (1, -0.5)])
@@ -116,20 +115,12 @@ def test_each_component_of_a_formula_counts_by_itself(given, expected):
     assert KINDS["vector_expression"].is_right(tuple(map(given, X)), right, 1e-6) == expected
 
 
-def test_a_component_of_a_formula_that_is_small_beside_another_is_seen():
+def test_small_components_are_seen_and_points_without_a_value_left_out():
     right, wrong = (tuple((1000.0 * x, f * x) for x in X) for f in (1.0, 1.0001))
     assert not KINDS["vector_expression"].is_right(wrong, right, 1e-6)
-
-
-def test_points_where_the_key_has_no_value_are_left_out_and_one_must_be_left():
     right = ((math.nan,), (1.0,), (math.inf,))
     assert KINDS["expression"].is_right(((2.0,), (1.0,), (3.0,)), right, 1e-6)
     assert not KINDS["expression"].is_right(((1.0,),), ((math.nan,),), 1e-6)
-
-
-def test_a_formula_whose_key_is_zero_has_its_absolute_tolerance():
-    assert KINDS["expression"].is_right(((0.9e-6,),), ((0.0,),), 1e-6)
-    assert not KINDS["expression"].is_right(((1.1e-6,),), ((0.0,),), 1e-6)
 
 
 def test_a_right_component_of_few_digits_does_not_make_the_others_coarse():
@@ -162,16 +153,11 @@ def test_a_model_is_apart_that_is_far_from_the_key_at_half_of_the_points(model, 
     assert is_apart(model, key) is apart
 
 
-def test_a_formula_near_a_zero_of_its_own_is_measured_by_its_mean():
-    key = (1.0,), (0.001,)
+def test_a_formula_is_measured_by_its_mean_and_a_zero_component_by_the_others():
+    key = (1.0,), (0.001,)  # near a zero of its own
     assert formula_is_near(((1.0,), (0.00101,)), key, 0.0)
     assert not formula_is_near(((1.0,), (0.00102,)), key, 0.0)
-
-
-def test_the_absolute_tolerance_is_not_that_of_a_zero_component():
+    # the absolute tolerance is not that of a zero component, but its round-off
     assert not formula_is_near(((5.0, 0.0005),), ((5.0, 0.0),), 0.001)
-
-
-def test_round_off_of_a_zero_component_is_as_large_as_the_others_make_it():
     assert formula_is_near(((1000.0, 5e-7),), ((1000.0, 0.0),), 0.0)
     assert not formula_is_near(((1000.0, 2e-6),), ((1000.0, 0.0),), 0.0)

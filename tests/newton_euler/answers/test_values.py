@@ -70,19 +70,16 @@ def test_a_matrix_is_read_row_by_row(value):
     assert one("matrix, kg*m^2", value) == list(map(float, range(9)))
 
 
-def test_an_interval_a_word_and_a_blank_are_read():
+def test_intervals_words_and_blanks_are_read_and_capitals_distinguished():
     assert one("interval, rad/s", (1, 2.5)) == [1.0, 2.5]
     assert one("choice: stable | unstable", "stable") == "stable"
     assert one("vector, m", None) is None
+    assert [one("choice: G | g", x) for x in ("g", "G", " G")] == ["g", "G", "G"]
 
 
 @pytest.mark.parametrize("text", ["Both Ends", " both ends\n", "BOTH  ends", np.str_("both ends")])
 def test_a_word_is_read_with_capitals_and_blanks(text):
     assert one("choice: neither | both ends", text) == "both ends"
-
-
-def test_words_that_differ_in_a_capital_alone_are_distinguished():
-    assert [one("choice: G | g", x) for x in ("g", "G", " G")] == ["g", "G", "g"]
 
 
 def test_symengine_is_read_as_sympy_is():
@@ -193,7 +190,7 @@ def test_an_object_that_fails_at_everything_is_a_fault(form):
 # -- vectors of the engine
 
 
-def test_a_vector_is_read_in_its_own_frame_and_in_the_ground():
+def test_a_vector_is_read_in_its_own_frame_and_the_ground_or_in_the_one_it_can_be():
     arm = ground.rotate("arm", "z", angle=math.pi / 2, rate=1.0)
     assert one("vector, m", 2.0 * arm.i) == {
         "arm": [2.0, 0.0, 0.0],
@@ -201,6 +198,12 @@ def test_a_vector_is_read_in_its_own_frame_and_in_the_ground():
     }
     still = ground.rotate("still", "z", rate=1.0)  # at this instant its axes are the ground's
     assert one("vector, m", 2.0 * still.i) == [2.0, 0.0, 0.0]
+    arm = ground.rotate("arm", "z", angle=sympy.Symbol("q", real=True))
+    assert one("vector_expression, m", r * arm.i, SYMBOLS) == ["r", 0, 0]
+    with pytest.raises(AnswerError, match="contains 'q'"):
+        one("vector_expression, m", r * ground.i.expressed_in(arm), SYMBOLS) and one(
+            "vector_expression, m", sympy.Symbol("q") * arm.i, SYMBOLS
+        )
 
 
 def test_a_vector_is_read_in_the_frames_between_too():
@@ -218,22 +221,10 @@ def test_a_vector_is_read_in_the_frames_between_too():
     assert len(one("vector, m", deep.i)) == 4
 
 
-def test_frames_of_one_name_are_distinguished():
+def test_frames_of_one_name_are_distinguished_and_a_receipt_shows_both():
     inner = ground.rotate("ground", "z", angle=math.pi / 2, rate=1.0)
     assert list(one("vector, m", 2.0 * inner.i)) == ["ground", "ground'"]
-
-
-def test_a_receipt_shows_both_frames():
     expect("0/10", v="vector, m")
     arm = ground.rotate("arm", "z", angle=math.pi, rate=1.0)
     message = repr(receipt("0/10", v=arm.vector(1.0, 0, 2.5)))
     assert re.search(r"v = \[1, 0, 2.5\] in arm, \[-1, .*, 2.5\] in ground, in m", message)
-
-
-def test_what_can_be_read_in_one_frame_only_is_read_in_that():
-    arm = ground.rotate("arm", "z", angle=sympy.Symbol("q", real=True))
-    assert one("vector_expression, m", r * arm.i, SYMBOLS) == ["r", 0, 0]
-    with pytest.raises(AnswerError, match="contains 'q'"):
-        one("vector_expression, m", r * ground.i.expressed_in(arm), SYMBOLS) and one(
-            "vector_expression, m", sympy.Symbol("q") * arm.i, SYMBOLS
-        )

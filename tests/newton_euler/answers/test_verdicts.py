@@ -63,15 +63,12 @@ def explained(numbers, key, answers, faults=None):
     return explain(next(a for a in numbers.answers if a.key == key), found, numbers)
 
 
-@pytest.mark.parametrize(
-    ("key", "tree", "verdict"),
-    [
-        ("v", 5.02, "right"), ("v", 5.04, "wrong"), ("v", None, "blank"), ("v", "5", "unreadable"),
-        ("sense", "falls", "right"), ("sense", "rises", "wrong"), ("sense", ["falls"], "wrong"),
-        ("sense", 1, "wrong"), ("bounces", 2, "right"), ("bounces", 2.0, "wrong"),
-        ("bounces", True, "wrong"), ("bounces", "2", "wrong"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("key", "tree", "verdict"), [
+    ("v", 5.02, "right"), ("v", 5.04, "wrong"), ("v", None, "blank"), ("v", "5", "unreadable"),
+    ("sense", "falls", "right"), ("sense", "rises", "wrong"), ("sense", ["falls"], "wrong"),
+    ("sense", 1, "wrong"), ("bounces", 2, "right"), ("bounces", 2.0, "wrong"),
+    ("bounces", True, "wrong"), ("bounces", "2", "wrong"),
+])  # fmt: skip
 def test_an_answer_is_right_wrong_unreadable_or_blank(key, tree, verdict):
     assert verdicts(Fall(), {key: tree})[key].verdict == verdict
 
@@ -81,12 +78,17 @@ def test_an_answer_in_another_unit_is_converted_before_it_is_compared():
     assert judge(v, Form("number", "mm/s"), 5000.0, None, Fall(), [100], 1e-3).verdict == "right"
 
 
-def test_an_answer_that_follows_from_a_wrong_one_is_recognised():
+def test_what_follows_is_recognised_before_any_other_cause():
     why = explained(Fall(), "square", {"v": 6.0, "square": 36.0})
     assert why.earlier == ("v",)
     assert why.message == "not right; it follows from your v"
     assert why.diagnosis == "follows from a wrong v"
     assert explained(Fall(), "sense", {"v": -6.0, "sense": "rises"}).earlier == ("v",)
+    doubled = listed("doubled", "takes the speed twice")
+    why = explained(Fall([("square", doubled, ((36.0,),))]), "square", {"v": 6.0, "square": 36.0})
+    assert why.causes == (follows(["v"]), doubled)
+    assert why.message == "not right; it follows from your v"
+    assert why.also == "; it also fits a solution that takes the speed twice (see section 6.1)"
 
 
 class There(Fall):
@@ -107,21 +109,11 @@ def test_answers_exchanged_between_parts_are_named():
     assert explained(There(), "v", {"v": 8.0}).causes == ()  # w is not asked for
 
 
-def test_a_component_of_another_part_is_not_that_part():
+def test_neither_a_component_nor_a_vector_in_another_unit_is_met_by_chance():
     numbers = There()
     numbers.answers = asked("v", "number", "m/s"), asked("w", "vector", "m/s")
     numbers.key["w"] = ((8.0, 1.0, 2.0),)
     assert explained(numbers, "v", {"v": 8.0, "w": [8.0, 1.0, 2.0]}).causes == ()
-
-
-@pytest.mark.parametrize(("square", "causes"), [(5.0, (answer_to("square"),)), (30.0, ())])
-def test_a_number_in_another_unit_is_taken_for_exchanged_if_both_were(square, causes):
-    numbers = Fall()
-    numbers.key["square"] = ((26.0,),)
-    assert explained(numbers, "v", {"v": 26.0, "square": square}).causes == causes
-
-
-def test_a_vector_in_another_unit_is_not_met_by_chance():
     numbers = Body()
     numbers.answers = asked("r", "vector", "m"), asked("v", "vector", "m/s")
     numbers.key = {"r": ((1.0, 2.0, 3.0),), "v": ((4.0, -7.0, 9.0),)}
@@ -129,12 +121,11 @@ def test_a_vector_in_another_unit_is_not_met_by_chance():
     assert explained(numbers, "r", given).causes == (answer_to("v"),)
 
 
-def test_that_it_follows_comes_before_any_other_cause():
-    doubled = listed("doubled", "takes the speed twice")
-    why = explained(Fall([("square", doubled, ((36.0,),))]), "square", {"v": 6.0, "square": 36.0})
-    assert why.causes == (follows(["v"]), doubled)
-    assert why.message == "not right; it follows from your v"
-    assert why.also == "; it also fits a solution that takes the speed twice (see section 6.1)"
+@pytest.mark.parametrize(("square", "causes"), [(5.0, (answer_to("square"),)), (30.0, ())])
+def test_a_number_in_another_unit_is_taken_for_exchanged_if_both_were(square, causes):
+    numbers = Fall()
+    numbers.key["square"] = ((26.0,),)
+    assert explained(numbers, "v", {"v": 26.0, "square": square}).causes == causes
 
 
 def test_the_other_parts_tell_which_of_two_mistakes_was_made():
@@ -146,7 +137,10 @@ def test_the_other_parts_tell_which_of_two_mistakes_was_made():
     assert words(square=25.0) == ["forgets the root", "in this part takes the mean"]
 
 
-def test_where_to_read_on_is_that_of_the_cause_before_that_of_the_problem():
+def test_a_remark_on_the_digits_is_the_message_where_nothing_explains_the_answer_else_where_to_read():
+    (seen,) = (why := explained(Fall(), "v", {"v": 5.12})).causes
+    assert seen.is_observation
+    assert why.message == f"not right; {seen.text}"
     for cause, where in (
         (listed("a", "halves it"), "6.1"),
         (listed("b", "x").at("section 9.9"), "9.9"),
@@ -155,19 +149,10 @@ def test_where_to_read_on_is_that_of_the_cause_before_that_of_the_problem():
         assert found.where == f"section {where}"
 
 
-def test_a_remark_on_the_digits_is_the_message_where_nothing_explains_the_answer():
-    (seen,) = (why := explained(Fall(), "v", {"v": 5.12})).causes
-    assert seen.is_observation
-    assert why.message == f"not right; {seen.text}"
-
-
-@pytest.mark.parametrize(
-    "answers",
-    [
-        {"v": 6.0, "square": 30.0}, {"v": 5.0, "square": 36.0}, {"square": 36.0},
-        {"v": None, "square": 36.0}, {"v": 0.0, "square": 0.0},
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize("answers", [
+    {"v": 6.0, "square": 30.0}, {"v": 5.0, "square": 36.0}, {"square": 36.0},
+    {"v": None, "square": 36.0}, {"v": 0.0, "square": 0.0},
+])  # fmt: skip
 def test_an_answer_that_does_not_follow_is_not_reported_as_following(answers):
     assert explained(Fall(), "square", answers).earlier == ()
 
@@ -222,14 +207,11 @@ def slip(what):
     return Cause("computed", what, what)
 
 
-@pytest.mark.parametrize(
-    ("level", "given", "words"),
-    [
-        (3, {}, "halves g"), (3, {"v": 5.0}, "forgets the root"),
-        (4, {"v": 5.0}, "in this part halves g"), (3, {"v": 5.5}, "halves g"),
-        (3, {"v": 6.0}, "halves g"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("level", "given", "words"), [
+    (3, {}, "halves g"), (3, {"v": 5.0}, "forgets the root"),
+    (4, {"v": 5.0}, "in this part halves g"), (3, {"v": 5.5}, "halves g"),
+    (3, {"v": 6.0}, "halves g"),
+])  # fmt: skip
 def test_a_slip_that_a_right_earlier_answer_denies_gives_way_to_one_about_as_simple(
     level, given, words
 ):
@@ -248,13 +230,10 @@ def test_where_an_answer_follows_no_slip_in_it_is_named():
     assert explained(numbers, "square", {"v": 5.0, "square": 36.0}).causes == (slip("halves g"),)
 
 
-@pytest.mark.parametrize(
-    ("v", "square", "words"),
-    [
-        (6.0, 18.0, "goes on from your v, but halves it"), (5.0, 18.0, "halves it"),
-        (6.0, 0.0, GIVES_ZERO.what),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("v", "square", "words"), [
+    (6.0, 18.0, "goes on from your v, but halves it"), (5.0, 18.0, "halves it"),
+    (6.0, 0.0, GIVES_ZERO.what),
+])  # fmt: skip
 def test_a_slip_in_going_on_from_a_wrong_answer_is_named_but_zero_is_no_evidence(v, square, words):
     numbers = Fall()
     numbers.sequel = lambda key, earlier: Made((1, slip("halves it"), {key: ((square,),)}))
@@ -277,14 +256,11 @@ class Further(Fall):
         return {"twice": ((2 * v,),), "more": ((v + 3,),)}[key] if v >= 0 else None
 
 
-@pytest.mark.parametrize(
-    ("key", "v", "given", "does"),
-    [
-        ("twice", 6.0, 12.0, True), ("twice", 1e9, 2e9, True), ("twice", 0.0, 0.0, False),
-        ("twice", -6.0, -12.0, False), ("more", 6.0, 9.0, True), ("more", 1e9, 1e9, False),
-        ("more", 1e3, 1002.5, True), ("more", 1e3, 1002.0, False), ("more", 1.7e308, 1.7e308, False),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("key", "v", "given", "does"), [
+    ("twice", 6.0, 12.0, True), ("twice", 1e9, 2e9, True), ("twice", 0.0, 0.0, False),
+    ("twice", -6.0, -12.0, False), ("more", 6.0, 9.0, True), ("more", 1e9, 1e9, False),
+    ("more", 1e3, 1002.5, True), ("more", 1e3, 1002.0, False), ("more", 1.7e308, 1.7e308, False),
+])  # fmt: skip
 def test_it_follows_where_the_computation_shows(key, v, given, does):
     """Not in zeros, nor in one huge number for every answer, beside which three do not count."""
     found = explained(Further(), key, {"v": v, key: given}).earlier
@@ -327,13 +303,10 @@ def test_a_formula_that_follows_from_a_wrong_one_is_not_compared():
     assert explained(numbers, "I", given).causes == (follows(["J"]),)
 
 
-@pytest.mark.parametrize(
-    ("key", "tree", "most"),
-    [
-        ("I", ["sin", "m"], LESS), ("r", [1.5, 7.1, 2.2], RARER),
-        ("all", [1.7, 7.1, 2.2, 9.1, 4.4, 3.7, 8.2, 5.2, 6.1], LESS),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("key", "tree", "most"), [
+    ("I", ["sin", "m"], LESS), ("r", [1.5, 7.1, 2.2], RARER),
+    ("all", [1.7, 7.1, 2.2, 9.1, 4.4, 3.7, 8.2, 5.2, 6.1], LESS),
+])  # fmt: skip
 def test_two_mistakes_at_once_are_looked_for_further_where_chance_meets_fewer(key, tree, most):
     numbers = Body()
     numbers.slips = Made()
@@ -359,16 +332,13 @@ def test_the_answer_for_the_books_numbers_is_named_and_does_not_follow():
     assert why.message.startswith("not right: this is the answer for the book's numbers")
 
 
-@pytest.mark.parametrize(
-    ("form", "tree", "line"),
-    [
-        ("vector, mm/s", [1.0, 2.5, 0.0], "[1, 2.5, 0] mm/s"),
-        ("vector, mm/s", {"arm": [1, 0, 0], "ground": [0, 1, 0]},
-         "[1, 0, 0] in arm, [0, 1, 0] in ground, mm/s"),
-        ("count", 3, "3"),
-        ("choice: a | b", "a\nb", "a b"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("form", "tree", "line"), [
+    ("vector, mm/s", [1.0, 2.5, 0.0], "[1, 2.5, 0] mm/s"),
+    ("vector, mm/s", {"arm": [1, 0, 0], "ground": [0, 1, 0]},
+     "[1, 0, 0] in arm, [0, 1, 0] in ground, mm/s"),
+    ("count", 3, "3"),
+    ("choice: a | b", "a\nb", "a b"),
+])  # fmt: skip
 def test_the_value_that_was_read_is_one_line(form, tree, line):
     assert value_line(Form.read(form), tree, "wrong") == line
     assert value_line(Form.read(form), tree, "unreadable") == ""

@@ -508,13 +508,10 @@ def test_near_the_vertical_no_digits_are_lost(tilt):
     assert abs(found.theta_max - true.theta_max) < 1e-14
 
 
-def test_a_pendulum_in_a_plane_is_planar():
+def test_nutation_of_a_plane_pendulum_and_of_arrays():
     found = nutation(1.0, 0, 2.0, 2.5, 0.0, 0.0, omega_z=0.0)
     assert found.kind == "planar"
     assert found.theta_max == pytest.approx(math.pi, abs=1e-14)
-
-
-def test_nutation_of_arrays():
     found = nutation(0.6, 0.25, 1.5, 0.9, 0.0, np.array([0.0, 0.2, -0.2]), spin=20.0)
     assert found.kind == ["cusps", "waves", "loops"]
     one = nutation(0.6, 0.25, 1.5, 0.9, 0.0, 0.2, spin=20.0)
@@ -540,14 +537,11 @@ def test_the_sleeping_top_on_both_sides_of_its_threshold(part, stable):
         assert falls == pytest.approx(math.acos(2 * part**2 - 1), rel=1e-8)
 
 
-def test_a_hanging_top_needs_no_spin():
+def test_a_hanging_top_needs_no_spin_and_a_sleeping_one_that_of_the_formula():
     found = sleeping_top(0.25, 0.5, -1.0, 0.0)
     assert found.stable
     assert found.critical == 0
     assert found.margin == math.inf
-
-
-def test_the_sleeping_top_as_a_formula():
     I0, I, mgr, w = sympy.symbols("I0 I mgr omega", positive=True)
     found = sleeping_top(I0, I, mgr, w)
     assert found.stable is None

@@ -103,9 +103,14 @@ def test_dimensions(case):
     assert {c for c in inertia if c != 0} == {MASS * LENGTH**2}
 
 
-def test_unlike_dimensions_do_not_make_a_body():
+def test_what_has_unlike_dimensions_moves_or_does_not_converge_is_no_body():
     with pytest.raises(DimensionError, match="cannot add"):
         cone(LENGTH, MASS, MASS)
+    kinked, ends = lambda x, y, z: sqrt(abs(x - 0.3)) + 1, np.array([1.0, 2.0])
+    with pytest.raises(MassError, match=r"does not converge.*Divide it where they are not"):
+        summary(lambda x: (x, 0, 0), (0, ends), density=kinked)
+    with pytest.raises(MassError, match="the points of body move"):
+        wire(moving(2.0, rate=1.0))
 
 
 @pytest.mark.parametrize("case", ["half disk", "plate"])
@@ -114,11 +119,3 @@ def test_symbols_give_formulas_without_being_asked(case):
     symbols = sympy.symbols(f"a:{len(given)}", positive=True)
     found, expected = body(*symbols), by_hand(*symbols)
     assert [sympy.simplify(x - y) for x, y in zip(found, expected, strict=True)] == [0] * 10
-
-
-def test_a_body_that_does_not_converge_or_moves_is_refused():
-    kinked, ends = lambda x, y, z: sqrt(abs(x - 0.3)) + 1, np.array([1.0, 2.0])
-    with pytest.raises(MassError, match=r"does not converge.*Divide it where they are not"):
-        summary(lambda x: (x, 0, 0), (0, ends), density=kinked)
-    with pytest.raises(MassError, match="the points of body move"):
-        wire(moving(2.0, rate=1.0))

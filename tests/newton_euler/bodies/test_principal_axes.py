@@ -86,7 +86,7 @@ def test_moments_and_axes_of_any_body(given_moments, axis, angle):
         assert np.allclose(diagonal, np.diag(p.moments), rtol=0, atol=2e-12 * size)
 
 
-def test_order_and_sign_are_reproducible():
+def test_order_and_sign_are_reproducible_and_thirty_digits_kept():
     frame, tilted_axes = Frame("body"), set()
     for x in (0.0, -0.0):
         axis = Inertia(frame, (8.0, 11.0, 11.0), (3.0, x, -3.0)).principal().axes[1]
@@ -95,6 +95,13 @@ def test_order_and_sign_are_reproducible():
     p = Inertia(frame, (3.0, 1.0, 2.5)).principal()
     assert p.moments == (1.0, 2.5, 3.0)
     assert [v.components() for v in p.axes] == [(0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)]
+    data = (
+        [numbers(kind, *v) for v in ((5, 4, 3), (1, -1, "0.5"))] for kind in ("mpmath", "sympy")
+    )
+    p, exact = (Inertia(Frame("body"), *given).principal() for given in data)
+    assert close(p.moments, exact.moments, 1e-27)
+    assert not any(m.has(sympy.I) for m in exact.moments)  # no complex cube roots
+    assert close([tuple(a) for a in p.axes], [tuple(a) for a in exact.axes], 1e-26)
 
 
 def test_an_array_of_matrices_is_each_of_them():
@@ -106,16 +113,6 @@ def test_an_array_of_matrices_is_each_of_them():
         assert close([m[n] for m in many.moments], one.moments, 1e-14)
         assert close([[c[n] for c in a] for a in many.axes], [tuple(a) for a in one.axes], 1e-13)
     assert many.turns[0].shape == (3,)
-
-
-def test_thirty_digits():
-    data = (
-        [numbers(kind, *v) for v in ((5, 4, 3), (1, -1, "0.5"))] for kind in ("mpmath", "sympy")
-    )
-    p, exact = (Inertia(Frame("body"), *given).principal() for given in data)
-    assert close(p.moments, exact.moments, 1e-27)
-    assert not any(m.has(sympy.I) for m in exact.moments)  # no complex cube roots
-    assert close([tuple(a) for a in p.axes], [tuple(a) for a in exact.axes], 1e-26)
 
 
 @pytest.mark.parametrize("where", [0, 1], ids=["two low", "two high"])
@@ -137,13 +134,26 @@ def test_a_tilted_body_of_revolution_has_a_right_handed_frame_of_principal_axes(
     assert "only their plane is" in str(p)
 
 
-def test_a_sphere_keeps_the_axes_of_the_frame():
+def test_equal_moments_keep_the_axes_of_the_frame():
     I, _ = tilted((2.0, 2.0, 2.0), (1.0, 2.0, 0.5), 0.8)
     p = I.principal()
     assert [v.components() for v in p.axes] == [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
     assert p.determined == (False, False, False)
     assert "any axis is a principal axis" in str(p)
     assert I.symmetry().kind == "sphere"
+    a, b, c = sympy.symbols("a b c", positive=True)
+    p = Inertia(Frame("body"), (a, b, c)).principal()
+    assert p.moments == (a, b, c)
+    assert p.axes[1].components() == (0, 1, 0)
+    assert "principal moments about origin of body: a, b, c" in str(p)
+    q = sympy.Rational
+    # about (1, 1, 1)
+    I = Inertia(Frame("body"), (q(7, 3), q(7, 3), q(7, 3)), (q(1, 3), q(1, 3), q(1, 3)))
+    p = I.principal()
+    assert p.moments == (q(5, 3), q(8, 3), q(8, 3))
+    for moment, axis in zip(p.moments, p.axes, strict=True):
+        assert all(sympy.simplify(x) == 0 for x in (I.times(axis) - moment * axis).components())
+    assert sympy.simplify(determinant(p.rotation)) == 1
 
 
 @pytest.mark.parametrize("axis", [(1, 1, 1), (1, 2, 0.5), (0.36, -0.48, 0.8)])
@@ -187,14 +197,6 @@ def test_block_of_two_in_symbols_without_cube_roots():
         assert p.axes[free].components() == tuple(int(k == free) for k in range(3))
 
 
-def test_diagonal_symbols_stay_where_they_are():
-    a, b, c = sympy.symbols("a b c", positive=True)
-    p = Inertia(Frame("body"), (a, b, c)).principal()
-    assert p.moments == (a, b, c)
-    assert p.axes[1].components() == (0, 1, 0)
-    assert "principal moments about origin of body: a, b, c" in str(p)
-
-
 @pytest.mark.parametrize(
     "given",
     [
@@ -225,17 +227,6 @@ def test_a_full_matrix_is_turned_by_a_compiled_formula_even_where_moments_are_eq
         assert np.linalg.det(axes) == pytest.approx(1.0, rel=1e-14)
 
 
-def test_exact_numbers_with_equal_moments():
-    q = sympy.Rational
-    # about (1, 1, 1)
-    I = Inertia(Frame("body"), (q(7, 3), q(7, 3), q(7, 3)), (q(1, 3), q(1, 3), q(1, 3)))
-    p = I.principal()
-    assert p.moments == (q(5, 3), q(8, 3), q(8, 3))
-    for moment, axis in zip(p.moments, p.axes, strict=True):
-        assert all(sympy.simplify(x) == 0 for x in (I.times(axis) - moment * axis).components())
-    assert sympy.simplify(determinant(p.rotation)) == 1
-
-
 def test_symmetry_finds_itself():
     F = Frame("F")
     whole = box(1.0, 2.0, 3.0, F, mass=1.0)
@@ -252,21 +243,15 @@ def test_symmetry_finds_itself():
     assert "possible planes of symmetry: xy" in str(aside)
 
 
-def test_symmetry_is_only_dynamic():
+def test_symmetry_is_only_dynamic_seen_by_form_and_of_one_matrix():
     """A cylinder of the right length moves like a sphere: the matrix cannot tell."""
     F = Frame("F")
     assert cylinder(1.0, math.sqrt(3), F, mass=1.0).inertia.symmetry().kind == "sphere"
-
-
-def test_symmetry_in_symbols_is_seen_by_form():
     m, r, h = sympy.symbols("m r h", positive=True)
     F = Frame("F")
     s = cylinder(r, h, F, "z", mass=m).inertia.symmetry()
     assert (s.kind, s.axis.components(), s.axes) == ("top", (0, 0, 1), ("x", "y", "z"))
     assert box(m, r, h, F, mass=m).inertia.symmetry().kind == "none"
     assert cylinder(r, h, F, "z", mass=m).about(F.point("P", r, 0, h)).symmetry().planes == ("zx",)
-
-
-def test_symmetry_of_many_matrices_is_refused():
     with pytest.raises(MassError, match="a symmetry at each instant: ask for one"):
         Inertia(Frame("body"), (np.array([8.0, 9.0]), 11.0, 11.0)).symmetry()

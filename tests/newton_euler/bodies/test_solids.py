@@ -171,14 +171,11 @@ def test_a_minus_sign_turns_the_body_back_to_front(name):
     assert body.inertia.moments == straight.inertia.moments
 
 
-def test_a_fan_may_be_directed_anywhere_in_its_plane():
+def test_a_fan_may_be_directed_anywhere_in_its_plane_and_thin_walls_keep_their_digits():
     F = Frame("F")
     up = B.half_disk(1.0, F, "x", "-z", mass=1.0)
     assert close(up.centre.position(F), (0, 0, -4 / (3 * math.pi)), 1e-16)
     assert close(up.about(F).moments, (0.5, 0.25, 0.25), 1e-15)
-
-
-def test_thin_walls_keep_their_digits():
     F = Frame("F")
     thin, limit = B.tube(1 - 1e-9, 1.0, L, F, mass=1.0), B.cylindrical_shell(1.0, L, F, mass=1.0)
     assert close(thin.inertia.moments, limit.inertia.moments, 2e-9)

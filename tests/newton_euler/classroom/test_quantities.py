@@ -49,12 +49,9 @@ def test_round_off_beside_a_large_value_of_the_same_unit_is_zero(capsys):
     assert printed(capsys, "F", 4e5, "N", "t", 3e-9, "s").endswith("t = 3e-09 s")
 
 
-def test_a_row_of_a_table_is_one_line_with_its_digits(capsys):
+def test_values_and_rows_of_tables_are_shown_in_their_digits(capsys):
     row = printed(capsys, "t", 1.0, "s", "v", 2.2222222, "m/s", row=True, digits=3)
     assert row == "t = 1 s, v = 2.22 m/s"
-
-
-def test_a_value_with_few_digits_has_no_power_of_ten(capsys):
     assert printed(capsys, "ahead", 281.2, "ns", digits=2) == "ahead = 280 ns"
     assert printed(capsys, "radius", 6.371e6, "m") == "radius = 6371000 m"
 

@@ -33,20 +33,14 @@ def seen(film):
     return [np.asarray(Image.open(io.BytesIO(picture)).convert("L")) for picture in film.pictures]
 
 
-def test_every_picture_has_one_size_and_shows_its_own_instant():
+def test_every_picture_has_one_size_shows_its_own_instant_and_reaches_no_edge():
     pictures = seen(animate(arm, TIMES, size=(3, 2)))
     assert {p.shape for p in pictures} == {(200, 300)}
     assert all((a != b).any() for a, b in pairwise(pictures))
-
-
-def test_draw_is_called_once_for_each_time_with_a_float():
     called = []
     animate(lambda t, ax: (called.append(t), arm(t, ax)), np.linspace(0, 1, 5))
     assert called == [0, 0.25, 0.5, 0.75, 1]
     assert {type(t) for t in called} == {float}
-
-
-def test_nothing_reaches_the_edge_of_any_picture():
     for picture in seen(animate(arm, TIMES, size=(3, 2))):
         edges = picture[0], picture[-1], picture[:, 0], picture[:, -1]
         assert (np.concatenate(edges) > 250).all()
@@ -74,19 +68,16 @@ def test_a_motion_that_is_too_quick_or_too_slow_to_watch_lasts_8_seconds(end, sp
     assert animate(arm, [0, end], speed=0.5).speed == 0.5
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        ({"times": range(MAX_PICTURES + 1)}, r"601 pictures are too many .* 600 at most: give fewer times, as times\[::2\]"),
-        ({"times": range(500), "size": (15, 12)}, "500 pictures of 1500 by 1200 pixels are too much .* a smaller size"),
-        ({"times": [1]}, "two times or more, got 1"),
-        ({"times": [0, 2, 1]}, "increase; got 2.0 and then 1.0"),
-        ({"times": [0, math.nan]}, "finite and increase; got 0.0 and then nan"),
-        ({"times": 3}, "times is a sequence, .*; got 3"),
-        ({"times": [0, 1], "speed": 0}, "positive; got 0"),
-        ({"times": [0, 1], "draw": lambda t, ax: None}, r"with Sketch\(ax, ...\), and did not at t = 0 s"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("arguments", "words"), [
+    ({"times": range(MAX_PICTURES + 1)}, r"601 pictures are too many .* 600 at most: give fewer times, as times\[::2\]"),
+    ({"times": range(500), "size": (15, 12)}, "500 pictures of 1500 by 1200 pixels are too much .* a smaller size"),
+    ({"times": [1]}, "two times or more, got 1"),
+    ({"times": [0, 2, 1]}, "increase; got 2.0 and then 1.0"),
+    ({"times": [0, math.nan]}, "finite and increase; got 0.0 and then nan"),
+    ({"times": 3}, "times is a sequence, .*; got 3"),
+    ({"times": [0, 1], "speed": 0}, "positive; got 0"),
+    ({"times": [0, 1], "draw": lambda t, ax: None}, r"with Sketch\(ax, ...\), and did not at t = 0 s"),
+])  # fmt: skip
 def test_what_cannot_be_shown_is_an_error_before_anything_is_drawn(arguments, words):
     with pytest.raises((AnimationError, ArgumentError), match=words):
         animate(**({"draw": arm} | arguments))

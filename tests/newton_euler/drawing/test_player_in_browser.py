@@ -41,7 +41,9 @@ def test_a_film_runs_at_its_speed(driver, page):
     assert driver.get_log("browser") == []
 
 
-def test_a_film_waits_where_reduced_motion_is_preferred(driver, page):
+def test_a_film_waits_where_reduced_motion_is_preferred_and_is_printed_without_controls(
+    driver, page
+):
     feature = {"name": "prefers-reduced-motion", "value": "reduce"}
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [feature]})
     driver.get(page)
@@ -51,9 +53,6 @@ def test_a_film_waits_where_reduced_motion_is_preferred(driver, page):
     time.sleep(0.5)
     assert reads(driver)[0] > 0
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
-
-
-def test_a_film_is_printed_as_its_first_picture_without_controls(driver, page):
     driver.get(page)
     time.sleep(0.5)
     assert reads(driver)[0] > 0

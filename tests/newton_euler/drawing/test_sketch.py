@@ -21,16 +21,13 @@ def test_points_vectors_and_triples_name_the_same_place():
         assert line[1] == pytest.approx((0, 2), abs=1e-12)
 
 
-def test_one_metre_is_as_long_on_the_page_across_as_up():
+def test_one_metre_is_as_long_across_as_up_within_the_axes():
     s = sketch()
     s.rod((0, 0, 0), (0, 7, 1))
     png(s)
     (ax, ay), (bx, by) = s.ax.transData.transform([(0, 0), (1, 1)])
     assert bx - ax == pytest.approx(by - ay, rel=1e-9)
     assert not s.ax.axison
-
-
-def test_everything_lies_within_the_axes():
     s = sketch()
     s.box((0, 0, 0), ground, (1, 5, 2))
     s.axes((0, 2.5, 1), ground)
@@ -50,7 +47,7 @@ def test_a_disk_is_as_wide_as_its_diameter_and_foreshortened_by_the_elevation():
     assert np.ptp(vertices(s)[0], axis=0) == pytest.approx((1, 0.5), rel=3e-3)
 
 
-def test_an_arc_spans_the_angle_from_the_first_direction_to_the_second():
+def test_an_arc_spans_its_angle_farther_out_where_it_is_small():
     s = sketch(plane="xy")
     A, B = (2, 0, 0), (3 * math.cos(2), 3 * math.sin(2), 0)
     s.line(O, A)
@@ -62,8 +59,6 @@ def test_an_arc_spans_the_angle_from_the_first_direction_to_the_second():
     assert np.ptp(np.hypot(x, y)) < 1e-12
     assert r"$\beta$" in texts(s)
 
-
-def test_the_arc_of_a_small_angle_is_farther_out_and_a_radius_is_kept():
     def drawn(angle, **radius):
         s = sketch(plane="xy")
         s.line(O, (1, 1, 0))
@@ -96,7 +91,7 @@ def test_a_turn_about_an_axis_towards_the_eye_runs_counter_clockwise(axis, sign)
     assert np.sign(a[0] * b[1] - a[1] * b[0]) == sign
 
 
-def test_arrows_of_one_kind_have_lengths_in_proportion():
+def test_arrows_have_lengths_in_proportion_and_dots_or_crosses_at_the_eye():
     s = sketch(plane="xy")
     s.rod(O, (10, 10, 0))
     s.vector(O, (4, 0, 0), "u")
@@ -106,9 +101,6 @@ def test_arrows_of_one_kind_have_lengths_in_proportion():
     (a,) = (np.hypot(*(v[1] - v[0])) for v in vertices(s, KINDS["acceleration"]) if len(v) == 2)
     assert u == pytest.approx(2 * w)
     assert a == pytest.approx(u)
-
-
-def test_an_arrow_at_the_eye_is_a_circle_with_a_dot_and_one_from_it_a_circle_with_a_cross():
     for z, extra in ((1, 1), (-1, 2)):
         s = sketch(plane="xy")
         s.vector(O, (0, 0, z), "v")
@@ -175,7 +167,7 @@ def test_every_primitive_is_drawn_from_every_side(view):
     assert {r"$\omega$", r"$\theta$", "$b$", "A", "$mg$", "$x$", "$y$", "$z$"} <= texts(s).keys()
 
 
-def test_saving_finishes_and_finishing_twice_changes_nothing():
+def test_what_is_drawn_after_the_figure_was_shown_is_added_and_finishing_twice_adds_nothing():
     s, t = sketch(), sketch()
     everything(s)
     everything(t)
@@ -185,9 +177,6 @@ def test_saving_finishes_and_finishing_twice_changes_nothing():
     first = png(s)
     assert len(s.ax.patches) == len(t.ax.patches) > 60
     assert png(s) == first
-
-
-def test_what_is_drawn_after_the_figure_was_shown_is_added():
     s = sketch()
     s.rod(O, (1, 0, 0))
     png(s)
@@ -216,50 +205,47 @@ def test_a_scene_of_one_place_and_an_empty_scene_are_drawn(place):
 CORNERS = [(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0)]
 
 
-@pytest.mark.parametrize(
-    ("draw", "words"),
-    [
-        (lambda s: s.rod(O, 3), "a place is a Point, a Vector or three numbers, got"),
-        (lambda s: s.rod(O, (1, 2, "a")), "needs numbers, but the place is"),
-        (lambda s: s.rod(O, np.array([1, 2, 3j])), "needs numbers, but the place is"),
-        (lambda s: s.rod(O, (1, 2, math.nan)), "not finite"),
-        (lambda s: s.rod(O, Frame("moon").point("M", 0, 0, 0)), "share no frame"),
-        (lambda s: s.ground(O, normal=(0, 0, 0)), "points nowhere"),
-        (lambda s: s.turn(O, ground.point("A", 1, 0, 0), "w"), "write B - A"),
-        (lambda s: s.vector(O, ground.i, "v", kind="speed"), "kind is one of 'velocity', 'acceleration', 'rate', 'force', 'plain'; got 'speed'"),
-        (lambda s: s.disk(O, ground.k, -1), "positive number of metres; got -1"),
-        (lambda s: s.sphere(O, "big"), "positive number of metres; got 'big'"),
-        (lambda s: s.disk(O, ground.k, 1, hole=-0.1), "positive number of metres; got -0.1"),
-        (lambda s: s.cylinder(O, (0, 0, 1), 1, bore=1), "a hole is narrower than its body, 1 m"),
-        (lambda s: s.plate([O, O]), "three corners or more, got 2"),
-        (lambda s: s.plate(CORNERS, thickness=math.nan), "positive number of metres; got nan"),
-        (lambda s: s.plate([O, (1, 0, 0), (2, 0, 0)], thickness=1), "has an area"),
-        (lambda s: s.plate(CORNERS, holes=[3]), "as holes=[s.around(...)]; got [3]"),
-        (lambda s: s.plate(CORNERS, holes=3), "holes are outlines"),
-        (lambda s: s.plate(CORNERS, s.around(O, CORNERS[1], ground.k)), "holes are outlines"),
-        (lambda s: s.around(O, (0, 0, 1), ground.k), "a circle needs a place off its axis"),
-        (lambda s: s.around(O, CORNERS[1], ground.k, "pi"), "an angle is in radians, at most 1000 turns; got 'pi'"),
-        (lambda s: s.around(O, CORNERS[1], ground.k, 1e308), "at most 1000 turns; got 1e"),
-        (lambda s: s.spring(O, CORNERS[1], radius=0.1, coils=0), "a spring has 1 to 100 coils; got 0"),
-        (lambda s: s.spring(O, CORNERS[1], radius=0.1, coils=2.5), "a spring has 1 to 100 coils; got 2.5"),
-        (lambda s: s.spring(O, CORNERS[1], radius=0.1, coils=101), "a spring has 1 to 100 coils; got 101"),
-        (lambda s: s.road([O]), "two places or more, got 1"),
-        (lambda s: s.swing(O, (0, 0, 2), ground.k), "a circle needs a place off its axis"),
-        (lambda s: s.sum(O, ground.i), "a Vector with terms"),
-        (lambda s: s.arc(O, O, (1, 0, 0), "a"), "two other places"),
-        (lambda s: s.axes(O, ground, labels="xy"), "three labels"),
-        (lambda s: s.axes(O, ground, labels="wxyz"), "three labels"),
-        (lambda s: s.axes(O, ground.k), "axes of a Frame, got"),
-        (lambda s: s.path([O, O], on=-1), "a place is a Point, a Vector or three numbers"),
-        (lambda s: s.cable(O), "between two places or pulleys at least; got 1"),
-        (lambda s: s.cable((0.1, 0, 0), s.pulley(O, ground.k, 0.5), (2, 0, 0)), "is within the radius 0.5"),
-        (lambda s: s.cable(O, (1, 0, 0), turns=[1]), "1 or -1 for each of 0 pulleys"),
-        (lambda s: s.cable(*[s.pulley((3 * n, 0, 0), ground.k, 1) for n in range(11)]), "say how the cable goes round each of 11 pulleys, as in turns="),
-        (lambda s: Sketch(s.ax, s.ax), "ground) is a Frame"),
-        (lambda s: Sketch(ground, ground), "the Axes of plt.subplots()"),
-        (lambda s: Sketch(s.ax, ground, plane="xx"), "two axes, as in plane='xz'"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("draw", "words"), [
+    (lambda s: s.rod(O, 3), "a place is a Point, a Vector or three numbers, got"),
+    (lambda s: s.rod(O, (1, 2, "a")), "needs numbers, but the place is"),
+    (lambda s: s.rod(O, np.array([1, 2, 3j])), "needs numbers, but the place is"),
+    (lambda s: s.rod(O, (1, 2, math.nan)), "not finite"),
+    (lambda s: s.rod(O, Frame("moon").point("M", 0, 0, 0)), "share no frame"),
+    (lambda s: s.ground(O, normal=(0, 0, 0)), "points nowhere"),
+    (lambda s: s.turn(O, ground.point("A", 1, 0, 0), "w"), "write B - A"),
+    (lambda s: s.vector(O, ground.i, "v", kind="speed"), "kind is one of 'velocity', 'acceleration', 'rate', 'force', 'plain'; got 'speed'"),
+    (lambda s: s.disk(O, ground.k, -1), "positive number of metres; got -1"),
+    (lambda s: s.sphere(O, "big"), "positive number of metres; got 'big'"),
+    (lambda s: s.disk(O, ground.k, 1, hole=-0.1), "positive number of metres; got -0.1"),
+    (lambda s: s.cylinder(O, (0, 0, 1), 1, bore=1), "a hole is narrower than its body, 1 m"),
+    (lambda s: s.plate([O, O]), "three corners or more, got 2"),
+    (lambda s: s.plate(CORNERS, thickness=math.nan), "positive number of metres; got nan"),
+    (lambda s: s.plate([O, (1, 0, 0), (2, 0, 0)], thickness=1), "has an area"),
+    (lambda s: s.plate(CORNERS, holes=[3]), "as holes=[s.around(...)]; got [3]"),
+    (lambda s: s.plate(CORNERS, holes=3), "holes are outlines"),
+    (lambda s: s.plate(CORNERS, s.around(O, CORNERS[1], ground.k)), "holes are outlines"),
+    (lambda s: s.around(O, (0, 0, 1), ground.k), "a circle needs a place off its axis"),
+    (lambda s: s.around(O, CORNERS[1], ground.k, "pi"), "an angle is in radians, at most 1000 turns; got 'pi'"),
+    (lambda s: s.around(O, CORNERS[1], ground.k, 1e308), "at most 1000 turns; got 1e"),
+    (lambda s: s.spring(O, CORNERS[1], radius=0.1, coils=0), "a spring has 1 to 100 coils; got 0"),
+    (lambda s: s.spring(O, CORNERS[1], radius=0.1, coils=2.5), "a spring has 1 to 100 coils; got 2.5"),
+    (lambda s: s.spring(O, CORNERS[1], radius=0.1, coils=101), "a spring has 1 to 100 coils; got 101"),
+    (lambda s: s.road([O]), "two places or more, got 1"),
+    (lambda s: s.swing(O, (0, 0, 2), ground.k), "a circle needs a place off its axis"),
+    (lambda s: s.sum(O, ground.i), "a Vector with terms"),
+    (lambda s: s.arc(O, O, (1, 0, 0), "a"), "two other places"),
+    (lambda s: s.axes(O, ground, labels="xy"), "three labels"),
+    (lambda s: s.axes(O, ground, labels="wxyz"), "three labels"),
+    (lambda s: s.axes(O, ground.k), "axes of a Frame, got"),
+    (lambda s: s.path([O, O], on=-1), "a place is a Point, a Vector or three numbers"),
+    (lambda s: s.cable(O), "between two places or pulleys at least; got 1"),
+    (lambda s: s.cable((0.1, 0, 0), s.pulley(O, ground.k, 0.5), (2, 0, 0)), "is within the radius 0.5"),
+    (lambda s: s.cable(O, (1, 0, 0), turns=[1]), "1 or -1 for each of 0 pulleys"),
+    (lambda s: s.cable(*[s.pulley((3 * n, 0, 0), ground.k, 1) for n in range(11)]), "say how the cable goes round each of 11 pulleys, as in turns="),
+    (lambda s: Sketch(s.ax, s.ax), "ground) is a Frame"),
+    (lambda s: Sketch(ground, ground), "the Axes of plt.subplots()"),
+    (lambda s: Sketch(s.ax, ground, plane="xx"), "two axes, as in plane='xz'"),
+])  # fmt: skip
 def test_a_mistake_is_an_error_at_once(draw, words):
     with pytest.raises(NewtonEulerError) as caught:
         draw(sketch())

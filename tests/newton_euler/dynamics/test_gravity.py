@@ -99,6 +99,16 @@ def test_eqn_5_25_to_5_27_weight(kind):
     assert close(weight(m, ground.k, g).norm(), m * g, small(kind, 10))
 
 
+@pytest.mark.parametrize("size", [1e-300, 1e-120, 1e120, 1e300])
+def test_masses_and_distances_of_any_size(size):
+    assert attraction(size, size, size, 1.0) == pytest.approx(1.0, rel=1e-15)
+    space = Frame("space")
+    ball, star = particle(size, space.origin), particle(size, space.point("P", 0, size, 0))
+    assert gravitation(ball, star, K=1.0).y == pytest.approx(1.0, rel=1e-15)
+    field = gravitational_field(space, size, star.centre, K=1.0)
+    assert field.y == pytest.approx(1 / size, rel=1e-15)
+
+
 def test_dimensions_and_compiling():
     mass, length, k = Dimension(1), Dimension(0, 1), Dimension(-1, 3, -2)
     assert attraction(mass, mass, length, k) == Dimension(1, 1, -2)

@@ -190,11 +190,6 @@ def test_a_mass_must_be_positive(m):
             f(m, *given)
 
 
-def test_a_symbolic_mass_is_taken_as_it_is():
-    m = sympy.Symbol("m")
-    assert resultant_force(m, Frame("ground").vector(0, 0, 2)).z == 2 * m
-
-
 def at_the_pole(ground):
     return spherical(ground, "P", moving(np.array([1.0, 0.0])), moving(0.0), moving(0.0))
 
@@ -212,7 +207,7 @@ def test_singular_coordinates_and_what_is_not_a_force_are_refused_in_words(ask, 
         ask(Frame("ground"))
 
 
-def test_units_of_forces_and_accelerations():
+def test_units_of_forces_and_accelerations_and_a_symbolic_mass_as_it_is():
     ground = Frame("ground")
     angle = moving(Dimension(), Dimension(time=-1), Dimension(time=-2))
     length = moving(LENGTH, LENGTH / TIME, LENGTH / TIME**2)
@@ -221,6 +216,8 @@ def test_units_of_forces_and_accelerations():
     found = coordinate_accelerations(MASS, P, push=(FORCE, FORCE, FORCE))
     assert found == (LENGTH / TIME**2, 1 / TIME**2, 1 / TIME**2)
     assert path_rates(MASS, FORCE, FORCE, LENGTH / TIME) == (LENGTH / TIME**2, 1 / TIME)
+    m = sympy.Symbol("m")
+    assert resultant_force(m, Frame("ground").vector(0, 0, 2)).z == 2 * m
 
 
 def _polar_force(m, r, dr, ddr, theta, dtheta, ddtheta):

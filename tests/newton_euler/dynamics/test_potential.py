@@ -132,19 +132,16 @@ def test_a_potential_is_found(kind):
     assert close(exactly(find_potential(down_hill), kind, x, y, z), hill(x, y, z), small(kind))
 
 
-def test_a_potential_found_in_symbols():
-    x, y, z, c = sympy.symbols("x y z c", real=True)
-    cubic = lambda x, y, z: tuple(c * (x * x + y * y + z * z) * q for q in (x, y, z))
-    assert sympy.expand(find_potential(cubic)(x, y, z) + c * (x**2 + y**2 + z**2) ** 2 / 4) == 0
-
-
-def test_a_potential_found_differentiates_to_the_force():
+def test_a_potential_found_differentiates_to_the_force_in_symbols_too():
     V, P = find_potential(down_hill), Frame("ground").point("P", 2.0, -0.5, 1.5)
     assert close(-gradient(V, P), down_hill(2.0, -0.5, 1.5), 1e-14)
     place = lambda t: (sin(t), t * t, 1 - t)
     found, true = (at(lambda t, f=f: f(*place(t)), 0.75) for f in (V, hill))
     for part in ("value", "rate", "acceleration"):
         assert getattr(found, part) == pytest.approx(getattr(true, part), rel=1e-12)
+    x, y, z, c = sympy.symbols("x y z c", real=True)
+    cubic = lambda x, y, z: tuple(c * (x * x + y * y + z * z) * q for q in (x, y, z))
+    assert sympy.expand(find_potential(cubic)(x, y, z) + c * (x**2 + y**2 + z**2) ** 2 / 4) == 0
 
 
 @every_kind
@@ -157,9 +154,8 @@ def test_the_curl_by_hand(kind):
 
 
 def test_a_force_with_curl_has_no_potential():
-    with pytest.raises(
-        NoPotential, match=r"at \(-0\.7.*the curl of the force is \(0, 0, 2\), not zero"
-    ) as refused:
+    words = r"at \(-0\.7.*the curl of the force is \(0, 0, 2\), not zero"
+    with pytest.raises(NoPotential, match=words) as refused:
         find_potential(lambda x, y, z: (-y, x, 0))
     assert refused.value.curl == (0, 0, 2)
     g = sympy.symbols("g_xy g_yx")
@@ -182,9 +178,8 @@ def test_a_hole_in_the_region_is_found_by_a_loop_round_it():
     box = ((-1, 1), (-1, 1), (0, 1))
     assert max(map(abs, curl(vortex, (0.3, -0.4, 0.5)))) < 1e-15
     circle = lambda s: (0.8 * cos(2 * math.pi * s), 0.9 * sin(2 * math.pi * s), 0.5)
-    with pytest.raises(
-        NoPotential, match=r"round loop 1 the force does the work 6\.28319, though its curl is zero"
-    ) as refused:
+    words = r"round loop 1 the force does the work 6\.28319, though its curl is zero"
+    with pytest.raises(NoPotential, match=words) as refused:
         find_potential(vortex, base=(1, 0, 0), box=box, loops=[circle])
     assert refused.value.circulation == pytest.approx(2 * math.pi)
     # a region that does not surround the hole

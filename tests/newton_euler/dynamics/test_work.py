@@ -203,7 +203,7 @@ def test_section_11_13_between_two_bodies_they_do():
     assert found == pytest.approx(-7.0 * rate, rel=1e-14)
 
 
-def test_power_and_work_have_consistent_units():
+def test_power_has_consistent_units_and_can_be_traced():
     assert power((FORCE, FORCE, 0), (LENGTH / TIME, 0, LENGTH / TIME)) == POWER
     ground = Frame("ground")
     shaft, B = ground.rotate("shaft", "z", rate=1 / TIME), ground.point("B", 0, 0, LENGTH)
@@ -212,8 +212,6 @@ def test_power_and_work_have_consistent_units():
     with pytest.raises(DimensionError, match="cannot add"):
         power((FORCE, FORCE, 0), (LENGTH / TIME, LENGTH, 0))
 
-
-def test_power_can_be_traced():
     def of_wheel(F, r, w):
         ground = Frame("ground")
         wheel = ground.rotate("wheel", "z", rate=w)
@@ -222,13 +220,10 @@ def test_power_can_be_traced():
     assert compiled(of_wheel)(2.0, 3.0, 0.5) == 3.0
 
 
-def test_an_mpf_keeps_its_digits_and_has_an_error_estimate():
+def test_an_mpf_keeps_its_digits_and_the_true_error_is_within_the_estimate():
     U = work_integral(lambda x: cos(x), mp.mpf(0), mp.mpf(1))
     assert abs(U.value - mp.sin(1)) < mp.mpf(10) ** -28
     assert 0 < U.error < 1e-17
-
-
-def test_the_true_error_is_within_the_estimate():
     for f, true in (
         (lambda x: sqrt(x), 2 / 3),
         (lambda x: 1 / (0.01 + (x - 0.3) ** 2), 10 * (math.atan(7.0) + math.atan(3.0))),
@@ -310,7 +305,7 @@ def test_integrals_that_do_not_exist_are_refused_in_words(f, options, message):
         work_integral(f, 0 * one, one, **options)
 
 
-def test_power_asks_for_what_belongs_together():
+def test_power_asks_for_what_belongs_together_and_for_a_path_at_rest():
     ground = Frame("ground")
     with pytest.raises(FrameError, match="two Vectors, two triples"):
         power(ground.i, (1.0, 0, 0))
@@ -319,6 +314,9 @@ def test_power_asks_for_what_belongs_together():
     with pytest.raises(FrameError, match="share no frame"):
         power(ground.i, Frame("elsewhere").i)
     assert number(power(3.0 * ground.i, ground.point("P", 1, 2, 3), ground)) == 0
+    # derivatives with respect to the parameter and to time could not be told apart
+    with pytest.raises(WorkError, match=r"the path moves.*work_in_time"):
+        spring_work(100.0, moving(0.2, rate=0.1))
 
 
 def spring_work(k, x):
@@ -342,12 +340,6 @@ def test_the_work_along_a_path_takes_arrays_moving_and_traced_numbers():
     found, expected = spring_work(stiffening, x), spring_work_by_hand(stiffening, x)
     assert found.rate == pytest.approx(expected.rate, rel=1e-12)
     assert found.acceleration == pytest.approx(expected.acceleration, rel=1e-12)
-
-
-def test_a_path_that_moves_is_refused():
-    """Derivatives with respect to the parameter and to time could not be told apart."""
-    with pytest.raises(WorkError, match=r"the path moves.*work_in_time"):
-        spring_work(100.0, moving(0.2, rate=0.1))
 
 
 def test_the_work_along_a_path_has_the_dimension_of_energy():

@@ -157,12 +157,6 @@ def test_near_the_axis_rates_are_large_and_right_to_the_last_digits(system, dist
         assert close(again, a, 50 * EPS * (1 + distance ** (-2 if system == "spherical" else -1)))
 
 
-def test_at_the_pole_itself_velocity_and_acceleration_still_follow_from_the_coordinates():
-    P = spherical(ground, "P", 2.0, moving(0.3, 5.0), moving(math.pi / 2, 1.5))
-    assert close(P.velocity(ground).norm(), 3.0, 1e-15)
-    assert close(P.acceleration(ground), (-2.0 * 1.5**2, -2 * 2.0 * 5.0 * 1.5, 0.0), 1e-14)
-
-
 @every_kind
 def test_eqn_2_15_to_2_18_polar_components(kind):
     (r, theta, _), (dr, w, _), (ddr, al, _) = motion(kind)

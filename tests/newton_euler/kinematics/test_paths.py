@@ -313,13 +313,6 @@ def test_eqn_3_12_and_3_13_velocity_and_acceleration_in_the_osculating_plane(kin
     )
 
 
-@every_kind
-def test_section_3_2_plane_curves_have_no_torsion(kind):
-    t = numbers(kind, "0.6")
-    tilted = frenet_along(lambda q: (q, q * q, 2 * q - 3 * q * q), t, ground)
-    assert close(tilted.torsion, 0, tight(kind))
-
-
 @given(*[st.tuples(*[st.integers(-9, 9)] * 3)] * 2, *[st.floats(-280, 280)] * 2)
 @settings(max_examples=60, deadline=None)
 def test_tangential_acceleration_and_flexure_keep_their_digits_at_all_sizes(v, a, m, n):

@@ -34,14 +34,11 @@ def test_linear_drag_slows_exponentially(kind):
     assert close(x, (v0 - v) / k, small(kind))
 
 
-def test_a_speed_that_is_not_reached_is_refused_in_words():
+def test_a_speed_that_is_not_reached_is_refused_and_a_terminal_one_approached():
     with pytest.raises(SingularError, match=r"velocity 5\.0 is not reached from 0\.0"):
         from_speed(lambda v: 2.0 - v, 5.0, v0=0.0)
     with pytest.raises(SingularError, match="not reached"):
         from_speed(lambda v: -1.0, 5.0, v0=0.0)
-
-
-def test_terminal_speed_is_approached_and_never_reached():
     for missing in (1e-3, 1e-6):
         t, _ = from_speed(lambda v: 2.0 - v, 2.0 - missing, v0=0.0)
         assert abs(t - math.log(2 / missing)) < 1e-15 / missing
@@ -62,15 +59,12 @@ def brakes(v, v0, c):
     return from_speed(lambda u: -c * u * u, v, v0)
 
 
-def test_motion_from_its_acceleration_has_the_dimensions_of_time_place_and_velocity():
+def test_motion_from_its_acceleration_has_dimensions_and_rates_and_is_traced():
     speed = LENGTH / TIME
     assert slides(TIME, speed / TIME, speed / TIME**2) == (LENGTH, speed)
     assert brakes(speed, speed, 1 / LENGTH) == (TIME, LENGTH)
     with pytest.raises(DimensionError, match="cannot add"):
         slides(TIME, speed, speed / TIME**2)
-
-
-def test_motion_from_its_acceleration_is_traced():
     by_hand = {
         slides: (2.0, 3.0, 0.6, (3.0 * 2 - 0.1 * 8, 6 - 1.2)),
         brakes: (2.0, 5.0, 0.1, ((0.5 - 0.2) / 0.1, math.log(2.5) / 0.1)),
@@ -79,9 +73,6 @@ def test_motion_from_its_acceleration_is_traced():
         assert compiled(motion)(*given) == pytest.approx(expected, rel=1e-13)
         many = [np.array([x, x]) for x in given]
         assert np.allclose(compiled(motion)(*many), np.array([expected] * 2).T, rtol=1e-13)
-
-
-def test_motion_from_its_acceleration_has_rates():
     growing = moving(2.0, rate=1.0)
     x, v = slides(growing, 3.0, 0.6)
     assert x.rate == pytest.approx(v.value, rel=1e-13)

@@ -262,12 +262,6 @@ def test_example_4_5_cone_rolling_as_a_formula():
 # -- reading axis and angle
 
 
-def test_axis_and_angle_of_exact_numbers_are_exact():
-    third = sympy.pi / 3
-    axis = tuple(n / sympy.sqrt(14) for n in (1, 2, 3))
-    assert axis_angle(rotation_matrix((1, 2, 3), third)) == (axis, third)
-
-
 def true_matrix(axis, angle):
     """The matrix to 60 digits by the exponential series: no formula is shared with the engine."""
     x, y, z = axis
@@ -296,18 +290,17 @@ def test_axis_and_angle_are_accurate_to_round_off_near_0_and_pi(end, distance):
             assert max(abs(x - y) for x, y in zip(found, unit, strict=True)) < 4 * EPS
 
 
-def test_thirty_digits_stay_thirty_digits():
+def test_thirty_digits_and_tiny_angles_keep_their_axis():
     for angle in (mp.mpf("1e-12"), mp.mpf("0.7"), mp.pi - mp.mpf("1e-14")):
         axis, found = axis_angle(rotation_matrix((mp.mpf(2), mp.mpf(-1), mp.mpf(2)), angle))
         assert abs(found - angle) < 1e-28
         assert close(axis, (mp.mpf(2) / 3, -mp.mpf(1) / 3, mp.mpf(2) / 3), mp.mpf(10) ** -28)
-
-
-def test_tiny_angles_keep_their_axis():
     for angle in (1e-30, 1e-200, 1e-300):
         axis, found = axis_angle(rotation_matrix((0.0, 0.6, -0.8), angle))
         assert close(axis, (0, 0.6, -0.8), 2 * EPS)
         assert abs(found - angle) <= 4 * EPS * angle
+    assert axis_angle(UNIT) == ((0, 0, 1), 0)
+    assert axis_angle(rotation_matrix((1.0, 1.0, 0.0), 0.0)) == ((0, 0, 1), 0)
 
 
 @pytest.mark.parametrize("axis", [v for v in itertools.product((-1, 0, 1), repeat=3) if any(v)])
@@ -320,11 +313,6 @@ def test_at_pi_the_first_component_of_the_axis_is_positive(axis):
         found, angle = axis_angle(matrix)
         assert close(found, wanted, 8 * EPS)
         assert abs(angle - math.pi) < 8 * EPS
-
-
-def test_without_rotation_the_z_axis_stands_for_the_axis():
-    assert axis_angle(UNIT) == ((0, 0, 1), 0)
-    assert axis_angle(rotation_matrix((1.0, 1.0, 0.0), 0.0)) == ((0, 0, 1), 0)
 
 
 def test_arrays_are_read_instant_by_instant():
@@ -357,14 +345,11 @@ def test_what_is_not_a_rotation_is_refused_in_words(matrix, error, words):
             read(matrix)
 
 
-def test_one_bad_instant_among_many_is_refused():
+def test_one_bad_instant_is_refused_and_rounded_entries_within_the_tolerance_accepted():
     R = np.array(rotation_matrix((1.0, 2.0, 3.0), np.linspace(0, 3, 7)))
     R[:, 0, 4] *= -1
     with pytest.raises(RotationError, match="a reflection"):
         axis_angle(R)
-
-
-def test_rounded_entries_are_accepted_within_the_given_tolerance():
     R = [[round(x, 3) for x in row] for row in rotation_matrix((1.0, 2.0, 3.0), 0.8)]
     with pytest.raises(RotationError, match="tolerance="):
         axis_angle(R)
@@ -373,11 +358,15 @@ def test_rounded_entries_are_accepted_within_the_given_tolerance():
     assert checked_rotation(R, 5e-3) == tuple(map(tuple, R))
 
 
-@pytest.mark.parametrize("size", [5e-324, 1e-200, 1e200])
+@pytest.mark.parametrize("size", [5e-324, 1e-200, 1e-160, 1e160, 1e200])
 def test_an_axis_and_a_quaternion_may_have_any_length(size):
     for make in (rotation_matrix, quaternion):
         assert np.allclose(make((0, 0, -size), 1.0), make((0, 0, -1), 1.0), atol=1e-15)
     assert normalised((0, size, 0, 0)) == (0, 1, 0, 0)
+    quarter = ((0, -1, 0), (1, 0, 0), (0, 0, 1))
+    assert np.allclose(matrix_from_quaternion((size, 0, 0, size)), quarter, atol=1e-15)
+    both = np.array([size, 1.0])
+    assert np.allclose(matrix_from_quaternion((both, 0, 0, both))[0][1], -1, rtol=1e-15)
 
 
 def test_an_axis_without_direction_is_refused():
@@ -568,9 +557,8 @@ def test_near_the_poles_theta_and_the_sum_of_the_angles_stay_accurate(theta, end
     0.0, math.pi, sympy.pi, np.array([1.0, 0.0, 2.0]),
 ], ids=["0", "pi", "exact pi", "one instant"])  # fmt: skip
 def test_euler_rates_are_refused_at_the_poles(theta):
-    with pytest.raises(
-        RotationError, match=r"theta = .*axes of precession and spin coincide.*use quaternion_rate"
-    ):
+    words = r"theta = .*axes of precession and spin coincide.*use quaternion_rate"
+    with pytest.raises(RotationError, match=words):
         euler_rates(0.3, theta, 0.4, (1.0, 2.0, 3.0))
 
 
@@ -591,18 +579,16 @@ def test_euler_frame_may_have_its_origin_anywhere():
     lambda a, b, c: quaternion_rate(quaternion_from_euler(a, b, c), (c, a, b)),
 ])  # fmt: skip
 def test_what_builds_rotations_can_be_compiled_and_has_pure_dimension(f):
-    x = 0.3, 0.2, 0.1
+    x, rate = (0.3, 0.2, 0.1), Dimension(time=-1)
     assert close(compiled(f)(*x), f(*x), 8 * EPS)
     assert set(np.array(f(*[Dimension()] * 3), dtype=object).ravel()) == {Dimension()}
-
-
-def test_euler_rates_have_the_dimension_of_the_angular_velocity():
-    rate = Dimension(time=-1)
     assert euler_rates(*[Dimension()] * 3, (rate, rate, rate)) == (rate, rate, rate)
 
 
-def test_symbols_stay_exact():
-    q = sympy.Symbol("q")
+def test_symbols_and_exact_numbers_stay_exact():
+    q, third = sympy.Symbol("q"), sympy.pi / 3
     c, s = sympy.cos(q), sympy.sin(q)
     assert rotation_matrix((0, 0, 1), q) == ((c, -s, 0), (s, c, 0), (0, 0, 1))
     assert not any(x.has(sympy.Float) for row in rotation_matrix((1, 2, 3), q) for x in row)
+    axis = tuple(n / sympy.sqrt(14) for n in (1, 2, 3))
+    assert axis_angle(rotation_matrix((1, 2, 3), third)) == (axis, third)

@@ -107,20 +107,14 @@ def test_what_a_series_sees_is_not_a_hazard(rate):
         (lambda s, p, t: sqrt(sqrt(s.x * s.x + s.y * s.y)), ["sqrt"]),
         (lambda s, p, t: sqrt(1 + -2 * (s.x * s.x)), ["sqrt"]),
         (lambda s, p, t: sqrt(cos(s.x)), ["sqrt"]),
+        (lambda s, p, t: (sqrt(s.x), s.y)[1], []),  # the rates do not need it
+        # never zero: no branch point on the way, but the exponential itself may be hidden
+        (lambda s, p, t: sqrt(exp(s.x)), ["exp"]),
+        (lambda s, p, t: sqrt(cosh(s.x)), ["cosh"]),
+        (lambda s, p, t: sqrt(1 + exp(s.x)), ["exp"]),
+        (lambda s, p, t: sqrt(1 + s.x * s.x * cosh(s.y)), ["cosh"]),
+        (lambda s, p, t: sqrt(sinh(s.x)), ["sinh", "sqrt"]),
     ],
 )
 def test_what_a_series_may_not_see_is_a_hazard(rate, found):
     assert hazards(traced(rate)) == found
-
-
-def test_what_the_rates_do_not_need_is_not_a_hazard():
-    assert hazards(traced(lambda s, p, t: (sqrt(s.x), s.y)[1])) == []
-
-
-def test_an_exponential_that_is_never_zero_is_one_hazard_not_two():
-    """Its root has no branch point on the way, but the exponential itself may be hidden."""
-    assert hazards(traced(lambda s, p, t: sqrt(exp(s.x)))) == ["exp"]
-    assert hazards(traced(lambda s, p, t: sqrt(cosh(s.x)))) == ["cosh"]
-    assert hazards(traced(lambda s, p, t: sqrt(1 + exp(s.x)))) == ["exp"]
-    assert hazards(traced(lambda s, p, t: sqrt(1 + s.x * s.x * cosh(s.y)))) == ["cosh"]
-    assert hazards(traced(lambda s, p, t: sqrt(sinh(s.x)))) == ["sinh", "sqrt"]

@@ -79,9 +79,12 @@ def test_many_steps_far_shorter_than_the_longest_are_refused(unit):
     gone(0, MAX_STALLED_STEPS, 1e-9)
 
 
-def test_progress_is_checked_every_so_many_steps():
+def test_progress_is_checked_every_so_many_steps_against_the_whole_motion():
     assert gone(MAX_STALLED_STEPS, MAX_STALLED_STEPS - 1, 1e-9).checked == MAX_STALLED_STEPS
     assert gone(MAX_STALLED_STEPS, MAX_STALLED_STEPS, 0.5).checked == 2 * MAX_STALLED_STEPS
+    one = stepper(*range(MAX_STALLED_STEPS + 1), goal=3.0 * MAX_STALLED_STEPS, max_steps=5000)
+    with pytest.raises(LengthError, match="about 6e"):
+        one.check_progress()
 
 
 def test_a_motion_that_needs_far_too_many_steps_is_refused_with_how_far_it_can_go():
@@ -92,12 +95,6 @@ def test_a_motion_that_needs_far_too_many_steps_is_refused_with_how_far_it_can_g
     words = "about 2e+02 steps would be needed to reach t = 15; 1e+02 are possible, which is up to about"
     assert str(refused.value).startswith(f"{words} t = 1e+01")
     stepper(5.0, goal=15.0, max_steps=100).check_length(20)  # no step yet, so no forecast
-
-
-def test_progress_is_also_that_of_the_whole_motion():
-    one = stepper(*range(MAX_STALLED_STEPS + 1), goal=3.0 * MAX_STALLED_STEPS, max_steps=5000)
-    with pytest.raises(LengthError, match="about 6e"):
-        one.check_progress()
 
 
 @pytest.mark.parametrize(("part", "made"), [((), 3.0), ((0.25,), 3.5), ((1.0,), 2.0)])

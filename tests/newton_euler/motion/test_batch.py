@@ -21,13 +21,16 @@ PENDULUM = second_order("pendulum", {"n": 1.0}, ("a",), lambda s, p, t: (-p.n * 
 SPRING = oscillator().changed(k=1.0)
 
 
-def test_motions_close_to_each_other_have_one_representative():
+def test_motions_close_to_each_other_have_one_representative_and_others_themselves():
     """Two clusters of starts and ends, of 20 motions each, in turn."""
     begins = np.array([[1.0, 2.0] * 20, [1e-6, 1e-6] * 20]) * np.linspace(1.0, 1.01, 40)
     ends = np.array([[5.0, -5.0] * 20]) * np.linspace(1.0, 1.01, 40)
     chosen, group = _representatives(begins, ends)
     assert [n % 2 for n in chosen] == [0, 1]
     assert group.tolist() == [0, 1] * 20
+    begins = np.random.default_rng(0).uniform(-1.0, 1.0, (6, 300))
+    chosen, group = _representatives(begins, begins)
+    assert chosen.tolist() == group.tolist() == list(range(300))
 
 
 def test_many_motions_are_known_at_their_samples():
@@ -63,12 +66,6 @@ def test_a_sweep_has_a_representative_for_all_within_2_percent_in_any_order(shuf
     apart = abs(sweep - sweep[chosen][group]) / np.maximum(sweep, sweep[chosen][group])
     assert apart.max() <= NEAR_START
     assert len(chosen) <= 2 * np.log(1.5) / (2 * NEAR_START)
-
-
-def test_motions_that_are_close_to_no_other_represent_themselves():
-    begins = np.random.default_rng(0).uniform(-1.0, 1.0, (6, 300))
-    chosen, group = _representatives(begins, begins)
-    assert chosen.tolist() == group.tolist() == list(range(300))
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
@@ -230,9 +227,8 @@ def test_motions_whose_closed_form_is_not_accurate_are_made_one_by_one(monkeypat
 
 
 def test_a_closed_form_that_is_not_accurate_is_refused_with_all_motions():
-    with pytest.raises(
-        AccuracyError, match=r"2 of 2 .* the first is number 0: the closed form"
-    ) as refused:
+    words = r"2 of 2 .* the first is number 0: the closed form"
+    with pytest.raises(AccuracyError, match=words) as refused:
         integrate(SPRING, 1e9, (np.array([1.0, 2.0]), 0.0), 1e-9, "exact")
     reached = refused.value.reached
     assert (reached.error > 1e-9).all()
@@ -258,17 +254,10 @@ def test_many_motions_are_made_by_the_method_asked_for_or_worth_it(model, count,
     assert motions.cost.calls > 100
 
 
-@pytest.mark.parametrize(
-    ("starts", "words", "stopped"),
-    [
-        ([1.0, 3.0], "1 of 2 motions are not as accurate as requested, the first is number 0", [0]),
-        (
-            [3.0, 1.0, 4.0, 1.0],
-            "2 of 4 .* the first is number 1: fall could not be followed",
-            [1, 3],
-        ),
-    ],
-)
+@pytest.mark.parametrize(("starts", "words", "stopped"), [
+    ([1.0, 3.0], "1 of 2 motions are not as accurate as requested, the first is number 0", [0]),
+    ([3.0, 1.0, 4.0, 1.0], "2 of 4 .* the first is number 1: fall could not be followed", [1, 3]),
+])  # fmt: skip
 def test_motions_that_stop_on_the_way_are_reported_with_those_that_do_not(starts, words, stopped):
     """With x' = -1/x, x reaches zero at t = x0^2/2."""
     x = np.array(starts)
@@ -444,12 +433,9 @@ def test_without_heyoka_each_motion_of_a_batch_is_integrated_by_itself(options):
     assert motions.cost.calls == sum(one.cost.calls for one in each)
 
 
-def test_a_fixed_step_of_a_batch_needs_a_method_by_name():
+def test_a_batch_needs_a_method_by_name_for_a_fixed_step_and_changes_no_prepared_model():
     with pytest.raises(ModelError, match="a fixed step needs a method by name"):
         integrate(SPRING, 1.0, (amplitudes(3), np.zeros(3)), step=0.125)
-
-
-def test_a_prepared_model_is_not_changed_by_its_batch():
     before = prepared_model(PENDULUM).p
     integrate(PENDULUM.changed(n=np.array([1.0, 2.0])), 1.0, (1.0, 0.0), method="dop853")
     assert prepared_model(PENDULUM).p == before

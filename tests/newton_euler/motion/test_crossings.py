@@ -17,8 +17,8 @@ from newton_euler.motion.run import Run
 from newton_euler.motion.trajectory import Trajectory
 
 TWO_SPRINGS = Model(
-    "two springs", {"k": 4.0}, ("x", "v"),
-    lambda s, p, t: (s.v, -where(s.x > 0, p.k, 1.0) * s.x))  # fmt: skip
+    "two springs", {"k": 4.0}, ("x", "v"), lambda s, p, t: (s.v, -where(s.x > 0, p.k, 1.0) * s.x)
+)
 
 
 def stopping(model, t, start, tolerance, known=None):

@@ -42,19 +42,13 @@ def test_in_the_first_step_the_fastest_state_changes_by_a_fraction_of_its_size(s
     assert run(DECAY, (size,)).h == pytest.approx(0.5 * TOL**0.125 / 3.0, rel=1e-12)
 
 
-def test_a_state_that_starts_from_nothing_does_not_set_the_first_step():
+def test_the_first_step_has_the_scale_of_what_changes():
     pair = Model("pair", {}, ("x", "y"), lambda s, p, t: (-s.x, 1.0 + 0 * s.y))
     usual = 0.5 * TOL**0.125
     assert run(pair, (1.0, 0.0), floors=(0.0, 0.99e-3)).h == pytest.approx(usual)
     assert run(pair, (1.0, 0.0), floors=(0.0, 1.01e-3)).h == pytest.approx(usual * 1.01e-3)
     assert run(pair, (1.0, 1.0)).h == pytest.approx(usual)
-
-
-def test_where_nothing_changes_the_first_step_is_a_thousandth_of_the_time():
     assert run(DECAY, (0.0,), t0=1.0, t1=6.0).h == pytest.approx(5e-3)
-
-
-def test_no_step_is_longer_than_its_share_of_the_time():
     slow = second_order("slow", {}, ("x",), lambda s, p, t: (-1e-9 * s.x,))
     for part, t0 in ((0.4, 0.0), (0.13, 2.0)):
         one = run(slow, (1.0, 1.0), t0=t0, longest_part=part)

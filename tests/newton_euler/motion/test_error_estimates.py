@@ -67,28 +67,25 @@ def test_the_prediction_covers_the_error_even_where_it_is_tight(model, method, r
     assert 0.5 * predicted < true <= predicted
 
 
-@pytest.mark.parametrize(
-    ("given", "found"),
-    [
-        # no error is below the tolerance or below round-off
-        ((0.0, 1e-3, 1e-7), 1e-7),
-        ((0.0, 1e-3, 0.0), ROUND_OFF),
-        ((0.0, 54.0, 1e-7), SERIES_ROUND_OFF),
-        # the difference from a more accurate run is the error; at equal tolerances neither run is
-        ((1e-8, 54.0, 1e-3), SERIES_SAFETY * 1e-8),
-        ((1e-8, 1.5, 1e-3), SERIES_SAFETY * 1e-8),
-        ((1e-8, 1.0, 1e-12), SAFETY * 1e-8),
-        # round-off grows as the root of the number of steps
-        ((0.0, 1e-3, 0.0, True, 300), 2 * ROUND_OFF),
-        ((0.0, 54.0, 0.0, True, 300), 2 * SERIES_ROUND_OFF),
-        ((0.0, 54.0, 0.0, True, 9900), 10 * SERIES_ROUND_OFF),
-        # two runs that are far apart predict nothing
-        ((0.051, 1e-3, 1e-9), 0.051),
-        ((0.05, 54.0, 1e-9), SERIES_SAFETY * 0.05),
-        ((math.nan, 1e-3, 1e-9), math.nan),
-        ((math.inf, 1e-3, 1e-9), math.inf),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("given", "found"), [
+    # no error is below the tolerance or below round-off
+    ((0.0, 1e-3, 1e-7), 1e-7),
+    ((0.0, 1e-3, 0.0), ROUND_OFF),
+    ((0.0, 54.0, 1e-7), SERIES_ROUND_OFF),
+    # the difference from a more accurate run is the error; at equal tolerances neither run is
+    ((1e-8, 54.0, 1e-3), SERIES_SAFETY * 1e-8),
+    ((1e-8, 1.5, 1e-3), SERIES_SAFETY * 1e-8),
+    ((1e-8, 1.0, 1e-12), SAFETY * 1e-8),
+    # round-off grows as the root of the number of steps
+    ((0.0, 1e-3, 0.0, True, 300), 2 * ROUND_OFF),
+    ((0.0, 54.0, 0.0, True, 300), 2 * SERIES_ROUND_OFF),
+    ((0.0, 54.0, 0.0, True, 9900), 10 * SERIES_ROUND_OFF),
+    # two runs that are far apart predict nothing
+    ((0.051, 1e-3, 1e-9), 0.051),
+    ((0.05, 54.0, 1e-9), SERIES_SAFETY * 0.05),
+    ((math.nan, 1e-3, 1e-9), math.nan),
+    ((math.inf, 1e-3, 1e-9), math.inf),
+])  # fmt: skip
 def test_the_error_of_a_difference(given, found):
     assert error_by_difference(*given) == pytest.approx(found, rel=1e-5, abs=0.0, nan_ok=True)
 

@@ -130,21 +130,20 @@ def test_events_come_in_order_and_those_that_end_the_segment_last():
     assert [t for t, _ in found] == pytest.approx([2, 5, 5, 7], abs=1e-14)
 
 
-def test_a_step_without_length_has_no_events_and_the_start_is_that_of_the_next():
+def test_a_step_without_length_or_after_the_end_has_no_events_and_one_beside_its_end_stays():
     """Close to the goal a step may be shorter than the last digit of the time."""
     steps = _Steps()
     steps.step_times = [0.0, 0.0, 10.0]
     locator = EventLocator(Event(lambda t, x: x * (x - 5)), steps, True)
     assert list(locator.search(0)) == []
     assert [t for t, is_event in locator.search(1) if is_event] == pytest.approx([5.0])
-
-
-def test_what_comes_after_the_end_is_not_looked_for():
-    """After the end the other function has billions of zeros."""
+    # after the end the other function has billions of zeros
     wild = lambda t, x: np.where(x < 2, 1.0, np.sin(1e9 * x))
     events = [Event(lambda t, x: x - 1, terminal=True), Event(wild)]
     locators = [EventLocator(event, _Steps(), False) for event in events]
     assert next(events_in_step(locators, 0)) == [(pytest.approx(1.0), 0)]
+    # the next step may find the same event, and the states of the two steps differ
+    assert found_in_step(lambda t, x: x - 10, steps=_Rough(1e-3)) == [10.0]
 
 
 class _Found:
@@ -201,11 +200,6 @@ def test_states_that_are_far_from_the_interpolation_move_no_event(function, ahea
     assert found_in_step(function, steps=_Rough(ahead)) == pytest.approx([5.0 - ahead], abs=1e-12)
 
 
-def test_an_event_beside_the_end_of_a_step_stays_in_it():
-    """The next step may find the same event, and the states of the two steps differ."""
-    assert found_in_step(lambda t, x: x - 10, steps=_Rough(1e-3)) == [10.0]
-
-
 def test_a_function_that_branches_is_given_an_array_only_once():
     arrays = []
 
@@ -225,9 +219,8 @@ def test_what_a_function_refuses_on_the_way_is_raised_as_it_is(closed):
             raise ModelError("the table ends at 1 s")
         return s.x + 2.0
 
-    with pytest.raises(
-        ModelError, match=r"^the table ends at 1 s\nThis came up in table, where s = "
-    ):
+    words = r"^the table ends at 1 s\nThis came up in table, where s = "
+    with pytest.raises(ModelError, match=words):
         times(table, closed=closed)
     with pytest.raises(ValueError, match=r"(?s)math domain error.*has no value from t = "):
         times(lambda s, p, t: math.sqrt(1.0 - t) + (s.x > 9.0 and 0.0), closed=closed)

@@ -81,16 +81,12 @@ def test_a_formula_that_does_not_start_at_the_start_has_that_error():
     assert residual_of(spring(part=1 + 1e-8)) == [pytest.approx(1e-8), 0.0]
 
 
-@pytest.mark.parametrize(
-    "off",
-    [
-        lambda t: 1e-7 * t,
-        # small at the start, and later too small beside what the phase leaves by then
-        lambda t: 1e-6 * where(t < 1, t * t, 2 * t - 1),
-        lambda t: 1e-6 * where(t < 3, 0.0 * t, (t - 3) ** 2),
-    ],
-    ids=["always", "soon", "later"],
-)
+@pytest.mark.parametrize("off", [
+    lambda t: 1e-7 * t,
+    # small at the start, and later too small beside what the phase leaves by then
+    lambda t: 1e-6 * where(t < 1, t * t, 2 * t - 1),
+    lambda t: 1e-6 * where(t < 3, 0.0 * t, (t - 3) ** 2),
+], ids=["always", "soon", "later"])  # fmt: skip
 @pytest.mark.parametrize("t", [8.0, 20.0])
 def test_a_formula_that_is_a_little_wrong_is_found_by_its_rates(off, t):
     """The residual is at least as large as the error of the formula at the end."""

@@ -56,7 +56,7 @@ def test_a_pulse_times_a_state_or_a_rate_is_found_too():
     assert len(at(lambda s, p, t: bump(t, 5.0, 0.01) * sin(s.x))) == 2
 
 
-def test_the_pulses_of_all_rates_are_found_in_order():
+def test_the_pulses_of_all_rates_are_found_in_order_with_two_ends_each():
     model = Model(
         "two", {"w": 0.02}, ("x", "y"), lambda s, p, t: (bump(t, 8.0, p.w), s.x * bump(t, 2.0, p.w))
     )
@@ -64,9 +64,6 @@ def test_the_pulses_of_all_rates_are_found_in_order():
     assert len(found) == 4
     assert list(found) == sorted(found)
     assert [round(t) for t in found] == [2, 2, 8, 8]
-
-
-def test_two_pulses_of_one_function_have_two_ends_each():
     found = at(lambda s, p, t: bump(t, 2.0, 0.01) + bump(t, 8.0, 0.01))
     assert found == pytest.approx([1.94, 2.06, 7.94, 8.06], abs=0.01)
 
@@ -85,8 +82,10 @@ def test_a_rate_of_time_alone_is_looked_at(states, rates, count):
     assert knots(system, 0.0, 10.0) is knots(system, 0.0, 10.0)  # searched for only once
 
 
-def test_a_force_that_has_no_value_at_these_parameters_stops_nothing():
+def test_what_has_no_value_here_or_on_the_way_stops_nothing():
     assert at(lambda s, p, t: bump(t, 5.0, 0.01) * (1 / (p.k - 1)), k=1.0) == ()
+    assert at(lambda s, p, t: s.x * (1 / (t - 5.0))) == ()
+    assert len(at(lambda s, p, t: s.x * (1 / (t - 5.0)) + bump(t, 2.0, 0.01) * s.x)) == 2
 
 
 def test_a_switch_between_constants_is_stopped_at_within_an_interval():
@@ -107,11 +106,16 @@ def test_the_edges_of_a_window_of_time_are_its_stops_to_the_last_digit():
         assert {parameters["a"], parameters["b"]} <= set(found)
 
 
-def test_the_time_asked_for_is_looked_at_not_another():
+def test_the_time_and_the_parameters_asked_for_are_looked_at_and_no_others():
     model = Model("pushed", {}, ("x",), lambda s, p, t: (bump(t, 5.0, 0.01) - s.x,))
     system = prepared_model(model)
     spans = (0.0, 4.0), (0.0, 10.0), (6.0, 10.0), (4.0, 10.0), (0.0, 10.0)
     assert [len(knots(system, *span)) for span in spans] == [0, 2, 0, 2, 2]
+    rates = lambda s, p, t: (bump(t, p.when, p.width),)
+    model = Model("pushed", {"when": 3.0, "width": 0.01}, ("x",), rates)
+    for when in (3.0, 7.0):
+        begin, end = knots(prepared_model(model.changed(when=when)), 0.0, 10.0)
+        assert begin < when < end
 
 
 def test_a_pulse_that_lasts_to_the_end_has_no_end_and_one_from_the_start_no_beginning():
@@ -138,24 +142,11 @@ def test_more_than_a_thousand_pulses_are_an_oscillation():
     assert at(comb(1200)) == ()
 
 
-def test_a_function_without_a_value_on_the_way_is_passed_over():
-    assert at(lambda s, p, t: s.x * (1 / (t - 5.0))) == ()
-    assert len(at(lambda s, p, t: s.x * (1 / (t - 5.0)) + bump(t, 2.0, 0.01) * s.x)) == 2
-
-
 @pytest.mark.parametrize(("intervals", "count"), [(4, 1), (5, 2)])
 def test_the_quiet_before_the_first_pulse_and_after_the_last_is_as_long(intervals, count):
     first, last = (intervals + 0.5) * WIDTH, 10.0 - (intervals + 0.5) * WIDTH
     assert len(at(lambda s, p, t: where(t * t > first**2, 1.0, 0.0))) == count
     assert len(at(lambda s, p, t: where(t * t > last**2, 1.0, 0.0))) == count
-
-
-def test_parameters_are_those_of_the_model():
-    rates = lambda s, p, t: (bump(t, p.when, p.width),)
-    model = Model("pushed", {"when": 3.0, "width": 0.01}, ("x",), rates)
-    for when in (3.0, 7.0):
-        begin, end = knots(prepared_model(model.changed(when=when)), 0.0, 10.0)
-        assert begin < when < end
 
 
 STEPS = [0.0, 1.5, 1.6, 7.0, 12.0]

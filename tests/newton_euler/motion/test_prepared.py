@@ -80,13 +80,10 @@ def closed(formula):
     return prepared_model(Model("any", {}, ("x",), lambda s, p, t: (1.0 + 0 * s.x,), exact=formula))
 
 
-def test_a_closed_form_is_its_values_on_floats():
+def test_a_closed_form_is_its_values_on_floats_and_called_as_it_is_where_it_branches():
     system = closed(lambda s, p, t: (s.x + t,))
     assert system.solution(2.0, (3.0,)) == system.exact_on_floats(2.0, 3.0) == (5.0,)
     assert system.solutions(np.array([1.0, 2.0]), (3.0,)).tolist() == [[4.0, 5.0]]
-
-
-def test_a_closed_form_that_branches_is_called_as_it_is():
     system = closed(lambda s, p, t: (s.x + t if t > 1 else s.x,))
     assert system.exact_on_floats is None
     assert [system.solution(t, (3.0,)) for t in (0.5, 2.0)] == [(3.0,), (5.0,)]

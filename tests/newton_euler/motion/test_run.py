@@ -27,13 +27,10 @@ def run(model=PENDULUM, t1=10.0, state=START, rtol=1e-9, t0=0.0, **options):
     return Run(prepared_model(model), t0, t1, state, rtol, **options)
 
 
-def test_a_method_that_cannot_be_used_says_why():
+def test_a_method_that_cannot_be_used_says_why_and_a_fixed_step_needs_one_that_has_it():
     assert usable("dop853", prepared_model(PENDULUM)) is METHODS["dop853"]
     with pytest.raises(ModelError, match="'exact' cannot be used: no exact solution of 'pendulum'"):
         usable("exact", prepared_model(PENDULUM))
-
-
-def test_a_fixed_step_needs_a_method_that_has_one_and_has_no_error_estimate():
     motion = run(step=0.125).by_name("yoshida4")
     assert math.isnan(motion.error)
     assert motion.segments[0].stepper.step_times[1] == 0.125
@@ -208,15 +205,12 @@ def test_heyoka_takes_over_where_the_first_run_shows_the_second_to_be_slow(clock
     assert run(fresh()).by_name("auto").method.name == method
 
 
-def test_the_seconds_of_all_runs_are_kept_for_the_next(clock):
+def test_seconds_begin_with_the_run_and_are_kept_for_the_next(clock):
     clock(0.125)
     one = run(fresh())
     before = one.system.traced.seconds
     one.calibrated(METHODS["dop853"])
     assert one.system.traced.seconds == before + 0.125
-
-
-def test_the_seconds_of_the_cost_begin_with_the_run(clock):
     clock(0.5)
     one = run(started=99_000.0)
     assert one.motion(one.trajectory(METHODS["dop853"], 1e-6), METHODS["dop853"], 0.0).cost == (
@@ -352,9 +346,8 @@ def test_auto_begins_with_heyoka_once_its_compilation_pays_unless_a_series_is_bl
 
 @needs_heyoka
 def test_what_is_too_tight_for_runge_kutta_and_has_kinks_is_refused():
-    with pytest.raises(
-        ModelError, match=r"rtol = 1e-14 needs heyoka, .* least is 1e-13; the rates"
-    ):
+    words = r"rtol = 1e-14 needs heyoka, .* least is 1e-13; the rates"
+    with pytest.raises(ModelError, match=words):
         candidates(1e-14, kinks=["where"])
 
 
@@ -463,13 +456,10 @@ def test_a_series_that_stops_is_refused():
 SPRING = oscillator().changed(k=1.0)
 
 
-def test_a_closed_form_is_returned_with_its_error():
+def test_a_closed_form_is_returned_with_its_error_or_refused_where_it_gives_way():
     motion = run(SPRING, 8.0, START, 1e-12, 5.0).by_name("exact")
     assert motion.end == pytest.approx({"x": math.cos(3.0), "dx": -math.sin(3.0)}, abs=1e-15)
     assert 0 < motion.error < 1e-14
-
-
-def test_a_closed_form_that_gives_way_to_a_model_without_one_is_refused():
     event = Event(lambda s, p, t: s.x, then=lambda s, p, t: (PENDULUM, (s.x, s.dx)))
     for rtol in (1e-9, 1e-15):  # even where the closed form would not be accurate either
         with pytest.raises(ModelError, match="it becomes a model without one; take") as refused:

@@ -41,11 +41,14 @@ def test_a_step_keeps_the_tolerance_of_each_state_over_its_scale_and_its_round_o
     assert run(tolerance=1e-15).solver.rtol == 2.3e-14  # SciPy accepts nothing smaller
 
 
-def test_no_step_is_longer_than_its_share_of_the_time():
+def test_no_step_is_longer_than_its_share_and_after_many_their_progress_is_checked():
     still = second_order("still", {}, ("x",), lambda s, p, t: (0.0 * s.x,))
     one = run(t0=1.0, t1=5.0, longest_part=0.3, model=still)
     one.step()
     assert max(np.diff(one.step_times)) == pytest.approx(1.2)
+    one = run(t1=2010.0, step=1.0)
+    one.step()
+    assert one.checked == MAX_STALLED_STEPS
 
 
 @pytest.mark.parametrize("name", ["DOP853", "RK45", "LSODA"])
@@ -70,12 +73,6 @@ def test_where_the_rates_have_no_value_no_run_begins(name, step, rate):
     model = Model("any", {}, ("x",), lambda s, p, t: (rate(s, p, t),))
     with pytest.raises((ArithmeticError, ValueError)):
         run(name, start=(-1.0,), model=model, step=step)
-
-
-def test_after_many_steps_their_progress_is_checked():
-    one = run(t1=2010.0, step=1.0)
-    one.step()
-    assert one.checked == MAX_STALLED_STEPS
 
 
 @pytest.mark.parametrize("name", ["RK45", "DOP853"])

@@ -28,31 +28,28 @@ def leap(**options):
 # -- times and states
 
 
-def test_without_samples_the_times_are_the_ends_of_the_steps():
+def test_the_times_are_those_of_the_steps_before_the_ends_of_their_segments():
     motion = drift()
     assert motion.times.tolist() == motion.segments[0].stepper.step_times
     assert len(motion.times) > 2
-
-
-def test_of_several_segments_only_steps_before_their_ends_count():
     motion = leap()
     there, times = motion.events[0].t, motion.times.tolist()
     assert there == pytest.approx(3.0)
     first, second = (part.stepper.step_times for part in motion.segments)
     assert times == [t for t in first if t < there] + second
     assert (times[0], times[-1]) == (0.0, 5.0)
-
-
-def test_a_motion_without_steps_has_samples_at_equal_distances():
     motion = integrate(oscillator().changed(k=1.0), (1.0, 3.0), (1.0, 0.0))
     assert motion.times == pytest.approx(np.linspace(1.0, 3.0, 101))
     assert motion.states["x"] == pytest.approx(np.cos(motion.times - 1.0))
 
 
-def test_samples_are_those_that_the_motion_reached():
+def test_samples_are_those_that_the_motion_reached_the_last_to_the_last_digit():
     stop = Event(lambda s, p, t: s.x - 3.0, terminal=True)
     assert drift(samples=[1.0, 2.0, 4.0], events=stop).times.tolist() == [1.0, 2.0]
     assert drift(samples=4, events=stop).times == pytest.approx([0.0, 1.0, 2.0, 3.0])
+    for motion in (leap(), integrate(oscillator(exact=False), 7.3, (1, 0.3))):
+        for name, x in motion.end.items():
+            assert motion.states[name][-1] == x
 
 
 def test_states_are_those_of_their_segment_and_where_two_meet_of_the_later_one():
@@ -65,12 +62,6 @@ def test_states_are_those_of_their_segment_and_where_two_meet_of_the_later_one()
     assert found["u"] == pytest.approx([math.nan, math.nan, 2.0, 2.0, 2.0], nan_ok=True)
     assert motion.end == {"x": pytest.approx(14.0), "u": 2.0}
     assert motion.at(5.0)["x"] == motion.end["x"]
-
-
-def test_the_last_sample_is_the_end_to_the_last_digit():
-    for motion in (leap(), integrate(oscillator(exact=False), 7.3, (1, 0.3))):
-        for name, x in motion.end.items():
-            assert motion.states[name][-1] == x
 
 
 def test_a_time_gives_numbers_and_an_array_of_times_arrays():
@@ -98,7 +89,7 @@ def drift_of(invariant, start=-1.0, **options):
     return integrate(model, 4.0, (start,), 1e-9, "dop853", **options).drift
 
 
-def test_the_drift_is_the_largest_change_over_the_largest_value():
+def test_the_drift_is_the_largest_change_over_the_largest_value_from_the_start():
     assert drift_of(lambda s, p, t: s.x) == {"it": pytest.approx(4.0 / 3.0)}
     assert drift_of(lambda s, p, t: -s.x) == {"it": pytest.approx(4.0 / 3.0)}
     # neither over the last value nor over the change itself
@@ -106,9 +97,6 @@ def test_the_drift_is_the_largest_change_over_the_largest_value():
     assert drift_of(lambda s, p, t: float(max(s.x, -9.0))) == {"it": pytest.approx(4.0 / 3.0)}
     assert drift_of(lambda s, p, t: 5.0) == {"it": 0.0}
     assert drift_of(lambda s, p, t: 0 * s.x) == {"it": 0.0}
-
-
-def test_the_start_counts_though_it_is_not_a_sample():
     assert drift_of(lambda s, p, t: s.x, samples=[3.0])["it"] == pytest.approx(3.0 / 2.0)
 
 

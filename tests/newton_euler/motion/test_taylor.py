@@ -57,7 +57,7 @@ def test_scales_are_powers_of_two(x, found):
     assert taylor._power_of_two(x) == found
 
 
-def test_an_integrator_is_made_once_and_has_one_user_at_a_time():
+def test_an_integrator_has_one_user_at_a_time_and_the_oldest_of_many_is_dropped():
     system = PreparedModel(second_order("own", {}, ("x",), lambda s, p, t: (-17 * s.x,)))
     with taylor.integrator(system, 1e-9) as one, taylor.integrator(system, 1e-9) as other:
         assert other is not one
@@ -65,9 +65,6 @@ def test_an_integrator_is_made_once_and_has_one_user_at_a_time():
         assert again is one or again is other
         assert finer.order > again.order
     assert len(system.traced.integrators) == 2
-
-
-def test_of_too_many_kinds_the_oldest_is_dropped():
     system = PreparedModel(second_order("own", {}, ("x",), lambda s, p, t: (-19 * s.x,)))
     known = system.traced.integrators
     known.update({n: [] for n in range(taylor.MAX_KINDS - 1)})
@@ -150,24 +147,27 @@ def test_many_steps_are_made_in_parts(monkeypatch, k):
     assert one.scales[1] > 0.5 * w
 
 
-def test_a_motion_whose_steps_become_ever_shorter_is_refused():
+def test_a_motion_with_ever_shorter_steps_or_far_too_many_is_refused_on_the_way(monkeypatch):
     wild = Model("wild", {}, ("x",), lambda s, p, t: (sin(1 / (1 - t)),))
     one = series(2.0, model=wild, start=(1.0,))
     with pytest.raises(StepError, match="2000 steps took only"):
         one.step()
     assert 0.99 < one.t < 1.0
-
-
-def test_a_motion_that_is_far_too_long_is_refused_on_the_way(monkeypatch):
     monkeypatch.setattr(taylor, "MAX_STALLED_STEPS", 10)
     with pytest.raises(LengthError):
         series(t1=1e6, max_steps=1e4).step()
 
 
-def test_with_stops_there_is_no_grid_that_might_pass_over_them():
+def test_what_was_sampled_is_kept_unless_there_are_stops():
     one = series(samples=7, stops=(1.0,))
     one.step()
     assert one.kept is None
+    one = series(samples=7)
+    one.step()
+    calls, found = one.calls, one.states(np.linspace(0, 5, 7))
+    found[:] = 0.0  # it is a copy
+    assert one.states(np.linspace(0, 5, 7))[0, 0] == 1.0
+    assert one.calls == calls
 
 
 @pytest.mark.parametrize(("t0", "t1"), ROUNDED)
@@ -186,15 +186,6 @@ def test_states_at_increasing_times_need_no_steps_unless_there_are_stops(stops, 
     one.step()
     one.states([1.0, 2.0])
     assert (("dense" in vars(one)), one.series) == (steps, [])
-
-
-def test_what_was_sampled_is_not_computed_again():
-    one = series(samples=7)
-    one.step()
-    calls, found = one.calls, one.states(np.linspace(0, 5, 7))
-    found[:] = 0.0  # it is a copy
-    assert one.states(np.linspace(0, 5, 7))[0, 0] == 1.0
-    assert one.calls == calls
 
 
 @pytest.mark.parametrize("samples", [63, 100, 1000])

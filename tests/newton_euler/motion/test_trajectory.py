@@ -57,14 +57,7 @@ def test_either_a_terminal_event_or_one_with_then_ends_the_segment(options, ends
     assert motion.ended == ("there at t = 3" if ends else "reached t = 5")
 
 
-def test_an_event_without_a_name_has_its_number():
-    events = (Event(lambda s, p, t: s.x - 3.0), Event(lambda s, p, t: s.x - 2.0))
-    motion = integrate(DRIFT, 5.0, (0.0, 1.0), events=events)
-    assert [e.name for e in motion.events] == ["event 2", "event 1"]
-    assert [e.state["x"] for e in motion.events] == pytest.approx([2.0, 3.0])
-
-
-def test_after_an_event_the_motion_goes_on_from_what_then_returns():
+def test_after_an_event_the_motion_goes_on_with_what_then_returns_and_its_events():
     then = lambda s, p, t: (DRIFT, (s.x, -2 * s.v))
     back = Event(lambda s, p, t: s.x - 3.0, then=then, name="wall")
     motion = integrate(DRIFT, 4.0, (0.0, 1.0), events=back)
@@ -72,15 +65,15 @@ def test_after_an_event_the_motion_goes_on_from_what_then_returns():
     ends = [t for part in motion.segments for t in (part.t0, part.t1)]
     assert ends == [0.0, pytest.approx(3.0), pytest.approx(3.0), 4.0]
     assert motion.ended == "reached t = 4"
-
-
-def test_then_may_give_other_events_which_replace_those_before():
     never = Event(lambda s, p, t: s.x - 3.5, name="never")
     later = Event(lambda s, p, t: s.x - 4.0, terminal=True, name="later")
     first = Event(lambda s, p, t: s.x - 3.0, then=lambda s, p, t: (DRIFT, (s.x, s.v), [later]))
     motion = integrate(DRIFT, 9.0, (0.0, 1.0), events=(first, never))
     assert [e.name for e in motion.events] == ["event 1", "later"]
     assert motion.t_end == pytest.approx(4.0)
+    wall = Event(lambda s, p, t: abs(s.x) - 1.0, 1, then=lambda s, p, t: (DRIFT, (s.x, -s.v)))
+    motion = integrate(DRIFT, 6.0, (0.0, 1.0), events=wall)
+    assert [e.t for e in motion.events] == pytest.approx([1.0, 3.0, 5.0])
 
 
 def test_an_event_that_changes_the_rates_is_no_longer_looked_for_and_others_are():
@@ -97,12 +90,6 @@ def test_an_event_that_changes_the_rates_is_no_longer_looked_for_and_others_are(
     assert [e.name for e in motion.events] == ["brake", "passing", "passing", "back"]
 
 
-def test_an_event_whose_rates_stay_is_looked_for_again():
-    wall = Event(lambda s, p, t: abs(s.x) - 1.0, 1, then=lambda s, p, t: (DRIFT, (s.x, -s.v)))
-    motion = integrate(DRIFT, 6.0, (0.0, 1.0), events=wall)
-    assert [e.t for e in motion.events] == pytest.approx([1.0, 3.0, 5.0])
-
-
 @pytest.mark.parametrize("given", [5, (DRIFT,), (DRIFT, (1.0, 1.0), (), ())])
 def test_what_then_returns_is_a_model_and_a_start(given):
     event = Event(lambda s, p, t: s.x - 3.0, then=lambda s, p, t: given, name="wrong")
@@ -110,12 +97,16 @@ def test_what_then_returns_is_a_model_and_a_start(given):
         integrate(DRIFT, 9.0, (0.0, 1.0), events=event)
 
 
-def test_an_event_at_the_very_end_begins_no_segment():
+def test_an_event_at_the_very_end_begins_no_segment_and_one_without_a_name_has_a_number():
     event = Event(lambda s, p, t: t - 3.0, then=lambda s, p, t: (DRIFT, (0.0, 1.0)), name="bell")
     motion = integrate(DRIFT, 3.0, (0.0, 1.0), events=event)
     assert len(motion.segments) == 1
     assert motion.end["x"] == pytest.approx(3.0)
     assert motion.ended == "bell at t = 3"
+    events = (Event(lambda s, p, t: s.x - 3.0), Event(lambda s, p, t: s.x - 2.0))
+    motion = integrate(DRIFT, 5.0, (0.0, 1.0), events=events)
+    assert [e.name for e in motion.events] == ["event 2", "event 1"]
+    assert [e.state["x"] for e in motion.events] == pytest.approx([2.0, 3.0])
 
 
 ZENO = Model("zeno", {}, ("x", "v", "n"), lambda s, p, t: (s.v, 0.0 * s.v, 0.0 * s.n))
@@ -127,7 +118,7 @@ def shrunk(part):
     return Event(lambda s, p, t: s.x - s.n, then=then, name="next")
 
 
-def test_events_that_accumulate_end_the_motion_in_words():
+def test_events_that_accumulate_end_the_motion_and_two_at_once_do_not():
     """Each distance is half of the one before: the events accumulate at t = 2."""
     motion = integrate(ZENO, 3.0, (0.0, 1.0, 1.0), events=shrunk(0.5))
     assert motion.ended.startswith(
@@ -136,10 +127,7 @@ def test_events_that_accumulate_end_the_motion_in_words():
     # the motion ends at a segment of 1e-9 of the whole time: 2^-n < 3e-9
     assert len(motion.segments) == 30
     assert motion.t_end == pytest.approx(2.0, abs=1e-8)
-
-
-def test_two_events_at_once_are_not_an_accumulation():
-    """The first segment may be arbitrarily short."""
+    # the first segment may be arbitrarily short
     tap = Event(lambda s, p, t: s.x - 1e-12, then=lambda s, p, t: (DRIFT, (s.x, s.v)), name="tap")
     assert integrate(DRIFT, 3.0, (0.0, 1.0), events=tap).ended == "reached t = 3"
 
@@ -209,12 +197,14 @@ def test_with_kinks_a_larger_fraction_of_its_size_does_not_count():
     assert found.segments[0].stepper.floors == pytest.approx((2 * KINKED_PART, 3 * KINKED_PART))
 
 
-def test_a_state_of_which_nothing_is_known_has_the_smallest_scale():
+def test_of_what_nothing_is_known_the_smallest_scale_and_no_natural_size_count():
     still = Model("still", {}, ("x", "y"), lambda s, p, t: (0.0 * s.x, 0.0 * s.y))
     found = trajectory(run(still, (0.0, 0.0)))
     assert found.segments[0].stepper.floors == (SMALLEST_SCALE, SMALLEST_SCALE)
     # that scale is not a size of the motion
     assert found.sizes()[0] == (0.0, 0.0)
+    model = Model("none", {}, ("x",), lambda s, p, t: (1 / (s.x - s.x),))
+    assert trajectory(run(model, (2.0,), 1.0)).sizes() == ((2.0,), (0.0,), (0.0,))
 
 
 def test_the_natural_sizes_of_the_start_count_unless_a_state_was_nearly_zero():
@@ -231,11 +221,6 @@ def test_the_natural_sizes_of_the_start_count_unless_a_state_was_nearly_zero():
 @pytest.mark.parametrize("t1", [0.01, 100.0])
 def test_the_natural_size_of_a_position_is_how_far_its_velocity_carries_it(t1):
     assert trajectory(run(DRIFT, (0.0, 1.0), t1=t1)).sizes()[1] == pytest.approx((t1, 0.0))
-
-
-def test_of_a_motion_that_has_not_begun_no_natural_sizes_are_known():
-    model = Model("none", {}, ("x",), lambda s, p, t: (1 / (s.x - s.x),))
-    assert trajectory(run(model, (2.0,), 1.0)).sizes() == ((2.0,), (0.0,), (0.0,))
 
 
 def test_a_state_that_was_nearly_zero_at_the_start_is_judged_by_the_motion():

@@ -99,12 +99,9 @@ def test_only_zeros_of_the_direction_count(direction, numbers):
     assert times(np.cos, 0.0, 9.0, direction=direction) == pytest.approx(exact)
 
 
-def test_the_sign_before_the_interval_shows_whether_it_changes_at_the_beginning():
+def test_the_sign_before_the_interval_counts_at_its_beginning_and_goes_on_to_the_end():
     for sign, exact in ((1, []), (0, []), (-1, [0.0])):
         assert times(lambda t: t + 1.0, 0.0, 1.0, sign=sign) == pytest.approx(exact, abs=EPS)
-
-
-def test_the_sign_goes_on_to_the_end():
     asked = Function(np.cos)
     one = zeros.ZeroSearch(asked.values, asked.noise, 0.0, 3.0, 1)
     assert len([zero for some, _ in one for zero in some]) == 1
@@ -166,15 +163,15 @@ def test_at_a_jump_the_sign_changes_within_a_float(place, factor):
     assert zero.slope == 0.0
 
 
-def test_a_zero_beside_a_kink_is_found_on_each_side():
+def test_kinks_have_zeros_on_each_side_and_poles_and_round_off_none():
     found = times(lambda t: np.abs(t - 2.0) - 1e-5, 0.0, 5.0, round_off=1e-15)
     assert found == pytest.approx([2.0 - 1e-5, 2.0 + 1e-5], abs=1e-13)
-
-
-def test_a_pole_is_not_a_zero_but_zeros_between_poles_count():
     assert times(np.tan, 0.1, 9.0) == pytest.approx([math.pi, 2 * math.pi])
     for place in (0.0, 3.0):
         assert times(lambda t, place=place: 1 / (t - place), place - 3.0, place + 2.0) == []
+    # values that jump between plus and minus 1e-17, beside 1
+    wild = lambda t: 1e-17 * np.where(np.sin(1e9 * t) > 0, 1.0, -1.0)
+    assert times(wild, 0.0, 5.0, sign=0, round_off=1e-16) == []
 
 
 @pytest.mark.parametrize("frequency", [60.0, 1000.0])
@@ -223,12 +220,6 @@ def test_at_late_times_a_smooth_function_is_as_smooth_though_its_times_are_round
     found = times(asked, late, late + 20.0)
     assert found == pytest.approx(late + math.pi * (np.arange(6) + 0.5), rel=EPS, abs=0.0)
     assert asked.count < 300
-
-
-def test_round_off_has_no_zeros():
-    """Values that jump between plus and minus 1e-17, beside 1."""
-    wild = lambda t: 1e-17 * np.where(np.sin(1e9 * t) > 0, 1.0, -1.0)
-    assert times(wild, 0.0, 5.0, sign=0, round_off=1e-16) == []
 
 
 @pytest.mark.parametrize(("depth", "count"), [(7e-13, 0), (9e-13, 2)])

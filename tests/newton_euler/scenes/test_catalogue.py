@@ -23,10 +23,12 @@ def test_every_scene_of_the_catalogue_moves_to_its_end(name):
     assert any(motion.end[n] != x for n, x in zip(model.states, start, strict=True))
 
 
-def test_scenes_come_in_the_order_of_the_book_and_say_where_they_are():
+def test_scenes_come_in_the_order_of_the_book_and_one_that_does_not_exist_is_refused():
     places = [tuple(map(int, s.section.split("."))) for s in SCENES.values()]
     assert places == sorted(places)
     assert all(s.name == name and s.description for name, s in SCENES.items())
+    with pytest.raises(ModelError, match=r"no scene 'topp'; there are planet, .*, top, "):
+        scene("topp")
 
 
 def makers(path):
@@ -57,8 +59,3 @@ def test_no_module_of_scenes_that_makes_a_model_is_forgotten():
         [sys.executable, "-c", program], cwd=ROOT, check=True, capture_output=True, text=True
     ).stdout
     assert modules - set(output.splitlines()) == set()
-
-
-def test_a_scene_that_does_not_exist_is_refused_with_those_that_do():
-    with pytest.raises(ModelError, match=r"no scene 'topp'; there are planet, .*, top, "):
-        scene("topp")

@@ -280,13 +280,10 @@ def test_a_large_bound_is_measured():
     assert evidence["c"] == ladders.Evidence(0.0, None)
 
 
-def test_an_effect_without_a_bound_bounds_nothing():
+def test_what_has_no_bound_or_cannot_be_followed_does_not_hold():
     rung = Rung(oscillator(neglects=[by(lambda s, p, t: t), by(None)]), (1.0, 0.0), place)
     assert list(rung.model.neglected(2.0, (1.0, 0.0)).values()) == [2.0, math.inf]
     assert rung.bound(2.0) == math.inf
-
-
-def test_a_rung_that_cannot_be_followed_does_not_hold():
     runs_away = Model("runs away", {}, ("x", "v"), lambda s, p, t: (s.x * s.x, s.v))
     asked = hand_made(runs_away, oscillator())
     assert asked.error(asked.rungs[0]) == math.inf
@@ -294,7 +291,7 @@ def test_a_rung_that_cannot_be_followed_does_not_hold():
     assert "no bound is known, by inf from the fullest" in str(smallest(asked, 100.0))
 
 
-def test_errors_are_measured_as_well_as_they_are_asked_for():
+def test_errors_are_measured_as_well_as_asked_for_and_for_each_rung_itself():
     asked = hand_made(oscillator("a"), oscillator("b", 4.0 + 1e-10))
     # d cos(k^1/2 t)
     true = 1e-10 / 4 * max(abs(t * math.sin(2 * t)) for t in np.linspace(0, 2, 5001))
@@ -302,9 +299,6 @@ def test_errors_are_measured_as_well_as_they_are_asked_for():
     assert rough < 1e-8
     assert fine == pytest.approx(true, rel=0.02)
     assert asked.error(asked.rungs[0], 1.0) == fine  # an error known well is not measured again
-
-
-def test_a_rung_of_the_same_name_from_elsewhere_has_an_error_of_its_own():
     asked = hand_made(oscillator("a", 4.1), oscillator("b"))
     other = Rung(oscillator("a", 4.5), (1.0, 0.0), place)
     assert asked.error(other) > 3 * asked.error(asked.rungs[0])
@@ -320,19 +314,16 @@ def test_an_effect_that_the_fullest_model_neglects_counts_for_all():
     assert smallest(hand_made(FIRST, LAST), 0.21).model.name == "a"
 
 
-@pytest.mark.parametrize(
-    ("ask", "words"),
-    [
-        (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' need numbers"),
-        (lambda: hand_made(ENERGY), "of different quantities: position, m; energy"),
-        (lambda: hand_made(FIRST, FIRST), r"the rungs of 'oscillators' need names of their own, got \['a', 'a'\]"),
-        (hand_made, r"got \[\]"),
-        (lambda: smallest(hand_made(FIRST, LAST), 0.19), r"no model is as accurate as 0\.19; the errors may reach a: 2, b: 0\.2"),
-        (lambda: smallest(hand_made(FIRST), 0), "the tolerance is a positive number, position, m; got 0"),
-        (lambda: hand_made(FIRST, LAST).rung("c"), "oscillators has no rung 'c'; it has a, b"),
-        (lambda: ladder("cart"), "there is no ladder 'cart'; there are satellite, .*, projectile, "),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("ask", "words"), [
+    (lambda: hand_made(FIRST).rungs[0].bound(sympy.Symbol("t")), "bounds of 'a' need numbers"),
+    (lambda: hand_made(ENERGY), "of different quantities: position, m; energy"),
+    (lambda: hand_made(FIRST, FIRST), r"the rungs of 'oscillators' need names of their own, got \['a', 'a'\]"),
+    (hand_made, r"got \[\]"),
+    (lambda: smallest(hand_made(FIRST, LAST), 0.19), r"no model is as accurate as 0\.19; the errors may reach a: 2, b: 0\.2"),
+    (lambda: smallest(hand_made(FIRST), 0), "the tolerance is a positive number, position, m; got 0"),
+    (lambda: hand_made(FIRST, LAST).rung("c"), "oscillators has no rung 'c'; it has a, b"),
+    (lambda: ladder("cart"), "there is no ladder 'cart'; there are satellite, .*, projectile, "),
+])  # fmt: skip
 def test_what_a_ladder_and_a_question_must_be(ask, words):
     with pytest.raises(ModelError, match=words):
         ask()

@@ -292,11 +292,8 @@ def test_small_swings_exist_on_both_sides_of_the_least_rate():
         assert found.error(found.rungs[0]) < 1e-8
 
 
-def test_a_rod_on_the_other_side_swings_about_the_other_angle():
+def test_a_rod_on_either_side_and_a_slow_station_have_their_ladders():
     one, other = (ladder("turning shaft", start=(sense * 1.2, 0.0)) for sense in (1, -1))
     assert one.error(one.rungs[0]) == pytest.approx(other.error(other.rungs[0]), rel=1e-9)
-
-
-def test_a_station_may_turn_slowly():
     barely = ladder("space station", omega=1e-9)
     assert barely.error(barely.rungs[0]) < 1.0  # m, from the air alone

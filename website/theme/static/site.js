@@ -31,7 +31,7 @@ const equal = new Map(); // {key: how many questions before have it}; an equal o
 for (const { dataset } of asked) {
   const before = equal.get(dataset.key) || 0;
   equal.set(dataset.key, before + 1);
-  if (before) dataset.key += ` (${before + 1})`;
+  if (before) dataset.key += `\n@ (${before + 1})`; // a question may end in "(2)"
 }
 
 function keep(key, prediction, right) {

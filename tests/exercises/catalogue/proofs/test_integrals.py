@@ -29,12 +29,9 @@ def test_vectors_and_matrices_are_integrated_entry_by_entry():
     assert max(abs(a - mpf(9) / 2), abs(b - 3), abs(c - 9), abs(d)) < mpf(10) ** -45
 
 
-def test_a_corner_is_refused_unless_it_is_named():
+def test_a_corner_that_is_not_named_and_an_integral_that_does_not_exist_are_refused():
     with pytest.raises(ProofError, match=r"does not converge.*breaks"):
         integral(abs, -1, mpf("2.1"))
     assert abs(integral(abs, -1, 2, breaks=(0,)) - mpf(5) / 2) < mpf(10) ** -45
-
-
-def test_an_integral_that_does_not_exist_is_refused():
     with pytest.raises(ProofError, match="does not converge"):
         integral(lambda x: 1 / x, 0, 1)

@@ -167,15 +167,12 @@ def test_a_file_may_have_16_mb_and_not_a_byte_more(tmp_path):
     assert (tmp_path / "file").stat().st_size == 16 * 2**20
 
 
-def test_an_abstract_socket_of_the_machine_is_not_there(harvester):
+def test_an_abstract_socket_of_the_machine_is_not_there_and_a_session_of_its_own_is(harvester):
     with socket.socket(socket.AF_UNIX) as listening:
         listening.bind("\0newton-euler-test")
         listening.listen()
         text = "import socket; socket.socket(socket.AF_UNIX).connect('\\0newton-euler-test'); x = 1"
         assert "ConnectionRefusedError" in answer(harvester, text)
-
-
-def test_a_submission_has_a_session_of_its_own(harvester):
     text = "import os; x = os.getsid(0) == os.getpid() == os.getpgrp() and 1"
     assert answer(harvester, text) == 1
 

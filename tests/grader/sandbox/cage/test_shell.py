@@ -50,13 +50,15 @@ NOT_IN_A_BARE_SHELL = {
 }
 
 
-def test_a_module_that_a_cell_has_written_can_be_imported(harvester):
+def test_a_module_of_a_cell_can_be_imported_and_the_next_submission_sees_nothing(harvester):
     cells = [
         own("%%writefile mine.py\ny = 40\n"),
         own("%%writefile -a mine.py\ny = y + 2\n"),
         *problem("0/1", "import mine\nx = mine.y"),
     ]
     assert run_caged(harvester, cells)["receipts"]["0/1"]["answers"] == {"x": 42.0}
+    run_caged(harvester, job("import builtins; builtins.left = 1; x = 1"))
+    assert "NameError" in answer(harvester, "x = left")
 
 
 UNDERSCORE = {  # cells, and x after them
@@ -94,11 +96,6 @@ FAILS = {  # in a notebook too
 @pytest.mark.parametrize("text", FAILS)
 def test_what_fails_in_a_notebook_fails_here_with_its_line(harvester, text):
     assert answer(harvester, text) == FAILS[text]
-
-
-def test_what_the_shell_does_cannot_be_seen_by_the_next_submission(harvester):
-    run_caged(harvester, job("import builtins; builtins.left = 1; x = 1"))
-    assert "NameError" in answer(harvester, "x = left")
 
 
 CUT = (  # where the last line might be mistaken for an expression

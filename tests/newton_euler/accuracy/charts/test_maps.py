@@ -20,14 +20,11 @@ def measured(land, timed=False):
     return chart, chart.measure()
 
 
-def test_parts_that_touch_at_a_corner_are_one_and_others_are_islands():
+def test_parts_at_a_corner_are_one_and_islands_or_specks_of_missing_times_go():
     found = np.full((4, 4), SEA, dtype=object)
     found[0, 0] = found[1, 1] = found[3, 3] = LAND
     (island,) = islands(found)
     assert (island.choice, island.cells) == (LAND, ((3, 3),))
-
-
-def test_an_island_of_times_missing_from_a_repeat_is_removed():
     chart, found = measured(lambda x, y: False, timed=True)
     found[:6, 0] = found[9, 9] = found[:5, 5] = LAND
     better, changed = without_noise(chart, found)
@@ -35,9 +32,6 @@ def test_an_island_of_times_missing_from_a_repeat_is_removed():
     assert (better[:6, 0] == LAND).all()  # the largest part is not an island
     assert changed == 6
     assert "noise of the times" in map_caption(chart, better, changed)
-
-
-def test_a_speck_that_recurs_goes_to_its_neighbours_and_a_large_island_stays():
     better, changed = without_noise(
         *measured(lambda x, y: (y < 5 and x < 4) or (x > 9 and y > 6) or (x > 6 and y < 1), True)
     )

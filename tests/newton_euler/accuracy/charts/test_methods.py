@@ -114,12 +114,17 @@ def test_the_caption_has_only_what_all_repeats_agree_on():
     assert "There dop853" not in busy_caption
 
 
-def test_the_band_of_a_point_spans_its_repeats():
+def test_the_band_of_a_point_spans_its_repeats_and_a_bar_its_preparation():
     ax = Figure().subplots()
     point = replace(Measured("dop853", 0.0, 1e-8), **of_repeats([3e-6, 1e-6, 2e-6]))
     assert point.cost == 2e-6
     chart([point], ax)
     assert [1e-6, 3e-6] in [list(line.get_xdata()) for line in ax.lines]
+    ax = Figure().subplots()
+    chart([Measured("taylor", 1e-4, 1e-8, prepared=0.1), Measured("dop853", 1e-3, 1e-8)], ax)
+    assert lines(ax, "first run, with preparation")[0] == [1e-4, 1e-4 + 0.1]
+    wrong, right = Measured("wrong", 1e-9, 1.0), Measured("right", 1e-3, 1e-9)
+    assert chart([wrong, right], Figure().subplots()) == [right]
 
 
 def test_stepping_methods_have_their_own_front_beside_that_of_closed_forms():
@@ -130,14 +135,3 @@ def test_stepping_methods_have_their_own_front_beside_that_of_closed_forms():
     labels = {line.get_label() for line in ax.lines}
     assert {"front of the stepping methods", "front of the closed forms"} <= labels
     figure.canvas.draw()
-
-
-def test_the_preparation_is_a_bar_that_ends_at_the_time_of_the_first_run():
-    ax = Figure().subplots()
-    chart([Measured("taylor", 1e-4, 1e-8, prepared=0.1), Measured("dop853", 1e-3, 1e-8)], ax)
-    assert lines(ax, "first run, with preparation")[0] == [1e-4, 1e-4 + 0.1]
-
-
-def test_a_point_without_a_right_digit_has_no_ring():
-    wrong, right = Measured("wrong", 1e-9, 1.0), Measured("right", 1e-3, 1e-9)
-    assert chart([wrong, right], Figure().subplots()) == [right]

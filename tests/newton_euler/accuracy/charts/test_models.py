@@ -42,11 +42,17 @@ def test_models_are_charted_against_the_fullest(shots):
     figure.canvas.draw()
 
 
-def test_a_bar_runs_from_the_median_error_to_the_largest(shots):
+def test_a_bar_runs_from_the_median_error_to_the_largest_at_a_counted_cost(shots):
     coarse, _ = measured_models(shots)
     distances = shots.distances(shots.rungs[0])
     assert coarse.usual == sorted(distances)[len(distances) // 2]
     assert coarse.error == max(distances) > coarse.usual > 0
+    first, again = measured_models(shots), measured_models(shots)
+    assert [p.cost for p in first] == [p.cost for p in again]
+    runs = [integrate(r.model, 5.0, r.start, 1e-9, "dop853") for r in shots.rungs]
+    operations = [r.model.compiled_rhs(*r.model.parameters).operations for r in shots.rungs]
+    counted = [n * run.cost.calls for n, run in zip(operations, runs, strict=True)]
+    assert [p.cost for p in first] == counted
 
 
 def models(**costs_and_errors):
@@ -85,15 +91,6 @@ def test_the_ring_is_on_the_model_that_smallest_takes_whatever_they_cost(name):
     errors = [p.error for p in points if p.error > 0]
     for tolerance in (0.2, *(1.5 * e for e in errors), *(0.7 * e for e in errors)):
         assert choice(points, tolerance).method == smallest(rungs, tolerance).rung.name
-
-
-def test_costs_are_counted_and_so_the_same_at_each_measurement(shots):
-    first, again = measured_models(shots), measured_models(shots)
-    assert [p.cost for p in first] == [p.cost for p in again]
-    runs = [integrate(r.model, 5.0, r.start, 1e-9, "dop853") for r in shots.rungs]
-    operations = [r.model.compiled_rhs(*r.model.parameters).operations for r in shots.rungs]
-    counted = [n * run.cost.calls for n, run in zip(operations, runs, strict=True)]
-    assert [p.cost for p in first] == counted
 
 
 def test_the_usual_tolerance_lies_between_the_errors():

@@ -37,7 +37,7 @@ def errors(points, method, question=0):
     return found
 
 
-def test_the_best_first_difference_has_10_digits_the_best_second_one_7_and_the_engine_16(measured):
+def test_errors_of_differences_fall_and_rise_and_a_complex_step_cancels_in_a_second_one(measured):
     points = measured("derivatives")
     assert 1e-12 < min(errors(points, "central difference").values()) < 1e-9
     assert 1e-9 < min(errors(points, "forward difference").values()) < 1e-7
@@ -45,9 +45,6 @@ def test_the_best_first_difference_has_10_digits_the_best_second_one_7_and_the_e
     for question in (0, 1):
         for way in ("engine, no step", "engine, traced"):
             assert max(errors(points, way, question).values()) < 4 * ROUND_OFF
-
-
-def test_the_error_of_a_difference_falls_as_a_power_of_its_step_and_then_rises(measured):
     points = measured("derivatives")
     for question in (0, 1):
         forward = errors(points, "forward difference", question)
@@ -55,16 +52,13 @@ def test_the_error_of_a_difference_falls_as_a_power_of_its_step_and_then_rises(m
         assert forward[1e-1] / forward[1e-2] == pytest.approx(10, rel=0.2)
         assert central[1e-1] / central[1e-2] == pytest.approx(100, rel=0.05)
         assert central[1e-12] > 1e4 * min(central.values())
-
-
-def test_the_complex_step_is_exact_for_a_first_derivative_and_cancels_in_a_second(measured):
     points = measured("derivatives")
     first, second = errors(points, "complex step"), errors(points, "complex step", 1)
     assert max(first[h] for h in first if h < 1e-8) < 4 * ROUND_OFF
     assert min(second.values()) > 1e-9
 
 
-def test_a_product_of_10000_matrices_drifts_and_one_of_quaternions_is_a_rotation(measured):
+def test_matrices_drift_and_euler_rates_fail_past_the_vertical_where_quaternions_do_not(measured):
     points = measured("rotations")
     for way in ("3 x 3 matrices", "matrices, NumPy"):
         assert errors(points, way, 1)[10000] > 1e-14 + 5 * errors(points, way, 1)[300]
@@ -72,9 +66,6 @@ def test_a_product_of_10000_matrices_drifts_and_one_of_quaternions_is_a_rotation
         assert max(errors(points, way, 1).values()) < 1e-15
     assert errors(points, "quaternions")[10000] < errors(points, "3 x 3 matrices")[10000] / 3
     assert max(p.error for p in points if p.x >= 100) < 1e-12
-
-
-def test_past_the_vertical_euler_rates_leave_an_error_of_a_step_and_a_quaternion_none(measured):
     points = measured("rotations")
     angles = errors(points, "rates of Euler's angles", 2)
     quaternions = errors(points, "rate of a quaternion", 2)
@@ -84,7 +75,7 @@ def test_past_the_vertical_euler_rates_leave_an_error_of_a_step_and_a_quaternion
     assert max(quaternions.values()) < 1e-11
 
 
-def test_points_converge_slowly_and_the_engine_is_right_to_round_off_by_both_ways(measured):
+def test_points_converge_slowly_and_the_reference_by_strips_is_the_closed_form(measured):
     points = measured("inertia")
     random, grid = errors(points, "random points"), errors(points, "grid of points")
     assert 1e-5 < random[10**6] < 1e-2
@@ -93,9 +84,6 @@ def test_points_converge_slowly_and_the_engine_is_right_to_round_off_by_both_way
     assert all(grid[n] < random[n] for n in grid)
     for way in ("engine, quadrature", "engine, composition"):
         assert max(errors(points, way).values()) < 4 * ROUND_OFF
-
-
-def test_the_reference_by_strips_is_the_closed_form_in_40_digits():
     with mpmath.workdps(40):
         r, h, rho = (mpmath.mpf(x) for x in (baselines.RADIUS, baselines.HEIGHT, baselines.DENSITY))
         arc, triangle = rho * mpmath.pi * r * r, rho * r * h**3 / 2
@@ -106,7 +94,7 @@ def test_the_reference_by_strips_is_the_closed_form_in_40_digits():
             assert abs(found / known - 1) < mpmath.mpf(10) ** -35
 
 
-def test_the_arc_cosine_loses_8_digits_at_1e_minus_4_and_all_at_1e_minus_8(measured):
+def test_the_arc_cosine_and_the_printed_root_lose_digits_and_the_engine_none(measured):
     points = measured("angle")
     found = errors(points, "arc cosine of the trace")
     assert found[1.0] < 1e-15
@@ -116,9 +104,6 @@ def test_the_arc_cosine_loses_8_digits_at_1e_minus_4_and_all_at_1e_minus_8(measu
     for question in (0, 1):
         for way in ("engine, atan2", "SciPy's Rotation"):
             assert max(errors(points, way, question).values()) < 3 * ROUND_OFF
-
-
-def test_the_printed_root_loses_a_digit_for_each_decade_and_the_engine_none(measured):
     points = measured("steady precession")
     found = errors(points, "printed root")
     for a, error in found.items():

@@ -25,7 +25,7 @@ class Clock:
         return self.now
 
 
-def test_a_time_is_that_of_one_call_and_the_first_call_does_not_count():
+def test_a_time_is_that_of_one_call_after_the_first_whatever_else_runs():
     calls, clock = [], Clock()
 
     def f():
@@ -34,18 +34,12 @@ def test_a_time_is_that_of_one_call_and_the_first_call_does_not_count():
 
     assert timed(f, runs=3, shortest=3e-3, clock=clock) == pytest.approx(1e-3)
     assert len(calls) > 3 * 2
-
-
-def test_other_load_on_the_machine_in_some_runs_does_not_count():
     clock, delays = Clock(), cycle((0.0, 0.3, 0.02))
 
     def f():
         clock.now += 1e-3 + next(delays)
 
     assert timed(f, runs=3, shortest=1e-3, clock=clock) == pytest.approx(1e-3)
-
-
-def test_several_functions_take_turns():
     order = []
     calls = (lambda: order.append("a")), (lambda: order.append("b"))
     assert min(timed(*calls, runs=2, shortest=1e-5)) > 0
@@ -78,13 +72,18 @@ def test_errors_are_measured_in_the_digits_of_the_reference():
     assert relative_error(Frame("ground").vector(0.0, 1.5, 0.0), (0.0, 1.0, 0.0)) == 0.5
 
 
-def test_the_chart_names_every_method_once_and_returns_the_front(ax):
+def test_a_chart_names_every_method_once_and_draws_errors_below_the_floor_there(ax):
     points = [Measured("coarse", 1e-6, e) for e in (1e-2, 1e-4)]
     points += Measured("fine", 1e-3, 1e-9), Measured("beaten", 1e-2, 1e-9)
     assert chart(points, ax) == [points[1], points[2]]
     names = [text.get_text() for text in ax.get_legend().get_texts()]
     assert names == ["coarse", "fine", "beaten", "front"]
     assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
+    ax.figure.canvas.draw()
+    chart([Measured("many digits", 1e-3, 3e-31), Measured("exact", 1e-4, 0.0)], ax)
+    assert {text.get_text() for text in ax.texts} == {"3e-31", "0", "better"}
+    lowest, _ = ax.get_ylim()
+    assert 0 < lowest < 1e-17
     ax.figure.canvas.draw()
 
 
@@ -101,11 +100,3 @@ def test_only_ways_that_win_in_all_repeats_are_ringed(ax, repeats, ringed):
     assert [p.method for p in chart(points, ax)] == ringed
     (rings,) = (line for line in ax.lines if line.get_label() == "front")
     assert list(rings.get_xdata()) == [p.cost for p in points if p.method in ringed]
-
-
-def test_an_error_below_the_floor_is_drawn_there_with_its_value(ax):
-    chart([Measured("many digits", 1e-3, 3e-31), Measured("exact", 1e-4, 0.0)], ax)
-    assert {text.get_text() for text in ax.texts} == {"3e-31", "0", "better"}
-    lowest, _ = ax.get_ylim()
-    assert 0 < lowest < 1e-17
-    ax.figure.canvas.draw()

@@ -24,7 +24,7 @@ def swing():
     return work_precision("pendulum", (1e-3, 1e-6, 1e-9), methods, **options), output
 
 
-def test_measured_errors_are_those_of_direct_integration(swing):
+def test_errors_and_drifts_are_those_of_direct_integration(swing):
     with mp.workdps(30):
         theta, omega = closed_forms.pendulum(mp, *map(mp.mpf, (10, 1, 0, 10)))
     sizes = 1.0, 2 * math.sqrt(10) * math.sin(0.5)
@@ -33,9 +33,6 @@ def test_measured_errors_are_those_of_direct_integration(swing):
         error = max(abs(end["theta"] - theta) / sizes[0], abs(end["omega"] - omega) / sizes[1])
         assert p.error == pytest.approx(float(error), rel=0.05, abs=2e-16)
         assert p.error <= p.asked
-
-
-def test_drift_is_that_of_the_invariant_at_the_steps(swing):
     model, t, start = SCENES["pendulum"].motion
     (p,) = (p for p in swing[0].points if (p.method, p.asked) == ("dop853", 1e-6))
     motion = integrate(model, t, start, 1e-6, "dop853")
@@ -44,36 +41,27 @@ def test_drift_is_that_of_the_invariant_at_the_steps(swing):
     off = max(abs(e - energies[0]) for e in energies) / max(map(abs, energies))
     assert p.drift == pytest.approx(off, rel=1e-6)
     assert p.calls == motion.cost.calls > 100
-
-
-def test_the_worst_drift_of_several_invariants_counts():
     motion = integrate(*SCENES["free body"].motion, 1e-6, "lie-poisson4")
     assert motion.drift["momentum"] < 1e-12 < 1e-10 < motion.drift["energy"]
     assert precision.worst_drift(motion) == pytest.approx(motion.drift["energy"], rel=0.1)
 
 
-def test_methods_that_a_scene_cannot_use_have_no_points(swing):
+def test_methods_that_a_scene_cannot_use_have_no_points_and_progress_never_goes_back(swing):
     found, _ = swing
     assert [p.asked for p in found.points if p.method == "dop853"] == [1e-3, 1e-6, 1e-9]
     assert {p.method for p in found.points} == {"dop853", "yoshida6", "auto"}
     assert all(p.cost > 0 for p in found.points)
-
-
-def test_progress_is_reported_and_never_goes_back(swing):
     fractions = [fraction for fraction, _ in swing[1]]
     assert all(a <= b for a, b in pairwise(fractions))
     assert 0 <= fractions[0] < fractions[-1] <= 1
     assert swing[1][0][1] == "dop853, 1e-03"
 
 
-def test_the_table_has_all_numbers_and_no_ratio_to_an_exact_solution(swing):
+def test_the_table_has_all_numbers_and_ratios_of_auto_where_it_steps(swing):
     output = swing[0].explain()
     assert output.count("yoshida6 ") >= 3
     assert swing[0].ratios == {}
     assert "auto takes the exact solution" in output
-
-
-def test_the_table_has_the_ratios_of_auto_where_it_steps():
     found = work_precision("top", (1e-3,), ("dop853", "auto"), longest=math.inf)
     ((rtol, (ratio, best)),) = found.ratios.items()
     assert best == "dop853"
@@ -81,13 +69,10 @@ def test_the_table_has_the_ratios_of_auto_where_it_steps():
     assert "exact solution" not in found.explain()
 
 
-def test_a_slow_method_is_asked_for_no_more_digits_and_is_named():
+def test_a_method_that_is_slow_or_cannot_reach_an_accuracy_has_no_point_there_and_is_named():
     found = work_precision("sphere on an incline", (1e-3, 1e-4), ("dop853",), longest=0.0)
     assert [p.asked for p in found.points] == [1e-3]
     assert found.too_slow["dop853"].startswith("not asked for less than 1e-03, which took")
-
-
-def test_a_method_that_cannot_reach_an_accuracy_has_no_point_there_and_is_named():
     found = work_precision("rolling sphere", (1e-6, 1e-7, 1e-8), ("verlet",), longest=math.inf)
     assert METHODS["verlet"].min_rtol == 1e-7
     assert [p.asked for p in found.points] == [1e-6, 1e-7]

@@ -23,13 +23,10 @@ def progress(days):
     return Progress(None, today=lambda: days[0])
 
 
-def test_nothing_tried_begins_at_the_first(progress):
+def test_one_begins_at_the_first_and_finishes_what_is_wrong_today(progress):
     found = advise(SECTIONS, progress)
     assert (found.problem, found.sentence) == ("1/1", "Begin with 1/1, section 1.1.")
     assert advise({}, progress).problem == ""
-
-
-def test_what_is_wrong_today_is_finished_first(progress):
     progress.tried("1/2", 0, "v", False, MISTAKE)
     assert advise(SECTIONS, progress, now="1/2").problem == "1/2"
     assert "v is not right yet" in advise(SECTIONS, progress).sentence

@@ -52,16 +52,13 @@ def test_a_slip_knows_the_answers_that_something_else_is_taken_for():
     assert found == [(FACTOR_2, "v w", ()), (INSTEAD, "", ("v", "w"))]
 
 
-def test_what_follows_is_computed_by_the_kept_program():
+def test_what_follows_is_computed_by_the_kept_program_along_a_chain():
     found = numbers({"a": [3.0], "b": [6.0]}, earlier={"b": ["a"]})
     assert found.earlier == {"a": [], "b": []}
     found.tried = {"a"}
     assert found.earlier == {"a": [], "b": ["a"]}
     assert found.following("b", {"a": ((5.0,),)}) == ((10.0,),)
     assert found.following("c", {"a": ((5.0,),)}) is None
-
-
-def test_a_long_chain_of_quantities_is_followed():
     names = [f"q{n}" for n in range(3000)]
     chain = {name: [before] for before, name in itertools.pairwise(names)}
     found = numbers({"q2999": [1.0]}, earlier=chain | {"q0": ["q2999"]})

@@ -8,13 +8,20 @@ from newton_euler.classroom import PracticeFileError, practice
 from newton_euler.classroom.practising.progress import Progress, mastery
 
 
-def test_tries_after_the_right_one_change_nothing():
+def test_tries_after_the_right_one_change_nothing_and_mastery_needs_first_goes():
     kept = Progress(None)
     for right in (False, True, False, True):
         kept.tried("4/1", 0, "v", right)
     assert kept.entry("4/1", 0, "v") == {"tries": 2, "right": 2, "help": 0}
     kept.helped("4/1", 0, "v", 3)
     assert kept.entry("4/1", 0, "v")["help"] == 0
+
+    def of(tried, first):
+        return mastery({"tried": tried, "right": tried, "at first go": first, "with help": 0})
+
+    assert [of(0, 0), of(4, 4), of(10, 8), of(10, 4), of(10, 3)] == [
+        "not tried", "nearly there", "mastered", "nearly there", "needs practice",
+    ]  # fmt: skip
 
 
 def test_two_notebooks_do_not_lose_each_others_tries(tmp_path):
@@ -43,15 +50,6 @@ def test_where_nothing_can_be_written_it_is_kept_while_python_runs(tmp_path):
     kept.tried("4/1", 0, "v", True)
     assert kept.counts("4/1")["right"] == 1
     assert "only while this kernel runs" in kept.note
-
-
-def test_mastery_needs_enough_right_at_first_go():
-    def of(tried, first):
-        return mastery({"tried": tried, "right": tried, "at first go": first, "with help": 0})
-
-    assert [of(0, 0), of(4, 4), of(10, 8), of(10, 4), of(10, 3)] == [
-        "not tried", "nearly there", "mastered", "nearly there", "needs practice",
-    ]  # fmt: skip
 
 
 @pytest.mark.parametrize("content", [None, b"", b"text"])

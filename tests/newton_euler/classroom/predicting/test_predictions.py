@@ -9,7 +9,7 @@ import pytest
 from newton_euler.algebra.errors import ArgumentError
 from newton_euler.answers import givens
 from newton_euler.classroom import predict, predict_again, tally
-from newton_euler.classroom.predicting import asking, kept
+from newton_euler.classroom.predicting import asking, panel, question
 from newton_euler.classroom.predicting.page import folded_html, inline
 from tests.markup import Page
 
@@ -19,7 +19,7 @@ def fresh(tmp_path, monkeypatch):
     """A notebook that has just been opened, in an empty folder."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(asking, "_asked", {})
-    monkeypatch.setattr(kept, "_unwritten", {})
+    monkeypatch.setattr(asking, "_unwritten", {})
 
 
 SIGNS = {"up": "That is the velocity.", "down": "Weight acts all the way."}
@@ -34,11 +34,14 @@ def speed(**options):
     return predict("How fast?", {5.0: "This is twice the speed."}, **asked)
 
 
-def test_a_choice_is_judged_by_the_computed_answer():
+def test_a_choice_is_judged_by_the_computed_answer_yes_and_no_by_what_is_true():
     assert bounce().judge("a") == bounce().judge("up")
     assert not bounce().judge("a").right
     assert bounce().judge("down").right
     assert bounce("up").judge("a").right
+    choices = {"yes": "Only if it rests.", "no": "It turns."}
+    for answer in (True, False):
+        assert predict("Is it 0?", choices, answer).judge("yes").right is answer
 
 
 @pytest.mark.parametrize("computed", [-2.0000000001, -2.03, -2])
@@ -46,12 +49,6 @@ def test_a_computed_number_finds_the_choice_that_stands_for_it(computed):
     p = predict("Factor?", {2: "no sign", -2: "both", -1: "no length"}, computed)
     assert p.judge("-2").right
     assert not p.judge("2").right
-
-
-def test_yes_and_no_stand_for_what_is_true():
-    choices = {"yes": "Only if it rests.", "no": "It turns."}
-    for answer in (True, False):
-        assert predict("Is it 0?", choices, answer).judge("yes").right is answer
 
 
 @pytest.mark.parametrize(("choices", "answer", "within", "words"), [
@@ -64,29 +61,23 @@ def test_a_question_without_a_right_choice_or_a_meaning_is_refused(choices, answ
         predict("?", choices, answer, within=within)
 
 
-@pytest.mark.parametrize(
-    ("typed", "right", "words"),
-    [
-        ("2.5", True, ""), ("2.5 m/s", True, ""), ("5/2", True, ""), ("2.58", True, ""),
-        ("2.7", False, ""), ("5", False, "This is twice the speed."), ("−2.5", False, ""),
-        ("faster than before, I think", None, ""), ("it's", None, ""), ("[1, 2]", None, ""),
-        ("1/0", None, ""), ("__import__('os')", None, ""), ("nan", None, ""),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("typed", "right", "words"), [
+    ("2.5", True, ""), ("2.5 m/s", True, ""), ("5/2", True, ""), ("2.58", True, ""),
+    ("2.7", False, ""), ("5", False, "This is twice the speed."), ("−2.5", False, ""),
+    ("faster than before, I think", None, ""), ("it's", None, ""), ("[1, 2]", None, ""),
+    ("1/0", None, ""), ("__import__('os')", None, ""), ("nan", None, ""),
+])  # fmt: skip
 def test_a_typed_prediction_is_a_number_or_words_and_never_an_error(typed, right, words):
     judged = speed().judge(typed)
     assert (judged.right, judged.words) == (right, words)
     assert typed in Page(speed().choose(typed).html()).text
 
 
-def test_the_answer_is_not_seen_before_the_prediction():
+def test_the_answer_is_seen_after_the_prediction_and_opens_with_what_a_wrong_choice_means():
     for p, answer in ((bounce(), "Weight acts"), (speed(), "By (1.2)")):
         assert answer not in repr(p)
         p.choose("a" if p.question.choices else "5")
         assert answer in repr(p)
-
-
-def test_the_answer_opens_with_what_the_wrong_choice_means():
     text = repr(bounce().choose("a"))
     assert text.index("You predicted: up") < text.index("That is the velocity")
     assert text.index("That is the velocity") < text.index("The answer: down")
@@ -156,6 +147,32 @@ def test_equal_questions_of_one_cell_are_as_many(run):
     assert (again.given, other.given) == ("down", None)
 
 
+def test_the_number_of_an_equal_question_is_not_the_end_of_another_one(run):
+    """Where cells have no ids, and for a question that is asked again."""
+    text = "Where does $a$ point?"
+    asked = [
+        lambda end=end: predict(f"{text}{end}", SIGNS, "down") for end in ("", " (2)", " (again)")
+    ]
+    for n, ask in enumerate(asked):
+        run(ask, None, f"cell {n}").choose("a")
+    assert run(asked[0], None, "cell 9").given is None
+    assert [p.given for p in predict_again().predictions] == [None, None, None]
+
+
+def test_a_button_is_its_choice_and_not_the_one_that_reads_as_its_letter():
+    widgets = pytest.importorskip("ipywidgets")
+    p = predict("Which is larger?", {"b": "It is not.", "a": "By (1.2)."}, "a")
+    shown = SimpleNamespace(update=lambda *_, **__: None)
+    panel._Panel(p, widgets, shown).box.children[0].click()
+    assert p.given == "b"
+
+
+def test_choices_that_read_alike_once_translated_are_refused(monkeypatch):
+    monkeypatch.setattr(question, "_", lambda text: text.replace("speed", "velocity"))
+    with pytest.raises(ArgumentError, match="two choices read alike"):
+        predict("What?", {"the speed": "x", "the velocity": "y"}, "the velocity")
+
+
 def test_a_prediction_that_an_earlier_version_kept_is_read_for_the_first_of_equal_ones(
     run, monkeypatch
 ):
@@ -165,17 +182,24 @@ def test_a_prediction_that_an_earlier_version_kept_is_read_for_the_first_of_equa
 
 
 def test_a_damaged_file_and_a_folder_that_cannot_be_written_lose_no_more_than_they_must(tmp_path):
-    (tmp_path / kept.FILE).write_text("{")
+    (tmp_path / asking.FILE).write_text("{")
     assert bounce().given is None
-    (tmp_path / kept.FILE).unlink()
-    (tmp_path / kept.FILE).mkdir()
+    (tmp_path / asking.FILE).unlink()
+    (tmp_path / asking.FILE).mkdir()
     assert "only while this notebook runs" in repr(bounce().choose("a"))
     assert bounce().given == "up"
 
 
 def test_what_is_kept_is_a_small_file_of_text(tmp_path):
     bounce().choose("a")
-    assert json.loads((tmp_path / kept.FILE).read_text()) == {bounce().question.key: "up"}
+    assert json.loads((tmp_path / asking.FILE).read_text()) == {bounce().question.key: "up"}
+
+
+def test_a_line_of_markdown_becomes_html():
+    assert inline("*a* **b** `x<1` $x<1$ <b>") == (
+        "<i>a</i> <b>b</b> <code>x&lt;1</code> "
+        r'<span class="math notranslate nohighlight">\(x&lt;1\)</span> &lt;b&gt;'
+    )
 
 
 def test_the_tally_counts_and_what_was_wrong_is_asked_again():
@@ -195,10 +219,3 @@ def test_without_a_kernel_all_is_folded_and_well_formed(make):
     text = Page(folded_html(make().question)).text
     assert text.startswith("Predict. ")
     assert "$" not in text
-
-
-def test_markdown_of_a_line_becomes_html():
-    assert inline("*a* **b** `x<1` $x<1$ <b>") == (
-        "<i>a</i> <b>b</b> <code>x&lt;1</code> "
-        r'<span class="math notranslate nohighlight">\(x&lt;1\)</span> &lt;b&gt;'
-    )

@@ -6,15 +6,12 @@ from newton_euler import NewtonEulerError
 from newton_euler.classroom import Slider
 
 
-def test_a_value_is_the_start_and_whole_steps_without_round_off_and_whole_numbers_stay_whole():
+def test_a_value_is_the_start_and_whole_steps_with_label_unit_and_decimals():
     slider = Slider("p", 0.3, 0, 1, 0.1)
     assert [slider.nearest(x) for x in (0.2999999, 0.7, 0.31)] == [0.3, 0.7, 0.3]
     assert slider.limits == (0, 1)
     assert Slider("p", 0.25, 0, 1, 0.1).limits == (0.05, 0.95)
     assert isinstance(Slider("n", 3, 1, 9, 2).nearest(6.8), int)
-
-
-def test_a_value_is_shown_with_label_unit_and_the_decimals_of_the_step():
     assert Slider("phi", 30, 0, 90, 5, label="φ", unit="°").shown(30) == "φ = 30°"
     shown = Slider("p", 4.0, -6, 6, 0.5, unit="rad/s").shown(-2)
     assert shown == "p = \N{MINUS SIGN}2.0\N{NO-BREAK SPACE}rad/s"

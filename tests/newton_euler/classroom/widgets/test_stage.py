@@ -92,7 +92,7 @@ def test_what_only_matplotlib_draws_if_only_for_some_values_is_drawn_by_it_for_a
     assert len(moving._plotted.figure.axes[0].texts) == 1  # the earlier ones are gone
 
 
-def test_a_title_stands_for_its_values_only():
+def test_a_title_stands_for_its_values_only_and_one_of_the_whole_page_makes_room():
     def titled(ax, a):
         arrow(ax, a)
         if a:
@@ -102,9 +102,6 @@ def test_a_title_stands_for_its_values_only():
     assert [moving.picture({"a": a}).count(b"moves</text>") for a in (1, 0, 1)] == [1, 0, 1]
     (first, second) = (lines(moving.picture({"a": a}), DARK)[0] for a in (0, 1))
     assert (first == second).all()
-
-
-def test_a_title_of_the_whole_page_makes_room():
     moving = stage(arrow, [{"a": 1}])
     plain, titled = (moving.picture({"a": 1}, title) for title in (None, "all of it"))
     assert titled.count(b"all of it</text>") == 1

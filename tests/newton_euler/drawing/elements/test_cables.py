@@ -24,7 +24,7 @@ def total(stops, turns=None):
     return length(spans) + length(arcs)
 
 
-def test_a_rope_over_a_pulley_hangs_down_on_both_sides():
+def test_a_rope_over_a_pulley_hangs_on_both_sides_the_shortest_way_or_as_a_belt():
     """Chords of 6 degrees are shorter than their arc by less than 1 in 2000."""
     wheel = Pulley((0.0, 0.0, 0.0), Z, 1.0)
     spans, arcs = route([(-1.0, -5.0, 0.0), wheel, (1.0, -3.0, 0.0)])
@@ -32,6 +32,17 @@ def test_a_rope_over_a_pulley_hangs_down_on_both_sides():
     assert spans[1][0] == pytest.approx((1, 0, 0), abs=1e-12)
     assert length(arcs) == pytest.approx(math.pi, rel=5e-4)
     assert max(P[1] for P in arcs[1]) == pytest.approx(1, abs=2e-3)
+    round_both = Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 1.0, 0.0), Z, 2.0)
+    stops = [(-3.0, 2.0, 0.0), *round_both, (9.0, 0.0, 0.0)]
+    assert total(stops) == pytest.approx(
+        min(total(stops, (a, b)) for a in (1, -1) for b in (1, -1))
+    )
+    # crossed, its length is 2 sqrt(d^2 - 4r^2) + 2r(pi + 2 asin(2r/d))
+    p, q = Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 0.0, 0.0), Z, 1.0)
+    assert total([p, q, p]) == pytest.approx(10 + 2 * math.pi, rel=5e-4)
+    assert total([p, q, p], (1, -1)) == pytest.approx(
+        2 * math.sqrt(21) + 2 * (math.pi + 2 * math.asin(0.4)), rel=5e-4
+    )
 
 
 @pytest.mark.parametrize(("turns", "span"), [((1, 1), 5 * 0.96**0.5), ((1, -1), (25 - 9) ** 0.5)])
@@ -55,23 +66,6 @@ def test_spans_are_square_to_the_radius_and_run_the_way_the_pulley_turns(turns):
             assert turn * np.cross(wheel.normal, radius) @ along > 0
         assert arc[0] == pytest.approx(arriving[1])
         assert arc[-1] == pytest.approx(leaving[0])
-
-
-def test_by_default_the_cable_takes_the_shortest_way():
-    round_both = Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 1.0, 0.0), Z, 2.0)
-    stops = [(-3.0, 2.0, 0.0), *round_both, (9.0, 0.0, 0.0)]
-    assert total(stops) == pytest.approx(
-        min(total(stops, (a, b)) for a in (1, -1) for b in (1, -1))
-    )
-
-
-def test_a_cable_back_to_its_pulley_is_a_belt():
-    """Crossed, its length is 2 sqrt(d^2 - 4r^2) + 2r(pi + 2 asin(2r/d))."""
-    p, q = Pulley((0.0, 0.0, 0.0), Z, 1.0), Pulley((5.0, 0.0, 0.0), Z, 1.0)
-    assert total([p, q, p]) == pytest.approx(10 + 2 * math.pi, rel=5e-4)
-    assert total([p, q, p], (1, -1)) == pytest.approx(
-        2 * math.sqrt(21) + 2 * (math.pi + 2 * math.asin(0.4)), rel=5e-4
-    )
 
 
 def test_a_straight_cable_that_just_touches_has_no_arc_and_no_whole_turn():

@@ -8,7 +8,7 @@ import pytest
 from tests.sketching import O, ground, sketch, vertices
 
 
-def test_around_goes_right_handed_from_its_place_through_its_angle():
+def test_around_goes_right_handed_and_once_round_repeats_no_place():
     arm = ground.rotate("arm", "z", angle=0.3)
     places = np.array(sketch().around((1, 1, 1), arm.point("A", 3, 1, 1), -ground.k, math.pi / 2))
     centred = places - (1, 1, 1)
@@ -18,25 +18,19 @@ def test_around_goes_right_handed_from_its_place_through_its_angle():
     assert centred[:, 2] == pytest.approx(0)
     turned = np.unwrap(np.arctan2(centred[:, 1], centred[:, 0]))
     assert turned[-1] - turned[0] == pytest.approx(-math.pi / 2)
-
-
-def test_once_round_does_not_repeat_the_first_place():
     places = sketch().around(O, (1, 0, 0), ground.k)
     assert len(set(places)) == len(places) == 60
     assert places[0] == pytest.approx((1, 0, 0))
     assert math.dist(places[-1], places[0]) == pytest.approx(math.dist(places[1], places[0]))
 
 
-def test_a_wire_runs_through_all_its_places():
+def test_a_wire_runs_through_all_its_places_and_a_dashed_curve_is_one_line():
     s = sketch(plane="xy")
     s.wire(s.around(O, (2, 0, 0), ground.k, math.pi))
     along = np.concatenate(vertices(s))
     assert np.hypot(*along.T) == pytest.approx(2)
     assert along[:, 0].min() == pytest.approx(-2)
     assert along[:, 1].min() == pytest.approx(0, abs=1e-12)
-
-
-def test_a_dashed_curve_is_one_line_so_that_its_dashes_do_not_restart():
     s = sketch(plane="xy")
     s.path([(x, x * x, 0) for x in range(20)], style="dashed")
     assert [len(v) for v in vertices(s)] == [20]

@@ -21,36 +21,30 @@ def test_the_holes_of_a_plate_can_be_seen_through(sense, order, thickness):
     assert colour_at(s, 3, 1, 0) == LIGHT.lower()
 
 
-def test_what_lies_behind_a_hole_is_seen_in_it():
+def test_a_plate_shows_what_is_behind_its_hole_and_covers_an_earlier_one():
     s = sketch(plane="xy")
     s.plate(CORNERS, [s.around((1, 1, 0), (1.5, 1, 0), ground.k)])
     s.plate([(0, 0, -1), (4, 0, -1), (4, 2, -1), (0, 2, -1)], shade="dark")
     assert colour_at(s, 1, 1, 0) == SHADED.lower()
-
-
-def test_a_later_plate_covers_one_in_the_same_plane():
     s = sketch(azimuth=35, elevation=40)
     s.plate(CORNERS)
     s.plate([(0.2, 0.2, 0), (0.8, 0.2, 0), (0.8, 1.8, 0), (0.2, 1.8, 0)], shade="dark")
     assert colour_at(s, 0.5, 1, 0) == SHADED.lower()
 
 
-def test_a_tube_is_open_and_a_cylinder_is_not():
+def test_a_tube_is_open_with_a_dark_wall_inside():
     for bore, colour in ((0.6, WHITE), (0, PALE.lower())):
         s = sketch(plane="xy")
         s.cylinder((0, 0, -1), (0, 0, 1), 1, bore=bore)
         assert colour_at(s, 0, 0, 0) == colour
         assert colour_at(s, 0.8, 0, 0) == PALE.lower()
-
-
-def test_the_wall_inside_a_tube_is_dark_and_that_outside_is_not():
     s = sketch(azimuth=0, elevation=30)
     s.cylinder(O, (0, 0, 3), 1, bore=0.8)
     assert colour_at(s, -0.8, 0, 2.8) == SHADED.lower()
     assert colour_at(s, 1, 0, 1.5) == MIDDLE.lower()
 
 
-def test_a_thick_disk_has_its_thickness_on_the_page():
+def test_thick_plates_have_their_thickness_and_sharp_edges_and_a_round_wall():
     s = sketch(azimuth=0, elevation=0)
     s.disk((0, 1, 0), ground.j, 2, thickness=0.5)
     s.finish()
@@ -58,8 +52,6 @@ def test_a_thick_disk_has_its_thickness_on_the_page():
     assert (xs.min(), xs.max()) == pytest.approx((0.75, 1.25))
     assert (ys.min(), ys.max()) == pytest.approx((-2, 2), rel=3e-3)
 
-
-def test_the_sharp_edges_of_a_thick_plate_are_drawn_and_a_round_wall_is_one():
     def walls(corners):
         s = sketch(azimuth=20, elevation=30)
         s.plate(corners, thickness=0.5)
@@ -67,15 +59,24 @@ def test_the_sharp_edges_of_a_thick_plate_are_drawn_and_a_round_wall_is_one():
         return len(s.ax.patches) - 1  # without the face
 
     assert walls(CORNERS) == 2
-    assert walls(s := sketch().around(O, (1, 0, 0), ground.k)) == 1, len(s)
+    places = sketch().around(O, (1, 0, 0), ground.k)
+    assert walls(places) == 1, len(places)
 
 
-def test_an_L_shaped_block_hides_what_is_behind_its_wall():
+def test_walls_hide_what_is_behind_them_and_show_what_is_within():
     s = sketch(azimuth=-80, elevation=20)
     L = [(0, 0, 0), (2, 0, 0), (2, 0, 0.5), (0.5, 0, 0.5), (0.5, 0, 1.5), (0, 0, 1.5)]
     s.plate(L, thickness=1)
     assert colour_at(s, 0.25, -0.5, 1) == LIGHT.lower()
     assert colour_at(s, 1.5, 0, 0.5) == MIDDLE.lower()
+    s = sketch(azimuth=0, elevation=45)
+    s.hemisphere(O, -ground.k, 1, open=True)
+    s.plate([(-0.6, -0.2, -0.1), (-0.6, 0.2, -0.1), (0.6, 0.2, -0.5), (0.6, -0.2, -0.5)])
+    assert colour_at(s, -0.3, 0, -0.2) == LIGHT.lower()
+    assert colour_at(s, 1, 0, -0.05) == MIDDLE.lower()
+    s = sketch(azimuth=0, elevation=40)
+    s.cone(O, ground.k, 2, 1, open=True)
+    assert colour_at(s, 0, 0, 2) == SHADED.lower()
 
 
 @pytest.mark.parametrize(
@@ -93,23 +94,9 @@ def test_a_hemisphere_shows_its_inside_its_base_or_its_outside(elevation, axis, 
     assert colour_at(s, 0, 0, 0) == colour.lower()
 
 
-def test_what_lies_in_a_bowl_is_seen_and_its_near_wall_hides_the_rest():
-    s = sketch(azimuth=0, elevation=45)
-    s.hemisphere(O, -ground.k, 1, open=True)
-    s.plate([(-0.6, -0.2, -0.1), (-0.6, 0.2, -0.1), (0.6, 0.2, -0.5), (0.6, -0.2, -0.5)])
-    assert colour_at(s, -0.3, 0, -0.2) == LIGHT.lower()
-    assert colour_at(s, 1, 0, -0.05) == MIDDLE.lower()
-
-
 @pytest.mark.parametrize("azimuth", [-60, 30, 130])
 def test_the_equator_of_a_sphere_is_its_front_alone_from_all_sides(azimuth):
     """No chord joins the ends of the equator."""
     s = sketch(azimuth=azimuth, elevation=50)
     s.sphere(O, 1)
     assert len({colour_at(s, 0, 0, z / 200) for z in range(-20, 21)}) == 1
-
-
-def test_the_inside_of_an_open_cone_is_visible():
-    s = sketch(azimuth=0, elevation=40)
-    s.cone(O, ground.k, 2, 1, open=True)
-    assert colour_at(s, 0, 0, 2) == SHADED.lower()

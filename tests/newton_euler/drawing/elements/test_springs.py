@@ -25,15 +25,13 @@ def test_a_spring_goes_round_a_shaft_behind_it_and_in_front_of_it(azimuth, reach
     assert max(behind) < shaft < min(front)
 
 
-def test_a_helix_has_its_radius_and_its_coils():
+def test_a_helix_has_its_radius_and_a_damper_one_size_on_the_page():
     s = sketch(plane="xy")
     s.spring(O, (4, 0, 0), radius=0.5, coils=6)
     _, y = np.array(sorted(map(tuple, np.concatenate(vertices(s))))).T  # from left to right
     assert (y.min(), y.max()) == pytest.approx((-0.5, 0.5))
     assert (np.diff(np.sign(y[np.abs(y) > 1e-9])) != 0).sum() == 2 * 6
 
-
-def test_a_damper_reaches_from_A_to_B_and_has_one_size_on_the_page():
     def width(length):
         s = sketch(plane="xy")
         s.damper(O, (length, 0, 0))

@@ -11,15 +11,12 @@ from newton_euler.drawing.page.primitives import BLACK, KINDS, MOVED
 from tests.sketching import O, ground, png, sketch, texts, vertices
 
 
-def test_an_arrow_reaches_from_A_to_B_whatever_else_is_drawn():
+def test_an_arrow_reaches_from_A_to_B_with_its_label_in_the_middle():
     s = sketch(plane="xy")
     s.arrow((1, 2, 0), (4, 6, 0), "$r$", kind="force")
     s.arrow(O, (90, 0, 0), kind="force")
     shaft = next(v for v in vertices(s, KINDS["force"]) if len(v) == 2)
     assert shaft == pytest.approx(np.array([(1, 2), (4, 6)]))
-
-
-def test_the_label_of_an_arrow_is_at_its_middle():
     s = sketch(plane="xy")
     s.arrow(O, (4, 2, 0), "$r$")
     png(s)
@@ -54,26 +51,20 @@ def test_a_vector_that_is_zero_beside_the_longest_is_a_dot_with_its_label(size):
     assert "$v_B$" in texts(s)
 
 
-def test_a_rotation_at_the_rate_zero_is_a_dot():
-    s = sketch(plane="xy")
-    s.turn(O, (0, 0, 0), "p")
-    assert [len(v) > 10 for v in vertices(s, KINDS["rate"])] == [True]
-    assert "$p$" in texts(s)
-
-
-def test_a_size_is_printed_in_the_decimals_of_the_longest_of_its_kind():
+def test_sizes_are_to_scale_in_the_decimals_of_the_longest_and_zero_is_a_dot():
     s = sketch(plane="xy")
     s.vector(O, (12.345, 0, 0), "$v_A$", size="m/s")
     s.vector(O, (0, 1.2, 0), "$v_B$", size="m/s")
     s.vector(O, (0, 0, 0), size="rad/s", kind="rate")
     assert {"$v_A$ = 12.3 m/s", "$v_B$ = 1.2 m/s", "0.00 rad/s"} <= set(texts(s))
-
-
-def test_the_longest_arrow_has_the_length_that_the_sketch_says():
     s = sketch(plane="xy", arrows=100)
     s.vector(O, (3, 0, 0))
     (shaft,) = shafts(s)
     assert shaft[1][0] == pytest.approx(100 * s.drawn.pt)
+    s = sketch(plane="xy")
+    s.turn(O, (0, 0, 0), "p")
+    assert [len(v) > 10 for v in vertices(s, KINDS["rate"])] == [True]
+    assert "$p$" in texts(s)
 
 
 def test_axes_of_other_frames_than_the_ground_are_dashed_by_default():

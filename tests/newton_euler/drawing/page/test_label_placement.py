@@ -22,15 +22,12 @@ def crowded():
     return s
 
 
-def test_labels_do_not_overlap_each_other():
+def test_labels_are_legible_on_the_page_apart_or_at_their_offset():
     s = crowded()
     png(s)
     boxes = [t.get_window_extent() for t in s.ax.texts]
     assert len(boxes) == 11
     assert not [1 for n, a in enumerate(boxes) for b in boxes[:n] if a.overlaps(b)]
-
-
-def test_labels_are_legible_and_stay_on_the_page():
     s = crowded()
     png(s)
     page = s.ax.figure.bbox
@@ -39,6 +36,11 @@ def test_labels_are_legible_and_stay_on_the_page():
         assert t.get_fontsize() >= 9
         assert page.x0 < box.x0 < box.x1 < page.x1
         assert page.y0 < box.y0 < box.y1 < page.y1
+    s = sketch()
+    s.rod(O, (1, 1, 1))
+    s.label(O, "O", offset=(12, -9))
+    assert texts(s)["O"].get_position() == pytest.approx((12, -9))
+    assert texts(s)["O"].get_fontweight() == "bold"
 
 
 def test_lines_that_a_body_hides_do_not_count_and_those_in_its_holes_do():
@@ -56,14 +58,6 @@ def test_lines_that_a_body_hides_do_not_count_and_those_in_its_holes_do():
     assert marks(0.55, 1.8, hole=0.5) == marks(-1.8, -0.55, hole=0.5) == 0
 
 
-def test_an_offset_of_a_label_is_kept():
-    s = sketch()
-    s.rod(O, (1, 1, 1))
-    s.label(O, "O", offset=(12, -9))
-    assert texts(s)["O"].get_position() == pytest.approx((12, -9))
-    assert texts(s)["O"].get_fontweight() == "bold"
-
-
 def test_single_letters_are_italic_except_names_of_points():
     s = sketch()
     s.dimension(O, (1, 0, 0), "b")
@@ -73,15 +67,12 @@ def test_single_letters_are_italic_except_names_of_points():
     assert texts(s).keys() == {"$b$", "2b", "$x$", "$y_1$", "$z$", "O"}
 
 
-def test_an_axis_with_an_empty_label_is_left_out():
+def test_axes_are_drawn_without_labels_and_left_out_with_empty_ones():
     s = sketch(plane="xz")
     s.axes(O, ground, labels=["x", "", "z"])
     assert texts(s).keys() == {"$x$", "$z$"}
     # a shaft, a white edge and a head for each arrow, no circle for the axis that points away
     assert len(s.ax.patches) == 6
-
-
-def test_axes_without_labels_are_drawn():
     s = sketch(plane="xz")
     s.axes(O, ground, labels="")
     s.finish()

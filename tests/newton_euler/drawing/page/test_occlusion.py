@@ -21,12 +21,9 @@ def ordered(view, *items):
 SQUARE = [(5, 5, 0), (-5, 5, 0), (-5, -5, 0), (5, -5, 0)]
 
 
-def test_the_nearer_is_drawn_after_the_farther():
+def test_the_nearer_covers_the_farther_and_a_floor_what_is_below():
     near, far = ((name, [(0, 0, z), (1, 0, z)], None) for name, z in (("near", 2), ("far", 1)))
     assert ordered(plane_view("xy"), near, far) == ["far", "near"]
-
-
-def test_what_lies_above_a_floor_covers_it_even_where_its_middle_is_farther_from_the_eye():
     view = space_view(0, 20, "z")
     post = ("post", [(-4, 0, 0.1), (-4, 0, 0.5)], None)
     cellar = ("cellar", [(4, 0, -0.1), (4, 0, -0.5)], None)
@@ -34,14 +31,11 @@ def test_what_lies_above_a_floor_covers_it_even_where_its_middle_is_farther_from
     assert ordered(view, cellar, ("floor", SQUARE, (0, 0, -1)), post) == ["cellar", "floor", "post"]
 
 
-def test_a_line_through_a_plate_is_cut_and_one_beside_it_is_not():
+def test_a_line_through_a_plate_is_cut_and_marks_lie_over_bodies():
     through, beside = (("shaft", [(x, 0, -1), (x, 0, 3)], None) for x in (0, 9))
     view, plate = space_view(35, 20, "z"), ("plate", SQUARE, (0, 0, 1))
     assert ordered(view, through, plate) == ["piece", "plate", "piece"]
     assert "shaft" in ordered(view, beside, plate)
-
-
-def test_marks_lie_over_bodies():
     s = sketch()
     s.dot((-5, 0, 0))
     s.sphere((5, 0, 0), 1)

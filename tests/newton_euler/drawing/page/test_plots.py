@@ -67,12 +67,20 @@ def test_limits_scales_and_lines_are_those_of_matplotlib(draw):
     assert {ax.get_xlabel(), ax.get_ylabel(), ax.get_title()} - {""} <= texts
 
 
-def test_a_place_is_drawn_where_its_numbers_are():
+def test_places_are_drawn_where_their_numbers_are_and_none_is_a_gap():
     page, tree = tree_of(lambda ax: (ax.plot([1], [10], "o"), ax.set(xlim=(0, 4), ylim=(0, 40))))
     (dot,) = tree.iter(NAME + "circle")
     frame = Drawing(page.panel)
     assert float(dot.get("cx")) == pytest.approx(frame.left + frame.w / 4, abs=0.1)
     assert float(dot.get("cy")) == pytest.approx(frame.top + frame.h * 3 / 4, abs=0.1)
+    page, _ = tree_of(circle)
+    frame = Drawing(page.panel)
+    assert frame.w == pytest.approx(2 * frame.h)
+    _, tree = tree_of(lambda ax: ax.plot([0, 1, 2, 3, 4], [0, 1, math.nan, 1, math.inf]))
+    (line,) = (p for p in tree.iter(NAME + "path") if p.get("fill") == "none")
+    assert re.sub(r"[^ML]", "", line.get("d")) == "MLM"
+    _, tree = tree_of(lambda ax: ax.set(xlabel="x"))
+    assert any("".join(t.itertext()) == "x" for t in tree.iter(NAME + "text"))
 
 
 def test_an_arrow_leads_to_its_place_or_is_as_long_as_its_scale_says():
@@ -92,18 +100,6 @@ def test_an_arrow_leads_to_its_place_or_is_as_long_as_its_scale_says():
     assert tips[1][0] - tails[1][0] == pytest.approx(0.3 * frame.w, abs=0.2)
     assert (tips[1][0] + tails[1][0]) / 2 == pytest.approx(frame.at(2, 20)[0], abs=0.2)
     assert len([*tree.iter(NAME + "rect")]) == 1  # the page alone, no frame
-
-
-def test_equal_units_are_equal():
-    page, _ = tree_of(circle)
-    frame = Drawing(page.panel)
-    assert frame.w == pytest.approx(2 * frame.h)
-
-
-def test_what_has_no_number_is_a_gap():
-    _, tree = tree_of(lambda ax: ax.plot([0, 1, 2, 3, 4], [0, 1, math.nan, 1, math.inf]))
-    (line,) = (p for p in tree.iter(NAME + "path") if p.get("fill") == "none")
-    assert re.sub(r"[^ML]", "", line.get("d")) == "MLM"
 
 
 @pytest.mark.parametrize(("limits", "log", "ticks"), [
@@ -137,8 +133,3 @@ def test_ticks_are_round_numbers(limits, log, ticks):
 def test_what_only_matplotlib_draws_is_refused(draw):
     with pytest.raises(NeedsMatplotlib):
         draw(Page().panel)
-
-
-def test_an_empty_plot_has_axes():
-    _, tree = tree_of(lambda ax: ax.set(xlabel="x"))
-    assert any("".join(t.itertext()) == "x" for t in tree.iter(NAME + "text"))

@@ -15,7 +15,7 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from newton_euler import compiled, integrate, sqrt, where
+from newton_euler import compiled, integrate
 from newton_euler.motion import ModelError
 from newton_euler.motion.prepared import PreparedModel
 from newton_euler.scenes.closed_forms.double_double import doubled
@@ -69,41 +69,6 @@ def by_series(model, t, start):
     with mpmath.workdps(25):
         rates, begin = in_digits(model).derivative, [mpmath.mpf(x) for x in start]
         return tuple(mpmath.odefun(lambda t, y: list(rates(y, t)), 0, begin, tol=mpmath.mpf("1e-17"))(t))  # fmt: skip
-
-
-# -- choices in traced text
-
-
-def chosen(x, y):
-    negative = x < 0
-    root = where(negative, x + y, sqrt(where(negative, 1, x)) / y)
-    return where(y >= 2, where(x > 1, root, -root), abs(x) * 3), where(x <= y, x, y)
-
-
-@given(st.floats(-9, 9), st.floats(0.1, 9))
-def test_traced_text_chooses_as_the_formula_does(x, y):
-    assert compiled(chosen)(x, y) == chosen(x, y)
-
-
-def test_it_chooses_instant_by_instant_of_arrays_and_through_heyoka():
-    x, y = np.linspace(-3, 3, 50), np.linspace(1, 3, 50)
-    expected = np.array([chosen(a, b) for a, b in zip(x.tolist(), y.tolist(), strict=True)]).T
-    assert close(compiled(chosen)(x, y), tuple(expected), 1e-15)
-    pytest.importorskip("heyoka")
-    assert close(compiled_by("heyoka", chosen)(x, y), tuple(expected), 1e-15)
-
-
-def test_the_side_that_is_not_chosen_is_not_computed_on_single_numbers():
-    quotient = compiled(lambda x: where(x > 0, 1 / x + sqrt(x), x))
-    assert quotient(0.0) == 0
-    assert quotient(mpmath.mpf(-1)) == -1
-    assert quotient(4.0) == 2.25
-
-
-def test_one_choice_inside_another_formula_is_still_one():
-    inner = compiled(chosen)
-    outer = compiled(lambda x: inner(x, 2 * x)[1])
-    assert (outer(3.0), outer(-3.0)) == (3.0, -6.0)
 
 
 # -- twice the digits
@@ -252,16 +217,13 @@ def test_on_both_sides_of_the_separatrix_it_is_the_motion_of_a_start_within_roun
     assert all(low <= x <= high for x, (low, high) in zip(found, bounds, strict=True))
 
 
-def test_it_counts_every_turn_and_small_swings_keep_their_relative_accuracy():
+def test_a_pendulum_counts_every_turn_keeps_small_swings_and_stays_upright():
     theta, omega = text(PENDULUM)(1000.0, 0.0, -30.0)
     assert theta == pytest.approx(precisely(PENDULUM, 1000.0, (0.0, -30.0))[0], rel=1e-13)
     assert theta < -29000
     assert omega < -25
     theta, _ = text(PENDULUM)(1.0, 1e-150, 0.0)
     assert theta / 1e-150 == pytest.approx(math.cos(math.sqrt(10)), rel=1e-14)
-
-
-def test_upright_at_rest_it_stays_for_a_while_and_a_pendulum_pulled_upwards_hangs_there():
     assert close(text(PENDULUM)(5.0, math.pi, 0.0), (math.pi, 0.0), 1e-8)
     up = physical_pendulum(2.0, 0.5, 0.5, -10.0)
     assert close(text(up)(3.0, 1.0, 0.3), stepped(up, 3.0, (1.0, 0.3)), 1e-10)
@@ -323,14 +285,11 @@ def test_small_nutations_about_a_vertical_keep_their_relative_accuracy(mgr, tilt
         assert close(found, exact, 1e-12 * tilt)
 
 
-def test_a_sleeping_top_sleeps_and_at_the_start_every_top_is_where_it_starts():
+def test_a_sleeping_top_sleeps_every_top_starts_at_its_start_and_not_on_the_vertical():
     for spin in (1.0, 100.0):
         assert text(top.nutation(0.02, 0.01, 0.5, spin, 0.0))(50.0, 0.0, 0.0) == (0.0, 0.0)
     for parameters, start in TOPS.values():
         assert close(text(top.nutation(*parameters))(0.0, *start), start, 1e-15 * 6)
-
-
-def test_a_top_of_unequal_momenta_cannot_be_on_the_vertical():
     model = top.nutation(1.0, 1.5, 5.0, 8.0, 1.0)
     with pytest.raises(ZeroDivisionError):
         text(model)(1.0, 0.0, 0.0)

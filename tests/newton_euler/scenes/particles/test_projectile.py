@@ -12,8 +12,6 @@ from hypothesis import strategies as st
 
 from newton_euler import Dimension, Frame
 from newton_euler.applications import earth as e
-from newton_euler.motion.model import ModelError
-from newton_euler.scenes.ladders import Ladder, smallest
 from newton_euler.scenes.particles import projectile as shots
 from tests.kinds import close, numbers
 
@@ -98,20 +96,6 @@ def test_what_is_neglected_is_closely_bounded(latitude, azimuth, elevation, spee
         assert error <= sum(model.neglected(t, start).values()) * (1 + 1e-9) + 1e-9
     coriolis = shots.shot("flat", g, latitude, rate, radius).neglected(t, start)[shots.CORIOLIS]
     assert coriolis <= 2 * rate * t * (speed * t + g * t * t)
-
-
-def test_the_ladder_gives_the_cheapest_model_that_is_accurate_enough():
-    """Without air, and so without the models of air."""
-    asked = shots.ladder(9.82, 0.8, drag=0)
-    names = [rung.name for rung in asked.rungs]
-    assert [smallest(asked, metres).model.name for metres in (5.0, 2.0, 1.0, 1e-3)] == names
-    evidence = smallest(asked, 1e-3).evidence
-    assert list(evidence) == names
-    bounds = [evidence[name].bound for name in names]
-    assert bounds[0] > bounds[1] > bounds[2] > bounds[3] == 0
-    less = Ladder("projectile", asked.of, asked.t, asked.rungs[:2])
-    with pytest.raises(ModelError, match=r"no model .* as accurate as 1e-06; the errors may reach projectile, flat: "):  # fmt: skip
-        smallest(less, 1e-6)
 
 
 def test_every_model_has_the_units_of_a_motion():
