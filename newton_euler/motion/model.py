@@ -107,7 +107,7 @@ class Model(Portable):
     states : their names, in the order of all tuples of states
     rhs : a function ``(s, p, t)`` that returns their rates in this order, without branches
     invariants : by name, functions ``(s, p, t)`` that keep their value during the motion
-    exact : None, or a function ``(s, p, t)`` of the exact states at the time t after ``s`` at t = 0
+    exact : a function ``(s, p, t)``, the exact states at the time t after ``s`` at t = 0; or None
     neglects : the neglected effects, a tuple of :class:`Neglected`
 
     The right-hand side is tried at once, without values: :class:`ModelError` says what is wrong.
