@@ -6,6 +6,7 @@ the number of its equation, and ``without("coriolis")`` is the sum of a model wi
 
 import itertools
 import operator
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -374,8 +375,8 @@ def _product(name, symbol):
 
 
 def latex_text(words: str) -> str:
-    """Words within a formula; MathJax takes a bare _ there for an error."""
-    return r"\text{" + words.replace("_", r"\_") + "}"
+    """Words within a formula, where MathJax takes a bare _, # or & for an error, % for a comment."""
+    return r"\text{" + re.sub("([_#&%])", r"\\\1", words) + "}"
 
 
 def latex_number(x: Scalar, digits: int) -> str:
