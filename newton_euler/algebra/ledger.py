@@ -375,7 +375,7 @@ def _product(name, symbol):
 
 
 def latex_text(words: str) -> str:
-    """Words within a formula, where MathJax takes a bare _, # or & for an error, % for a comment."""
+    """Words in a formula; there MathJax takes a bare _, # or & for an error, % for a comment."""
     return r"\text{" + re.sub("([_#&%])", r"\\\1", words) + "}"
 
 
