@@ -57,8 +57,7 @@ def _is_linear(step, moving):
 
 def hazards(traced: TracedRates) -> list[str]:
     """The operations of the rates that a series may not notice, a sorted list: those with a branch
-    point that a motion could pass without a singularity there, as a root that is not also in a
-    denominator, and those that vanish below round-off.
+    point that a motion could pass, as a root that is not in a denominator, or below round-off.
     """
     steps = varying(traced)
     poles = {f.number for s in steps if s.op == "/" for f in factors(s.args[1])}

@@ -238,21 +238,17 @@ class EventLocator:
         def value(t):
             return self._value(t, *stepper.state_at(t))
 
-        if not slope:
-            return self._divided(value, t, a, b)
+        if not slope:  # a kink or a jump, where the sign changes
+            for part in (1e-9, 1e-7, 1e-5, 1e-3):
+                low, high = max(a, t - part * length), min(b, t + part * length)
+                ends = value(low), value(high)
+                if min(ends) < 0 < max(ends):  # a product might underflow
+                    return root(value, low, high)
+            return t
         # two steps: the zero is already accurate to the error of the interpolation
         for _ in range(2):
             move = value(t) / slope
             if not abs(move) < 1e-3 * length:
                 break
             t = min(max(t - move, a), b)
-        return t
-
-    def _divided(self, value, t, a, b):
-        """The time near ``t`` at which the sign of ``value`` changes, at a kink or a jump."""
-        for part in (1e-9, 1e-7, 1e-5, 1e-3):
-            low, high = max(a, t - part * (b - a)), min(b, t + part * (b - a))
-            ends = value(low), value(high)
-            if min(ends) < 0 < max(ends):  # a product might underflow
-                return root(value, low, high)
         return t

@@ -226,9 +226,8 @@ class Stepper:
     @property
     def checkpoints(self) -> list[tuple[float, Floats]]:
         """Two pairs (time, state) from the second half of the steps, at which two runs are
-        compared; empty if there are few steps. Where steps were repeated, most of them are within
-        something narrow, in which the states of two runs differ for a moment: from the second half
-        of the time.
+        compared; empty if there are few. Where steps were repeated, from the second half of the
+        time: most are within something narrow, in which the states of two runs differ for a moment.
         """
         count, size, times = len(self.steps), len(self.x), self.step_times
         chosen = [3 * count // 5, 4 * count // 5] if count > 4 else []
