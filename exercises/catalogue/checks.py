@@ -117,10 +117,8 @@ def _fit(p, proof):
     todo = "is in {}.yaml but not computed; compute it, or move it to struck: with a reason"
     faults = [f"the mistake {m} {todo.format(p.name)}" for m in p.mistakes if m not in named]
     undescribed = [m for m in named if m not in p.mistakes]
-    faults += [
-        f"the mistake {m} is computed but not in {p.name}.yaml{meant(m, p.mistakes)}"
-        for m in undescribed
-    ]
+    lacks = f"is computed but not in {p.name}.yaml"
+    faults += [f"the mistake {m} {lacks}{meant(m, p.mistakes)}" for m in undescribed]
     for what, got in (("solve", list(solved)), ("prove", list(proved)[: len(asked)])):
         if got != asked:
             close = "".join(meant(k, asked) for k in got if k not in asked)
@@ -190,11 +188,9 @@ def _exchanged(p):
         for key, answer in answers.items():
             found = {x for x in flat(answer) if isinstance(x, Dimension)}
             found = found - {asked.get(key)} if len(found) == 1 else ()  # mixed ones are not a swap
-            faults += [
-                f"the mistake {name} gives {key} the dimension of {k}: is it stored under its key?"
-                for k, d in asked.items()
-                if key in asked and d in found
-            ]
+            others = [k for k, d in asked.items() if key in asked and d in found]
+            gives = f"the mistake {name} gives {key} the dimension of"
+            faults += [f"{gives} {k}: is it stored under its key?" for k in others]
     return faults
 
 

@@ -133,11 +133,9 @@ def apart(wrong: Points, right: Points) -> bool:
     """True if a wrong answer is far from the key at half or more of the points where both are real,
     or if there are no such points. Answers are tuples of points.
     """
-    far = [
-        distance(x, key) >= SEPARATION
-        for x, key in zip(wrong, right, strict=True)
-        if math.isfinite(math.hypot(*x, *key))
-    ]
+    pairs = zip(wrong, right, strict=True)
+    real = [(x, key) for x, key in pairs if math.isfinite(math.hypot(*x, *key))]
+    far = [distance(x, key) >= SEPARATION for x, key in real]
     return sum(far) >= MAJORITY * len(far)
 
 

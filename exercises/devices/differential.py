@@ -77,13 +77,9 @@ def section(s: Sketch, g: Givens, axis: str, pinion_sides: Iterable[int]) -> Non
     """Draw the pitch cones of gears and pinions in the plane of their axes."""
 
     def wheel(corners):
-        s.plate(
-            [
-                coordinates(axis, t * along, t * across)
-                for t, half in ((1, corners), (0.7, corners[::-1]))
-                for along, across in half
-            ]
-        )
+        halves = (1, corners), (0.7, corners[::-1])
+        places = [(t * along, t * across) for t, half in halves for along, across in half]
+        s.plate([coordinates(axis, *place) for place in places])
 
     for side in (1, -1):
         wheel([(side * g.r, g.R), (side * g.r, -g.R)])
