@@ -10,12 +10,17 @@ from tests.imports import modules
 ROOT = Path(__file__).parent.parent
 EXERCISES = "exercises/catalogue", "exercises/devices"
 PACKAGES = "newton_euler", "chapters", *EXERCISES, "grader", "website"
+OF_CLASSES = ("__post_init__",)  # called by their decorators alone
 FILES = [path for package in PACKAGES for path in modules(ROOT / package).values()]
 
 
 def is_public(name, takes=()):
-    """True for a name without an underscore, and for an operator: a method that takes more."""
-    return name[0] != "_" or (name[:2] == name[-2:] == "__" and len(takes) > 1)
+    """True for a name without an underscore, and for an operator: a method that takes more, or
+    that not every object has, as -a.
+    """
+    is_everybodys = hasattr(object, name) or name in OF_CLASSES
+    is_operator = len(takes) > (1 if is_everybodys else 0)
+    return name[0] != "_" or (name[:2] == name[-2:] == "__" and is_operator)
 
 
 def bare(body, inside=""):
@@ -51,8 +56,14 @@ class Vector:
     def __init__(self, x: float): ...
     def __repr__(self): ...
     def __add__(self, other): ...
+    def __neg__(self): ...
     @staticmethod
     def of(x) -> "Vector": ...
 """
     found = [*bare(ast.parse(source).body)]
-    assert found == ["scaled: by", "Vector.__add__: other, return", "Vector.of: x"]
+    assert found == [
+        "scaled: by",
+        "Vector.__add__: other, return",
+        "Vector.__neg__: return",
+        "Vector.of: x",
+    ]

@@ -14,8 +14,9 @@ AT_THE_ROOT = {
 }  # fmt: skip
 KINDS = {
     ".css", ".html", ".in", ".ipynb", ".j2", ".js", ".json", ".md", ".po", ".py", ".pyi", ".svg",
-    ".toml", ".txt", ".typ", ".typed", ".yaml", "",
+    ".toml", ".txt", ".typ", ".typed", ".yaml",
 }  # fmt: skip
+WITHOUT_A_KIND = {".ci/run", ".ci/versions", ".gitignore", "LICENSE", "newton_euler/chapters"}
 
 
 def tracked():
@@ -33,7 +34,8 @@ def test_nothing_is_at_the_root_that_is_not_listed():
 def test_file_names_are_plain_and_of_known_kinds():
     for path in tracked():
         assert not any(part.startswith("-") or part != part.strip() for part in path.parts), path
-        assert path.suffix in KINDS, path
+        assert path.suffix in KINDS or str(path) in WITHOUT_A_KIND, path
+        assert (ROOT / path).stat().st_size or path.name in ("__init__.py", "py.typed"), path
 
 
 PATH = r"(?<![\w…/.-])[\w/-]+(?:\.(?:py|toml|po|yaml|txt|md\.j2|md)\b|/(?=[\s`,;:.)]|$))"

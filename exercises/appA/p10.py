@@ -16,10 +16,8 @@ def rates(g):
 
 
 def solve(g):
-    a, b = (
-        [moving(x, rate=slope) for x, slope in zip(v, dv, strict=True)]
-        for v, dv in zip(vectors(g), rates(g), strict=True)
-    )
+    moved = lambda v, dv: [moving(x, rate=slope) for x, slope in zip(v, dv, strict=True)]
+    a, b = map(moved, vectors(g), rates(g))
     u = moving(g.u, rate=g.u_dot)
     A, B, uA = AXES.vector(*a), AXES.vector(*b), AXES.vector(*(u * x for x in a))
     return {

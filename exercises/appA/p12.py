@@ -45,10 +45,8 @@ def prove(g):
 
 def mistakes(g):
     right = solve(g)["grad"]
-
-    def held(x, y, z):  # the factors without a square in x y^2 + y z^2 + z x^2 held constant
-        return -sum(a * b**2 for a, b in zip(point(g), B(x, y, z), strict=True))
-
+    # the factors without a square in x y^2 + y z^2 + z x^2 held constant
+    held = lambda *r: -sum(a * b**2 for a, b in zip(point(g), B(*r), strict=True))
     return {
         "no_minus": {"grad": -right},
         "point_first": {"grad": 0 * right},

@@ -32,11 +32,10 @@ def solve(g):
 
 
 def steps(g):
-    known = z(g)
     return {
         "known_PQ": g.p_1 * g.q_1,
         "known_QR": g.q_1 * g.r_1,
-        "known_PR": P(g).dot(R(g, 0, y(g, known))),
+        "known_PR": P(g).dot(R(g, 0, y(g, z(g)))),
     }
 
 

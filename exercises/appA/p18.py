@@ -44,9 +44,8 @@ def prove(g):
 
 def mistakes(g):
     P = point(g)
-    right = solve(g)["rate"]
     return {
-        "only_extra": {"rate": 0 * right},
+        "only_extra": {"rate": 0 * solve(g)["rate"]},
         "product_of_derivatives": {"rate": P.velocity(AXES).cross(P.acceleration(AXES))},
         "order": {"rate": P.acceleration(AXES).cross(P.position(AXES))},
     }

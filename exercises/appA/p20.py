@@ -35,8 +35,7 @@ def prove(g):
         return x - QR * y, y
 
     first, second = double(g.AB, g.CA, g.BC), double(g.BC, g.AB, g.CA)
-    third = double(g.CA, g.BC, g.AB)
-    three = [0, *first], [second[1], 0, second[0]], [*third, 0]
+    three = [0, *first], [second[1], 0, second[0]], [*double(g.CA, g.BC, g.AB), 0]
     return {"first": three[0], "second": three[1], "third": three[2], "total": plus(*three)}
 
 

@@ -27,9 +27,8 @@ def prove(g):
 
 
 def mistakes(g):
-    right = solve(g)["whole"]
     return {
         "no_lower_limit": {"whole": between(g, 0, g.t_2)},
-        "no_constant": {"whole": AXES.vector(0, right.y, 0)},
+        "no_constant": {"whole": AXES.vector(0, solve(g)["whole"].y, 0)},
         "not_integrated": {"whole": A(g, g.t_2) - A(g, g.t_1)},
     }

@@ -1,7 +1,7 @@
 """Checks of a problem: solve and prove agree, units fit, mistakes differ from the key."""
 
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from itertools import combinations
 from typing import Any
@@ -117,10 +117,8 @@ def _fit(p, proof):
     todo = "is in {}.yaml but not computed; compute it, or move it to struck: with a reason"
     faults = [f"the mistake {m} {todo.format(p.name)}" for m in p.mistakes if m not in named]
     undescribed = [m for m in named if m not in p.mistakes]
-    faults += [
-        f"the mistake {m} is computed but not in {p.name}.yaml{meant(m, p.mistakes)}"
-        for m in undescribed
-    ]
+    lacks = f"is computed but not in {p.name}.yaml"
+    faults += [f"the mistake {m} {lacks}{meant(m, p.mistakes)}" for m in undescribed]
     for what, got in (("solve", list(solved)), ("prove", list(proved)[: len(asked)])):
         if got != asked:
             close = "".join(meant(k, asked) for k in got if k not in asked)
@@ -180,9 +178,8 @@ def _dimensions(p):
 
 def _exchanged(p):
     """Mistakes whose answer has the dimension of another: perhaps stored under the wrong key."""
-    g = p.dimensions()
     try:
-        named = p.code.mistakes(g)
+        named = p.code.mistakes(p.dimensions())
     except DimensionError:  # a wrong model may add unlike quantities
         return []
     asked = {a.key: unit(a.unit).dimension for a in p.answers if not a.kind.is_word}
@@ -191,11 +188,9 @@ def _exchanged(p):
         for key, answer in answers.items():
             found = {x for x in flat(answer) if isinstance(x, Dimension)}
             found = found - {asked.get(key)} if len(found) == 1 else ()  # mixed ones are not a swap
-            faults += [
-                f"the mistake {name} gives {key} the dimension of {k}: is it stored under its key?"
-                for k, d in asked.items()
-                if key in asked and d in found
-            ]
+            others = [k for k, d in asked.items() if key in asked and d in found]
+            gives = f"the mistake {name} gives {key} the dimension of"
+            faults += [f"{gives} {k}: is it stored under its key?" for k in others]
     return faults
 
 
@@ -259,9 +254,7 @@ def _differences(key, ways, proved, atol):
 
 
 def proved_steps(
-    p: Problem,
-    given: Mapping[str, float],
-    proof: Callable[[Mapping[str, float]], dict[str, Any]] | None = None,
+    p: Problem, given: Mapping[str, float], proof: _Proof | None = None
 ) -> dict[str, Any]:
     """{key: value in base units} of the steps that ``prove`` returns, in 50 digits."""
     found, asked = (proof or _Proof(p))(given), {a.key for a in p.answers}

@@ -49,9 +49,7 @@ class Given:
 
 @dataclass(frozen=True)
 class Symbol:
-    """A quantity without a number; formulas are compared within ``vary``; ``latex`` as in
-    :class:`Given`.
-    """
+    """A quantity without a number; formulas are compared within ``vary``; ``latex``: its own."""
 
     name: str
     unit: str
@@ -150,9 +148,7 @@ Draw: TypeAlias = Callable[[Givens, "AnyAxes"], None]
 
 
 class Code(Protocol):
-    """The functions of a problem's module, over scalars of any kind; ``steps(g)`` and ``follows``
-    are optional, and ``draw`` goes with a figure.
-    """
+    """A problem's code, over scalars of any kind; ``steps(g)`` and ``follows`` are optional."""
 
     follows: Follows
 
@@ -166,7 +162,7 @@ class Code(Protocol):
         """The wrong answers, by mistake."""
 
     def draw(self, g: Givens, ax: "AnyAxes") -> None:
-        """The figure."""
+        """The figure, if the problem has one."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -47,8 +47,7 @@ def _in_texts(p: Problem) -> Iterator[str]:
             )
     for number in {p.section, *(s.get("section", "") for s in p.steps.values())} - {""}:
         if number[:1].isdigit() and number not in headings():
-            known = meant(number, headings())
-            yield f"section {number} is not in the chapters{known}"
+            yield f"section {number} is not in the chapters{meant(number, headings())}"
     if not p.figure and callable(getattr(p.code, "draw", None)):
         yield (
             f"{p.name}.py has draw, but {p.name}.yaml has no figure:, the text for those who "
@@ -105,9 +104,8 @@ def _differs(p, key, stated, right, at):
             return f": {stated!r} cannot be read as a number or formula"
         numbers = [float(x) for x in right]
         off = [abs(x - y) for x, y in zip(found, numbers, strict=False)]
-        same = (
-            len(found) == len(numbers) and not max(off) > BY_HAND * max(map(abs, numbers)) + NOISE
-        )
+        least = BY_HAND * max(map(abs, numbers)) + NOISE
+        same = len(found) == len(numbers) and not max(off) > least
         shown = f"({', '.join(f'{x:.6g}' for x in numbers)})"
     where = f" at {', '.join(f'{n} = {x:.4g}' for n, x in at.items())}" if at else ""
     return "" if same else f" is {stated} by hand, and solve gives {shown}{where}"

@@ -58,7 +58,8 @@ def homes() -> dict[str, Path]:
     found = dict(of_the_book())
     own = [home for folder in [*_used(), *_of_packages()] for home in _of_a_course(folder)]
     for home in sorted(own, key=lambda home: natural_order(home.name)):
-        if (EXERCISES / home.name).exists() or re.fullmatch(r"ch\d+|app[A-Za-z]|all", home.name):
+        ours = {path.stem for path in EXERCISES.iterdir()}  # folders, and modules as tools.py
+        if home.name in ours or re.fullmatch(r"ch\d+|app[A-Za-z]|all", home.name):
             raise CatalogueError(
                 f"{home}: the name {home.name} is taken by the book; give your chapter another, "
                 "as in bridge/p01.yaml for the problem bridge/1"

@@ -148,9 +148,7 @@ def listed_steps(p: Problem, g: Givens) -> list[Step]:
 
 @cache
 def repeated(p: Problem) -> frozenset[str]:
-    """Steps not asked for in practice: those that always equal an answer or, as terms, another
-    step.
-    """
+    """Steps not asked for in practice: always equal to an answer or, as terms, to another step."""
     rng, always = random.Random(f"steps of {p.id}"), None
     for _ in range(SETS):
         numbers = {n: drawn_value(q, rng) for n, q in p.givens.items()} | symbol_values(p, rng)
@@ -183,10 +181,8 @@ def _is_same(a, b):
 
 def _with_text(p, key, value):
     if key not in p.steps:
-        close = meant(key, p.steps)
-        raise CatalogueError(
-            f"{p.id}: the step {key!r} is computed but not in {p.name}.yaml{close}"
-        )
+        where = f"is computed but not in {p.name}.yaml{meant(key, p.steps)}"
+        raise CatalogueError(f"{p.id}: the step {key!r} {where}")
     return Step(key, value, **p.steps[key])
 
 
@@ -195,11 +191,8 @@ def _stated(step, p):
     value = in_unit(step.value, step.unit, p.system)
     if not step.term:
         return replace(step, value=value)
-    return replace(
-        step,
-        value=value,
-        means=Words("{term}, in {sum}", term=term_text(*step.term, p), sum=step.of),
-    )
+    means = Words("{term}, in {sum}", term=term_text(*step.term, p), sum=step.of)
+    return replace(step, value=value, means=means)
 
 
 def in_unit(value: Any, stated_in: str, system: System) -> Any:
@@ -249,11 +242,8 @@ def faults(p: Problem, values: Mapping[str, Scalar]) -> list[str]:
         computed = {s.key for s in steps(p, values)}
     except CatalogueError as error:
         return [str(error)]
-    wrong = [
-        f"the step {key} is in {p.name}.yaml but not computed"
-        for key in p.steps
-        if key not in computed
-    ]
+    there = f"is in {p.name}.yaml but not computed"
+    wrong = [f"the step {key} {there}" for key in p.steps if key not in computed]
     wrong += [f"the step {key} is an answer" for key in p.steps if key in repeated(p)]
     if not hasattr(p.code, "steps"):
         return wrong

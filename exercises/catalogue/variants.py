@@ -25,9 +25,7 @@ SENSITIVITY = 50  # rounding a given to 0.1 % may change an answer by 5 % at mos
 
 
 def seed(secret: bytes, assignment: str, student: str, problem_id: str) -> bytes:
-    """The seed of one student's numbers: HMAC-SHA256 of assignment, student and problem, keyed by
-    the course's secret.
-    """
+    """The seed of one student's numbers: HMAC-SHA256 of the rest, keyed by the course's secret."""
     text = "\0".join((assignment, student, problem_id))
     return hmac.new(secret, text.encode(), hashlib.sha256).digest()
 
@@ -42,9 +40,8 @@ def draw(p: Problem, seed_bytes: bytes) -> dict[str, float]:
     if not any(g.vary for g in p.givens.values()):
         return p.book_values
     for attempt in range(DRAWS):
-        rng = random.Random(
-            int.from_bytes(hashlib.sha256(seed_bytes + attempt.to_bytes(2, "big")).digest(), "big")
-        )
+        digest = hashlib.sha256(seed_bytes + attempt.to_bytes(2, "big")).digest()
+        rng = random.Random(int.from_bytes(digest, "big"))
         values = {n: drawn_value(g, rng) for n, g in p.givens.items()}
         if not objection(p, values):
             return values
@@ -73,8 +70,7 @@ def drawn_value(given: Given, rng: random.Random) -> float:
         return given.value
     first, last, step = _grid(given.vary)
     value = rng.randint(first, last) * step
-    digits = max(0, -math.floor(math.log10(step)))
-    return round(value, digits)
+    return round(value, max(0, -math.floor(math.log10(step))))
 
 
 def sheets(p: Problem) -> int:
@@ -137,11 +133,9 @@ def apart(wrong: Points, right: Points) -> bool:
     """True if a wrong answer is far from the key at half or more of the points where both are real,
     or if there are no such points. Answers are tuples of points.
     """
-    far = [
-        distance(x, key) >= SEPARATION
-        for x, key in zip(wrong, right, strict=True)
-        if math.isfinite(math.hypot(*x, *key))
-    ]
+    pairs = zip(wrong, right, strict=True)
+    real = [(x, key) for x, key in pairs if math.isfinite(math.hypot(*x, *key))]
+    far = [distance(x, key) >= SEPARATION for x, key in real]
     return sum(far) >= MAJORITY * len(far)
 
 

@@ -49,8 +49,6 @@ def words_at(
     if not shape:
         return {k: word(x) for k, x in compute(p.base(values, one)).items()}
     rows = {n: np.broadcast_to(x, shape).reshape(-1).tolist() for n, x in values.items()}
-    found = [
-        words_at(p, compute, dict(zip(rows, row, strict=True)), one)
-        for row in zip(*rows.values(), strict=True)
-    ]
+    each = zip(*rows.values(), strict=True)
+    found = [words_at(p, compute, dict(zip(rows, row, strict=True)), one) for row in each]
     return {k: np.array([x[k] for x in found], dtype=object).reshape(shape) for k in found[0]}

@@ -40,11 +40,10 @@ def prove(g):
 
 def mistakes(g):
     ground, P = motion(g)
-    bend = slope_and_bend(g)[1]
     uniform = ground.point("P", *curve(g)(moving(g.x_1, rate=g.v)))
     return in_frame(ground, {
         "constant_x_velocity": {"a": uniform.acceleration(ground)},
-        "no_slope": {"a": P.e_n * (g.v**2 * bend)},
+        "no_slope": {"a": P.e_n * (g.v**2 * slope_and_bend(g)[1])},
         "no_acceleration": {"a": P.acceleration.without("normal")},
     })  # fmt: skip
 

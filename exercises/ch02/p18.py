@@ -39,11 +39,10 @@ def prove(g):
 
 
 def mistakes(g):
-    rho = solve(g)["rho"]
     return {
         "rho_is_r": {"rho": g.r},
         "no_r": {"rho": g.r_dot**2 / abs(g.theta_ddot)},
-        "negative": {"rho": -rho},
+        "negative": {"rho": -solve(g)["rho"]},
         "toward": {"heading": "toward"},
         "across": {"heading": "across"},
     }

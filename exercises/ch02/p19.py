@@ -8,8 +8,7 @@ solve, steps, prove, draw = collar_on_rod.moving_by(r, theta)
 
 
 def mistakes(g):
-    right = solve(g)
     return {
         **collar_on_rod.common_mistakes(g, r, theta),
-        "no_transverse": {"v": right["v"].without("transverse")},
+        "no_transverse": {"v": solve(g)["v"].without("transverse")},
     }

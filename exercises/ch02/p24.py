@@ -21,8 +21,7 @@ def motion(g, r):
 def solve(g):
     """The magnitudes by the motion in the crank, at 2 theta: they do not depend on theta."""
     ground = Frame("ground")
-    C = ground.point("C", g.b, 0, 0)
-    crank = ground.rotate("crank", "z", 2 * turning(g)[0], origin=C)
+    crank = ground.rotate("crank", "z", 2 * turning(g)[0], origin=ground.point("C", g.b, 0, 0))
     P = crank.point("P", g.b, 0, 0)
     v, a = (x.expressed_in(crank) for x in (P.velocity(ground), P.acceleration(ground)))
     return answers(*motion(g, turning(g)[1])) | {"v_mag": v.norm(), "a_mag": a.norm()}

@@ -3,5 +3,5 @@
 from exercises.devices import welder
 from exercises.devices.turning_plate import acceleration_from
 
-tip, solve, steps, prove, mistakes, draw = welder.about("E", -1)
+tip, solve, steps, prove, draw, mistakes = welder.about("E", -1)
 follows = {"a_E": lambda g, v_E: acceleration_from(*tip(g), v_E)}

@@ -3,5 +3,5 @@
 from exercises.devices import welder
 from exercises.devices.turning_plate import acceleration_from
 
-tip, solve, steps, prove, mistakes, draw = welder.about("D", 1)
+tip, solve, steps, prove, draw, mistakes = welder.about("D", 1)
 follows = {"a_D": lambda g, v_D: acceleration_from(*tip(g), v_D)}

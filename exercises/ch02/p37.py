@@ -8,9 +8,8 @@ follows = {"a_B": lambda g, v_B: acceleration_from(*end(g), v_B)}
 
 
 def mistakes(g):
-    against = motion(*end(g.but(alpha=-g.alpha)))
     return {
-        "alpha_counterclockwise": {"a_B": against["a_B"]},
+        "alpha_counterclockwise": {"a_B": motion(*end(g.but(alpha=-g.alpha)))["a_B"]},
         "no_alpha": sliding_rod.without(*end(g), "euler"),
         "no_coriolis": sliding_rod.without(*end(g), "coriolis"),
         "both_counterclockwise": motion(*end(g.but(omega=-g.omega, alpha=-g.alpha))),

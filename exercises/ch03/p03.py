@@ -38,17 +38,15 @@ def prove(g):
 
 
 def mistakes(g):
-    right = solve(g)
     return {
         "q_uniform": {"acc": motion(g, moving(g.one, rate=parameter(g).rate))["acc"]},
-        "no_acceleration": {"acc": 0 * right["acc"]},
+        "no_acceleration": {"acc": 0 * solve(g)["acc"]},
         "q_rate_is_nu": motion(g, moving(g.one, rate=g.nu)),
     }
 
 
 def draw(g, ax):
     s = Sketch(ax, GROUND, azimuth=-60, elevation=22)
-    v = solve(g)["v"]
     O, X, Q, P = (0, 0, 0), (g.a, 0, 0), (g.a, g.b, 0), (g.a, g.b, g.c)
     s.axes(O, GROUND, length=1.2 * max(g.a, g.b, g.c))
     s.path([curve(g)(n / 40) for n in range(49)])
@@ -56,6 +54,6 @@ def draw(g, ax):
         s.line(A, B)
         s.dimension(A, B, label=label)
     s.dimension(O, X, label="a")
-    s.vector(P, v, "$\\mathbf{v}$")
+    s.vector(P, solve(g)["v"], "$\\mathbf{v}$")
     s.dot(P, "P")
     s.label(O, "O")

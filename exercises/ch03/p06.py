@@ -64,9 +64,8 @@ def prove(g):
     e_theta = [-mp.sin(g.theta), mp.cos(g.theta), 0]
     e_R = [x / g.R for x in raised(phi)(0)]
     spherical_axes = transposed([e_R, e_theta, cross(e_R, e_theta)])
-    cylindrical_axes = rot("z", g.theta)
     v_sph, a_sph = along(spherical_axes, raised(phi))
-    v_cyl, a_cyl = along(cylindrical_axes, raised(lambda t: mp.asin(z(t) / g.R)))
+    v_cyl, a_cyl = along(rot("z", g.theta), raised(lambda t: mp.asin(z(t) / g.R)))
     x, y = later(g.x, g.x_dot, g.x_ddot), later(g.y, g.y_dot, g.y_ddot)
     above = lambda t: g.R * mp.sin(mp.acos(mp.hypot(x(t), y(t)) / g.R))
     v_z, a_z = rate(above), second_rate(above)

@@ -59,7 +59,6 @@ def draw(g, ax):
     for z in (0, high):
         s.ring((0, 0, z), GROUND.k, g.r)
     s.path([path(g)(end * n / 160) for n in range(161)])
-    P = path(g)(0.62 * end)
     s.dimension((0, 0, high), (0, g.r, high), label="r")
-    s.dot(P, "P")
+    s.dot(path(g)(0.62 * end), "P")
     s.label((0, 0, 1.05 * high), "z", bold=False)

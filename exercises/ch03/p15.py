@@ -17,8 +17,7 @@ def axes(g):
 
 def solve(g):
     ground, local = axes(g)
-    rates = (e.rate(ground) for e in (local.i, local.j, local.k))
-    return dict(zip(KEYS, rates, strict=True))
+    return dict(zip(KEYS, (e.rate(ground) for e in (local.i, local.j, local.k)), strict=True))
 
 
 def steps(g):

@@ -41,5 +41,4 @@ def mistakes(g):
 
 def draw(g, ax):
     ground, A = boom(g)
-    s = figure(ax, ground, A)
-    s.vector(A, A.local.i, r"$\dot l$")
+    figure(ax, ground, A).vector(A, A.local.i, r"$\dot l$")

@@ -61,13 +61,12 @@ def prove(g):
 
 
 def mistakes(g):
-    right = solve(g)["a"]
     in_degrees = {n: g.stated(n) for n in ("omega", "b_dot", "b_ddot")}
     return {
         "rates_in_degrees": solve(g.but(**in_degrees)),
         "elevation_of_OA": answers(g, 0),
         "beta_raises": solve(g.but(b_dot=-g.b_dot, b_ddot=-g.b_ddot)),
-        "no_coupling": with_size(right.without("coriolis_theta_phi")),
+        "no_coupling": with_size(solve(g)["a"].without("coriolis_theta_phi")),
     }
 
 

@@ -37,9 +37,8 @@ def solve(g):
 
 def a_B(g, omega):
     vector = omega.frame.vector
-    AB = vector(g.L, 0, 0)
     a_A, omega_dot = vector(g.a_Ax, g.a_Ay, g.a_Az), vector(g.wd_x, g.wd_y, g.wd_z)
-    return a_A + acceleration_of(omega, omega_dot, AB)
+    return a_A + acceleration_of(omega, omega_dot, vector(g.L, 0, 0))
 
 
 follows = {"a_B": a_B}

@@ -48,10 +48,8 @@ def steps(g):
 def prove(g):
     def lower(t):
         z = g.z_1 + g.z_dot * t
-
-        def too_long(phi):  # phi: eccentric angle of the lower end
-            return (g.a * mp.cos(phi)) ** 2 + (g.b * mp.sin(phi)) ** 2 + z**2 - g.L**2
-
+        # phi: eccentric angle of the lower end
+        too_long = lambda phi: (g.a * mp.cos(phi)) ** 2 + (g.b * mp.sin(phi)) ** 2 + z**2 - g.L**2
         phi = mp.findroot(too_long, (mp.mpf(0), mp.pi / 2), solver="anderson", maxsteps=200)
         return [g.a * mp.cos(phi), g.b * mp.sin(phi), mp.mpf(0)]
 

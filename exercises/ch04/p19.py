@@ -7,10 +7,9 @@ corner, solve, steps, prove = device.problem_of("B", lambda g: 0)
 
 def mistakes(g):
     B, ground, arm = corner(g)
-    along_arm = B.frame.point("B", g.b, 0, 0)
     return device.common_mistakes(B, ground) | {
         "omega_1_reversed": solve(g.but(omega_1=-g.omega_1)),
-        "CB_along_arm": device.motion_by_way_of_arm(along_arm, ground, arm),
+        "CB_along_arm": device.motion_by_way_of_arm(B.frame.point("B", g.b, 0, 0), ground, arm),
     }
 
 

@@ -9,8 +9,7 @@ def bracket_and_disk(g):
     """Ground; the bracket turns about the fixed x axis, in it the disk about the bracket's z."""
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "x", rate=g.Omega)
-    B = bracket.point("B", 0, g.a, g.h)
-    disk = bracket.rotate("disk", "z", rate=g.omega, origin=B)
+    disk = bracket.rotate("disk", "z", rate=g.omega, origin=bracket.point("B", 0, g.a, g.h))
     return ground, bracket, disk, disk.point("A", 0, -g.r, 0)
 
 

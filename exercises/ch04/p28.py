@@ -97,10 +97,9 @@ def draw(g, ax):
     for near, far in ((body / 2, g.L), (-body / 2, -g.L)):
         corners = (near, g.d), (far, g.d), (far, -g.d), (near, -g.d)
         s.plate([panel.point("", 0, y, z) for y, z in corners])
-    O = craft.point("", 0, 0, 0)
     end = craft.point("", 0, g.L, 0)
     up = craft.point("", 0, g.L, 0.45 * g.L)
-    s.axes(O, craft, length=0.7 * g.L)
+    s.axes(craft.point("", 0, 0, 0), craft, length=0.7 * g.L)
     s.turn(craft.point("", 0, 0, body), craft.k, label=r"$\omega$")
     s.turn(craft.point("", 0, -1.15 * g.L, 0), -craft.j, label=r"$\dot\theta$")
     s.line(end, up, style="dashed")

@@ -10,13 +10,10 @@ def mistakes(g):
     frames, C = brackets.frames_and_point(g, "C")
     (ground, B, A, _), solved = frames, brackets.answers(frames, C)
     alpha, a = solved["alpha_disk"], solved["a_C"]
-    coriolis = [
-        C.acceleration(observer, via=frame).terms["coriolis"]
-        for observer, frame in ((B, A), (ground, B))
-    ]
+    coriolis = lambda observer, frame: C.acceleration(observer, via=frame).terms["coriolis"]
     return {
         **brackets.wrong_alphas(alpha),
         "no_B_x_A": {"alpha_disk": alpha.without("B x A")},
         "no_alpha_x_r": {"a_C": a.without("euler")},
-        "no_coriolis": {"a_C": a - coriolis[0] - coriolis[1]},
+        "no_coriolis": {"a_C": a - coriolis(B, A) - coriolis(ground, B)},
     }

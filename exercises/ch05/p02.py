@@ -16,9 +16,8 @@ def prove(g):
 
 
 def mistakes(g):
-    whole = g.m1 + g.m2
     return {
         "by_volume": solve(g.but(m1=g.R1**3, m2=g.R2**3)),
         "R1_for_distance": centre(SATELLITE, parts(g, distance=g.R1)),
-        "larger_mass_only": {"d": solve(g)["d"] * (whole / g.m1)},
+        "larger_mass_only": {"d": solve(g)["d"] * ((g.m1 + g.m2) / g.m1)},
     }

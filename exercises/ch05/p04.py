@@ -1,6 +1,7 @@
 """5/4: the centre of mass of a cone by integration."""
 
 from exercises.devices.cone import CONE, draw, radius, tube
+from exercises.devices.put_together import on_axis
 from exercises.tools import proofs
 from newton_euler import integral, pi
 
@@ -11,17 +12,7 @@ def moments(g, radius=radius):
     return disks(lambda z: 1), disks(lambda z: z)
 
 
-def centre(volume, first_z):
-    return {"d": CONE.vector(0, 0, first_z / volume)}
-
-
-def solve(g):
-    return centre(*moments(g))
-
-
-def steps(g):
-    volume, first_z = moments(g)
-    return {"volume": volume, "Q_z": first_z}
+centre, solve, steps = on_axis(CONE, "z", "volume", moments)
 
 
 def prove(g):

@@ -29,9 +29,8 @@ def prove(g):
 
 def mistakes(g):
     (full,), holes = parts(g)
-    left = full.mass - 6 * holes[0].mass
     return {
         "holes_added": centre(PLATE, [full, *holes]),
-        "full_mass": {"d": solve(g)["d"] * (left / full.mass)},
+        "full_mass": {"d": solve(g)["d"] * ((full.mass - 6 * holes[0].mass) / full.mass)},
         "diameter": solve(g.but(r=2 * g.r)),
     }

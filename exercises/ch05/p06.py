@@ -1,6 +1,7 @@
 """5/6: the centre of mass of half a disk by integration."""
 
 from exercises.devices.half_disk import DISK, draw, in_polar, top
+from exercises.devices.put_together import on_axis
 from exercises.tools import proofs
 from newton_euler import pi, sin
 
@@ -12,17 +13,7 @@ def moments(g, element=lambda r: r):
     return area, first_y
 
 
-def centre(area, first_y):
-    return {"d": DISK.vector(0, first_y / area, 0)}
-
-
-def solve(g):
-    return centre(*moments(g))
-
-
-def steps(g):
-    area, first_y = moments(g)
-    return {"area": area, "Q_y": first_y}
+centre, solve, steps = on_axis(DISK, "y", "area", moments)
 
 
 def prove(g):

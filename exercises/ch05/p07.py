@@ -1,5 +1,6 @@
 """5/7: the centre of mass of a wire along an arc."""
 
+from exercises.devices.put_together import on_axis
 from exercises.devices.wire_arc import WIRE, along, draw, over
 from newton_euler import bodies, cos
 
@@ -8,17 +9,7 @@ def moments(g):
     return over(g, lambda theta: g.one), over(g, lambda theta: g.R * cos(theta))
 
 
-def centre(length, first_x):
-    return {"d": WIRE.vector(first_x / length, 0, 0)}
-
-
-def solve(g):
-    return centre(*moments(g))
-
-
-def steps(g):
-    length, first_x = moments(g)
-    return {"length": length, "Q_x": first_x}
+centre, solve, steps = on_axis(WIRE, "x", "length", moments)
 
 
 def prove(g):

@@ -1,6 +1,7 @@
 """5/8: the centre of mass of a hemispherical shell."""
 
 from exercises.devices.dome import SHELL, area_of_ring, draw, over_rings, shadow
+from exercises.devices.put_together import on_axis
 from exercises.tools import proofs
 from newton_euler import cos, sin
 from newton_euler.bodies import half_ring, hemisphere
@@ -13,17 +14,7 @@ def moments(g, width=lambda g, phi: g.R):
     return over_rings(g, ring)
 
 
-def centre(area, first_z):
-    return {"d": SHELL.vector(0, 0, first_z / area)}
-
-
-def solve(g):
-    return centre(*moments(g))
-
-
-def steps(g):
-    area, first_z = moments(g)
-    return {"area": area, "Q_z": first_z}
+centre, solve, steps = on_axis(SHELL, "z", "area", moments)
 
 
 def prove(g):

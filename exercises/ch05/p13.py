@@ -12,9 +12,8 @@ def prove(g):
 
 
 def mistakes(g):
-    whole = g.b + g.c + g.L
     return {
         "equal_weights": unweighed(WELDED, g.one, [rod.centre for rod in parts(g)]),
         "third_at_the_bottom": centre(WELDED, parts(g, height=0)),
-        "without_first_length": {"d": solve(g)["d"] * (whole / (g.c + g.L))},
+        "without_first_length": {"d": solve(g)["d"] * ((g.b + g.c + g.L) / (g.c + g.L))},
     }

@@ -51,8 +51,7 @@ def mistakes(g):
 
 def draw(g, ax):
     s = Sketch(ax, AXES, plane="xy")
-    far = 0.55 * g.F_2
-    s.axes(P, AXES, length=far, labels=["x", "y", ""])
+    s.axes(P, AXES, length=0.55 * g.F_2, labels=["x", "y", ""])
     radii, angles = (0.17, 0.27, 0.09), (g.theta_1, g.theta_2, g.theta_3)
     for n, (F, radius, angle) in enumerate(zip(pulls(g), radii, angles, strict=True), 1):
         tip = (F * (0.75 + 0.25 * g.F_2 / F.norm())).components()  # the longer the larger, no scale

@@ -29,11 +29,9 @@ def prove(g):
 
 def mistakes(g):
     """The tension, too, where it follows from the wrong acceleration of B."""
-    level = solve(g.but(beta=0 * g.beta))
-    steep = solve(g.but(beta=pi(g.beta) / 2 - g.beta))
     return {
-        "no_slope": level,
-        "cosine": steep,
+        "no_slope": solve(g.but(beta=0 * g.beta)),
+        "cosine": solve(g.but(beta=pi(g.beta) / 2 - g.beta)),
         "T_is_W_B": {"T": g.W_B},
         "mass_of_B": {"a_B": solve(g)["a_B"] * (g.W_A + g.W_B) / g.W_B},
     }

@@ -66,11 +66,10 @@ def draw(g, ax):
     s.road([(x, height(x), 0) for x in xs])
     r = 0.018
     for x in (L / 4, 3 * L / 4):
-        y = height(x)
         for side in (-2, 2):
             wheel = x + side * r
             s.disk((wheel, height(wheel) + r, 0), ground.k, r)
-        s.box((x, y + 2.6 * r, 0), ground, (7 * r, 2 * r, 2 * r))
+        s.box((x, height(x) + 2.6 * r, 0), ground, (7 * r, 2 * r, 2 * r))
     s.line((xs[0], 0, 0), (xs[-1], 0, 0), style="centre")
     s.dimension((0, 0, 0), (L, 0, 0), label="L", offset=-2.2 * b)
     s.dimension((1.25 * L, 0, 0), (1.25 * L, b, 0), label="b", offset=0.0)

@@ -50,8 +50,7 @@ def prove(g):
     alpha = -slope / (inertia(g.m_A, A) + inertia(g.m_B, B))
     angle = lambda t: g.theta + alpha * t**2 / 2
     a_A, a_B = (second_rate(lambda t, P=P: P(angle(t))) for P in (A, B))
-    pull = minus(a_B, [0, 0, -g.g])
-    return {"a_A": a_A[0], "T": g.m_B * size(pull)}
+    return {"a_A": a_A[0], "T": g.m_B * size(minus(a_B, [0, 0, -g.g]))}
 
 
 def mistakes(g):

@@ -45,11 +45,10 @@ def prove(g):
 
 
 def mistakes(g):
-    right = solve(g)
     quarter = pi(g.psi) / 2
     return {
         "vertical_balance": {"T_after": g.W / sin(g.alpha)},
-        "as_before": {"T_after": right["T_before"]},
+        "as_before": {"T_after": solve(g)["T_before"]},
         "from_the_vertical": solve(g.but(psi=quarter - g.psi, alpha=quarter - g.alpha)),
         "other_wire": {"T_before": before(g).T_AB},
     }

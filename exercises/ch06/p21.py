@@ -17,9 +17,8 @@ def elevation(g):
 def landing(g, phi):
     """The point of impact; to first order the rotation does not change the time of flight."""
     north = pi(phi) / 2
-    ground = ground_axes(g)
     t = flight_time(g.v_0, north, phi, g.lat, g.g, 0 * g.omega_e)
-    return t, shot(g, t, launch_velocity(ground, g.v_0, north, phi))
+    return t, shot(g, t, launch_velocity(ground_axes(g), g.v_0, north, phi))
 
 
 def solve(g):

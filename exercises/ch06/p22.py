@@ -42,10 +42,9 @@ def prove(g):
 
 def mistakes(g):
     r = way(g)
-    dropped = shot(g, g.v_0 / g.g, ground_axes(g).vector(0, 0, 0))
     return {
         "undone": answers(0 * r.x),
-        "dropped_from_the_top": answers(dropped.x),
+        "dropped_from_the_top": answers(shot(g, g.v_0 / g.g, ground_axes(g).vector(0, 0, 0)).x),
         "no_fall_turned": {"x": r.without("fall turned").x},
         "sine": {"x": solve(g.but(lat=pi(g.lat) / 2 - g.lat))["x"]},
     }

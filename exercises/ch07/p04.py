@@ -15,10 +15,8 @@ def moments(g, radius=radius, transfer=1):
     """(I_xx, I_yy, I_zz) by thin disks at height z; ``transfer`` scales the parallel-axis term."""
     rho = density(g, radius)
     disk = lambda z: bodies.disk(radius(g, z), CONE.point("C", 0, 0, z), "z", density=rho)
-    own, far = (
-        integral(lambda z, w=w: disk(z).about(CONE).reweighted(**w).moments, 0, g.h)
-        for w in ({"transfer": 0}, {"own": 0})
-    )
+    but = lambda **zero: integral(lambda z: disk(z).about(CONE).reweighted(**zero).moments, 0, g.h)
+    own, far = but(transfer=0), but(own=0)
     return [x + transfer * y for x, y in zip(own, far, strict=True)]
 
 

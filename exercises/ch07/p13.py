@@ -15,10 +15,9 @@ def prove(g):
 
 def mistakes(g):
     I = together(WELDED, parts(g, density=g.rho))
-    third = g.rho * (g.b + g.c + g.L) / 3
     return {
         "third_at_the_bottom": whole(WELDED, parts(g, height=0, density=g.rho)),
-        "equal_masses": whole(WELDED, parts(g, mass=third)),
+        "equal_masses": whole(WELDED, parts(g, mass=g.rho * (g.b + g.c + g.L) / 3)),
         "no_product": no_products(WELDED, I),
         "plus_sign": wrong_sign(WELDED, I),
     }

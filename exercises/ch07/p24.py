@@ -72,8 +72,7 @@ def draw(g, ax):
     s = Sketch(ax, WEDGE, azimuth=-65, elevation=25)
     thick, d = 0.35 * g.r, distance(g, full(g))
     start = (g.r * cos(g.psi / 2), -g.r * sin(g.psi / 2), 0)
-    O = (0, 0, 0)
-    rim = s.around(O, start, WEDGE.k, g.psi)
+    rim = s.around((0, 0, 0), start, WEDGE.k, g.psi)
     hole = [tuple(g.q * x for x in P) for P in reversed(rim)]
     s.plate([*hole, *rim], thickness=thick)
     for name, x in ("O", 0), ("G", d):

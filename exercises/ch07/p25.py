@@ -27,10 +27,8 @@ def steps(g):
 
 def prove(g):
     """By thin tubes about the axis, with the mean square distance from the line for each."""
-
-    def squares(p):  # the ring is about z: its x is the height here
-        return [(p[0] + g.ro) ** 2 + p[1] ** 2, 1, p[0] ** 2 + p[1] ** 2]
-
+    # the ring is about z: its x is the height here
+    squares = lambda p: [(p[0] + g.ro) ** 2 + p[1] ** 2, 1, p[0] ** 2 + p[1] ** 2]
     mass = lambda r: 2 * mp.pi * r * g.rho * g.lc
     thin = lambda r: proofs.scaled(mass(r), proofs.mean(squares, proofs.ring(r, order=2)))
     I_xx, m, own = proofs.integral(thin, g.ri, g.ro)
@@ -39,11 +37,10 @@ def prove(g):
 
 def mistakes(g):
     part = body(g)
-    full = cylinder(g.ro, g.lc, TUBE, "x", density=g.rho)
     return {
         "inner_radius": {"I_xx": about(part, g.ri)},
         "wall": {"I_xx": about(part, g.ro - g.ri)},
-        "no_hole": {"I_xx": about(full, g.ro)},
+        "no_hole": {"I_xx": about(cylinder(g.ro, g.lc, TUBE, "x", density=g.rho), g.ro)},
         "no_transfer": {"I_xx": part.inertia.moment("x")},
         "inches": solve(g.but(ro=12 * g.ro, ri=12 * g.ri, lc=12 * g.lc)),  # 12 in = 1 ft
     }

@@ -68,9 +68,8 @@ def prove(g):
 def mistakes(g):
     def no_transfer(l_r):
         shell, panels = parts(g, l_r)
-        return excess([shell, *panels]) + sum(
-            part.about(CRAFT).moment("x") - part.inertia.moment("x") for part in panels
-        )
+        transfers = (part.about(CRAFT).moment("x") - part.inertia.moment("x") for part in panels)
+        return excess([shell, *panels]) + sum(transfers)
 
     def solid(l_r):
         shell, panels = parts(g, l_r)

@@ -58,8 +58,7 @@ def mistakes(g):
 def draw(g, ax):
     s = Sketch(ax, AXES, azimuth=35, elevation=22)
     A, B = ends(g)
-    span = max(g.xB, g.yB, g.zA)
-    s.axes((0, 0, 0), AXES, length=1.15 * span)
+    s.axes((0, 0, 0), AXES, length=1.15 * max(g.xB, g.yB, g.zA))
     s.rod(A, B)
     for P, x, y, z in (A, g.xA, g.yA, g.zA), (B, g.xB, g.yB, g.zB):
         foot = (x, y, 0)

@@ -34,8 +34,7 @@ def steps(g):
     yield "d", offset(g)
     *first, a_G = device.fall_steps(g, beam(g), "C")
     yield from first
-    alpha = device.falls(g, beam(g)).alpha
-    yield "alpha", alpha
+    yield "alpha", device.falls(g, beam(g)).alpha
     yield a_G
 
 

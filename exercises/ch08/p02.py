@@ -40,11 +40,10 @@ def prove(g):
 def mistakes(g):
     shape, right = square(g), solve(g)
     alpha, R = right["alpha_plate"], right["R_A"]
-    upward = {key: -right[key] for key in ("alpha_plate", "a_C")}
     return {
         "about_G": answers(g, device.moment_of_weight(g, shape) / (device.mass(g) * g.b**2 / 6)),
         "arm_AG": answers(g, sqrt(2 * g.one) * alpha),  # b/sqrt(2) for b/2
-        "counterclockwise": upward,
+        "counterclockwise": {key: -right[key] for key in ("alpha_plate", "a_C")},
         "vertical_only": {"R_A": R.frame.vector(0, R.y, 0)},
     }
 

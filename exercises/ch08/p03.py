@@ -64,11 +64,9 @@ def prove(g):
 
     def moved(q, t):
         theta = g.theta + q(t)
-        A = [0, g.L * mp.cos(theta), 0]
-        return [
-            (u, plus(A, times(rot("z", theta - mp.pi / 2), plus(r, [g.L / 2, 0, 0]))))
-            for u, r in box(g.L, 0, 0, order=2)
-        ]
+        A, turned = [0, g.L * mp.cos(theta), 0], rot("z", theta - mp.pi / 2)
+        place = lambda r: plus(A, times(turned, plus(r, [g.L / 2, 0, 0])))
+        return [(u, place(r)) for u, r in box(g.L, 0, 0, order=2)]
 
     def energy(q, t):
         height = sum(u * r[1] for u, r in moved(q, t))

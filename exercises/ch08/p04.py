@@ -57,13 +57,11 @@ def prove(g):
 
     at = lambda share, t: plus(scaled(1 - share, B(t)), scaled(share, piston(t)))
     motion = lambda t: [(u, at(half + x, t)) for u, (x, _, _) in box(1, 0, 0, order=2)]
-
     a_O = second_rate(piston)
     F_x = -g.W_P / g.g * a_O[0]
-    needed = proofs.force_needed(g.W_R / g.g, motion)
     F_y = proofs.moment_needed(g.W_R / g.g, motion, B(0))[2] / g.l
     return {
-        "F_B": minus(needed, [F_x, F_y, 0]),
+        "F_B": minus(proofs.force_needed(g.W_R / g.g, motion), [F_x, F_y, 0]),
         "F_O": [F_x, F_y, 0],
         "a_B": second_rate(B),
         "a_O": a_O,
@@ -74,12 +72,10 @@ def prove(g):
 def mistakes(g):
     ground, bar, B, _ = engine(g)
     right, a_B = solve(g), B.acceleration(ground)
-    not_centripetal = force_at_O(g, a_B).dot(ground.i)
     F_O = ground.vector(*right["F_O"].components())
-    F_B = reaction(bar.mass, a_B.expressed_in(ground), O=F_O)
     return {
-        "piston_as_B": solve(g, not_centripetal),
-        "G_as_B": {"F_B": F_B},
+        "piston_as_B": solve(g, force_at_O(g, a_B).dot(ground.i)),
+        "G_as_B": {"F_B": reaction(bar.mass, a_B.expressed_in(ground), O=F_O)},
         "force_on_the_piston": {"F_O": -right["F_O"]},
         "rpm_as_rad": solve(g.but(n=g.stated("n"))),
         "inches": {key: 12 * F for key, F in right.items()},  # 12 in = 1 ft

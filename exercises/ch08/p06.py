@@ -45,7 +45,6 @@ def contact(g, phi, square):
         return motion
 
     pull = [g.g * mp.sin(g.theta), -g.g * mp.cos(g.theta)]
-
     # the force on each half besides gravity, and the power of both, which is zero without slip
     missing = lambda a: [scaled(g.one / 2, minus(x, pull)) for x in second_rate(places(a))]
     dot = lambda F, w: sum(x * y for x, y in zip(F, w, strict=True))

@@ -25,7 +25,6 @@ def steps(g):
 def prove(g):
     """By the energy of mass points released from rest."""
     m = g.W / g.g
-
     a = let_go(lambda q, t: kinetic_energy(m, lambda t: rolled(g.R, q(t)), t) - g.W * q(t))
     needed = force_needed(m, lambda t: rolled(g.R, a * t**2 / 2))[0]
     return {"a_G": a, "T": g.W - needed, "alpha": mp.mpf(a) / g.R}

@@ -36,7 +36,6 @@ def prove(g):
         return kinetic_energy(g.m, lambda t: rolled(g.a, q(t)), t) + g.m * g.g * height(q(t))
 
     start = kinetic_energy(g.m, lambda t: rolled(g.a, g.v_0 * t))
-
     d = vanishing(lambda d: start - g.m * g.g * height(d), 1, 2)
     a = let_go(energy)
     along = force_needed(g.m, lambda t: rolled(g.a, a * t**2 / 2))[0]

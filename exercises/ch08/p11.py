@@ -45,5 +45,4 @@ def mistakes(g):
 
 
 def draw(g, ax):
-    s = chain_of_rods.draw(g, ax, edge="b")
-    s.turn((0, 0, 1.2 * g.b), CHAIN.k, r"$\omega$")
+    chain_of_rods.draw(g, ax, edge="b").turn((0, 0, 1.2 * g.b), CHAIN.k, r"$\omega$")

@@ -8,8 +8,7 @@ def scene(g):
     """Ground, bracket, the cone, and its vertex O."""
     ground = Frame("ground")
     bracket = ground.rotate("bracket", "x", rate=g.omega)
-    spinning = bracket.rotate("spinning", "z", rate=g.p)
-    O = spinning.point("O", 0, 0, 0)
+    O = bracket.rotate("spinning", "z", rate=g.p).point("O", 0, 0, 0)
     return ground, bracket, bodies.cone(g.r, g.b, O, "z", mass=g.m), O
 
 

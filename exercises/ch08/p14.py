@@ -31,15 +31,13 @@ def mistakes(g):
     (_, about_y, about_z), (_, _, zx) = half.moments, leg.products
     near = turning_body.added_to_moment(I, AXIS, -leg.mass * g.r**2)
     round_z = turning_body.added_to_moment(I, AXIS, about_z - about_y)
-    in_mm = g.but(r=1000 * g.r, c=1000 * g.c)
     return {
         "no_distance": answers(g, near, AXIS),
         "about_z": answers(g, round_z, AXIS),
         "product_with_y": answers(g, turning_body.other_products(I, xy=zx), AXIS),
-        "millimetres": solve(in_mm),
+        "millimetres": solve(g.but(r=1000 * g.r, c=1000 * g.c)),
     }
 
 
 def draw(g, ax):
-    s = wire_figure.draw(g, ax)
-    s.turn((0, 1.35 * g.r, 0), WIRE.j, r"$\omega,\ \alpha$")
+    wire_figure.draw(g, ax).turn((0, 1.35 * g.r, 0), WIRE.j, r"$\omega,\ \alpha$")

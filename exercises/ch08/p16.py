@@ -47,9 +47,8 @@ def mistakes(g):
 def draw(g, ax):
     s = Sketch(ax, PLATE, azimuth=55, elevation=20)
     O, A, C = corners(g)
-    size = max(g.b, g.h)
     s.plate([O, A, C])
-    s.axes(O, PLATE, length=1.45 * size)
+    s.axes(O, PLATE, length=1.45 * max(g.b, g.h))
     s.turn((0, 0, 1.15 * g.h), PLATE.k, r"$\omega,\ \alpha$")
     s.dimension(O, A, "b")
     s.dimension(O, C, "h")

@@ -23,15 +23,13 @@ def prove(g):
 
 def mistakes(g):
     I = inertia(g)
-    near = turning_body.added_to_moment(I, AXIS, -g.m * g.a**2)
     return {
         "no_rotation": turning_body.no_rotation(g, I, AXIS),
         "euler": {"M_O": answers(g, turning_body.without_products(I), AXIS)["M_O"]},
         "wrong_sign": answers(g, turning_body.wrong_sign(I), AXIS),
-        "no_distance": answers(g, near, AXIS),
+        "no_distance": answers(g, turning_body.added_to_moment(I, AXIS, -g.m * g.a**2), AXIS),
     }
 
 
 def draw(g, ax):
-    s = chain_of_rods.draw(g, ax, "z")
-    s.turn((1.3 * g.a, 0, 0), CHAIN.i, r"$\omega,\ \alpha$")
+    chain_of_rods.draw(g, ax, "z").turn((1.3 * g.a, 0, 0), CHAIN.i, r"$\omega,\ \alpha$")

@@ -21,8 +21,7 @@ solve, steps, follows = rotor.problem_of(
 def prove(g):
     points = [(share * g.m, p) for share, p in along_x(disk_points(g.r))]
     tilt = rot("z", g.alpha)
-    placed = [(m, times(tilt, p)) for m, p in points]
-    return rotor.prove(g, placed, -g.c, g.c) | {
+    return rotor.prove(g, [(m, times(tilt, p)) for m, p in points], -g.c, g.c) | {
         "I_n": sum(m * (y * y + z * z) for m, (_, y, z) in points),
         "I_d": sum(m * (x * x + z * z) for m, (x, _, z) in points),
     }

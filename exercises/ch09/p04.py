@@ -22,8 +22,7 @@ solve, steps, follows = rotor.problem_of(
 def prove(g):
     points = [(share * g.m, p) for share, p in box(g.b, 0, g.h)]
     tilt = rot("z", g.theta)
-    placed = [(m, times(tilt, p)) for m, p in points]
-    return rotor.prove(g, placed, -g.c, g.c) | {
+    return rotor.prove(g, [(m, times(tilt, p)) for m, p in points], -g.c, g.c) | {
         "I_1": sum(m * (y * y + z * z) for m, (_, y, z) in points),
         "I_2": sum(m * (x * x + z * z) for m, (x, _, z) in points),
     }

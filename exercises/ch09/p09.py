@@ -69,11 +69,9 @@ def prove(g):
 
 def mistakes(g):
     body, A = hanging(g)
-    as_particle = particle(1, body.centre)
-    central = Inertia(A, body.inertia.moments)
     return {
-        "particle": angles(g, as_particle, A),
-        "no_transfer": angles(g, body, A, central),
+        "particle": angles(g, particle(1, body.centre), A),
+        "no_transfer": angles(g, body, A, Inertia(A, body.inertia.moments)),
         "as_disk": angles(g, *hanging(g, disk)),
         "with_the_level": {"beta_ring": pi(g.a) / 2 - solve(g)["beta_ring"]},
     }

@@ -21,8 +21,7 @@ def prove(g):
     given, found = proof_data(g)
     rates = leading(*given)
     m, points, *_ = given
-    upright = carried(points, orientation(0, 0, g.phi_dot))
-    found["H_s"] = angular_momentum(m, upright)[2]
+    found["H_s"] = angular_momentum(m, carried(points, orientation(0, 0, g.phi_dot)))[2]
     return {key: rates[key] for key in ("psi_slow", "psi_fast")} | found
 
 

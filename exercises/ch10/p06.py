@@ -21,9 +21,8 @@ def spin(g, shape=bodies.cylinder, theta=None):
 
 
 def solve(g):
-    phi_dot = whole_rate(g) - g.psi_dot * cos(g.theta)
     sense = lambda: str(free_precession(*per_mass(g), g.theta, spin(g)).sense)
-    return {"phi_dot": phi_dot, "sense": sense}
+    return {"phi_dot": whole_rate(g) - g.psi_dot * cos(g.theta), "sense": sense}
 
 
 def whole_rate(g):

@@ -57,12 +57,11 @@ def prove(g):
     # of the supports, about the place x on AB
     moment = lambda x: moment_needed(g.m_r, rotor, about=(x, 0, 0))[2] - x * g.m * g.g
     AB = g.a + g.b
-    spin = proofs.angular_velocity(own)
     return {
         "F_A": -moment(g.b) / AB,
         "F_B": moment(-g.a) / AB,
         "I_r": g.m_r * proofs.mean(lambda r: r[1] ** 2 + r[2] ** 2, turned),
-        "omega_r": spin,
+        "omega_r": proofs.angular_velocity(own),
         "M_G": moment_needed(g.m_r, rotor),
     }
 

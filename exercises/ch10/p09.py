@@ -20,8 +20,7 @@ def rolling_spin(g):
         contact = body.frame.point("contact", 0, 0, -g.r).velocity(ground)
         return contact.expressed_in(axle).y
 
-    (spin,) = solve_rates(slip, 1)
-    return spin
+    return solve_rates(slip, 1)[0]
 
 
 def moment(g, spin, wheel=wheel):

@@ -18,9 +18,8 @@ def on_the_rotor(g, share=1):
     """The moment that the cylinder needs (10.38), with this share of its moment of inertia."""
     ground, bracket, body = rotor(g)
     I = share * body.inertia.moment("x")
-    precession = bracket.angular_velocity(ground)
     spin = body.frame.angular_velocity(bracket).expressed_in(bracket)
-    return in_frame(bracket, normal_moment(precession, spin, I))
+    return in_frame(bracket, normal_moment(bracket.angular_velocity(ground), spin, I))
 
 
 def solve(g):
@@ -40,12 +39,11 @@ def prove(g):
     points = proofs.along_x(proofs.raised(proofs.disk(g.r, order=2), length))
     own = lambda t: rot("x", g.P * t)
     turned = proofs.carried(points, lambda t: times(rot("z", g.Omega * t), own(t)))
-    spun = proofs.carried(points, own)
     of_weight = cross(minus(proofs.mean(lambda p: p, points), C), [0, 0, -g.W])
     return {
         "M_C": minus(of_weight, moment_needed(m, turned, about=C)),
         "I": m * proofs.mean(lambda p: p[1] ** 2 + p[2] ** 2, points),
-        "H_spin": proofs.angular_momentum(m, spun)[0],
+        "H_spin": proofs.angular_momentum(m, proofs.carried(points, own))[0],
     }
 
 

@@ -113,12 +113,10 @@ def prove(g):
 def mistakes(g):
     force, moment = needed(g, *fall(g))
     ground = force.frame
-    upward = ground.vector(0, 0, force.z)
-    carried = ground.vector(0, force.y, g.m * g.g)
     return {
         "no_gyroscopic_couple": bearings(g, force, moment * 0),
-        "no_centripetal": bearings(g, upward, moment),
-        "whole_weight": bearings(g, carried, moment),
+        "no_centripetal": bearings(g, ground.vector(0, 0, force.z), moment),
+        "whole_weight": bearings(g, ground.vector(0, force.y, g.m * g.g), moment),
         "as_particle": bearings(g, *needed(g, *fall(g, as_particle))),
         "other_sense": solve(g.but(P=-g.P)),
     }

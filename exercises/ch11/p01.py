@@ -62,10 +62,9 @@ def prove(g):
 
 def mistakes(g):
     right = work(g)
-    drop = summed({**right.terms, "weight": g.m * g.g * g.L})
     return {
         "friction_by_weight": speed(g, work(g, g.m * g.g)),
-        "L_as_drop": speed(g, drop),
+        "L_as_drop": speed(g, summed({**right.terms, "weight": g.m * g.g * g.L})),
         "friction_drives": speed(g, right.reweighted(friction=-1)),
         "sine_for_cosine": solve(g.but(theta=pi(g.theta) / 2 - g.theta)),
     }

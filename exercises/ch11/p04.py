@@ -39,12 +39,11 @@ def prove(g):
 
 
 def mistakes(g):
-    U = work_of_weight(g)
     return {
         "balance_of_forces": {"x_max": g.m * g.g / g.k},
         "kilo_overlooked": {"x_max": solve(g.but(k=g.k / 1000))["x_max"]},
         "no_half": {"x_max": solve(g.but(k=2 * g.k))["x_max"]},
-        "arc_as_drop": answers(g, U * pi(g.R) / 2),
+        "arc_as_drop": answers(g, work_of_weight(g) * pi(g.R) / 2),
     }
 
 

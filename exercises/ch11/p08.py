@@ -74,14 +74,13 @@ def draw(g, ax):
     ground, C, (B, last) = ends(g)
     O = ground.origin
     s = Sketch(ax, ground, plane="xz")
-    w = 0.06 * g.b
     s.ground((0, 0, g.d), normal=-ground.k)
     s.rod(O, B)
     s.line(O, last)
     s.spring(C, B)
     s.line(O, C, style="centre")
     s.hinge(O)
-    s.sphere(B, w)
+    s.sphere(B, 0.06 * g.b)
     s.dot(last)
     s.arc(O, C, last, label=r"$\theta$")
     s.dimension(O, last, label="b", offset=-0.2 * g.b)

@@ -63,11 +63,10 @@ def prove(g):
 
 def mistakes(g):
     U_B, U_A = work(g, "B"), work(g, "A")
-    as_if_R = energy(g, "C") - g.k * g.R**2 / 2
     upright = weight_potential(mass_from_weight(g.W, g.g), g.R, g.g)
     return {
         "upright": {"v_B": speeds(g, U_B - upright, U_A)["v_B"]},
-        "stretch_R": {"v_B": speeds(g, as_if_R, U_A)["v_B"]},
+        "stretch_R": {"v_B": speeds(g, energy(g, "C") - g.k * g.R**2 / 2, U_A)["v_B"]},
         "from_rest": speeds(g, U_B, U_A, v_C=0),
         "inches": speeds(g, 12 * U_B, 12 * U_A),
     }

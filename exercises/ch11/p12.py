@@ -57,13 +57,12 @@ def prove(g):
 
 
 def mistakes(g):
-    uphill = weight_potential(g.m, g.r, g.g)
     U_B, U_C = work(g, "B"), work(g, "C")
     changes = [length(g, "A") - length(g, name) for name in "BC"]
     return {
         "no_free_length": solve(g.but(l_0=0 * g.l_0)),
         "flat": solve(g.but(y_D=0 * g.y_D)),
-        "z_up": {"v_B": speeds(g, U_B - uphill, U_C)["v_B"]},
+        "z_up": {"v_B": speeds(g, U_B - weight_potential(g.m, g.r, g.g), U_C)["v_B"]},
         "change_of_length": speeds(g, *(spring_potential(g.k, x) for x in changes)),
     }
 

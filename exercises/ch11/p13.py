@@ -48,8 +48,7 @@ def candidate(g):
 
 def answers(g, V):
     """V, and the difference of its slope and -F_x."""
-    P = Frame("axes").point("P", g.x, g.y, g.z)
-    slope = -conservative_force(V, P).x
+    slope = -conservative_force(V, Frame("axes").point("P", g.x, g.y, g.z)).x
     return {"V": V(g.x, g.y, g.z), "mismatch_x": slope + field(g)(g.x, g.y, g.z)[0]}
 
 
@@ -83,7 +82,6 @@ def steps(g):
 def prove(g):
     """Mean circulation, mean work, slopes along slanted lines; fields with a potential, counted."""
     coefficients = [getattr(g, name) for name in NAMES]
-
     F = lambda r: times([coefficients[n : n + 3] for n in (0, 3, 6)], r)
 
     def circulation(r):
@@ -93,12 +91,10 @@ def prove(g):
 
     middle = [g.a / 2, g.b / 2, 0]
     inside = box(g.a, g.b, 0, order=2)
-    W = g.a * g.b * mean(lambda r: circulation(plus(r, middle)), inside)
 
     def V(*r):
-        def push(q):  # along the segment, q[0] from -1/2 to 1/2
-            return sum(f * x for f, x in zip(F(scaled(q[0] + mpf("0.5"), r)), r, strict=True))
-
+        # along the segment, q[0] from -1/2 to 1/2
+        push = lambda q: sum(f * x for f, x in zip(F(scaled(q[0] + mpf("0.5"), r)), r, strict=True))
         return -mean(push, box(1, 0, 0, order=2))
 
     place = [g.x, g.y, g.z]
@@ -114,12 +110,11 @@ def prove(g):
         places = ([1, 0, 0], [0, 1, 0], [0, 0, 1])
         return [x for at in places for x in gradient(quadratic, at)]
 
-    with_potential = freedom(forces, *map(mpf, (3, 1, 4, 1, 5, 9)))
     return {
-        "W_loop": W,
+        "W_loop": g.a * g.b * mean(lambda r: circulation(plus(r, middle)), inside),
         "V": V(*place),
         "mismatch_x": slope + F(place)[0],
-        "conditions": len(NAMES) - with_potential,
+        "conditions": len(NAMES) - freedom(forces, *map(mpf, (3, 1, 4, 1, 5, 9))),
         "V_x": slope,
     }
 
@@ -137,7 +132,6 @@ def mistakes(g):
         return -sum(integral(way, 0, 1) for way in ways)
 
     V = candidate(g)
-    count = conditions(cross_derivatives)
     pairs = (0, 4), (4, 8), (8, 0)
     direct = conditions(lambda field: tuple(field[n] - field[m] for n, m in pairs))
     return {
@@ -145,7 +139,7 @@ def mistakes(g):
         "edges": answers(g, lambda x, y, z: in_three_legs(x, y, z, x, y)),
         "opposite_sense": {"W_loop": sum(round_trip(g, corners(g)[::-1]))},
         "plus_work": answers(g, lambda *place: -V(*place)),
-        "pairs_twice": {"conditions": 2 * count},
+        "pairs_twice": {"conditions": 2 * conditions(cross_derivatives)},
         "direct_derivatives": {"conditions": direct},
     }
 
@@ -156,8 +150,7 @@ def draw(g, ax):
     s.axes(O, ground, length=1.35 * g.a)
     places = corners(g)
     for start, end in pairwise([*places, places[0]]):
-        half = tuple((p + q) / 2 for p, q in zip(start, end, strict=True))
-        s.arrow(start, half)
+        s.arrow(start, tuple((p + q) / 2 for p, q in zip(start, end, strict=True)))
         s.line(start, end, style="solid")
     s.line(O, P, style="solid")
     s.dot(P)

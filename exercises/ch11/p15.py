@@ -83,7 +83,6 @@ def prove(g):
         return [*v, a * x, a * y]
 
     distance = lambda state: mp.hypot(*state[:2])
-
     outward = lambda s: (s[0] * s[2] + s[1] * s[3]) / distance(s)
     across = lambda s: (s[0] * s[3] - s[1] * s[2]) / distance(s)
     start, step = [g.r_A, 0, 0, g.r_A * g.omega_A], 1 / (4 * g.omega_A)

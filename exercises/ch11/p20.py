@@ -49,13 +49,12 @@ follows = {"omega_axial": lambda g, theta: turning(g) * (g.R / g.r - cos(theta))
 
 def steps(g):
     d = rolls(g)
-    G = d.shaft.point("G", g.c, 0, 0)
     return {
         "OP": sqrt(g.L**2 + g.r**2),
         "psi_dot": turning(g),
         "omega_s": -d.body.angular_velocity(d.shaft).expressed_in(d.shaft).x,
         "omega_t": d.body.angular_velocity(d.ground).expressed_in(d.shaft).z,
-        "v_G": G.velocity(d.ground).norm(),
+        "v_G": d.shaft.point("G", g.c, 0, 0).velocity(d.ground).norm(),
     }
 
 

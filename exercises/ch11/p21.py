@@ -16,8 +16,7 @@ def shaft(g):
 def rate(g, d):
     """The rate of the disk about the line from the contact to D, by the velocity of C."""
     unlike = lambda rate: (rate * -d.ground.i - g.n * d.ground.k).cross(d.C.position(d.ground)).y
-    (found,) = solve_rates(unlike, 1)
-    return found
+    return solve_rates(unlike, 1)[0]
 
 
 def turning(g, d):

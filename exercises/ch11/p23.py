@@ -29,11 +29,10 @@ def solve(g):
 def steps(g):
     ground, platform, (disk, P), _ = now = scene(g)
     of_platform, of_particle = momenta(*now)
-    v_P = P.centre.velocity(ground, via=platform).expressed_in(platform)
     return {
         "I_O": disk.inertia.moment("z"),
         "T_M": kinetic_energy(disk, ground).value,
-        "v_P": v_P,
+        "v_P": P.centre.velocity(ground, via=platform).expressed_in(platform),
         "T_m": kinetic_energy(P, ground).value,
         "H_M": of_platform,
         "H_m": of_particle,
@@ -42,8 +41,7 @@ def steps(g):
 
 def prove(g):
     """The platform as mass points, and the particle on its spiral."""
-    rim = proofs.disk(g.a, order=2)
-    platform = proofs.carried(rim, lambda t: proofs.rot("z", g.omega * t))
+    platform = proofs.carried(proofs.disk(g.a, order=2), lambda t: proofs.rot("z", g.omega * t))
     path = lambda t: proofs.at_angle(g.r + g.v * t, g.omega * t, mpf(0))
     spiral = lambda t: [(mpf(1), path(t))]
     found = {}
@@ -63,11 +61,10 @@ def mistakes(g):
     of_platform, of_particle = momenta(*now)
     own = kinetic_energy(disk, ground).value
     one_way = g.v + g.r * g.omega
-    with_v = of_platform + of_particle + platform.k * (g.m * g.r * g.v)
     wrong = {
         "only_relative_speed": {"T": own + g.m * g.v**2 / 2},
         "speeds_added": {"T": own + g.m * one_way**2 / 2},
-        "relative_moment": {"H_O": with_v},
+        "relative_moment": {"H_O": of_platform + of_particle + platform.k * (g.m * g.r * g.v)},
         "no_particle": {"H_O": of_platform},
     }
     return in_frame(platform, wrong)

@@ -80,12 +80,11 @@ def mistakes(g):
     right, (of_rod, of_bob) = solve(g)["T"], moments(g)
     both = (1 + g.n) * g.m * g.g * g.l * (1 - cos(g.theta_A))
     _, _, bar, _ = scene(g, 0)
-    bob_lost = losses(g)[1]
     return {
         "rod_falls_with_bob": {"T": both, "v_bob": speed(g, both, of_rod + of_bob)},
         "rod_at_rest": {"v_bob": speed(g, right, of_bob)},
         "about_centre": {"v_bob": speed(g, right, bar.inertia.moment("y") + of_bob)},
-        "bob_alone": {"v_bob": speed(g, bob_lost, of_bob)},
+        "bob_alone": {"v_bob": speed(g, losses(g)[1], of_bob)},
     }
 
 

@@ -60,12 +60,11 @@ def prove(g):
 
 
 def mistakes(g):
-    right = solve(g)["E_total"]
     return {
         "at_rest_above": {"E_total": potential(g, g.b)},
         "depth_from_length": energy(g, ((g.a - g.b) / (g.a - g.c)) ** 2),
         "depths_as_arms": energy(g, (g.b / g.c) ** 2),
-        "upside_down": {"E_total": -right},
+        "upside_down": {"E_total": -solve(g)["E_total"]},
     }
 
 

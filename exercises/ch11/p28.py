@@ -35,10 +35,9 @@ def prove(g):
 
 def mistakes(g):
     T_0, _ = pendulum.level_motion(g.m, g.a, 0 * g.a, g.omega)
-    right = solve(g)["theta_min"]
     return {
         "driven": {"theta_min": acos(g.m * g.g * g.a / T_0)},
-        "no_turning": answers(0 * right),
+        "no_turning": answers(0 * solve(g)["theta_min"]),
         "from_level": {"theta_min": asin(cosine(g))},
         "no_half": {"theta_min": acos(cosine(g, share=2))},
     }
@@ -48,13 +47,12 @@ def draw(g, ax):
     ground, gap, theta = Frame("ground"), 0.15, 1.1  # anywhere
     s = Sketch(ax, ground, plane="xz")
     O, P = (0, 0, 0), (g.a * sin(theta), 0, -g.a * cos(theta))
-    left = (-0.8 * g.a, 0, 0.6 * g.a)
     s.wire(s.around(O, (g.a * sin(gap), 0, -g.a * cos(gap)), -ground.j, 2 * pi(gap) - 2 * gap))
     s.line((0, 0, -1.3 * g.a), (0, 0, 1.45 * g.a), style="centre")
     s.line(O, P)
     s.dot(P)
     s.dot(O)
     s.arc(O, -ground.k, P, label=r"$\theta$")
-    s.arrow(O, left, label="a")
+    s.arrow(O, (-0.8 * g.a, 0, 0.6 * g.a), label="a")
     s.turn((0, 0, 1.3 * g.a), ground.k, label=r"$\omega$")
     s.label(P, "m", offset=(14, -6), bold=False)

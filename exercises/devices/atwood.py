@@ -57,10 +57,9 @@ def draw_machine(s: Sketch, frame: Frame, machine: Machine) -> None:
 
 def _hang(s, frame, machine, C):
     name, radius, *ends = machine
-    wheel = s.pulley(C, frame.j, radius)
     sides = zip((-1, 1), ends, strict=True)
     places = [(C[0] + side * radius, 0, C[2] - run) for side, (run, _) in sides]
-    s.cable(places[0], wheel, places[1])
+    s.cable(places[0], s.pulley(C, frame.j, radius), places[1])
     s.label((C[0], 0, C[2] - 0.6 * radius), name, offset=(0, 0), bold=False)
     for (x, _, z), (_, load) in zip(places, ends, strict=True):
         if isinstance(load, str):

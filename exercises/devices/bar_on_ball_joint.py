@@ -70,10 +70,8 @@ def prove(g: Givens) -> Answers:
     start = velocity(A, 0, 0)
     # velocities are linear in the rates
     by_y, by_z = minus(velocity(A, 1, 0), start), minus(velocity(A, 0, 1), start)
-    y, z = mp.lu_solve(
-        mp.matrix([[by_y[0], by_z[0]], [by_y[1], by_z[1]]]),
-        mp.matrix([g.v_Ax - start[0], g.v_Ay - start[1]]),
-    )
+    by_both = mp.matrix([[by_y[0], by_z[0]], [by_y[1], by_z[1]]])
+    y, z = mp.lu_solve(by_both, mp.matrix([g.v_Ax - start[0], g.v_Ay - start[1]]))
     found = {"omega_y": y, "omega_z": z, "v_A": velocity(A, y, z)}
     return {"omega": [g.omega_x, y, z], "v_D": velocity(D, y, z)} | found
 

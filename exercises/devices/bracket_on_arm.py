@@ -2,17 +2,8 @@
 
 from collections.abc import Callable
 
-from exercises.annotations import (
-    Answers,
-    AnyAxes,
-    Givens,
-    Mistakes,
-    Number,
-    Scalar,
-    Solve,
-    Steps,
-    StepsOf,
-)
+from exercises.annotations import Answers, AnyAxes, Givens, Mistakes, Scalar, Solve, Steps, StepsOf
+from exercises.catalogue.proofs.digits import Number
 from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.tools import Sketch, in_frame, mp, rate, second_rate, terms
 from newton_euler import Frame, Point
@@ -29,9 +20,7 @@ def arm_and_bracket(g: Givens) -> tuple[Frame, Frame, Frame]:
 def problem_of(
     name: str, out: Callable[[Givens], Scalar]
 ) -> tuple[Callable[[Givens], tuple[Point, Frame, Frame]], Solve, StepsOf, Solve]:
-    """The point ``name`` as a function of g, and ``solve``, ``steps`` and ``prove`` for it; it is
-    b up and ``out(g)`` along from C.
-    """
+    """The point as a function of g, b up and ``out(g)`` along from C; solve, steps, prove."""
 
     def point(g):
         ground, arm, bracket = arm_and_bracket(g)
@@ -90,10 +79,8 @@ def prove(g: Givens, name: str, out: Number) -> Answers:
 def sketch(g: Givens, ax: AnyAxes, a: Scalar) -> tuple[Sketch, Point, Point]:
     """The figure of both problems, with the length ``a`` of BA."""
     ground, arm, bracket = arm_and_bracket(g)
-    E, C, G, D = (
-        arm.point(n, x, y, 0)
-        for n, x, y in (("E", 0, 0), ("C", g.c, 0), ("G", 1.3 * g.c, 0), ("D", 0, -0.7 * g.c))
-    )
+    places = ("E", 0, 0), ("C", g.c, 0), ("G", 1.3 * g.c, 0), ("D", 0, -0.7 * g.c)
+    E, C, G, D = (arm.point(name, x, y, 0) for name, x, y in places)
     B, A = bracket.point("B", 0, g.b, 0), bracket.point("A", 0, g.b, a)
     s = Sketch(ax, ground, azimuth=35, elevation=14, up="y")
     s.ground(D, normal=ground.j)

@@ -45,8 +45,7 @@ def slip(
     gear = ground.rotate("gear", axis, rate=gear_rate)
     here = coordinates(axis, side * g.r, g.R)
     v, w = (body.point("tooth", *here).velocity(ground) for body in (pinion, gear))
-    difference = v - w
-    return getattr(difference, next_axis(next_axis(axis)))
+    return getattr(v - w, next_axis(next_axis(axis)))
 
 
 def meshing_rates(g: Givens, axis: str, first: Scalar, second: Scalar) -> tuple[Scalar, ...]:
@@ -78,13 +77,9 @@ def section(s: Sketch, g: Givens, axis: str, pinion_sides: Iterable[int]) -> Non
     """Draw the pitch cones of gears and pinions in the plane of their axes."""
 
     def wheel(corners):
-        s.plate(
-            [
-                coordinates(axis, t * along, t * across)
-                for t, half in ((1, corners), (0.7, corners[::-1]))
-                for along, across in half
-            ]
-        )
+        halves = (1, corners), (0.7, corners[::-1])
+        places = [(t * along, t * across) for t, half in halves for along, across in half]
+        s.plate([coordinates(axis, *place) for place in places])
 
     for side in (1, -1):
         wheel([(side * g.r, g.R), (side * g.r, -g.R)])

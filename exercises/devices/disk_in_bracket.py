@@ -7,20 +7,12 @@ the rim, A is at the top and B at the side on +x.
 
 from typing import TypeAlias
 
-from exercises.annotations import (
-    Answers,
-    AnyAxes,
-    Follows,
-    Functions,
-    Givens,
-    Mistakes,
-    Number,
-    Scalar,
-    Steps,
-)
+from exercises.annotations import Answers, Follows, Functions, Givens, Mistakes, Scalar, Steps
+from exercises.catalogue.proofs.digits import Number
 from exercises.devices.moving_frame import seen_in, turning_of
 from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, spun, terms
 from newton_euler import Frame, Point, Vector
+from newton_euler.drawing import AnyAxes
 
 Frames: TypeAlias = tuple[Frame, Frame, Frame]  # ground, bracket, disk
 
@@ -188,10 +180,8 @@ def figure(g: Givens, ax: AnyAxes, rim: str = "", omega_name: str = r"\omega") -
     """The figure, with the points ``rim``; rates that grow are labelled with their derivatives."""
     ground, bracket, disk = disk_in_bracket(g)
     s = Sketch(ax, ground, azimuth=50, elevation=18)
-    letters = [
-        rf"${name},\ \dot{{{name}}}$" if hasattr(g, "P_dot") else f"${name}$"
-        for name in (omega_name, "P")
-    ]
+    with_rate = lambda name: rf"${name},\ \dot{{{name}}}$" if hasattr(g, "P_dot") else f"${name}$"
+    letters = map(with_rate, (omega_name, "P"))
     r = getattr(g, "r", 1.0)
     s.disk(disk.origin, bracket.j, r)
     (_draw_axle if hasattr(g, "b") else _draw_fork)(s, bracket, disk, r, *letters)

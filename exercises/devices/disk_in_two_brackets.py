@@ -8,16 +8,8 @@ D at the side on +x.
 
 from typing import TypeAlias
 
-from exercises.annotations import (
-    Answers,
-    AnyAxes,
-    Follows,
-    Functions,
-    Givens,
-    Mistakes,
-    Number,
-    Steps,
-)
+from exercises.annotations import Answers, AnyAxes, Follows, Functions, Givens, Mistakes, Steps
+from exercises.catalogue.proofs.digits import Number
 from exercises.devices.disk_in_bracket import from_centre, rim_point
 from exercises.devices.moving_frame import seen_in
 from exercises.tools import Sketch, acceleration_of, in_frame, mp, plus, proofs, rate, scaled, terms

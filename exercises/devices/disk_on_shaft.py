@@ -42,8 +42,7 @@ def rolling(Omega: Scalar, radius: Scalar, L: Scalar, *rise: Scalar) -> OnShaft:
         d = spinning(Omega, spin, L, *rise)
         return contact(d, radius).velocity(d.ground).expressed_in(d.shaft).y
 
-    (spin,) = solve_rates(slip, 1)
-    return spinning(Omega, spin, L, *rise)
+    return spinning(Omega, solve_rates(slip, 1)[0], L, *rise)
 
 
 def carried(points: Points, Omega: Number, spin: Number, L: Number, rise: Number = 0) -> Motion:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from exercises.annotations import AnyAxes, Givens, Number, Scalar
+from exercises.annotations import AnyAxes, Givens, Number, Scalar, Triple
 from exercises.tools import Sketch, mp
 from newton_euler import Frame, integral, pi
 
@@ -10,11 +10,8 @@ DISK = Frame("disk")
 
 
 def in_polar(
-    g: Givens,
-    power: int,
-    f: Callable[[Scalar], tuple[Scalar, ...]],
-    element: Callable[[Scalar], Scalar] = lambda r: r,
-) -> tuple[Scalar, ...]:
+    g: Givens, power: int, f: Callable[[Scalar], Triple], element: Callable[[Scalar], Scalar]
+) -> Triple:
     """The integral of r^power f(theta), a tuple, over the area; ``element`` is dA/(dr dtheta)."""
     over_r = integral(lambda r: element(r) * r**power, 0, g.R)
     over_theta = integral(f, 0, pi(g.one))

@@ -34,20 +34,15 @@ def whole(frame: Frame, parts: Iterable[Body], removed: Iterable[Body] = ()) -> 
 
 def problem_of(
     frame: Frame,
-    parts: Callable[[Givens], Sequence[Body]]
-    | Callable[[Givens], tuple[Sequence[Body], Sequence[Body]]],
-    mass: str,
-    length: str,
-    inertia: str,
+    parts: Callable[[Givens], Sequence[Body] | tuple[Sequence[Body], Sequence[Body]]],
+    *units: str,
     holes: bool = False,
     at_O: Collection[str] = (),
     given: Collection[str] = (),
 ) -> tuple[Solve, StepsOf]:
     """``solve`` and ``steps`` for ``parts(g)``; with ``holes``, a pair of parts and holes."""
-    bodies = lambda g: parts(g) if holes else (parts(g),)
-    steps = lambda g: steps_of(
-        frame, *bodies(g), mass=mass, length=length, inertia=inertia, at_O=at_O, given=given
-    )
+    bodies = lambda g: parts(g) if holes else (parts(g), ())
+    steps = lambda g: steps_of(frame, *bodies(g), *units, at_O=at_O, given=given)
     return (lambda g: whole(frame, *bodies(g))), steps
 
 
@@ -74,15 +69,13 @@ def no_products(frame: Frame, I: Inertia) -> Answers:
 def steps_of(
     frame: Frame,
     parts: Sequence[Body],
-    removed: Sequence[Body] = (),
-    *,
-    mass: str,
-    length: str,
-    inertia: str,
-    at_O: Collection[str] = (),
-    given: Collection[str] = (),
+    removed: Sequence[Body],
+    *units: str,
+    at_O: Collection[str],
+    given: Collection[str],
 ) -> Steps:
     """Mass (unless ``given``), own matrix, place, matrix at O of parts; ``at_O``: those there."""
+    mass, length, inertia = units
     for part in (*parts, *removed):
         key, cut_out = part.name.split()[0], ", to be subtracted" if part in removed else ""
         if key not in given:

@@ -67,6 +67,5 @@ def steps_to_inertia(end: Scalar, height: Height, mass: Scalar) -> Steps:
     yield Step("I_xx", I_xx, "kg*m^2", "integral of y^2 dm, of each strip y^2/3 dm", "7.2", "7.10")
     yield Step("I_yy", I_yy, "kg*m^2", "integral of x^2 dm", "7.2", "7.10")
     yield Step("I_xy", I_xy, "kg*m^2", "integral of x y dm, of each strip x y/2 dm", "7.2", "7.10")
-    yield Step(
-        "I_zz", I_zz, "kg*m^2", "moment of inertia about z, the plate being flat", "7.2", "7.10"
-    )
+    means = "moment of inertia about z, the plate being flat"
+    yield Step("I_zz", I_zz, "kg*m^2", means, "7.2", "7.10")

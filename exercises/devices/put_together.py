@@ -18,14 +18,27 @@ def centre(frame: Frame, parts: Iterable[Body], removed: Iterable[Body] = ()) ->
 
 def problem_of(
     frame: Frame,
-    parts: Callable[[Givens], Sequence[Body]]
-    | Callable[[Givens], tuple[Sequence[Body], Sequence[Body]]],
+    parts: Callable[[Givens], Sequence[Body] | tuple[Sequence[Body], Sequence[Body]]],
     holes: bool = False,
     **units: Any,
 ) -> tuple[Solve, StepsOf]:
     """``solve`` and ``steps`` for ``parts(g)``; with ``holes``, a pair of parts and holes."""
     bodies = lambda g: parts(g) if holes else (parts(g),)
     return (lambda g: centre(frame, *bodies(g)), lambda g: steps_of(frame, *bodies(g), **units))
+
+
+def on_axis(
+    frame: Frame, axis: str, content: str, moments: Callable[[Givens], tuple[Scalar, Scalar]]
+) -> tuple[Callable[[Scalar, Scalar], Answers], Solve, Solve]:
+    """The answer, ``solve`` and ``steps`` for a centre on this axis; ``moments(g)``: the content,
+    an integral, and its first moment.
+    """
+
+    def answer(whole, first):
+        return {"d": frame.vector(*(first / whole if e == axis else 0 for e in "xyz"))}
+
+    steps = lambda g: dict(zip((content, f"Q_{axis}"), moments(g), strict=True))
+    return answer, lambda g: answer(*moments(g)), steps
 
 
 def unweighed(frame: Frame, one: Scalar, points: Iterable[Point]) -> Answers:

@@ -11,9 +11,7 @@ def turning(g: Givens) -> Scalar:
 
 
 def axle_and_disk(g: Givens, spin: Scalar | None = None) -> tuple[Frame, Frame, Frame, Point]:
-    """Axes that turn about y with the axle; the disk, about z, outward, rolling by default; A on
-    its rim.
-    """
+    """Ground; axes turning about y with the axle, z outward; the disk, rolling by default; A."""
     spin = rolling_spin(g) if spin is None else spin
     ground = Frame("ground")
     arm = ground.rotate("axle", "y", rate=turning(g))
@@ -30,8 +28,7 @@ def rolling_spin(g: Givens) -> Scalar:
         # in the direction of motion of the centre
         return disk.point("contact", 0, -g.r, 0).velocity(ground).x
 
-    (spin,) = solve_rates(slip, 1)
-    return spin
+    return solve_rates(slip, 1)[0]
 
 
 def rolling_steps(g: Givens) -> Steps:
@@ -51,8 +48,7 @@ def rolling_steps(g: Givens) -> Steps:
 def proved_steps(g: Givens) -> Answers:
     """Proof: two of these steps, from the motion."""
     outward = lambda t: times(rot("y", 2 * mp.pi * t / g.T), [0, 0, g.R])
-    turning = [0, 2 * mp.pi / g.T, 0]
-    spin = minus(proofs.angular_velocity(orientation(g)), turning)
+    spin = minus(proofs.angular_velocity(orientation(g)), [0, 2 * mp.pi / g.T, 0])
     return {"v_C": rate(outward), "omega_spin": spin}
 
 

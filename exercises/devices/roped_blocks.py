@@ -98,12 +98,8 @@ def by_energy(
         up = minus(moved(1), moved(0))[1]
         return W / g.g * sum(v**2 for v in rate(moved, 1)) / 2 + W * up
 
-    weights = (W_A, W_B)
-    a = root(
-        lambda a: sum(gain(W, place, a) for W, place in zip(weights, places, strict=True)),
-        reach / 10**6,
-        reach,
-    )
+    of_both = lambda a: gain(W_A, places[0], a) + gain(W_B, places[1], a)
+    a = root(of_both, reach / 10**6, reach)
     return a, -gain(W_B, places[1], a) / (a / 2)  # B's loss of energy is its work against the rope
 
 

@@ -3,18 +3,8 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from exercises.annotations import (
-    Answers,
-    AnyAxes,
-    Follows,
-    Givens,
-    Number,
-    Points,
-    Scalar,
-    Solve,
-    Steps,
-    StepsOf,
-)
+from exercises.annotations import Answers, AnyAxes, Follows, Givens, Scalar, Solve, Steps, StepsOf
+from exercises.catalogue.proofs.digits import Number, Points
 from exercises.tools import Sketch, Step, in_frame, mpf, proofs, rate, rot, size, terms
 from newton_euler import Body, Frame, Point, composite, dynamics
 from newton_euler.applications import balance, reactions
@@ -69,8 +59,7 @@ def answers(r: Rotor) -> Answers:
 def principal_steps(body: Body, *axes: tuple[str, str, str]) -> Steps:
     """The relevant moments of inertia about the centre; ``axes``: (key, body axis, description)."""
     for key, axis, which in axes:
-        means = f"moment of inertia {which}"
-        yield Step(key, body.inertia.moment(axis), "kg*m^2", means, "7.6")
+        yield Step(key, body.inertia.moment(axis), "kg*m^2", f"moment of inertia {which}", "7.6")
 
 
 def shaft_steps(

@@ -35,11 +35,10 @@ def figure(g: Givens, ax: AnyAxes, ground: Frame, rising: Frame, A: Point) -> Sk
         return thick * cos(w), thick * sin(w), lowest + g.lead * turns
 
     s.path([on_thread(n / 40) for n in range(101)], on=(B, (0, 0, low)))
-    ends = on_thread(2), on_thread(1)
     s.rod(B, A)
     s.ground((-0.45 * g.a, 0, low - 0.15 * g.a), normal=ground.k)
     s.turn((0, 0, 0.25 * g.a), ground.k, label="n")
     s.dimension(B, A, label="a")
-    s.dimension(*ends, label=r"$\ell$")
+    s.dimension(on_thread(2), on_thread(1), label=r"$\ell$")
     s.label(A, "A")
     return s

@@ -12,9 +12,7 @@ from newton_euler import Frame, Point, moving
 
 
 def about(name: str, side: int) -> tuple[Callable[[Givens], tuple[Frame, Point]], *Functions]:
-    """The end ``name`` as a function of g, and ``solve``, ``steps``, ``prove`` and ``draw`` for it;
-    ``side``: -1 or 1, along i from A.
-    """
+    """The end as a function of g, solve, steps, prove, draw; ``side``: -1 or 1, along i from A."""
     place = lambda g: (side * getattr(g, f"x_{name}"), getattr(g, f"y_{name}"))
     this_end = lambda g: end(g, name, *place(g))
     return (

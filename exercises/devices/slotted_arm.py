@@ -40,9 +40,8 @@ def sketch(g: Givens, ax: AnyAxes, labels: Sequence[str]) -> None:
     s.arc(O, C, P, label=r"$\theta$")
     s.swing(O, end, ground.k, label=r"$\omega$")
     s.dimension(O, C, label="b", offset=-0.25 * g.b)
-    middle = (C.position(ground) + P.position(ground)) / 2
     right = ground.vector(sin(2 * g.theta), -cos(2 * g.theta), 0)  # direction from C to P
-    s.label(middle, "$b$", offset=right, bold=False)
+    s.label((C.position(ground) + P.position(ground)) / 2, "$b$", offset=right, bold=False)
     s.axes(P, arm, length=0.4 * g.b, labels=[*labels, ""])
     s.label(O, "O", offset=(-12, 4))
     s.label(C, "C", offset=(10, -12))

@@ -71,8 +71,7 @@ def balance(d: SpinningDisk) -> str:
 
 def spin_steps(d: SpinningDisk, spin: str) -> Steps:
     axial, across = moments(d, spin)
-    means = "moment of inertia about the axis of the disk"
-    yield Step("I_s", axial, "kg*m^2", means, "7.6")
+    yield Step("I_s", axial, "kg*m^2", "moment of inertia about the axis of the disk", "7.6")
     yield Step("I_d", across, "kg*m^2", "moment of inertia about a diameter", "7.6")
     omega = d.body.frame.angular_velocity(d.ground).expressed_in(d.arm)
     yield Step("omega_disk", omega, "rad/s", "angular velocity of the disk in the inertial frame",

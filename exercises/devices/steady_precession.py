@@ -47,11 +47,8 @@ def of_weights(m: Number, g: Number, points: Points, theta: Number) -> Number:
 def two_rings(k_z: Number, k_x: Number, c: Number = 0) -> Points:
     """Mass points with these radii of gyration about O and the centre of mass at distance c."""
     h = mp.sqrt(k_x**2 - c**2 - k_z**2 / 2)
-    return [
-        (share / 2, plus(place, [0, 0, c + side * h]))
-        for side in (1, -1)
-        for share, place in ring(k_z, order=2)
-    ]
+    rim = ring(k_z, order=2)
+    return [(u / 2, plus(r, [0, 0, c + side * h])) for side in (1, -1) for u, r in rim]
 
 
 def needed_by_rates(m: Number, points: Points, theta: Number) -> tuple[Number, Number]:

@@ -9,19 +9,8 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import TypeAlias
 
-from exercises.annotations import (
-    Answers,
-    Follows,
-    Givens,
-    Number,
-    Orientation,
-    Path,
-    Points,
-    Scalar,
-    Solve,
-    Steps,
-    StepsOf,
-)
+from exercises.annotations import Answers, Follows, Givens, Number, Scalar, Solve, Steps, StepsOf
+from exercises.catalogue.proofs.digits import Orientation, Path, Points
 from exercises.tools import Step, cross, mean, minus, plus, proofs, rate, rot, scaled, terms, times
 from newton_euler import Body, Frame
 from newton_euler.bodies import Inertia, composite

@@ -135,8 +135,7 @@ def draw(g: Givens, ax: AnyAxes) -> None:
     for x, side in ((0, -1), (g.x, 1)):
         s.plate([(x - wide, -long, 0), (x + wide, -long, 0), (x + wide, long, 0),
                  (x - wide, long, 0)])  # fmt: skip
-        end = x + side * 0.9 * g.x
-        s.line((x + side * wide, 0, 0), (end, 0, 0), style="centre")
+        s.line((x + side * wide, 0, 0), (x + side * 0.9 * g.x, 0, 0), style="centre")
         s.label((x + side * 0.5 * g.x, 0, 0), "R", offset=(0, 9), bold=False)
     s.vector((0, long, 0), ground.j, "v")
     s.vector((g.x, -long, 0), -ground.j, "v")

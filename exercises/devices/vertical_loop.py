@@ -6,9 +6,7 @@ from newton_euler import Frame, dynamics, kinematics, moving, pi
 
 
 def contact(m: Scalar, g: Scalar, r: Scalar, phi: Scalar, v: Scalar, **shares: Scalar) -> Scalar:
-    """The track's force toward the centre, at ``phi`` from the bottom; ``shares`` reweights its
-    terms, for mistakes.
-    """
+    """The track's force toward the centre, ``phi`` from the bottom; ``shares``: of its terms."""
     ground = Frame("ground")  # with y up
     P = kinematics.polar(ground, "P", r, moving(phi - pi(phi) / 2, rate=v / r))
     N = dynamics.reaction(m, P.acceleration(ground), weight=-m * g * ground.j)

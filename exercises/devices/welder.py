@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from exercises.annotations import AnyAxes, Draw, Givens, Mistakes, Scalar, Solve, StepsOf
+from exercises.annotations import AnyAxes, Functions, Givens, Mistakes, Scalar
 from exercises.devices.turning_plate import motion, motion_steps, proof, turning
 from exercises.tools import Sketch, in_frame
 from newton_euler import Frame, Point, moving
@@ -10,15 +10,8 @@ from newton_euler import Frame, Point, moving
 
 def about(
     name: str, side: int
-) -> tuple[
-    Callable[[Givens], tuple[Frame, Point]],
-    Solve,
-    StepsOf,
-    Solve,
-    Callable[[Givens], Mistakes],
-    Draw,
-]:
-    """The tip as a function of g, solve, steps, prove, mistakes, draw; ``side`` is 1 above A."""
+) -> tuple[Callable[[Givens], tuple[Frame, Point]], *Functions, Callable[[Givens], Mistakes]]:
+    """The tip as a function of g, solve, steps, prove, draw, mistakes; ``side`` is 1 above A."""
     place = lambda g: (getattr(g, f"x_{name}"), side * getattr(g, f"y_{name}"))
     this_tip = lambda g: tip(g, name, *place(g))
 
@@ -31,8 +24,8 @@ def about(
         lambda g: motion(*this_tip(g)),
         lambda g: motion_steps(*this_tip(g), "in"),
         prove,
-        lambda g: mistakes(g, name, *place(g)),
         lambda g, ax: draw(g, ax, name, *place(g)),
+        lambda g: mistakes(g, name, *place(g)),
     )
 
 

@@ -10,11 +10,10 @@ WIRE = Frame("wire")
 
 def parts(g: Givens, density: Scalar = 1, side: int = -1) -> list[Body]:
     """Half circle, diameter, leg, which is at ``side``."""
-    leg = WIRE.point("leg", side * g.r, 0, g.c / 2)
     return [
         half_ring(g.r, WIRE, "z", "y", density=density, name="half circle"),
         rod(2 * g.r, WIRE, "x", density=density, name="diameter"),
-        rod(g.c, leg, "z", density=density, name="leg"),
+        rod(g.c, WIRE.point("leg", side * g.r, 0, g.c / 2), "z", density=density, name="leg"),
     ]
 
 

@@ -12,6 +12,14 @@ from .measurements.measure import Progress, silent
 
 PAGE = Path(__file__).with_name("atlas.html")
 TITLE = "Speed and accuracy: an atlas of every scene"
+READING = (
+    "Cost is to the right and error upwards, so lower left is better. Points with rings are the "
+    "front: every other one costs more and is no more accurate. Closed forms and methods that step "
+    "have a front each. Times are those of a run after all imports and compilations; a grey bar "
+    "ends at the time of the first run. Among models the cost is counted in operations, and the "
+    "ring is the choice: the smallest within the tolerance. Errors are taken against a reference "
+    "of 30 digits. Times differ by a tenth from run to run, more while the machine has other work."
+)
 # the text below each question
 ANSWERS = {
     METHOD: "All methods of integration on each scene that moves: the error at the end against the "
@@ -64,16 +72,8 @@ def _page(entries, quick):
             contents += f"<h2>{question}</h2><ul>{''.join(links)}</ul>"
             parts = "".join(text for _, text in own)
             sections += f"<section><h2>{question}</h2><p>{answer}</p>{parts}</section>"
-    about, page = escape(_about(quick)), Template(PAGE.read_text(encoding="utf-8"))
-    return page.substitute(title=TITLE, about=about, contents=contents, sections=sections)
-
-
-def _about(quick):
     where = f"{platform.machine()}, Python {platform.python_version()}"
-    when = f"Measured on {date.today():%d %B %Y} on {where}{', quickly' if quick else ''}. "
-    return when + (
-        "Cost is to the right and error upwards, so lower left is better. Points with rings are "
-        "the front: every other one costs more and is no more accurate. Closed forms and methods "
-        "that step have a front each. A grey bar ends at the time of the first run. Errors are "
-        "taken against a reference of 30 digits or more. Captions come from the measurements."
-    )
+    when = f"Measured on {date.today():%d %B %Y} on {where}{', quickly' if quick else ''}."
+    about = escape(f"{when} {READING} Captions come from the measurements.")
+    page = Template(PAGE.read_text(encoding="utf-8"))
+    return page.substitute(title=TITLE, about=about, contents=contents, sections=sections)

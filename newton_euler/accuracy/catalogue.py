@@ -10,8 +10,7 @@ from ..algebra.late import Figure
 from ..scenes import LADDERS, SCENES, ladder
 from .charts.comparisons import comparison_caption, draw_comparison, points_table
 from .charts.drawn import DrawnChart
-from .charts.islands import without_noise
-from .charts.maps import draw_choices, map_caption, map_table
+from .charts.maps import draw_choices, map_caption, map_table, without_noise
 from .charts.methods import draw_methods, methods_caption
 from .charts.models import draw_models, measured_models, models_caption
 from .measurements.comparisons import COMPARISONS

@@ -11,7 +11,7 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn
 from ..algebra.late import Figure
 from ..algebra.names import did_you_mean
 from ..scenes import SCENES
-from .atlas import write_atlas
+from .atlas import READING, write_atlas
 from .catalogue import KINDS, MODEL, MODELS, charts, slug
 from .charts.honesty import draw_honesty
 from .measurements.honesty import PATIENCE, honesty, table, write_csv
@@ -39,7 +39,7 @@ class _Charts(click.Command):
         return super().main(words, prog_name, **more)
 
 
-@click.command(cls=_Charts, context_settings=SETTINGS)
+@click.command(cls=_Charts, context_settings=SETTINGS, epilog=READING)
 @click.argument("names", nargs=-1, metavar="[NAME …]")
 @click.option("--list", "only_list", is_flag=True, help="List the charts.")
 @click.option("--all", "draw_all", is_flag=True, help="Draw all of them, which takes some minutes.")
@@ -77,13 +77,7 @@ def main(
     page; honesty asks whether each method is as accurate as requested, and its own error estimate
     true.
 
-    How to read a chart: cost to the right, error upwards, so lower left is better. The points with
-    rings are the front: every other point costs more and is no more accurate. Closed forms and
-    methods that step have a front each. Times are those of a run after all imports and
-    compilations; a grey bar ends at the time of the first run. Among models the cost is counted in
-    operations, and the ring is the choice: the smallest within the tolerance. Errors are taken
-    against a reference of 30 digits. Times differ by a tenth from run to run, and by more while the
-    machine has other work.
+
 
     \b
     Examples:

@@ -23,23 +23,7 @@ from . import scalars
 from .errors import checked
 from .jets import Moving
 from .places import GENERATED, callers_line, note_place, package_of
-from .scalars import (
-    FUNCTIONS,
-    DivisionError,
-    NewtonEulerError,
-    RangeError,
-    Scalar,
-    ScalarError,
-    Scaled,
-    SingularError,
-    _Own,
-    _root,
-    clipped,
-    library_of,
-    pi,
-    scalar,
-    without_rates,
-)
+from .scalars import FUNCTIONS, Scalar, ScalarError, Scaled, _Own, _root, pi, scalar
 from .source import WITHOUT_HEYOKA, generate, named_apart, runtime_names
 from .trace import NO_VALUE, Inner, NoNumberError, Step, Trace, asked_by, keys_of, packed, unpacked
 
@@ -198,11 +182,11 @@ class Compiled:
 
     def _refuse(self, args, error):
         """Raise the error of the engine for an arithmetic error, but one of the caller as it is."""
-        if isinstance(error, NewtonEulerError) or note_place(error):
+        if isinstance(error, scalars.NewtonEulerError) or note_place(error):
             raise error
-        kinds = {ZeroDivisionError: DivisionError, OverflowError: RangeError}
+        kinds = {ZeroDivisionError: scalars.DivisionError, OverflowError: scalars.RangeError}
         given = ", ".join(f"{n} = {x!r}" for n, x in zip(self.parameters, args, strict=True))
-        kind = kinds.get(type(error), SingularError)
+        kind = kinds.get(type(error), scalars.SingularError)
         raise kind(f"{self.name} has no value: {given}: {error}") from error
 
     def _in_order(self, args, named):
@@ -230,11 +214,11 @@ class Compiled:
                 scalar(a)  # raises ScalarError if it is not a number
         # pi has the kind and the digits of the most exact number among them
         if any(isinstance(a, _Own) for a in args):
-            values = [without_rates(a) for a in args]
+            values = [scalars.without_rates(a) for a in args]
             traced = [v for v in values if isinstance(v, Step)]
             others = [v for v in values if not isinstance(v, _Own) and _root(type(v)) != "builtins"]
             return self._build(self.on(scalars)(pi((traced or others or [0.0])[0]), *args))
-        library = library_of(args)
+        library = scalars.library_of(args)
         if library.__name__ == "numpy":
             return self._arrays(library, args)
         try:
@@ -331,7 +315,7 @@ def _lacked_values(error):
     """True if this error arose because a traced value has no number, whichever raised it: the value
     itself, the code that asked for its number, or a function of NumPy, SciPy or mpmath.
     """
-    if isinstance(error, NewtonEulerError):
+    if isinstance(error, scalars.NewtonEulerError):
         return isinstance(error, NoNumberError)
     *_, last = _tracebacks(error)
     if asked_by(last.tb_frame, last.tb_lasti):
@@ -380,7 +364,8 @@ def recorded(f: Callable[..., Any], /, **constants: Scalar) -> Recording:
         if not _lacked_values(error):
             raise
         line = callers_line(error)
-        raise ScalarError(f"in {clipped(line)}: {NO_VALUE}" if line else NO_VALUE) from error
+        place = f"in {scalars.clipped(line)}: " if line else ""
+        raise ScalarError(place + NO_VALUE) from error
     given = {n: signature[n].default for n in parameters}
     defaults = {n: x for n, x in given.items() if x is not inspect.Parameter.empty}
     name = getattr(f, "__name__", "formula")

@@ -18,23 +18,10 @@ from functools import wraps
 from inspect import Parameter, signature
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
+from . import scalars
 from .names import ArgumentError, misfit
 from .places import note_place
-from .scalars import (
-    ZERO,
-    DivisionError,
-    NewtonEulerError,
-    RangeError,
-    Scalar,
-    ScalarError,
-    _Own,
-    advice,
-    allowed,
-    clipped,
-    is_numeric,
-    real_scalar,
-    to_plain,
-)
+from .scalars import ZERO, NewtonEulerError, Scalar, ScalarError, _Own, clipped
 from .vectors import FrameError, Vector
 
 F = TypeVar("F", bound=Callable)
@@ -104,9 +91,9 @@ def checked_but(*unchecked: str) -> Callable[[F], F]:
 def _in_words(called, error):
     """The error of the engine for one of Python or a library."""
     if isinstance(error, ZeroDivisionError):
-        return DivisionError(f"{called} has no value: {error}")
+        return scalars.DivisionError(f"{called} has no value: {error}")
     if isinstance(error, OverflowError):
-        return RangeError(f"{called} has no value: {error}")
+        return scalars.RangeError(f"{called} has no value: {error}")
     return ArgumentError(f"{called} cannot be computed with these arguments: {error}")
 
 
@@ -150,7 +137,7 @@ def _check_of(p, f, where):
         if y is REFUSED:
             raise error(
                 f"{where}: {name} is {annotation_in_words(kind)}; got {clipped(x)} of type "
-                f"{type(x).__name__}{advice(x) if error is ScalarError else ''}"
+                f"{type(x).__name__}{scalars.advice(x) if error is ScalarError else ''}"
             )
         return y
 
@@ -210,10 +197,10 @@ def _converter(kind):
 
 def _number(x):
     try:
-        y = real_scalar(x)
+        y = scalars.real_scalar(x)
     except ScalarError:
         return REFUSED
-    return x if x is ZERO else to_plain(y)
+    return x if x is ZERO else scalars.to_plain(y)
 
 
 def _real(x):
@@ -222,7 +209,7 @@ def _real(x):
     y = _number(x)
     if y is REFUSED or (isinstance(y, _Own) and y is not ZERO):
         return REFUSED
-    return y if is_numeric(y) and not getattr(y, "shape", ()) else REFUSED
+    return y if scalars.is_numeric(y) and not getattr(y, "shape", ()) else REFUSED
 
 
 def _whole(x):
@@ -237,7 +224,7 @@ def _true_or_false(x):
 
 def _tolerance(x):
     try:
-        return allowed(x)
+        return scalars.allowed(x)
     except ScalarError:
         return REFUSED
 

@@ -112,10 +112,10 @@ class Moving(Unordered, _Own):
 
     __radd__ = __add__
 
-    def __neg__(self):
+    def __neg__(self) -> "Moving":
         return Moving(-self.value, -self.rate, -self.acceleration)
 
-    def __abs__(self):
+    def __abs__(self) -> "Moving":
         if self.rests():
             return Moving(abs(self.value))
         value = to_plain(self.value)

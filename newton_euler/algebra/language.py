@@ -41,7 +41,7 @@ class Words(str):
         self.values = {n: x if isinstance(x, str) else str(x) for n, x in values.items()}
         return self
 
-    def __getnewargs_ex__(self):
+    def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, str]]:
         return (self.template,), self.values
 
 

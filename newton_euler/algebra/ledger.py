@@ -6,6 +6,7 @@ the number of its equation, and ``without("coriolis")`` is the sum of a model wi
 
 import itertools
 import operator
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -13,27 +14,13 @@ from functools import cache
 from types import MappingProxyType
 from typing import Any, Generic, NoReturn, TypeVar
 
+from . import scalars
 from .names import Guided, did_you_mean, guided
 from .pickles import Computed
-from .scalars import (
-    LONGEST,
-    ZERO,
-    NewtonEulerError,
-    Scalar,
-    clipped,
-    in_range,
-    is_numeric,
-    largest_abs,
-    operations,
-    real_scalar,
-    scalar,
-    short,
-    short_repr,
-    to_plain,
-)
+from .scalars import ZERO, Scalar, clipped, real_scalar, scalar, short, short_repr, to_plain
 
 
-class TermError(NewtonEulerError, ValueError, KeyError):
+class TermError(scalars.NewtonEulerError, ValueError, KeyError):
     """A sum does not have the term that is named."""
 
     __str__ = Exception.__str__  # KeyError.__str__ would add quotation marks
@@ -237,7 +224,7 @@ class Ledger:
         self.kind, self.subject, self._make, self.scaled = kind, subject, make, scaled
         self._terms: Terms | None = None
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return self._make is not None
 
     def __reduce__(self):
@@ -313,7 +300,7 @@ class Explanation:
         _check_unit(unit, f"{ledger.equation.kind} {ledger.subject}", ledger.unit)
         self.ledger, self.equation, self.unit = ledger, ledger.equation, unit
         terms = vector.terms.mapped(lambda t: t.expressed_in(vector.frame))
-        noise = NOISE * largest_abs(x for t in (vector, *terms.values()) for x in t.c)
+        noise = NOISE * scalars.largest_abs(x for t in (vector, *terms.values()) for x in t.c)
         self.vector = vector.rounded(noise)
         self.terms = terms.mapped(lambda t: t.rounded(noise))
 
@@ -374,19 +361,19 @@ def _product(name, symbol):
 
 
 def latex_text(words: str) -> str:
-    """Words within a formula; MathJax takes a bare _ there for an error."""
-    return r"\text{" + words.replace("_", r"\_") + "}"
+    """Words in a formula; there MathJax takes a bare _, # or & for an error, % for a comment."""
+    return r"\text{" + re.sub("([_#&%])", r"\\\1", words) + "}"
 
 
 def latex_number(x: Scalar, digits: int) -> str:
     """A number to ``digits`` digits, or an expression, as LaTeX."""
-    if is_numeric(x) and not getattr(x, "shape", ()):
+    if scalars.is_numeric(x) and not getattr(x, "shape", ()):
         mantissa, e, power = f"{float(x):.{digits}g}".partition("e")
         return rf"{mantissa}\times10^{{{int(power)}}}" if e else mantissa
     try:
         import sympy
 
-        if operations(x) > LONGEST:
+        if scalars.operations(x) > scalars.LONGEST:
             return r"\text{" + short_repr(x).strip("<>") + "}"
         body = sympy.latex(sympy.sympify(x))
     except Exception:  # heyoka, traced and array components have no LaTeX of their own
@@ -440,10 +427,10 @@ class Amount(NamedTerms):
             f"number={self.number!r}, error={self.error!r})"
         )
 
-    def __float__(self):
+    def __float__(self) -> float:
         return float(self.value)
 
-    def __neg__(self):
+    def __neg__(self) -> Scalar:
         return -self.value
 
     __add__ = __radd__ = _operation(operator.add)
@@ -463,7 +450,7 @@ class Amount(NamedTerms):
         rows = [(n, f"{short(x)} {unit}") for n, x in (*self.terms.items(), ("sum", self.value))]
         return in_columns(f"{self.what}, equation ({self.number})", rows)
 
-    @in_range
+    @scalars.in_range
     def reweighted(self, /, **factors: Scalar) -> Scalar:
         """The sum of its terms, each times the factor named for it (others once).
 

@@ -112,7 +112,7 @@ class LinearForm(Unordered, _Own):
 
     __radd__ = __add__
 
-    def __neg__(self):
+    def __neg__(self) -> "LinearForm":
         return self._each(lambda x: -x)
 
     def __mul__(self, other: Scalar) -> Scalar:
@@ -144,7 +144,7 @@ class LinearForm(Unordered, _Own):
     def __pow__(self, power: Scalar) -> NoReturn:
         self._refuse("an unknown is raised to a power")
 
-    def __abs__(self):
+    def __abs__(self) -> NoReturn:
         self._refuse("the absolute value is taken of an unknown")
 
 
@@ -328,10 +328,10 @@ class Solution:
             raise AttributeError(name)
         return self[name]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[Scalar]:
         return (self[name] for name in self.names)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.names)
 
     def report(self) -> str:

@@ -31,7 +31,7 @@ class Portable:
     def __getstate__(self):
         return self._each(_in_pickle)
 
-    def __copy__(self):
+    def __copy__(self) -> Self:
         return self._with(lambda x: x)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:

@@ -6,22 +6,11 @@ from itertools import pairwise
 from sys import float_info
 from typing import Any
 
+from . import scalars
 from .integrals import WorkError, by_formula, gauss, integral
 from .late import np
 from .places import at_a_place, raised_by_the_caller
-from .scalars import (
-    ZERO,
-    Scalar,
-    SingularError,
-    epsilon,
-    is_finite,
-    is_numeric,
-    max_abs,
-    scalar,
-    short,
-    sqrt,
-    to_plain,
-)
+from .scalars import ZERO, Scalar, SingularError, epsilon, max_abs, scalar, short
 
 INTERVALS = 400  # intervals: the most of an adaptive integral; each takes 21 values
 # subdivisions of an adaptive cubature by dimension; each one makes 2, 4 or 8 boxes of 21^n places
@@ -53,7 +42,7 @@ def _piece(f, start, end, rtol, exact):
     if exact:
         return by_formula(lambda x: (f(x),), start, end)[0], 0.0
     kinds = start, end, _value(f, start + (end - start) / 32)
-    if not all(map(is_numeric, kinds)) or any(hasattr(x, "_parts") for x in kinds):
+    if not all(map(scalars.is_numeric, kinds)) or any(hasattr(x, "_parts") for x in kinds):
         return integral(f, start, end), 0.0
     width = end - start
     samples = [_finite(f, start + width * (n + 0.5) / 16) for n in range(16)]
@@ -70,7 +59,7 @@ def _piece(f, start, end, rtol, exact):
                 "breaks=(...) where the force has a corner"
             ) from None
         # the rule stops when its last but one value has half of the digits: mostly this one has all
-        return to_plain(value), 1e-3 * scale * float(sqrt(epsilon(value)))
+        return scalars.to_plain(value), 1e-3 * scale * float(scalars.sqrt(epsilon(value)))
     value, error = _adaptive(f, float(start), float(end), rtol, scale)
     # a component that is zero by structure has no dimension, and can be added to the others
     return (ZERO if all(s is ZERO for s in samples) and value == 0 else value), error
@@ -86,7 +75,7 @@ def _value(f, x):
 
 def _finite(f, x):
     value = _value(f, x)
-    if not is_finite(value):
+    if not scalars.is_finite(value):
         raise WorkError(f"the integrand is {value} at {short(x)}")
     return value
 

@@ -7,18 +7,11 @@ before each use: no value is computed, and nothing is called.
 import builtins
 import dis
 import sys
+import types
 from collections.abc import Set
 from dataclasses import fields
 from fractions import Fraction
 from functools import lru_cache, partial
-from types import (
-    BuiltinFunctionType,
-    CodeType,
-    FunctionType,
-    MappingProxyType,
-    MethodType,
-    ModuleType,
-)
 
 from .scalars import LIBRARIES, _Own, _root
 
@@ -75,20 +68,20 @@ class Reads:
 
     def _read(self, x, waiting):
         """Note what one value consists of; what may follow from there is ``waiting``."""
-        if isinstance(x, FunctionType):
+        if isinstance(x, types.FunctionType):
             self._read_function(x, waiting)
         elif isinstance(x, (tuple, frozenset)):
             waiting += x
-        elif isinstance(x, MappingProxyType):
+        elif isinstance(x, types.MappingProxyType):
             waiting += x.values()
         elif isinstance(x, partial):
             waiting += [x.func, *x.args, *x.keywords.values()]
-        elif isinstance(x, MethodType):
+        elif isinstance(x, types.MethodType):
             waiting += [x.__func__, x.__self__]
-        elif isinstance(x, BuiltinFunctionType):
-            if not isinstance(x.__self__, (ModuleType, type(None))):
+        elif isinstance(x, types.BuiltinFunctionType):
+            if not isinstance(x.__self__, (types.ModuleType, type(None))):
                 waiting.append(x.__self__)
-            fixed = not isinstance(x.__self__, ModuleType) or _is_fixed(x.__self__)
+            fixed = not isinstance(x.__self__, types.ModuleType) or _is_fixed(x.__self__)
             self.known = self.known and fixed and x.__name__ not in HIDDEN
             self.prints = self.prints or x is print
         elif _root(type(x)) == "newton_euler" and hasattr(x, "__dataclass_fields__"):
@@ -120,12 +113,12 @@ class Reads:
         x = self._note(space.get, name, ABSENT, waiting)
         if x is ABSENT:  # now, but it can come, before the built-in one
             waiting.append(vars(builtins).get(name))
-        elif isinstance(x, ModuleType) and not _is_fixed(x):
+        elif isinstance(x, types.ModuleType) and not _is_fixed(x):
             self.known = self.known and not loaded & BY_NAME
             for n in names & vars(x).keys():
                 if (id(vars(x)), n) not in self._noted:
                     self._note_name(vars(x), n, loaded, names, waiting)
-        elif isinstance(x, ModuleType):
+        elif isinstance(x, types.ModuleType):
             reached = {x.__name__, *(f"{x.__name__}.{n}" for n in names)}
             self.known = self.known and RANDOM not in reached
 
@@ -137,14 +130,14 @@ class Reads:
         except ValueError:  # a variable without a value yet
             self.known = False
         self.checks.append((get, a, b, x))
-        if x is not ABSENT and not isinstance(x, ModuleType):
+        if x is not ABSENT and not isinstance(x, types.ModuleType):
             waiting.append(x)
         return x
 
 
 def reads_nothing(f: object) -> bool:
     """True for a function of a module of the engine: it reads nothing that changes."""
-    return type(f) is FunctionType and f.__closure__ is None and _is_fixed_function(f, ENGINE)
+    return type(f) is types.FunctionType and f.__closure__ is None and _is_fixed_function(f, ENGINE)
 
 
 def _is_fixed_function(f, packages=FIXED):
@@ -157,7 +150,7 @@ def _is_fixed_function(f, packages=FIXED):
 
 
 @lru_cache(maxsize=256)
-def names_in(code: CodeType) -> tuple[Set[str] | None, Set[str]]:
+def names_in(code: types.CodeType) -> tuple[Set[str] | None, Set[str]]:
     """The names of globals that some byte code loads, a set, and all names and texts in it; None
     and the names if it also sets some, or imports a module that is not fixed.
     """
@@ -169,7 +162,7 @@ def names_in(code: CodeType) -> tuple[Set[str] | None, Set[str]]:
         if step.opname in ("LOAD_GLOBAL", "LOAD_NAME"):
             loaded.add(step.argval)
     for inner in code.co_consts:
-        if isinstance(inner, CodeType):
+        if isinstance(inner, types.CodeType):
             more, more_names = names_in(inner)
             if more is None:
                 return None, names
@@ -179,7 +172,7 @@ def names_in(code: CodeType) -> tuple[Set[str] | None, Set[str]]:
 
 def _is_fixed(x):
     """True for a class or module of one of the fixed packages."""
-    name = getattr(x, "__name__", "") if isinstance(x, ModuleType) else x.__module__
+    name = getattr(x, "__name__", "") if isinstance(x, types.ModuleType) else x.__module__
     return str(name).partition(".")[0] in FIXED
 
 

@@ -203,10 +203,10 @@ class _Zero(_Own):
     def __hash__(self):
         return hash(0)
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return False
 
-    def __float__(self):
+    def __float__(self) -> float:
         return 0.0
 
     def __int__(self):

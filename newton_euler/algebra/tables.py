@@ -5,31 +5,16 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Literal
 
+from . import scalars
 from .errors import checked
 from .late import np, sympy
-from .scalars import (
-    NewtonEulerError,
-    RangeError,
-    Scalar,
-    ScalarError,
-    SingularError,
-    _Own,
-    clipped,
-    epsilon,
-    is_expression,
-    is_finite,
-    is_numeric,
-    library_of,
-    real_scalar,
-    scalar,
-    to_plain,
-)
+from .scalars import Scalar, clipped, is_expression, is_finite, is_numeric, scalar, to_plain
 
 # the round-off of a time, as a fraction of the largest, by which it may lie outside of a table
 SLACK = 1e-14
 
 
-class TableError(NewtonEulerError, ValueError):
+class TableError(scalars.NewtonEulerError, ValueError):
     """The data make no table."""
 
 
@@ -136,8 +121,8 @@ class Table:
         """The value at ``x``, a number of any kind."""
         if type(x) is not float:
             if getattr(x, "size", 1):  # an empty array has an empty array of values
-                x = to_plain(scalar(x) if getattr(x, "shape", ()) else real_scalar(x))
-            if isinstance(x, _Own):
+                x = to_plain(scalar(x) if getattr(x, "shape", ()) else scalars.real_scalar(x))
+            if isinstance(x, scalars._Own):
                 return x._of_table(self) if hasattr(x, "_of_table") else self._dimension(x)
             if is_expression(x):
                 return self._formula(x)
@@ -154,14 +139,14 @@ class Table:
         kind of number of ``x``: each is the place from which it counts and its coefficients, the
         highest power first.
         """
-        key = type(x) is float or (type(x), epsilon(x))
+        key = type(x) is float or (type(x), scalars.epsilon(x))
         if key not in self._kept:
             steps = self.kind == "previous"
             try:
                 xs, ys = [[_like(v, x) for v in data] for data in (self.places, self.values)]
                 inner = [(y,) for y in ys[:-1]] if steps else _cubics(self.kind, xs, ys)
             except OverflowError as error:
-                raise RangeError(f"{self} has no value in floats: {error}") from error
+                raise scalars.RangeError(f"{self} has no value in floats: {error}") from error
             pieces = [(xs[0], inner[0]), *zip(xs, inner, strict=False), (xs[-2], inner[-1])]
             if self.hold:
                 pieces[0] = xs[0], (ys[0],)
@@ -178,7 +163,7 @@ class Table:
         slack = SLACK * max(abs(first), abs(last))
         if low != low or not (self.hold or (first - low <= slack and high - last <= slack)):
             hold = "; outside='hold' continues it with the values at its ends" if low == low else ""
-            raise SingularError(
+            raise scalars.SingularError(
                 f"a table from {clipped(first)} to {clipped(last)} has no value at "
                 f"{clipped(low if low != low or first > low else high)}{hold}"
             )
@@ -198,14 +183,14 @@ class Table:
     def _dimension(self, x):
         """The dimension of the values at a place of the dimension ``x``."""
         if not hasattr(x, "powers"):
-            raise ScalarError(f"a table has no value at {clipped(x)}")
+            raise scalars.ScalarError(f"a table has no value at {clipped(x)}")
         places, pieces = self._of_kind(x)
         return _polynomial(pieces[1][1], x - places[0])  # an error for unlike dimensions
 
     def _formula(self, x):
         """The formula of SymPy with the expression ``x`` as place; it has no value outside."""
-        if library_of((x,)).__name__ == "heyoka":
-            raise ScalarError("heyoka has no tables: take another method")
+        if scalars.library_of((x,)).__name__ == "heyoka":
+            raise scalars.ScalarError("heyoka has no tables: take another method")
         x = sympy.sympify(x)
         places, pieces = self._of_kind(x)
         formulas = [_polynomial(c, x - base) for base, c in pieces]

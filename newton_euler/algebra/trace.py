@@ -33,7 +33,7 @@ class _Text(str):
 
     __slots__ = ()
 
-    def __float__(self):
+    def __float__(self) -> float:
         raise NoNumberError
 
     __int__ = __float__
@@ -132,7 +132,7 @@ class Step(_Own):
     def __rpow__(self, base: Scalar) -> "Step":
         return self.trace.step("pow", base, self)
 
-    def __neg__(self):
+    def __neg__(self) -> Scalar:
         return self.args[0] if self.op == "neg" else self.trace.step("neg", self)
 
     def function(self, name: str, *args: Scalar) -> Scalar:
@@ -148,7 +148,7 @@ class Step(_Own):
         """The step that is pi in the kind of number on which the text will run."""
         return self.trace.step("pi")
 
-    def __abs__(self):
+    def __abs__(self) -> Scalar:
         return abs(self.args[0]) if self.op == "neg" else self.trace.step("abs", self)
 
     # A comparison is a step too, by which `where` chooses; it has no value for an `if`.

@@ -9,26 +9,12 @@ from fractions import Fraction
 from functools import cache
 from operator import add, sub
 
+from . import scalars
 from .names import did_you_mean
-from .scalars import (
-    ZERO,
-    NewtonEulerError,
-    Scalar,
-    ScalarError,
-    Scaled,
-    _Own,
-    clipped,
-    exp,
-    in_range,
-    outranks,
-    pi,
-    real_scalar,
-    scalar,
-    to_plain,
-)
+from .scalars import ZERO, Scalar, Scaled, _Own, clipped, outranks, pi, scalar, to_plain
 
 
-class DimensionError(ScalarError):
+class DimensionError(scalars.ScalarError):
     """Different dimensions are added, or a function is taken of one that is not a pure number."""
 
 
@@ -87,7 +73,7 @@ class Dimension(_Own):
 
     __radd__ = __sub__ = __rsub__ = __add__
 
-    def __neg__(self):
+    def __neg__(self) -> "Dimension":
         return self
 
     __abs__ = __neg__
@@ -125,7 +111,7 @@ class Dimension(_Own):
                 raise DimensionError(
                     f"{self} is raised to a power that varies: its dimension would vary too"
                 )
-            return exp(power) if isinstance(power, Dimension) else NotImplemented
+            return scalars.exp(power) if isinstance(power, Dimension) else NotImplemented
         # a float is not 1/3 exactly, but the power 1/3 of L^3 is to be L
         try:
             power = Fraction(power if isinstance(power, Fraction) else float(power))
@@ -167,7 +153,7 @@ class Compared(_Own):
 
     __slots__ = ()
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         raise DimensionError("dimensions have no values to compare: choose by where(x < y, a, b)")
 
     def where(self, a: Scalar, b: Scalar) -> Scalar:
@@ -187,7 +173,7 @@ def _is_nothing(x):
 def _as_dimension(x):
     if isinstance(x, Dimension):
         return x
-    real_scalar(x)  # or it is not a number at all
+    scalars.real_scalar(x)  # or it is not a number at all
     return Dimension()
 
 
@@ -220,7 +206,7 @@ _FEET = {"in", "ft", "mi", "slug", "lb", "oz"}
 _ANGLES = {"rad", "deg", "rev"}
 
 
-class UnitError(NewtonEulerError, ValueError):
+class UnitError(scalars.NewtonEulerError, ValueError):
     """A unit is not known, or not written as names joined by ``*`` and ``/``."""
 
 
@@ -291,12 +277,12 @@ class Unit:
         """True if a part of it is one of the units of feet and pounds."""
         return not _FEET.isdisjoint(self.parts)
 
-    @in_range
+    @scalars.in_range
     def to_base(self, x: Scalar, system: System = SI) -> Scalar:
         """The quantity of ``x`` (a scalar or a Vector) such units, in the units of ``system``."""
         return self._scaled(x, self.factor / _size(system, self.dimension), self.pi_power)
 
-    @in_range
+    @scalars.in_range
     def from_base(self, x: Scalar, system: System = SI) -> Scalar:
         """The reverse of :meth:`to_base`: the number of such units in the quantity ``x``."""
         return self._scaled(x, _size(system, self.dimension) / self.factor, -self.pi_power)
@@ -307,7 +293,7 @@ class Unit:
         if isinstance(x, Scaled):
             like = next((c for c in x.c if c is not ZERO), 0.0) if hasattr(x, "c") else None
         else:
-            like = x = to_plain(real_scalar(x))
+            like = x = to_plain(scalars.real_scalar(x))
         if like is None:
             raise UnitError(f"a number or a Vector has units, got {clipped(x)}")
         power_of_pi = pi(like) ** abs(pi_power) if pi_power else 1

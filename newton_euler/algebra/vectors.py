@@ -7,7 +7,7 @@ the frame of the left one. A vector that theory writes as a sum keeps its terms 
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import nullcontext, suppress
 from functools import reduce
 from typing import Any, NoReturn, Protocol, Self
@@ -178,10 +178,10 @@ class Vector(Scaled, NamedTerms):
     y = property(lambda self: to_plain(self.c[1]), doc="the component along its second axis (A.7)")
     z = property(lambda self: to_plain(self.c[2]), doc="the component along its third axis (A.7)")
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[Scalar]:
         return iter(self.components())
 
-    def __len__(self):
+    def __len__(self) -> int:
         return 3
 
     def __getitem__(self, n: int) -> Scalar:
@@ -208,7 +208,7 @@ class Vector(Scaled, NamedTerms):
         except (FrameError, ScalarError):
             return False
 
-    def __abs__(self):
+    def __abs__(self) -> Scalar:
         return self.norm()
 
     def components(self, frame: Frame | None = None) -> Triple:
@@ -296,9 +296,9 @@ class Vector(Scaled, NamedTerms):
             _of_one_kind(self._ledger, other._ledger)
         return Vector(c, f, lambda: self.rate(f) - other.rate(f))
 
-    def __neg__(self):
+    def __neg__(self) -> "Vector":
         turned = -1 * self
-        if turned._ledger:  # its unit is the same
+        if self._ledger and turned._ledger:  # its unit is the same
             turned._ledger.scaled = self._ledger.scaled
         elif self._ledger is not None:
             turned._ledger = self._ledger
@@ -504,7 +504,7 @@ class Resting:
     def __init__(self, frame: Frame):
         self.frame = frame
 
-    def __call__(self):
+    def __call__(self) -> Vector:
         return Vector(ZERO3, self.frame, self)
 
 

@@ -323,10 +323,8 @@ LOST = {
 def multiplied(what: str, factor: float, large: bool) -> Cause:
     """The answer is off by the factor between two units, or by 2."""
     how, why = HOW[large], LOST.get(factor, Words("check the unit that is asked for"))
-    text = Words(
-        "is {factor} times too {how} ({what}): {why}",
-        factor=f"{factor:.4g}", how=how, what=what, why=why,
-    )  # fmt: skip
+    text = Words("is {factor} times too {how} ({what}): {why}")
+    text = Words(text, factor=f"{factor:.4g}", how=how, what=what, why=why)
     return Cause("factor", f"{what} {how}", text)
 
 

@@ -50,10 +50,8 @@ class Check:
         found = spoken(FOUND[self.right])
         if not self.wait:
             return found
-        return _(
-            "{found} (after {wrong} wrong answers, the next check is in {seconds} s)",
-            found=found, wrong=self.wrong, seconds=math.ceil(self.wait),
-        )  # fmt: skip
+        text = Words("{found} (after {wrong} wrong answers, the next check is in {seconds} s)")
+        return _(text, found=found, wrong=self.wrong, seconds=math.ceil(self.wait))
 
 
 def check(sealed: Mapping[str, Any], kind: Kind, tree: Any) -> Check | None:

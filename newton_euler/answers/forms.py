@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ..algebra.errors import checked, checked_but
-from ..algebra.language import _, spoken
+from ..algebra.language import Words, _, spoken
 from .kinds import KINDS, Kind
 from .messages import AnswerError
 
@@ -36,11 +36,8 @@ class Form:
         name, _comma, unit = (part.strip() for part in text.partition(","))
         kind = kind_named(name)
         if kind.has_options:
-            raise AnswerError(
-                "a {kind} lists its words: '{kind}: one | another', not {text}",
-                kind=kind,
-                text=repr(text),
-            )
+            wrong = Words("a {kind} lists its words: '{kind}: one | another', not {text}")
+            raise AnswerError(wrong, kind=kind, text=repr(text))
         return cls(kind, unit or "1")
 
     def __str__(self) -> str:
@@ -75,9 +72,6 @@ class Form:
 def kind_named(name: str) -> Kind:
     """The kind of this name. Raises :class:`AnswerError` for an unknown one."""
     if name not in KINDS:
-        raise AnswerError(
-            "no such kind of answer: {name}; there are {kinds}",
-            name=repr(name),
-            kinds=", ".join(KINDS),
-        )
+        text = Words("no such kind of answer: {name}; there are {kinds}")
+        raise AnswerError(text, name=repr(name), kinds=", ".join(KINDS))
     return KINDS[name]

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..algebra.errors import checked
-from ..algebra.language import _
+from ..algebra.language import Words, _
 from ..algebra.scalars import clipped
 
 
@@ -143,12 +143,8 @@ def outdated(problem: str, names: Iterable[str]) -> dict[str, str]:
         if name in watch.failed:
             found[name] = _("the cell that gives {name} a value has ended in an error", name=name)
         elif other != problem and watch.shell.user_ns.get(name) is not None:
-            found[name] = _(
-                "{name} has its value from {other}: run your cell of {problem}",
-                name=name,
-                other=other,
-                problem=problem,
-            )
+            text = Words("{name} has its value from {other}: run your cell of {problem}")
+            found[name] = _(text, name=name, other=other, problem=problem)
     return found
 
 
@@ -171,15 +167,12 @@ def stale(problem: str, answers: dict, names_of_answers: set) -> str:
             # the student's own change of the problem's number, as from degrees to radians
             converted = was.giver == problem and was.changer not in (None, cell)
             if not converted or name in names_of_answers:
-                return _(
+                text = Words(
                     "{key} was computed when {name} was {value}; {problem} gives {own}: run the"
-                    " cell of its givens, then yours",
-                    key=key,
-                    name=name,
-                    value=clipped(was.value),
-                    problem=problem,
-                    own=clipped(own),
+                    " cell of its givens, then yours"
                 )
+                numbers = {"value": clipped(was.value), "own": clipped(own)}
+                return _(text, key=key, name=name, problem=problem, **numbers)
     return ""
 
 

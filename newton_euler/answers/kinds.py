@@ -14,17 +14,8 @@ from ..algebra.language import Words, _, plural
 from ..algebra.scalars import clipped, sqrt
 from ..algebra.units import unit as unit_of
 from ..algebra.vectors import Vector
-from . import slips, tolerance
-from .causes import (
-    DIRECTION,
-    FIRST_DIGITS,
-    NEAR,
-    NEAR_IN_FEW_DIGITS,
-    NUMBERS,
-    Cause,
-    in_components,
-    right_but,
-)
+from . import causes, slips, tolerance
+from .causes import Cause
 from .fit import Fit, most_digits
 from .messages import StatedForm
 from .notation import list_symbol, matrix_symbol
@@ -164,10 +155,11 @@ class Kind:
         """
         size, gap = math.hypot(*key[0]), math.dist(given[0], key[0])
         if slips.is_rounded(given, key) and gap <= tolerance.TWO_DIGITS * size:
-            return FIRST_DIGITS
+            return causes.FIRST_DIGITS
         if not size or gap > tolerance.NEARLY * size:
             return None
-        return NEAR_IN_FEW_DIGITS if most_digits(given[0]) < tolerance.DIGITS else NEAR
+        few = most_digits(given[0]) < tolerance.DIGITS
+        return causes.NEAR_IN_FEW_DIGITS if few else causes.NEAR
 
     def _in_part(self, given, key):
         """The remark that some components are right, if one of these is not zero."""
@@ -177,11 +169,13 @@ class Kind:
         off = [n for n in places if any(not abs(x[n] - k[n]) <= e for x, k, e in triples)]
         right = any(abs(k[n]) > e for _, k, e in triples for n in {*places} - {*off})
         named = right and off and self.is_along_axes
-        return right_but(off, key[0], self.is_matrix) if named else None
+        return causes.right_but(off, key[0], self.is_matrix) if named else None
 
     def in_part(self, cause: Cause, places: Sequence[int], key: Point) -> Cause:
         """The same cause in some components alone, where the others are right."""
-        return in_components(cause, places, key, self.is_matrix) if self.is_along_axes else cause
+        if not self.is_along_axes:
+            return cause
+        return causes.in_components(cause, places, key, self.is_matrix)
 
     # -- other numbers
 
@@ -306,7 +300,7 @@ class VectorKind(Kind):
         fit, size = Fit(given, key, self.rtol), math.hypot(*key[0])
         off = abs(math.hypot(*given[0]) - size)
         is_turned = size and off <= max(tolerance.SAME_SIZE * size, fit.rounding)
-        return DIRECTION if is_turned else self._in_part(given, key)
+        return causes.DIRECTION if is_turned else self._in_part(given, key)
 
 
 def _chain(frame):
@@ -442,7 +436,7 @@ class _Formula(Kind):
         ratios = [x / k if k else math.inf for x, k in pairs if k or x]
         first = next((x for x in ratios if math.isfinite(x)), 0.0)
         alike = first and all(abs(x - first) <= self.rtol * abs(first) for x in ratios)
-        return NUMBERS if alike else self._in_part(given, key)
+        return causes.NUMBERS if alike else self._in_part(given, key)
 
     def unfit(self, points):
         """Why it is a bad key: no number at most points."""

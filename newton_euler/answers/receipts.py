@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..algebra.errors import checked
-from ..algebra.language import _
+from ..algebra.language import Words, _
 from .checks import Check, check
 from .forms import AnswerError, Form
 from .givens import in_notebook, outdated, seals, stale
@@ -88,20 +88,16 @@ def _asked(problem, answers):
         )
     forms = _expected[problem][0]
     for key in (key for key in answers if key not in forms):
-        raise AnswerError(
-            "problem {problem} does not ask for {key}; it asks for {asked}",
-                problem=problem, key=repr(key), asked=", ".join(forms)
-        )  # fmt: skip
+        text = Words("problem {problem} does not ask for {key}; it asks for {asked}")
+        raise AnswerError(text, problem=problem, key=repr(key), asked=", ".join(forms))
     return _expected[problem]
 
 
 def _refuse_in(execution, problem, blank):
     """Refuse open answers where nbgrader validates, and refuse its own grading."""
     if execution == "validate" and blank:
-        raise OpenAnswer(
-            "{problem}: no answer yet for {blank}; an open answer earns no points",
-                problem=problem, blank=blank
-        )  # fmt: skip
+        text = Words("{problem}: no answer yet for {blank}; an open answer earns no points")
+        raise OpenAnswer(text, problem=problem, blank=blank)
     if execution == "autograde":
         raise AnswerError(
             "{problem} is not graded here, since nbgrader runs without this course's "
@@ -245,10 +241,7 @@ def record(
             faults[key], budget[0] = str(error), left
         # objects of any library may fail in any way: that answer is refused, the others are read
         except Exception as error:
-            fault = form.error(
-                "the value given cannot be read: {name}: {error}",
-                name=type(error).__name__,
-                error=error,
-            )
+            text = Words("the value given cannot be read: {name}: {error}")
+            fault = form.error(text, name=type(error).__name__, error=error)
             faults[key], budget[0] = str(fault)[:500], left
     return read, faults

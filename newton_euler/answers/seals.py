@@ -10,7 +10,7 @@ the value. So a seal helps those who learn, and does not stop those who search b
 import hashlib
 import math
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import product
 from typing import Any
 
@@ -85,8 +85,8 @@ def _opens(sealed, kind, numbers):
     if not 0.4 < size / 2.0 ** sealed["size"] < 2.5 or len(numbers) != len(sealed["shifts"]):
         return False
     near = _near(kind, rtol) * size + width / (2 * SHIFTS)
-    cells = (list(_cells(x, n / SHIFTS, near, width))
-             for x, n in zip(numbers, sealed["shifts"], strict=True))  # fmt: skip
+    pairs = zip(numbers, sealed["shifts"], strict=True)
+    cells = (_cells(x, n / SHIFTS, near, width) for x, n in pairs)
     return any(_hash(sealed["salt"], *cell) == sealed["hashes"][0] for cell in product(*cells))
 
 
@@ -99,12 +99,10 @@ def _width(kind, exponent, rtol):
     return 0.0 if exponent is None else math.sqrt(2) * _near(kind, rtol) * 2.0**exponent
 
 
-def _cells(x: float, shift: float, near: float, width: float) -> Iterator[int]:
-    """The numbers of the cells in which the right component may lie, at this distance from
-    ``x``.
-    """
+def _cells(x, shift, near, width):
+    """The numbers of the cells in which the right component may lie, at most ``near`` from x."""
     low, high = math.ceil((x - near) / width - shift), math.floor((x + near) / width - shift)
-    yield from sorted(range(low, high + 1), key=lambda n: abs((n + shift) * width - x))
+    return sorted(range(low, high + 1), key=lambda n: abs((n + shift) * width - x))
 
 
 def _hash(salt, *values):

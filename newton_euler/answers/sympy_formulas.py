@@ -5,6 +5,7 @@ functions are written out by these, sec x as 1/cos x, and unevaluated parts are 
 from collections.abc import Mapping
 from typing import Any
 
+from ..algebra.language import Words
 from ..algebra.scalars import FUNCTIONS, clipped, without_rates
 from .trees import NODES, Budget, Tree, TreeError, check_size
 from .values import read_number, refuse_equation
@@ -99,12 +100,8 @@ class _Reader:
 
     def _symbol(self, x):
         if x.name not in self.symbols:
-            known = ", ".join(self.symbols)
-            raise self.form.error(
-                "it contains {name}, but the symbols of the problem are {known}",
-                name=repr(x.name),
-                known=known,
-            )
+            text = Words("it contains {name}, but the symbols of the problem are {known}")
+            raise self.form.error(text, name=repr(x.name), known=", ".join(self.symbols))
         return x.name
 
     def _function(self, x):

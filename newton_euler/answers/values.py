@@ -9,6 +9,7 @@ from collections.abc import Mapping, Set
 from importlib import import_module
 from typing import Any
 
+from ..algebra.language import Words
 from ..algebra.scalars import clipped, without_rates
 from ..algebra.units import pint_name
 from ..algebra.vectors import Vector
@@ -96,11 +97,8 @@ def _refuse(value, form):
             value=str(value)[:80],
         )
     if hasattr(value, "to_value") and hasattr(value, "unit"):
-        raise form.error(
-            "got a quantity, {value}; write the number alone, q.to_value('{unit}')",
-            value=clipped(value),
-            unit=form.unit,
-        )
+        text = Words("got a quantity, {value}; write the number alone, q.to_value('{unit}')")
+        raise form.error(text, value=clipped(value), unit=form.unit)
     if isinstance(value, range) and len(value) > LONGEST:
         raise form.error("got {value} numbers", value=len(value))
     if callable(value) and not hasattr(value, "free_symbols"):
@@ -151,8 +149,5 @@ def refuse_equation(x: Any, form: Any) -> None:
         raise form.error("got {x}, an equation; give the side that is asked for", x=clipped(x))
     quantities = sys.modules.get("sympy.physics.units.quantities")
     if quantities and _library(x) == "sympy" and (units := x.atoms(quantities.Quantity)):
-        raise form.error(
-            "it contains the unit {units}; give the number alone, which is in {unit}",
-            units=units.pop(),
-            unit=form.unit,
-        )
+        text = Words("it contains the unit {units}; give the number alone, which is in {unit}")
+        raise form.error(text, units=units.pop(), unit=form.unit)

@@ -253,7 +253,7 @@ class Inertia(Scaled, NamedTerms):
     def __radd__(self, other: Scalar) -> "Inertia":
         return self if type(other) is int and other == 0 else self + other  # where sum() begins
 
-    def __neg__(self):
+    def __neg__(self) -> "Inertia":
         return -1 * self
 
     def __sub__(self, other: "Inertia") -> "Inertia":

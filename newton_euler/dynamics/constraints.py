@@ -50,7 +50,7 @@ class Freedom:
     bodies: dict
     singular: bool = False
 
-    def __index__(self):
+    def __index__(self) -> int:
         return self.count
 
     def __str__(self):

@@ -57,8 +57,7 @@ def _is_linear(step, moving):
 
 def hazards(traced: TracedRates) -> list[str]:
     """The operations of the rates that a series may not notice, a sorted list: those with a branch
-    point that a motion could pass without a singularity there, as a root that is not also in a
-    denominator, and those that vanish below round-off.
+    point that a motion could pass, as a root that is not in a denominator, or below round-off.
     """
     steps = varying(traced)
     poles = {f.number for s in steps if s.op == "/" for f in factors(s.args[1])}
@@ -122,9 +121,8 @@ def _harmless(step, poles):
     x = step.args[0]
     if step.op == "**" and isinstance(step.args[1], int):
         return True
-    if step.op in ("sqrt", "**"):
-        return step.number in poles or (isinstance(x, Step) and x.number in poles) or _positive(x)
-    return False
+    pole = step.number in poles or (isinstance(x, Step) and x.number in poles)
+    return step.op in ("sqrt", "**") and (pole or _positive(x))
 
 
 def _positive(x):

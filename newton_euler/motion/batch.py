@@ -43,7 +43,7 @@ class Motions(Guided):
     error: Any
     cost: Cost
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(next(iter(self.states.values())))
 
     @property

@@ -139,7 +139,10 @@ class Crossings:
             scales = stepper.scales
             try:
                 stepper.step(1)
-                self._check_digits()
+                length = stepper.t - stepper.steps[-1][0]
+                # steps that do not change the last digit of what is compared would never end
+                if stepper.t < stepper.goal and length < self.short and length < self._last_digit():
+                    raise StepError("the step became too small to go on")
             except StepError:
                 if not self._pass():
                     raise
@@ -153,13 +156,6 @@ class Crossings:
             else:
                 stepper.back_to(len(stepper.steps) - 1, (stop,), scales)
                 self.tries += 2
-
-    def _check_digits(self):
-        """Raise :class:`StepError` after a step too short to change what is compared: endless."""
-        stepper = self.stepper
-        length = stepper.t - stepper.steps[-1][0]
-        if stepper.t < stepper.goal and length < self.short and length < self._last_digit():
-            raise StepError("the step became too small to go on")
 
     def _last_digit(self):
         """The longest time for which the last digits of what is compared here stay the same on the

@@ -33,8 +33,7 @@ class Event(Portable):
 
     function : a function of the states, the parameters and the time, as in a :class:`Model`, that
         returns a number. It is an event where its sign changes, also at the end of the motion, but
-        not where it only touches zero or where the motion starts at a zero. Smooth functions are
-        fastest; kinks and jumps take many evaluations
+        not where it only touches zero or where the motion starts at one. Kinks and jumps are slow
     direction : 1 if only zeros count at which it grows, -1 at which it falls, 0 for both
     terminal : True if the motion ends there
     then : a function ``(s, p, t)`` that returns the model and the start with which the motion
@@ -111,8 +110,7 @@ class EventLocator:
 
     at_start : True if the segment starts with this very event, whose zero does not count again
 
-    Raises :class:`EventError` for a function that fails or does not return a number, and where its
-    zeros cannot be found.
+    Raises :class:`EventError` where the function fails, or its zeros cannot be found.
     """
 
     def __init__(self, event: Event, stepper: Stepper, at_start: bool):
@@ -238,21 +236,17 @@ class EventLocator:
         def value(t):
             return self._value(t, *stepper.state_at(t))
 
-        if not slope:
-            return self._divided(value, t, a, b)
+        if not slope:  # a kink or a jump, where the sign changes
+            for part in (1e-9, 1e-7, 1e-5, 1e-3):
+                low, high = max(a, t - part * length), min(b, t + part * length)
+                ends = value(low), value(high)
+                if min(ends) < 0 < max(ends):  # a product might underflow
+                    return root(value, low, high)
+            return t
         # two steps: the zero is already accurate to the error of the interpolation
         for _ in range(2):
             move = value(t) / slope
             if not abs(move) < 1e-3 * length:
                 break
             t = min(max(t - move, a), b)
-        return t
-
-    def _divided(self, value, t, a, b):
-        """The time near ``t`` at which the sign of ``value`` changes, at a kink or a jump."""
-        for part in (1e-9, 1e-7, 1e-5, 1e-3):
-            low, high = max(a, t - part * (b - a)), min(b, t + part * (b - a))
-            ends = value(low), value(high)
-            if min(ends) < 0 < max(ends):  # a product might underflow
-                return root(value, low, high)
         return t

@@ -120,10 +120,9 @@ def _calm(stepper, arguments, first):
 def narrow_times(
     stepper: Stepper, arguments: Arguments, first: int
 ) -> "tuple[np.ndarray, np.ndarray, list[tuple[float, int]]]":
-    """The times at which one of the :class:`~.narrow_arguments.Arguments` passes its narrow place
-    within a step, from number ``first`` on, and those at which it passes several places of a table
-    in one step: two arrays; and a list of pairs (time, number of an argument) where one is least
-    without a change of its sign.
+    """Two arrays of times: those at which one of the :class:`~.narrow_arguments.Arguments` passes
+    its narrow place within a step, from number ``first`` on, or several places of a table in one
+    step; and a list of pairs (time, number of an argument) where one is least but keeps its sign.
     """
     with np.errstate(all="ignore"):
         path = _Path(stepper, arguments, first)

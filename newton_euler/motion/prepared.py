@@ -31,8 +31,7 @@ class Traced:
     integrators : those of heyoka
     seconds : time spent on integrating it, which decides whether heyoka's compilation pays off
     depends, inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the
-        functions of the same names in :mod:`.analytic`, :mod:`.crossings` and
-        :mod:`.narrow_arguments` find
+        functions of the same names find, of :mod:`.analytic` and others
     """
 
     def __init__(self, rhs: Compiled, arguments: int):
@@ -41,7 +40,7 @@ class Traced:
         self.texts: dict = {}
         self.integrators: dict = {}
         self.seconds = 0.0
-        self._narrow: dict = {}
+        self.in_events: dict = {}
 
     @cached_property
     def folded(self) -> tuple[Compiled, Compiled]:
@@ -52,11 +51,6 @@ class Traced:
     surprises, hazards = cached_property(surprises), cached_property(hazards)
     choices, narrow = cached_property(choices), cached_property(narrow_arguments)
     compiled_choices, depends = cached_property(compiled_choices), cached_property(depends)
-
-    def narrow_of(self, text: Compiled) -> Arguments | None:
-        """As ``narrow``, for the text of an event."""
-        traced = Traced(text, self.arguments)
-        return cached(self._narrow, text, lambda: narrow_arguments(traced, of_event=True))
 
 
 def text_once(recording: Recording, texts: dict) -> Callable[[], Compiled]:
@@ -171,8 +165,9 @@ class PreparedModel:
 
     def narrow_of(self, f: Callable[..., Any]) -> Arguments | None:
         """The narrow arguments in a function of an event; None if it has none, or is not traced."""
-        text = self._text(f)
-        return text and self.traced.narrow_of(text)
+        text, of = self._text(f), self.traced
+        traced = text and Traced(text, of.arguments)
+        return text and cached(of.in_events, text, lambda: narrow_arguments(traced, of_event=True))
 
     def _text(self, f):
         """The traced text of ``f(s, p, t)``; None if it branches on values, as of an event."""

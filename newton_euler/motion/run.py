@@ -45,9 +45,8 @@ def usable(name: str, system: PreparedModel, t0: float = 0.0) -> Method:
 def known_accurate(
     system: PreparedModel, method: Method, rtol: float, t0: float, t1: float, start: tuple, x: tuple
 ) -> bool:
-    """True if the state ``x`` at t1, reached by this method from ``start`` at t0, is known to be
-    accurate without another run: a closed form by the estimate of its rounding, a series if this
-    run, or one close to it, was compared.
+    """True if the state ``x`` at t1, by this method from ``start`` at t0, is known to be accurate:
+    a closed form by its estimated rounding, a series if this run, or one close to it, was compared.
     """
     if method.closed:
         return within(system, t1 - t0, start, rtol)

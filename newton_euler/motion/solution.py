@@ -24,8 +24,7 @@ class UnfitError(ModelError):
 
 class MotionError(ModelError):
     """Raised where a motion could not be followed to its end; ``reached`` is the :class:`Motion` up
-    to there. Its subclasses name what can be done; of this class itself: the coordinates may be
-    singular there, so take others.
+    to there. Subclasses name what can be done; else the coordinates may be singular: take others.
     """
 
     reached: Any  # a Motion; of an AccuracyError perhaps Motions, of a file above
@@ -39,9 +38,8 @@ class MotionError(ModelError):
 
 
 class StickingError(MotionError):
-    """Raised where the rates on both sides of a place lead back to it, as those of dry friction at
-    rest: write an :class:`~newton_euler.motion.events.Event` there, whose ``then`` continues with a
-    model of what sticks.
+    """Raised where the rates on both sides of a place lead back to it, as of dry friction at rest:
+    write an :class:`~.events.Event`, whose ``then`` continues with a model of what sticks.
     """
 
 
@@ -161,19 +159,18 @@ class Motion(Guided):
             inside = ((begin <= t) & (t <= end)).all()
         if not inside:
             raise ModelError(f"the motion goes from t = {begin:g} to {end:g}; got t = {t!r}")
-        return self._at(t) if getattr(t, "ndim", 0) else self._at_one(float(t))
+        if getattr(t, "ndim", 0):
+            return self._at(t)
+        t, found = float(t), dict.fromkeys(self._names, math.nan)
+        if t == self.t_end:
+            return found | self.end
+        part = [part for part in self.segments if part.t0 <= t][-1]
+        return found | dict(zip(part.system.model.states, part.stepper.state_at(t), strict=True))
 
     @property
     def _names(self):
         """Those of the states of all segments, as the keys of a dict."""
         return dict.fromkeys(n for part in self.segments for n in part.system.model.states)
-
-    def _at_one(self, t):
-        found = dict.fromkeys(self._names, math.nan)
-        if t == self.t_end:
-            return found | self.end
-        part = [part for part in self.segments if part.t0 <= t][-1]
-        return found | dict(zip(part.system.model.states, part.stepper.state_at(t), strict=True))
 
     def _at(self, times):
         segments = self.segments

@@ -9,7 +9,7 @@ whether there is. No piece is given up. Around a kink or a jump the pieces becom
 function is below round-off there, and the signs at their ends decide.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import pairwise
@@ -124,12 +124,12 @@ class ZeroSearch:
     closed: bool = False
     cuts: list[float] = field(default_factory=list)
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[tuple[list[float], float]]:
         """Lists of zeros, in order, each with the time up to which all have been found."""
         edges = pairwise([self.a, *self.cuts, self.b])
         todo, count = [Piece(*ends) for ends in edges][::-1], 0
         while todo:
-            pieces, new = [], []
+            pieces, new = list[Piece](), list[Piece]()
             while todo and len(new) < BATCH:
                 pieces.append(todo.pop())
                 if pieces[-1].state == "new":

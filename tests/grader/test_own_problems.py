@@ -76,6 +76,7 @@ def test_an_own_problem_is_built_graded_and_taken_into_the_next_year(course, tmp
 @pytest.mark.parametrize(("name", "message"), [
     ("ch04", "the name ch04 is taken by the book"),
     ("devices", "the name devices is taken by the book"),
+    ("tools", "the name tools is taken by the book"),
     ("all", "the name all is taken"),
     ("Bridge", "small letters, digits and _, as in bridge"),
 ])  # fmt: skip

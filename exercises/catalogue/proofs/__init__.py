@@ -15,16 +15,8 @@ from .integrals import integral
 from .local_axes import cylindrical_axes, elevation, spherical_axes
 from .mass_points import along_x, ball, box, cone, disk, mean, raised, ring, shell
 from .motions import angular_acceleration, angular_velocity, rate, second_rate, spun
-from .moved import (
-    angular_momentum,
-    carried,
-    force_needed,
-    kinetic_energy,
-    let_go,
-    moment_needed,
-    vanishing,
-)
-from .roots import root
+from .moved import angular_momentum, carried, force_needed, kinetic_energy, let_go, moment_needed
+from .roots import root, vanishing
 from .tracks import speed_along
 from .vectors import at_angle, cross, minus, plus, rot, scaled, size, times, transposed
 

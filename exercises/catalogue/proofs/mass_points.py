@@ -27,12 +27,9 @@ def mean(f: Callable[[Triple], Value], points: Points) -> Value:
 def box(a: Number, b: Number, c: Number, order: int = ORDER) -> Points:
     """A box with edges a, b, c along x, y, z: a plate if one is 0, a rod if two are."""
     with mp.workdps(DIGITS):
-        along = [
-            _between(-mpf(edge) / 2, mpf(edge) / 2, order if edge else 1) for edge in (a, b, c)
-        ]
-        return [
-            (u * v * w, [x, y, z]) for u, x in along[0] for v, y in along[1] for w, z in along[2]
-        ]
+        along = lambda edge: _between(-mpf(edge) / 2, mpf(edge) / 2, order if edge else 1)
+        xs, ys, zs = map(along, (a, b, c))
+        return [(u * v * w, [x, y, z]) for u, x in xs for v, y in ys for w, z in zs]
 
 
 def ring(radius: Number, order: int = ORDER) -> Points:

@@ -12,6 +12,7 @@ from mpmath import mp, mpf
 
 from .digits import DIGITS, Motion, Number, Orientation, Place, Points, Triple, weighted
 from .motions import rate, second_rate
+from .roots import vanishing
 from .vectors import cross, minus, times
 
 
@@ -90,17 +91,6 @@ def let_go(energy: Callable[[Callable, Number], Number], size: Number = 1) -> Nu
             return second_rate(lambda t: energy(lambda s: a * s * s / 2, t)) / a
 
         return vanishing(gain, mpf(size), 2 * mpf(size))
-
-
-def vanishing(f: Callable[[Number], Number], first: Number, second: Number) -> Number:
-    """The zero of a linear ``f``, from its values at two points.
-
-    >>> print(vanishing(lambda x: 3 * x - 12, 1, 2))
-    4.0
-    """
-    with mp.workdps(DIGITS):
-        a, b = f(mpf(first)), f(mpf(second))
-        return (first * b - second * a) / (b - a)
 
 
 def _shares(motion):

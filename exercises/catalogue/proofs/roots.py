@@ -1,4 +1,4 @@
-"""The bracketed root of an equation in one unknown, at 50 digits."""
+"""The root of an equation in one unknown, at 50 digits: bracketed, or of a linear function."""
 
 from collections.abc import Callable
 
@@ -35,3 +35,14 @@ def root(f: Callable[[Number], Number], low: Number, high: Number) -> Number:
                 fa = fa / 2
             b, fb = t, ft
         return a if not fa else b
+
+
+def vanishing(f: Callable[[Number], Number], first: Number, second: Number) -> Number:
+    """The zero of a linear ``f``, from its values at two points.
+
+    >>> print(vanishing(lambda x: 3 * x - 12, 1, 2))
+    4.0
+    """
+    with mp.workdps(DIGITS):
+        a, b = f(mpf(first)), f(mpf(second))
+        return (first * b - second * a) / (b - a)

@@ -52,12 +52,13 @@ def advise(
             return Advice(d.problem, _(text, problem=d.problem, names=joined(d.open[:3])))
     for d in sorted(done, key=lambda d: d.due):
         if d.due <= today and d.problem != now:
-            return Advice(d.problem, _again(d, today))
+            text = Words("Again {problem}, with other numbers: {why}.")
+            return Advice(d.problem, _(text, problem=d.problem, why=_why(d, today)))
     fresh = [p for p in sections if p not in {d.problem for d in done} and p != now]
     for d in latest:
         if d.missed and (near := _alike(d, fresh, sections, may_err)):
-            return Advice(near, _("{problem} is of section {number}, too: {why}.",
-                                problem=near, number=d.section, why=_why(d, today)))  # fmt: skip
+            text = Words("{problem} is of section {number}, too: {why}.")
+            return Advice(near, _(text, problem=near, number=d.section, why=_why(d, today)))
     if fresh:
         return _onwards(fresh, sections, latest)
     if done:
@@ -68,10 +69,6 @@ def advise(
             "All is done for now. {problem} comes again in {n} days.", days, problem=first.problem,
         ))  # fmt: skip
     return Advice("", _("There is no problem to do."))
-
-
-def _again(d, today):
-    return _("Again {problem}, with other numbers: {why}.", problem=d.problem, why=_why(d, today))
 
 
 def _done(problem, section, progress):
@@ -93,10 +90,8 @@ def _why(d, today):
     when = _("today") if days < 1 else plural("yesterday", "{n} days ago", days)
     for key, cause in reversed(d.missed):
         if cause:
-            return _(
-                "{when} your {key} of {problem} fitted a solution that {cause}",
-                when=when, key=key, problem=d.problem, cause=cause[2],
-            )  # fmt: skip
+            text = Words("{when} your {key} of {problem} fitted a solution that {cause}")
+            return _(text, when=when, key=key, problem=d.problem, cause=cause[2])
     if not d.missed:
         return _("{when} all of it was right", when=when)
     names = joined(list(dict.fromkeys(key for key, _cause in d.missed))[:3])

@@ -64,10 +64,8 @@ def try_problem(problem: str, folder: str | Path = ".") -> Any:
             p = Practice([file], Progress(kept))[problem]
             return p.form() if in_notebook() and find_spec("ipywidgets") else p
     there = Words("of its chapter there are {all}", all=", ".join(dict.fromkeys(same_chapter)))
-    text = _(
-        "No practice file has problem {problem}, so nothing checks your answer: {how}.",
-        problem=problem, how=there if same_chapter else WRITTEN,
-    )  # fmt: skip
+    none = Words("No practice file has problem {problem}, so nothing checks your answer: {how}.")
+    text = _(none, problem=problem, how=there if same_chapter else WRITTEN)
     return Message(text.replace("`", ""), text)
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from ...algebra.errors import NewtonEulerError
-from ...algebra.language import _, are_words
+from ...algebra.language import Words, _, are_words
 from ...algebra.units import unit
 from ...answers.causes import DOES
 from ...answers.forms import kind_named
@@ -50,16 +50,14 @@ class PracticeFile:
         head = self._json("practice.json")
         if not isinstance(head, dict) or head.get("format") not in READ:
             found = head.get("format") if isinstance(head, dict) else head
-            raise PracticeFileError(
+            text = Words(
                 "{path} has format {found}; this version of newton_euler reads format "
-                    "{format}: install the version that your instructor used",
-                    path=self.called, found=one_line(found), format=FORMAT
-            )  # fmt: skip
+                "{format}: install the version that your instructor used"
+            )
+            raise self._refusal(text, found=one_line(found), format=FORMAT)
         sound = _fits(head, HEAD) and head["help"] in HELP and head["problems"]
         if not sound or not set(head["problems"]) <= set(head["titles"]):
-            raise PracticeFileError(
-                "{path} is damaged: its list of problems cannot be read", path=self.called
-            )
+            raise self._refusal(Words("{path} is damaged: its list of problems cannot be read"))
         self.help: str = head["help"]
         self.problems: list[str] = head["problems"]
         self.titles: dict[str, list[str]] = head["titles"]
@@ -75,12 +73,8 @@ class PracticeFile:
         except Exception as error:
             raise self._other_file(error) from error
         if len(content) > MOST:
-            raise PracticeFileError(
-                "{path}: {name} has more than {most} MB",
-                path=self.called,
-                name=name,
-                most=MOST >> 20,
-            )
+            text = Words("{path}: {name} has more than {most} MB")
+            raise self._refusal(text, name=name, most=MOST >> 20)
         return content
 
     def _json(self, name):
@@ -92,10 +86,11 @@ class PracticeFile:
                 raise
             raise self._other_file(error) from error
         if not printable:
-            raise PracticeFileError(
-                "{path}: {name} holds control characters", path=self.called, name=name
-            )
+            raise self._refusal(Words("{path}: {name} holds control characters"), name=name)
         return found
+
+    def _refusal(self, sentence, **values):
+        return PracticeFileError(sentence, path=self.called, **values)
 
     def _other_file(self, error):
         """The error for another file, in Python's own words: they are for its author."""
@@ -106,22 +101,17 @@ class PracticeFile:
     def page(self, problem: str) -> dict[str, Any]:
         """What the file has of a problem, "4/16"."""
         if problem not in self.problems:
-            raise PracticeFileError(
-                "{file} has no problem {problem}; it has {all}",
-                file=Path(self.called).name,
-                problem=repr(problem),
-                all=", ".join(self.problems),
-            )
+            text = Words("{file} has no problem {problem}; it has {all}")
+            named = {"problem": repr(problem), "all": ", ".join(self.problems)}
+            raise PracticeFileError(text, file=Path(self.called).name, **named)
         page: dict[str, Any] = self._json(f"{problem.replace('/', '-')}.json")
         for shape, missing in EARLIER:
             if _fits(page, shape):
                 page |= {n: [row + missing for row in page[n]] for n in ("labels", "slips")}
         fits = _fits(page, PAGE) and page.get("help", HELP[0]) in HELP
         if not fits or not _fits(page.get("language", ""), str) or not _is_whole(page):
-            raise PracticeFileError(
-                "{path} is damaged: problem {problem} cannot be read",
-                  path=self.called, problem=problem
-            )  # fmt: skip
+            text = Words("{path} is damaged: problem {problem} cannot be read")
+            raise self._refusal(text, problem=problem)
         return page
 
 

@@ -190,10 +190,8 @@ class PracticeProblem(Guided):
         return "\n".join([*lines, "", self._count()])
 
     def _count(self):
-        return _(
-            "Numbers {number} of {all}; {how} takes others.",
-            number=self.number + 1, all=self.sets, how=self._ways.new,
-        )  # fmt: skip
+        text = Words("Numbers {number} of {all}; {how} takes others.")
+        return _(text, number=self.number + 1, all=self.sets, how=self._ways.new)
 
     def _repr_markdown_(self) -> str:
         head = self._variant["statement"].partition("\n")[0]
@@ -287,12 +285,10 @@ class PracticeProblem(Guided):
         if found.verdict != "wrong" or found.given is None:
             return found.message, ()
         why = explain(self._asked[key], self._found, self._numbers)
-        if why.earlier:
-            return _(
-                "not right; it follows rightly from your {names}: correct that first{also}",
-                names=joined(why.earlier), also=why.also,
-            ), why.causes  # fmt: skip
-        return why.message, why.causes
+        if not why.earlier:
+            return why.message, why.causes
+        text = Words("not right; it follows rightly from your {names}: correct that first{also}")
+        return _(text, names=joined(why.earlier), also=why.also), why.causes
 
     def _rounded_early(self, key):
         given, kind = self._found[key].given, self._asked[key].kind
@@ -327,10 +323,8 @@ class PracticeProblem(Guided):
         how = _(self._ways.step if q.step else self._ways.answer, name=q.key)
         where = _(" Section {number}.", number=q.section) if q.section else ""
         means = (q.means if typeset else q.plain).rstrip(".")
-        lines = [_(
-            "Find {name} ({form}): {means}.{where} Try it {how}.",
-            name=name, form=_stated(q.form), means=means, where=where, how=how,
-        )]  # fmt: skip
+        text = Words("Find {name} ({form}): {means}.{where} Try it {how}.")
+        lines = [_(text, name=name, form=_stated(q.form), means=means, where=where, how=how)]
         lines += self._how(q, typeset) if level >= 2 else ()
         lines += [_("It is {value}.", value=self._value(q, typeset))] if level >= 3 else ()
         return ("\n\n" if typeset else "\n").join(lines)

@@ -8,7 +8,7 @@ from datetime import date
 from pathlib import Path
 from typing import Any
 
-from ...algebra.language import _
+from ...algebra.language import Words, _
 from ...answers.causes import Cause
 
 FORMAT = 1
@@ -41,10 +41,8 @@ class Progress:
             aside = self.path.with_name(self.path.name + ".damaged")
             with contextlib.suppress(OSError):
                 os.replace(self.path, aside)
-            self.note = _(
-                "{path} could not be read ({error}); it is kept as {name}",
-                path=self.path, error=error, name=aside.name,
-            )  # fmt: skip
+            text = Words("{path} could not be read ({error}); it is kept as {name}")
+            self.note = _(text, path=self.path, error=error, name=aside.name)
             return {}
 
     def __str__(self) -> str:

@@ -117,7 +117,8 @@ class Prediction:
     @property
     def given(self) -> str | None:
         """What was predicted, None if nothing was yet."""
-        return _kept_prediction(*self.keys)
+        kept = _read()
+        return next((kept[key] for key in self.keys if key in kept), None)
 
     @property
     def right(self) -> bool | None:
@@ -210,12 +211,6 @@ NOTHING = Words("No prediction was wrong so far, so none is asked again.")
 
 
 # -- the first prediction of each question, in a file
-
-
-def _kept_prediction(*keys):
-    """What was predicted under the first of these keys that is kept, None if nothing was yet."""
-    kept = _read()
-    return next((kept[key] for key in keys if key in kept), None)
 
 
 def _keep(key, prediction):

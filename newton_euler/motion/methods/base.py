@@ -128,8 +128,7 @@ class Stepper:
     resumable : True if the method can go back to one of its steps
     repeated : True if it has gone back
     taken : the number of steps, for a method that does not keep all of them
-    halved : a function of the number of a step that returns how much it differs from two halves of
-        it, over the scales; None for a method that cannot tell
+    halved : a function of a step's number: its difference from two halves, over the scales; or None
     remade : names of attributes that no pickle contains, since they are functions; those that a
         state between two steps needs are cached properties
 
@@ -226,9 +225,8 @@ class Stepper:
     @property
     def checkpoints(self) -> list[tuple[float, Floats]]:
         """Two pairs (time, state) from the second half of the steps, at which two runs are
-        compared; empty if there are few steps. Where steps were repeated, most of them are within
-        something narrow, in which the states of two runs differ for a moment: from the second half
-        of the time.
+        compared; empty if there are few. Where steps were repeated, from the second half of the
+        time: most are within something narrow, in which the states of two runs differ for a moment.
         """
         count, size, times = len(self.steps), len(self.x), self.step_times
         chosen = [3 * count // 5, 4 * count // 5] if count > 4 else []

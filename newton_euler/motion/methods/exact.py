@@ -146,11 +146,9 @@ def _rates(system, t, x):
 
 
 def rounding(system: System, t: float, x0: Floats, x1: Floats, pace: float) -> list[float]:
-    """The error of each state by rounding: how far the values at numbers near these deviate from a
-    straight line, plus a few round-offs of the phase.
-
-    On half of the lines the numbers move by a few round-offs, on the other half by as much as
-    keeps the line straight: log(1 + c) has the same value for many c.
+    """The error of each state by rounding: how far values at numbers near these are from a straight
+    line, plus a few round-offs of the phase. On half of the lines the numbers move by a few
+    round-offs, on the other half as far as it stays straight: log(1 + c) is the same for many c.
     """
     given, off = (t, *x0, *system.p), [0.0] * len(x0)
     reach = max(1.0, STRAIGHT / (EPS * FARTHEST * (1 + pace * abs(t))))

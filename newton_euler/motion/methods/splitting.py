@@ -59,10 +59,8 @@ def partition(system: System) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
 
 
 def principal_moments(system: System) -> Floats | None:
-    """The principal moments of inertia, up to a factor, of a free body's model; else None.
-
-    Such a model has three rates, each a constant times the product of the other two states, with
-    constants that correspond to moments of inertia.
+    """The principal moments of inertia, up to a factor, of a free body, whose three rates are each
+    a constant, which follows from the moments, times the two other states; None for other models.
     """
     states, needs = system.model.states, system.traced.rhs.dependencies
     if len(states) != 3 or any(states[i] in needs[i] or "t" in needs[i] for i in range(3)):

@@ -66,8 +66,7 @@ def integrator(
     system: System, tolerance: float, scaled: bool = False, batch: int | None = None
 ) -> Iterator[Any]:
     """An integrator of this right-hand side at the level of the tolerance, for one user at a time;
-    with ``scaled`` of the states divided by scales, which are its last parameters; with ``batch``
-    of that many motions at once.
+    ``scaled``: of states divided by its last parameters; ``batch``: of that many motions at once.
     """
     key, known = (level_of(tolerance), scaled, batch), system.traced.integrators
     free = known.setdefault(key, [])

@@ -10,7 +10,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import Frame, Inertia
-from newton_euler.algebra.ledger import Amount, TermError, Terms, distinct, latex_number, summed
+from newton_euler.algebra.ledger import (
+    Amount,
+    TermError,
+    Terms,
+    distinct,
+    latex_number,
+    latex_text,
+    summed,
+)
 from newton_euler.algebra.vectors import named_sum
 from tests.kinds import close, numbers
 from tests.named_sums import NAMES, check_terms
@@ -36,6 +44,8 @@ def test_no_term_is_lost_whatever_its_name_is(pairs):
     check_terms(U, [np.array(float(x)) for _, x in pairs], names)
     check_terms(F, [np.array([x, 0.0, 0.0]) for _, x in pairs], names)
     assert F.explain().latex.count("&&") == len(pairs) + 1
+    named = latex_text("rod_1 & rope #2, 50 %")
+    assert named == r"\text{rod\_1 \& rope \#2, 50 \%}"
 
 
 @given(named)

@@ -152,14 +152,6 @@ def test_functions_stay_symbolic_on_symbols(library, name):
     assert type(result).__module__.startswith(library)
 
 
-@pytest.mark.parametrize("name", scalars.FUNCTIONS)
-def test_functions_of_heyoka_expressions(name):
-    hy = pytest.importorskip("heyoka")
-    v = hy.expression("x")
-    f = hy.cfunc([scalars.function(name, v)], vars=[v])
-    assert f([0.4])[0] == pytest.approx(float(getattr(mpmath, name)(0.4)), rel=1e-15)
-
-
 @pytest.mark.parametrize("number", [1, Fraction(1, 4), True, np.float32(0.5)])
 def test_functions_take_whole_rational_and_complex_numbers(number):
     assert scalars.function("sqrt", number) == pytest.approx(math.sqrt(number))
@@ -293,14 +285,6 @@ def test_the_rate_of_asin_is_right_up_to_the_edge(u):
     with mpmath.workdps(40):
         expected = 1 / mpmath.sqrt(1 - mpmath.mpf(u) ** 2)
     assert abs(rate - expected) < 1e-14 * expected
-
-
-def test_moving_atan2_on_arrays_that_cross_the_axes():
-    t = np.linspace(-4, 4, 81)
-    m = at(lambda t: scalars.atan2(scalars.sin(t), scalars.cos(t)), t)
-    assert np.allclose(m.rate, 1)
-    assert np.allclose(m.acceleration, 0, atol=1e-14)
-    assert np.all(np.isfinite(m.rate))
 
 
 def test_a_constant_has_no_rates_even_where_a_function_has_no_derivative():

@@ -4,7 +4,6 @@ not converge are refused.
 
 import math
 
-import mpmath as mp
 import numpy as np
 import pytest
 import sympy
@@ -72,32 +71,6 @@ def test_far_from_the_origin_the_moments_about_G_keep_their_digits():
         lambda r, a: (1e6 + r * cos(a), r * sin(a), 0), (0.0, 1.0), WHOLE, frame=F, mass=1.0
     )
     assert close(body.inertia.moments, (0.25, 0.25, 0.5), 1e-9)  # m d^2 is 1e12 here
-
-
-def test_varying_density_against_mpmath():
-    """A plate under a parabola, density 1 + x y, and the same as a body of 3 kg."""
-    density = lambda x, y, z=0: 1 + x * y
-
-    def moment(f):
-        weighed = lambda x, y: density(x, y) * f(x, y)
-        return mp.quad(lambda x: mp.quad(lambda y: weighed(x, y), [0, x * x / 2]), [0, 2])
-
-    with mp.workdps(20):
-        m, mx, xy, yy = map(
-            moment, (lambda x, y: 1, lambda x, y: x, lambda x, y: x * y, lambda x, y: y * y)
-        )
-    body, heavier = (
-        integrated(
-            lambda x, y: (x, y, 0), (0.0, 2.0), (0.0, lambda x: x * x / 2),
-            frame=F, density=density, mass=mass,
-        )
-        for mass in (None, 3.0)
-    )  # fmt: skip
-    assert close(body.mass, m, 1e-12)
-    assert close(body.centre.position(F).x, mx / m, 1e-12)
-    assert close(body.about(F).products[0], xy, 1e-11)
-    assert close(body.about(F).moments[0], yy, 1e-11)
-    assert close(heavier.about(F).moments[0], 3 * yy / m, 1e-11)
 
 
 m, r, h, a, b, alpha = sympy.symbols("m r h a b alpha", positive=True)

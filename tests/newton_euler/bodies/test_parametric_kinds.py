@@ -85,6 +85,15 @@ def test_floats_arrays_and_traced_numbers(case):
         assert close(run(*many), by_hand(*many), 1e-13)
 
 
+def test_beside_a_mass_a_density_is_relative():
+    def wire(**matter):
+        density = lambda x, y, z: 1 + x
+        return summary(lambda x: (x, 0, 0), (0.0, 2.0), density=density, **matter)
+
+    assert close(wire(), (4, 7 / 6, 0, 0, 0, 20 / 3, 20 / 3, 0, 0, 0), 1e-12)
+    assert close(wire(mass=3.0), (3, 7 / 6, 0, 0, 0, 5, 5, 0, 0, 0), 1e-12)
+
+
 @pytest.mark.parametrize("case", [pytest.param("half disk", marks=pytest.mark.slow), "plate"])
 def test_fifty_digits(case):
     body, by_hand, given = CASES[case]

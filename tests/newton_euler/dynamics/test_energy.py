@@ -10,7 +10,6 @@ import math
 
 import numpy as np
 import pytest
-import sympy
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
@@ -18,13 +17,11 @@ from newton_euler import (
     Dimension,
     Frame,
     at,
-    compiled,
     composite,
     cos,
     exp,
     moving,
     particle,
-    radians,
     sin,
     sqrt,
 )
@@ -32,7 +29,7 @@ from newton_euler.algebra import WorkError
 from newton_euler.algebra.ledger import Amount
 from newton_euler.bodies.body import Body
 from newton_euler.bodies.inertia import Inertia
-from newton_euler.bodies.solids import box, cylinder, disk, rod, sphere
+from newton_euler.bodies.solids import box, cylinder, disk
 from newton_euler.dynamics.energy import (
     Audit,
     EnergyError,
@@ -49,7 +46,7 @@ from newton_euler.dynamics.potential import conservative_force, spring_potential
 from newton_euler.dynamics.work import power, work_integral
 from newton_euler.kinematics import along
 from newton_euler.kinematics.rotations import apply, euler_frame, in_sequence, rotation_matrix
-from tests.kinds import LENGTH, MASS, TIME, close, every_kind, number, numbers, within
+from tests.kinds import LENGTH, MASS, TIME, close, every_kind, numbers, within
 
 ENERGY = MASS * LENGTH**2 / TIME**2
 I, K = (1, 0, 0), (0, 0, 1)
@@ -168,7 +165,7 @@ def test_eqn_11_14_it_just_gets_there_or_not():
 def test_eqn_11_42_the_mass_points_one_by_one(kind):
     scene = Tumbling(kind)
     T = kinetic_energy(scene.particles(scene.ground, scene.moved), scene.ground)
-    assert list(T.terms) == ["P0", "P1", "P2", "P3"]
+    assert (list(T.terms), T.number) == (["P0", "P1", "P2", "P3"], "11.42")
     assert close(T.value, scene.kinetic().value, small(kind))
 
 
@@ -284,15 +281,6 @@ def test_section_11_16_of_a_gyroscope_by_eulers_angles(kind):
     T = gyroscope_energy(I0, I, theta, nod, precession, spin)
     assert close(T.value, kinetic_energy(body, ground).value, 10 * small(kind))
     assert close(T.terms["axial"], I * (spin + precession * cos(theta)) ** 2 / 2, 10 * small(kind))
-
-
-def test_kinetic_energy_of_several_bodies_keeps_one_term_each():
-    ground = Frame("ground")
-    shaft = ground.rotate("shaft", "z", rate=2.0)
-    bar, ball = rod(1.0, shaft, "x", mass=3.0), particle(2.0, shaft.point("P", 0.5, 0, 0), "ball")
-    T = kinetic_energy([bar, ball], ground)
-    assert T.terms == {"rod": pytest.approx(0.5), "ball": pytest.approx(1.0)}
-    assert "kinetic energy, equation (11.42)" in T.explain()
 
 
 @every_kind
@@ -446,26 +434,8 @@ def test_a_force_left_out_is_the_residual_of_the_energy_balance(kind, left_out):
     change = all_of_them[left_out](d.end) - all_of_them[left_out](0 * d.end)
     assert not balance.balances()
     assert close(balance.residual, -change, 10 * small(kind))
-
-
-def test_the_motor_left_out_is_the_residual_of_the_energy_balance():
-    d = Driven("float")
-    balance = d.audit("float", powers={})
-    assert not balance.balances()
-    assert balance.residual == pytest.approx(d.audit("float").works["motor"], rel=1e-12)
-    assert str(balance).splitlines()[-1] == f"  residual             {balance.residual:.6g}"
-
-
-def test_an_audit_in_symbols():
-    m, g, t = sympy.symbols("m g t", positive=True)
-    weight = {"weight": lambda s: m * g * g * s}
-    fall, wrong = (
-        audit(lambda s, k=k: k * m * (g * s) ** 2, 0 * t, t, powers=weight, exact=True)
-        for k in (sympy.Rational(1, 2), 1)
-    )
-    assert fall.balances()
-    assert sympy.expand(fall.works["weight"] - m * g**2 * t**2 / 2) == 0
-    assert not wrong.balances()
+    if kind == "float":
+        assert str(balance).endswith(f"\n  residual             {balance.residual:.6g}")
 
 
 def test_an_audit_prints_its_energy_balance():
@@ -525,17 +495,3 @@ def test_energies_have_the_units_of_energy():
     assert gyroscope_energy(inertia, inertia, Dimension(), rate, rate, rate).value == ENERGY
     assert kinetic_energy_rate(ball, ground).value == ENERGY / TIME
     assert speed_after(LENGTH / TIME, ENERGY, MASS) == LENGTH / TIME
-
-
-def test_kinetic_energy_can_be_traced_and_is_the_same():
-    def T(m, R, v, w):
-        ground = Frame("ground")
-        frame = ground.rotate("ball", "y", rate=w, origin=ground.point("G", moving(0.0, v), 0, R))
-        return kinetic_energy(sphere(R, frame, mass=m), ground).value
-
-    assert compiled(T)(2.0, 0.5, 3.0, 6.0) == pytest.approx(T(2.0, 0.5, 3.0, 6.0), rel=1e-15)
-    symengine = pytest.importorskip("symengine")
-    m, v = symengine.symbols("m v")
-    rolled = T(m, symengine.Rational(1, 2), v, 2 * v)
-    assert float((rolled / (m * v**2)).subs({m: 3, v: 5})) == pytest.approx(0.7, rel=1e-15)
-    assert number(T(2.0, 0.5, 3.0, radians(0.0))) == 9

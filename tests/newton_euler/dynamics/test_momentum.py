@@ -3,9 +3,6 @@
 import pytest
 
 from newton_euler import Dimension, Frame, compiled, moving, sin
-from newton_euler.algebra.linear import solve_linear
-from newton_euler.bodies.body import Body
-from newton_euler.bodies.inertia import Inertia
 from newton_euler.bodies.solids import rod, sphere
 from newton_euler.dynamics.force_systems import ForceSystem
 from newton_euler.dynamics.momentum import angular_momentum, equations_of_motion, resultant_moment
@@ -137,34 +134,6 @@ def test_momentum_and_moments_have_their_units_and_can_be_compiled():
         assert all(x in (0, unit) for x in vector)
     numbers_ = (2.0, 0.5, 3.0, -1.0)
     assert close(compiled(moments)(*numbers_), [tuple(v) for v in moments(*numbers_)], 1e-13)
-
-
-@every_kind
-def test_problem_8_3_a_rod_on_two_guides_about_three_points(kind):
-    """About G, the moving end A, and the corner O; the moment about A needs d x m a_A."""
-    W, g, L, c, s = numbers(kind, 8, "32.2", 4, "4/5", "3/5")
-    if kind == "array":
-        c, s = 0.8, 0.6
-    ground, m = Frame("ground"), W / g
-
-    def conditions(about, F_A, F_B, alpha):
-        """theta'' = alpha, theta from the vertical: A = (0, L cos), B = (L sin, 0) from rest."""
-        y, x = moving(L * c, 0, -L * s * alpha), moving(L * s, 0, L * c * alpha)
-        A, B, O = ground.point("A", 0, y, 0), ground.point("B", x, 0, 0), ground.point("O", 0, 0, 0)
-        G = ground.point("G", x / 2, y / 2, 0)
-        frame, k = ground.rotate("rod", "z", acceleration=alpha, origin=G), m * L * L / 12
-        matrix = (k * c * c, k * s * s, k), (-k * s * c, 0, 0)  # of a thin rod along (s, -c)
-        bar = Body("rod", m, frame, Inertia(frame, *matrix, tolerance=None))
-        forces = zip([(0, -W, 0), (F_A, 0, 0), (0, F_B, 0)], (G, A, B), strict=True)
-        loads = [(ground.vector(*F), place) for F, place in forces]
-        return equations_of_motion(bar, loads, ground, {"G": None, "A": A, "O": O}[about])
-
-    known = 3 * g * s / (2 * L)
-    for about in ("G", "A", "O"):
-        found = solve_linear(lambda F_A, F_B, alpha, P=about: conditions(P, F_A, F_B, alpha))
-        assert close(found.alpha, known, 10 * small(kind))
-        assert close(found.F_A, m * L * c / 2 * known, 10 * small(kind))
-        assert close(found.F_B, W - m * L * s / 2 * known, 10 * small(kind))
 
 
 def test_a_symbol_with_an_index_is_put_in_braces_before_the_index_that_says_of_what():

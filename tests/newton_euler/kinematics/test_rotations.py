@@ -424,20 +424,6 @@ def test_quaternions_compose_as_matrices_do(e, a, f, b):
     assert abs(math.hypot(*quaternion_product(p, q)) - 1) < 8 * EPS
 
 
-@laws
-@given(
-    st.tuples(*[st.floats(-100, 100)] * 4).filter(lambda q: sum(x * x for x in q) > 1e-3),
-    st.sampled_from([1.0, 1e-100, 1e100]),
-)
-def test_a_quaternion_of_any_length_gives_a_true_rotation(q, size):
-    q = [size * x for x in q]
-    R = matrix_from_quaternion(q)
-    assert close(product(transpose(R), R), UNIT, 16 * EPS)
-    assert close(R, matrix_from_quaternion(normalised(q)), 16 * EPS)
-    assert close(R, matrix_from_quaternion([-x for x in q]), 0)
-    assert abs(math.hypot(*normalised(q)) - 1) < 2 * EPS
-
-
 # -- quaternions
 
 
