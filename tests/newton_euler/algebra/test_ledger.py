@@ -137,6 +137,17 @@ def test_what_a_sum_takes_away_is_printed_as_minus_below_names_of_one_width():
     ]  # fmt: skip
 
 
+def test_a_term_called_sum_is_not_taken_for_the_sum():
+    rows = summed({"sum": 1.0, "sum of all": 2.0}).explain().splitlines()[1:]
+    assert [" ".join(r.split()) for r in rows] == [
+        "sum 1 J", "sum of all 2 J", "sum of all of all 3 J"
+    ]  # fmt: skip
+    arm = ground.rotate("sum", "z", rate=2.0)
+    explained = arm.angular_velocity(ground).explain()
+    assert [r.split("  ")[1] for r in str(explained).splitlines()[1:]] == ["sum", "sum of all"]
+    assert r"&& \text{sum of all}" in explained.latex
+
+
 @pytest.mark.parametrize(("x", "latex"), [
     (0.5, "0.5"), (-1.25e-7, r"-1.25\times10^{-7}"), (sympy.Symbol("x"), "x"),
     (sympy.Symbol("alpha"), r"\alpha"), (sympy.Symbol("x") + 1, r"\left(x + 1\right)"),
