@@ -28,7 +28,9 @@ def members(path):
 
 
 @pytest.mark.parametrize("chapter", chapters())
-@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(1, 6))])
+@pytest.mark.parametrize(
+    "first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(1, 6))]
+)
 def test_every_problem_can_be_practised(chapter, first):
     for p in select([chapter])[first::6]:
         page, _ = page_of(p.id, 1, "hints", draw=lambda p, v: None)
