@@ -2,6 +2,7 @@
 of the notebooks have run, after those. Each notebook is a separate piece of work.
 """
 
+import gc
 from collections import Counter
 from pathlib import Path
 
@@ -33,6 +34,12 @@ def leave_out(items):
 
 def pytest_configure(config):
     config.option.loadscopereorder = False  # xdist's own order: files with most tests first
+    gc.disable()  # a fifth of the time in which tests are collected
+
+
+def pytest_collection_finish():
+    gc.freeze()  # what all tests have in common is not searched for garbage
+    gc.enable()
 
 
 @pytest.hookimpl(optionalhook=True)

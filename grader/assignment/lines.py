@@ -12,6 +12,7 @@ from exercises.catalogue import Problem
 from exercises.catalogue.steps import Step, is_sum, steps
 from exercises.catalogue.variants import flat, symbol_values
 from newton_euler.algebra.late import sympy
+from newton_euler.algebra.ledger import latex_text
 from newton_euler.algebra.scalars import is_numeric, to_plain
 from newton_euler.algebra.vectors import Vector
 from newton_euler.answers.notation import (  # fmt: skip
@@ -322,7 +323,7 @@ def latex_of(value: Any, notation: Mapping[str, str], sheets: Sequence[Any] = ()
         inside = list_symbol(latex_of(v, notation, sheets) for v in value)
         return rf"\left[{inside}\right]"
     if isinstance(value, str):
-        return rf"\text{{{value}}}"
+        return latex_text(value)
     if is_numeric(value) or not value.free_symbols:
         return number_symbol(value if isinstance(value, int) else float(value))
     others = sorted({x.name for x in value.free_symbols} - {*notation})

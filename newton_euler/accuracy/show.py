@@ -43,8 +43,7 @@ def compare(
     """Measure, draw and display cost and error of several ways to one result; the chart.
 
     ways : {name: a function without arguments}, which returns one number or several
-    exact : the result, of at least 20 digits (``mpmath.mpf``) or as exact numbers; errors are
-        distances from it, relative to its size
+    exact : the result in 20 digits (``mpmath.mpf``) or exact; errors are relative distances from it
 
     >>> import math, mpmath
     >>> ways = {"product": lambda: 1.1 * 1.1, "power": lambda: math.pow(1.1, 2)}

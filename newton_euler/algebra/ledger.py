@@ -6,6 +6,7 @@ the number of its equation, and ``without("coriolis")`` is the sum of a model wi
 
 import itertools
 import operator
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -306,7 +307,7 @@ class Explanation:
     def __str__(self):
         unit = f" {self.unit}" if self.unit else ""
         names = [f"{self._label(n)}  {self._texts(n)[0]}".rstrip() for n in self.terms]
-        rows = zip([*names, "sum"], [*self.terms.values(), self.vector], strict=True)
+        rows = zip([*names, _sum_of(self.terms)], [*self.terms.values(), self.vector], strict=True)
         heading = (
             f"{self.equation.kind} {self.ledger.subject}, equation ({self.equation.number}), "
             f"components in {self.vector.frame.name}"
@@ -337,13 +338,22 @@ class Explanation:
         formulas = [_product(n, x[1]) if x is other else x[1] for n, x in texts.items()]
         joined = " + ".join(formulas).replace(" + -", " - ")
         rows = [rf"{total} &= {joined} \tag{{{self.equation.number}}}"]
-        values = [*((self._label(n), v) for n, v in self.terms.items()), ("sum", self.vector)]
-        for formula, (name, v) in zip([*formulas, total], values, strict=True):
+        names = [*map(self._label, self.terms), _sum_of(self.terms)]
+        values = [*self.terms.values(), self.vector]
+        for formula, name, v in zip([*formulas, total], names, values, strict=True):
             rows.append(rf"{formula} &= {v.latex()}{unit} && {latex_text(name)}")
         return r"\begin{align*}" + r" \\ ".join(rows) + r"\end{align*}"
 
     def _repr_mimebundle_(self, **_):
         return {"text/plain": str(self), "text/latex": self.latex}
+
+
+def _sum_of(terms):
+    """What a table of these terms calls their sum: "sum", or longer if a term is called so."""
+    name = "sum"
+    while name in terms:
+        name += " of all"
+    return name
 
 
 def in_columns(heading: str, rows: Sequence[tuple[str, str]]) -> str:
@@ -360,8 +370,8 @@ def _product(name, symbol):
 
 
 def latex_text(words: str) -> str:
-    """Words within a formula; MathJax takes a bare _ there for an error."""
-    return r"\text{" + words.replace("_", r"\_") + "}"
+    """Words in a formula; there MathJax takes a bare _, # or & for an error, % for a comment."""
+    return r"\text{" + re.sub("([_#&%])", r"\\\1", words) + "}"
 
 
 def latex_number(x: Scalar, digits: int) -> str:
@@ -446,7 +456,8 @@ class Amount(NamedTerms):
         own = _UNITS.get(self.what, "")
         _check_unit(unit, self.what, own)
         unit = unit or own or "J"
-        rows = [(n, f"{short(x)} {unit}") for n, x in (*self.terms.items(), ("sum", self.value))]
+        values = {**self.terms, _sum_of(self.terms): self.value}
+        rows = [(n, f"{short(x)} {unit}") for n, x in values.items()]
         return in_columns(f"{self.what}, equation ({self.number})", rows)
 
     @scalars.in_range

@@ -121,9 +121,8 @@ def _harmless(step, poles):
     x = step.args[0]
     if step.op == "**" and isinstance(step.args[1], int):
         return True
-    if step.op in ("sqrt", "**"):
-        return step.number in poles or (isinstance(x, Step) and x.number in poles) or _positive(x)
-    return False
+    pole = step.number in poles or (isinstance(x, Step) and x.number in poles)
+    return step.op in ("sqrt", "**") and (pole or _positive(x))
 
 
 def _positive(x):

@@ -26,10 +26,10 @@ def why(
     x, and the end of its message; ``span`` is the whole time of the motion.
     """
     if isinstance(error, LengthError):
-        words = ""
         with suppress(ArithmeticError):
-            words = _sticking(system, t, x, span)
-        return (StickingError, words) if words else (LongError, "")
+            if words := _sticking(system, t, x, span):
+                return StickingError, words
+        return LongError, ""
     if isinstance(error, StepError):
         with suppress(ArithmeticError):
             for kind, found in _REASONS:

@@ -33,8 +33,7 @@ class Event(Portable):
 
     function : a function of the states, the parameters and the time, as in a :class:`Model`, that
         returns a number. It is an event where its sign changes, also at the end of the motion, but
-        not where it only touches zero or where the motion starts at a zero. Smooth functions are
-        fastest; kinks and jumps take many evaluations
+        not where it only touches zero or where the motion starts at one. Kinks and jumps are slow
     direction : 1 if only zeros count at which it grows, -1 at which it falls, 0 for both
     terminal : True if the motion ends there
     then : a function ``(s, p, t)`` that returns the model and the start with which the motion
@@ -111,8 +110,7 @@ class EventLocator:
 
     at_start : True if the segment starts with this very event, whose zero does not count again
 
-    Raises :class:`EventError` for a function that fails or does not return a number, and where its
-    zeros cannot be found.
+    Raises :class:`EventError` where the function fails, or its zeros cannot be found.
     """
 
     def __init__(self, event: Event, stepper: Stepper, at_start: bool):

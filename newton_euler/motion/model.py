@@ -83,8 +83,7 @@ class Neglected(Portable):
     """An effect that a model neglects, with a bound on the resulting error.
 
     what : in words, as "the rotation of the earth"
-    bound : a function ``(s, p, t)`` of the start, the parameters and the time passed that returns
-        an upper bound of the error; None where no bound is known
+    bound : an upper bound of the error, ``(s, p, t)`` of start, parameters and time passed; or None
     of : the quantity whose error is bounded, with its unit, as "position, m"
 
     >>> air = Neglected("the air", lambda s, p, t: 0.01 * t**2, "position, m")
@@ -108,12 +107,10 @@ class Model(Portable):
     states : their names, in the order of all tuples of states
     rhs : a function ``(s, p, t)`` that returns their rates in this order, without branches
     invariants : by name, functions ``(s, p, t)`` that keep their value during the motion
-    exact : the exact solution, a function ``(s, p, t)`` that returns the states at the time t after
-        the state ``s`` at t = 0, or None
+    exact : a function ``(s, p, t)``, the exact states at the time t after ``s`` at t = 0; or None
     neglects : the neglected effects, a tuple of :class:`Neglected`
 
-    The right-hand side is called once, without values, when the model is made: :class:`ModelError`
-    says at once what is wrong with it.
+    The right-hand side is tried at once, without values: :class:`ModelError` says what is wrong.
 
     A model stores functions, not their values: what they read besides (s, p, t), as a global of a
     notebook, is read at each call, and by :func:`~newton_euler.integrate` at the beginning of each

@@ -31,8 +31,7 @@ class Traced:
     integrators : those of heyoka
     seconds : time spent on integrating it, which decides whether heyoka's compilation pays off
     depends, inner, kinks, clocked, surprises, hazards, choices, compiled_choices, narrow : what the
-        functions of the same names in :mod:`.analytic`, :mod:`.crossings` and
-        :mod:`.narrow_arguments` find
+        functions of the same names find, of :mod:`.analytic` and others
     """
 
     def __init__(self, rhs: Compiled, arguments: int):

@@ -33,8 +33,7 @@ REFUSED, FAILED = "refused", "failed"
 
 @dataclass(frozen=True)
 class MethodResult(Measured):
-    """The result of a method on one ``problem`` for one error ``asked`` for; ``cost`` is that of
-    the run and of its estimate.
+    """A method's result on one ``problem`` for one error ``asked``; ``cost`` of run and estimate.
 
     estimate : of the error, by the method itself; None if it has none
     absent : "" for an answer; "refused" in ``words`` of the engine, "failed" without them or

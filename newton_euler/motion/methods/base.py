@@ -128,8 +128,7 @@ class Stepper:
     resumable : True if the method can go back to one of its steps
     repeated : True if it has gone back
     taken : the number of steps, for a method that does not keep all of them
-    halved : a function of the number of a step that returns how much it differs from two halves of
-        it, over the scales; None for a method that cannot tell
+    halved : a function of a step's number: its difference from two halves, over the scales; or None
     remade : names of attributes that no pickle contains, since they are functions; those that a
         state between two steps needs are cached properties
 

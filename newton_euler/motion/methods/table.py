@@ -27,12 +27,10 @@ class Method:
 
     name, description : its name in ``integrate(method=...)``, and a description
     stepper : the class of its runs
-    unusable_because : a function of the prepared model and the start time that returns why the
-        method cannot be used, or None
+    unusable_because : a function of prepared model and start time that returns why not, or None
     order : of convergence with a fixed step; None if it has no fixed step
     min_rtol : the smallest rtol that it can reach
-    tolerance_ratio : rtol over the first tolerance; measured errors of the Runge-Kutta methods are
-        up to 100 tolerances, rarely less than one
+    tolerance_ratio : rtol over the first tolerance; Runge-Kutta errors are 1 to 100 tolerances
     max_tolerance, min_tolerance : of the first fine run, as coarser predict little; of any run
     coarsening : the tolerance of the first run over that of the second; < 1 where finer is as cheap
     adaptive : True if its steps follow from errors of this order

@@ -42,8 +42,7 @@ def pendulum(mass: Scalar, length: Scalar, g: Scalar) -> Model:
     mass=3.0, length=2.0, g=9.81, theta=2.0, precession=1.5,
 )  # fmt: skip
 def nodding(mass: Scalar, length: Scalar, g: Scalar, theta: Scalar, precession: Scalar) -> Model:
-    """The Model of the angle theta alone, for a start at ``theta`` (rad) with this rate psi':
-    :func:`newton_euler.scenes.spatial.top.nutation`.
+    """The Model of ``theta`` (rad) alone, from a start with this rate psi': :func:`.top.nutation`.
 
     >>> # falls towards theta = pi
     >>> round(nodding(3.0, 2.0, 9.81, 3.0, 0.0).derivative((3.0, 0.0))[1], 6)

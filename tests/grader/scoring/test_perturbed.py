@@ -133,8 +133,8 @@ def test_a_slip_in_some_components_alone_is_named_there():
 
 def test_random_numbers_in_one_component_are_rarely_named():
     rng = random.Random(2)
-    tries = [[(A / 3 + C / 2) * 3 ** rng.uniform(-1, 1), None, None] for _ in range(400)]
-    assert sum("in its" in of_three([float(f"{x[0]:.4g}"), *x[1:]]) for x in tries) <= 4
+    tries = [[(A / 3 + C / 2) * 3 ** rng.uniform(-1, 1), None, None] for _ in range(150)]
+    assert sum("in its" in of_three([float(f"{x[0]:.4g}"), *x[1:]]) for x in tries) <= 2
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from newton_euler import Frame, Inertia
-from newton_euler.algebra.ledger import Amount, TermError, Terms, distinct, latex_number, summed
+from newton_euler.algebra.ledger import (
+    Amount,
+    TermError,
+    Terms,
+    distinct,
+    latex_number,
+    latex_text,
+    summed,
+)
 from newton_euler.algebra.vectors import named_sum
 from tests.kinds import close, numbers
 from tests.named_sums import NAMES, check_terms
@@ -36,6 +44,8 @@ def test_no_term_is_lost_whatever_its_name_is(pairs):
     check_terms(U, [np.array(float(x)) for _, x in pairs], names)
     check_terms(F, [np.array([x, 0.0, 0.0]) for _, x in pairs], names)
     assert F.explain().latex.count("&&") == len(pairs) + 1
+    named = latex_text("rod_1 & rope #2, 50 %")
+    assert named == r"\text{rod\_1 \& rope \#2, 50 \%}"
 
 
 @given(named)
@@ -125,6 +135,17 @@ def test_what_a_sum_takes_away_is_printed_as_minus_below_names_of_one_width():
     assert [row.partition("[")[0] for row in rows] == [
         "  inertia  m a      ", "  minus weight  -F  ", "  sum               "
     ]  # fmt: skip
+
+
+def test_a_term_called_sum_is_not_taken_for_the_sum():
+    rows = summed({"sum": 1.0, "sum of all": 2.0}).explain().splitlines()[1:]
+    assert [" ".join(r.split()) for r in rows] == [
+        "sum 1 J", "sum of all 2 J", "sum of all of all 3 J"
+    ]  # fmt: skip
+    arm = ground.rotate("sum", "z", rate=2.0)
+    explained = arm.angular_velocity(ground).explain()
+    assert [r.split("  ")[1] for r in str(explained).splitlines()[1:]] == ["sum", "sum of all"]
+    assert r"&& \text{sum of all}" in explained.latex
 
 
 @pytest.mark.parametrize(("x", "latex"), [
