@@ -238,7 +238,7 @@ def run(request, tmp_path_factory):
     return notebook
 
 
-@pytest.mark.one_in(14)
+@pytest.mark.slow
 @pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
 def test_a_cell_that_is_run_again_prints_the_same(path, tmp_path):
     notebook, again = executed(read(path), tmp_path, afterwards=printed_again)

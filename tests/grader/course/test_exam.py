@@ -129,6 +129,7 @@ problems: [4/1, 7/5]
 
 
 @pytest.mark.integration
+@pytest.mark.slow
 def test_an_exam_from_the_file_to_the_feedback(tmp_path, inbound):
     """Built after homework of the same problems, released, handed in early, late and twice, graded
     by both routes, with feedback once it is over.

@@ -133,6 +133,7 @@ def test_ctrl_c_in_a_build_leaves_nothing_and_in_feedback_what_is_done(fresh, tm
 
 
 @pytest.mark.integration
+@pytest.mark.slow
 def test_ctrl_c_in_a_release_releases_nothing_and_the_next_one_all(ungraded):
     outbound = "exchange/*/outbound"
     for path in ungraded.path.glob(f"{outbound}/*"):
