@@ -23,7 +23,8 @@ def limited(seconds):
         raise TimeUp
 
     before = signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    # repeatedly: what is raised in the callback of a weak reference, or of the collector, is ignored
+    signal.setitimer(signal.ITIMER_REAL, seconds, 0.2)
     try:
         yield
     finally:
