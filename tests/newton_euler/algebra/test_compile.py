@@ -177,7 +177,7 @@ def test_auto_turns_to_heyoka_only_when_it_pays(monkeypatch):
     first = f(x)
     assert f._heyoka is None
     f(x), f(x)
-    assert f._heyoka is not None
+    assert f._buffer is not None  # heyoka has written into it
     assert np.allclose(f(x), first, atol=1e-15)
 
 
