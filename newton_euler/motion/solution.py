@@ -173,18 +173,22 @@ class Motion(Guided):
         return dict.fromkeys(n for part in self.segments for n in part.system.model.states)
 
     def _at(self, times):
-        segments = self.segments
-        out = {n: np.full(len(times), math.nan) for n in self._names}
-        begins = [part.t0 for part in segments]
-        index = np.maximum(np.searchsorted(begins, times, side="right") - 1, 0)
-        for n in np.unique(index):
-            part, inside = segments[n], index == n
-            rows = part.stepper.states(times[inside])
-            for name, row in zip(part.system.model.states, rows, strict=True):
-                out[name][inside] = row
+        first, *more = self.segments
+        if more:
+            out = {n: np.full(len(times), math.nan) for n in self._names}
+            begins = [part.t0 for part in self.segments]
+            index = np.maximum(np.searchsorted(begins, times, side="right") - 1, 0)
+            for n in np.unique(index):
+                part, inside = self.segments[n], index == n
+                rows = part.stepper.states(times[inside])
+                for name, row in zip(part.system.model.states, rows, strict=True):
+                    out[name][inside] = row
+        else:
+            out = dict(zip(self._names, first.stepper.states(times), strict=True))
         # the stepper interpolates: the last state would differ by round-off
+        at_end = times == self.t_end
         for name, x in self.end.items():
-            out[name][times == self.t_end] = x
+            out[name][at_end] = x
         return out
 
     @cached_property
