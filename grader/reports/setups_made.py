@@ -30,13 +30,17 @@ def of_setups(
     """The answers, {key: components}, of ``p`` with random slips in its set-up."""
     places = list(_places(p))
     g = p.base({**values, **symbol_points(p)})
-    asked = {a.key for a in p.answers if not a.kind.is_word}
+    asked = [a for a in p.answers if not a.kind.is_word]
     for place in rng.sample(places, min(most, len(places))):
         try:
             found = p.in_units(_solve(p, *place)(g))
-            yield {k: tuple(0.0 if s is ZERO else s for s in flat(found[k])) for k in asked}
+            made = {
+                a.key: tuple(0.0 if s is ZERO else s for s in flat(found[a.key])) for a in asked
+            }
         except (NewtonEulerError, ArithmeticError, ValueError, TypeError, LookupError):
             continue  # this is not set up
+        if all(len(made[a.key]) == a.kind.length for a in asked):  # no entry of the answer is gone
+            yield made
 
 
 def _modules(p):

@@ -205,6 +205,11 @@ class Kind:
         columns = self.shape[1]
         return [list(parts[n : n + columns]) for n in range(0, self.length, columns)]
 
+    def in_rows(self, tree: Any) -> Any:
+        """An answer in JSON as it is written: the entries of a matrix in rows."""
+        is_whole = len(self.shape) == 2 and type(tree) is list and len(tree) == self.length
+        return self.nested(tree) if is_whole else tree
+
     def typeset(self, parts: Sequence[str]) -> str:
         """Components in LaTeX as one formula."""
         if len(self.shape) == 2:

@@ -190,15 +190,18 @@ class Receipt:
 
     def _as_text(self, key, tree):
         between = _(", in ") if isinstance(tree, dict) else " "  # components in several frames
-        unit = self.forms[key].unit
-        return f"{key} = {in_words(tree)}{between}{unit}".removesuffix(f"{between}1")
+        kind, unit = self.forms[key].kind, self.forms[key].unit
+        text = f"{key} = {in_words(kind.in_rows(tree))}{between}{unit}"
+        return text.removesuffix(f"{between}1")
 
     def _as_markdown(self, key, tree):
         form = self.forms[key]
         if form.kind.has_options:
             return f"`{key}`: {_escaped(tree)}"
         between = r",\ \text{in}" if isinstance(tree, dict) and form.unit != "1" else ""
-        value = f"= {formula(tree, self.notation)}{between}{unit_symbol(form.unit)}"
+        value = (
+            f"= {formula(form.kind.in_rows(tree), self.notation)}{between}{unit_symbol(form.unit)}"
+        )
         if is_word(key) and key not in self.notation:
             return f"`{key}` ${value}$"
         return f"${self.notation.get(key) or symbol(key, form.kind.is_vector)} {value}$"

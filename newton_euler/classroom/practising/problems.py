@@ -273,8 +273,6 @@ class PracticeProblem(Guided):
 
     def _read(self, key):
         form, tree = self._asked[key].form, self._trees[key]
-        if isinstance(tree, list) and len(tree) == form.kind.length:
-            tree = form.kind.nested(tree)
         return value_line(form, tree, self._found[key].verdict)
 
     def _explained(self, key):

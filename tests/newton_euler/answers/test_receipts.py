@@ -125,3 +125,9 @@ def test_a_receipt_in_a_notebook_is_typeset(problem, monkeypatch):
     monkeypatch.setattr("IPython.display.display", lambda data, raw: shown.append(data))
     given._ipython_display_()
     assert shown == [{"text/plain": repr(given), "text/markdown": given.markdown}]
+
+
+def test_a_matrix_is_read_back_in_rows():
+    rows = [[1, 0, 0], [0, 2, 0], [0, 0, 3.5]]
+    expect("7/2", I="matrix, kg*m^2")
+    assert "I = [[1, 0, 0], [0, 2, 0], [0, 0, 3.5]] kg*m^2" in repr(receipt("7/2", {"I": rows}))

@@ -336,6 +336,8 @@ def test_the_answer_for_the_books_numbers_is_named_and_does_not_follow():
     ("vector, mm/s", [1.0, 2.5, 0.0], "[1, 2.5, 0] mm/s"),
     ("vector, mm/s", {"arm": [1, 0, 0], "ground": [0, 1, 0]},
      "[1, 0, 0] in arm, [0, 1, 0] in ground, mm/s"),
+    ("matrix, 1", [1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.5],
+     "[[1, 0, 0], [0, 2, 0], [0, 0, 3.5]]"),
     ("count", 3, "3"),
     ("choice: a | b", "a\nb", "a b"),
 ])  # fmt: skip
