@@ -24,7 +24,7 @@ def configure(c: Config, course: str) -> None:
     c.CourseDirectory.root = str(root)
     c.CourseDirectory.db_url = f"sqlite:///{root / 'gradebook.db'}"
     if (root / "course.json").exists():  # earlier versions have the id in the configuration
-        settings = json.loads((root / "course.json").read_text())
+        settings = json.loads((root / "course.json").read_text(encoding="utf-8"))
         c.CourseDirectory.course_id = settings["id"]
         if group := settings.get("group"):  # set by: python -m grader share
             c.CourseDirectory.groupshared = True

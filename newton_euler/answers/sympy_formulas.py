@@ -89,10 +89,8 @@ class _Reader:
             refuse_equation(x, self.form)
         if x.is_Symbol:
             return self._symbol(x)
-        if x.is_Integer:
-            return int(x) if abs(int(x)) < 2**53 else float(x)  # larger ones are not exact in JSON
-        if x.is_Rational:
-            return ["/", float(x.p), float(x.q)]
+        if x.is_Rational and max(abs(x.p), x.q) < 2**53:  # larger ones are not exact in JSON
+            return int(x) if x.is_Integer else ["/", float(x.p), float(x.q)]
         if x.is_Number or not x.args:
             named = {"pi": "pi", "I": I_TREE}
             return named.get(str(x)) or read_number(x, self.form)

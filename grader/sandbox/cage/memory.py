@@ -23,12 +23,12 @@ def use_large_pages() -> None:
     """Move the private memory of this process into large pages, as far as the system can (Linux
     6.1): a fork then copies a tenth of the page table.
     """
-    with contextlib.suppress(OSError), open("/proc/self/maps") as f:
+    with contextlib.suppress(OSError), open("/proc/self/maps", "rb") as f:
         advise = ctypes.CDLL(None).madvise
         for line in f.read().splitlines():
             addresses, rights, *_, inode = line.split()[:5]
-            if rights == "rw-p" and inode == "0":
-                start, end = (int(x, 16) for x in addresses.split("-"))
+            if rights == b"rw-p" and inode == b"0":
+                start, end = (int(x, 16) for x in addresses.split(b"-"))
                 for page in range(-(-start // LARGE_PAGE), end // LARGE_PAGE):
                     advise(ctypes.c_void_p(page * LARGE_PAGE), LARGE_PAGE, MADV_COLLAPSE)
 
@@ -132,9 +132,9 @@ def _parent(processes):
     """The folder in which a group with a memory limit can be made: that of this process if it is
     the root, else its parent, since below a group with processes there are no limits.
     """
-    with open(f"{processes}/mountinfo") as f:
+    with open(f"{processes}/mountinfo", errors="surrogateescape") as f:
         mounts = [line.split() for line in f if " - cgroup2 " in line]
-    with open(f"{processes}/cgroup") as f:
+    with open(f"{processes}/cgroup", errors="surrogateescape") as f:
         own = next((line[3:].strip() for line in f if line.startswith("0::")), None)
     if not mounts or own is None:
         raise OSError("no cgroup v2")

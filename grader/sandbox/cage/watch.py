@@ -75,7 +75,7 @@ def _children_of(pid):
 
 def _state(pid):
     try:
-        with open(f"/proc/{pid}/stat") as f:
+        with open(f"/proc/{pid}/stat", errors="replace") as f:  # a name may be any bytes
             return f.read().rpartition(")")[2].split()[0]
     except (OSError, IndexError):
         return ""

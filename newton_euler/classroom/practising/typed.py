@@ -32,9 +32,10 @@ def typed(text: str, names: Mapping[str, float], words: tuple[str, ...] = ()) ->
         return None
     if words:
         return text.strip("'\"")
-    tree = typed_tree(text, names)
     try:
-        return _value(tree, names)
+        return _value(typed_tree(text, names), names)
+    except AnswerError:
+        raise
     except (ArithmeticError, ValueError, TypeError, RecursionError) as error:
         why = next((words for kind, words in _WHY.items() if isinstance(error, kind)), _NOT_REAL)
         raise AnswerError("{text} has no value: {why}", text=repr(text[:60]), why=why) from error

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from grader.sandbox import Harvester
+from grader.sandbox.cage.watch import descendants
 from tests.grader.courses import REPOSITORY, environment
 from tests.grader.sandbox import jobs
 
@@ -49,6 +50,14 @@ def is_alive(pid):
         return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
     except OSError:
         return False
+
+
+def test_a_process_is_seen_whatever_bytes_it_is_named():
+    named = "import ctypes; ctypes.CDLL(None).prctl(15, bytes([255])); print(flush=True); input('')"
+    command, pipe = [sys.executable, "-c", named], subprocess.PIPE
+    with subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=subprocess.DEVNULL) as process:
+        process.stdout.readline()
+        assert process.pid in descendants()
 
 
 @pytest.mark.parametrize("killed", ["grader", "worker"])

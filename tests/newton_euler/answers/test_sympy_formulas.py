@@ -26,6 +26,7 @@ FORMULAS = {
     "log": sympy.log(r),
     "secant written out": 1 / sympy.cos(theta),
     "number": sympy.Integer(3),
+    "fraction of long numbers": r * sympy.Rational(0.1) ** 25 * 10**25,
 }
 
 
@@ -55,8 +56,9 @@ NOT_READ = {
     *NOT_READ.values(),
     (LONG, f"more than {NODES} operations. Simplify it"),
     (nested(3000), "expected a formula"),
+    (r * sympy.Integer(10) ** 400, "got inf"),
     (nested(DEPTH + 1), f"nested more than {DEPTH} deep"),
-], ids=[*NOT_READ, "too long", "too deep for Python", "too deep to be graded"])  # fmt: skip
+], ids=[*NOT_READ, "too long", "too deep for Python", "too large", "too deep to be graded"])  # fmt: skip
 def test_a_formula_that_cannot_be_graded_is_refused_in_words(formula, message):
     with pytest.raises(AnswerError, match=message):
         one("expression, m", formula, SYMBOLS)

@@ -32,6 +32,15 @@ def test_anything_else_is_refused_and_never_run(text):
         typed(text, {"b": 8.0})
 
 
+@pytest.mark.parametrize(("text", "why"), [
+    ("9" * 400, "too large"), ("1e999", "too large"), ("(-8)**(1/3)", "not a real"),
+    ("[1,2]+3", "only numbers, lists"), ("sin([1])", "only numbers, lists"),
+])  # fmt: skip
+def test_the_student_reads_why(text, why):
+    with pytest.raises(AnswerError, match=why):
+        typed(text, {})
+
+
 @pytest.mark.parametrize(("text", "tree"), [
     ("-2*b*pi", ["*", -2.0, "b", "pi"]), ("1 - b/2", ["+", 1.0, ["*", -1.0, ["/", "b", 2.0]]]),
     ("[b, -b^2]", ("b", ["*", -1.0, ["^", "b", 2.0]])), ("[sin(b)]", (["sin", "b"],)),
