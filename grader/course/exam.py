@@ -51,7 +51,7 @@ class ExamWindow:
         refused.
         """
         if when is None:
-            return _("it is not known whether this was handed in within the window of the exam")
+            return _("it is not known whether this was handed in during the exam")
         if self.opens and when < self.opens:
             return _("handed in {time} before the exam opened", time=_span(self.opens - when))
         late = when - self.closing(student)

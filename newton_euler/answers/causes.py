@@ -164,11 +164,12 @@ DIAGONAL_ONLY = slip(
     "diagonal only",
 )
 POLAR = slip(
-    "takes the distance to the point for each moment of inertia: that to the axis is asked for",
+    "takes the distance to the point for each moment of inertia: the distance to the axis counts",
     "polar",
 )
 PLANAR = slip(
-    "takes the integral of x^2 for I_xx: it is that of y^2 + z^2, and so for each axis", "planar"
+    "takes the integral of x^2 for I_xx: it is that of y^2 + z^2, and likewise for each axis",
+    "planar",
 )
 GIVES_ZERO = slip("gives zero: what was taken as zero is not, or two terms do not cancel", "zero")
 BOUNDS = slip("has its bounds in the wrong order: the lower one comes first", "bounds")
@@ -337,8 +338,8 @@ def bare(factor: str, large: bool) -> Cause:
 
 def usual(number: str, body: str, is_place: bool) -> Cause:
     """The number in front is one by which another body is known."""
-    one = Words("has the number {number}, as {body} has: the body, or the axis, is another one")
-    of_place = Words("has the number {number}, as the centre of {body} has: look which body it is")
+    one = Words("has the number {number} of {body}: the body, or the axis, is a different one")
+    of_place = Words("has the number {number} of the centre of {body}: check which body it is")
     text = Words(of_place if is_place else one, number=number, body=body)
     return Cause("usual", number, text)
 

@@ -141,7 +141,7 @@ def outdated(problem: str, names: Iterable[str]) -> dict[str, str]:
     for name in names if watch.shell else ():
         other = watch.read.setdefault(name, problem)
         if name in watch.failed:
-            found[name] = _("the cell that gives {name} a value has ended in an error", name=name)
+            found[name] = _("the cell that gives {name} a value ended in an error", name=name)
         elif other != problem and watch.shell.user_ns.get(name) is not None:
             text = Words("{name} has its value from {other}: run your cell of {problem}")
             found[name] = _(text, name=name, other=other, problem=problem)

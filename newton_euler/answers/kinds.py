@@ -41,8 +41,8 @@ class Kind:
     rtol: ClassVar[float] = RTOL
     is_word: ClassVar[bool] = False  # True: no unit, no size, no components
     is_formula: ClassVar[bool] = False  # True: written in the symbols of the problem
-    is_vector: ClassVar[bool] = False  # True: its components are along axes
-    is_matrix: ClassVar[bool] = False  # True: each is along two axes, in rows
+    is_vector: ClassVar[bool] = False  # True: three components, along axes
+    is_matrix: ClassVar[bool] = False  # True: 3 x 3 in rows, each along two axes
     has_size: ClassVar[bool] = True  # True: the givens of the problem determine it
     has_options: ClassVar[bool] = False  # True: its form lists the words to choose from
     is_met_by_chance: ClassVar[bool] = False  # True: wrong models often give it

@@ -177,9 +177,9 @@ def dimension_hints(tree: Tree, form: Any, symbols: Mapping[str, str]) -> list[s
         if got != asked and part != 0:  # 0 has every dimension
             wanted = _("a pure number") if asked == Dimension() else form.unit
             hints.append(
-                _("{where} is in {got}, but {wanted} is asked", where=where, got=got, wanted=wanted)
+                _("{where} is in {got}; {wanted} is asked for", where=where, got=got, wanted=wanted)
                 if got != Dimension()
-                else _("{where} has no unit, but {wanted} is asked", where=where, wanted=wanted)
+                else _("{where} has no unit; {wanted} is asked for", where=where, wanted=wanted)
             )
     return hints
 

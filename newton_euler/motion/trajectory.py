@@ -200,7 +200,7 @@ class Trajectory:
             stepper = stepper or _not_begun(system, t, x)
             self._fail(stepper, error)
         except RuntimeError as error:
-            # what a generator of the engine makes of a StopIteration of an event's function
+            # a generator of the engine turns the StopIteration of an event's function into this
             if isinstance(error.__cause__, StopIteration) and raised_by_the_engine(error):
                 raise error.__cause__ from None
             raise

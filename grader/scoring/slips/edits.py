@@ -45,7 +45,7 @@ REST_OF = Words("gives what is left of {name}: {key} is asked for")
 HALF_WAY = Words("takes {part}{quantity} for {key}: look up what {key} stands for")
 OTHER_ANGLES = (
     (pi, Words("gives the supplement of the angle: the other one is asked for")),
-    (pi / 2, Words("gives the angle to the normal: that to the line itself is asked for")),
+    (pi / 2, Words("gives the angle to the normal: the angle to the line itself is asked for")),
 )
 
 

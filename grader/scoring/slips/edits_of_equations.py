@@ -33,7 +33,9 @@ LATER = {
     2.0: Words("doubles what stands beside {term} in finding {unknown}: look for its arm"),
     0.5: Words("halves what stands beside {term} in finding {unknown}: look for its arm"),
 }
-TURNED = Words("takes {twin} for {own} beside {term} in finding {unknown}: look where the angle is")
+TURNED = Words(
+    "takes {twin} for {own} beside {term} in finding {unknown}: check where the angle is"
+)
 ALONE = Words("has {unknown} in one equation only: it acts in the others, too")
 EQUAL = Words("takes {unknown} and {other} as equal: they are two unknowns")
 FEW = 3  # unknowns: of more, none is found from the others

@@ -32,7 +32,7 @@ TANGENT = Words(
     "takes {over}/{own}, a tangent, for {own} over the slant side: look at the triangle"
 )
 EACH = Words("squares each term of {sum} separately: twice their product is missing")
-IN_PRODUCT = Words("takes {other} for {name} in {product}: look which of them it is")
+IN_PRODUCT = Words("takes {other} for {name} in {product}: check which of them it is")
 OF_TWO = Words("takes {a} {op} {b} for {key}: look up what {key} stands for")
 ADDED = Words("adds the two products in each component of {quantity}: they are subtracted")
 MIDDLE_TURNED = Words(
@@ -50,7 +50,7 @@ WITHOUT_MASS = Words(
     "leaves out the mass per length, area or volume: the moments of the mass are asked for"
 )
 WEIGHTS = Words("takes the weights for masses: a mass is a weight over g")
-MEAN_RATE = Words("takes {a} over {t} for {b}: that is a mean value, it changes")
+MEAN_RATE = Words("takes {a} over {t} for {b}: that is its mean value, and it changes")
 GROWN = Words("takes {a} times {t} for {b}: it does not grow evenly")
 ANGULAR = {"sin", "cos", "tan"}
 TRANSFERS = {
@@ -71,8 +71,8 @@ TIMES = (
 # the numbers of rods, and of two alike, about the middle; the same about an end
 MIDDLE, END = {Fraction(1, 12), Fraction(1, 6)}, {Fraction(1, 3), Fraction(2, 3)}
 OF_RODS = (
-    (MIDDLE, 4.0, Words("has 1/3 for 1/12 in {part}: look up about which point it is")),
-    (END, 0.25, Words("has 1/12 for 1/3 in {part}: look up about which point it is")),
+    (MIDDLE, 4.0, Words("has 1/3 for 1/12 in {part}: look up which point it is about")),
+    (END, 0.25, Words("has 1/12 for 1/3 in {part}: look up which point it is about")),
 )
 
 

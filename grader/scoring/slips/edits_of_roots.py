@@ -24,8 +24,8 @@ REACH = 2  # range of these points, in lengths of the interval around the root
 IN_EQUATION = Words("in the equation for {unknown} {cause}")
 SMALL = Words("takes the angle {unknown} as small in its equation: it is not")
 OTHERS = {
-    -1: Words("takes a smaller root of the equation for {unknown}: look which one is asked for"),
-    1: Words("takes a larger root of the equation for {unknown}: look which one is asked for"),
+    -1: Words("takes a smaller root of the equation for {unknown}: check which one is asked for"),
+    1: Words("takes a larger root of the equation for {unknown}: check which one is asked for"),
 }
 SMALL_ANGLE: dict[str, Callable[[Step], Any]] = {
     "sin": lambda s: s.args[0], "tan": lambda s: s.args[0], "cos": lambda s: 1.0,

@@ -57,7 +57,7 @@ def advise(
     fresh = [p for p in sections if p not in {d.problem for d in done} and p != now]
     for d in latest:
         if d.missed and (near := _alike(d, fresh, sections, may_err)):
-            text = Words("{problem} is of section {number}, too: {why}.")
+            text = Words("{problem} is from section {number}, too: {why}.")
             return Advice(near, _(text, problem=near, number=d.section, why=_why(d, today)))
     if fresh:
         return _onwards(fresh, sections, latest)
@@ -65,8 +65,8 @@ def advise(
         first = min(done, key=lambda d: d.due)
         days = max((first.due - today).days, 1)
         return Advice("", plural(
-            "All is done for now. {problem} comes again in a day.",
-            "All is done for now. {problem} comes again in {n} days.", days, problem=first.problem,
+            "All done for now. {problem} comes again in a day.",
+            "All done for now. {problem} comes again in {n} days.", days, problem=first.problem,
         ))  # fmt: skip
     return Advice("", _("There is no problem to do."))
 

@@ -285,7 +285,7 @@ class PracticeProblem(Guided):
         why = explain(self._asked[key], self._found, self._numbers)
         if not why.earlier:
             return why.message, why.causes
-        text = Words("not right; it follows rightly from your {names}: correct that first{also}")
+        text = Words("not right; it follows correctly from your {names}: correct that first{also}")
         return _(text, names=joined(why.earlier), also=why.also), why.causes
 
     def _rounded_early(self, key):

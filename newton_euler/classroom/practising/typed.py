@@ -49,7 +49,7 @@ def typed_tree(text: str, names: Mapping[str, float]) -> Tree:
     """
     if len(text) > LONGEST:
         raise AnswerError(
-            "{text} … has more than {most} letters", text=repr(text[:30]), most=LONGEST
+            "{text} … has more than {most} characters", text=repr(text[:30]), most=LONGEST
         )
     try:
         return _tree(ast.parse(text.strip().translate(_WRITTEN), mode="eval").body, names)

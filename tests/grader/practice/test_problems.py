@@ -73,7 +73,7 @@ def test_a_step_that_follows_rightly_from_a_wrong_one_is_reported_as_such(elbow)
     """v_r = omega_rel x r with the wrong way of turning, and 2 omega x v_r with that."""
     elbow.check_step(v_r=[0, -6.235383, 3.6])
     output = elbow.check_step(a_D_coriolis=[7.482459, 0, 0])
-    assert "it follows rightly from your v_r: correct that first" in output.text
+    assert "it follows correctly from your v_r: correct that first" in output.text
     assert output.verdicts == {"a_D_coriolis": "wrong"}
     elbow.check_step(v_r=[0, 6.235383, -3.6])
     assert "follows" not in elbow.check_step(a_D_coriolis=[7.482459, 0, 0]).text
@@ -81,7 +81,7 @@ def test_a_step_that_follows_rightly_from_a_wrong_one_is_reported_as_such(elbow)
 
 def test_it_follows_through_steps_that_nobody_asked_about(elbow):
     elbow.check_step(v_r=[0, -6.235383, 3.6])
-    assert "it follows rightly from your v_r" in elbow.check(v_D=[-9.6, -6.235383, 3.6]).text
+    assert "it follows correctly from your v_r" in elbow.check(v_D=[-9.6, -6.235383, 3.6]).text
 
 
 def test_hints_say_where_then_how_then_the_value(elbow):

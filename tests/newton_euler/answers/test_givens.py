@@ -93,7 +93,7 @@ def test_an_answer_that_is_an_equal_object_was_still_computed_again(shell):
 
 
 SPEED = "expect('{0}', speed='number, m/s')\nr = receipt('{0}', globals())"
-FAILED = "the cell that gives speed a value has ended in an error"
+FAILED = "the cell that gives speed a value ended in an error"
 OTHER = "speed has its value from 4/1: run your cell of 4/2"
 
 

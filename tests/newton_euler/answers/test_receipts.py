@@ -95,7 +95,7 @@ def test_plain_nbgrader_cannot_give_points_for_a_receipt(problem, monkeypatch):
 
 def test_a_receipt_prints_hints_with_the_component_and_words_as_the_code_does():
     expect("0/9", {"r": "m", "omega": "rad/s"}, v="vector_expression, m/s")
-    assert "look again at v: component 2 is in m, but m/s is asked" in repr(
+    assert "look again at v: component 2 is in m; m/s is asked for" in repr(
         receipt("0/9", v=[r * omega, r, 0])
     )
     expect("0/13", acc_mag="number, m/s^2", state="choice: stable | unstable")

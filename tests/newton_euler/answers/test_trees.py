@@ -17,7 +17,7 @@ from tests.newton_euler.answers.one_answer import SYMBOLS, omega, one, r, theta
     ("formula", "hint"),
     [
         (r * omega, None),
-        (r * omega**2, "it is in .*, but m/s is asked"),
+        (r * omega**2, "it is in .*; m/s is asked for"),
         (r + omega, "adds unlike quantities"),
         (sympy.sin(r), "adds unlike|it "),
         (0 * r, None),

@@ -283,7 +283,7 @@ class Body(Fall):
 @pytest.mark.parametrize(
     ("tree", "words"),
     [
-        (["*", 0.4, "m", "R", "R"], "has the number 2/5, as a solid sphere has"),
+        (["*", 0.4, "m", "R", "R"], "has the number 2/5 of a solid sphere"),
         (["*", 0.5, "m", "R"], "has another power of R than asked for"),
         (["*", 3.5, "m", "R", "R"], "has 7 times the right number"),
         (["+", ["*", 0.5, "m", "R", "R"], ["*", 2, "m", "R"]], "is off by one term, in m and R"),

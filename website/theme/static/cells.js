@@ -11,7 +11,7 @@ if (window.engine) {
     "text/plain": (text) => output("stream highlight", el("pre", {}, text)),
     "text/html": (html) => scripted(ofHtml("text_html", html)),
     "image/svg+xml": (svg) => ofHtml("", svg),
-    "image/png": (data) => output("", el("img", { src: `data:image/png;base64,${data}`, alt: gettext("What the cell has drawn") })),
+    "image/png": (data) => output("", el("img", { src: `data:image/png;base64,${data}`, alt: gettext("What the cell drew") })),
     "text/latex": (text) => output("math", formula(text)),
     "text/markdown": (text) => output("mathjax_process", text),
     figure: (about) => {
@@ -35,7 +35,7 @@ if (window.engine) {
     const start = async () => {
       running = true;
       run.textContent = gettext("Stop");
-      note.textContent = gettext("runs …");
+      note.textContent = gettext("running …");
       cell.setAttribute("aria-busy", "true");
       const began = performance.now();
       try {

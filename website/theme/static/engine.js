@@ -56,7 +56,7 @@
     for (const { reject } of asked.values()) reject(new Error(words));
     asked.clear();
   };
-  const stop = () => end(gettext("stopped; cells that were run are forgotten"));
+  const stop = () => end(gettext("stopped; the cells run so far are forgotten"));
 
   // an element with attributes, listeners ("onclick") and contents
   const el = (tag, attributes = {}, ...inside) => {

@@ -171,7 +171,7 @@ addEventListener("DOMContentLoaded", () => {
           if (blob.size > MOST) throw tooLarge(blob);
           const { kept: text } = await engine.call("practice.take_in", { progress: await blob.text() });
           keep(text);
-          say((next.textContent = gettext("Your progress was taken in.")));
+          say((next.textContent = gettext("Your progress was loaded.")));
         } catch (error) { say(error.message); next.textContent = error.message; }
         chosen.value = "";
       } });
@@ -182,7 +182,7 @@ addEventListener("DOMContentLoaded", () => {
     };
     return el("details", {}, el("summary", {}, gettext("Your progress")),
       el("p", {}, gettext("It stays in this browser. The file is the one that practice() keeps in a notebook: take it along, either way.")),
-      button(gettext("Save as a file"), save, { class: "export" }), " ", button(gettext("Take in a file"), () => chosen.click()), chosen);
+      button(gettext("Save as a file"), save, { class: "export" }), " ", button(gettext("Load a file"), () => chosen.click()), chosen);
   };
 
   const show = async (fresh) => {

@@ -38,7 +38,7 @@ def test_after_a_mistake_comes_a_problem_of_its_section_in_which_it_can_be_made(
     listed = lambda p: {("listed", "no_term")} if p == "1/3" else set()
     found = advise(SECTIONS, progress, "1/1", listed)
     assert found.problem == "1/3"
-    words = "of section 1.1, too: today your v of 1/1 fitted a solution that leaves out the term."
+    words = "from section 1.1, too: today your v of 1/1 fitted a solution that leaves out the term."
     assert found.sentence == f"1/3 is {words}"
     assert advise(SECTIONS, progress, "1/1").problem == "1/2"
 
