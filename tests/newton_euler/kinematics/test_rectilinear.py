@@ -39,6 +39,10 @@ def test_a_speed_that_is_not_reached_is_refused_and_a_terminal_one_approached():
         from_speed(lambda v: 2.0 - v, 5.0, v0=0.0)
     with pytest.raises(SingularError, match="not reached"):
         from_speed(lambda v: -1.0, 5.0, v0=0.0)
+    with pytest.raises(SingularError, match="not reached"):
+        from_speed(lambda v: 0.2 - v, 0.5, v0=0.0)
+    t, x = from_speed(lambda v: 5.0 - v, 4.0, v0=1.0)  # a vanishes beyond 4 only
+    assert (t, x) == (pytest.approx(math.log(4), abs=1e-14), pytest.approx(5 * t - 3, abs=1e-14))
     for missing in (1e-3, 1e-6):
         t, _ = from_speed(lambda v: 2.0 - v, 2.0 - missing, v0=0.0)
         assert abs(t - math.log(2 / missing)) < 1e-15 / missing
