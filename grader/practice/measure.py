@@ -20,7 +20,7 @@ from newton_euler.answers.causes import (
     left_out_components,
     reversed_components,
 )
-from newton_euler.answers.kinds import KINDS
+from newton_euler.answers.kinds import KINDS, Kind
 from newton_euler.answers.tolerance import is_apart
 from newton_euler.classroom.practising.problems import PracticeProblem
 from newton_euler.classroom.practising.progress import Progress
@@ -94,7 +94,7 @@ def _measure(page, number, found, times):
                 found[SLIPS][_outcome(p, q, x, right, cause, models[key], times)] += 1
         if KINDS[q["kind"]].is_word:
             continue
-        for cause, x in slips(q["kind"], right) if q["step"] else ():
+        for cause, x in slips(KINDS[q["kind"]], right) if q["step"] else ():
             found[SLIPS][_outcome(p, q, x, right, cause, models.get(key, []), times)] += 1
         size = math.hypot(*right) or 1.0
         for _ in range(RANDOMS):
@@ -115,7 +115,7 @@ def _outcome(p, q, x, right, cause, models, times):
         return "unnamed"
     same = {c for c, other in models if _equal(x, other)}
     if not KINDS[q["kind"]].is_word:
-        same |= {c for c, other in slips(q["kind"], right) if _equal(x, other)}
+        same |= {c for c, other in slips(KINDS[q["kind"]], right) if _equal(x, other)}
     return "named" if cause is None or {cause, *same} & named else "misnamed"
 
 
@@ -140,13 +140,13 @@ def _equal(x, other):
     return math.dist(x, other) <= 10 ** (1 - DIGITS) * math.hypot(*x)
 
 
-def slips(kind: str, right: Sequence[float]) -> list[tuple[Any, list[float]]]:
+def slips(kind: Kind, right: Sequence[float]) -> list[tuple[Any, list[float]]]:
     """[(cause, numbers)] of general slips that change the answer: signs, components exchanged or
     left out.
     """
     found = [(OPPOSITE, [-x for x in right])]
     size = math.hypot(*right)
-    if kind == "vector":
+    if kind.is_vector:
         there = [n for n, x in enumerate(right) if abs(x) > 1e-9 * size]
         for n in there if len(there) > 1 else ():
             turned = [-x if m == n else x for m, x in enumerate(right)]
