@@ -199,9 +199,8 @@ class Receipt:
         if form.kind.has_options:
             return f"`{key}`: {_escaped(tree)}"
         between = r",\ \text{in}" if isinstance(tree, dict) and form.unit != "1" else ""
-        value = (
-            f"= {formula(form.kind.in_rows(tree), self.notation)}{between}{unit_symbol(form.unit)}"
-        )
+        written = formula(form.kind.in_rows(tree), self.notation)
+        value = f"= {written}{between}{unit_symbol(form.unit)}"
         if is_word(key) and key not in self.notation:
             return f"`{key}` ${value}$"
         return f"${self.notation.get(key) or symbol(key, form.kind.is_vector)} {value}$"

@@ -366,7 +366,6 @@ def value_line(form: Form, tree: Any, verdict: str) -> str:
     if form.kind.is_word:  # any JSON
         return one_line(tree)[:200]
     between = ", " if type(tree) is dict else " "  # components in several frames
-    text = in_words(form.kind.in_rows(tree))[:200] + (
-        between + form.unit if form.unit != "1" else ""
-    )
+    unit = between + form.unit if form.unit != "1" else ""
+    text = in_words(form.kind.in_rows(tree))[:200] + unit
     return one_line(text) if type(tree) is dict else text  # the student named the frames
